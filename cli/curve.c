@@ -2,9 +2,9 @@
 // curve.c -- measures one curve of a figure, a pipeline on a device, at one size.
 #include "curve.h"
 #include "csv.h"
-#include "record.h"
-#include "report.h"
+#include "library_error.h"
 #include "scene/load.h"
+#include "step_record.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include "validate/validate.h"
 #include <string.h>
 #ifdef SCREE_HAVE_WINDOW
-#include "view/window/view.h"
+#include "view/window/run_viewer.h"
 #endif
 
 static const struct

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // outputs.c -- the files of a run: a picture, a video, a CSV file.
 #include "outputs.h"
-#include "report.h"
+#include "library_error.h"
 #include "scene/caption.h"
 #include "scene/viewport.h"
 #include <errno.h>

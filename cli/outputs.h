@@ -3,8 +3,8 @@
 #ifndef OUTPUTS_H
 #define OUTPUTS_H
 #include "picture_renderer.h"
-#include "record.h"
 #include "scene/video.h"
+#include "step_record.h"
 
 typedef struct
 {

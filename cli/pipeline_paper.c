@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // pipeline_paper.c -- the pipeline of the paper, reference/paper.h.
 #include "pipeline_paper.h"
+#include "library_error.h"
 #include "reference/paper.h"
-#include "report.h"
 #include "scene/churn.h"
 #include <stdlib.h>
 

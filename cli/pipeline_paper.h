@@ -2,7 +2,7 @@
 // pipeline_paper.h -- the pipeline of the paper, reference/paper.h.
 #ifndef PIPELINE_PAPER_H
 #define PIPELINE_PAPER_H
-#include "pipeline.h"
+#include "pipelines.h"
 
 extern const Pipeline paper_pipeline;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // simulation.c -- simulates a scene with one of the pipelines.
 #include "simulation.h"
+#include "library_error.h"
 #include "pipeline_paper.h"
 #include "pipeline_soft.h"
-#include "report.h"
 #include "scene/build.h"
 #include "scene/churn.h"
 #include "scene/find.h"

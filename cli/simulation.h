@@ -2,7 +2,7 @@
 // simulation.h -- simulates a scene with one of the pipelines.
 #ifndef SIMULATION_H
 #define SIMULATION_H
-#include "pipeline.h"
+#include "pipelines.h"
 
 const Pipeline* choose_pipeline(PipelineChoice choice);
 

@@ -4,7 +4,7 @@
 #
 # An include is looked for in src, then in ROOT. A header is inlined where it is first included, a .def (a list of X lines) wherever it is. Each piece comes after a
 # #line with its true name and line, so that a compiler's message leads to the source. Comments stay behind. What
-# the CPU alone includes (dialect/extremes.h, dialect/overlaps.h, dialect/transpose.h) is left out. Text is only ever quoted and searched with FIND: CMake would split it at
+# the CPU alone includes (dialect/extremes.h, dialect/box_overlaps.h, dialect/transpose.h) is left out. Text is only ever quoted and searched with FIND: CMake would split it at
 # semicolons and join it at brackets if it were taken for a list.
 
 function(inline path out)
@@ -30,7 +30,7 @@ function(inline path out)
 
 		string(APPEND result "${before}")
 		get_property(seen GLOBAL PROPERTY inlined_${name})
-		if(NOT seen AND NOT name MATCHES "^dialect/(extremes|overlaps|transpose).h$")
+		if(NOT seen AND NOT name MATCHES "^dialect/(extremes|box_overlaps|transpose).h$")
 			if(NOT name MATCHES "\\.def$")
 				set_property(GLOBAL PROPERTY inlined_${name} TRUE)
 			endif()

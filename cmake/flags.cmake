@@ -39,16 +39,16 @@ function(scree_flags target)
 endfunction()
 
 # One file a width, each for the instructions that its width needs; chosen at run time by what the processor has. What is
-# not wide goes with eight lanes or more from one8.c.
+# not wide goes with eight lanes or more from scalar_avx2.c.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-	set_source_files_properties(src/cpu/lanes8.c src/cpu/one8.c PROPERTIES COMPILE_OPTIONS "-mavx2")
+	set_source_files_properties(src/cpu/lanes8.c src/cpu/scalar_avx2.c PROPERTIES COMPILE_OPTIONS "-mavx2")
 	set_source_files_properties(src/cpu/lanes16.c PROPERTIES
 		COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw")
 endif()
 
 # A file has all stages. Without this, gcc stops inlining when it has grown by 40 %, and each new stage makes others slower.
 if(CMAKE_C_COMPILER_ID STREQUAL "GNU")
-	set_property(SOURCE src/cpu/lanes1.c src/cpu/one8.c APPEND PROPERTY COMPILE_OPTIONS --param=inline-unit-growth=100)
+	set_property(SOURCE src/cpu/lanes1.c src/cpu/scalar_avx2.c APPEND PROPERTY COMPILE_OPTIONS --param=inline-unit-growth=100)
 endif()
 
 # A page downloads all of it: what is not of a step is made small. Loops are unrolled in full or not at all: the two points of a

@@ -3,7 +3,7 @@ include(cmake/glsl.cmake)
 
 # what opens OpenGL, shares memory with it or reads pictures back has no counterpart in a page
 file(GLOB page_view CONFIGURE_DEPENDS view/*.c)
-list(FILTER page_view EXCLUDE REGEX "/(share|exported_memory|offscreen|framebuffer|gl_picture)\\.c$")
+list(FILTER page_view EXCLUDE REGEX "/(shared_rows|exported_memory|offscreen|framebuffer|gl_picture)\\.c$")
 
 if(CMAKE_C_FLAGS MATCHES "-pthread")
 	set(form threads)
@@ -13,7 +13,7 @@ else()
 	set(form scalar)
 endif()
 
-add_executable(scree_page web/page.c web/hands.c web/looks.c web/picture.c web/rows.c ${page_view})
+add_executable(scree_page web/page.c web/page_tools.c web/page_inspect.c web/page_picture.c web/page_rows.c ${page_view})
 scree_flags(scree_page)
 scree_glsl(scree_page)
 set_target_properties(scree_page PROPERTIES OUTPUT_NAME scree-${form} SUFFIX .js)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // all_pairs.c -- overlapping pairs of boxes, found by testing each against each: the reference of the broad phase.
 #include "reference/all_pairs.h"
-#include "stages/box.h"
+#include "stages/geometry/box.h"
 #include "world/check.h"
 
 scree_status paper_pairs(const scree_box* boxes, int box_count, PaperPair* pairs, int capacity, int* count)

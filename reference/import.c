@@ -2,7 +2,7 @@
 // import.c -- fills the pools of the paper's pipeline from a world.
 #include "reference/import.h"
 #include "dialect/vec.h"
-#include "world/attributes.h"
+#include "world/objects/attributes.h"
 #include "world/world.h"
 
 typedef struct // what scree_world_get_bodies and scree_body_get_collidables return

@@ -2,7 +2,7 @@
 // opencl.c -- the first three stages through OpenCL: each step copies the pools to the device and back.
 #include "reference/opencl.h"
 #include "backend/backend.h"
-#include "opencl/program.h"
+#include "opencl/compile.h"
 #include "platform/error.h"
 #include <stdio.h>
 

@@ -8,7 +8,7 @@
 // This work is based on: Girgis and Wells, GPGPU Acceleration for Video Game Physics Engines, section III; for the
 // impulses: Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996.
 #include "reference/resolve.h"
-#include "constraints/body.h"
+#include "constraints/solver_body.h"
 #include "platform/error.h"
 #include <stdlib.h>
 

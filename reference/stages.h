@@ -5,10 +5,10 @@
 // PAPER_STAGE(name) begins a function for item i of the pools p. The file that includes this one runs it for all items.
 #ifndef REFERENCE_STAGES_H
 #define REFERENCE_STAGES_H
-#include "constraints/body.h"
+#include "constraints/solver_body.h"
 #include "reference/pools.h"
-#include "stages/filter.h"
-#include "stages/manifold.h"
+#include "stages/geometry/filter.h"
+#include "stages/geometry/manifold.h"
 
 // Integrates forces to velocity and velocity to position: semi-implicit Euler. Then clears the accumulators and applies damping.
 PAPER_STAGE(integrate)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // build.c -- creates the bodies, collidables, joints and fields of a scene in a world.
 #include "scene/build.h"
-#include "scene/attributes.h"
+#include "scene/attribute_block.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
-#include "scene/fields.h"
-#include "scene/materials.h"
-#include "scene/paths.h"
+#include "scene/field_block.h"
+#include "scene/material_block.h"
+#include "scene/path_block.h"
 #include <stdlib.h>
 
 typedef struct

@@ -2,7 +2,7 @@
 // character.c -- characters of a scene: a mover, the body that shows it, what it takes, and a script of the keys that it obeys.
 #include "scene/character.h"
 #include "scene/block.h"
-#include "scene/keys.h"
+#include "scene/scene_keys.h"
 #include <stdlib.h>
 
 static const char* const character_keys[] = {"body",  "length", "radius", "speed",       "jump", "climb",

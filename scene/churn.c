@@ -6,9 +6,9 @@
 // replaced bodies are destroyed before any is created, and a world uses the lowest free slots first. So each new body gets
 // the slot of the old one, and the bodies of a scene stay in the order of the file.
 #include "scene/churn.h"
-#include "scene/attributes.h"
+#include "scene/attribute_block.h"
 #include "scene/evaluate.h"
-#include "scene/fields.h"
+#include "scene/field_block.h"
 #include <stdlib.h>
 
 static int64_t common_divisor(int64_t a, int64_t b)

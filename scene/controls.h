@@ -2,8 +2,8 @@
 // controls.h -- what bodies of a scene do while the user holds keys down in the viewer.
 #ifndef CONTROLS_H
 #define CONTROLS_H
-#include "scene/keys.h"
 #include "scene/scene.h"
+#include "scene/scene_keys.h"
 
 struct Control
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // evaluate.c -- computes the items of a block: bodies and collidables as scree.h defines them.
 #include "scene/evaluate.h"
-#include "scene/items.h"
+#include "scene/block_items.h"
 #include <stdlib.h>
 
 static bool choice_of(const Items* items, const Choice* choice, scree_attribute* attribute)

@@ -2,7 +2,7 @@
 // evaluate_joints.c -- computes the joints of a block as scree.h defines them.
 #include "scene/evaluate_joints.h"
 #include "scene/block.h"
-#include "scene/items.h"
+#include "scene/block_items.h"
 #include <math.h>
 #include <stdlib.h>
 

@@ -5,7 +5,7 @@
 // Scree's own sine and cosine, and random numbers that are hashes of the item's number.
 #ifndef EXPRESSION_H
 #define EXPRESSION_H
-#include "scene/item.h"
+#include "scene/block_item.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>

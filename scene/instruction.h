@@ -2,7 +2,7 @@
 // instruction.h -- the operations of compiled expressions, on a stack of doubles.
 #ifndef INSTRUCTION_H
 #define INSTRUCTION_H
-#include "scene/item.h"
+#include "scene/block_item.h"
 
 typedef enum
 {

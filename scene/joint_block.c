@@ -2,7 +2,7 @@
 // joint_block.c -- a block of joints of a scene: joints of one type, repeated over nested loops.
 #include "scene/joint_block.h"
 #include "scene/block.h"
-#include "scene/paths.h"
+#include "scene/path_block.h"
 #include <float.h>
 #include <string.h>
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // load.c -- reads a scene file and checks all of it.
 #include "scene/load.h"
-#include "scene/attributes.h"
+#include "scene/attribute_block.h"
+#include "scene/block_items.h"
 #include "scene/character.h"
 #include "scene/controls.h"
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
-#include "scene/fan.h"
-#include "scene/fields.h"
-#include "scene/items.h"
-#include "scene/materials.h"
-#include "scene/parameters.h"
-#include "scene/paths.h"
+#include "scene/field_block.h"
+#include "scene/lidar.h"
+#include "scene/material_block.h"
+#include "scene/parameter_block.h"
+#include "scene/path_block.h"
 #include <stdlib.h>
 #include <string.h>
 

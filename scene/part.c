@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // part.c -- the collidables of a block's items: attribute, pose in the body, filter.
 #include "scene/part.h"
-#include "scene/attributes.h"
+#include "scene/attribute_block.h"
 #include "scene/loop.h"
 #include <stdlib.h>
 #include <string.h>

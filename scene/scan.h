@@ -5,7 +5,7 @@
 // same hash on every device.
 #ifndef SCAN_H
 #define SCAN_H
-#include "scene/fan.h"
+#include "scene/lidar.h"
 
 typedef struct
 {

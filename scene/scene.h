@@ -11,12 +11,12 @@
 
 typedef struct Block Block;                   // scene/block.h
 typedef struct JointBlock JointBlock;         // scene/joint_block.h
-typedef struct Attribute Attribute;           // scene/attributes.h
-typedef struct ScenePath ScenePath;           // scene/paths.h
-typedef struct SceneMaterials SceneMaterials; // scene/materials.h
-typedef struct SceneField SceneField;         // scene/fields.h
+typedef struct Attribute Attribute;           // scene/attribute_block.h
+typedef struct ScenePath ScenePath;           // scene/path_block.h
+typedef struct SceneMaterials SceneMaterials; // scene/material_block.h
+typedef struct SceneField SceneField;         // scene/field_block.h
 typedef struct SceneBlast SceneBlast;
-typedef struct Fan Fan;             // scene/fan.h
+typedef struct Fan Fan;             // scene/lidar.h
 typedef struct Control Control;     // scene/controls.h
 typedef struct Character Character; // scene/character.h
 

@@ -3,10 +3,10 @@
 #ifndef SMALL_SCENES_H
 #define SMALL_SCENES_H
 #include "scene/build.h"
+#include "scene/character_motion.h"
 #include "scene/churn.h"
 #include "scene/find.h"
 #include "scene/load.h"
-#include "scene/walk.h"
 #include "small_sizes.h"
 #include "support.h"
 #include <stdlib.h>

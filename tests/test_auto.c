@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_auto.c -- device "auto": when a world moves by the clock, and that nobody can tell by its state.
 #include "moving.h"
-#include "world/open_async.h"
+#include "world/device/open_async.h"
 #include <stdlib.h>
 #include <string.h>
 

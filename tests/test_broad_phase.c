@@ -5,7 +5,7 @@
 // one body}. Boxes are read from the device; who is alive, its filter, kind and body are what the interface says. And
 // each box holds the whole shape where transform placed it.
 #include "support.h"
-#include "world/handles.h"
+#include "world/objects/handles.h"
 #include "world/world.h"
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_cache.c -- compiled OpenCL programs on disk: what was written is read, what is damaged is not.
 #include "opencl/cache.h"
+#include "opencl/compile.h"
 #include "opencl/device.h"
-#include "opencl/program.h"
 #include "platform/error.h"
 #include <setjmp.h>
 #include <stdarg.h>

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "scene/keys.h"
+#include "scene/scene_keys.h"
 #include "scene_text.h"
 #include "small_scenes.h"
 #include "support.h"

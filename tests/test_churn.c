@@ -4,7 +4,7 @@
 // Times are too noisy to test. What is tested is what they follow from: how wide the nodes of the trees are, how many
 // contacts there may be, how much room is held for them.
 #include "platform/processor.h"
-#include "stages/box.h"
+#include "stages/geometry/box.h"
 #include "world/world.h" // before cmocka, which makes a macro of fail
 #include <setjmp.h>
 #include <stdarg.h>

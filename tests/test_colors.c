@@ -6,7 +6,7 @@
 // for the priorities of contacts
 #include "stage_items.h"
 
-#include "stages/color.h"
+#include "stages/color/color.h"
 
 #define KEY_BITS 13 // of a color, or of a hub among MOST_BODIES
 

@@ -38,8 +38,8 @@ words=$(<docs/dialect.md)
 while read -r word; do
 	[[ $words = *"\`$word"[\`\(]* ]] || complain "docs/dialect.md: the word $word is missing"
 done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9]+\*? ([a-z_0-9]+)\(.*/\1/p' \
-	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/dialect/{dialect,opencl,c,wide}.h |
-	grep -vxE '(DIALECT|OPENCL|C|WIDE)_H|ROW|STAGE_JOIN_?' | sort -u)
+	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/dialect/{dialect,opencl_words,c_words,wide}.h |
+	grep -vxE '(DIALECT|OPENCL_WORDS|C_WORDS|WIDE)_H|ROW|STAGE_JOIN_?' | sort -u)
 
 # every key of the viewer has its row in docs/view.md
 while read -r key; do

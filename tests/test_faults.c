@@ -5,8 +5,8 @@
 // with a fault one call later each time. A fault must come out as a status with a sentence. After it the world is what
 // it was before the act, so that the act can be tried again and the end is the same; or it is broken, and refuses
 // everything but destruction.
-#include "backend/exchange.h"
-#include "world/upload.h"
+#include "backend/batch.h"
+#include "world/upload/upload.h"
 #include "world/world.h" // before cmocka, which makes a macro of fail
 #include <setjmp.h>
 #include <stdarg.h>

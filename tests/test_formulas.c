@@ -13,11 +13,11 @@
 
 #include "stage_items.h"
 
-#include "stages/finalize.h"
-#include "stages/integrate.h"
-#include "stages/query.h"
-#include "stages/solve.h"
-#include "stages/transform.h"
+#include "stages/broad_phase/transform.h"
+#include "stages/finalize/finalize.h"
+#include "stages/read/query.h"
+#include "stages/solve/integrate.h"
+#include "stages/solve/solve_pass.h"
 
 #define ITEMS 64 // of every pool
 

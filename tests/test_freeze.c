@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_freeze.c -- bodies whose numbers are not finite stop for a step, the log says so, and the others go on; no valid call makes one.
-#include "world/upload.h"
+#include "world/upload/upload.h"
 #include "world/world.h" // before cmocka, which makes a macro of fail
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_geometry.c -- shapes: areas, centroids and inertias against closed formulas and against a grid of samples.
 #include "platform/trig.h"
-#include "world/geometry.h"
+#include "world/shape/geometry.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_idle.c -- blocks of static bodies that a CPU leaves out: the same bits as without, whatever is changed and when.
-#include "world/idle.h"
+#include "world/device/idle.h"
 #include "world_support.h"
 
 enum

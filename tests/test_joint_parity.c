@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_joint_parity.c -- worlds of joints on every device, number of lanes and of threads, and moved between them: equal bits.
-#include "emulation/scenes.h"
+#include "emulation/emulation_scenes.h"
 #include "joint_support.h"
 
 static void build_scene(scree_world* world, const void* context) { ((const FormScene*)context)->build(world); }

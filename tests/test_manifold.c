@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "stages/manifold.h"
+#include "stages/geometry/manifold.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>

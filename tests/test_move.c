@@ -4,7 +4,7 @@
 // The formula: hash(moved, step) = hash(not moved, step). test_parity.c holds every scene to it; here are the ways in
 // which a move can go wrong.
 #include "moving.h"
-#include "world/migrate.h"
+#include "world/device/migrate.h"
 #include <stdlib.h>
 #include <string.h>
 

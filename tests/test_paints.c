@@ -10,9 +10,9 @@
 
 #include "support.h"
 #include "view/bounds.h"
-#include "view/loads.h"
+#include "view/contact_loads.h"
 #include "view/ramp.h"
-#include "view/starts.h"
+#include "view/start_places.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>

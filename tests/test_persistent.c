@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "emulation/kernels.h"
-#include "emulation/scenes.h"
+#include "emulation/emulated_kernels.h"
+#include "emulation/emulation_scenes.h"
 
 // One work-group needs no barrier with others; of several, the first does short runs alone.
 static const Form forms[] = {

@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "emulation/kernels.h"
-#include "emulation/scenes.h"
+#include "emulation/emulated_kernels.h"
+#include "emulation/emulation_scenes.h"
 #include <string.h>
 
 // ---------------------------------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
 // These are the stages whose items must agree with each other, on every backend; test_formulas.c has the ones whose
 // items stand alone, and test_colors.c the colors.
 #include "stage_support.h"
-#include "stages/box.h"
+#include "stages/geometry/box.h"
 
 // ---------------------------------------------------------------------------------------------------------------
 // trees

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "emulation/scenes.h"
+#include "emulation/emulation_scenes.h"
 
 static const Form forms[] = {
     {.name = "tiles", .tiles = true, .groups = 8},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_window.c -- what the window does without one: events handed out frame by frame, times of frames, tuning of a world.
-#include "view/window/events.h"
+#include "view/window/event_queue.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -10,8 +10,8 @@
 
 #include "support.h"
 #include "view/window/history.h"
+#include "view/window/live_tuning.h"
 #include "view/window/session.h"
-#include "view/window/tuning.h"
 #include <string.h>
 
 #define ENTER     257 // as GLFW has them

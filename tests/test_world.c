@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_world.c -- handles, batches and commands, on the CPU and on OpenCL where there is one.
-#include "world/upload.h" // before cmocka, which makes a macro of fail
+#include "world/upload/upload.h" // before cmocka, which makes a macro of fail
 
 #include "world_support.h"
 

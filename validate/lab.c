@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // lab.c -- the world of an experiment, and the measurement of its overlaps.
 #include "lab.h"
+#include "experiment_support.h"
 #include "lab_scree.h"
-#include "support.h"
 #include <math.h>
 #include <stdlib.h>
 

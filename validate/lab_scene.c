@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // lab_scene.c -- a scene file as a lab: built into a Scree world, and read back from there body by body.
 #include "lab_scene.h"
+#include "experiment_support.h"
 #include "scene/build.h"
 #include "scene/find.h"
 #include "scene/load.h"
-#include "support.h"
 #include <stdlib.h>
 
 static bool report(scree_status status)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // queries.c -- answers of queries, among shapes of all kinds and sizes, are those of brute force in double precision.
-#include "difference.h"
+#include "experiment_support.h"
 #include "scenery.h"
-#include "support.h"
+#include "shape_difference.h"
 #include "validate.h"
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // rains.c -- ragdolls that fall 40 m onto floors, many a second: how far their joints open when they land on each other.
 #include "bones.h"
+#include "experiment_support.h"
 #include "props.h"
-#include "support.h"
 #include <math.h>
 #include <stdlib.h>
 

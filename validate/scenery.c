@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // scenery.c -- random shapes, thin and thick, large and small, and probes that meet, graze and miss them.
 #include "scenery.h"
+#include "experiment_support.h"
 #include "lab_scree.h"
-#include "support.h"
 #include <math.h>
 #include <string.h>
 

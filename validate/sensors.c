@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // sensors.c -- sensors of all shapes see what overlaps them at any time of a step, and nothing else.
-#include "difference.h"
+#include "experiment_support.h"
 #include "scenery.h"
-#include "support.h"
+#include "shape_difference.h"
 #include <math.h>
 
 #define VISITORS 100

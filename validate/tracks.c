@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // tracks.c -- closed tracks of segments, on one body that is turned, hold rays, moving shapes and movers.
+#include "experiment_support.h"
 #include "scenery.h"
-#include "support.h"
 #include <math.h>
 
 #define SIDES  200

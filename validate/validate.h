@@ -2,8 +2,8 @@
 // validate.h -- experiments that check physical behavior against limits; prints rows of results.
 #ifndef VALIDATE_H
 #define VALIDATE_H
+#include "experiment_support.h"
 #include "lab.h"
-#include "support.h"
 
 typedef struct // run makes it with the engine of the validation
 {

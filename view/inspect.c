@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // inspect.c -- what lies under the cursor or was selected, in numbers.
 #include "view/inspect.h"
-#include "scene/attributes.h"
+#include "scene/attribute_block.h"
 #include "scene/block.h"
 #include "view/outline.h"
 #include "view/theme.h"

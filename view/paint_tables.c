@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // paint_tables.c -- tables of what colors bodies besides their attributes: velocities, graph colors, forces, starting places.
 #include "view/paint_tables.h"
-#include "view/loads.h"
+#include "view/contact_loads.h"
 #include "view/style.h"
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include "scene/scene.h"
 #include "scene/sprites.h"
 #include "view/sensor_marks.h"
-#include "view/starts.h"
+#include "view/start_places.h"
 #include "view/texel_array.h"
 
 typedef struct

@@ -9,7 +9,7 @@
 #include "view/lod.h"
 #include "view/pass.h"
 #include "view/render_tables.h"
-#include "view/share.h"
+#include "view/shared_rows.h"
 #include "view/stroke.h"
 #include "view/style.h"
 

@@ -2,8 +2,8 @@
 // page.h -- what the files of the page share: the scene, its picture, what the visitor holds and looks at.
 #ifndef PAGE_H
 #define PAGE_H
+#include "scene/character_motion.h"
 #include "scene/scene.h"
-#include "scene/walk.h"
 #include "view/grab.h"
 #include "view/inspect.h"
 #include "view/pour.h"

@@ -6,11 +6,11 @@
 // Overlaps, contacts and final states come from trials that are not timed. A timed trial must end in the same state.
 #include "engine_box2d.h"
 #include "engine_scree.h"
+#include "peer_queries.h"
+#include "peer_validate.h"
 #include "process.h"
-#include "queries.h"
 #include "stiffness.h"
 #include "trial.h"
-#include "validate.h"
 #include <getopt.h>
 #include <inttypes.h>
 #include <stdlib.h>

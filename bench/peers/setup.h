@@ -2,7 +2,7 @@
 // setup.h -- what is measured: a scene that was read from a file, or one that is made by code.
 #ifndef SETUP_H
 #define SETUP_H
-#include "rig.h"
+#include "fixture.h"
 #include "scene/scene.h"
 
 typedef struct

@@ -6,7 +6,7 @@
 #include "stiffness.h"
 #include "engine_box2d.h"
 #include "engine_scree.h"
-#include "ruler.h"
+#include "measure.h"
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // trial.c -- one engine, one scene, one process: timed, or measured with the ruler.
 #include "trial.h"
-#include "ruler.h"
+#include "measure.h"
 #include <inttypes.h>
 #include <stdlib.h>
 #include <time.h>

@@ -2,8 +2,8 @@
 // backend.h -- the functions of a device: they hold the pools, execute lists of runs, and solve. The caller orders the stages.
 #ifndef BACKEND_H
 #define BACKEND_H
-#include "backend/runs.h"
-#include "backend/solve.h"
+#include "backend/run_list.h"
+#include "backend/solve_runs.h"
 #include "backend/tables.h"
 #include "constraints/schedule.h"
 #include "pools/pools.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // tables.c -- what pools.def, stages.def and kinds.def list, as tables.
 #include "backend/tables.h"
-#include "constraints/kinds.h"
+#include "constraints/constraint_kinds.h"
 
 // clang-format off
 const PoolInfo pool_info[POOL_COUNT] = {

@@ -2,7 +2,7 @@
 // contact_bounce.h -- rare rows of contacts that are prepared: rebound speeds by restitution, approach speeds.
 #ifndef CONTACT_BOUNCE_H
 #define CONTACT_BOUNCE_H
-#include "constraints/contact.h"
+#include "constraints/contact_constraint.h"
 
 // A body at the start of the step, with its speed within the limits.
 INLINE Body prepare_body(const Pools* p, Int index)

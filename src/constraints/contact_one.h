@@ -2,7 +2,7 @@
 // contact_one.h -- what takes one contact at a time: rows that the layout sets.
 #ifndef CONTACT_ONE_H
 #define CONTACT_ONE_H
-#include "constraints/contact.h"
+#include "constraints/contact_constraint.h"
 
 // Whether a slot holds a contact.
 INLINE int contact_in_use(const Pools* p, int slot) { return p->pair[slot].x >= 0; }

@@ -2,7 +2,7 @@
 // contact_prepare.h -- the points of a contact for the step, from its manifold.
 #ifndef CONTACT_PREPARE_H
 #define CONTACT_PREPARE_H
-#include "constraints/contact.h"
+#include "constraints/contact_constraint.h"
 #include "constraints/rolling.h"
 
 // the deepest overlap seen, for the user's counters

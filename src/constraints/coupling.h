@@ -11,7 +11,7 @@
 // Erin Catto, Iterative Dynamics with Temporal Coherence, GDC 2005: constraints as Jacobians, one body at a time.
 #ifndef COUPLING_H
 #define COUPLING_H
-#include "constraints/joint.h"
+#include "constraints/joint_constraint.h"
 
 typedef struct // one side: how its measure changes with the body's translation and rotation, and what it adds
 {

@@ -2,10 +2,10 @@
 // joint_pass.h -- a pass over a joint: what comes before velocities, and after; and what every kind of constraint has.
 #ifndef JOINT_PASS_H
 #define JOINT_PASS_H
-#include "constraints/contact.h"
+#include "constraints/contact_constraint.h"
 #include "constraints/coupling.h"
 #include "constraints/joint_locks.h"
-#include "constraints/path.h"
+#include "constraints/path_constraint.h"
 
 // By what factor the bound of the impulses with which a joint starts a step may grow from step to step.
 #define JOINT_CARRIES 1.5f

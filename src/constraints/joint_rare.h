@@ -4,7 +4,7 @@
 #define JOINT_RARE_H
 #include "constraints/coupling.h"
 #include "constraints/joint_prepare.h"
-#include "constraints/path.h"
+#include "constraints/path_constraint.h"
 
 typedef struct // limits, spring and motor of a coordinate, as in JointDriveData
 {

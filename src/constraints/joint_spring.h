@@ -12,7 +12,7 @@
 // at F / (m o^2), as on the spring itself. So an undamped spring swings for ever, and an overdamped one creeps as it should.
 #ifndef JOINT_SPRING_H
 #define JOINT_SPRING_H
-#include "constraints/joint.h"
+#include "constraints/joint_constraint.h"
 
 #define TURN 6.28318531f
 

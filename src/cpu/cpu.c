@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // cpu.c -- the CPU backend: pools in host memory, stages split over threads.
 #include "cpu/cpu.h"
-#include "backend/exchange.h"
+#include "backend/batch.h"
 #include "platform/error.h"
 #include "platform/processor.h"
 #include <limits.h>
@@ -122,7 +122,7 @@ static void choose_stages(Cpu* cpu, int lanes)
 	wide = lanes == 16 ? stages_lanes16 : wide;
 #endif
 #if SCREE_LANES >= 8
-	one = lanes >= 8 ? stages_one8 : one;
+	one = lanes >= 8 ? stages_scalar_avx2 : one;
 #endif
 	cpu->backend.chain_lanes = wide[STAGE_chain] ? lanes : 1;
 	for (int stage = 0; stage < STAGE_COUNT; ++stage)

@@ -68,7 +68,7 @@ void cpu_work(Cpu* cpu, const Run* runs, int count, int grain);
 // whichever took less time before.
 void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items, double chains);
 
-// memory.c: functions of the backend
+// pool_memory.c: functions of the backend
 void cpu_free_pools(Cpu* cpu);
 scree_status cpu_resize(Backend* b, Per per, int capacity);
 scree_status cpu_write(Backend* b, PoolId pool, int first, int count, const void* items);

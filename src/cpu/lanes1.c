@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lanes1.c -- all stages, one item a call.
 #define LANES 1
-#include "stages/program.h"
+#include "stages/all_stages.h"
 
-#include "cpu/table.h"
+#include "cpu/stage_table.h"

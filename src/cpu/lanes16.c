@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // lanes16.c -- the wide stages, sixteen items a call: AVX-512 on x86.
 #define LANES 16
-#include "stages/chain.h"
-#include "stages/hub.h"
-#include "stages/integrate.h"
-#include "stages/narrow_phase_keep.h"
-#include "stages/prepare.h"
-#include "stages/solve.h"
-#include "stages/taut.h"
-#include "stages/tree_code.h"
+#include "stages/narrow_phase/manifold_reuse.h"
+#include "stages/solve/chain/chain.h"
+#include "stages/solve/hub/hub.h"
+#include "stages/solve/integrate.h"
+#include "stages/solve/prepare.h"
+#include "stages/solve/solve_pass.h"
+#include "stages/solve/taut.h"
+#include "stages/tree/hilbert.h"
 
-#include "cpu/table.h"
+#include "cpu/stage_table.h"

@@ -2,14 +2,14 @@
 // lanes4.c -- the wide stages, four items a call: SSE2 or NEON.
 #define LANES 4
 #ifndef SCREE_SMALL
-#include "stages/chain.h"
-#include "stages/hub.h"
+#include "stages/solve/chain/chain.h"
+#include "stages/solve/hub/hub.h"
 #endif
-#include "stages/integrate.h"
-#include "stages/narrow_phase_keep.h"
-#include "stages/prepare.h"
-#include "stages/solve.h"
-#include "stages/taut.h"
-#include "stages/tree_code.h"
+#include "stages/narrow_phase/manifold_reuse.h"
+#include "stages/solve/integrate.h"
+#include "stages/solve/prepare.h"
+#include "stages/solve/solve_pass.h"
+#include "stages/solve/taut.h"
+#include "stages/tree/hilbert.h"
 
-#include "cpu/table.h"
+#include "cpu/stage_table.h"

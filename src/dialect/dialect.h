@@ -62,7 +62,7 @@
 #define SMALL_END
 #endif
 
-// The macros of the stages, which opencl.h and c.h define:
+// The macros of the stages, which opencl_words.h and c_words.h define:
 //
 // STAGE(name) { ... }: the code for item i of the pools p. WIDE_STAGE(name): for items i to i + LANES - 1.
 //
@@ -76,11 +76,11 @@
 #define GROUP_FLOATS 3072
 
 #ifdef __OPENCL_C_VERSION__
-#include "dialect/opencl.h"
+#include "dialect/opencl_words.h"
 #else
-#include "dialect/c.h"
+#include "dialect/c_words.h"
 #if (defined(__AVX2__) || defined(__wasm_simd128__)) && LANES == 1
-#include "dialect/overlaps.h"
+#include "dialect/box_overlaps.h"
 #endif
 #endif
 

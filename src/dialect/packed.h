@@ -4,7 +4,7 @@
 #define PACKED_H
 
 // Eight boxes are packed bound by bound: the lower x of all eight, their lower y, upper x, upper y. So a vector of eight has one bound of
-// all, with no transposition, and a GPU reads four bounds at a time. src/stages/box.h packs them.
+// all, with no transposition, and a GPU reads four bounds at a time. src/stages/geometry/box.h packs them.
 
 // Which of eight packed boxes overlap another one: bit k for box k.
 #ifndef OVERLAPS8

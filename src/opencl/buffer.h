@@ -2,7 +2,7 @@
 // buffer.h -- buffers that are not pools, scratch buffers and pinned memory.
 #ifndef OPENCL_BUFFER_H
 #define OPENCL_BUFFER_H
-#include "opencl/state.h"
+#include "opencl/opencl_state.h"
 
 // Creates a zeroed buffer. Fails with SCREE_ERROR_OUT_OF_MEMORY if there is no room.
 scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer);

@@ -4,8 +4,8 @@
 // A program takes 0.2 s to build with PoCL, whenever it is built. So PoCL keeps it until the process ends; the memory of a GPU is
 // released with its last world. After any failure of OpenCL a new world gets a new context: the old one may be lost.
 #include "opencl/context.h"
-#include "opencl/program.h"
-#include "opencl/share.h"
+#include "opencl/compile.h"
+#include "opencl/external_memory.h"
 #include "platform/error.h"
 #include <stdatomic.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // device.c -- lists OpenCL devices, checks what they support, and chooses one.
 #include "opencl/device.h"
-#include "opencl/limits.h"
+#include "opencl/group_sizes.h"
 #include "platform/error.h"
 #include "platform/system.h"
 #include <stdio.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // kernels.cl -- the OpenCL program: the stages, and the kernels that only a device has; cmake/embed.cmake inlines it.
-#include "stages/program.h"
+#include "stages/all_stages.h"
 #include "opencl/primitives.cl"
 
 // Stages for worlds that have no small bodies, belts and segments, or no rules. They use fewer registers, so more work-items are resident.

@@ -2,7 +2,7 @@
 // launch.h -- kernels that take all pools: their arguments and launches, and lists of runs.
 #ifndef OPENCL_LAUNCH_H
 #define OPENCL_LAUNCH_H
-#include "opencl/state.h"
+#include "opencl/opencl_state.h"
 
 enum
 {

@@ -5,7 +5,7 @@
 //
 // The barrier costs a quarter of a launch. It needs all work-groups resident at once, which OpenCL does not
 // guarantee. The host tests it when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
-#include "opencl/limits.h"
+#include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
 enum

@@ -2,7 +2,7 @@
 // persistent.h -- runs many runs in one launch (persistent.cl), on devices that can.
 #ifndef OPENCL_PERSISTENT_H
 #define OPENCL_PERSISTENT_H
-#include "opencl/state.h"
+#include "opencl/opencl_state.h"
 
 // Whether to try kernels whose work-groups must be resident at once.
 bool persistent_wanted(OpenCl* d);

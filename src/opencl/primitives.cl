@@ -8,7 +8,7 @@
 //
 // The item count is read on the device; work-groups beyond it return at once. Pools are passed as the buffer of their
 // kind and an offset in it, in bytes. The counters have a buffer of their own.
-#include "opencl/limits.h"
+#include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
 #define SORT_WORDS (PRIMITIVE_GROUP / 32)

@@ -2,7 +2,7 @@
 // primitives.h -- launches sort and scan (primitives.cl).
 #ifndef OPENCL_PRIMITIVES_H
 #define OPENCL_PRIMITIVES_H
-#include "opencl/state.h"
+#include "opencl/opencl_state.h"
 
 scree_status primitives_open(OpenCl* d);
 void primitives_close(OpenCl* d);

@@ -2,7 +2,7 @@
 // queue.h -- the command queue: launches, uploads, waits and their times.
 #ifndef OPENCL_QUEUE_H
 #define OPENCL_QUEUE_H
-#include "opencl/state.h"
+#include "opencl/opencl_state.h"
 
 // bytes of Staging.pinned. A step that replaces 4,000 bodies uploads 1 MB. If uploads do not fit, the host waits for
 // the queue.

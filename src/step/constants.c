@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // constants.c -- the constants of a step.
 #include "step/constants.h"
-#include "step/crowd.h"
+#include "step/contact_capacity.h"
 #include <math.h>
 
 // Small bodies have contacts from this many times the distance that gravity moves them in a step.

@@ -2,7 +2,7 @@
 // constants.h -- the constants of a step.
 #ifndef CONSTANTS_H
 #define CONSTANTS_H
-#include "step/state.h"
+#include "step/pipeline_state.h"
 
 // From what the step is asked for, the capacities of the pools, and the bounds that the pipeline keeps.
 Step step_constants(const Pipeline* pipeline, const StepRequest* request);

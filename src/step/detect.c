@@ -3,13 +3,13 @@
 //
 //     transform -> broad phase -> narrow phase -> color -> (one small read-back)
 #include "step/detect.h"
-#include "backend/solve.h"
+#include "backend/solve_runs.h"
 #include "platform/error.h"
 #include "step/constants.h"
-#include "step/crowd.h"
+#include "step/contact_capacity.h"
 #include "step/dispatch.h"
-#include "step/room.h"
-#include "step/tree.h"
+#include "step/reserve.h"
+#include "step/tree_maintenance.h"
 
 // coloring rounds beyond those that the last step needed, before the host looks whether any contact is left
 #define SPARE_ROUNDS 2

@@ -2,7 +2,7 @@
 // detect.h -- the first half of a step: from the changed bodies to colored contacts.
 #ifndef DETECT_H
 #define DETECT_H
-#include "step/state.h"
+#include "step/pipeline_state.h"
 
 #define DETECT_RUNS_MOST (4 * MAX_ROUNDS + 8 * CONSTRAINT_KINDS + 128) // runs in the longest list
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // dispatch.c -- passes lists of runs and the solve to the backend.
 #include "step/dispatch.h"
-#include "backend/solve.h"
-#include "constraints/kinds.h"
+#include "backend/solve_runs.h"
+#include "constraints/constraint_kinds.h"
 #include "platform/error.h"
-#include "step/room.h"
+#include "step/reserve.h"
 
 scree_status pipeline_run(Pipeline* pipeline, const Step* step)
 {

@@ -2,7 +2,7 @@
 // dispatch.h -- passes lists of runs and the solve to the backend.
 #ifndef DISPATCH_H
 #define DISPATCH_H
-#include "step/state.h"
+#include "step/pipeline_state.h"
 
 // Runs what has been listed, and empties the list.
 scree_status pipeline_run(Pipeline* pipeline, const Step* step);

@@ -6,15 +6,15 @@
 //
 // integrate runs inside solve, once per substep.
 #include "step/pipeline.h"
-#include "backend/solve.h"
+#include "backend/solve_runs.h"
 #include "platform/error.h"
 #include "step/constants.h"
 #include "step/detect.h"
 #include "step/dispatch.h"
-#include "step/events.h"
-#include "step/room.h"
+#include "step/event_readback.h"
+#include "step/reserve.h"
 #include "step/traffic.h"
-#include "step/tree.h"
+#include "step/tree_maintenance.h"
 #include <math.h>
 #include <string.h>
 

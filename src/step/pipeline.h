@@ -2,7 +2,7 @@
 // pipeline.h -- the step, and what else is run on the device between steps.
 #ifndef PIPELINE_H
 #define PIPELINE_H
-#include "step/state.h"
+#include "step/pipeline_state.h"
 
 // Gives the pools of a backend their first sizes: room for so many bodies and contacts, 0 for the default. The backend stays
 // the caller's.

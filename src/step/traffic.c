@@ -6,7 +6,7 @@
 // bodies. So the count depends neither on the device nor on its caches. It leaves out padding, counters, and the sorting and
 // summing of spokes. A static body counts as written, though it is not.
 #include "step/traffic.h"
-#include "constraints/kinds.h"
+#include "constraints/constraint_kinds.h"
 #include <stddef.h>
 
 // bytes of one row of a constraint, and of the indices of its two bodies

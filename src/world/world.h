@@ -5,7 +5,7 @@
 #include "backend/backend.h"
 #include "platform/error.h"
 #include "step/pipeline.h"
-#include "world/auto_device.h"
+#include "world/auto_state.h"
 #include "world/edit_lists.h"
 #include "world/slots.h"
 

@@ -3,7 +3,7 @@
 //
 // Numbers of constraints pass the limit of a hub for a moment while some begin and others end, on a GPU in any order. What a step
 // leaves may depend only on the numbers at its end, and that is what is checked here: no GPU is needed to find where it does not.
-#include "constraints/kinds.h"
+#include "constraints/constraint_kinds.h"
 #include "programs/program.h"
 #include "world/world.h"
 #include <stdio.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // different.c -- the fields of the pools in which two worlds differ, with their bits.
-#include "constraints/kinds.h"
+#include "constraints/constraint_kinds.h"
 #include "programs/program.h"
 #include "world/world.h"
 #include <stdlib.h>

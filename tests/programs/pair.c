@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // pair.c -- a program on two worlds side by side: equal statuses, equal answers, equal hashes, or it differs.
-#include "programs/run.h"
+#include "programs/run_call.h"
 #include <inttypes.h>
 #include <pthread.h>
 #include <stdlib.h>

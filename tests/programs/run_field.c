@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // run_field.c -- the calls of fields, and what can be read of them.
-#include "programs/run.h"
+#include "programs/run_call.h"
 
 static scree_field call_field(const Turn* t)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // run_joint.c -- the calls of joints, and what can be read of them.
-#include "programs/run.h"
+#include "programs/run_call.h"
 #include <float.h>
 #include <stddef.h>
 #include <string.h>

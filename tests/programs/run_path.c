@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // run_path.c -- the calls of paths, and what can be read of them.
-#include "programs/run.h"
+#include "programs/run_call.h"
 #include <string.h>
 
 #define MOST_POINTS 300

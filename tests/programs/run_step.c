@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // run_step.c -- a step of a program, and its events: the same for both worlds, and as many ends as beginnings.
-#include "programs/run.h"
+#include "programs/run_call.h"
 
 static uint64_t name_of(const scree_contact* c)
 {

@@ -4,10 +4,10 @@
 // It needs no test framework, so that it can be built for WebAssembly.
 #include "../small_sizes.h"
 #include "scene/build.h"
+#include "scene/character_motion.h"
 #include "scene/churn.h"
 #include "scene/find.h"
 #include "scene/load.h"
-#include "scene/walk.h"
 #include <inttypes.h>
 #include <stdlib.h>
 

@@ -2,7 +2,7 @@
 // draw.h -- one frame of the window: the world, what the cursor holds, the panel.
 #ifndef DRAW_H
 #define DRAW_H
-#include "view/window/state.h"
+#include "view/window/window_state.h"
 
 // Draws a frame and shows it. A world whose device failed ends the viewer.
 void draw_frame(Viewer* viewer);

@@ -2,7 +2,7 @@
 // export.h -- the viewer's pictures and videos: drawn without the panel, or the window as it is.
 #ifndef EXPORT_H
 #define EXPORT_H
-#include "view/window/state.h"
+#include "view/window/window_state.h"
 
 // Draws the picture without the panel and writes it; a null path makes a new file.
 bool export_picture(Viewer* viewer, const char* path);

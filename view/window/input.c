@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // input.c -- what keys and mouse do, whether the events come from the window, the panel or a script.
 #include "view/window/input.h"
-#include "view/window/devices.h"
+#include "view/window/device_switch.h"
 #include "view/window/export.h"
-#include "view/window/eye.h"
-#include "view/window/full.h"
-#include "view/window/reports.h"
+#include "view/window/framing.h"
+#include "view/window/full_screen.h"
+#include "view/window/report_all.h"
 #include "view/window/tools.h"
 #include "view/window/viewer.h"
 #include <math.h>

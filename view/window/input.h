@@ -3,7 +3,7 @@
 #ifndef INPUT_H
 #define INPUT_H
 #include "scene/controls.h"
-#include "view/window/state.h"
+#include "view/window/window_state.h"
 
 typedef enum // a key's action
 {

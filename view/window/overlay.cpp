@@ -5,7 +5,7 @@ extern "C" {
 #include "scene/caption.h"
 #include "scene/controls.h"
 #include "view/numbers.h"
-#include "view/window/state.h"
+#include "view/window/window_state.h"
 }
 #include "view/window/look.h"
 #include "view/window/overlay.h"

@@ -3,7 +3,7 @@
 #ifndef OVERLAY_H
 #define OVERLAY_H
 extern "C" {
-#include "view/window/state.h"
+#include "view/window/window_state.h"
 }
 #include <imgui.h>
 

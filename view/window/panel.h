@@ -5,7 +5,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
-#include "view/window/state.h"
+#include "view/window/window_state.h"
 
 extern float panel_scale; // size of the panel and its letters, 1 at 14 pixels
 

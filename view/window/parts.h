@@ -3,7 +3,7 @@
 #ifndef PARTS_H
 #define PARTS_H
 extern "C" {
-#include "view/window/state.h"
+#include "view/window/window_state.h"
 }
 
 // Choose a scene, its parameters, pause, step, speed; the device and the hash.

@@ -2,7 +2,7 @@
 // script.h -- a file of user actions, for tests and for pictures of the window.
 #ifndef SCRIPT_H
 #define SCRIPT_H
-#include "view/window/state.h"
+#include "view/window/window_state.h"
 #include <stdio.h>
 
 typedef struct // docs/view.md has the words

@@ -2,9 +2,9 @@
 // session.h -- the scene in the viewer: loaded, stepped, paused, moved to another device.
 #ifndef SESSION_H
 #define SESSION_H
-#include "scene/walk.h"
-#include "view/window/options.h"
-#include "view/window/tuning.h"
+#include "scene/character_motion.h"
+#include "view/window/live_tuning.h"
+#include "view/window/view_options.h"
 
 #define MAX_PARAMETERS 32
 #define STAGES         6

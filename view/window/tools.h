@@ -2,8 +2,8 @@
 // tools.h -- what the user does to the world besides dragging: throws bodies in, pours them, sets off explosions.
 #ifndef TOOLS_H
 #define TOOLS_H
-#include "view/blast.h"
-#include "view/window/state.h"
+#include "view/blast_tool.h"
+#include "view/window/window_state.h"
 
 #define TOOLS_DEFAULT ((Tools){.blast = BLAST_SPEED, .pour.rate = POUR_RATE})
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // viewer.c -- operations on the viewer's state: load a scene, change the device, read the world, tell the user.
 #include "view/window/viewer.h"
-#include "view/window/eye.h"
+#include "view/window/framing.h"
 #include <inttypes.h>
 #include <string.h>
 

@@ -2,7 +2,7 @@
 // viewer.h -- operations on the viewer's state: load a scene, change the device, read the world, tell the user.
 #ifndef VIEWER_H
 #define VIEWER_H
-#include "view/window/state.h"
+#include "view/window/window_state.h"
 
 // Shows a message to the user for some seconds.
 void viewer_show(Viewer* viewer, const char* message);

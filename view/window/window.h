@@ -2,7 +2,7 @@
 // window.h -- the GLFW window: its OpenGL context, and its events, which go to input.c and the panel.
 #ifndef WINDOW_H
 #define WINDOW_H
-#include "view/window/state.h"
+#include "view/window/window_state.h"
 
 // Opens the window. False writes a sentence: there is no display or no OpenGL 3.3.
 bool window_open(Viewer* viewer, char* sentence);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // form.c -- the form in which a solve is fastest: launches by color, a relay (relay.cl), or tiles (tiles.cl).
 #include "opencl/forms/form.h"
+#include "opencl/execute.h"
 #include "opencl/forms/relay.h"
 #include "opencl/forms/tiles.h"
 #include "opencl/launch.h"
 #include "opencl/queue.h"
-#include "opencl/runs.h"
 #include "platform/error.h"
 #include <stdlib.h>
 #include <string.h>

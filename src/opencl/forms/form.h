@@ -2,7 +2,7 @@
 // form.h -- the form in which a solve is fastest: launches by color, a relay (relay.cl), or tiles (tiles.cl).
 #ifndef OPENCL_FORM_H
 #define OPENCL_FORM_H
-#include "opencl/state.h"
+#include "opencl/opencl_state.h"
 
 // Reads the environment.
 void form_open(OpenCl* d);

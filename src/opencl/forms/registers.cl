@@ -2,8 +2,8 @@
 // registers.cl -- what relay and tiles share: constraints in registers and in the stream, and bodies without
 // constraints.
 //
-// A pass over registers calls the same functions as a pass over pools (solve.h), so the bits are the same.
-#include "opencl/limits.h"
+// A pass over registers calls the same functions as a pass over pools (solve_pass.h), so the bits are the same.
+#include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
 // A plain world has no radii, restitution, rolling resistance or tangent speed. Kernels specialized for it use fewer
@@ -200,7 +200,7 @@ INLINE void registers_ready(const Pools* p, int pass, Registers* u, AnyReady* re
 #undef CONSTRAINT_KIND
 }
 
-// A pass of solve.h over registers.
+// A pass of solve_pass.h over registers.
 OUT_OF_LINE void registers_pass(const Pools* p, int pass, const AnyReady* ready, Registers* u)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \

@@ -13,7 +13,7 @@
 // All work-items must be resident on the device at once, and the work-items of a work-group must make progress
 // independently; relay_probe tests both. Each work-item does its tasks in the order of passes and, within a pass, of
 // colors. The first task that is not done never waits, so there is no deadlock.
-#include "opencl/limits.h"
+#include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
 // A pause in a spin-wait, so that work-items with the next tickets get more of the memory bandwidth.

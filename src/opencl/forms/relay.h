@@ -2,7 +2,7 @@
 // relay.h -- launches the solve as one relay (relay.cl).
 #ifndef OPENCL_RELAY_H
 #define OPENCL_RELAY_H
-#include "opencl/state.h"
+#include "opencl/opencl_state.h"
 
 // Makes the kernels, gives them the buffer of a kind, tests whether the device can run them.
 scree_status relay_create(OpenCl* d);

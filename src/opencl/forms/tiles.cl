@@ -10,7 +10,7 @@
 // relay (relay.cl). The result does not depend on the tiles.
 //
 // Integration needs no pass of its own: a tile integrates its bodies when it loads them.
-#include "opencl/limits.h"
+#include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
 // the place in local memory of all bodies that rest and cannot move

@@ -2,7 +2,7 @@
 // tiles.h -- launches the solve of a large world as passes over tiles of bodies (tiles.cl).
 #ifndef OPENCL_TILES_H
 #define OPENCL_TILES_H
-#include "opencl/state.h"
+#include "opencl/opencl_state.h"
 
 scree_status tiles_open(OpenCl* d);
 void tiles_close(OpenCl* d);

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: MIT
+// peer_queries.c -- scree_peers queries: rays, moving shapes and overlaps in both engines, on the same world of mixed bodies.
+//
+// Bodies of five kinds of shapes lie in a square without touching, one in five of them static. Both worlds make one step without
+// gravity, so that their trees are what a game would have. Then the engines take turns; Scree is asked in one call, and one by one.
+#include "peer_queries.h"
+#include "box2d_shape.h"
+#include "platform/processor.h"
+#include <getopt.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define SPACING 3.0f // m
+
+static const char* const help = "usage: scree_peers queries [OPTION]...\n"
+                                "\n"
+                                "Times queries of both engines on one thread; CSV on standard output.\n"
+                                "\n"
+                                "  -b, --bodies N      in the world, 10000 without it\n"
+                                "  -n, --queries N     of each kind, 10000 without it\n"
+                                "  -r, --repeats N     times that each engine is asked, 9 without it\n"
+                                "  -h, --help          this text\n";
+
+static const struct option words[] = {{"bodies", required_argument, NULL, 'b'},
+                                      {"queries", required_argument, NULL, 'n'},
+                                      {"repeats", required_argument, NULL, 'r'},
+                                      {"help", no_argument, NULL, 'h'},
+                                      {0}};
+
+typedef enum
+{
+	RAYS,
+	LONG_RAYS,
+	CIRCLE_CASTS,
+	BOX_CASTS,
+	CIRCLE_OVERLAPS,
+	BOX_OVERLAPS,
+	KINDS
+} Kind;
+
+static const char* const names[KINDS] = {"closest ray 20 m", "closest ray 200 m", "circle cast 10 m",
+                                         "box cast 10 m",    "circle overlap",    "box overlap"};
+static const float lengths[KINDS] = {20.0f, 200.0f, 10.0f, 10.0f, 0.0f, 0.0f};
+
+typedef struct
+{
+	scree_world* scree;
+	b2WorldId box2d;
+	int bodies, queries, repeats;
+	float side; // m
+	scree_ray* rays;
+	scree_probe* probes;
+	scree_found* found;
+	scree_shape circle, box;
+	uint64_t seed;
+} Contest;
+
+typedef struct // what an engine answered: equal worlds give nearly equal sums
+{
+	double ms;
+	int hits;
+	double sum; // of fractions
+} Score;
+
+static float random_between(Contest* c, float low, float high)
+{
+	c->seed = c->seed * 6364136223846793005u + 1442695040888963407u;
+	return low + (high - low) * (float)(c->seed >> 40) / 16777216.0f;
+}
+
+static bool make_shape(Contest* c, int kind, scree_shape* shape)
+{
+	scree_vec corners[6];
+	for (int k = 0; k < 6; ++k)
+	{
+		float angle = 6.2831853f * (float)k / 6.0f, r = random_between(c, 0.6f, 1.0f);
+		corners[k] = (scree_vec){r * cosf(angle), r * sinf(angle)};
+	}
+	switch (kind)
+	{
+	case 0:
+		return scree_shape_make_circle((scree_vec){0.0f, 0.0f}, random_between(c, 0.3f, 1.0f), shape) == SCREE_OK;
+	case 1:
+		return scree_shape_make_capsule((scree_vec){-0.6f, 0.0f}, (scree_vec){0.6f, 0.0f}, 0.3f, shape) == SCREE_OK;
+	case 2:
+		return scree_shape_make_box(random_between(c, 0.3f, 0.8f), random_between(c, 0.3f, 0.8f), shape) == SCREE_OK;
+	case 3:
+		return scree_shape_make_hull(corners, 6, 0.0f, shape) == SCREE_OK;
+	default:
+		return scree_shape_make_hull(corners, 6, 0.1f, shape) == SCREE_OK;
+	}
+}
+
+static bool add(Contest* c, int k, int row)
+{
+	scree_attribute_def surface = scree_attribute_def_default();
+	scree_body_def def = scree_body_def_default();
+	if (!make_shape(c, k % 5, &surface.shape) || scree_attribute_create(c->scree, &surface, &def.attribute) != SCREE_OK)
+		return false;
+	def.type = random_between(c, 0.0f, 1.0f) < 0.2f ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC;
+	def.pose.position = (scree_vec){SPACING * (float)(k % row) + random_between(c, -0.4f, 0.4f),
+	                                SPACING * (float)(k / row) + random_between(c, -0.4f, 0.4f)};
+	def.pose.rotation = scree_rot_make(random_between(c, -3.0f, 3.0f));
+	if (scree_body_create(c->scree, &def, NULL) != SCREE_OK)
+		return false;
+	b2BodyDef other = b2DefaultBodyDef();
+	other.type = def.type == SCREE_BODY_STATIC ? b2_staticBody : b2_dynamicBody;
+	other.position = (b2Pos){def.pose.position.x, def.pose.position.y};
+	other.rotation = (b2Rot){def.pose.rotation.c, def.pose.rotation.s};
+	b2BodyId body = b2CreateBody(c->box2d, &other);
+	bool added = box2d_add_shape(body, &surface, &surface.shape, scree_filter_default());
+	b2Body_ApplyMassFromShapes(body);
+	return added;
+}
+
+static bool open(Contest* c)
+{
+	scree_world_def def = scree_world_def_default();
+	def.device = "cpu";
+	def.threads = 1;
+	def.gravity = (scree_vec){0.0f, 0.0f};
+	if (scree_world_create(&def, &c->scree) != SCREE_OK)
+		return false;
+	b2WorldDef other = b2DefaultWorldDef();
+	other.gravity = (b2Vec2){0.0f, 0.0f};
+	other.enableSleep = false;
+	other.workerCount = 1;
+	c->box2d = b2CreateWorld(&other);
+	int row = (int)ceil(sqrt(c->bodies));
+	c->side = SPACING * (float)row;
+	for (int k = 0; k < c->bodies; ++k)
+		if (!add(c, k, row))
+			return false;
+	b2World_Step(c->box2d, 1.0f / 60.0f, 4);
+	b2World_RebuildStaticTree(c->box2d);
+	c->rays = calloc((size_t)c->queries, sizeof *c->rays);
+	c->probes = calloc((size_t)c->queries, sizeof *c->probes);
+	c->found = calloc((size_t)c->queries, sizeof *c->found);
+	return c->rays && c->probes && c->found && scree_world_step(c->scree, 1.0f / 60.0f, 4) == SCREE_OK &&
+	       scree_shape_make_circle((scree_vec){0.0f, 0.0f}, 0.5f, &c->circle) == SCREE_OK &&
+	       scree_shape_make_box(0.7f, 0.4f, &c->box) == SCREE_OK;
+}
+
+static void make_queries(Contest* c, Kind kind)
+{
+	for (int k = 0; k < c->queries; ++k)
+	{
+		float angle = random_between(c, -3.14f, 3.14f), length = lengths[kind];
+		scree_vec at = {random_between(c, 0.0f, c->side), random_between(c, 0.0f, c->side)};
+		scree_vec path = {length * cosf(angle), length * sinf(angle)};
+		c->rays[k] = (scree_ray){.origin = at, .translation = path};
+		c->probes[k] = (scree_probe){.pose = {at, scree_rot_make(random_between(c, -3.0f, 3.0f))}, .translation = path};
+	}
+}
+
+static bool ask_scree(Contest* c, Kind kind, int first, int count, Score* score)
+{
+	const scree_shape* shape = kind == CIRCLE_CASTS || kind == CIRCLE_OVERLAPS ? &c->circle : &c->box;
+	scree_query_def def = scree_query_def_default();
+	def.skip_inside = kind < CIRCLE_OVERLAPS;
+	scree_found* found = c->found;
+	scree_status status;
+	if (kind >= CIRCLE_OVERLAPS)
+	{
+		scree_found_list list;
+		status = scree_world_list_shapes(c->scree, &def, shape, c->probes + first, count, &list);
+		score->hits += list.count;
+		return status == SCREE_OK;
+	}
+	if (kind <= LONG_RAYS)
+		status = scree_world_cast_rays(c->scree, &def, c->rays + first, count, found);
+	else
+		status = scree_world_cast_shapes(c->scree, &def, shape, c->probes + first, count, found);
+	for (int k = 0; k < count; ++k)
+	{
+		score->hits += found[k].hit;
+		score->sum += found[k].hit ? (double)found[k].fraction : 0.0;
+	}
+	return status == SCREE_OK;
+}
+
+static bool count_overlap(b2ShapeId shape, void* context)
+{
+	(void)shape;
+	++((Score*)context)->hits;
+	return true;
+}
+
+static float note_closest(b2ShapeId shape, b2Pos point, b2Vec2 normal, float fraction, void* context)
+{
+	(void)shape;
+	(void)point;
+	(void)normal;
+	if (fraction == 0.0f)
+		return -1.0f; // it began inside
+	*(float*)context = fraction;
+	return fraction;
+}
+
+static void ask_box2d(const Contest* c, Kind kind, Score* score)
+{
+	const scree_shape* shape = kind == CIRCLE_CASTS || kind == CIRCLE_OVERLAPS ? &c->circle : &c->box;
+	b2QueryFilter filter = b2DefaultQueryFilter();
+	for (int k = 0; k < c->queries; ++k)
+	{
+		scree_pose pose = c->probes[k].pose;
+		b2Pos origin = {pose.position.x, pose.position.y};
+		b2Vec2 path = {c->probes[k].translation.x, c->probes[k].translation.y};
+		if (kind <= LONG_RAYS)
+		{
+			b2RayResult result = b2World_CastRayClosest(c->box2d, origin, path, filter);
+			score->hits += result.hit;
+			score->sum += result.hit ? (double)result.fraction : 0.0;
+			continue;
+		}
+		b2ShapeProxy proxy = {.count = shape->count, .radius = shape->radius};
+		for (int i = 0; i < shape->count; ++i)
+			proxy.points[i] = b2RotateVector((b2Rot){pose.rotation.c, pose.rotation.s},
+			                                 (b2Vec2){shape->vertices[i].x, shape->vertices[i].y});
+		float fraction = 2.0f;
+		if (kind < CIRCLE_OVERLAPS)
+			b2World_CastShape(c->box2d, origin, &proxy, path, filter, note_closest, &fraction);
+		else
+			b2World_OverlapShape(c->box2d, origin, &proxy, filter, count_overlap, score);
+		score->hits += fraction <= 1.0f;
+		score->sum += fraction <= 1.0f ? (double)fraction : 0.0;
+	}
+}
+
+static int rising(const void* a, const void* b)
+{
+	return (*(const double*)a > *(const double*)b) - (*(const double*)a < *(const double*)b);
+}
+
+static double middle(double* values, int count)
+{
+	qsort(values, (size_t)count, sizeof *values, rising);
+	return values[count / 2];
+}
+
+#define MAX_REPEATS 101
+
+static bool compare(Contest* c, Kind kind)
+{
+	static double batch[MAX_REPEATS], single[MAX_REPEATS], other[MAX_REPEATS], ratio[MAX_REPEATS], alone[MAX_REPEATS];
+	Score scree = {0}, box2d = {0};
+	make_queries(c, kind);
+	for (int k = -1; k < c->repeats; ++k) // the first time warms up
+	{
+		Score one = {0};
+		scree = box2d = (Score){0};
+		int place = k < 0 ? 0 : k;
+		double t0 = processor_milliseconds();
+		if (!ask_scree(c, kind, 0, c->queries, &scree))
+			return false;
+		double t1 = processor_milliseconds();
+		ask_box2d(c, kind, &box2d);
+		double t2 = processor_milliseconds();
+		for (int i = 0; i < c->queries; ++i)
+			if (!ask_scree(c, kind, i, 1, &one))
+				return false;
+		double t3 = processor_milliseconds();
+		batch[place] = t1 - t0;
+		other[place] = t2 - t1;
+		single[place] = t3 - t2;
+		ratio[place] = other[place] / batch[place];
+		alone[place] = other[place] / single[place];
+	}
+	double us = 1000.0 / c->queries;
+	printf("%s,%d,%d,%.3f,%.3f,%.3f,%.2f,%.2f,%d,%d,%.3f,%.3f\n", names[kind], c->bodies, c->queries,
+	       us * middle(batch, c->repeats), us * middle(single, c->repeats), us * middle(other, c->repeats),
+	       middle(ratio, c->repeats), middle(alone, c->repeats), scree.hits, box2d.hits, scree.sum, box2d.sum);
+	fflush(stdout);
+	return true;
+}
+
+int queries_peers(int count, char** arguments)
+{
+	Contest c = {.bodies = 10000, .queries = 10000, .repeats = 9, .seed = 1};
+	for (int letter; (letter = getopt_long(count, arguments, "b:n:r:h", words, NULL)) != -1;)
+	{
+		int* number = letter == 'b' ? &c.bodies : letter == 'n' ? &c.queries : letter == 'r' ? &c.repeats : NULL;
+		if (!number)
+		{
+			fputs(help, letter == 'h' ? stdout : stderr);
+			return letter == 'h' ? 0 : 2;
+		}
+		*number = atoi(optarg);
+		if (*number < 1 || c.repeats > MAX_REPEATS)
+		{
+			fprintf(stderr, "scree_peers: %s is no number that queries can use\n", optarg);
+			return 2;
+		}
+	}
+	if (!open(&c))
+	{
+		fprintf(stderr, "scree_peers: %s\n", scree_error());
+		return 1;
+	}
+	printf("query,bodies,queries,us_scree,us_scree_alone,us_box2d,ratio,ratio_alone,hits_scree,hits_box2d,sum_scree,"
+	       "sum_box2d\n");
+	bool good = true;
+	for (int kind = 0; kind < KINDS && good; ++kind)
+		good = compare(&c, (Kind)kind);
+	scree_world_destroy(c.scree);
+	b2DestroyWorld(c.box2d);
+	free(c.rays);
+	free(c.probes);
+	free(c.found);
+	return good ? 0 : 1;
+}

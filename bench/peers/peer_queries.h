@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// peer_queries.h -- scree_peers queries: rays, moving shapes and overlaps in both engines.
+#ifndef PEER_QUERIES_H
+#define PEER_QUERIES_H
+
+int queries_peers(int count, char** arguments);
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// bench_whole.c -- scree bench --whole: times runs from end to end, the opening of the device included.
+//
+// Nothing is read back between the steps, and the clock stops when the device has finished the last one. Each run should
+// be a process of its own (--repeats 1), because a process starts a driver only once.
+#include "bench_whole.h"
+#include "library_error.h"
+#include "simulation.h"
+#include <inttypes.h>
+
+static scree_status take_steps(Simulation* simulation, int steps)
+{
+	for (int step = 0; step < steps; ++step)
+	{
+		scree_status status = simulation_step(simulation);
+		if (status != SCREE_OK)
+			return status;
+	}
+	return scree_world_wait(simulation->world);
+}
+
+static int measure_once(const Options* options, const Scene* scene)
+{
+	Simulation simulation;
+	int steps = options_steps(options, scene);
+	int code = simulation_open(options, scene, false, &simulation);
+	if (code != EXIT_GOOD)
+		return code;
+	scree_counters counters;
+	uint64_t hash;
+	double begin = seconds_now();
+	scree_status status = take_steps(&simulation, steps);
+	double taken = seconds_now() - begin;
+	if (status == SCREE_OK)
+		status = simulation.pipeline->counters(&simulation, &counters);
+	if (status == SCREE_OK)
+		status = simulation.pipeline->hash(&simulation, &hash);
+	if (status == SCREE_OK)
+		printf("%s,%s,%s,%d,%d,%.1f,%.1f,%.1f,%.1f,%.5f,%016" PRIx64 "\n", scene->name, options->device,
+		       scree_world_get_device(simulation.world), counters.bodies, steps, 1e3 * simulation.opening,
+		       1e3 * simulation.building, 1e3 * taken, 1e3 * (simulation.opening + taken), (double)counters.penetration,
+		       hash);
+	fflush(stdout);
+	simulation_close(&simulation);
+	return report(status);
+}
+
+int measure_whole_runs(const Options* options, Scene** scenes, int count)
+{
+	printf("scene,device,device_at_end,bodies,steps,ms_open,ms_build,ms_steps,ms_wait,penetration,hash\n");
+	int code = EXIT_GOOD;
+	for (int k = 0; k < count && code == EXIT_GOOD; ++k)
+		for (int repeat = 0; repeat < options->repeats && code == EXIT_GOOD; ++repeat)
+			code = measure_once(options, scenes[k]);
+	return code;
+}

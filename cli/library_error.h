@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// library_error.h -- errors of the library on the command line.
+#ifndef LIBRARY_ERROR_H
+#define LIBRARY_ERROR_H
+#include "options.h"
+
+// Prints scree_error() if the status is not SCREE_OK. Returns the exit code of the status.
+int report(scree_status status);
+
+#endif

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// queries_command.c -- scree bench queries: measures batches of rays, moving circles, overlaps and nearest points at the end of a run.
+#include "commands.h"
+#include "csv.h"
+#include "library_error.h"
+#include "scene/load.h"
+#include "simulation.h"
+#include "step_record.h"
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MANY   1000000 // queries without --queries
+#define LENGTH 20.0f   // m: of a ray
+#define RADIUS 0.5f    // m: of a circle
+
+typedef enum
+{
+	RAYS,
+	ANY_RAYS,
+	CIRCLES,
+	OVERLAPS,
+	NEAREST,
+	KINDS
+} Kind;
+static const char* const names[KINDS] = {"rays", "any_rays", "circle_casts", "overlaps", "nearest"};
+
+typedef struct
+{
+	scree_world* world;
+	int count;
+	scree_ray* rays;
+	scree_probe* probes;
+	scree_found* found;
+	scree_shape circle;
+} Batch;
+
+static uint32_t random_bits(uint64_t* seed)
+{
+	*seed = *seed * 6364136223846793005u + 1442695040888963407u;
+	return (uint32_t)(*seed >> 32);
+}
+
+static float random_between(uint64_t* seed, float low, float high)
+{
+	return low + (high - low) * ((float)(random_bits(seed) >> 8) / 16777216.0f);
+}
+
+// The box around the bodies.
+static bool bounds(scree_world* world, scree_vec* low, scree_vec* high)
+{
+	int count = 0;
+	if (scree_world_get_states(world, NULL, NULL, 0, &count) != SCREE_OK || count == 0)
+		return false;
+	scree_body_state* states = malloc((size_t)count * sizeof *states);
+	bool good = states && scree_world_get_states(world, NULL, states, count, &count) == SCREE_OK;
+	for (int k = 0; good && k < count; ++k)
+	{
+		scree_vec at = states[k].pose.position;
+		*low = k == 0 ? at : (scree_vec){fminf(low->x, at.x), fminf(low->y, at.y)};
+		*high = k == 0 ? at : (scree_vec){fmaxf(high->x, at.x), fmaxf(high->y, at.y)};
+	}
+	free(states);
+	return good;
+}
+
+static bool fill(Batch* batch)
+{
+	scree_vec low = {0.0f, 0.0f}, high = low;
+	uint64_t seed = 1;
+	if (!bounds(batch->world, &low, &high) || scree_shape_make_circle((scree_vec){0}, RADIUS, &batch->circle))
+		return false;
+	for (int k = 0; k < batch->count; ++k)
+	{
+		scree_vec at = {random_between(&seed, low.x, high.x), random_between(&seed, low.y, high.y)};
+		scree_rot turn = scree_rot_make(random_between(&seed, -3.14f, 3.14f));
+		scree_vec path = {LENGTH * turn.c, LENGTH * turn.s};
+		batch->rays[k] = (scree_ray){.origin = at, .translation = path};
+		batch->probes[k] = (scree_probe){.pose = {at, turn}, .translation = path};
+	}
+	return true;
+}
+
+static uint64_t hash_more(uint64_t hash, const void* bytes, size_t count)
+{
+	for (size_t k = 0; k < count; ++k)
+		hash = (hash ^ ((const unsigned char*)bytes)[k]) * 0x100000001b3u;
+	return hash;
+}
+
+static scree_status ask(Batch* b, Kind kind, int* found, uint64_t* hash)
+{
+	scree_query_def def = scree_query_def_default();
+	scree_status status;
+	scree_found_list list = {.found = b->found, .count = b->count};
+	def.any = kind == ANY_RAYS;
+	if (kind <= ANY_RAYS)
+		status = scree_world_cast_rays(b->world, &def, b->rays, b->count, b->found);
+	else if (kind == CIRCLES)
+		status = scree_world_cast_shapes(b->world, &def, &b->circle, b->probes, b->count, b->found);
+	else if (kind == OVERLAPS)
+		status = scree_world_list_shapes(b->world, &def, &b->circle, b->probes, b->count, &list);
+	else
+		status = scree_world_find_nearest(b->world, &def, NULL, b->probes, b->count, LENGTH, b->found);
+	if (!hash || status != SCREE_OK)
+		return status;
+	*found = 0;
+	*hash = hash_more(0xcbf29ce484222325u, list.found, (size_t)list.count * sizeof *list.found);
+	for (int k = 0; k < list.count; ++k)
+		*found += list.found[k].hit;
+	return status;
+}
+
+// Asks several times. The first answer makes room, and is hashed.
+static scree_status measure(Batch* batch, Kind kind, const char* scene, int repeats, double* times[2])
+{
+	int found = 0;
+	uint64_t hash = 0;
+	for (int k = 0; kind >= OVERLAPS && k < batch->count; ++k)
+		batch->probes[k].translation = (scree_vec){0.0f, 0.0f};
+	scree_status status = ask(batch, kind, &found, &hash);
+	for (int k = 0; k < repeats && status == SCREE_OK; ++k)
+	{
+		scree_timings timings = {0};
+		double begin = seconds_now();
+		status = ask(batch, kind, NULL, NULL);
+		times[0][k] = 1e3 * (seconds_now() - begin);
+		if (status == SCREE_OK)
+			status = scree_world_get_timings(batch->world, &timings);
+		times[1][k] = (double)timings.queries;
+	}
+	if (status != SCREE_OK)
+		return status;
+	char device[160];
+	snprintf(device, sizeof device, "%s", scree_world_get_device(batch->world));
+	csv_cell(device);
+	printf("%s,%s,%d,%s,%d,%d,%.4f,%.4f,%016" PRIx64 "\n", scene, device, scree_world_get_threads(batch->world),
+	       names[kind], batch->count, found, median_of(times[0], repeats), median_of(times[1], repeats), hash);
+	fflush(stdout);
+	return SCREE_OK;
+}
+
+int queries_command(const Options* options)
+{
+	Scene* scene = open_scene(options, options->arguments[0]);
+	Simulation simulation;
+	if (!scene)
+		return EXIT_BAD;
+	int code = simulation_open(options, scene, true, &simulation);
+	if (code != EXIT_GOOD)
+	{
+		scene_free(scene);
+		return code;
+	}
+	int steps = options_steps(options, scene), repeats = options->repeats;
+	scree_status status = SCREE_OK;
+	for (int k = 0; k < steps && status == SCREE_OK; ++k)
+		status = simulation_step(&simulation);
+	Batch batch = {.world = simulation.world, .count = options->queries > 0 ? options->queries : MANY};
+	size_t count = (size_t)batch.count;
+	batch.rays = malloc(count * sizeof *batch.rays);
+	batch.probes = malloc(count * sizeof *batch.probes);
+	batch.found = malloc(count * sizeof *batch.found);
+	double* times[2] = {malloc((size_t)repeats * sizeof(double)), malloc((size_t)repeats * sizeof(double))};
+	if (status == SCREE_OK && (!batch.rays || !batch.probes || !batch.found || !times[0] || !times[1] || !fill(&batch)))
+	{
+		fprintf(stderr, "scree bench: no memory for %d queries, or no bodies to ask for\n", batch.count);
+		code = EXIT_FAILED;
+	}
+	else
+		printf("scene,device,threads,query,queries,found,ms,ms_device,hash\n");
+	for (int kind = 0; kind < KINDS && code == EXIT_GOOD && status == SCREE_OK; ++kind)
+		status = measure(&batch, (Kind)kind, scene->name, repeats, times);
+	if (code == EXIT_GOOD)
+		code = report(status);
+	free(batch.rays);
+	free(batch.probes);
+	free(batch.found);
+	free(times[0]);
+	free(times[1]);
+	simulation_close(&simulation);
+	scene_free(scene);
+	return code;
+}

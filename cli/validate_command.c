@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// validate_command.c -- scree validate: experiments that check physical behavior against limits.
+#include "commands.h"
+#include "library_error.h"
+#include "simulation.h"
+#include "validate/lab_scree.h"
+#include "validate/validate.h"
+
+static int list_experiments(void)
+{
+	for (int k = 0; k < validate_count; ++k)
+		printf("%s\n", validate_experiments[k].name);
+	return EXIT_GOOD;
+}
+
+// Makes a world with the options, so that an error is printed before any row. Returns an exit code.
+static int try_device(const Options* options)
+{
+	scree_world_def def = scree_world_def_default();
+	def.device = options->device;
+	def.threads = options->threads;
+	def.lanes = options->lanes;
+	def.allow_unequal_bits = options->allow_unequal_bits;
+	scree_world* world;
+	int code = report(scree_world_create(&def, &world));
+	scree_world_destroy(world);
+	return code;
+}
+
+int validate_command(const Options* options)
+{
+	if (options->names)
+		return list_experiments();
+	for (int k = 0; k < options->argument_count; ++k)
+	{
+		if (!validate_find(options->arguments[k]))
+		{
+			fprintf(stderr, "scree validate: no experiment is called \"%s\"; scree validate --names lists them\n",
+			        options->arguments[k]);
+			return EXIT_BAD;
+		}
+	}
+	int code = try_device(options);
+	if (code != EXIT_GOOD)
+		return code;
+	Validation v = {.engine = &scree_lab,
+	                .executable = options->executable,
+	                .quick = options->quick,
+	                .out = stdout,
+	                .options = {options->device, options->threads, options->lanes, options->allow_unequal_bits}};
+	bool good = true;
+	validate_heading(stdout);
+	for (int k = 0; k < (options->argument_count ? options->argument_count : validate_count) && !v.broken; ++k)
+	{
+		const Experiment* e = options->argument_count ? validate_find(options->arguments[k]) : &validate_experiments[k];
+		good = validate_run(&v, e) && good;
+	}
+	return good ? EXIT_GOOD : EXIT_FAILED;
+}

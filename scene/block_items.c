@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// block_items.c -- the items of a block: runs its loops, and computes the numbers of each item.
+#include "scene/block_items.h"
+#include "scene/scene.h"
+#include <stdio.h>
+#include <string.h>
+
+// Inner loops may be empty, so that a count of items does not bound the time of the outer loops. This does.
+#define MAX_ROUNDS 50000000
+
+typedef struct
+{
+	Items items;
+	bool (*each)(Items* items, void* context); // null while counting
+	void* context;
+	int64_t rounds, count, limit;
+	const Location* location; // of the block, while counting
+} Run;
+
+void items_open(Items* items, Reader* reader, uint64_t number)
+{
+	*items = (Items){.reader = reader};
+	items->item = (Item){.indices = items->indices, .seed = reader->seed, .number = number};
+}
+
+bool items_fail(const Items* items, const char* path, const char* text)
+{
+	char where[160] = "";
+	for (int k = 0; k < items->depth; ++k)
+		snprintf(where + strlen(where), sizeof where - strlen(where), "%s%s = %.9g", k ? ", " : ", at ",
+		         items->loops->list[k].index, items->indices[k]);
+	snprintf(items->reader->sentence, SENTENCE_SIZE, "%.180s: %s: %s%s", items->reader->file, path, text, where);
+	return false;
+}
+
+bool items_value(const Items* items, const Number* number, double* value)
+{
+	if (!number->code)
+	{
+		*value = number->constant;
+		return true;
+	}
+	const char* fault = expression_evaluate(number->code, &items->item, value);
+	char must[80], text[200];
+	if (fault)
+	{
+		snprintf(text, sizeof text, "\"%.60s\": %s", number->text, fault);
+		return items_fail(items, number->path, text);
+	}
+	fault = range_fault(number->range, *value, must, sizeof must);
+	if (fault)
+	{
+		snprintf(text, sizeof text, "\"%.60s\" is %.9g, %s", number->text, *value, fault);
+		return items_fail(items, number->path, text);
+	}
+	return true;
+}
+
+bool items_float(const Items* items, const Number* number, float* value)
+{
+	double number_value;
+	bool good = items_value(items, number, &number_value);
+	*value = (float)number_value;
+	return good;
+}
+
+bool items_vec(const Items* items, const Number pair[2], scree_vec* vec)
+{
+	return items_float(items, &pair[0], &vec->x) && items_float(items, &pair[1], &vec->y);
+}
+
+bool items_pose(const Items* items, const Number position[2], const Number* angle, scree_pose* pose)
+{
+	float radians;
+	if (!items_vec(items, position, &pose->position) || !items_float(items, angle, &radians))
+		return false;
+	pose->rotation = radians == 0 ? (scree_rot){1, 0} : scree_rot_make(radians);
+	return true;
+}
+
+static bool run_loops(Run* run, int depth)
+{
+	Items* items = &run->items;
+	items->depth = depth;
+	if (depth == items->loops->count)
+	{
+		items->item.number = (uint64_t)run->count++;
+		return !run->each || run->each(items, run->context);
+	}
+	const Loop* loop = &items->loops->list[depth];
+	double first, end;
+	if (!items_value(items, &loop->first, &first) || !items_value(items, &loop->end, &end))
+		return false;
+	if (!run->each && depth == items->loops->count - 1)
+	{
+		run->count += end > first ? (int64_t)(end - first) : 0;
+		if (run->count > run->limit)
+			return reader_fail(items->reader, run->location, "%.9g or more items; a scene has at most %d",
+			                   (double)run->count, SCENE_MAX_BODIES);
+		return true;
+	}
+	for (double index = first; index < end; ++index)
+	{
+		if (!run->each && ++run->rounds > MAX_ROUNDS)
+			return reader_fail(items->reader, run->location, "more than %d rounds of nested ranges", MAX_ROUNDS);
+		items->indices[depth] = index;
+		if (!run_loops(run, depth + 1))
+			return false;
+	}
+	items->depth = depth;
+	return true;
+}
+
+bool items_count(Reader* reader, const Location* location, const Loops* loops, int64_t limit, int64_t* count)
+{
+	Run run = {.limit = limit, .location = location};
+	items_open(&run.items, reader, 0);
+	run.items.loops = loops;
+	bool good = run_loops(&run, 0);
+	*count = run.count;
+	return good;
+}
+
+bool items_run(Reader* reader, const Loops* loops, bool (*each)(Items* items, void* context), void* context)
+{
+	Run run = {.each = each, .context = context};
+	items_open(&run.items, reader, 0);
+	run.items.loops = loops;
+	return run_loops(&run, 0);
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// block_items.h -- the items of a block: runs its loops, and computes the numbers of each item.
+#ifndef BLOCK_ITEMS_H
+#define BLOCK_ITEMS_H
+#include "scene/loop.h"
+
+typedef struct Items // of a block, one after the other
+{
+	Reader* reader;
+	const Loops* loops; // null: one item without indices
+	double indices[MAX_LOOPS];
+	Item item; // the present one
+	int depth; // loops whose index is set
+} Items;
+
+// Sets items to one that is outside of all loops.
+void items_open(Items* items, Reader* reader, uint64_t number);
+
+// Counts the items. Fails when there are more than limit.
+bool items_count(Reader* reader, const Location* location, const Loops* loops, int64_t limit, int64_t* count);
+
+// Calls each for every item until it returns false.
+bool items_run(Reader* reader, const Loops* loops, bool (*each)(Items* items, void* context), void* context);
+
+// Compute numbers of the present item. Each fails when a number is out of its range.
+bool items_value(const Items* items, const Number* number, double* value);
+bool items_float(const Items* items, const Number* number, float* value);
+bool items_vec(const Items* items, const Number pair[2], scree_vec* vec);
+bool items_pose(const Items* items, const Number position[2], const Number* angle, scree_pose* pose);
+
+// Writes "FILE: PATH: TEXT, at i = 1" as the sentence and returns false.
+bool items_fail(const Items* items, const char* path, const char* text);
+
+#endif

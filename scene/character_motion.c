@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// character_motion.c -- moves the characters of a scene before each step, by their scripts or by the keys of the user.
+#include "scene/character_motion.h"
+#include "scene/block.h"
+#include "scene/scene_keys.h"
+#include <math.h>
+#include <stdlib.h>
+
+#define GROUND_PULL 10.0f // 1/s: of its speed, by which a character changes its velocity on ground
+#define AIR_PULL    4.0f  // the same in the air, while a key is down
+#define DROP \
+	0.05f // m: so far a character that lets itself drop is moved into a one-way platform, which then lets it through
+
+#define DOWN(keys, name) ((keys) >> SCENE_KEY_##name & 1)
+
+uint32_t walk_keys(const Scene* scene)
+{
+	return scene->character_count == 0
+	           ? 0
+	           : 1u << SCENE_KEY_left | 1u << SCENE_KEY_right | 1u << SCENE_KEY_up | 1u << SCENE_KEY_down;
+}
+
+scree_status walk_open(Walkers* walkers, const Scene* scene, scree_world* world)
+{
+	*walkers = (Walkers){.scene = scene};
+	if (scene->character_count == 0)
+		return SCREE_OK;
+	walkers->bodies = malloc(((size_t)scene->body_count + 1) * sizeof *walkers->bodies);
+	walkers->movers = calloc((size_t)scene->character_count, sizeof *walkers->movers);
+	if (!walkers->bodies || !walkers->movers)
+		return SCREE_ERROR_OUT_OF_MEMORY;
+	scree_status status = scree_world_get_bodies(world, walkers->bodies, scene->body_count, &walkers->body_count);
+	for (int k = 0; k < scene->character_count && status == SCREE_OK; ++k)
+	{
+		scree_pose pose;
+		scree_body body = walkers->bodies[block_first(scene, scene->characters[k].block)];
+		status = scree_body_get_pose(world, body, &pose);
+		walkers->movers[k] = (scree_mover){.position = pose.position, .ignored = body};
+	}
+	return status;
+}
+
+void walk_close(Walkers* walkers)
+{
+	free(walkers->bodies);
+	free(walkers->movers);
+	*walkers = (Walkers){0};
+}
+
+static uint32_t script_keys(const Character* character, int64_t step)
+{
+	uint32_t down = 0;
+	for (int k = 0; k < character->cue_count && character->cues[k].step <= step; ++k)
+		down = character->cues[k].down;
+	return down;
+}
+
+// What a character wishes, as the velocity of its mover. fresh: keys that went down with this step.
+static void steer(const Character* character, scree_vec gravity, float dt, uint32_t down, uint32_t fresh,
+                  scree_mover* mover)
+{
+	float g = sqrtf(gravity.x * gravity.x + gravity.y * gravity.y);
+	scree_vec up = character->def.up, v = mover->velocity;
+	bool stands = !scree_collidable_is_null(mover->ground);
+	float along = v.x * up.y - v.y * up.x, rises = v.x * up.x + v.y * up.y;
+	float wish = (float)((int)DOWN(down, right) - (int)DOWN(down, left)) * character->speed;
+	float most = (stands ? GROUND_PULL : AIR_PULL) * character->speed * dt;
+	if (stands || wish != 0.0f) // in the air it goes on as it was thrown
+		along = fminf(fmaxf(wish, along - most), along + most);
+	rises -= stands ? 0.0f : g * dt;
+	scree_vec carried = {0};
+	if (stands && DOWN(fresh, up))
+	{
+		rises = character->jump;
+		carried = mover->carried;
+	}
+	else if (stands && DOWN(fresh, down))
+		mover->position = (scree_vec){mover->position.x - DROP * up.x, mover->position.y - DROP * up.y};
+	mover->velocity = (scree_vec){along * up.y + rises * up.x + carried.x, -along * up.x + rises * up.y + carried.y};
+}
+
+static scree_status walk(Walkers* walkers, scree_world* world, int k, uint32_t down, uint32_t fresh)
+{
+	const Scene* scene = walkers->scene;
+	Character character = scene->characters[k];
+	scree_mover* mover = &walkers->movers[k];
+	scree_vec gravity = scene->world.gravity;
+	float g = sqrtf(gravity.x * gravity.x + gravity.y * gravity.y);
+	if (g > 0.0f)
+		character.def.up = (scree_vec){-gravity.x / g, -gravity.y / g};
+	bool enabled = scree_body_is_enabled(world, mover->ignored);
+	steer(&character, gravity, scene->dt, down, fresh, mover);
+	scree_status status = scree_movers_move(world, &character.def, mover, 1, scene->dt);
+	// where it will be when its ground has moved on
+	scree_pose pose = {
+	    {mover->position.x + mover->carried.x * scene->dt, mover->position.y + mover->carried.y * scene->dt},
+	    scree_rot_make(atan2f(-character.def.up.x, character.def.up.y))};
+	return status == SCREE_OK && enabled ? scree_body_set_target(world, mover->ignored, pose) : status;
+}
+
+// Disables the bodies that the visits of the last step say were taken.
+static scree_status take(Walkers* walkers, scree_world* world)
+{
+	const Scene* scene = walkers->scene;
+	scree_events events;
+	scree_status status = scree_world_get_events(world, &events);
+	for (int i = 0; i < events.visits_began_count && status == SCREE_OK; ++i)
+	{
+		const scree_visit* visit = &events.visits_began[i];
+		for (int k = 0; k < scene->character_count && status == SCREE_OK; ++k)
+		{
+			int takes = scene->characters[k].takes, first = takes < 0 ? 0 : block_first(scene, takes);
+			int count = takes < 0 ? 0 : (int)scene->blocks[takes].count;
+			if (!scree_body_equals(visit->body_visitor, walkers->movers[k].ignored))
+				continue;
+			for (int n = 0; n < count && status == SCREE_OK; ++n)
+				if (scree_body_equals(visit->body_sensor, walkers->bodies[first + n]))
+				{
+					++walkers->taken;
+					status = scree_body_set_enabled(world, walkers->bodies[first + n], false);
+				}
+		}
+	}
+	return status;
+}
+
+scree_status walk_step(Walkers* walkers, scree_world* world, int64_t step, uint32_t down)
+{
+	const Scene* scene = walkers->scene;
+	if (!scene || scene->character_count == 0)
+		return SCREE_OK;
+	walkers->played |= (down & walk_keys(scene)) != 0;
+	scree_status status = step > 0 ? take(walkers, world) : SCREE_OK;
+	uint32_t all = 0;
+	for (int k = 0; k < scene->character_count && status == SCREE_OK; ++k)
+	{
+		uint32_t keys = walkers->played ? down : script_keys(&scene->characters[k], step);
+		status = walk(walkers, world, k, keys, keys & ~walkers->before);
+		all |= keys;
+	}
+	walkers->before = all;
+	return status;
+}

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// field_block.h -- the fields of a scene, and the explosions that it sets off between steps.
+#ifndef FIELD_BLOCK_H
+#define FIELD_BLOCK_H
+#include "scene/reader.h"
+#include "scene/scene.h"
+
+struct SceneField
+{
+	scree_field_def def; // without its body
+	int block, index;    // of the body on which it lies: position in Scene.blocks, -1 for none; number in its block
+};
+
+struct SceneBlast
+{
+	int64_t step; // before which it goes off
+	scree_blast_def def;
+};
+
+// Reads the members "fields" and "blasts", if the scene has them. The blocks of bodies have been read.
+bool fields_read(Reader* reader, const json_t* root, Scene* scene);
+bool blasts_read(Reader* reader, const json_t* root, Scene* scene);
+
+// Creates a field in a world, on a body, which may be null.
+scree_status field_build(const SceneField* field, scree_world* world, scree_body body);
+
+// Sets off what the scene has before a step.
+scree_status blasts_fire(const Scene* scene, scree_world* world, int64_t step);
+
+#endif

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// parameter_block.h -- the parameters and constants of a scene: names that its expressions use.
+#ifndef PARAMETER_BLOCK_H
+#define PARAMETER_BLOCK_H
+#include "scene/reader.h"
+#include "scene/scene.h"
+
+// Reads "parameters" and adds their names to the scope, with the values of settings where there are any.
+bool parameters_read(Reader* reader, const json_t* root, const SceneSetting* settings, int count);
+
+// Reads "constants" and adds their names to the scope.
+bool constants_read(Reader* reader, const json_t* root);
+
+#endif

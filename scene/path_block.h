@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// path_block.h -- the paths of a scene: points by name.
+#ifndef PATH_BLOCK_H
+#define PATH_BLOCK_H
+#include "scene/reader.h"
+#include "scene/scene.h"
+
+struct ScenePath
+{
+	char name[NAME_SIZE];
+	bool closed;
+	scree_vec* points; // m
+	int count, capacity;
+};
+
+// Reads the member "paths", if the scene has one.
+bool paths_read(Reader* reader, const json_t* root, Scene* scene);
+void paths_free(Scene* scene);
+
+// The position in Scene.paths, -1 for none of that name.
+int paths_find(const Scene* scene, const char* name);
+
+// Creates a path in a world.
+scree_status path_build(const ScenePath* path, scree_world* world, scree_path* made);
+
+#endif

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// body.c -- bodies: created, destroyed and listed.
+#include "world/definition.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/memory.h"
+#include "world/objects/bodies.h"
+#include "world/objects/collidables.h"
+#include "world/objects/exclusions.h"
+#include "world/objects/fields.h"
+#include "world/objects/handles.h"
+#include "world/objects/joints.h"
+#include "world/objects/kinematics.h"
+#include "world/objects/mass.h"
+#include "world/objects/targets.h"
+#include "world/world.h"
+#include <string.h>
+
+void scree_body_def_default_sized(scree_body_def* def, size_t size)
+{
+	const scree_body_def made = {.size = (uint32_t)size,
+	                             .type = SCREE_BODY_DYNAMIC,
+	                             .pose.rotation.c = 1.0f,
+	                             .gravity_scale = 1.0f,
+	                             .filter = scree_filter_default()};
+	write_result(def, size, &made, sizeof made);
+}
+
+static const scree_body_def* def_at(const scree_body_def* defs, int k, scree_body_def* local)
+{
+	return definition_at(defs, k, &body_definition, local);
+}
+
+bool scree_body_is_valid(const scree_world* world, scree_body body) { return world && body_is_valid(world, body); }
+
+static bool has_attribute(const scree_body_def* def) { return !scree_attribute_is_null(def->attribute); }
+
+static scree_status check_def(const scree_world* world, Where at, const scree_body_def* def)
+{
+	int attribute = 0;
+	scree_pose pose = def->pose;
+	TRY(check_type(at, ".type", def->type));
+	TRY(check_pose(at, ".pose", &pose));
+	TRY(check_velocity(at, ".velocity", def->velocity));
+	TRY(check_real(at, ".gravity_scale", def->gravity_scale, -FLT_MAX, FLT_MAX));
+	TRY(check_real(at, ".linear_damping", def->linear_damping, 0.0f, FLT_MAX));
+	TRY(check_real(at, ".angular_damping", def->angular_damping, 0.0f, FLT_MAX));
+	TRY(check_locks(at, ".locks", def->locks));
+	TRY(check_reports(at, ".reports", def->reports));
+	TRY(check_sensor(at, ".sensor", def->sensor));
+	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
+}
+
+// Host data is prefetched so many bodies ahead: the slots of a batch may lie anywhere in memory.
+#define BODY_SOON 8
+
+static void fetch_rows(const void* rows, int index, size_t bytes)
+{
+	const char* row = (const char*)rows + (size_t)index * bytes;
+	fetch_soon(row);
+	fetch_soon(row + bytes - 1);
+}
+
+// The handle need not be valid.
+static void fetch_body(const scree_world* world, scree_body body)
+{
+	if (body.index >= (uint32_t)world->bodies.used)
+		return;
+	fetch_soon(world->bodies.generation + body.index);
+	fetch_rows(world->host_bodies, (int)body.index, sizeof *world->host_bodies);
+}
+
+static void fetch_collidable(const scree_world* world, int collidable)
+{
+	if (collidable < 0)
+		return;
+	fetch_soon(world->collidables.generation + collidable);
+	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
+}
+
+// Makes a body in a slot that was taken, from a checked definition. slot is that of its collidable, if it has one.
+static void put(scree_world* world, Where at, const scree_body_def* def, int index, int slot)
+{
+	bool moves = def->type == SCREE_BODY_DYNAMIC;
+	world->dynamic_bodies += moves;
+	world->disabled_bodies += def->disabled;
+	HostBody* host = world->host_bodies + index;
+	*host = (HostBody){.type = def->type,
+	                   .locks = def->locks,
+	                   .gravity_scale = def->gravity_scale,
+	                   .linear_damping = def->linear_damping,
+	                   .angular_damping = def->angular_damping,
+	                   .first_collidable = -1,
+	                   .stands = def->pose,
+	                   .still = def->velocity.linear.x == 0.0f && def->velocity.linear.y == 0.0f &&
+	                            def->velocity.angular == 0.0f,
+	                   .went = -1,
+	                   .last_collidable = -1,
+	                   .user = def->user,
+	                   .disabled = def->disabled,
+	                   .waiting = host->waiting};
+	if (def->type == SCREE_BODY_KINEMATIC)
+		kinematic_put(world, index);
+	if (has_attribute(def))
+	{
+		HostCollidable made = {.body = index,
+		                       .pose.rotation.c = 1.0f,
+		                       .filter = def->filter,
+		                       .reports = def->reports,
+		                       .sensor = def->sensor,
+		                       .user = def->user};
+		check_attribute(world, at, ".attribute", def->attribute, &made.attribute);
+		collidable_put(world, slot, &made);
+	}
+	host->mass = mass_of_body(world, index);
+
+	scree_pose pose = def->pose;
+	check_pose(at, ".pose", &pose); // takes rounding out
+	edits_body(world, (BodyRow){.index = index,
+	                            .pose = pose,
+	                            .center = host->mass.center,
+	                            .velocity = body_velocity_allowed(host, def->velocity),
+	                            .inv_mass = mass_inverse(host),
+	                            .inv_inertia = mass_inverse_inertia(host),
+	                            .gravity_scale = moves ? def->gravity_scale : 0.0f,
+	                            .linear_damping = moves ? def->linear_damping : 0.0f,
+	                            .angular_damping = moves ? def->angular_damping : 0.0f,
+	                            .locks = def->locks,
+	                            .disabled = def->disabled});
+}
+
+static scree_status reserve(scree_world* world, const char* function, int count, int kinematics, int collidables)
+{
+	if (world->bodies.alive + count > MAX_ITEMS)
+		return fail(SCREE_ERROR_INVALID, "%s: %d more bodies beside %d: a world holds at most %d", function, count,
+		            world->bodies.alive, MAX_ITEMS);
+	if (!slots_reserve(&world->bodies, count))
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more bodies", function, count);
+	TRY(GROW(function, world->host_bodies, world->host_body_capacity, world->bodies.capacity));
+	TRY(kinematics_reserve(world, function, kinematics));
+	TRY(collidables_reserve(world, function, collidables));
+	return edits_reserve(world, function, count, collidables, 0);
+}
+
+static scree_status create(scree_world* world, const char* function, const char* argument, const scree_body_def* defs,
+                           int count, scree_body* bodies, bool alone)
+{
+	TRY(world_check(world, function));
+	TRY(check_batch(function, argument, defs, count));
+	scree_body_def local;
+	int collidables = 0, kinematics = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		Where at = {function, argument, alone ? ALONE : k};
+		TRY(check_definition(at, defs, k, &body_definition));
+		const scree_body_def* def = def_at(defs, k, &local);
+		TRY(check_def(world, at, def));
+		collidables += has_attribute(def);
+		kinematics += def->type == SCREE_BODY_KINEMATIC;
+	}
+	TRY(reserve(world, function, count, kinematics, collidables));
+	int* slots = world_scratch(world, ((size_t)collidables + (size_t)count) * sizeof *slots);
+	if (!slots)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d bodies and %d collidables", function, count,
+		            collidables);
+	for (int k = 0, next = 0; k < count; ++k)
+	{
+		const scree_body_def* def = def_at(defs, k, &local);
+		if (has_attribute(def))
+			slots[next++] = def->disabled ? KIND_DEAD : kind_of_type(def->type);
+	}
+	TRY(collidables_allocate(world, slots, collidables));
+	int* indices = slots + collidables;
+	for (int k = 0; k < count; ++k)
+		indices[k] = slots_allocate(&world->bodies);
+
+	for (int k = 0, next = 0; k < count; ++k)
+	{
+		if (k + BODY_SOON < count)
+			fetch_rows(world->host_bodies, indices[k + BODY_SOON], sizeof *world->host_bodies);
+		if (next + BODY_SOON < collidables)
+			fetch_collidable(world, slots[next + BODY_SOON]);
+		const scree_body_def* def = def_at(defs, k, &local);
+		put(world, (Where){function, argument, k}, def, indices[k], has_attribute(def) ? slots[next++] : -1);
+		if (bodies)
+			bodies[k] = body_handle(world, indices[k]);
+	}
+	return SCREE_OK;
+}
+
+scree_status scree_bodies_create(scree_world* world, const scree_body_def* defs, int count, scree_body* bodies)
+{
+	return create(world, "scree_bodies_create", "defs", defs, count, bodies, false);
+}
+
+scree_status scree_body_create(scree_world* world, const scree_body_def* def, scree_body* body)
+{
+	return create(world, "scree_body_create", "def", def, 1, body, true);
+}
+
+static scree_status destroy(scree_world* world, const char* function, const char* argument, const scree_body* bodies,
+                            int count, bool alone)
+{
+	TRY(world_check(world, function));
+	TRY(check_batch(function, argument, bodies, count));
+
+	// marks find a body that is in the batch twice
+	scree_status status = SCREE_OK;
+	int marked = 0, collidables = 0;
+	for (int index = 0; marked < count && status == SCREE_OK;)
+	{
+		if (marked + BODY_SOON < count)
+			fetch_body(world, bodies[marked + BODY_SOON]);
+		Where at = {function, argument, alone ? ALONE : marked};
+		status = check_body(world, at, "", bodies[marked], &index);
+		if (status == SCREE_OK && world->host_bodies[index].marked)
+			status = refuse(SCREE_ERROR_STALE, at, "", "is twice in the batch");
+		if (status == SCREE_OK)
+		{
+			HostBody* host = world->host_bodies + index;
+			host->marked = true;
+			collidables += host->collidables;
+			++marked;
+		}
+	}
+	if (status == SCREE_OK)
+		status = edits_reserve(world, function, count, collidables, 0);
+	for (int k = 0; k < marked && status != SCREE_OK; ++k)
+		world->host_bodies[bodies[k].index].marked = false;
+	TRY(status);
+
+	for (int k = 0; k < count; ++k)
+	{
+		if (k + 2 * BODY_SOON < count)
+			fetch_body(world, bodies[k + 2 * BODY_SOON]);
+		if (k + BODY_SOON < count)
+			fetch_collidable(world, world->host_bodies[bodies[k + BODY_SOON].index].first_collidable);
+		int index = (int)bodies[k].index;
+		HostBody* host = world->host_bodies + index;
+		host->marked = false;
+		mass_forget(world, index);
+		while (host->first_collidable >= 0)
+			collidable_remove(world, host->first_collidable);
+		world->dynamic_bodies -= host->type == SCREE_BODY_DYNAMIC;
+		kinematic_drop(world, index);
+		world->disabled_bodies -= host->disabled;
+		host->disabled = false;
+		target_drop(world, index);
+		body_joints_remove(world, index);
+		fields_body_gone(world, index);
+		body_exclusions_remove(world, index);
+		slots_free(&world->bodies, index);
+		edits_body(world, (BodyRow){.index = index, .pose.rotation.c = 1.0f});
+	}
+	return SCREE_OK;
+}
+
+scree_status scree_bodies_destroy(scree_world* world, const scree_body* bodies, int count)
+{
+	return destroy(world, "scree_bodies_destroy", "bodies", bodies, count, false);
+}
+
+scree_status scree_body_destroy(scree_world* world, scree_body body)
+{
+	return destroy(world, "scree_body_destroy", "body", &body, 1, true);
+}
+
+scree_status scree_world_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count)
+{
+	const char* function = "scree_world_get_bodies";
+	TRY(check_pointer(function, "world", world));
+	TRY(check_list(function, "bodies", bodies, capacity, count));
+	int listed = 0;
+	for (int k = 0; k < world->bodies.used; ++k)
+	{
+		if (!slots_in_use(&world->bodies, k))
+			continue;
+		if (listed < capacity)
+			bodies[listed] = body_handle(world, k);
+		++listed;
+	}
+	*count = listed;
+	return SCREE_OK;
+}

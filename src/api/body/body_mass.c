@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// body_mass.c -- masses of bodies: read and set by the user.
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/objects/handles.h"
+#include "world/objects/mass.h"
+#include "world/world.h"
+
+// Bounds of what may be set: inverses, and their products with squares of arms, stay finite.
+#define LEAST_MASS    1e-15f // kg
+#define LEAST_INERTIA 1e-20f // kg m^2
+#define MOST_MASS     1e30f  // kg, and kg m^2
+
+scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass)
+{
+	const char* function = "scree_body_get_mass";
+	TRY(check_pointer(function, "world", world));
+	TRY(check_pointer(function, "mass", mass));
+	int index = 0;
+	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	*mass = mass_now(world, index);
+	return SCREE_OK;
+}
+
+// body and mass say where the two stand in the call.
+static scree_status check_mass(const scree_world* world, Where body, Where mass, scree_body handle, scree_mass value)
+{
+	int index = 0;
+	TRY(check_body(world, body, "", handle, &index));
+	if (world->host_bodies[index].type != SCREE_BODY_DYNAMIC)
+		return refuse(SCREE_ERROR_INVALID, body, "", "is not dynamic: it has no mass");
+	TRY(check_real(mass, ".mass", value.mass, LEAST_MASS, MOST_MASS));
+	if (value.inertia != 0.0f)
+		TRY(check_real(mass, ".inertia (when it is not 0)", value.inertia, LEAST_INERTIA, MOST_MASS));
+	return check_vec(mass, ".center", value.center, SCREE_HUGE);
+}
+
+scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass)
+{
+	const char* function = "scree_body_set_mass";
+	TRY(world_check(world, function));
+	TRY(check_mass(world, (Where){function, "body", ALONE}, (Where){function, "mass", ALONE}, body, mass));
+	TRY(edits_reserve(world, function, 0, 0, 2));
+	mass_own(world, (int)body.index, mass);
+	return SCREE_OK;
+}
+
+scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses, int count)
+{
+	const char* function = "scree_bodies_set_masses";
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "bodies", bodies, count));
+	TRY(check_batch(function, "masses", masses, count));
+	for (int k = 0; k < count; ++k)
+		TRY(check_mass(world, (Where){function, "bodies", k}, (Where){function, "masses", k}, bodies[k], masses[k]));
+	TRY(edits_reserve(world, function, 0, 0, 2 * count));
+	for (int k = 0; k < count; ++k)
+		mass_own(world, (int)bodies[k].index, masses[k]);
+	return SCREE_OK;
+}

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// body_motion.c -- forces, impulses, velocities and poses, for batches and single bodies: each becomes a command.
+#include "step/tree_maintenance.h"
+#include "world/check.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/objects/bodies.h"
+#include "world/objects/collidables.h"
+#include "world/objects/handles.h"
+#include "world/objects/joints.h"
+#include "world/objects/mass.h"
+#include "world/objects/targets.h"
+#include "world/pool_values.h"
+#include "world/world.h"
+
+typedef struct // one call
+{
+	const char* function;
+	int kind; // COMMAND_*
+	const char* bodies;
+	const char* values;
+	const char* points; // null when the kind has none
+	bool alone;         // for a single body: sentences name no index
+} Call;
+
+// The values of a call: one of these arrays; points only with vectors.
+typedef struct
+{
+	const float* numbers;
+	const scree_vec* vectors;
+	const scree_vec* points;
+	const scree_velocity* velocities;
+	const scree_pose* poses;
+} Values;
+
+static const void* values_array(const Values* v)
+{
+	if (v->numbers)
+		return v->numbers;
+	if (v->vectors)
+		return v->vectors;
+	return v->velocities ? (const void*)v->velocities : (const void*)v->poses;
+}
+
+// Checks value k, and converts it to Command.value.
+static scree_status value_at(const Call* call, const Values* values, int k, Float4* value)
+{
+	int shown = call->alone ? ALONE : k;
+	Where at = {call->function, call->values, shown};
+	float limit = call->kind == COMMAND_LINEAR_VELOCITY || call->kind == COMMAND_SPIN ? SCREE_HUGE : FLT_MAX;
+	if (values->numbers)
+	{
+		*value = make_float4(values->numbers[k], 0.0f, 0.0f, 0.0f);
+		return check_real(at, "", values->numbers[k], -limit, limit);
+	}
+	if (values->vectors)
+	{
+		scree_vec v = values->vectors[k], p = values->points ? values->points[k] : (scree_vec){0};
+		*value = make_float4(v.x, v.y, p.x, p.y);
+		TRY(check_vec(at, "", v, limit));
+		return check_vec((Where){call->function, call->points, shown}, "", p, SCREE_HUGE);
+	}
+	if (values->velocities)
+	{
+		scree_velocity v = values->velocities[k];
+		*value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f);
+		return check_velocity(at, "", v);
+	}
+	scree_pose pose = values->poses[k];
+	scree_status status = check_pose(at, "", &pose);
+	*value = pose_row(pose);
+	return status;
+}
+
+static void send(scree_world* world, int kind, int index, Float4 value)
+{
+	const HostBody* host = world->host_bodies + index;
+	if (kind == COMMAND_VELOCITY || kind == COMMAND_LINEAR_VELOCITY)
+	{
+		scree_velocity v = {{value.x, value.y}, value.z};
+		v = body_velocity_allowed(host, v);
+		value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f);
+		target_drop(world, index);
+		world->host_bodies[index].still = false;
+	}
+	else if (kind == COMMAND_SPIN)
+	{
+		value.x = body_velocity_allowed(host, (scree_velocity){.angular = value.x}).angular;
+		target_drop(world, index);
+		world->host_bodies[index].still = false;
+	}
+	else if (kind == COMMAND_POSE)
+	{
+		world->host_bodies[index].stands = (scree_pose){{value.x, value.y}, {value.z, value.w}};
+		world->host_bodies[index].went = -1;
+		body_joints_seek(world, index);
+		if (host->type == SCREE_BODY_STATIC && host->collidables > 0)
+			tree_touch(&world->pipeline, tree_of_kind(KIND_STATIC));
+	}
+	else if (host->type != SCREE_BODY_DYNAMIC)
+		return;
+	edits_command(world, kind, index, value, 0);
+}
+
+static scree_status change(scree_world* world, const Call* call, const scree_body* bodies, const Values* values,
+                           int count)
+{
+	TRY(world_check(world, call->function));
+	TRY(check_batch(call->function, call->bodies, bodies, count));
+	TRY(check_batch(call->function, call->values, values_array(values), count));
+	if (call->points)
+		TRY(check_batch(call->function, call->points, values->points, count));
+	int index = 0;
+	Float4 value;
+	for (int k = 0; k < count; ++k)
+	{
+		TRY(check_body(world, (Where){call->function, call->bodies, call->alone ? ALONE : k}, "", bodies[k], &index));
+		TRY(value_at(call, values, k, &value));
+	}
+	TRY(edits_reserve(world, call->function, 0, 0, count));
+	mass_settle(world); // impulses depend on it
+	for (int k = 0; k < count; ++k)
+	{
+		value_at(call, values, k, &value);
+		send(world, call->kind, (int)bodies[k].index, value);
+	}
+	return SCREE_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// batches
+// ---------------------------------------------------------------------------------------------------------------
+
+scree_status scree_bodies_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces, int count)
+{
+	static const Call call = {"scree_bodies_apply_forces", COMMAND_FORCE, "bodies", "forces", NULL, false};
+	return change(world, &call, bodies, &(Values){.vectors = forces}, count);
+}
+
+scree_status scree_bodies_apply_torques(scree_world* world, const scree_body* bodies, const float* torques, int count)
+{
+	static const Call call = {"scree_bodies_apply_torques", COMMAND_TORQUE, "bodies", "torques", NULL, false};
+	return change(world, &call, bodies, &(Values){.numbers = torques}, count);
+}
+
+scree_status scree_bodies_apply_impulses(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
+                                         int count)
+{
+	static const Call call = {"scree_bodies_apply_impulses", COMMAND_IMPULSE, "bodies", "impulses", NULL, false};
+	return change(world, &call, bodies, &(Values){.vectors = impulses}, count);
+}
+
+scree_status scree_bodies_apply_angular_impulses(scree_world* world, const scree_body* bodies, const float* impulses,
+                                                 int count)
+{
+	static const Call call = {
+	    "scree_bodies_apply_angular_impulses", COMMAND_ANGULAR_IMPULSE, "bodies", "impulses", NULL, false};
+	return change(world, &call, bodies, &(Values){.numbers = impulses}, count);
+}
+
+scree_status scree_bodies_apply_forces_at(scree_world* world, const scree_body* bodies, const scree_vec* forces,
+                                          const scree_vec* points, int count)
+{
+	static const Call call = {"scree_bodies_apply_forces_at", COMMAND_FORCE_AT, "bodies", "forces", "points", false};
+	return change(world, &call, bodies, &(Values){.vectors = forces, .points = points}, count);
+}
+
+scree_status scree_bodies_apply_impulses_at(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
+                                            const scree_vec* points, int count)
+{
+	static const Call call = {
+	    "scree_bodies_apply_impulses_at", COMMAND_IMPULSE_AT, "bodies", "impulses", "points", false};
+	return change(world, &call, bodies, &(Values){.vectors = impulses, .points = points}, count);
+}
+
+scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* bodies, const scree_velocity* velocities,
+                                         int count)
+{
+	static const Call call = {"scree_bodies_set_velocities", COMMAND_VELOCITY, "bodies", "velocities", NULL, false};
+	return change(world, &call, bodies, &(Values){.velocities = velocities}, count);
+}
+
+scree_status scree_bodies_set_linear_velocities(scree_world* world, const scree_body* bodies,
+                                                const scree_vec* velocities, int count)
+{
+	static const Call call = {
+	    "scree_bodies_set_linear_velocities", COMMAND_LINEAR_VELOCITY, "bodies", "velocities", NULL, false};
+	return change(world, &call, bodies, &(Values){.vectors = velocities}, count);
+}
+
+scree_status scree_bodies_set_angular_velocities(scree_world* world, const scree_body* bodies, const float* velocities,
+                                                 int count)
+{
+	static const Call call = {"scree_bodies_set_angular_velocities", COMMAND_SPIN, "bodies", "velocities", NULL, false};
+	return change(world, &call, bodies, &(Values){.numbers = velocities}, count);
+}
+
+scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
+{
+	static const Call call = {"scree_bodies_set_poses", COMMAND_POSE, "bodies", "poses", NULL, false};
+	return change(world, &call, bodies, &(Values){.poses = poses}, count);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// single bodies
+// ---------------------------------------------------------------------------------------------------------------
+
+scree_status scree_body_apply_force(scree_world* world, scree_body body, scree_vec force)
+{
+	static const Call call = {"scree_body_apply_force", COMMAND_FORCE, "body", "force", NULL, true};
+	return change(world, &call, &body, &(Values){.vectors = &force}, 1);
+}
+
+scree_status scree_body_apply_force_at(scree_world* world, scree_body body, scree_vec force, scree_vec point)
+{
+	static const Call call = {"scree_body_apply_force_at", COMMAND_FORCE_AT, "body", "force", "point", true};
+	return change(world, &call, &body, &(Values){.vectors = &force, .points = &point}, 1);
+}
+
+scree_status scree_body_apply_torque(scree_world* world, scree_body body, float torque)
+{
+	static const Call call = {"scree_body_apply_torque", COMMAND_TORQUE, "body", "torque", NULL, true};
+	return change(world, &call, &body, &(Values){.numbers = &torque}, 1);
+}
+
+scree_status scree_body_apply_impulse(scree_world* world, scree_body body, scree_vec impulse)
+{
+	static const Call call = {"scree_body_apply_impulse", COMMAND_IMPULSE, "body", "impulse", NULL, true};
+	return change(world, &call, &body, &(Values){.vectors = &impulse}, 1);
+}
+
+scree_status scree_body_apply_impulse_at(scree_world* world, scree_body body, scree_vec impulse, scree_vec point)
+{
+	static const Call call = {"scree_body_apply_impulse_at", COMMAND_IMPULSE_AT, "body", "impulse", "point", true};
+	return change(world, &call, &body, &(Values){.vectors = &impulse, .points = &point}, 1);
+}
+
+scree_status scree_body_apply_angular_impulse(scree_world* world, scree_body body, float impulse)
+{
+	static const Call call = {
+	    "scree_body_apply_angular_impulse", COMMAND_ANGULAR_IMPULSE, "body", "impulse", NULL, true};
+	return change(world, &call, &body, &(Values){.numbers = &impulse}, 1);
+}
+
+scree_status scree_body_set_velocity(scree_world* world, scree_body body, scree_velocity velocity)
+{
+	static const Call call = {"scree_body_set_velocity", COMMAND_VELOCITY, "body", "velocity", NULL, true};
+	return change(world, &call, &body, &(Values){.velocities = &velocity}, 1);
+}
+
+scree_status scree_body_set_linear_velocity(scree_world* world, scree_body body, scree_vec velocity)
+{
+	static const Call call = {
+	    "scree_body_set_linear_velocity", COMMAND_LINEAR_VELOCITY, "body", "velocity", NULL, true};
+	return change(world, &call, &body, &(Values){.vectors = &velocity}, 1);
+}
+
+scree_status scree_body_set_angular_velocity(scree_world* world, scree_body body, float velocity)
+{
+	static const Call call = {"scree_body_set_angular_velocity", COMMAND_SPIN, "body", "velocity", NULL, true};
+	return change(world, &call, &body, &(Values){.numbers = &velocity}, 1);
+}
+
+scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose)
+{
+	static const Call call = {"scree_body_set_pose", COMMAND_POSE, "body", "pose", NULL, true};
+	return change(world, &call, &body, &(Values){.poses = &pose}, 1);
+}

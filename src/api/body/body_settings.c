@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// body_settings.c -- type, damping, gravity scale, locks, enabling and user word of a body: set and read.
+#include "step/tree_maintenance.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/objects/bodies.h"
+#include "world/objects/collidables.h"
+#include "world/objects/fields.h"
+#include "world/objects/handles.h"
+#include "world/objects/joints.h"
+#include "world/objects/kinematics.h"
+#include "world/objects/mass.h"
+#include "world/objects/targets.h"
+#include "world/world.h"
+
+static scree_status lookup(const scree_world* world, const char* function, scree_body body, const char* argument,
+                           const void* out, HostBody** host)
+{
+	int index = 0;
+	TRY(check_pointer(function, "world", world));
+	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	*host = world->host_bodies + index;
+	return check_pointer(function, argument, out);
+}
+
+// The same for a setter; reserves room for commands.
+static scree_status lookup_to_set(scree_world* world, const char* function, scree_body body, int commands, int* index)
+{
+	TRY(world_check(world, function));
+	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, index));
+	return edits_reserve(world, function, 0, world->host_bodies[*index].collidables, commands);
+}
+
+scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body_type type)
+{
+	const char* function = "scree_body_set_type";
+	int index = 0;
+	TRY(lookup_to_set(world, function, body, 4, &index));
+	TRY(check_type((Where){function, "type", ALONE}, "", type));
+	HostBody* host = world->host_bodies + index;
+	if (host->type == type)
+		return SCREE_OK;
+	TRY(kinematics_reserve(world, function, type == SCREE_BODY_KINEMATIC));
+	int old_tree = tree_of_kind(kind_of_type(host->type)), new_tree = tree_of_kind(kind_of_type(type));
+	for (int k = host->first_collidable; !host->disabled && k >= 0; k = world->host_collidables[k].next)
+	{
+		scree_status status = tree_insert(&world->pipeline, new_tree, k);
+		if (status == SCREE_OK)
+			continue;
+		for (int done = host->first_collidable; done != k; done = world->host_collidables[done].next)
+			tree_leave(&world->pipeline, new_tree, done);
+		return status;
+	}
+
+	kinematic_drop(world, index);
+	if (type == SCREE_BODY_KINEMATIC)
+		kinematic_put(world, index);
+	world->dynamic_bodies += (type == SCREE_BODY_DYNAMIC) - (host->type == SCREE_BODY_DYNAMIC);
+	target_drop(world, index);
+	host->type = type;
+	host->still = false;
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		edits_collidable(world, k);
+		if (old_tree != new_tree && !host->disabled)
+			tree_leave(&world->pipeline, old_tree, k);
+	}
+	if (type == SCREE_BODY_STATIC)
+		edits_command(world, COMMAND_VELOCITY, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), 0);
+	mass_set(world, index, mass_of_body(world, index));
+	body_joints_changed(world, index);
+	body_send_motion(world, index);
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_type(const scree_world* world, scree_body body, scree_body_type* type)
+{
+	HostBody* host;
+	TRY(lookup(world, "scree_body_get_type", body, "type", type, &host));
+	*type = host->type;
+	return SCREE_OK;
+}
+
+scree_status scree_body_set_damping(scree_world* world, scree_body body, float linear, float angular)
+{
+	const char* function = "scree_body_set_damping";
+	int index = 0;
+	TRY(lookup_to_set(world, function, body, 1, &index));
+	TRY(check_real((Where){function, "linear", ALONE}, "", linear, 0.0f, FLT_MAX));
+	TRY(check_real((Where){function, "angular", ALONE}, "", angular, 0.0f, FLT_MAX));
+	world->host_bodies[index].linear_damping = linear;
+	world->host_bodies[index].angular_damping = angular;
+	body_send_motion(world, index);
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_damping(const scree_world* world, scree_body body, float* linear, float* angular)
+{
+	const char* function = "scree_body_get_damping";
+	HostBody* host;
+	TRY(lookup(world, function, body, "linear", linear, &host));
+	TRY(check_pointer(function, "angular", angular));
+	*linear = host->linear_damping;
+	*angular = host->angular_damping;
+	return SCREE_OK;
+}
+
+scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, float scale)
+{
+	const char* function = "scree_body_set_gravity_scale";
+	int index = 0;
+	TRY(lookup_to_set(world, function, body, 1, &index));
+	TRY(check_real((Where){function, "scale", ALONE}, "", scale, -FLT_MAX, FLT_MAX));
+	world->host_bodies[index].gravity_scale = scale;
+	body_send_motion(world, index);
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_gravity_scale(const scree_world* world, scree_body body, float* scale)
+{
+	HostBody* host;
+	TRY(lookup(world, "scree_body_get_gravity_scale", body, "scale", scale, &host));
+	*scale = host->gravity_scale;
+	return SCREE_OK;
+}
+
+scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t locks)
+{
+	const char* function = "scree_body_set_locks";
+	int index = 0;
+	TRY(lookup_to_set(world, function, body, 3, &index));
+	TRY(check_locks((Where){function, "locks", ALONE}, "", locks));
+	mass_settle(world);
+	world->host_bodies[index].locks = locks;
+	mass_set(world, index, world->host_bodies[index].mass);
+	body_send_motion(world, index);
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_locks(const scree_world* world, scree_body body, uint32_t* locks)
+{
+	HostBody* host;
+	TRY(lookup(world, "scree_body_get_locks", body, "locks", locks, &host));
+	*locks = host->locks;
+	return SCREE_OK;
+}
+
+// Inserts the leaves of the bodies of a batch that become enabled. On failure it removes them again.
+static scree_status insert_batch(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
+{
+	scree_status status = SCREE_OK;
+	int done = 0;
+	for (; done < count && status == SCREE_OK; ++done)
+	{
+		const HostBody* host = world->host_bodies + bodies[done].index;
+		if (enabled[done] && host->disabled)
+			status = body_insert_leaves(world, host);
+	}
+	for (int k = 0; k < done && status != SCREE_OK; ++k)
+	{
+		const HostBody* host = world->host_bodies + bodies[k].index;
+		if (enabled[k] && host->disabled)
+			body_remove_leaves(world, host);
+	}
+	return status;
+}
+
+// The caller has reserved room for the edits and the leaves.
+static void enable(scree_world* world, int index, bool enabled)
+{
+	HostBody* host = world->host_bodies + index;
+	if (host->disabled == !enabled)
+		return;
+	if (enabled)
+		body_insert_leaves(world, host); // inserted before, unless the same batch has disabled the body since
+	else
+		body_remove_leaves(world, host);
+	host->disabled = !enabled;
+	world->disabled_bodies += enabled ? -1 : 1;
+	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		world->host_collidables[k].born = world->pipeline.steps;
+		edits_collidable(world, k);
+	}
+	body_joints_changed(world, index);
+	fields_body_changed(world, index);
+	edits_command(world, COMMAND_ENABLED, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), enabled);
+	body_send_motion(world, index);
+}
+
+static scree_status set_enabled(scree_world* world, const char* function, const char* argument,
+                                const scree_body* bodies, const bool* enabled, int count, bool alone)
+{
+	TRY(world_check(world, function));
+	TRY(check_batch(function, argument, bodies, count));
+	TRY(check_batch(function, "enabled", enabled, count));
+	int index = 0, collidables = 0;
+	for (int k = 0; k < count; ++k)
+	{
+		TRY(check_body(world, (Where){function, argument, alone ? ALONE : k}, "", bodies[k], &index));
+		collidables += world->host_bodies[index].collidables;
+	}
+	TRY(edits_reserve(world, function, 0, collidables, 2 * count));
+	TRY(insert_batch(world, bodies, enabled, count));
+	for (int k = 0; k < count; ++k)
+		enable(world, (int)bodies[k].index, enabled[k]);
+	return SCREE_OK;
+}
+
+scree_status scree_bodies_set_enabled(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
+{
+	return set_enabled(world, "scree_bodies_set_enabled", "bodies", bodies, enabled, count, false);
+}
+
+scree_status scree_body_set_enabled(scree_world* world, scree_body body, bool enabled)
+{
+	return set_enabled(world, "scree_body_set_enabled", "body", &body, &enabled, 1, true);
+}
+
+bool scree_body_is_enabled(const scree_world* world, scree_body body)
+{
+	return scree_body_is_valid(world, body) && !world->host_bodies[body.index].disabled;
+}
+
+scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t user)
+{
+	HostBody* host;
+	TRY(lookup(world, "scree_body_set_user", body, "user", &user, &host));
+	host->user = user;
+	return SCREE_OK;
+}
+
+scree_status scree_body_get_user(const scree_world* world, scree_body body, uint64_t* user)
+{
+	HostBody* host;
+	TRY(lookup(world, "scree_body_get_user", body, "user", user, &host));
+	*user = host->user;
+	return SCREE_OK;
+}

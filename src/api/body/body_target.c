@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// body_target.c -- targets of kinematic bodies: set by the user.
+#include "world/failure.h"
+#include "world/objects/handles.h"
+#include "world/objects/targets.h"
+#include "world/world.h"
+
+static scree_status check_target(const scree_world* world, Where body, Where value, scree_body handle, scree_pose* pose)
+{
+	static const char* const types[] = {"static", "kinematic", "dynamic"};
+	int index = 0;
+	TRY(check_body(world, body, "", handle, &index));
+	scree_body_type type = world->host_bodies[index].type;
+	if (type != SCREE_BODY_KINEMATIC)
+		return refuse(SCREE_ERROR_INVALID, body, "", "is %s: only a kinematic body has a target", types[type]);
+	return check_pose(value, "", pose);
+}
+
+static scree_status set(scree_world* world, Where body, Where value, const scree_body* bodies, const scree_pose* poses,
+                        int count)
+{
+	const char* function = body.function;
+	bool alone = body.index == ALONE;
+	TRY(world_check(world, function));
+	TRY(check_batch(function, body.argument, bodies, count));
+	TRY(check_batch(function, value.argument, poses, count));
+	for (int k = 0; k < count; ++k)
+	{
+		scree_pose pose = poses[k];
+		body.index = value.index = alone ? ALONE : k;
+		TRY(check_target(world, body, value, bodies[k], &pose));
+	}
+	TRY(targets_reserve(world, function, count));
+	for (int k = 0; k < count; ++k)
+	{
+		scree_pose pose = poses[k];
+		check_pose(value, "", &pose); // takes rounding out
+		target_put(world, (int)bodies[k].index, pose);
+	}
+	return SCREE_OK;
+}
+
+scree_status scree_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
+{
+	const char* function = "scree_bodies_set_targets";
+	return set(world, (Where){function, "bodies", 0}, (Where){function, "poses", 0}, bodies, poses, count);
+}
+
+scree_status scree_body_set_target(scree_world* world, scree_body body, scree_pose pose)
+{
+	const char* function = "scree_body_set_target";
+	return set(world, (Where){function, "body", ALONE}, (Where){function, "pose", ALONE}, &body, &pose, 1);
+}

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// collidable.c -- collidables: created, destroyed and listed.
+#include "world/definition.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/memory.h"
+#include "world/objects/collidables.h"
+#include "world/objects/handles.h"
+#include "world/objects/mass.h"
+
+scree_filter scree_filter_default(void) { return (scree_filter){.category = 1, .mask = UINT64_MAX}; }
+
+void scree_collidable_def_default_sized(scree_collidable_def* def, size_t size)
+{
+	const scree_collidable_def made = {
+	    .size = (uint32_t)size, .pose.rotation.c = 1.0f, .filter = scree_filter_default()};
+	write_result(def, size, &made, sizeof made);
+}
+
+bool scree_collidable_is_valid(const scree_world* world, scree_collidable collidable)
+{
+	return world && collidable_is_valid(world, collidable);
+}
+
+static scree_status check_def(const scree_world* world, Where at, const scree_collidable_def* defs, int k,
+                              HostCollidable* made)
+{
+	scree_collidable_def local;
+	TRY(check_definition(at, defs, k, &collidable_definition));
+	const scree_collidable_def* def = definition_at(defs, k, &collidable_definition, &local);
+	*made = (HostCollidable){.body = -1,
+	                         .pose = def->pose,
+	                         .filter = def->filter,
+	                         .reports = def->reports,
+	                         .sensor = def->sensor,
+	                         .user = def->user};
+	TRY(check_attribute(world, at, ".attribute", def->attribute, &made->attribute));
+	TRY(check_reports(at, ".reports", def->reports));
+	TRY(check_sensor(at, ".sensor", def->sensor));
+	if (!scree_body_is_null(def->body))
+		TRY(check_body(world, at, ".body", def->body, &made->body));
+	return check_pose(at, ".pose", &made->pose);
+}
+
+static scree_status create(scree_world* world, const char* function, const char* argument,
+                           const scree_collidable_def* defs, int count, scree_collidable* collidables, bool alone)
+{
+	TRY(world_check(world, function));
+	TRY(check_batch(function, argument, defs, count));
+	HostCollidable made;
+	for (int k = 0; k < count; ++k)
+		TRY(check_def(world, (Where){function, argument, alone ? ALONE : k}, defs, k, &made));
+	TRY(collidables_reserve(world, function, count));
+	TRY(edits_reserve(world, function, 0, count, count));
+	int* slots = world_scratch(world, 2 * (size_t)count * sizeof *slots);
+	if (!slots)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d collidables", function, count);
+
+	int* bodies = slots + count;
+	for (int k = 0; k < count; ++k)
+	{
+		check_def(world, (Where){function, argument, k}, defs, k, &made);
+		bodies[k] = made.body;
+		slots[k] = kind_on_body(world, made.body);
+	}
+	TRY(collidables_allocate(world, slots, count));
+	for (int k = 0; k < count; ++k)
+	{
+		check_def(world, (Where){function, argument, k}, defs, k, &made);
+		collidable_put(world, slots[k], &made);
+		if (collidables)
+			collidables[k] = collidable_handle(world, slots[k]);
+	}
+	masses_update(world, bodies, count, true);
+	return SCREE_OK;
+}
+
+scree_status scree_collidables_create(scree_world* world, const scree_collidable_def* defs, int count,
+                                      scree_collidable* collidables)
+{
+	return create(world, "scree_collidables_create", "defs", defs, count, collidables, false);
+}
+
+scree_status scree_collidable_create(scree_world* world, const scree_collidable_def* def, scree_collidable* collidable)
+{
+	return create(world, "scree_collidable_create", "def", def, 1, collidable, true);
+}
+
+static scree_status destroy(scree_world* world, const char* function, const char* argument,
+                            const scree_collidable* collidables, int count, bool alone)
+{
+	TRY(world_check(world, function));
+	TRY(check_batch(function, argument, collidables, count));
+	TRY(edits_reserve(world, function, 0, count, count));
+	int* bodies = world_scratch(world, (size_t)count * sizeof *bodies);
+	if (!bodies)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d collidables", function, count);
+
+	scree_status status = SCREE_OK;
+	int marked = 0;
+	for (int index = 0; marked < count && status == SCREE_OK;)
+	{
+		Where at = {function, argument, alone ? ALONE : marked};
+		status = check_collidable(world, at, collidables[marked], &index);
+		if (status == SCREE_OK && world->host_collidables[index].marked)
+			status = refuse(SCREE_ERROR_STALE, at, "", "is twice in the batch");
+		if (status == SCREE_OK)
+		{
+			world->host_collidables[index].marked = true;
+			bodies[marked++] = world->host_collidables[index].body;
+		}
+	}
+	for (int k = 0; k < marked; ++k)
+		world->host_collidables[collidables[k].index - 1].marked = false;
+	TRY(status);
+
+	for (int k = 0; k < count; ++k)
+		collidable_remove(world, (int)collidables[k].index - 1);
+	masses_update(world, bodies, count, false);
+	return SCREE_OK;
+}
+
+scree_status scree_collidables_destroy(scree_world* world, const scree_collidable* collidables, int count)
+{
+	return destroy(world, "scree_collidables_destroy", "collidables", collidables, count, false);
+}
+
+scree_status scree_collidable_destroy(scree_world* world, scree_collidable collidable)
+{
+	return destroy(world, "scree_collidable_destroy", "collidable", &collidable, 1, true);
+}
+
+scree_status scree_body_get_collidables(const scree_world* world, scree_body body, scree_collidable* collidables,
+                                        int capacity, int* count)
+{
+	const char* function = "scree_body_get_collidables";
+	TRY(check_pointer(function, "world", world));
+	TRY(check_list(function, "collidables", collidables, capacity, count));
+	int listed = 0, index = 0;
+	if (scree_body_is_null(body))
+	{
+		for (int k = 0; k < world->collidables.used; ++k)
+		{
+			if (!slots_in_use(&world->collidables, k) || world->host_collidables[k].body >= 0)
+				continue;
+			if (listed < capacity)
+				collidables[listed] = collidable_handle(world, k);
+			++listed;
+		}
+	}
+	else
+	{
+		TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+		for (int k = world->host_bodies[index].first_collidable; k >= 0; k = world->host_collidables[k].next)
+		{
+			if (listed < capacity)
+				collidables[listed] = collidable_handle(world, k);
+			++listed;
+		}
+	}
+	*count = listed;
+	return SCREE_OK;
+}

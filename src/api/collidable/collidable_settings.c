@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// collidable_settings.c -- what the user reads and sets of one collidable: attribute, pose, filter, user word.
+#include "step/tree_maintenance.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/objects/collidables.h"
+#include "world/objects/handles.h"
+#include "world/objects/mass.h"
+#include "world/objects/reports.h"
+#include "world/objects/sensors.h"
+#include "world/pool_values.h"
+#include <string.h>
+
+static scree_status lookup(const scree_world* world, const char* function, scree_collidable collidable,
+                           const char* argument, const void* out, HostCollidable** host)
+{
+	int index = 0;
+	TRY(check_pointer(function, "world", world));
+	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	*host = world->host_collidables + index;
+	return check_pointer(function, argument, out);
+}
+
+scree_status scree_collidable_get_body(const scree_world* world, scree_collidable collidable, scree_body* body)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_body", collidable, "body", body, &host));
+	*body = owner_handle(world, (int)collidable.index - 1);
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
+                                            scree_attribute* attribute)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_attribute", collidable, "attribute", attribute, &host));
+	*attribute = attribute_handle(world, host->attribute);
+	return SCREE_OK;
+}
+
+// Marks the tree of a collidable whose row is uploaded anew, since its box changes. Its leaf exists already.
+static scree_status mark_tree(scree_world* world, int index)
+{
+	int kind = collidable_kind(world, index);
+	return kind == KIND_DEAD ? SCREE_OK : tree_insert(&world->pipeline, tree_of_kind(kind), index);
+}
+
+scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable collidable, scree_attribute attribute)
+{
+	const char* function = "scree_collidable_set_attribute";
+	TRY(world_check(world, function));
+	int index = 0, now = 0;
+	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	TRY(check_attribute(world, (Where){function, "attribute", ALONE}, "", attribute, &now));
+	HostCollidable* host = world->host_collidables + index;
+	const scree_attribute_def *old = world->attributes + host->attribute, *def = world->attributes + now;
+	if (host->attribute == now)
+		return SCREE_OK;
+	TRY(edits_reserve(world, function, 0, 1, 1));
+
+	// shapes of attributes are canonical: equal values, equal bytes
+	bool same = memcmp(&old->shape, &def->shape, sizeof old->shape) == 0, heavier = old->density != def->density;
+	if (!same)
+		TRY(mark_tree(world, index));
+	--world->host_attributes[host->attribute].collidables;
+	++world->host_attributes[now].collidables;
+	host->attribute = now;
+	if (same)
+	{
+		edits_command(world, COMMAND_ATTRIBUTE, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), now);
+		world->pipeline.mixed = true;
+	}
+	else
+	{
+		host->born = world->pipeline.steps;
+		edits_collidable(world, index);
+	}
+	if ((!same || heavier) && host->body >= 0)
+		masses_update(world, &host->body, 1, false);
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable, scree_pose* pose)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_local_pose", collidable, "pose", pose, &host));
+	*pose = host->pose;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_get_filter(const scree_world* world, scree_collidable collidable, scree_filter* filter)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_filter", collidable, "filter", filter, &host));
+	*filter = host->filter;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_get_user(const scree_world* world, scree_collidable collidable, uint64_t* user)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_user", collidable, "user", user, &host));
+	*user = host->user;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_set_user", collidable, "user", &user, &host));
+	host->user = user;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_set_filter(scree_world* world, scree_collidable collidable, scree_filter filter)
+{
+	const char* function = "scree_collidable_set_filter";
+	TRY(world_check(world, function));
+	int index = 0;
+	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	TRY(edits_reserve(world, function, 0, 1, 0));
+	TRY(mark_tree(world, index));
+	world->host_collidables[index].filter = filter;
+	edits_collidable(world, index);
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_get_reports(const scree_world* world, scree_collidable collidable, uint32_t* reports)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_reports", collidable, "reports", reports, &host));
+	*reports = host->reports;
+	return SCREE_OK;
+}
+
+static scree_status set_reports(scree_world* world, const char* function, const char* argument,
+                                const scree_collidable* collidables, const uint32_t* reports, int count, bool alone)
+{
+	for (int k = 0; k < count; ++k)
+	{
+		int index;
+		TRY(check_collidable(world, (Where){function, argument, alone ? ALONE : k}, collidables[k], &index));
+		TRY(check_reports((Where){function, "reports", alone ? ALONE : k}, "", reports[k]));
+	}
+	TRY(edits_reserve(world, function, 0, 0, count));
+	for (int k = 0; k < count; ++k)
+	{
+		int index = (int)collidables[k].index - 1;
+		HostCollidable* host = world->host_collidables + index;
+		if (host->reports == reports[k])
+			continue;
+		world->reports.reporters += (reports[k] != 0) - (host->reports != 0);
+		host->reports = reports[k];
+		reports_note(world, host->reports);
+		edits_command(world, COMMAND_REPORTS, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), (int)report_bits(host));
+		world->pipeline.mixed = true;
+	}
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_set_reports(scree_world* world, scree_collidable collidable, uint32_t reports)
+{
+	const char* function = "scree_collidable_set_reports";
+	TRY(world_check(world, function));
+	return set_reports(world, function, "collidable", &collidable, &reports, 1, true);
+}
+
+scree_status scree_collidables_set_reports(scree_world* world, const scree_collidable* collidables,
+                                           const uint32_t* reports, int count)
+{
+	const char* function = "scree_collidables_set_reports";
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "collidables", collidables, count));
+	TRY(check_batch(function, "reports", reports, count));
+	return set_reports(world, function, "collidables", collidables, reports, count, false);
+}
+
+scree_status scree_collidable_get_sensor(const scree_world* world, scree_collidable collidable, uint32_t* sensor)
+{
+	HostCollidable* host;
+	TRY(lookup(world, "scree_collidable_get_sensor", collidable, "sensor", sensor, &host));
+	*sensor = host->sensor;
+	return SCREE_OK;
+}
+
+scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable collidable, uint32_t sensor)
+{
+	const char* function = "scree_collidable_set_sensor";
+	TRY(world_check(world, function));
+	int index = 0;
+	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	TRY(check_sensor((Where){function, "sensor", ALONE}, "", sensor));
+	HostCollidable* host = world->host_collidables + index;
+	if (host->sensor == sensor)
+		return SCREE_OK;
+	TRY(edits_reserve(world, function, 0, 1, 1));
+	TRY(mark_tree(world, index));
+	sensors_note(world, host->sensor, sensor);
+	host->sensor = sensor;
+	mass_touches(world, host->body);
+	host->born = world->pipeline.steps;
+	edits_collidable(world, index);
+	return SCREE_OK;
+}
+
+scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
+                                         const scree_pose* poses, int count)
+{
+	const char* function = "scree_collidables_set_poses";
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "collidables", collidables, count));
+	TRY(check_batch(function, "poses", poses, count));
+	for (int k = 0; k < count; ++k)
+	{
+		int index = 0;
+		scree_pose pose = poses[k];
+		TRY(check_collidable(world, (Where){function, "collidables", k}, collidables[k], &index));
+		if (world->host_collidables[index].body >= 0)
+			return refuse(SCREE_ERROR_INVALID, (Where){function, "collidables", k}, "", "belongs to a body: move that");
+		TRY(check_pose((Where){function, "poses", k}, "", &pose));
+	}
+	TRY(edits_reserve(world, function, 0, 0, count));
+	for (int k = 0; k < count; ++k)
+	{
+		int index = (int)collidables[k].index - 1;
+		scree_pose pose = poses[k];
+		check_pose((Where){function, "poses", k}, "", &pose);
+		world->host_collidables[index].pose = pose;
+		Float4 value = pose_row(pose);
+		edits_command(world, COMMAND_PLACE, index, value, 0);
+	}
+	return SCREE_OK;
+}

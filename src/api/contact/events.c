@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// events.c -- what happened in the last step, for the user.
+#include "api/contact/contact_result.h"
+#include "api/contact/sensor_visits.h"
+#include "api/joint/joint_state.h"
+#include "world/check.h"
+#include "world/definition.h"
+#include "world/failure.h"
+#include "world/memory.h"
+#include "world/objects/reports.h"
+#include <stddef.h>
+#include <stdlib.h>
+
+// of structs from versions that know visits and joints
+#define LEAST_WITH_ASKED  (offsetof(scree_events, asked) + sizeof(const scree_contact*))
+#define LEAST_WITH_VISITS (offsetof(scree_events, joints) + sizeof(const scree_joint_event*))
+
+// The names of both sides of a contact or a hit.
+#define NAME(world, event, first, second, before)                                         \
+	do                                                                                    \
+	{                                                                                     \
+		Departed a_ = reports_name(world, first, before, &(event)->destroyed_a),          \
+		         b_ = reports_name(world, second, before, &(event)->destroyed_b);         \
+		(event)->a = a_.collidable, (event)->body_a = a_.body, (event)->user_a = a_.user; \
+		(event)->b = b_.collidable, (event)->body_b = b_.body, (event)->user_b = b_.user; \
+	} while (0)
+
+static scree_contact began_at(const scree_world* world, const Listed* row)
+{
+	scree_contact contact = contact_result(row, true);
+	NAME(world, &contact, row->pair.x, row->pair.y, false);
+	return contact;
+}
+
+static scree_contact ended_at(const scree_world* world, Word64 pair)
+{
+	scree_contact contact = {.color = -1};
+	NAME(world, &contact, (int)(pair >> 32), (int)(pair & 0xffffffffu), true);
+	return contact;
+}
+
+static scree_hit hit_at(const scree_world* world, const Listed* row)
+{
+	bool second = (row->flags & CONTACT_COUNT) == 2 && row->detail.y > row->detail.x;
+	scree_hit hit = {.point =
+	                     second ? (scree_vec){row->point.z, row->point.w} : (scree_vec){row->point.x, row->point.y},
+	                 .normal = {row->normal_x, row->normal_y},
+	                 .approach_speed = row->detail.z > row->detail.w ? row->detail.z : row->detail.w,
+	                 .impulse = row->detail.x + row->detail.y};
+	NAME(world, &hit, row->pair.x, row->pair.y, false);
+	return hit;
+}
+
+// Writes the rows of visits, and returns where they end.
+static char* visits_at(const scree_world* world, const Visit* visits, int count, char* to, size_t size)
+{
+	for (int k = 0; k < count; ++k, to += size)
+	{
+		scree_visit row = visit_result(world, visits + k);
+		write_result(to, size, &row, sizeof row);
+	}
+	return to;
+}
+
+scree_status scree_world_get_events_sized(scree_world* world, scree_events* events)
+{
+	const char* function = "scree_world_get_events";
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "events", events));
+	uint32_t least = offsetof(scree_events, hit_count) + sizeof events->hit_count;
+	if (events->size < least || events->size > MOST_SIZE || events->contact_size > MOST_SIZE ||
+	    events->hit_size > MOST_SIZE ||
+	    (events->size >= LEAST_WITH_VISITS && (events->visit_size > MOST_SIZE || events->joint_size > MOST_SIZE)))
+		return refuse(SCREE_ERROR_INVALID, (Where){function, "events", ALONE}, ".size",
+		              "is %u, and those of contacts and hits %u and %u: they were not set by %s", events->size,
+		              events->contact_size, events->hit_size, function);
+	TRY(reports_fetch(world));
+	Reports* r = &world->reports;
+	const int* counts = r->counts;
+	size_t contact = events->contact_size, hit = events->hit_size;
+	size_t contacts = (size_t)(counts[EVENT_TOUCH_BEGAN] + counts[EVENT_TOUCH_ENDED]) * contact;
+	size_t bytes = contacts + (size_t)counts[EVENT_HIT] * hit;
+	const Sensors* sensors = &world->sensors;
+	size_t visit = events->size >= LEAST_WITH_VISITS ? events->visit_size : 0;
+	bytes += visit * (size_t)(sensors->began_count + sensors->ended_count);
+	size_t joint = visit > 0 ? events->joint_size : 0;
+	JointEvent* joint_rows = NULL;
+	int joints = 0;
+	if (joint > 0)
+		TRY(joint_events_find(world, function, &joint_rows, &joints));
+	bytes += joint * (size_t)joints;
+	int asked = events->size >= LEAST_WITH_ASKED ? counts[EVENT_ASKED] : 0;
+	bytes += (size_t)asked * contact;
+	if (bytes > INT32_MAX)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: %zu bytes of events are too many", function, bytes);
+	TRY(GROW(function, r->rows, r->rows_capacity, (int)bytes));
+
+	scree_events result = {.size = events->size,
+	                       .contact_size = events->contact_size,
+	                       .hit_size = events->hit_size,
+	                       .touches_began_count = counts[EVENT_TOUCH_BEGAN],
+	                       .touches_ended_count = counts[EVENT_TOUCH_ENDED],
+	                       .hit_count = counts[EVENT_HIT],
+	                       .visit_size = (uint32_t)visit,
+	                       .visits_began_count = sensors->began_count,
+	                       .visits_ended_count = sensors->ended_count,
+	                       .joint_size = (uint32_t)joint,
+	                       .joint_count = joints,
+	                       .asked_count = asked};
+	char* to = r->rows;
+	result.touches_began = (const scree_contact*)to;
+	for (int k = 0; k < counts[EVENT_TOUCH_BEGAN]; ++k, to += contact)
+	{
+		scree_contact row = began_at(world, r->began + k);
+		write_result(to, contact, &row, sizeof row);
+	}
+	result.touches_ended = (const scree_contact*)to;
+	for (int k = 0; k < counts[EVENT_TOUCH_ENDED]; ++k, to += contact)
+	{
+		scree_contact row = ended_at(world, r->ended[k]);
+		write_result(to, contact, &row, sizeof row);
+	}
+	result.hits = (const scree_hit*)to;
+	for (int k = 0; k < counts[EVENT_HIT]; ++k, to += hit)
+	{
+		scree_hit row = hit_at(world, r->hits + k);
+		write_result(to, hit, &row, sizeof row);
+	}
+	result.visits_began = (const scree_visit*)to;
+	to = visits_at(world, sensors->began, visit > 0 ? sensors->began_count : 0, to, visit);
+	result.visits_ended = (const scree_visit*)to;
+	to = visits_at(world, sensors->ended, visit > 0 ? sensors->ended_count : 0, to, visit);
+	result.joints = (const scree_joint_event*)to;
+	for (int k = 0; k < joints; ++k, to += joint)
+	{
+		scree_joint_event row = joint_event_result(world, joint_rows + k);
+		write_result(to, joint, &row, sizeof row);
+	}
+	result.asked = (const scree_contact*)to;
+	for (int k = 0; k < asked; ++k, to += contact)
+	{
+		scree_contact row = began_at(world, r->asked + k);
+		write_result(to, contact, &row, sizeof row);
+	}
+	write_result(events, result.size, &result, sizeof result);
+	return SCREE_OK;
+}
+
+static int compare_pairs(const void* a, const void* b)
+{
+	Word64 first = *(const Word64*)a, second = *(const Word64*)b;
+	return first < second ? -1 : first > second;
+}
+
+scree_status scree_world_answer_asked(scree_world* world, const bool* answers, int count)
+{
+	const char* function = "scree_world_answer_asked";
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "answers", answers, count));
+	TRY(reports_fetch(world));
+	Reports* r = &world->reports;
+	if (count != r->counts[EVENT_ASKED])
+		return fail(SCREE_ERROR_INVALID, "%s: count is %d, and %d contacts wait for an answer", function, count,
+		            r->counts[EVENT_ASKED]);
+	TRY(GROW(function, r->allowed, r->allowed_capacity, count));
+	r->answered = count > 0;
+	r->allowed_count = 0;
+	for (int k = 0; k < count; ++k)
+		if (answers[k])
+			r->allowed[r->allowed_count++] = (Word64)r->asked[k].pair.x << 32 | (Word64)r->asked[k].pair.y;
+	if (r->allowed_count > 1)
+		qsort(r->allowed, (size_t)r->allowed_count, sizeof *r->allowed, compare_pairs);
+	return SCREE_OK;
+}
+
+scree_status scree_world_set_hit_thresholds(scree_world* world, float speed, float impulse)
+{
+	const char* function = "scree_world_set_hit_thresholds";
+	TRY(world_check(world, function));
+	TRY(check_real((Where){function, "speed", ALONE}, "", speed, 0.0f, FLT_MAX));
+	TRY(check_real((Where){function, "impulse", ALONE}, "", impulse, 0.0f, FLT_MAX));
+	world->def.hit_speed = speed;
+	world->def.hit_impulse = impulse;
+	return SCREE_OK;
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// sensor_visits.c -- the visits to a sensor, for the user.
+#include "api/contact/sensor_visits.h"
+#include "world/definition.h"
+#include "world/failure.h"
+#include "world/objects/handles.h"
+#include "world/objects/reports.h"
+#include "world/objects/sensors.h"
+
+scree_visit visit_result(const scree_world* world, const Visit* visit)
+{
+	scree_visit result = {.time = visit->time};
+	Departed sensor = reports_name(world, visit->sensor, visit->before, &result.destroyed_sensor),
+	         visitor = reports_name(world, visit->visitor, visit->before, &result.destroyed_visitor);
+	result.sensor = sensor.collidable;
+	result.body_sensor = sensor.body;
+	result.user_sensor = sensor.user;
+	result.visitor = visitor.collidable;
+	result.body_visitor = visitor.body;
+	result.user_visitor = visitor.user;
+	return result;
+}
+
+scree_status scree_collidable_get_visits_sized(scree_world* world, scree_collidable sensor, scree_visit* visits,
+                                               size_t size, int capacity, int* count)
+{
+	const char* function = "scree_collidable_get_visits";
+	int index = 0, first;
+	TRY(world_check(world, function));
+	TRY(check_collidable(world, (Where){function, "sensor", ALONE}, sensor, &index));
+	TRY(check_list(function, "visits", visits, capacity, count));
+	if (!world->host_collidables[index].sensor)
+		return refuse(SCREE_ERROR_INVALID, (Where){function, "sensor", ALONE}, "", "(index %u) is no sensor",
+		              sensor.index);
+	// what the sensor was before it became another one is not its own
+	bool was_there = world->host_collidables[index].born < world->pipeline.steps;
+	*count = was_there ? sensors_visits(world, index, &first) : 0;
+	for (int k = 0; k < *count && k < capacity; ++k)
+	{
+		scree_visit row = visit_result(world, world->sensors.visits + first + k);
+		write_result((char*)visits + size * (size_t)k, size, &row, sizeof row);
+	}
+	return SCREE_OK;
+}

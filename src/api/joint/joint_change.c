@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// joint_change.c -- joints: coordinates and frames, changed in batches or one by one; enabled or not.
+#include "world/definition.h"
+#include "world/edits.h"
+#include "world/failure.h"
+#include "world/objects/handles.h"
+#include "world/objects/joint_check.h"
+#include "world/objects/joints.h"
+#include <stddef.h>
+#include <string.h>
+
+typedef struct // a batch of changes
+{
+	scree_world* world;
+	Where joint, value;
+	const scree_joint* joints;
+	int count;
+	scree_coordinate which;
+	size_t member; // of scree_joint_coordinate, where one number changes
+	bool moves;    // frames change
+} Change;
+
+// Value k of a batch, checked and written to a definition.
+typedef scree_status (*Setter)(const Change* change, Where at, const void* values, int k, scree_joint_def* def);
+
+// Checks all joints and values, then writes all.
+static scree_status change_all(const Change* change, const void* values, Setter set)
+{
+	scree_world* world = change->world;
+	Where at = change->joint, value = change->value;
+	TRY(world_check(world, at.function));
+	TRY(check_batch(at.function, at.argument, change->joints, change->count));
+	TRY(check_batch(at.function, value.argument, values, change->count));
+	TRY(check_which((Where){at.function, "which", ALONE}, change->which));
+	for (int k = 0, index = 0; k < change->count; ++k)
+	{
+		if (at.index != ALONE)
+			at.index = value.index = k;
+		TRY(check_joint(world, at, change->joints[k], &index));
+		scree_joint_def def = world->host_joints[index].def;
+		TRY(set(change, value, values, k, &def));
+	}
+	TRY(edits_reserve(world, at.function, 0, 0, change->moves ? 2 * change->count : 0));
+	for (int k = 0; k < change->count; ++k)
+	{
+		int index = (int)change->joints[k].index - 1;
+		scree_joint_def* def = &world->host_joints[index].def;
+		bool disabled = def->disabled;
+		set(change, value, values, k, def);
+		world->host_joints[index].seeks |= change->moves;
+		if (change->moves)
+			joint_anchors(world, index);
+		joint_changed(world, index, def->disabled != disabled);
+	}
+	return SCREE_OK;
+}
+
+static Change batch(scree_world* world, const char* function, const char* value, const scree_joint* joints, int count,
+                    scree_coordinate which)
+{
+	return (Change){world, {function, "joints", 0}, {function, value, 0}, joints, count, which, 0, false};
+}
+
+static Change single(scree_world* world, const char* function, const char* value, const scree_joint* joint,
+                     scree_coordinate which)
+{
+	return (Change){world, {function, "joint", ALONE}, {function, value, ALONE}, joint, 1, which, 0, false};
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// coordinates
+// ---------------------------------------------------------------------------------------------------------------
+
+static scree_status set_coordinate(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+{
+	const scree_joint_coordinate* value = (const scree_joint_coordinate*)values + k;
+	TRY(check_coordinate(at, def->type, change->which, value));
+	// chains are of joints with locks
+	change->world->chains_stale |= def->coordinates[change->which].locked != value->locked;
+	def->coordinates[change->which] = *value;
+	return SCREE_OK;
+}
+
+scree_status scree_joints_set_coordinates(scree_world* world, const scree_joint* joints, scree_coordinate which,
+                                          const scree_joint_coordinate* values, int count)
+{
+	Change change = batch(world, "scree_joints_set_coordinates", "values", joints, count, which);
+	return change_all(&change, values, set_coordinate);
+}
+
+scree_status scree_joint_set_coordinate(scree_world* world, scree_joint joint, scree_coordinate which,
+                                        const scree_joint_coordinate* value)
+{
+	Change change = single(world, "scree_joint_set_coordinate", "value", &joint, which);
+	return change_all(&change, value, set_coordinate);
+}
+
+scree_status scree_joint_get_coordinate(const scree_world* world, scree_joint joint, scree_coordinate which,
+                                        scree_joint_coordinate* value)
+{
+	const char* function = "scree_joint_get_coordinate";
+	int index = 0;
+	TRY(check_pointer(function, "world", world));
+	TRY(check_joint(world, (Where){function, "joint", ALONE}, joint, &index));
+	TRY(check_which((Where){function, "which", ALONE}, which));
+	TRY(check_pointer(function, "value", value));
+	*value = world->host_joints[index].def.coordinates[which];
+	return SCREE_OK;
+}
+
+// One number of a coordinate.
+static scree_status set_number(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+{
+	float value = ((const float*)values)[k];
+	memcpy((char*)(def->coordinates + change->which) + change->member, &value, sizeof value);
+	return check_real(at, "", value, -SCREE_HUGE, SCREE_HUGE);
+}
+
+scree_status scree_joints_set_targets(scree_world* world, const scree_joint* joints, scree_coordinate which,
+                                      const float* targets, int count)
+{
+	Change change = batch(world, "scree_joints_set_targets", "targets", joints, count, which);
+	change.member = offsetof(scree_joint_coordinate, target);
+	return change_all(&change, targets, set_number);
+}
+
+scree_status scree_joint_set_target(scree_world* world, scree_joint joint, scree_coordinate which, float target)
+{
+	Change change = single(world, "scree_joint_set_target", "target", &joint, which);
+	change.member = offsetof(scree_joint_coordinate, target);
+	return change_all(&change, &target, set_number);
+}
+
+scree_status scree_joints_set_motor_speeds(scree_world* world, const scree_joint* joints, scree_coordinate which,
+                                           const float* speeds, int count)
+{
+	Change change = batch(world, "scree_joints_set_motor_speeds", "speeds", joints, count, which);
+	change.member = offsetof(scree_joint_coordinate, motor_speed);
+	return change_all(&change, speeds, set_number);
+}
+
+scree_status scree_joint_set_motor_speed(scree_world* world, scree_joint joint, scree_coordinate which, float speed)
+{
+	Change change = single(world, "scree_joint_set_motor_speed", "speed", &joint, which);
+	change.member = offsetof(scree_joint_coordinate, motor_speed);
+	return change_all(&change, &speed, set_number);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// frames
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct
+{
+	const scree_pose *a, *b;
+	const char *name_a, *name_b;
+} Frames;
+
+static scree_status set_frames(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+{
+	const Frames* frames = values;
+	def->frame_a = frames->a[k];
+	def->frame_b = frames->b[k];
+	at.argument = frames->name_a;
+	TRY(check_pose(at, "", &def->frame_a));
+	at.argument = frames->name_b;
+	(void)change;
+	return check_pose(at, "", &def->frame_b);
+}
+
+scree_status scree_joints_set_frames(scree_world* world, const scree_joint* joints, const scree_pose* frames_a,
+                                     const scree_pose* frames_b, int count)
+{
+	const char* function = "scree_joints_set_frames";
+	Frames frames = {frames_a, frames_b, "frames_a", "frames_b"};
+	Change change = batch(world, function, "frames_a", joints, count, SCREE_ALONG);
+	change.moves = true;
+	TRY(world_check(world, function));
+	TRY(check_batch(function, "frames_a", frames_a, count));
+	TRY(check_batch(function, "frames_b", frames_b, count));
+	return change_all(&change, &frames, set_frames);
+}
+
+scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree_pose frame_a, scree_pose frame_b)
+{
+	Frames frames = {&frame_a, &frame_b, "frame_a", "frame_b"};
+	Change change = single(world, "scree_joint_set_frames", "frame_a", &joint, SCREE_ALONG);
+	change.moves = true;
+	return change_all(&change, &frames, set_frames);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// enabled or not
+// ---------------------------------------------------------------------------------------------------------------
+
+static scree_status set_enabled(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+{
+	def->disabled = !((const bool*)values)[k];
+	(void)change;
+	(void)at;
+	return SCREE_OK;
+}
+
+scree_status scree_joints_set_enabled(scree_world* world, const scree_joint* joints, const bool* enabled, int count)
+{
+	Change change = batch(world, "scree_joints_set_enabled", "enabled", joints, count, SCREE_ALONG);
+	return change_all(&change, enabled, set_enabled);
+}
+
+scree_status scree_joint_set_enabled(scree_world* world, scree_joint joint, bool enabled)
+{
+	Change change = single(world, "scree_joint_set_enabled", "enabled", &joint, SCREE_ALONG);
+	return change_all(&change, &enabled, set_enabled);
+}
+
+bool scree_joint_is_enabled(const scree_world* world, scree_joint joint)
+{
+	return world && joint_is_valid(world, joint) && !world->host_joints[joint.index - 1].def.disabled;
+}

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// swept.c -- kinematic bodies that swept over movers in the last step.
+//
+// What a wall overlaps after a step is pushed out on the nearer side. A wall that goes further than half of a mover in a step would push it out
+// on its other side, or leave it behind. So the ways of fast kinematic bodies are tested against the movers, on the host: there are few.
+#include "api/mover/swept.h"
+#include "api/mover/mover_slide.h"
+#include "world/failure.h"
+#include "world/memory.h"
+#include "world/objects/handles.h"
+#include "world/shape/geometry.h"
+#include "world/world.h"
+#include <math.h>
+
+// share of a mover's radius: slower walls are left to walk_recover
+#define SWEPT_FAR 0.5f
+
+typedef struct // a collidable of a kinematic body on its way
+{
+	scree_collidable handle;
+	scree_shape shape;
+	scree_pose from, to; // poses of its origin, in the world
+	float reach, far;    // m: of its points from its origin; most that one of them went
+} Sweeper;
+
+// The pose of the origin of a body a time ago.
+static scree_pose pose_before(scree_pose now, scree_velocity v, scree_vec center, float dt)
+{
+	scree_rot turn = rot_product(scree_rot_make(-v.angular * dt), now.rotation);
+	scree_vec arm = rot_vec(now.rotation, center), old = rot_vec(turn, center);
+	return (scree_pose){
+	    {now.position.x + arm.x - old.x - dt * v.linear.x, now.position.y + arm.y - old.y - dt * v.linear.y}, turn};
+}
+
+// An upper bound of the angle between two rotations, rad.
+static float turn_most(scree_rot from, scree_rot to)
+{
+	scree_rot turn = rot_product(to, (scree_rot){from.c, -from.s});
+	return turn.c > 0.0f ? 1.5708f * fabsf(turn.s) : 3.1416f;
+}
+
+// The rotation between two others, at a share of the way.
+static scree_rot rotation_at(scree_rot from, scree_rot to, float share)
+{
+	float c = from.c + share * (to.c - from.c), s = from.s + share * (to.s - from.s), length = sqrtf(c * c + s * s);
+	return length > 0.01f ? (scree_rot){c / length, s / length} : to;
+}
+
+static bool is_seen(const Walk* walk, const HostCollidable* host)
+{
+	return host->sensor == 0 && (host->filter.category & walk->def->mask) && (host->filter.mask & walk->def->category);
+}
+
+// The sweepers of a body. Returns how many.
+static int sweepers_of(const Walk* walk, scree_body body, scree_pose now, scree_velocity v, float dt, Sweeper* sweepers)
+{
+	scree_world* world = walk->world;
+	scree_mass mass;
+	int count = 0;
+	if (scree_body_get_mass(world, body, &mass) != SCREE_OK)
+		return 0;
+	const HostBody* owner = world->host_bodies + body.index;
+	bool went = owner->went == world->pipeline.steps;
+	scree_pose from = went ? owner->from : pose_before(now, v, mass.center, dt);
+	for (int k = owner->first_collidable; k >= 0; k = world->host_collidables[k].next)
+	{
+		const HostCollidable* host = world->host_collidables + k;
+		scree_attribute_def def;
+		if (!is_seen(walk, host) ||
+		    scree_attribute_get_def(world, attribute_handle(world, host->attribute), &def) != SCREE_OK ||
+		    dot(def.one_way, def.one_way) > 0.0f)
+			continue;
+		Sweeper s = {.handle = collidable_handle(world, k), .shape = def.shape};
+		for (int corner = 0; corner < def.shape.count; ++corner)
+			s.reach = fmaxf(s.reach, sqrtf(dot(def.shape.vertices[corner], def.shape.vertices[corner])));
+		s.reach += def.shape.radius;
+		s.from = pose_product(from, host->pose);
+		s.to = pose_product(now, host->pose);
+		scree_vec way = {s.to.position.x - s.from.position.x, s.to.position.y - s.from.position.y};
+		s.far = sqrtf(dot(way, way)) + turn_most(s.from.rotation, s.to.rotation) * s.reach;
+		if (s.far > SWEPT_FAR * walk->def->radius)
+			sweepers[count++] = s;
+	}
+	return count;
+}
+
+// How a sweeper pushes a walker: the way along its normal, 0 if they do not meet.
+static scree_status push_by(const Walk* walk, const Sweeper* s, const Walker* w, scree_vec* way)
+{
+	scree_pose at = {w->at, {1.0f, 0.0f}};
+	scree_vec apart = {w->at.x - s->to.position.x, w->at.y - s->to.position.y};
+	float most = s->far + s->reach + walk->def->radius + 0.5f * walk->def->length;
+	scree_found found;
+	scree_distance first;
+	*way = (scree_vec){0.0f, 0.0f};
+	if (dot(apart, apart) > most * most)
+		return SCREE_OK;
+	TRY(scree_shapes_get_distance(&s->shape, s->from, &walk->shape, at, &first));
+	TRY(scree_shapes_get_impact(&s->shape, s->from, s->to, &walk->shape, at, at, &found));
+	if (first.distance < -0.5f * walk->def->radius || !found.hit)
+		return SCREE_OK;
+
+	// the point of the sweeper that meets it goes on to its end
+	scree_distance met;
+	float f = found.fraction;
+	scree_vec path = {s->to.position.x - s->from.position.x, s->to.position.y - s->from.position.y};
+	scree_pose then = {add_scaled(s->from.position, f, path), rotation_at(s->from.rotation, s->to.rotation, f)};
+	TRY(scree_shapes_get_distance(&s->shape, then, &walk->shape, at, &met));
+	scree_rot back = {then.rotation.c, -then.rotation.s};
+	scree_vec arm = {met.point_a.x - then.position.x, met.point_a.y - then.position.y};
+	scree_vec turned = rot_vec(rot_product(s->to.rotation, back), arm);
+	scree_vec goes = {s->to.position.x - then.position.x + turned.x - arm.x,
+	                  s->to.position.y - then.position.y + turned.y - arm.y};
+	float along = dot(goes, met.normal);
+	if (along > 0.0f)
+		*way = add_scaled((scree_vec){0.0f, 0.0f}, along + walk->def->skin, met.normal);
+	return SCREE_OK;
+}
+
+// Moves those that are pushed, as far as nothing static is in their way. crushers: who pushes each.
+static scree_status push_all(Walk* walk, const scree_collidable* crushers)
+{
+	uint32_t kinds = walk->seen.kinds;
+	walk->seen.kinds = SCREE_QUERY_STATIC & kinds;
+	scree_status status = walk->seen.kinds ? scree_world_cast_shapes(walk->world, &walk->seen, &walk->shape,
+	                                                                 walk->probes, walk->asked, walk->found)
+	                                       : SCREE_OK;
+	bool sees = walk->seen.kinds != 0;
+	walk->seen.kinds = kinds;
+	TRY(status);
+	for (int k = 0; k < walk->asked; ++k)
+	{
+		Walker* w = walk->walkers + walk->of[k];
+		if (sees && walk->found[k].hit)
+			walk_crush(walk, walk->of[k], crushers[k]);
+		else
+			w->at = walk_within(add_scaled(w->at, 1.0f, walk->probes[k].translation));
+	}
+	return SCREE_OK;
+}
+
+// The body of a collidable that may have been destroyed, or null.
+static scree_body owner_of(const Walk* walk, scree_collidable collidable)
+{
+	return collidable_is_valid(walk->world, collidable) ? owner_handle(walk->world, (int)collidable.index - 1)
+	                                                    : SCREE_NULL_BODY;
+}
+
+static bool is_body(scree_body a, scree_body b) { return !scree_body_is_null(a) && a.index == b.index; }
+
+// The longest way that a sweeper pushes walker k; who does. On a ground that is one, a walker rides through what it passes.
+static scree_status push_of(Walk* walk, int k, const Sweeper* sweepers, int count, scree_vec* longest,
+                            scree_collidable* crusher)
+{
+	Walker* w = walk->walkers + k;
+	scree_body ground = owner_of(walk, walk->movers[k].ground);
+	*longest = (scree_vec){0.0f, 0.0f};
+	for (int j = 0; j < count && !w->crushed; ++j)
+	{
+		scree_body owner = owner_of(walk, sweepers[j].handle);
+		scree_vec way = w->carried;
+		if (is_body(owner, walk->movers[k].ignored))
+			continue;
+		if (is_body(owner, ground))
+			w->rest = (scree_vec){0.0f, 0.0f};
+		else
+			TRY(push_by(walk, sweepers + j, w, &way));
+		if (dot(way, way) <= dot(*longest, *longest))
+			continue;
+		*longest = way;
+		*crusher = sweepers[j].handle;
+	}
+	return SCREE_OK;
+}
+
+// Asks for the ways of the walkers that are pushed.
+static scree_status ask_all(Walk* walk, const Sweeper* sweepers, int count, scree_collidable* crushers)
+{
+	walk->asked = 0;
+	for (int k = 0; k < walk->count; ++k)
+	{
+		scree_vec way;
+		TRY(push_of(walk, k, sweepers, count, &way, crushers + walk->asked));
+		if (dot(way, way) == 0.0f)
+			continue;
+		walk->probes[walk->asked] =
+		    (scree_probe){.pose = {walk->walkers[k].at, {1.0f, 0.0f}}, way, walk->movers[k].ignored};
+		walk->of[walk->asked++] = k;
+	}
+	return SCREE_OK;
+}
+
+static bool sweeps(const scree_world* world, int body)
+{
+	return slots_in_use(&world->bodies, body) && world->host_bodies[body].type == SCREE_BODY_KINEMATIC &&
+	       !world->host_bodies[body].disabled;
+}
+
+typedef struct // kinematic bodies, where and how fast they are; what they sweep with
+{
+	scree_body* bodies;
+	scree_pose* poses;
+	scree_velocity* velocities;
+	Sweeper* sweepers;
+	scree_collidable* crushers; // one for each mover that is asked for
+} Swept;
+
+static scree_status push(Walk* walk, const Swept* swept, int bodies, float dt)
+{
+	int count = 0;
+	TRY(scree_bodies_get_poses(walk->world, swept->bodies, swept->poses, bodies));
+	TRY(scree_bodies_get_velocities(walk->world, swept->bodies, swept->velocities, bodies));
+	for (int k = 0; k < bodies; ++k)
+		count +=
+		    sweepers_of(walk, swept->bodies[k], swept->poses[k], swept->velocities[k], dt, swept->sweepers + count);
+	if (count == 0)
+		return SCREE_OK;
+	TRY(ask_all(walk, swept->sweepers, count, swept->crushers));
+	return walk->asked > 0 ? push_all(walk, swept->crushers) : SCREE_OK;
+}
+
+scree_status walk_swept(Walk* walk, float dt)
+{
+	scree_world* world = walk->world;
+	int count = 0, parts = 0;
+	if (world->kinematic_count == 0 || dt == 0.0f || !(walk->def->kinds & SCREE_QUERY_KINEMATIC))
+		return SCREE_OK;
+	for (int k = 0; k < world->bodies.used; ++k)
+		if (sweeps(world, k))
+		{
+			++count;
+			parts += world->host_bodies[k].collidables;
+		}
+	if (parts == 0)
+		return SCREE_OK;
+	size_t n = (size_t)count, each = sizeof(scree_body) + sizeof(scree_pose) + sizeof(scree_velocity);
+	size_t bytes = (size_t)parts * sizeof(Sweeper) + n * each + (size_t)walk->count * sizeof(scree_collidable);
+	Swept swept = {.sweepers = scree_allocate(bytes)};
+	if (!swept.sweepers)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "scree_movers_move: no memory for %d kinematic bodies", count);
+	swept.poses = (scree_pose*)(void*)(swept.sweepers + parts);
+	swept.velocities = (scree_velocity*)(void*)(swept.poses + n);
+	swept.bodies = (scree_body*)(void*)(swept.velocities + n);
+	swept.crushers = (scree_collidable*)(void*)(swept.bodies + n);
+	count = 0;
+	for (int k = 0; k < world->bodies.used; ++k)
+		if (sweeps(world, k))
+			swept.bodies[count++] = body_handle(world, k);
+	scree_status status = push(walk, &swept, count, dt);
+	scree_release(swept.sweepers);
+	return status;
+}

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// query_check.c -- checks of queries: the definition and the shape before they are asked, the items while the device works.
+#include "api/query/query_check.h"
+#include "world/definition.h"
+#include "world/failure.h"
+#include "world/objects/handles.h"
+#include "world/pool_values.h"
+#include "world/shape/geometry.h"
+#include <stddef.h>
+#include <string.h>
+
+#define ALL_BITS (~(uint64_t)0)
+#define ALL_KINDS \
+	(SCREE_QUERY_STATIC | SCREE_QUERY_KINEMATIC | SCREE_QUERY_DYNAMIC | SCREE_QUERY_FREE | SCREE_QUERY_SENSORS)
+
+void scree_query_def_default_sized(scree_query_def* def, size_t size)
+{
+	scree_query_def made = {.size = (uint32_t)size,
+	                        .kinds = SCREE_QUERY_STATIC | SCREE_QUERY_KINEMATIC | SCREE_QUERY_DYNAMIC,
+	                        .category = ALL_BITS,
+	                        .mask = ALL_BITS};
+	write_result(def, size, &made, sizeof made);
+}
+
+scree_status check_query_kinds(Where at, uint32_t kinds)
+{
+	return kinds & ~(uint32_t)ALL_KINDS
+	           ? refuse(SCREE_ERROR_INVALID, at, ".kinds", "is %u, has bits other than SCREE_QUERY_*", kinds)
+	           : SCREE_OK;
+}
+
+scree_status query_check(scree_world* world, const char* function, const scree_query_def* def, const void* items,
+                         const char* items_name, int count, Asking* asking, Questions* questions)
+{
+	TRY(world_check(world, function));
+	TRY(check_batch(function, items_name, items, count));
+	scree_query_def local;
+	if (def)
+	{
+		Where at = {function, "def", ALONE};
+		TRY(check_definition(at, def, 0, &query_definition));
+		def = definition_at(def, 0, &query_definition, &local);
+		TRY(check_query_kinds(at, def->kinds));
+	}
+	else
+	{
+		scree_query_def_default_sized(&local, sizeof local);
+		def = &local;
+	}
+	*asking = (Asking){world, function, items, 2.0f * SCREE_HUGE};
+	*questions = (Questions){.plan = {.category = def->category,
+	                                  .mask = def->mask,
+	                                  .kinds = def->kinds,
+	                                  .skips = def->skip_inside,
+	                                  .rules = def->one_way && world->pipeline.rules,
+	                                  .all = def->category == ALL_BITS && def->mask == ALL_BITS,
+	                                  .shape = {.count = 1}},
+	                         .any = def->any,
+	                         .items = items,
+	                         .count = count,
+	                         .collidables = collidable_names(world),
+	                         .bodies = body_names(world),
+	                         .timings = world->def.timings};
+	return SCREE_OK;
+}
+
+#define MAGNITUDE 0x7fffffffu
+
+typedef uint32_t Words4 __attribute__((vector_size(16))); // half of a ray or a probe
+
+typedef struct // of each word: the bits that count, and the most that they may be as a whole number
+{
+	Words4 counts[2], most[2];
+} Plain;
+
+// How many of count items are surely in bounds; *ignores gets whether one of these ignores a body, which their last two
+// words name. Floats that are not negative are ordered like their bits, NaN behind infinity; a word above its bound leaves the
+// highest bit. With comparisons of floats a million rays took 6 ms.
+static int plain_items(const void* items, int count, const Plain* plain, bool* ignores)
+{
+	enum
+	{
+		BLOCK = 64
+	};
+	Words4 bodies = {0};
+	int k = 0;
+	for (; k < count; k += BLOCK)
+	{
+		Words4 odd = {0}, words[2];
+		int end = count - k < BLOCK ? count : k + BLOCK;
+		for (int i = k; i < end; ++i)
+		{
+			memcpy(words, (const char*)items + sizeof words * (size_t)i, sizeof words);
+			bodies |= words[1];
+			words[0] &= plain->counts[0];
+			words[1] &= plain->counts[1];
+			odd |= words[0] | (plain->most[0] - words[0]) | words[1] | (plain->most[1] - words[1]);
+		}
+		if ((odd[0] | odd[1] | odd[2] | odd[3]) >> 31)
+			break;
+	}
+	*ignores = (bodies[2] | bodies[3]) != 0 || k < count;
+	return k < count ? k : count;
+}
+
+static uint32_t bits_of(float x) { return (uint32_t)float_bits(x); }
+
+// The ignored bodies. Many queries in a row ignore the same one.
+static scree_status check_ignored(const Asking* asking, const char* name, size_t offset, int begin, int end)
+{
+	scree_body last = SCREE_NULL_BODY, body;
+	for (int k = begin; k < end; ++k)
+	{
+		memcpy(&body, (const char*)asking->items + sizeof(Query) * (size_t)k + offset, sizeof body);
+		if (scree_body_equals(body, last) || scree_body_is_null(body))
+			continue;
+		TRY(check_body_once(asking->world, (Where){asking->function, name, k}, ".ignored", body));
+		last = body;
+	}
+	return SCREE_OK;
+}
+
+static scree_status check_rays(const void* context, int begin, int end)
+{
+	const Asking* asking = context;
+	const scree_ray* rays = asking->items;
+	const uint32_t all = ~0u, low = bits_of(SCREE_HUGE), high = bits_of(2.0f * SCREE_HUGE);
+	const Plain plain = {{{MAGNITUDE, MAGNITUDE, MAGNITUDE, MAGNITUDE}, {all, all, 0, 0}},
+	                     {{low, low, high, high}, {low, 0, 0, 0}}};
+	bool ignores;
+	for (int k = begin + plain_items(rays + begin, end - begin, &plain, &ignores); k < end; ++k)
+	{
+		Where at = {asking->function, "rays", k};
+		TRY(check_vec(at, ".origin", rays[k].origin, SCREE_HUGE));
+		TRY(check_vec(at, ".translation", rays[k].translation, 2.0f * SCREE_HUGE));
+		TRY(check_real(at, ".radius", rays[k].radius, 0.0f, SCREE_HUGE));
+		if (rays[k].reserved != 0)
+			return refuse(SCREE_ERROR_INVALID, at, ".reserved", "is %u, must be 0", rays[k].reserved);
+	}
+	return ignores ? check_ignored(asking, "rays", offsetof(scree_ray, ignored), begin, end) : SCREE_OK;
+}
+
+void query_rays(Asking* asking, Questions* questions)
+{
+	questions->form = QUERY_RAYS;
+	questions->check = check_rays;
+	questions->context = asking;
+}
+
+scree_status query_shape_of(const char* function, const char* argument, const scree_shape* given, Attribute* to)
+{
+	*to = (Attribute){.count = 1};
+	if (!given)
+		return SCREE_OK;
+	scree_shape shape = *given;
+	TRY(shape_finish((Where){function, argument, ALONE}, &shape));
+	shape_row(&shape, to);
+	return SCREE_OK;
+}
+
+// The same; the shape of the last query is known, and need not be checked again.
+static scree_status set_shape(scree_world* world, const char* function, const scree_shape* shape, Attribute* to)
+{
+	Queries* known = &world->queries;
+	if (!shape)
+		return query_shape_of(function, "shape", NULL, to);
+	if (known->attribute.count == 0 || memcmp(shape, &known->shape, sizeof *shape) != 0)
+	{
+		Attribute made;
+		TRY(query_shape_of(function, "shape", shape, &made));
+		known->shape = *shape;
+		known->attribute = made;
+	}
+	*to = known->attribute;
+	return SCREE_OK;
+}
+
+// Whether a rotation has a length of 1, as far as check_pose wants it.
+static bool is_turn(scree_rot r)
+{
+	float square = r.c * r.c + r.s * r.s;
+	return square > 0.9995f && square < 1.0005f;
+}
+
+static scree_status check_probes(const void* context, int begin, int end)
+{
+	const Asking* asking = context;
+	const scree_probe* probes = asking->items;
+	const uint32_t low = bits_of(SCREE_HUGE), one = bits_of(2.0f), high = bits_of(asking->longest);
+	const Plain plain = {{{MAGNITUDE, MAGNITUDE, MAGNITUDE, MAGNITUDE}, {MAGNITUDE, MAGNITUDE, 0, 0}},
+	                     {{low, low, one, one}, {high, high, 0, 0}}};
+	bool ignores;
+	int plain_end = begin + plain_items(probes + begin, end - begin, &plain, &ignores);
+	for (int k = begin; k < end; ++k)
+	{
+		scree_pose pose = probes[k].pose;
+		Where at = {asking->function, "probes", k};
+		if (k < plain_end && is_turn(pose.rotation))
+			continue;
+		TRY(check_pose(at, ".pose", &pose));
+		TRY(check_vec(at, ".translation", probes[k].translation, asking->longest));
+	}
+	return ignores ? check_ignored(asking, "probes", offsetof(scree_probe, ignored), begin, end) : SCREE_OK;
+}
+
+scree_status query_probes(scree_world* world, const scree_shape* shape, Asking* asking, Questions* questions)
+{
+	questions->form = QUERY_SHAPES;
+	questions->check = check_probes;
+	questions->context = asking;
+	return set_shape(world, asking->function, shape, &questions->plan.shape);
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// query_list.c -- queries with all their answers.
+#include "api/query/query_check.h"
+#include "world/definition.h"
+#include "world/device/auto.h"
+#include "world/failure.h"
+#include "world/memory.h"
+#include "world/shape/geometry.h"
+#include "world/upload/upload.h"
+#include <string.h>
+
+// Sorts a few answers by query, fraction and collidable.
+static void sort_few(Found* found, int* query, int count)
+{
+	for (int k = 1; k < count; ++k)
+	{
+		Found row = found[k];
+		int of = query[k], place = k;
+		for (; place > 0; --place)
+		{
+			const Found* before = found + place - 1;
+			int that = query[place - 1];
+			bool after = that != of                         ? that > of
+			             : before->fraction != row.fraction ? before->fraction > row.fraction
+			                                                : before->collidable > row.collidable;
+			if (!after)
+				break;
+			found[place] = found[place - 1];
+			query[place] = query[place - 1];
+		}
+		found[place] = row;
+		query[place] = of;
+	}
+}
+
+// Reads the answers, in order.
+static scree_status read_rows(scree_world* world, const char* function, int count)
+{
+	Queries* q = &world->queries;
+	TRY(GROW(function, q->found, q->capacity, count));
+	TRY(GROW(function, q->query, q->query_capacity, count));
+	TRY(queries_read(&world->pipeline, count, q->found, q->query));
+	if (count <= FEW_ANSWERS)
+		sort_few(q->found, q->query, count);
+	return SCREE_OK;
+}
+
+static scree_status read_list(scree_world* world, const char* function, const Questions* questions, int* count)
+{
+	Queries* q = &world->queries;
+	TRY(GROW(function, q->first, q->first_capacity, questions->count + 1));
+	*count = 0;
+	if (questions->count > 0)
+		TRY(queries_list(&world->pipeline, questions, count));
+	if (*count > 0)
+		TRY(read_rows(world, function, *count));
+	int k = 0;
+	for (int n = 0; n <= questions->count; ++n)
+	{
+		while (k < *count && q->query[k] < n)
+			++k;
+		q->first[n] = k;
+	}
+	return SCREE_OK;
+}
+
+static scree_status list(scree_world* world, const char* function, const Questions* questions, scree_found_list* to,
+                         size_t size)
+{
+	TRY(check_pointer(function, "list", to));
+	if (questions->any)
+		return fail(SCREE_ERROR_INVALID, "%s: def.any is true, but a list has all", function);
+	TRY(world_upload(world));
+	double begin = auto_clock();
+	int count;
+	scree_status status = read_list(world, function, questions, &count);
+	auto_count(world, begin);
+	TRY(world_note(world, status));
+	scree_found_list result = {.size = (uint32_t)size,
+	                           .count = count,
+	                           .found = (const scree_found*)(const void*)world->queries.found,
+	                           .first = world->queries.first};
+	write_result(to, size, &result, sizeof result);
+	return SCREE_OK;
+}
+
+scree_status scree_world_list_rays_sized(scree_world* world, const scree_query_def* def, const scree_ray* rays,
+                                         int count, scree_found_list* to, size_t size)
+{
+	const char* function = "scree_world_list_rays";
+	Asking asking;
+	Questions questions;
+	TRY(query_check(world, function, def, rays, "rays", count, &asking, &questions));
+	query_rays(&asking, &questions);
+	return list(world, function, &questions, to, size);
+}
+
+scree_status scree_world_list_shapes_sized(scree_world* world, const scree_query_def* def, const scree_shape* shape,
+                                           const scree_probe* probes, int count, scree_found_list* to, size_t size)
+{
+	const char* function = "scree_world_list_shapes";
+	Asking asking;
+	Questions questions;
+	TRY(query_check(world, function, def, probes, "probes", count, &asking, &questions));
+	TRY(query_probes(world, shape, &asking, &questions));
+	return list(world, function, &questions, to, size);
+}
+
+scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, scree_found_list* to, size_t size)
+{
+	const char* function = "scree_world_overlap_box";
+	TRY(check_vec((Where){function, "box", ALONE}, ".lower", box.lower, SCREE_HUGE));
+	TRY(check_vec((Where){function, "box", ALONE}, ".upper", box.upper, SCREE_HUGE));
+	float half_x = 0.5f * (box.upper.x - box.lower.x), half_y = 0.5f * (box.upper.y - box.lower.y);
+	scree_shape shape;
+	if (!(half_x >= SMALLEST_SIZE) || !(half_y >= SMALLEST_SIZE))
+		return fail(SCREE_ERROR_INVALID, "%s: box from (%s, %s) to (%s, %s) is not %s m wide and high", function,
+		            decimal(box.lower.x).text, decimal(box.lower.y).text, decimal(box.upper.x).text,
+		            decimal(box.upper.y).text, decimal(2.0f * SMALLEST_SIZE).text);
+	TRY(scree_shape_make_box(half_x, half_y, &shape));
+	scree_probe probe = {.pose = {{box.lower.x + half_x, box.lower.y + half_y}, {1.0f, 0.0f}}};
+	Asking asking;
+	Questions questions;
+	TRY(query_check(world, function, NULL, &probe, "box", 1, &asking, &questions));
+	TRY(query_probes(world, &shape, &asking, &questions));
+	return list(world, function, &questions, to, size);
+}

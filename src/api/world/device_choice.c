@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// device_choice.c -- lists the devices, and moves a world to another one.
+#include "api/world/compare_bits.h"
+#include "world/definition.h"
+#include "world/device/auto.h"
+#include "world/device/devices.h"
+#include "world/device/migrate.h"
+#include "world/failure.h"
+#include "world/objects/reports.h"
+#include "world/world.h"
+#include <string.h>
+
+scree_status scree_devices_get_sized(scree_device* devices, size_t size, int capacity, int* count)
+{
+	const char* function = "scree_devices_get";
+	TRY(check_list(function, "devices", devices, capacity, count));
+	int there = devices_list(NULL, 0), listed = there < capacity ? there : capacity;
+	if (listed > 0)
+	{
+		scree_device* known = scree_allocate((size_t)listed * sizeof *known);
+		if (!known)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d devices", function, listed);
+		devices_list(known, listed);
+		for (int k = 0; k < listed; ++k)
+			write_result((char*)devices + size * (size_t)k, size, known + k, sizeof *known);
+		scree_release(known);
+	}
+	*count = there;
+	return SCREE_OK;
+}
+
+const char* scree_opencl_remedy(void) { return opencl_devices(NULL, 0) > 0 ? "" : opencl_remedy(); }
+
+scree_status scree_world_move(scree_world* world, const char* device)
+{
+	const char* function = "scree_world_move";
+	TRY(world_check(world, function));
+	TRY(check_device((Where){function, "device", ALONE}, "", device));
+	if (strcmp(device, "auto") == 0)
+	{
+		auto_open(world, compare_bits);
+		return SCREE_OK;
+	}
+	if (strcmp(device, world->device) != 0)
+	{
+		TRY(reports_fetch(world)); // a move leaves them behind
+		scree_world_def def = world->def;
+		def.device = device;
+		Backend *from = world->backend, *to;
+		TRY(device_open(&def, &to));
+		scree_status status = world_move(world, to);
+		Backend* left = status == SCREE_OK ? from : to;
+		left->f->close(left);
+		if (status != SCREE_OK)
+			return status;
+	}
+	auto_close(world);
+	return SCREE_OK;
+}

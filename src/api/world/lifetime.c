@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// lifetime.c -- the world: created, stepped and destroyed.
+#include "api/world/compare_bits.h"
+#include "platform/processor.h"
+#include "world/create.h"
+#include "world/definition.h"
+#include "world/device/auto.h"
+#include "world/device/devices.h"
+#include "world/device/idle.h"
+#include "world/failure.h"
+#include "world/objects/fields.h"
+#include "world/objects/reports.h"
+#include "world/objects/sensors.h"
+#include "world/objects/targets.h"
+#include "world/tuning_members.h"
+#include "world/upload/upload.h"
+#include "world/world.h"
+#include <string.h>
+
+// Least dt other than 0, s: rates of change in a shorter step are too large for a float.
+#define SHORTEST_STEP 1e-9f
+
+void scree_world_def_default_sized(scree_world_def* def, size_t size)
+{
+	const scree_world_def made = {.size = (uint32_t)size,
+	                              .gravity = {0.0f, -10.0f},
+	                              .device = "auto",
+	                              .contact_hertz = 40.0f,
+	                              .contact_damping_ratio = 10.0f,
+	                              .contact_push_speed = 3.0f,
+	                              .restitution_threshold = 1.0f,
+	                              .max_speed = 400.0f,
+	                              .hit_speed = 1.0f};
+	write_result(def, size, &made, sizeof made);
+}
+
+static scree_status check_def(const char* function, const scree_world_def* def)
+{
+	Where at = {function, "def", ALONE};
+	TRY(check_vec(at, ".gravity", def->gravity, FLT_MAX));
+	TRY(check_device(at, ".device", def->device));
+	if (def->opengl && (!def->opengl->context || !def->opengl->display))
+		return refuse(SCREE_ERROR_INVALID, at, ".opengl", "has no %s", def->opengl->context ? "display" : "context");
+	if (def->opengl && (def->opengl->system < SCREE_WINDOW_EGL || def->opengl->system > SCREE_WINDOW_WGL))
+		return refuse(SCREE_ERROR_INVALID, at, ".opengl->system", "is %d, must be from %d to %d",
+		              (int)def->opengl->system, (int)SCREE_WINDOW_EGL, (int)SCREE_WINDOW_WGL);
+	if (def->threads < 0 || def->threads > 64)
+		return refuse(SCREE_ERROR_INVALID, at, ".threads", "is %d, must be from 0 to 64", def->threads);
+	if (def->lanes != 0 && def->lanes != 1 && def->lanes != 4 && def->lanes != 8 && def->lanes != 16)
+		return refuse(SCREE_ERROR_INVALID, at, ".lanes", "is %d, must be 0, 1, 4, 8 or 16", def->lanes);
+	scree_tuning tuning = tuning_of(def);
+	TRY(check_tuning(at, &tuning));
+	TRY(check_real(at, ".hit_speed", def->hit_speed, 0.0f, FLT_MAX));
+	TRY(check_real(at, ".hit_impulse", def->hit_impulse, 0.0f, FLT_MAX));
+	if (def->body_capacity < 0 || def->body_capacity > MAX_ITEMS)
+		return refuse(SCREE_ERROR_INVALID, at, ".body_capacity", "is %d, must be from 0 to %d", def->body_capacity,
+		              MAX_ITEMS);
+	if (def->contact_capacity < 0 || def->contact_capacity > MAX_CONTACTS)
+		return refuse(SCREE_ERROR_INVALID, at, ".contact_capacity", "is %d, must be from 0 to %d",
+		              def->contact_capacity, MAX_CONTACTS);
+	if (def->contact_limit < 0 || def->contact_limit > MAX_CONTACTS)
+		return refuse(SCREE_ERROR_INVALID, at, ".contact_limit", "is %d, must be from 0 to %d", def->contact_limit,
+		              MAX_CONTACTS);
+	return SCREE_OK;
+}
+
+scree_status scree_world_create(const scree_world_def* def, scree_world** world)
+{
+	const char* function = "scree_world_create";
+	TRY(check_pointer(function, "world", world));
+	*world = NULL;
+	TRY(check_pointer(function, "def", def));
+	TRY(check_definition((Where){function, "def", ALONE}, def, 0, &world_definition));
+	scree_world_def local;
+	def = definition_at(def, 0, &world_definition, &local);
+	TRY(check_def(function, def));
+	Backend* backend;
+	TRY(device_open(def, &backend));
+	scree_status status = world_create(def, backend, world);
+	if (status != SCREE_OK)
+		backend->f->close(backend);
+	else if (strcmp(def->device, "auto") == 0)
+		auto_open(*world, compare_bits);
+	return status;
+}
+
+scree_status scree_world_step(scree_world* world, float dt, int substeps)
+{
+	const char* function = "scree_world_step";
+	TRY(world_check(world, function));
+	if (dt != 0.0f && !(dt >= SHORTEST_STEP && dt <= 1.0f))
+		return fail(SCREE_ERROR_INVALID, "%s: dt is %s, must be 0 or from %s to 1", function, decimal(dt).text,
+		            decimal(SHORTEST_STEP).text);
+	if (substeps < 1 || substeps > 64)
+		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
+	if (dt > 0.0f) // a step of no time only detects contacts: its duration is not comparable
+		TRY(auto_choose(world));
+	double start = processor_milliseconds();
+	TRY(reports_reserve(world, function));
+	bool asks_again = !world->reports.answered && (dt == 0.0f || world->reports.lost);
+	reports_forget(world);
+	sensors_forget(world);
+	TRY(world_upload_to_step(world));
+	double begin = auto_clock();
+	StepRequest request = {.dt = dt,
+	                       .substeps = substeps,
+	                       .gravity = world->def.gravity,
+	                       .tuning = tuning_of(&world->def),
+	                       .bodies = world->bodies.used,
+	                       .collidables = world->collidables.used,
+	                       .kinematic = world->kinematic_count,
+	                       .kinematics = world->kinematics,
+	                       .contact_limit = world->def.contact_limit,
+	                       .timings = world->def.timings,
+	                       .details = world->def.contact_details,
+	                       .reports = world->reports.reporters > 0,
+	                       .asks_again = asks_again,
+	                       .allowed = world->reports.allowed,
+	                       .allowed_count = world->reports.allowed_count,
+	                       .hit_speed = world->def.hit_speed,
+	                       .hit_impulse = world->def.hit_impulse};
+	request.fields = fields_acting(world, &request.field_shapes);
+	if (dt > 0.0f)
+		TRY(targets_commands(world, &request.commands));
+	idle_begin(world);
+	scree_status status = pipeline_step(&world->pipeline, &request);
+	if (status == SCREE_OK)
+		reports_stepped(world);
+	if (status == SCREE_OK && dt > 0.0f)
+	{
+		targets_arrived(world);
+		idle_end(world);
+	}
+	// the boxes have moved and the bodies have not: pairs that began to touch in between would never be found
+	if (status != SCREE_OK && world->pipeline.begun)
+		world->broken = status;
+	double milliseconds = processor_milliseconds() - start;
+	if (status == SCREE_OK && world->auto_device.trial)
+		status = world->backend->f->wait(world->backend);
+	auto_count(world, begin);
+	TRY(world_note(world, status));
+	world->reports.fetched = false;
+	status = sensors_update(world, function);
+	if (status != SCREE_OK) // the step is done, and its visits would be missing from then on
+		world->broken = status;
+	TRY(world_note(world, status));
+	world->pipeline.milliseconds = milliseconds;
+	const Counters* c = &world->pipeline.counters;
+	if (c->nonfinite > 0 && dt > 0.0f)
+		log_sentence(SCREE_LOG_WARNING,
+		             "%s: %d bodies were frozen because their state was not finite; the first is body %d", function,
+		             c->nonfinite, c->first_nonfinite);
+	return SCREE_OK;
+}
+
+void scree_world_destroy(scree_world* world)
+{
+	if (world)
+		world_destroy(world);
+}
+
+scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity)
+{
+	TRY(world_check(world, "scree_world_set_gravity"));
+	TRY(check_vec((Where){"scree_world_set_gravity", "gravity", ALONE}, "", gravity, FLT_MAX));
+	world->def.gravity = gravity;
+	return SCREE_OK;
+}
+
+scree_status scree_world_get_gravity(const scree_world* world, scree_vec* gravity)
+{
+	const char* function = "scree_world_get_gravity";
+	TRY(check_pointer(function, "world", world));
+	TRY(check_pointer(function, "gravity", gravity));
+	*gravity = world->def.gravity;
+	return SCREE_OK;
+}
+
+const char* scree_world_get_device(const scree_world* world) { return world ? world->device : ""; }
+int scree_world_get_threads(const scree_world* world) { return world ? world->backend->threads : 0; }
+int scree_world_get_lanes(const scree_world* world) { return world ? world->backend->lanes : 0; }
+
+scree_status scree_world_wait(scree_world* world)
+{
+	TRY(world_check(world, "scree_world_wait"));
+	return world_note(world, world->backend->f->wait(world->backend));
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// render_rows.c -- the rows that a renderer draws: copied to the host, or written to memory shared with OpenGL.
+#include "world/check.h"
+#include "world/device/shared_buffers.h"
+#include "world/failure.h"
+#include "world/upload/upload.h"
+#include "world/world.h"
+
+_Static_assert(sizeof(scree_render_row) == sizeof(WorldShape) &&
+                   offsetof(scree_render_row, center) == offsetof(WorldShape, center_x) &&
+                   offsetof(scree_render_row, attribute) == offsetof(WorldShape, attribute) &&
+                   offsetof(scree_render_row, body) == offsetof(WorldShape, body),
+               "users read the rows as the stage writes them");
+
+const char* scree_sharing_name(scree_sharing sharing)
+{
+	switch (sharing)
+	{
+	case SCREE_SHARING_COPIED:
+		return "copied";
+	case SCREE_SHARING_MEMORY:
+		return "shared through external memory";
+	case SCREE_SHARING_OPENGL:
+		return "shared with OpenGL";
+	}
+	return "unknown";
+}
+
+scree_sharing scree_world_get_sharing(const scree_world* world)
+{
+	return world ? world->backend->sharing : SCREE_SHARING_COPIED;
+}
+
+scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity, int* count)
+{
+	const char* function = "scree_world_get_render_rows";
+	TRY(world_check(world, function));
+	TRY(check_list(function, "rows", rows, capacity, count));
+	TRY(world_upload(world));
+	int used = world->collidables.used, wanted = used < capacity ? used : capacity;
+	if (wanted > 0)
+	{
+		TRY(world_note(world, pipeline_show(&world->pipeline, world->collidables.used, false)));
+		TRY(world_note(world, world->backend->f->read(world->backend, POOL_render_row, 0, wanted, rows)));
+	}
+	*count = used;
+	return SCREE_OK;
+}
+
+scree_status scree_world_share_memory(scree_world* world, int file_descriptor, size_t bytes)
+{
+	return world_share(world, "scree_world_share_memory", "rows", SHARED_ROWS,
+	                   &(SharedMemory){.how = SCREE_SHARING_MEMORY, .file = file_descriptor, .bytes = bytes});
+}
+
+scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes)
+{
+	const char* function = "scree_world_share_opengl";
+	if (buffer == 0)
+		return fail(SCREE_ERROR_INVALID, "%s: buffer is 0, not the name of a buffer object", function);
+	return world_share(world, function, "rows", SHARED_ROWS,
+	                   &(SharedMemory){.how = SCREE_SHARING_OPENGL, .buffer = buffer, .bytes = bytes});
+}
+
+void scree_world_unshare(scree_world* world)
+{
+	if (world)
+		world_unshare(world);
+}
+
+scree_status scree_world_write_render_rows(scree_world* world, int* count)
+{
+	const char* function = "scree_world_write_render_rows";
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "count", count));
+	if (world->shared[SHARED_ROWS] == 0)
+		return fail(SCREE_ERROR_INVALID,
+		            "%s: nothing is shared; scree_world_share_memory or scree_world_share_opengl comes first",
+		            function);
+	TRY(world_upload(world));
+	*count = world->collidables.used;
+	size_t room = world->shared[SHARED_ROWS] / sizeof(scree_render_row);
+	if ((size_t)*count > room)
+		return fail(SCREE_ERROR_INVALID, "%s: there are %d rows, and the shared memory has room for %zu", function,
+		            *count, room);
+	return *count > 0 ? world_note(world, pipeline_show(&world->pipeline, world->collidables.used, true)) : SCREE_OK;
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// tuning.c -- tuning: read and set by the user.
+#include "world/definition.h"
+#include "world/failure.h"
+#include "world/tuning_members.h"
+#include "world/world.h"
+
+scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning* tuning, size_t size)
+{
+	const char* function = "scree_world_get_tuning";
+	TRY(check_pointer(function, "world", world));
+	TRY(check_pointer(function, "tuning", tuning));
+	scree_tuning now = tuning_of(&world->def);
+	now.size = (uint32_t)size;
+	write_result(tuning, size, &now, sizeof now);
+	return SCREE_OK;
+}
+
+scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuning)
+{
+	const char* function = "scree_world_set_tuning";
+	Where at = {function, "tuning", ALONE};
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "tuning", tuning));
+	TRY(check_definition(at, tuning, 0, &tuning_definition));
+	scree_tuning local;
+	tuning = definition_at(tuning, 0, &tuning_definition, &local);
+	TRY(check_tuning(at, tuning));
+	world->def.contact_hertz = tuning->contact_hertz;
+	world->def.contact_damping_ratio = tuning->contact_damping_ratio;
+	world->def.contact_push_speed = tuning->contact_push_speed;
+	world->def.restitution_threshold = tuning->restitution_threshold;
+	world->def.max_speed = tuning->max_speed;
+	return SCREE_OK;
+}

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// batch.h -- many items to a device, a stage over each, and an answer for each back.
+#ifndef BATCH_H
+#define BATCH_H
+#include "backend/backend.h"
+
+// In turns: all items, the stage, all answers.
+scree_status exchange_whole(Backend* b, const Step* step, const Exchange* exchange);
+
+#endif

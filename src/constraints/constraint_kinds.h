@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// constraint_kinds.h -- all kinds of constraints, and the functions generated from their rows.
+#ifndef CONSTRAINT_KINDS_H
+#define CONSTRAINT_KINDS_H
+#include "constraints/contact_constraint.h"
+#include "constraints/joint_pass.h"
+#include "dialect/hash_word.h"
+
+// Does ROW (constraint.h) for each row of constraint i, or for each rare row.
+#define EACH_ROW(kind, Kind, KIND, ROW)                           \
+	{                                                             \
+		GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES; \
+		int lane = i % MAX_LANES;                                 \
+		(void)rows, (void)lane;                                   \
+		KIND##_ROWS(ROW)                                          \
+	}
+#define EACH_RARE_ROW(kind, Kind, KIND, ROW)                               \
+	{                                                                      \
+		GLOBAL Kind##RareRows* rows = p->kind##_rare_rows + i / MAX_LANES; \
+		int lane = i % MAX_LANES;                                          \
+		(void)rows, (void)lane;                                            \
+		KIND##_RARE_ROWS(ROW)                                              \
+	}
+
+// The rows of constraint i that a pass reads, and writes.
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                       \
+	INLINE void kind##_load(const Pools* p, int i, int pass, Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_LOAD); } \
+	INLINE void kind##_store(const Pools* p, int i, int pass, const Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_STORE); }
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+
+// For forms of the solve that keep constraints in registers over a step: rows that passes read and that are not prepared, and at
+// the end the kept ones that passes write.
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                     \
+	INLINE void kind##_load_all(const Pools* p, int i, Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_LOAD_ALL); } \
+	INLINE void kind##_store_kept(const Pools* p, int i, const Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_STORE_KEPT); }
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+
+// Padding: place i gets an inert constraint between the ground and itself.
+#define CONSTRAINT_KIND(kind, Kind, KIND)         \
+	INLINE void kind##_pad(const Pools* p, int i) \
+	{                                             \
+		p->kind##_place_slot[i] = -1;             \
+		kind##_row(p, body_a, i) = 0;             \
+		kind##_row(p, body_b, i) = 0;             \
+		EACH_ROW(kind, Kind, KIND, ROW_PAD);      \
+		EACH_RARE_ROW(kind, Kind, KIND, ROW_PAD); \
+	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+
+// While constraints are laid out, their kept rows are copied from the old place to a slot, and from there to the new
+// place.
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                \
+	INLINE void kind##_keep(const Pools* p, int slot, int i)             \
+	{                                                                    \
+		{                                                                \
+			Kind##Kept kept;                                             \
+			EACH_ROW(kind, Kind, KIND, ROW_KEEP);                        \
+			p->kind##_kept[slot] = kept;                                 \
+		}                                                                \
+		{                                                                \
+			Kind##RareKept kept;                                         \
+			EACH_RARE_ROW(kind, Kind, KIND, ROW_KEEP);                   \
+			p->kind##_rare_kept[slot] = kept;                            \
+		}                                                                \
+	}                                                                    \
+	INLINE void kind##_put_back(const Pools* p, int slot, int i)         \
+	{                                                                    \
+		{                                                                \
+			Kind##Kept kept = p->kind##_kept[slot];                      \
+			EACH_ROW(kind, Kind, KIND, ROW_PUT_BACK);                    \
+		}                                                                \
+		{                                                                \
+			Kind##RareKept kept = p->kind##_rare_kept[slot];             \
+			EACH_RARE_ROW(kind, Kind, KIND, ROW_PUT_BACK);               \
+		}                                                                \
+	}                                                                    \
+	/* A constraint that ended has nothing to keep. */                   \
+	INLINE void kind##_forget(const Pools* p, int slot)                  \
+	{                                                                    \
+		const Kind##Kept none = {0};                                     \
+		const Kind##RareKept rare_none = {0};                            \
+		p->kind##_kept[slot] = none;                                     \
+		p->kind##_rare_kept[slot] = rare_none;                           \
+	}                                                                    \
+	/* What is kept of place i is fetched from memory. */                \
+	INLINE void kind##_fetch_kept(const Pools* p, int i)                 \
+	{                                                                    \
+		EACH_ROW(kind, Kind, KIND, ROW_FETCH);                           \
+		EACH_RARE_ROW(kind, Kind, KIND, ROW_FETCH);                      \
+	}                                                                    \
+	/* The hash of what is kept of place i, in the order of the rows. */ \
+	INLINE Word64 kind##_hash_kept(Word64 h, const Pools* p, int i)      \
+	{                                                                    \
+		EACH_ROW(kind, Kind, KIND, ROW_HASH);                            \
+		EACH_RARE_ROW(kind, Kind, KIND, ROW_HASH);                       \
+		return h;                                                        \
+	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// contact_report_points.h -- the points of a contact at the start of the last step, as they are reported to the user.
+#ifndef CONTACT_REPORT_POINTS_H
+#define CONTACT_REPORT_POINTS_H
+#include "constraints/rolling.h"
+
+// From the rows that rolling.h needs; all is relative to the origin of collidable a.
+INLINE ContactPoints listed_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
+                                   const Real manifold[16], Word flags, Int2 features)
+{
+	const Advance rests = {{0.0f, 0.0f}, 0.0f};
+	Int feature[2];
+	feature[0] = features.x;
+	feature[1] = features.y;
+	if (flags & MANIFOLD_ROLLS)
+		return rolling_points(shapes, a, b, manifold, (Int)flags, feature, rests, rests);
+	return contact_points_held(a, b, manifold);
+}
+
+// Writes them to a row; x, y: m, the origin of collidable a.
+INLINE void listed_place(Listed* row, const ContactPoints* at, Real x, Real y)
+{
+	row->normal_x = at->normal.x;
+	row->normal_y = at->normal.y;
+	row->point = make_float4(x + at->point[0].x, y + at->point[0].y, x + at->point[1].x, y + at->point[1].y);
+	row->separation1 = at->separation[0];
+	row->separation2 = at->separation[1];
+}
+
+#endif

@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: MIT
+// joint_constraint.h -- a joint as a constraint: three coordinates of a frame of body b in a frame of body a, some of them locked.
+//
+//     d = anchor of b - anchor of a      u = axis      w = left of u
+//     along = u . d      across = w . d      angle = angle of b - angle of a
+//
+// The locked coordinates are solved together, as a symmetric 3 x 3 system. Limits, springs and motors (joint_drive.h) come
+// before it, so that the locks have the last word.
+//
+// Warm starting. Arms turn within a step, so the same impulses do not change velocities by the same amount in each substep,
+// as integrate.h assumes. A joint therefore stores what its impulses have given its two bodies, and in its biased pass first
+// gives the difference to what they are worth at the current arms.
+//
+// This work is based on:
+// Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024: a biased and a relaxing pass per substep.
+#ifndef JOINT_CONSTRAINT_H
+#define JOINT_CONSTRAINT_H
+#include "constraints/constraint.h"
+#include "constraints/solver_body.h"
+#include "dialect/finite.h"
+
+#define IN_POSED (IN_WARM_START | IN_BIAS | IN_RELAX)
+#define IN_TURNS (IN_BIAS | IN_RELAX)
+
+// what every pass streams
+#define JOINT_ROWS(X)                                                                \
+	/* at the start of the step: axis; m: anchors from the centers of mass */        \
+	X(axis_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)      \
+	X(axis_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)      \
+	X(arm_a_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
+	X(arm_a_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
+	X(arm_b_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
+	X(arm_b_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
+	/* m: from anchor to anchor; of a radial joint: what its lock holds */           \
+	X(gap_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)       \
+	X(gap_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)       \
+	X(length, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                          \
+	/* rad: the angle, less that at which it is locked */                            \
+	X(angle, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)       \
+	/* rad: the angle over all turns */                                              \
+	X(turned, always, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                            \
+	/* JOINT_* bits; softness of each lock: rate (1/s), and 1 / a2 */                \
+	X(modes, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)       \
+	X(rate_along, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE)  \
+	X(rate_across, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE) \
+	X(rate_angle, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE)  \
+	X(soft_along, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE)  \
+	X(soft_across, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE) \
+	X(soft_angle, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE)  \
+	/* N s, N m s */                                                                 \
+	X(impulse_along, always, KEPT, 0.0f, IN_POSED, IN_POSED)                         \
+	X(impulse_across, always, KEPT, 0.0f, IN_POSED, IN_POSED)                        \
+	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                         \
+	/* how many times START_SHARE the impulses at the start were worth */            \
+	X(carried, always, KEPT, 0.0f, IN_WARM_START, IN_WARM_START)                     \
+	/* N s, N m s: given to b, its opposite to a; angular ones of a and b */         \
+	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
+	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
+	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
+	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
+
+// A limit, a spring and a motor along one coordinate, in m or rad, 1/s, N s or N m s. spring_relaxes of a soft lock is
+// its softness in the relaxing pass.
+#define JOINT_DRIVE_ROWS(X, of)                                          \
+	X(of##_lower, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
+	X(of##_upper, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
+	X(of##_limit_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
+	X(of##_limit_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
+	X(of##_target, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)         \
+	X(of##_spring_answer, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)   \
+	X(of##_spring_rate, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)     \
+	X(of##_spring_keeps, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)    \
+	X(of##_spring_relaxes, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE) \
+	X(of##_spring_least, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)   \
+	X(of##_spring_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)    \
+	X(of##_speed, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
+	X(of##_motor_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
+	X(of##_limit_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)        \
+	X(of##_spring_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)       \
+	X(of##_motor_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)
+
+// of gears and pulleys (coupling.h)
+#define JOINT_COUPLING_ROWS(X)                                                                                    \
+	X(gear_ratio, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                \
+	/* m, rad: the coordinate at the start of the step, without distances */                                      \
+	X(coupled, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                   \
+	/* of a and b: m, from the base to the anchor; or the direction of a translation */                           \
+	X(line_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	X(line_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	X(line_b_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	X(line_b_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	/* rad: the last angles, how often each turned round since, and the part of the coordinate that angles are */ \
+	X(angle_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
+	X(angle_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
+	X(turns_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
+	X(turns_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
+	X(geared, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                      \
+	/* N s: given to a, its opposite */                                                                           \
+	X(given_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)                                      \
+	X(given_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
+
+// of joints on a path (path_constraint.h)
+#define JOINT_PATH_ROWS(X)                                                                                \
+	/* m: in frame A, the point of the path that is nearest to anchor b; cos, sin: the tangent there */   \
+	X(foot_x, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                              \
+	X(foot_y, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                              \
+	X(foot_cos, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                            \
+	X(foot_sin, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                            \
+	/* m: of that point, from the start of the path, over all laps */                                     \
+	X(foot_along, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                          \
+	/* 1/m, 1/m^2: curvature there, and its change along the path; m: at which across is locked */        \
+	X(bend, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	X(sway, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
+	X(beside, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                \
+	/* where it was last: number of the sample before it, laps, and how the next search begins, PATH_* */ \
+	X(path_segment, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                            \
+	X(path_laps, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                               \
+	X(path_seeks, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)
+
+#define JOINT_RARE_ROWS(X)                                                  \
+	JOINT_DRIVE_ROWS(X, along)                                              \
+	JOINT_DRIVE_ROWS(X, across)                                             \
+	JOINT_DRIVE_ROWS(X, angle)                                              \
+	/* 1: it has springs, and its bodies have no other constraints */       \
+	X(springs_alone, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)           \
+	/* N s, N m s: the largest of all substeps */                           \
+	X(peak_force, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)  \
+	X(peak_torque, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX) \
+	JOINT_COUPLING_ROWS(X)                                                  \
+	JOINT_PATH_ROWS(X)
+
+#define JOINT_STREAM(QUAD, PAIR)                                         \
+	QUAD(0, name, u->modes, u->axis_x, u->axis_y)                        \
+	QUAD(1, u->arm_a_x, u->arm_a_y, u->arm_b_x, u->arm_b_y)              \
+	QUAD(2, u->gap_x, u->gap_y, u->length, u->angle)                     \
+	QUAD(3, u->rate_along, u->rate_across, u->rate_angle, u->soft_along) \
+	PAIR(0, IN_TURNS, IN_NONE, u->soft_across, u->soft_angle)            \
+	PAIR(1, IN_PASSES, IN_POSED, u->impulse_along, u->impulse_across)    \
+	PAIR(2, IN_PASSES, IN_POSED, u->impulse_angle, u->given_x)           \
+	PAIR(3, IN_POSED, IN_POSED, u->given_y, u->given_a)                  \
+	PAIR(4, IN_PASSES, IN_POSED, u->given_b, u->carried)
+
+// Bytes that prepare gathers for a joint: its data, the poses and centers of its bodies.
+#define JOINT_GATHERS(step)  (sizeof(JointData) + 2 * (sizeof(Float4) + 2 * sizeof(Float2)))
+#define JOINT_BOUNCE_GATHERS 0
+
+#define JOINT_RARE(step) ((step)->drives)
+
+struct JointRows
+{
+	CONSTRAINT_ENDS
+	JOINT_ROWS(ROW_MEMBER)
+};
+struct JointRareRows
+{
+	JOINT_RARE_ROWS(ROW_MEMBER)
+};
+struct JointKept
+{
+	JOINT_ROWS(ROW_KEPT_MEMBER)
+} KEPT_ALIGNED;
+struct JointRareKept
+{
+	JOINT_RARE_ROWS(ROW_KEPT_MEMBER)
+};
+
+// a component of joint i of the pools p
+#define joint_row(p, name, i)  ((p)->joint_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
+#define joint_rare(p, name, i) ((p)->joint_rare_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
+
+// The drives of the three coordinates are the first rare rows, in the same order each.
+#define DRIVE_NUMBER(name, gate, life, inert, read, written) name,
+enum
+{
+	JOINT_DRIVE_ROWS(DRIVE_NUMBER, DRIVE) DRIVE_ROW_COUNT
+};
+// a component of the drive of coordinate k
+#define joint_drive_row(p, k, name, i)       \
+	(((GLOBAL float*)((p)->joint_rare_rows + \
+	                  (i) / MAX_LANES))[((k)*DRIVE_ROW_COUNT + DRIVE_##name) * MAX_LANES + (i) % MAX_LANES])
+
+typedef struct // a joint in registers
+{
+	JOINT_ROWS(ROW_REGISTER)
+} Joint;
+
+typedef struct // its bodies and its coordinates now
+{
+	Body a, b;
+	Vec axis[2];                         // along, across
+	Vec arm_a, arm_b;                    // from the centers of mass to the anchor of b
+	Real lever_a[2], lever_b[2];         // of a unit impulse along the axes
+	Real mass, value[JOINT_COORDINATES]; // 1/kg: sum; m, m, rad
+	// of lanes with a coupling: what its coordinate along is on the side of a, and what was given there
+	Word couples;
+	Int coupled;
+	Int torn; // springs hold both translations, and are so far off that the arm of a is shortened
+	Vec axis_a, given_a;
+	// of lanes on a path: its curvature here, 1/m
+	Word rails;
+	Int railed;
+	Real bend;
+} JointPose;
+
+// Whether some lanes have one of these modes.
+INLINE Int joint_has(const Joint* u, int mode) { return (whole(u->modes) & mode) != 0; }
+
+// Whether the axes of a joint are those of the world: where both translations are rigid any axes will do, and impulses of the
+// world last longer than those of a body.
+INLINE Int joint_upright(const Joint* u)
+{
+	return joint_has(u, JOINT_LOCKED(JOINT_ALONG)) & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) &
+	       (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS) | JOINT_RAILED) == 0);
+}
+
+// The axis of a radial joint: along the line between its anchors, d, or as it is where they coincide.
+INLINE Vec joint_line(Vec axis, Vec d, Int radial)
+{
+	Real square = vec_dot(d, d);
+	Int apart = radial & (square > splat(1.0e-12f)) & (square < splat(1.0e30f));
+	return vec_choose(axis, vec_scale(1.0f / root(choose(splat(1.0f), square, apart)), d), apart);
+}
+
+// No lane has a coupling or a path, until coupling.h or path_constraint.h finds one.
+INLINE void joint_alone(JointPose* c)
+{
+	c->couples = c->rails = 0;
+	c->coupled = c->railed = splat(0.0f) > splat(0.0f);
+	c->bend = splat(0.0f);
+	c->axis_a = c->given_a = vec(splat(0.0f), splat(0.0f));
+}
+
+// times the radius of gyration of body a: how far off locks may be that make its arm longer
+#define JOINT_FAR 2.0f
+
+// Whether springs hold both translations, and d is so far off. Then the axes are those of the world, and the impulses keep their direction
+// there: the arm of a is shortened, so that a cannot take the torque of a force that turns with it, and would spin b ever faster.
+INLINE Int joint_torn(const Pools* p, const Joint* u, const Body* a, Vec d)
+{
+	if (!p->step.springs)
+		return joint_has(u, 0);
+	Int springs = joint_has(u, JOINT_SOFT(JOINT_ALONG)) & joint_has(u, JOINT_SOFT(JOINT_ACROSS));
+	springs = springs & (joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) == 0);
+	return springs & (a->inv_inertia * vec_dot(d, d) > splat(JOINT_FAR * JOINT_FAR) * a->inv_mass);
+}
+
+// How far a translation is beyond its limits, m.
+INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real value)
+{
+	Real zero = splat(0.0f);
+	Int limited = joint_has(u, JOINT_LIMITED(k));
+	if (!p->step.drives || !lane_bits(limited))
+		return zero;
+	Real lower = load(&joint_drive_row(p, k, lower, i), 0), upper = load(&joint_drive_row(p, k, upper, i), 0);
+	return choose(zero, value - minimum(maximum(value, lower), upper), limited);
+}
+
+// The arm of body a ends at the anchor of b, so that no impulse of the joint changes the angular momentum. Where rigid locks, or a pair
+// of soft ones, are so far off that the arm would turn a rather than pull, it ends nearer to a's own anchor: impulses at the end of a long
+// arm hardly pull b back, and turn a with a force that other joints of a cannot hold.
+INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* c)
+{
+	Real zero = splat(0.0f), one = splat(1.0f), off[2], square = zero;
+	Int others = joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED);
+	UNROLL
+	for (int k = 0; k < 2; ++k)
+	{
+		Int rigid = joint_has(u, JOINT_LOCKED(k)) & ((joint_has(u, JOINT_SOFT(k)) == 0) | c->torn);
+		off[k] = choose(choose(joint_beyond(p, i, u, k, c->value[k]), c->value[k], rigid), zero, others);
+		square = square + off[k] * off[k];
+	}
+	Real bound = splat(JOINT_FAR * JOINT_FAR) * c->a.inv_mass, turns = c->a.inv_inertia * square;
+	Int far = turns > bound;
+	if (!lane_bits(far))
+		return;
+	Real less = one - root(bound / choose(one, turns, far));
+	UNROLL
+	for (int k = 0; k < 2; ++k)
+	{
+		// choose, because others of a block must not see this: zeros have signs
+		c->arm_a = vec_choose(c->arm_a, vec_sub(c->arm_a, vec_scale(less * off[k], c->axis[k])), far);
+		c->lever_a[k] = choose(c->lever_a[k], c->lever_a[k] + less * (k == 0 ? off[1] : -off[0]), far);
+	}
+}
+
+// The pose of a joint whose bodies are set.
+OUT_OF_LINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
+{
+	const Body *a = &c->a, *b = &c->b;
+	Vec arm_a = vec(u->arm_a_x, u->arm_a_y), arm_b = vec(u->arm_b_x, u->arm_b_y), axis = vec(u->axis_x, u->axis_y);
+	Vec swing_a = vec_sub(body_displacement(*a, arm_a), a->d), swing_b = vec_sub(body_displacement(*b, arm_b), b->d);
+	Vec d = vec_add(vec(u->gap_x, u->gap_y), vec_add(vec_sub(b->d, a->d), vec_sub(swing_b, swing_a)));
+	Real angle = u->angle + (b->da - a->da);
+
+	// a body whose state is not finite must not take the other one with it
+	Int sound = absolute(((d.x + d.y) + (swing_a.x + swing_b.x)) + angle) <= splat(MOST_FLOAT);
+	Vec zero = vec(splat(0.0f), splat(0.0f));
+	d = vec_choose(zero, d, sound);
+	swing_a = vec_choose(zero, swing_a, sound);
+	swing_b = vec_choose(zero, swing_b, sound);
+	c->arm_a = vec_add(vec_add(arm_a, swing_a), d);
+	c->arm_b = vec_add(arm_b, swing_b);
+
+	Vec turned = vec_choose(axis, vec_add(axis, vec_sub(body_displacement(*a, axis), a->d)), sound);
+	axis = vec_choose(axis, turned, joint_has(u, JOINT_TURNS));
+	Int radial = joint_has(u, JOINT_RADIAL);
+	if (lane_bits(radial))
+		axis = joint_line(axis, d, radial);
+	c->torn = joint_torn(p, u, a, d);
+	if (p->step.springs)
+		axis = vec_choose(axis, vec(splat(1.0f), splat(0.0f)), c->torn);
+	c->axis[0] = axis;
+	c->axis[1] = vec(-axis.y, axis.x);
+	UNROLL
+	for (int k = 0; k < 2; ++k)
+	{
+		c->lever_a[k] = vec_cross(c->arm_a, c->axis[k]);
+		c->lever_b[k] = vec_cross(c->arm_b, c->axis[k]);
+		c->value[k] = vec_dot(d, c->axis[k]);
+	}
+	c->value[JOINT_ANGLE] = choose(splat(0.0f), angle, sound);
+	c->mass = a->inv_mass + b->inv_mass;
+	joint_alone(c);
+	joint_shorten_arm(p, i, u, c);
+}
+
+// m/s: the speed along or across, k is a constant
+INLINE Real joint_speed_linear(const JointPose* c, int k)
+{
+	Real spin = c->lever_b[k] * c->b.w - c->lever_a[k] * c->a.w;
+	Real speed = vec_dot(vec_sub(c->b.v, c->a.v), c->axis[k]) + spin;
+	if (k != JOINT_ALONG || !c->couples)
+		return speed;
+	return choose(speed, (vec_dot(c->b.v, c->axis[0]) - vec_dot(c->a.v, c->axis_a)) + spin, c->coupled);
+}
+
+// m/s, rad/s: the speed of coordinate k, a constant. The angle to a path changes as its tangent turns.
+INLINE Real joint_speed(const JointPose* c, int k)
+{
+	if (k != JOINT_ANGLE)
+		return joint_speed_linear(c, k);
+	Real speed = c->b.w - c->a.w;
+	return c->rails ? choose(speed, speed - c->bend * joint_speed_linear(c, JOINT_ALONG), c->railed) : speed;
+}
+
+INLINE Real joint_yield_linear(const JointPose* c, int k)
+{
+	Real mass = c->mass;
+	if (k == JOINT_ALONG && c->couples)
+		mass = choose(mass,
+		              c->a.inv_mass * vec_dot(c->axis_a, c->axis_a) + c->b.inv_mass * vec_dot(c->axis[0], c->axis[0]),
+		              c->coupled);
+	return mass + c->a.inv_inertia * c->lever_a[k] * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
+}
+
+// 1/(kg m): the speed of an angle of no path by a unit impulse along or across
+INLINE Real joint_yield_turning(const JointPose* c, int k)
+{
+	return c->a.inv_inertia * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k];
+}
+
+// 1/kg, 1/(kg m^2): the speed of coordinate k by a unit impulse along it
+INLINE Real joint_yield(const JointPose* c, int k)
+{
+	if (k != JOINT_ANGLE)
+		return joint_yield_linear(c, k);
+	Real own = c->a.inv_inertia + c->b.inv_inertia;
+	if (!c->rails)
+		return own;
+	Real along = c->bend * joint_yield_linear(c, JOINT_ALONG) - 2.0f * joint_yield_turning(c, JOINT_ALONG);
+	return choose(own, own + c->bend * along, c->railed);
+}
+
+typedef struct // impulses on body b, their opposite on a: N s, N m s
+{
+	Vec push, push_a;
+	Real angular_a, angular_b;
+} JointImpulse;
+
+INLINE JointImpulse joint_impulse(const JointPose* c, Real along, Real across, Real angle)
+{
+	JointImpulse j;
+	if (c->rails)
+		along = choose(along, along - c->bend * angle, c->railed);
+	j.push = vec_add(vec_scale(along, c->axis[0]), vec_scale(across, c->axis[1]));
+	j.angular_a = along * c->lever_a[0] + across * c->lever_a[1] + angle;
+	j.angular_b = along * c->lever_b[0] + across * c->lever_b[1] + angle;
+	j.push_a = c->couples ? vec_choose(j.push, vec_scale(along, c->axis_a), c->coupled) : j.push;
+	return j;
+}
+
+// Applies impulses, and adds them to what the joint has given.
+INLINE void joint_give(Joint* u, JointPose* c, JointImpulse j)
+{
+	c->a.v = vec_sub(c->a.v, vec_scale(c->a.inv_mass, j.push_a));
+	c->a.w = c->a.w - c->a.inv_inertia * j.angular_a;
+	c->b.v = vec_add(c->b.v, vec_scale(c->b.inv_mass, j.push));
+	c->b.w = c->b.w + c->b.inv_inertia * j.angular_b;
+	u->given_x = u->given_x + j.push.x;
+	u->given_y = u->given_y + j.push.y;
+	u->given_a = u->given_a + j.angular_a;
+	u->given_b = u->given_b + j.angular_b;
+	if (c->couples)
+		c->given_a = vec_add(c->given_a, j.push_a);
+}
+
+// The same for the joints where wanted is set.
+INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
+{
+	Joint now = *u;
+	JointPose then = *c;
+	joint_give(&now, &then, j);
+	c->a.v = vec_choose(c->a.v, then.a.v, wanted);
+	c->a.w = choose(c->a.w, then.a.w, wanted);
+	c->b.v = vec_choose(c->b.v, then.b.v, wanted);
+	c->b.w = choose(c->b.w, then.b.w, wanted);
+	u->given_x = choose(u->given_x, now.given_x, wanted);
+	u->given_y = choose(u->given_y, now.given_y, wanted);
+	u->given_a = choose(u->given_a, now.given_a, wanted);
+	u->given_b = choose(u->given_b, now.given_b, wanted);
+	c->given_a = vec_choose(c->given_a, then.given_a, wanted);
+}
+
+// An impulse of either sign; none in place of NaN, and of one that is beyond all bounds.
+INLINE Real hold_of(Real x) { return choose(splat(0.0f), x, absolute(x) <= splat(MOST_IMPULSE)); }
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// execute.c -- works through lists of runs: each run is a launch, or many runs are one (persistent.c).
+#include "opencl/execute.h"
+#include "opencl/launch.h"
+#include "opencl/persistent.h"
+#include "opencl/primitives.h"
+#include "platform/error.h"
+
+static scree_status one_run(OpenCl* d, const Run* run)
+{
+	if (run->begin >= run->end)
+		return SCREE_OK;
+	return run->stage < STAGE_COUNT ? stage_run(d, run) : primitive_run(d, run);
+}
+
+scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count)
+{
+	OpenCl* d = b->state;
+	step_set(d, step);
+	// commands may change the mass of a body; after a new order of the leaves, new tiles are better
+	for (int i = 0; i < count; ++i)
+	{
+		d->tiles.stale |= runs[i].stage == STAGE_command || runs[i].stage == STAGE_tree_order;
+		d->tiles.pushed |= runs[i].stage == STAGE_field_body;
+	}
+	for (int i = 0; i < count;)
+	{
+		int length = persistent_length(d, runs + i, count - i);
+		TRY(length ? persistent_run(d, runs + i, length) : one_run(d, runs + i));
+		i += length ? length : 1;
+	}
+	return CALL(Flush, d->queue);
+}

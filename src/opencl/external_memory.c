@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// external_memory.c -- memory shared with other programs of the device: rows for drawing, queries and their answers.
+//
+// Drivers offer it by one of two extensions. cl_khr_gl_sharing takes a buffer object of OpenGL, in a context created
+// for it. cl_khr_external_memory takes memory that Vulkan exported as a file descriptor. With both, the memory must
+// be acquired before a kernel uses it and released afterwards. Rows are written to it by one kernel, show, whose argument it is
+// for one launch. Queries and answers are copied on the device, at its speed: their pools share a buffer with others.
+#include "opencl/external_memory.h"
+#include "opencl/launch.h"
+#include "opencl/queue.h"
+#include "platform/error.h"
+
+// of cl_khr_external_memory, revision 1.0, which headers of OpenCL 1.2 do not have
+#define MEMORY_OPAQUE_FD 0x2060
+
+typedef cl_ulong MemoryProperty;
+typedef cl_mem(CL_API_CALL* CreateFromFile)(cl_context, const MemoryProperty*, cl_mem_flags, size_t, void*, cl_int*);
+typedef cl_mem(CL_API_CALL* CreateFromOpenGl)(cl_context, cl_mem_flags, cl_uint, cl_int*);
+
+typedef struct // the functions of an extension
+{
+	const char *create, *acquire, *release;
+} Extension;
+
+static Extension extension_of(scree_sharing how)
+{
+	if (how == SCREE_SHARING_OPENGL)
+		return (Extension){"clCreateFromGLBuffer", "clEnqueueAcquireGLObjects", "clEnqueueReleaseGLObjects"};
+	return (Extension){"clCreateBufferWithProperties", "clEnqueueAcquireExternalMemObjectsKHR",
+	                   "clEnqueueReleaseExternalMemObjectsKHR"};
+}
+
+static cl_mem import(OpenCl* d, void* create, const SharedMemory* memory, cl_int* error)
+{
+	if (memory->how == SCREE_SHARING_OPENGL)
+		return ((CreateFromOpenGl)create)(d->context, CL_MEM_WRITE_ONLY, memory->buffer, error);
+	MemoryProperty properties[] = {MEMORY_OPAQUE_FD, (MemoryProperty)memory->file, 0};
+	return ((CreateFromFile)create)(d->context, properties, CL_MEM_READ_WRITE, memory->bytes, NULL, error);
+}
+
+scree_status opencl_share(Backend* b, SharedUse use, const SharedMemory* memory)
+{
+	OpenCl* d = b->state;
+	Shared made = {0};
+	if (memory)
+	{
+		Extension extension = extension_of(memory->how);
+		void* create = opencl_find(d->device.platform, extension.create);
+		made.acquire = (ShareFunction)opencl_find(d->device.platform, extension.acquire);
+		made.release = (ShareFunction)opencl_find(d->device.platform, extension.release);
+		if (!create || !made.acquire || !made.release)
+			return fail(SCREE_ERROR_NOT_SUPPORTED, "%s has no %s.", b->name,
+			            !create         ? extension.create
+			            : !made.acquire ? extension.acquire
+			                            : extension.release);
+		cl_int error = CL_SUCCESS;
+		made.memory = import(d, create, memory, &error);
+		if (error)
+			return fail(SCREE_ERROR_NOT_SUPPORTED, "%s cannot import the shared memory: %s says %s (%d).", b->name,
+			            extension.create, opencl_error_name(error), (int)error);
+	}
+	scree_status status = finish(d);
+	cl_mem left = status == SCREE_OK ? d->shared[use].memory : made.memory;
+	if (left)
+		opencl.ReleaseMemObject(left);
+	if (status == SCREE_OK)
+		d->shared[use] = made;
+	return status;
+}
+
+static scree_status acquire(OpenCl* d, const Shared* shared)
+{
+	return opencl_check("acquire of shared memory", shared->acquire(d->queue, 1, &shared->memory, 0, NULL, NULL));
+}
+
+static scree_status release(OpenCl* d, const Shared* shared)
+{
+	return opencl_check("release of shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL));
+}
+
+scree_status opencl_show(Backend* b, const Run* run)
+{
+	OpenCl* d = b->state;
+	const Shared* shared = &d->shared[SHARED_ROWS];
+	const Kernel* kernel = &d->stages[run->stage];
+	TRY(acquire(d, shared));
+	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[PER_RENDER_ROW], sizeof(cl_mem), &shared->memory));
+	TRY(stage_run(d, run));
+	TRY(kernel_bind(d, PER_RENDER_ROW, kernel));
+	TRY(release(d, shared));
+	return finish(d);
+}
+
+scree_status opencl_take(Backend* b, PoolId pool, int count, size_t offset)
+{
+	OpenCl* d = b->state;
+	const Shared* shared = &d->shared[SHARED_QUERIES];
+	TRY(acquire(d, shared));
+	TRY(CALL(EnqueueCopyBuffer, d->queue, shared->memory, pool_buffer(d, pool), offset, pool_offset(d, pool),
+	         pool_info[pool].bytes * (size_t)count, 0, NULL, NULL));
+	return release(d, shared);
+}
+
+scree_status opencl_give(Backend* b, PoolId pool, int count, size_t offset)
+{
+	OpenCl* d = b->state;
+	const Shared* shared = &d->shared[SHARED_QUERIES];
+	TRY(acquire(d, shared));
+	TRY(CALL(EnqueueCopyBuffer, d->queue, pool_buffer(d, pool), shared->memory, pool_offset(d, pool), offset,
+	         pool_info[pool].bytes * (size_t)count, 0, NULL, NULL));
+	TRY(release(d, shared));
+	return finish(d);
+}
+
+void shared_close(OpenCl* d)
+{
+	for (int use = 0; use < SHARED_USES; ++use)
+		if (d->shared[use].memory)
+			opencl.ReleaseMemObject(d->shared[use].memory);
+}
+
+scree_status share_open_context(OpenCl* d, const scree_opengl* opengl)
+{
+	// a context shared with OpenGL if the user wants one and it works, else a plain one
+	cl_int error;
+	cl_context_properties plain[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
+	if (opengl && d->device.shares_opengl)
+	{
+		// cl_khr_gl_sharing: CL_GL_CONTEXT_KHR, then CL_EGL_, CL_GLX_ or CL_WGL_DISPLAY_KHR (CL_WGL_HDC_KHR)
+		static const cl_context_properties displays[] = {
+		    [SCREE_WINDOW_EGL] = 0x2009, [SCREE_WINDOW_GLX] = 0x200a, [SCREE_WINDOW_WGL] = 0x200b};
+		cl_context_properties shared[] = {0x2008,
+		                                  (cl_context_properties)opengl->context,
+		                                  displays[opengl->system],
+		                                  (cl_context_properties)opengl->display,
+		                                  plain[0],
+		                                  plain[1],
+		                                  0};
+		d->context = opencl.CreateContext(shared, 1, &d->device.id, NULL, NULL, &error);
+		if (!error)
+		{
+			d->backend->sharing = SCREE_SHARING_OPENGL;
+			return SCREE_OK;
+		}
+	}
+	d->context = opencl.CreateContext(plain, 1, &d->device.id, NULL, NULL, &error);
+	return opencl_check("clCreateContext", error);
+}

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+// opencl_backend.c -- the OpenCL backend: one buffer per kind of item, one kernel per stage, one in-order queue.
+#include "opencl/batch_transfer.h"
+#include "opencl/buffer.h"
+#include "opencl/compile.h"
+#include "opencl/context.h"
+#include "opencl/copy_bandwidth.h"
+#include "opencl/execute.h"
+#include "opencl/external_memory.h"
+#include "opencl/forms/form.h"
+#include "opencl/forms/relay.h"
+#include "opencl/forms/tiles.h"
+#include "opencl/launch.h"
+#include "opencl/persistent.h"
+#include "opencl/primitives.h"
+#include "opencl/queue.h"
+#include "opencl/readback.h"
+#include "opencl/transfer.h"
+#include "platform/error.h"
+#include <limits.h>
+#include <stdio.h>
+
+// Room of a pool is a multiple of so many items, so that every pool begins at a multiple of 256 bytes.
+#define ROOM_ITEMS 64
+
+static void opencl_close(Backend* b)
+{
+	OpenCl* d = b->state;
+	if (d)
+	{
+		if (d->queue)
+			finish(d); // errors are ignored here
+		tiles_close(d);
+		relay_close(d);
+		persistent_close(d);
+		primitives_close(d);
+		for (int i = 0; i < STAGE_COUNT; ++i)
+			if (d->stages[i].kernel)
+				opencl.ReleaseKernel(d->stages[i].kernel);
+		for (int i = 0; i < PLAIN_KERNELS; ++i)
+			if (d->plain[i].kernel)
+				opencl.ReleaseKernel(d->plain[i].kernel);
+		if (d->solve_end.kernel)
+			opencl.ReleaseKernel(d->solve_end.kernel);
+		read_close(d);
+		exchange_close(d);
+		carry_close(d);
+		pinned_close(d, &d->staging.pinned);
+		shared_close(d);
+		opencl_copy_release(b);
+		for (int i = 0; i < PER_COUNT; ++i)
+			if (d->buffers[i])
+				opencl.ReleaseMemObject(d->buffers[i]);
+		if (d->queue)
+			opencl.ReleaseCommandQueue(d->queue);
+		context_close(d);
+		scree_release(d->timing.laps);
+		scree_release(d);
+	}
+	scree_release(b);
+}
+
+// bytes of an item of a kind in all its pools
+static size_t item_bytes(Per per)
+{
+	size_t bytes = 0;
+	for (int i = 0; i < POOL_COUNT; ++i)
+		bytes += pool_info[i].per == per ? pool_info[i].bytes : 0;
+	return bytes;
+}
+
+typedef struct // of a buffer: where each of its kinds begins, and how many items it has room for
+{
+	size_t begin[PER_COUNT], bytes;
+	int room[PER_COUNT];
+} Plan;
+
+// Copies the items of a pool to the same pool of another buffer.
+static scree_status pool_copy(OpenCl* d, PoolId pool, const Plan* plan, cl_mem copied)
+{
+	Per per = pool_info[pool].per;
+	int items = plan->room[per] < d->room[per] ? plan->room[per] : d->room[per];
+	return CALL(EnqueueCopyBuffer, d->queue, pool_buffer(d, pool), copied, pool_offset(d, pool),
+	            plan->begin[per] + d->before[pool] * (size_t)plan->room[per], pool_info[pool].bytes * (size_t)items, 0,
+	            NULL, NULL);
+}
+
+// Replaces a buffer by one with other rooms. Copies the items; new ones are zero.
+static scree_status buffer_copy(OpenCl* d, Per home, const Plan* plan)
+{
+	cl_mem copied;
+	scree_status status = buffer_create(d, plan->bytes, &copied);
+	for (int i = 0; i < POOL_COUNT && status == SCREE_OK; ++i)
+		if (d->home[pool_info[i].per] == home && d->buffers[home] && d->room[pool_info[i].per] > 0)
+			status = pool_copy(d, (PoolId)i, plan, copied);
+	if (status == SCREE_OK)
+		status = finish(d); // drivers that allocate on first use fail here
+	cl_mem dropped = copied;
+	if (status == SCREE_OK)
+	{
+		dropped = d->buffers[home];
+		d->buffers[home] = copied;
+		memcpy(d->begin, plan->begin, sizeof d->begin);
+		memcpy(d->room, plan->room, sizeof d->room);
+	}
+	if (dropped)
+		opencl.ReleaseMemObject(dropped);
+	return status;
+}
+
+// Gives a kind room for capacity items, rounded up.
+static scree_status make_room(Backend* b, Per per, int capacity)
+{
+	OpenCl* d = b->state;
+	// both buffers exist during the copy
+	size_t bytes = item_bytes(per);
+	uint64_t wanted = (uint64_t)bytes * (uint64_t)capacity, old = (uint64_t)bytes * (uint64_t)d->room[per];
+	if (capacity > INT_MAX - ROOM_ITEMS || b->bytes + wanted > d->device.about.memory)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY,
+		            "%s has %llu MB; pools of %llu MB and their growth by %llu MB do not fit.", b->name,
+		            (unsigned long long)(d->device.about.memory >> 20), (unsigned long long)(b->bytes >> 20),
+		            (unsigned long long)(wanted >> 20));
+	Plan plan = {.bytes = 0};
+	memcpy(plan.begin, d->begin, sizeof plan.begin);
+	memcpy(plan.room, d->room, sizeof plan.room);
+	plan.room[per] = (capacity + ROOM_ITEMS - 1) / ROOM_ITEMS * ROOM_ITEMS;
+	Per home = d->home[per];
+	plan.bytes = item_bytes(home) * (size_t)plan.room[home];
+	for (int i = 0; i < PER_COUNT; ++i)
+	{
+		if (d->home[i] != home || i == (int)home)
+			continue;
+		plan.begin[i] = plan.bytes;
+		plan.bytes += item_bytes((Per)i) * (size_t)plan.room[i];
+	}
+	TRY(buffer_copy(d, home, &plan));
+	b->bytes += (uint64_t)bytes * (uint64_t)d->room[per] - old;
+	return SCREE_OK;
+}
+
+// Sets the buffer of a kind, after it has been replaced, in all kernels.
+static scree_status kernels_bind(OpenCl* d, Per per)
+{
+	for (int k = 0; k < STAGE_COUNT; ++k)
+		TRY(kernel_bind(d, per, &d->stages[k]));
+	for (int k = 0; k < PLAIN_KERNELS; ++k)
+		TRY(kernel_bind(d, per, &d->plain[k]));
+	if (d->resident)
+	{
+		if (d->persistent.kernel.kernel)
+			TRY(kernel_bind(d, per, &d->persistent.kernel));
+		TRY(relay_bind(d, per));
+		TRY(kernel_bind(d, per, &d->solve_end));
+		TRY(tiles_bind(d, per));
+	}
+	return primitives_bind(d);
+}
+
+// Releases all scratch buffers of the solve. The next solve reserves them again.
+static scree_status solve_drop(OpenCl* d)
+{
+	Scratch* scratch[TILE_BUFFERS + 3] = {&d->relay.mailboxes, &d->relay.stream, &d->relay.parts};
+	for (int k = 0; k < TILE_BUFFERS; ++k)
+		scratch[k + 3] = &d->tiles.buffers[k];
+	d->tiles.stale = true;
+	return scratch_drop(d, scratch, TILE_BUFFERS + 3);
+}
+
+static scree_status opencl_resize(Backend* b, Per per, int capacity)
+{
+	OpenCl* d = b->state;
+	if (capacity > d->room[per] || capacity < b->capacity[per])
+	{
+		TRY(make_room(b, per, capacity));
+		TRY(kernels_bind(d, per));
+	}
+	// the scratch buffers of the solve shrink with the constraints
+	if (per == PER_EDGE && capacity < b->capacity[per])
+		TRY(solve_drop(d));
+	b->capacity[per] = capacity;
+	return SCREE_OK;
+}
+
+// Which buffer holds which kinds; the offset of each pool among those of its kind; the arguments.
+static void lay_out(OpenCl* d)
+{
+	size_t before[PER_COUNT] = {0};
+	int kinds = 0, buffers = 0, sharing = 0;
+	for (int i = 0; i < PER_COUNT; ++i)
+		d->home[i] = (Per)i;
+#define SHARES(kind, with) d->home[PER_##kind] = PER_##with;
+#include "pools/buffers.def"
+#undef SHARES
+	for (int i = 0; i < POOL_COUNT; ++i)
+	{
+		Per per = pool_info[i].per;
+		if (before[per] == 0)
+		{
+			d->place[per] = kinds++;
+			d->argument[per] = d->home[per] == per ? buffers++ : sharing++;
+		}
+		d->before[i] = before[per];
+		before[per] += pool_info[i].bytes;
+	}
+	ASSERT(kinds == PER_COUNT && buffers == BUFFERS);
+}
+
+static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, const void* items)
+{
+	OpenCl* d = b->state;
+	size_t bytes = pool_info[pool].bytes;
+	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
+	if (count == 0)
+		return SCREE_OK;
+	// a world may come from another device
+	Per per = pool_info[pool].per;
+	d->tiles.stale |= per == PER_CONTACT || per == PER_CONTACT_PLACE || per == PER_BODY;
+	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
+	return carry_wanted(d, all) ? carry_up(d, pool_buffer(d, pool), offset, items, all)
+	                            : upload(d, pool_buffer(d, pool), offset, items, all);
+}
+
+static scree_status opencl_wait(Backend* b) { return finish(b->state); }
+
+// Work-items per work-group of a stage. A CPU does a branch with one: PoCL would compile the barriers of several for two minutes.
+static size_t stage_group(const OpenCl* d, int stage)
+{
+	if (stage_widths[stage] == WIDTH_TEAM && d->device.type & CL_DEVICE_TYPE_CPU)
+		return 1;
+	if (stage == STAGE_guard)
+		return GUARD_GROUP;
+	return stage_widths[stage] >= WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP;
+}
+
+static scree_status open_device(Backend* b, const BackendOptions* options)
+{
+	OpenCl* d = b->state = scree_allocate(sizeof *d);
+	if (!d)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
+	d->backend = b;
+	d->constants.version = 1; // constants.step is zero; kernels begin with version 0, so that they take it
+	TRY(device_choose(options, &d->device));
+	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
+	b->memory = d->device.about.memory;
+	b->walkers = d->device.about.units * STAGE_GROUP;
+	b->walk_nodes = WALK_NODES;
+	b->chain_lanes = 1;
+	b->groups = d->device.about.units;
+
+	form_open(d);
+	d->resident = persistent_wanted(d);
+	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
+	char program_options[PROGRAM_OPTIONS];
+	// PoCL compiles a kernel at its first launch: one that is never launched costs nothing, so all worlds share the same program
+	bool resident = d->resident || d->device.compiles_at_launch;
+	snprintf(program_options, sizeof program_options, "%s%s%s", resident ? " -DRESIDENT" : "",
+	         d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "");
+	TRY(context_open(d, program_options, options->opengl));
+	cl_int error;
+	d->queue =
+	    opencl.CreateCommandQueue(d->context, d->device.id, options->timings ? CL_QUEUE_PROFILING_ENABLE : 0, &error);
+	TRY(opencl_check("clCreateCommandQueue", error));
+	TRY(read_open(d));
+	TRY(pinned_open(d, STAGING_BYTES, &d->staging.pinned));
+	if (options->timings)
+		TRY(timing_open(d));
+	for (int i = 0; i < STAGE_COUNT; ++i)
+		TRY(kernel_create(d, stage_names[i], stage_group(d, i), &d->stages[i]));
+	TRY(kernel_create(d, "narrow_phase_plain", STAGE_GROUP, &d->plain[PLAIN_NARROW_PHASE]));
+	TRY(kernel_create(d, "guard_plain", GUARD_GROUP, &d->plain[PLAIN_GUARD]));
+	if (d->resident)
+	{
+		if (!cpu)
+			TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
+		TRY(relay_create(d));
+		TRY(kernel_create(d, "solve_end", STAGE_GROUP, &d->solve_end));
+		TRY(tiles_open(d));
+	}
+	TRY(primitives_open(d));
+
+	// pools without items have room too: a kernel argument needs a buffer
+	lay_out(d);
+	for (int i = 0; i < PER_COUNT; ++i)
+		TRY(make_room(b, (Per)i, 1));
+	for (int i = 0; i < PER_COUNT; ++i)
+		TRY(kernels_bind(d, (Per)i));
+	if (d->resident)
+	{
+		if (!cpu)
+			TRY(persistent_open(d));
+		TRY(relay_open(d));
+	}
+	return finish(d);
+}
+
+scree_status opencl_open(const BackendOptions* options, Backend** backend)
+{
+	static const BackendFunctions functions = {
+	    .close = opencl_close,
+	    .resize = opencl_resize,
+	    .run = opencl_run,
+	    .solve = opencl_solve,
+	    .write = opencl_write,
+	    .read = opencl_read,
+	    .read_begin = opencl_read_begin,
+	    .read_end = opencl_read_end,
+	    .exchange = opencl_exchange,
+	    .wait = opencl_wait,
+	    .timings = opencl_timings,
+	    .share = opencl_share,
+	    .show = opencl_show,
+	    .take = opencl_take,
+	    .give = opencl_give,
+	    .copy_reserve = opencl_copy_reserve,
+	    .copy_release = opencl_copy_release,
+	    .copy = opencl_copy,
+	};
+	*backend = NULL;
+	Backend* b = scree_allocate(sizeof *b);
+	if (!b)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
+	b->f = &functions;
+	b->distant = true;
+	scree_status status = open_device(b, options);
+	if (status != SCREE_OK)
+		opencl_close(b);
+	else
+		*backend = b;
+	return status;
+}

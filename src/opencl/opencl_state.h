@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// opencl_state.h -- the state of the OpenCL backend and the types it consists of.
+#ifndef OPENCL_STATE_H
+#define OPENCL_STATE_H
+#include "constraints/schedule.h"
+#include "opencl/device.h"
+#include "opencl/group_sizes.h"
+#include "platform/threads.h"
+
+typedef struct
+{
+	cl_kernel kernel;
+	size_t group;     // work-items of a work-group
+	uint64_t version; // Constants.version of the step in its arguments
+	int groups;       // of a relay: work-groups resident at once; 0 if the device uses other forms only
+} Kernel;
+
+typedef struct // a buffer that is not a pool; it loses its contents when it grows
+{
+	cl_mem buffer;
+	size_t bytes;
+} Scratch;
+
+typedef struct // host memory that the device reads and writes while the host works
+{
+	cl_mem buffer;
+	unsigned char* memory;
+} Pinned;
+
+typedef struct // uploads on their way; the device may read them until the host has waited for the queue
+{
+	Pinned pinned;
+	size_t used; // bytes
+} Staging;
+
+#define CARRY_BLOCKS 4
+typedef struct // large arrays on their way: transfer.c
+{
+	Pinned pinned;
+	Threads* threads;              // null until the first one
+	cl_event events[CARRY_BLOCKS]; // of the blocks that the device may still use
+	cl_command_queue up, down;     // of exchanges, null until the first one
+} Carry;
+
+typedef struct // of one launch whose time has not been read
+{
+	cl_event event;
+	Box box;
+} Lap;
+
+typedef struct
+{
+	Lap* laps; // null unless BackendOptions.timings
+	int lap_count;
+	double milliseconds[BOX_COUNT];
+	Box box; // of the current run; the time of a primitive counts to the box of the run before it
+} Timing;
+
+typedef struct // what opencl_read_begin reads
+{
+	Pinned pinned;
+	PoolId pool;
+	size_t bytes;
+	size_t staged;  // Staging.used when the read was enqueued
+	cl_event event; // null unless a read is in flight
+} AsyncRead;
+
+typedef struct // source and destination of opencl_copy, or null
+{
+	cl_mem buffers[2];
+	size_t bytes;
+} CopyBlocks;
+
+typedef struct // of the step that opencl_run or opencl_solve got last
+{
+	Step step;
+	uint64_t version; // number of changes so far
+} Constants;
+
+typedef struct
+{
+	cl_kernel sort_count, sort_place, sort_return, scan_sum, scan_place;
+	cl_mem table; // SORT_DIGITS counts per work-group of the sort
+} Primitives;
+
+typedef struct
+{
+	Kernel kernel;
+	cl_mem list, probes;
+	Run* listed; // copy of the runs in list
+	int listed_count;
+	int groups;    // resident at once; 0 if the device uses launches only
+	bool any_size; // SCREE_PERSISTENT=1: also for runs for which launches are faster
+	Counters last; // as last read; they predict the item counts of runs
+} Persistent;
+
+enum // kernels of the relay (registers.cl has the worlds that each is for), then the same for worlds with hubs
+{
+	RELAY_COLORS,
+	RELAY_PLAIN,
+	RELAY_HINGES,
+	RELAY_JOINTS,
+	RELAY_HUBS,
+	RELAY_HUBS_HINGES,
+	RELAY_HUBS_JOINTS,
+	RELAY_KERNELS
+};
+
+typedef struct
+{
+	Kernel kernels[RELAY_KERNELS];
+	int groups;        // resident at once; 0 if the device cannot run the relay
+	Scratch mailboxes; // MAILBOX_WORDS words per body; also for the border of the tiles
+	Scratch stream;    // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
+	Scratch parts;     // two words per spoke and per hub
+} RelayState;
+
+enum // kernels of kernels.cl for worlds without what the stage has else
+{
+	PLAIN_NARROW_PHASE,
+	PLAIN_GUARD,
+	PLAIN_KERNELS
+};
+
+enum // kernels of tiles.cl that take all pools, in launch order
+{
+	TILE_SETTLE,
+	TILE_LIST,
+	TILE_COUNT,
+	TILE_ORDER,
+	TILE_PREPARE,
+	TILE_PREPARE_PLAIN, // for plain worlds instead of TILE_PREPARE
+	TILE_PASS,          // one per kind of pass, in the order of the kinds
+	TILE_BORDER = TILE_PASS + PASS_KINDS,
+	TILE_PREPARE_JOINTS, // for worlds with joints: these instead
+	TILE_PASS_JOINTS,
+	TILE_BORDER_JOINTS = TILE_PASS_JOINTS + PASS_KINDS,
+	TILE_KERNELS
+};
+
+enum
+{
+	TILE_PLACE_BUFFER,    // an int per body
+	TILE_EDGE_BUFFER,     // an int per body
+	TILE_RESIDENT_BUFFER, // an int per place of a tile
+	TILE_TABLE_BUFFER,    // TILE_COLUMNS ints per tile, and two more rows
+	TILE_TOTAL_BUFFER,    // an int per row of the table
+	TILE_RANK_BUFFER,     // an int per constraint
+	TILE_ORDER_BUFFER,    // an int per constraint, and the padding of the border's colors
+	TILE_BUFFERS
+};
+
+typedef struct
+{
+	Kernel kernels[TILE_KERNELS];
+	cl_kernel total, begin, range;
+	Scratch buffers[TILE_BUFFERS];
+	bool stale;                 // constraints or motion constants may have changed since the tiles were built
+	bool pushed, pushed_before; // fields have changed forces since the last solve; so they had before the last build
+	int rows;                   // tiles at the last build
+
+	// number of border constraints at the last build; the host reads it asynchronously
+	cl_event edges_event; // null unless the read is in flight
+	cl_int edges[2];      // begin and end of the border; valid when the event is complete
+	int border;           // -1 before the first build
+	int age;              // solves since the last build
+} TileState;
+
+typedef enum // of a solve
+{
+	FORM_ANY,
+	FORM_RELAY,
+	FORM_TILES,
+	FORM_LAUNCHES // by color
+} SolveForm;
+
+// type of clEnqueueAcquire... and clEnqueueRelease..., which pass memory between OpenCL and others
+typedef cl_int(CL_API_CALL* ShareFunction)(cl_command_queue, cl_uint, const cl_mem*, cl_uint, const cl_event*,
+                                           cl_event*);
+
+typedef struct // memory that others read and write
+{
+	cl_mem memory; // or null
+	ShareFunction acquire, release;
+} Shared;
+
+typedef struct
+{
+	Backend* backend; // its state is this
+	Device device;
+	cl_context context;
+	cl_program program;
+	int shared_context;     // 1 + its place in the list of context.c, 0 for a context of its own
+	cl_command_queue queue; // in order
+
+	// A buffer holds the pools of some kinds of items, those of one kind with the same room (pools/buffers.def). Kernels
+	// take buffers and rooms in the order in which pools.def names the kinds (cmake/embed.cmake).
+	cl_mem buffers[PER_COUNT]; // of the kinds that have one
+	Per home[PER_COUNT];       // the kind whose buffer the pools of a kind lie in
+	size_t begin[PER_COUNT];   // where they begin there, bytes
+	int place[PER_COUNT];      // position of a kind in pools.def
+	int room[PER_COUNT];       // items, rounded up
+	int argument[PER_COUNT];   // argument index of each buffer; of a kind without one its position among these
+	size_t before[POOL_COUNT]; // bytes per item of the pools of the same kind before this one
+
+	Kernel stages[STAGE_COUNT], plain[PLAIN_KERNELS];
+	Constants constants;
+	Primitives primitives;
+	bool resident; // the program has the kernels whose work-groups must be resident at once
+	Persistent persistent;
+
+	// the solve
+	SolveForm form; // SCREE_SOLVER forces it; FORM_LAUNCHES after a form ran out of memory
+	RelayState relay;
+	TileState tiles;
+	Kernel solve_end;
+
+	// transfers
+	Staging staging;
+	Carry carry;
+	AsyncRead read;
+	CopyBlocks copy;
+	Shared shared[SHARED_USES];
+	Timing timing;
+} OpenCl;
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// readback.c -- reads pools: at once, or into pinned memory while the device continues, with an event to wait for.
+#include "opencl/readback.h"
+#include "opencl/buffer.h"
+#include "opencl/launch.h"
+#include "opencl/transfer.h"
+#include "platform/error.h"
+#include <string.h>
+
+scree_status read_open(OpenCl* d) { return pinned_open(d, READ_ASYNC_BYTES, &d->read.pinned); }
+
+void read_close(OpenCl* d)
+{
+	if (d->read.event)
+		opencl.ReleaseEvent(d->read.event);
+	pinned_close(d, &d->read.pinned);
+}
+
+// Stores the counters that have been read. Fails if a kernel gave up waiting.
+static scree_status counters_note(Backend* b, const Counters* counters)
+{
+	OpenCl* d = b->state;
+	d->persistent.last = *counters;
+	// if the constraint layout changed, a solve that was enqueued ahead did not build tiles
+	d->tiles.stale |= counters->changed || !counters->kept;
+	if (!counters->fault)
+		return SCREE_OK;
+	return fail(SCREE_ERROR_DEVICE_FAILED,
+	            "The work-groups of %s timed out waiting for each other (SCREE_PERSISTENT=0 avoids it).", b->name);
+}
+
+scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count)
+{
+	OpenCl* d = b->state;
+	size_t bytes = pool_info[pool].bytes;
+	d->read.pool = pool;
+	d->read.bytes = bytes * (size_t)count;
+	d->read.staged = d->staging.used;
+	ASSERT(d->read.bytes <= READ_ASYNC_BYTES && !d->read.event);
+	TRY(CALL(EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_FALSE, pool_offset(d, pool) + bytes * (size_t)first,
+	         d->read.bytes, d->read.pinned.memory, 0, NULL, &d->read.event));
+	return CALL(Flush, d->queue);
+}
+
+scree_status opencl_read_end(Backend* b, void* items)
+{
+	OpenCl* d = b->state;
+	TRY(CALL(WaitForEvents, 1, &d->read.event));
+	opencl.ReleaseEvent(d->read.event);
+	d->read.event = NULL;
+	// uploads before the read are done
+	if (d->staging.used == d->read.staged)
+		d->staging.used = 0;
+	memcpy(items, d->read.pinned.memory, d->read.bytes);
+	return d->read.pool == POOL_counters ? counters_note(b, items) : SCREE_OK;
+}
+
+scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* items)
+{
+	OpenCl* d = b->state;
+	size_t bytes = pool_info[pool].bytes;
+	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
+	if (count == 0)
+		return SCREE_OK;
+	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
+	// a copy to memory that is not pinned would pass through the driver's own, and take longer
+	if (all <= READ_ASYNC_BYTES && !d->read.event)
+	{
+		TRY(opencl_read_begin(b, pool, first, count));
+		return opencl_read_end(b, items);
+	}
+	if (carry_wanted(d, all))
+		TRY(carry_down(d, pool_buffer(d, pool), offset, items, all));
+	else
+		TRY(CALL(EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_TRUE, offset, all, items, 0, NULL, NULL));
+	d->staging.used = 0;
+	return pool == POOL_counters ? counters_note(b, items) : SCREE_OK;
+}

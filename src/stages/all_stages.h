@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// all_stages.h -- all stages, in order; read by lanes1.c, scalar_avx2.c and the OpenCL program.
+// clang-format off
+#include "dialect/dialect.h"
+#include "pools/pools.h"
+#include "dialect/vec.h"
+#include "dialect/finite.h"
+#include "constraints/constraint_kinds.h"
+#include "stages/color/edge.h"
+#include "stages/color/touch.h"
+SMALL_BEGIN
+#include "stages/edit/command.h"
+SMALL_END
+#include "stages/broad_phase/transform.h"
+#include "stages/tree/tree.h"
+#include "stages/broad_phase/broad_phase.h"
+#include "stages/color/joint_edges.h"
+#include "stages/rules/rule.h"
+#include "stages/broad_phase/contact_slots.h"
+#include "stages/narrow_phase/narrow_phase.h"
+SMALL_BEGIN
+#include "stages/solve/hub/hub_one.h"
+#include "stages/solve/press.h"
+SMALL_END
+#include "stages/color/color.h"
+SMALL_BEGIN
+#include "stages/field/field_forces.h"
+#include "stages/solve/prepare_one.h"
+SMALL_END
+#include "stages/solve/prepare.h"
+#include "stages/solve/integrate.h"
+#include "stages/solve/solve_pass.h"
+SMALL_BEGIN
+#include "stages/solve/taut.h"
+#include "stages/solve/overflow.h"
+#include "stages/solve/chain/chain.h"
+#include "stages/solve/chain/branch.h"
+SMALL_END
+#include "stages/solve/hub/hub.h"
+#include "stages/finalize/continuous.h"
+#include "stages/finalize/finalize.h"
+SMALL_BEGIN
+#include "stages/finalize/contact_approval.h"
+#include "stages/read/contact_report.h"
+#include "stages/read/event.h"
+#include "stages/read/query.h"
+#include "stages/read/sensor.h"
+#include "stages/read/moved_bodies.h"
+#include "stages/read/joint_report.h"
+#include "stages/read/hash.h"
+SMALL_END

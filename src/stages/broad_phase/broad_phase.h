@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// broad_phase.h -- moved boxes against the trees: the set of new pairs.
+//
+// A contact exists exactly as long as the enlarged boxes of its collidables overlap. So a pair is new if its boxes
+// overlap now and did not overlap before this step's transform; no table of known pairs is needed. If both collidables
+// moved, the walk of the lower index finds the pair.
+//
+// Walks visit leaves in rising order, so a walk can stop at any leaf and continue elsewhere.
+#ifndef BROAD_PHASE_H
+#define BROAD_PHASE_H
+#include "stages/rules/apart.h"
+#include "stages/tree/tree.h"
+#include "stages/tree/tree_packet.h"
+
+// The leaves among eight, from first on, that did not overlap collidable i before. Most did. Where nothing else hides
+// the latency of memory, the eight are loaded at once.
+INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
+{
+	int leaf[ARITY];
+	Float4 old[ARITY];
+	if (FETCHES)
+		return leaves;
+	for (int k = 0; k < ARITY; ++k)
+		leaf[k] = leaves >> k & (Word64)1 ? p->leaf[first + k] : i;
+	for (int k = 0; k < ARITY; ++k)
+		old[k] = p->old_box[leaf[k]];
+	for (int k = 0; k < ARITY; ++k)
+		if (box_overlap(p->old_box[i], old[k]))
+			leaves &= ~((Word64)1 << k);
+	return leaves;
+}
+
+// Adds pair i, j if it is new. Returns whether the walk may continue: not if there are more pairs than a world may have.
+INLINE int broad_phase_leaf(const Pools* p, int i, int j)
+{
+	// most neighbors are known pairs
+	if (box_overlap(p->old_box[i], p->old_box[j]) || i == j || ((p->moved[j] & MOVED_BOX) && j < i))
+		return 1;
+	if (apart_by(p, i, j, APART_PAIR))
+		return 1;
+	int place = atomic_add_int(&p->counters->pairs, 1);
+	int a = i < j ? i : j, b = i < j ? j : i;
+	if (place < p->step.pair_capacity)
+		p->key[place] = apart_key(p, make_int2(a, b));
+	return place < p->step.contact_limit;
+}
+
+// Visits the leaves of tree t that overlap the box of collidable i: from leaf from up to, not including, end, or all for
+// end 0. Returns the leaf at which the walk has to continue after so many nodes over leaves, or 0 if it is complete.
+INLINE int broad_phase_walk(const Pools* p, int i, int t, int from, int end, int nodes)
+{
+	const GLOBAL Tree* tree = p->tree + t;
+	// once there are too many pairs, the others need not be found
+	if (tree->leaves == 0 || read_shared(&p->counters->pairs) > p->step.contact_limit)
+		return 0;
+	Float4 box = p->box[i];
+	TreeWalk walk = tree_walk(p, tree, box, from, end, nodes);
+	walk.movers = p->step.kinematic > 0 && p->collidable_kind[i] == KIND_KINEMATIC;
+	for (;;)
+	{
+		int first = tree_next(p, tree, box, &walk);
+		if (first < 0)
+			return first == TREE_LEFT ? walk.first : 0;
+		first += tree->leaf_begin;
+		Word64 leaves = broad_phase_fresh(p, i, first, walk.leaves);
+		for (; leaves != 0; leaves &= leaves - (Word64)1)
+			if (!broad_phase_leaf(p, i, p->leaf[first + lowest_bit(leaves)]))
+				return 0;
+	}
+}
+
+// The search again, after a buffer grew.
+STAGE(broad_phase_begin)
+{
+	p->counters->pairs = 0;
+	p->counters->walks = 0;
+	p->counters->rest = 0;
+	p->counters->created = 0;
+	p->counters->stalled = 0;
+	(void)i;
+}
+
+// static collidables have no pairs in the tree of static collidables, and sensors have none at all
+INLINE int broad_phase_trees(int kind)
+{
+	return kind & KIND_SENSOR ? 0 : kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1;
+}
+
+// A box that overlaps thousands of leaves would keep one work-item busy after all others are done. What such a walk
+// leaves undone is listed.
+INLINE void broad_phase_alone(const Pools* p, int k, int t)
+{
+	int next = broad_phase_walk(p, k, t, 0, 0, p->step.walk_nodes);
+	if (next == 0)
+		return;
+	p->walk[atomic_add_int(&p->counters->walks, 1)] = make_int2(2 * k + t, next);
+	raise_int(&p->counters->rest, 0x7fffffff);
+}
+
+// The leaves of tree t that overlap the boxes of these walks, without the walks that go alone. kinematic, alone: a bit for each walk. Returns
+// whether the search may continue.
+INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* walkers, const Float4* boxes,
+                              Word kinematic, Word alone, const WaveFront* front)
+{
+	int walk[WAVE_LEAVES], leaf[WAVE_LEAVES], count = 0, far = tree->leaves >= FETCH_COLLIDABLES;
+	for (int k = 0; k < front->count; ++k)
+	{
+		int w = wave_walk(front->node[k]), first = wave_first(front->node[k]);
+		Word hits = alone >> w & 1 ? 0 : overlaps8(p->node_box + tree->begin[0] + first, boxes[w]);
+		if (kinematic >> w & 1)
+			hits &= tree_movers_of(p, tree, 0, first);
+		for (; hits != 0; hits &= hits - 1)
+		{
+			walk[count] = walkers[w];
+			leaf[count] = p->leaf[tree->leaf_begin + first + lowest_bit(hits)];
+			if (far)
+			{
+				fetch_soon(p->old_box + leaf[count]);
+				fetch_soon(p->moved + leaf[count]);
+			}
+			++count;
+		}
+		if (count <= WAVE_LEAVES - ARITY && k + 1 < front->count)
+			continue;
+		for (int n = 0; n < count; ++n)
+			if (!broad_phase_leaf(p, walk[n], leaf[n]))
+				return 0;
+		count = 0;
+	}
+	return 1;
+}
+
+// Walks i and up, together, through tree t.
+INLINE void broad_phase_wave(const Pools* p, int i, int t)
+{
+	const GLOBAL Tree* tree = p->tree + t;
+	if (tree->leaves == 0 || read_shared(&p->counters->pairs) > p->step.contact_limit)
+		return;
+	int walkers[WAVE_WALKS], end = i + WAVE_WALKS < p->counters->moved ? i + WAVE_WALKS : p->counters->moved;
+	Float4 boxes[WAVE_WALKS];
+	WaveFront fronts[2];
+	Word kinematic = 0, alone = 0;
+	fronts[0].count = 0;
+	for (int k = i; k < end; ++k)
+	{
+		int walker = p->moved_list[k], n = fronts[0].count;
+		if (t >= broad_phase_trees(p->collidable_kind[walker]))
+			continue;
+		walkers[n] = walker;
+		boxes[n] = p->box[walker];
+		kinematic |= (Word)(p->collidable_kind[walker] == KIND_KINEMATIC) << n;
+		fetch_soon(p->old_box + walker);
+		fronts[0].node[n] = wave_node(n, 0);
+		++fronts[0].count;
+	}
+	int walks = fronts[0].count, front = 0;
+	for (int level = tree->top; level > 0; --level, front ^= 1)
+		alone = wave_descend(p, tree, level, boxes, kinematic, alone, fronts + front, fronts + (front ^ 1));
+	if (!broad_phase_leaves(p, tree, walkers, boxes, kinematic, alone, fronts + front))
+		return;
+	for (int k = 0; k < walks; ++k)
+		if (alone >> k & 1)
+			broad_phase_alone(p, walkers[k], t);
+}
+
+// On a CPU, chunks begin at a multiple of WAVE_WALKS walks, which go together.
+STAGE(broad_phase)
+{
+	if (FETCHES)
+	{
+		for (int t = 0; t < 2 && i % WAVE_WALKS == 0; ++t)
+			broad_phase_wave(p, i, t);
+		return;
+	}
+	int k = p->moved_list[i];
+	for (int t = 0; t < broad_phase_trees(p->collidable_kind[k]); ++t)
+		broad_phase_alone(p, k, t);
+}
+
+// The rests of the long walks. Each is cut by its leaves into as many parts as there are work-items for it. If there are
+// more walks than work-items, an item takes several.
+STAGE(broad_phase_rest)
+{
+	int walks = p->counters->walks, parts = walks < p->step.walkers ? p->step.walkers / walks : 1;
+	int teams = p->step.walkers / parts;
+	for (int w = i / parts; w < walks && i < teams * parts; w += teams)
+	{
+		Int2 walk = p->walk[w];
+		int k = walk.x / 2, t = walk.x % 2, leaves = p->tree[t].leaves;
+		int begin = walk.y / ARITY, blocks = (leaves - 1) / ARITY + 1 - begin, share = (blocks - 1) / parts + 1;
+		int from = ARITY * (begin + share * (i % parts)), end = from + ARITY * share;
+		from = from < walk.y ? walk.y : from;
+		end = end < leaves ? end : leaves;
+		if (from < end)
+			broad_phase_walk(p, k, t, from, end, 0x7fffffff);
+	}
+}
+
+#endif

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// contact_slots.h -- new pairs into slots of the contact pool: in the order of their keys, lowest free slots first.
+//
+// Slots identify contacts where an order is needed (priorities of colors, read-back), so they must not depend on the
+// device.
+#ifndef CONTACT_SLOTS_H
+#define CONTACT_SLOTS_H
+#include "constraints/contact_one.h"
+#include "dialect/finite.h"
+#include "stages/color/joint_edges.h"
+#include "stages/edit/pool_item.h"
+#include "stages/rules/apart.h"
+
+// Whether there is room for the pairs found, and whether a world may have so many. The latter depends on no capacity,
+// and so on no device.
+STAGE(contact_admit)
+{
+	GLOBAL Counters* c = p->counters;
+	c->crowded = c->alive + c->pairs > p->step.contact_limit;
+	c->stalled = c->crowded || c->pairs > p->step.pair_capacity;
+	c->sort_pairs = c->stalled ? 0 : c->pairs;
+	if (c->stalled)
+		c->kept = 0;
+	c->search = c->sort_pairs > 0 ? c->contacts + 1 : 0;
+	c->dead = 0;
+	(void)i;
+}
+
+STAGE(contact_dead) { p->scan[i] = i < p->counters->contacts && p->pair[i].x < 0; }
+
+// After the scan: slot i is free, and the scan holds how many free slots are before it.
+STAGE(contact_free)
+{
+	if (i < p->counters->contacts && p->pair[i].x < 0)
+		p->free_slot[p->scan[i]] = i;
+}
+
+// Whether there is room for the contacts, and how many there are then.
+STAGE(contact_begin)
+{
+	GLOBAL Counters* c = p->counters;
+	c->dead = c->search > 0 ? p->scan[c->search - 1] : 0;
+	int beyond = c->sort_pairs > c->dead ? c->sort_pairs - c->dead : 0;
+	c->needed = c->contacts + beyond;
+	// one slot stays free for the end of the scan
+	if (c->needed + 1 > p->step.contact_capacity)
+	{
+		c->stalled = 1;
+		c->kept = 0;
+	}
+	c->created = c->stalled ? 0 : c->sort_pairs;
+	if (c->created > 0 && c->needed > c->contacts)
+		c->contacts = c->needed;
+	c->alive = c->alive + c->created;
+	c->live = c->stalled ? 0 : c->contacts;
+	(void)i;
+}
+
+// Moves contacts in slots from alive on into the free slots before alive, the first into the lowest, so that the first
+// slots hold all contacts. Sources and destinations have no slot in common.
+STAGE(contact_pack)
+{
+	const GLOBAL Counters* c = p->counters;
+	int alive = c->alive - c->released;
+	if (i < alive || p->pair[i].x < 0)
+		return;
+	int to = p->free_slot[(i - alive) - (p->scan[i] - p->scan[alive])], constraint = p->contact_place[i];
+	item_move(p, PER_CONTACT, to, i);
+	if (constraint >= 0)
+		p->contact_place_slot[constraint] = to;
+	p->pair[i] = make_int2(-1, -1);
+}
+
+STAGE(contact_pack_end)
+{
+	p->counters->contacts = p->counters->alive - p->counters->released;
+	(void)i;
+}
+
+INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
+
+// Of a pair: friction, restitution, rolling lever, tangent speed; the same for either order.
+//
+// Friction is the geometric mean, so that ice stays slippery on anything. Restitution is the larger one. The lever of
+// rolling resistance uses the larger radius. Speeds of belts that run against each other add up.
+INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attribute* sb)
+{
+	float lever =
+	    surface_larger(sa->rolling_resistance, sb->rolling_resistance) * surface_larger(sa->radius, sb->radius);
+	float friction = square_root(sa->friction * sb->friction);
+	return make_float4(friction < MOST_FRICTION ? friction : MOST_FRICTION,
+	                   surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
+}
+
+// The bits of a contact that say whether its bodies respond to each other, as long as the user changes no joint and no pair.
+INLINE Word contact_parts(const Pools* p, Int2 pair)
+{
+	int apart = apart_by(p, pair.x, pair.y, APART_DETECTED | APART_JOINED);
+	return apart == APART_DETECTED ? CONTACT_DETECTED : apart ? CONTACT_JOINED : 0u;
+}
+
+STAGE(contact_create)
+{
+	Word64 key = p->key[i];
+	int a = (int)(key >> p->step.key_bits), b = (int)(key & (((Word64)1 << p->step.key_bits) - (Word64)1));
+	// the last contact for which no slot was free is the last of all
+	int slot = i < p->counters->dead ? p->free_slot[i] : p->counters->contacts - p->counters->created + i;
+	Int2 pair = apart_pair(p, a, b);
+	a = pair.x;
+	b = pair.y;
+	int body_a = p->collidable_body[a], body_b = p->collidable_body[b];
+	item_clear(p, PER_CONTACT, slot);
+	p->pair[slot] = pair;
+	Int2 bodies = make_int2(body_a < 0 ? 0 : body_a, body_b < 0 ? 0 : body_b);
+	Word flags = CONTACT_FRESH | touch_reports(p, pair) | contact_parts(p, pair);
+	int kind = p->collidable_kind[b];
+	flags |= kind == KIND_STATIC ? CONTACT_STATIC : kind == KIND_KINEMATIC ? CONTACT_KINEMATIC : 0u;
+	p->contact_bodies[slot] = bodies;
+	p->contact_flags[slot] = flags;
+	contact_count(p, bodies, flags, 1);
+	if (flags & CONTACT_STATIC) // any of several; only that of a body with one is read
+		write_shared_word((GLOBAL Word*)p->static_contact + bodies.x, (Word)slot);
+	p->contact_color[slot] = COLOR_NONE;
+	p->contact_feature[slot] = make_int2(-1, -1);
+	p->contact_place[slot] = -1;
+	p->contact_surface[slot] =
+	    contact_surface_of(p->attribute + p->collidable_attribute[a], p->attribute + p->collidable_attribute[b]);
+}
+
+// Pairs changed: contact i ends or begins.
+STAGE(contact_join)
+{
+	Word flags = p->contact_flags[i];
+	if (i >= p->counters->live || p->pair[i].x < 0)
+		return;
+	if (flags & CONTACT_DETECTED)
+		return;
+	Word joined = contact_parts(p, p->pair[i]);
+	// a contact that parted is released by the narrow phase, but not one that is fresh
+	if ((flags & CONTACT_JOINED) == joined || box_parted(p, p->pair[i]))
+		return;
+	contact_anew(p, i, flags, joined | (flags & CONTACT_REPORTS));
+}
+
+// Some collidable got another attribute, or reports other events: what contacts take from their collidables is computed again, also
+// where the layout stands.
+STAGE(contact_mix)
+{
+	Int2 pair = p->pair[i];
+	if (pair.x < 0)
+		return;
+	Float4 surface = contact_surface_of(p->attribute + p->collidable_attribute[pair.x],
+	                                    p->attribute + p->collidable_attribute[pair.y]);
+	int c = p->contact_place[i];
+	if (p->step.material_pairs > 0)
+		surface = rule_surface(rule_materials(p, pair.x, pair.y), surface);
+	int belt = edge_belt(surface.w) - edge_belt(p->contact_surface[i].w);
+	if (p->contact_color[i] != COLOR_NONE && belt != 0)
+	{
+		edge_add_belt(p, p->contact_bodies[i], belt);
+		raise_int(&p->counters->belts, 1);
+	}
+	p->contact_surface[i] = surface;
+	p->contact_flags[i] = (p->contact_flags[i] & ~CONTACT_REPORTS) | touch_reports(p, pair);
+	if (c < 0)
+		return;
+	contact_set_surface(p, c, surface);
+}
+
+#endif

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// transform.h -- world poses and boxes of collidables; the enlarged box is updated when the tight one leaves it.
+#ifndef TRANSFORM_H
+#define TRANSFORM_H
+#include "dialect/vec.h"
+#include "stages/geometry/box.h"
+#include "stages/geometry/sweep.h"
+
+// The share of a reach that counts as thickness.
+#define REACH_SHARE 0.125f
+
+// Clears the counters of one step.
+STAGE(step_begin)
+{
+	GLOBAL Counters* c = p->counters;
+	c->alive = c->alive - c->released;
+	c->moved = 0;
+	c->refit = 0;
+	c->jumped = 0;
+	c->order[0] = 0;
+	c->order[1] = 0;
+	c->changed = 0;
+	c->kept = 0x7fffffff;
+	c->sort_pairs = 0;
+	c->search = 0;
+	c->live = c->contacts;
+	c->look = 0;
+	c->arranged = 0;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	{
+		c->stirred[kind] = 0;
+		c->arrange[kind] = 0;
+	}
+	c->walks = 0;
+	c->rest = 0;
+	c->pairs = 0;
+	c->crowded = 0;
+	c->created = 0;
+	c->stalled = 0;
+	c->needed = 0;
+	c->released = 0;
+	c->began = 0;
+	c->ended = 0;
+	c->gathered = c->belts ? c->contacts : 0;
+	c->belts = 0;
+	c->entered = 0;
+	c->guarded = 0;
+	if (p->step.dt > 0.0f)
+	{
+		c->presses = (c->press[0] && c->press[1]) || c->ways ? 0x7fffffff : 0;
+		c->press[0] = 0;
+		c->press[1] = 0;
+		c->ways = 0;
+	}
+	c->penetration = 0;
+	c->joint_gap = 0;
+	c->joint_events = 0;
+	c->touches_began = 0;
+	c->waiting = 0;
+	c->refused = 0;
+	c->asked = 0;
+	c->holds = 0;
+	c->touches_ended = 0;
+	c->hits = 0;
+	for (int k = 0; k <= MAX_ROUNDS; ++k)
+		c->uncolored[k] = 0;
+	(void)i;
+}
+
+// The world pose of collidable i. Without a body its local pose is its world pose.
+INLINE WorldShape collidable_place(const Pools* p, int i)
+{
+	WorldShape world_shape;
+	Float4 own = p->collidable_pose[i];
+	int body = p->collidable_body[i];
+	world_shape.attribute = p->collidable_attribute[i];
+	world_shape.body = body;
+	Vec position = vec(own.x, own.y), rotation = vec(own.z, own.w), center = vec(0.0f, 0.0f);
+	if (body >= 0)
+	{
+		Float4 pose = p->pose[body];
+		Float2 middle = p->local_center[body];
+		Vec turn = vec(pose.z, pose.w);
+		Vec arm = vec_turn(turn, vec(own.x - middle.x, own.y - middle.y));
+		position = vec_add(vec(pose.x, pose.y), arm);
+		rotation = vec_turn(turn, rotation);
+		center = vec_neg(arm);
+	}
+	world_shape.x = position.x;
+	world_shape.y = position.y;
+	world_shape.c = rotation.x;
+	world_shape.s = rotation.y;
+	world_shape.center_x = center.x;
+	world_shape.center_y = center.y;
+	return world_shape;
+}
+
+// World vertex k of a shape.
+INLINE Vec world_vertex(WorldShape world_shape, const GLOBAL Attribute* attribute, int k)
+{
+	Vec vertex = vec(attribute->vertices[k].x, attribute->vertices[k].y);
+	return vec_add(vec(world_shape.x, world_shape.y), vec_turn(vec(world_shape.c, world_shape.s), vertex));
+}
+
+// The box of a shape, enlarged by extra metres.
+INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribute, float extra)
+{
+	Float4 box = box_empty();
+	for (int k = 0; k < attribute->count; ++k)
+	{
+		Vec v = world_vertex(world_shape, attribute, k);
+		box = box_union(box, make_float4(v.x, v.y, v.x, v.y));
+	}
+	return box_grow(box, attribute->radius + extra);
+}
+
+// Bits for a length of half a collidable, m: from the first one on.
+INLINE int transform_bits(float length, int first)
+{
+	int bits = 0;
+	for (int level = 0; level < GRAIN_LEVELS; ++level, length = 2.0f * length)
+		bits |= length < 0.5f * GRAIN_SIZE ? first << level : 0;
+	return bits;
+}
+
+// The MOVED_GRAIN and MOVED_REACH bits of a dynamic collidable whose nearest side is so far from its centroid, m. What has no thickness
+// is a segment: others come to rest on it, it does not.
+INLINE int transform_grains(float thickness, float reach)
+{
+	if (!(thickness < 0.5f * GRAIN_SIZE) || thickness == 0.0f)
+		return 0;
+	return transform_bits(thickness, MOVED_GRAIN) | transform_bits(REACH_SHARE * reach, MOVED_REACH);
+}
+
+// Lists collidables that left their box or were placed.
+LIST_STAGE(transform, moved_list, moved)
+{
+	Float4 box = p->box[i];
+	int moved = p->moved[i];
+	if (p->collidable_kind[i] == KIND_DEAD)
+	{
+		// its contacts see an empty box, and end; the box of a new row that died at once is empty already
+		p->moved[i] = MOVED_BOX;
+		p->box[i] = box_empty();
+		return 0;
+	}
+
+	// a collidable without a body moves as little as body 0, the ground
+	WorldShape world_shape = collidable_place(p, i);
+	int moves = world_shape.body >= 0;
+	world_shape.body = moves ? world_shape.body : 0;
+	p->world_shape[i] = world_shape;
+	const GLOBAL Attribute* attribute = p->attribute + world_shape.attribute;
+
+	// contacts begin at the speculative distance, so half of it on either side is part of the tight box
+	Float4 tight = world_box(world_shape, attribute, 0.5f * SPECULATIVE_DISTANCE);
+	float margin = attribute->margin;
+	int how = p->step.small && p->collidable_kind[i] == KIND_DYNAMIC
+	              ? transform_grains(p->thickness[world_shape.attribute], attribute->reach)
+	              : 0;
+	if (moves)
+	{
+		Sweep sweep = sweep_of(p, world_shape, attribute);
+		Vec path = vec_sub(sweep.path, vec_spin(sweep.turn, sweep.center));
+		float swing = absolute(sweep.turn) * (attribute->reach - attribute->radius);
+		float travel = absolute(path.x) + absolute(path.y) + swing;
+		float room = sweep_room(&p->step, how), within = sweep_within(&p->step, how);
+		if (travel > 0.5f * SWEEP_REST * room)
+			how |= MOVED_ON;
+		if (travel > 0.5f * within)
+		{
+			// the pose at the end of the step is part of the tight box too; a collidable that leaves its box in every
+			// step needs no margin
+			Float4 then = make_float4(tight.x + path.x, tight.y + path.y, tight.z + path.x, tight.w + path.y);
+			tight = box_grow(box_union(tight, then), swing);
+			margin = travel < margin ? margin : 0.0f;
+			how |= MOVED_FAR;
+		}
+	}
+	if (box_contains(box, tight))
+	{
+		if (moved & MOVED_BOX)
+			p->old_box[i] = box;
+		if (moved != how)
+			p->moved[i] = how;
+		return 0;
+	}
+	Float4 grown = box_grow(tight, margin);
+	p->old_box[i] = box;
+	p->box[i] = grown;
+	p->moved[i] = MOVED_BOX | how;
+	raise_int(&p->counters->refit, 0x7fffffff);
+	// the path of the step is part of the box, so a collidable that moves by itself never parts from its old place
+	if (!box_overlap(box, grown))
+		raise_int(&p->counters->jumped, 0x7fffffff);
+	return 1;
+}
+
+// After a step that stopped before it found all contacts: restores the boxes, so that the next step finds the same
+// pairs.
+STAGE(transform_undo)
+{
+	if (!(p->moved[i] & MOVED_BOX) || p->collidable_kind[i] == KIND_DEAD)
+		return;
+	p->box[i] = p->old_box[i];
+	p->moved[i] = 0;
+}
+
+// The pose of a collidable now. The pool world_shape has the pose at which the contacts of the last step were found.
+STAGE(show)
+{
+	WorldShape world_shape = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};
+	if (p->collidable_kind[i] != KIND_DEAD)
+		world_shape = collidable_place(p, i);
+	p->render_row[i] = world_shape;
+}
+
+#endif

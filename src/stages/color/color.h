@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: MIT
+// color.h -- colors for the constraints that began, and the layout of each kind by color.
+//
+// This work is based on:
+// Mark T. Jones, Paul E. Plassmann, A Parallel Graph Coloring Heuristic, 1993.
+//
+// Graph coloring. Each contact has a unique priority. In each round a contact with the highest priority on both of its
+// bodies takes the lowest color that is free on both. The result is that of a sequential greedy coloring in the order of
+// falling priority, for any number of threads. Colors are kept while contacts touch, so only contacts that begin to
+// touch are colored in a step, usually a few.
+//
+// Contacts with bodies that cannot move take the highest free color: they are solved last, so their result stands. The last colors
+// are for contacts with static bodies: of two immovable bodies that press a third one, the static one holds. The
+// contacts of hubs (spoke.h) take no color and no part in the rounds; every other contact finds a free color. So a body
+// with thousands of new contacts costs no rounds.
+#ifndef COLOR_H
+#define COLOR_H
+#include "constraints/contact_one.h"
+#include "constraints/joint_one.h"
+#include "stages/color/edge.h"
+#include "stages/color/spoke.h"
+
+// A bijection of the 32-bit numbers without visible order. (Odd multipliers and xor-shifts are invertible, so no two
+// edges share a priority.) Without it a row of contacts in rising slots would be colored one per round.
+INLINE Word color_priority(int edge)
+{
+	Word x = (Word)edge + 0x9e3779b9u;
+	x ^= x >> 16;
+	x *= 0x7feb352du;
+	x ^= x >> 15;
+	x *= 0x846ca68bu;
+	x ^= x >> 16;
+	return x;
+}
+
+// Edge i of those without a color after a round. Work-items write components of one vector as scalars.
+INLINE GLOBAL int* color_left(const Pools* p, int round, int i)
+{
+	return (GLOBAL int*)p->uncolored + 2 * i + (round & 1);
+}
+
+// Edge i of a round.
+INLINE int color_source(const Pools* p, int i)
+{
+	if (p->argument == 0)
+		return p->began[i];
+	return *color_left(p, p->argument + 1, i);
+}
+
+// Whether an edge becomes a spoke; only contacts do.
+INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
+{
+	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
+}
+
+// Whether a joint gets no color, because it is in a chain or because its bodies have none in common. Contacts always have
+// one: they become spokes before. argument is the round, here and in color_claim and color_assign.
+INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
+{
+	if (edge_kind(edge) == CONSTRAINT_CONTACT)
+		return 0;
+	if (p->joint_spot[edge_slot(edge)] >= 0)
+		return 1;
+	Word64 mask_a = p->body[bodies.x].inv_mass > 0.0f ? p->color_mask[bodies.x] : (Word64)0;
+	Word64 mask_b = p->body[bodies.y].inv_mass > 0.0f ? p->color_mask[bodies.y] : (Word64)0;
+	return (mask_a | mask_b) == (Word64)COLOR_MASK;
+}
+
+// The last colors of a body, which other constraints take only if no other color is free. A body that is pressed by something
+// kinematic against something static cannot obey both: the one that is solved last holds. Four collidables of a level that meet in
+// a corner have their own color each.
+#define STATIC_COLORS 8
+
+// Whether an edge is a contact with a static body. What does not move is the second collidable of a pair.
+INLINE int color_holds(const Pools* p, int edge)
+{
+	return edge_kind(edge) == CONSTRAINT_CONTACT && p->collidable_kind[p->pair[edge_slot(edge)].y] == KIND_STATIC;
+}
+
+STAGE(color_claim)
+{
+	int edge = color_source(p, i);
+	Int2 bodies = edge_bodies(p, edge);
+	// decided here, where no mask changes
+	if (color_overflows(p, edge, bodies))
+	{
+		edge_set_color(p, edge, COLORS);
+		return;
+	}
+	Word priority = color_priority(edge);
+	GLOBAL Word* claim = p->argument & 1 ? p->claim1 : p->claim0;
+	if (color_spoke(p, edge, bodies))
+		return;
+	if (p->body[bodies.x].inv_mass > 0.0f)
+		atomic_max_word(&claim[bodies.x], priority);
+	if (p->body[bodies.y].inv_mass > 0.0f)
+		atomic_max_word(&claim[bodies.y], priority);
+}
+
+STAGE(color_assign)
+{
+	int edge = color_source(p, i), round = p->argument;
+	Int2 bodies = edge_bodies(p, edge);
+	if (edge_color(p, edge_kind(edge), edge_slot(edge)) == COLORS)
+		return;
+	if (color_spoke(p, edge, bodies))
+	{
+		edge_set_color(p, edge, COLORS);
+		raise_int(&p->counters->entered, 1);
+		return;
+	}
+	Word priority = color_priority(edge);
+	GLOBAL Word* claim = round & 1 ? p->claim1 : p->claim0;
+	GLOBAL Word* next_claim = round & 1 ? p->claim0 : p->claim1;
+	int moves_a = p->body[bodies.x].inv_mass > 0.0f, moves_b = p->body[bodies.y].inv_mass > 0.0f;
+	Word64 mask_a = moves_a ? read_shared_word64(&p->color_mask[bodies.x]) : (Word64)0;
+	Word64 mask_b = moves_b ? read_shared_word64(&p->color_mask[bodies.y]) : (Word64)0;
+	Word64 free = ~(mask_a | mask_b) & (Word64)COLOR_MASK;
+	if ((moves_a && claim[bodies.x] != priority) || (moves_b && claim[bodies.y] != priority))
+	{
+		// a claim of two rounds ago would outbid the claims of the next round
+		if (moves_a)
+			write_shared_word(&next_claim[bodies.x], 0);
+		if (moves_b)
+			write_shared_word(&next_claim[bodies.y], 0);
+		int place = atomic_add_int(&p->counters->uncolored[round % MAX_ROUNDS + 1], 1);
+		*color_left(p, round, place) = edge;
+		return;
+	}
+	Word64 early = free & (Word64)COLOR_MASK >> STATIC_COLORS;
+	if (early != 0 && !color_holds(p, edge))
+		free = early;
+	Word64 bit = moves_a && moves_b ? free & (~free + (Word64)1) : (Word64)1 << (63 - leading_zeros(free));
+	edge_set_color(p, edge, 63 - leading_zeros(bit));
+	if (moves_a)
+		write_shared_word64(&p->color_mask[bodies.x], mask_a | bit);
+	if (moves_b)
+		write_shared_word64(&p->color_mask[bodies.y], mask_b | bit);
+}
+
+// After MAX_ROUNDS rounds the counts start again.
+STAGE(color_wrap)
+{
+	GLOBAL Counters* c = p->counters;
+	c->uncolored[0] = c->uncolored[MAX_ROUNDS];
+	for (int k = 1; k <= MAX_ROUNDS; ++k)
+		c->uncolored[k] = 0;
+	(void)i;
+}
+
+// Claims are zero between steps.
+STAGE(color_reset)
+{
+	Int2 bodies = edge_bodies(p, p->began[i]);
+	write_shared_word(&p->claim0[bodies.x], 0);
+	write_shared_word(&p->claim0[bodies.y], 0);
+	write_shared_word(&p->claim1[bodies.x], 0);
+	write_shared_word(&p->claim1[bodies.y], 0);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// layout: the constraints of a kind by color
+// ---------------------------------------------------------------------------------------------------------------
+
+// The bits of a key that are sorted by: its color; for a spoke, COLORS and the body of its hub. All bits are set where
+// there is no constraint. argument is the number of bits.
+
+INLINE Word64 color_none(int bits) { return ((Word64)1 << bits) - (Word64)1; }
+
+INLINE int color_of_key(Word64 key, int bits)
+{
+	Word64 name = key >> 32;
+	return name == color_none(bits) ? COLORS + 1 : name < (Word64)COLORS ? (int)name : COLORS;
+}
+
+// Some constraint began or ended: which kinds are laid out again? Only if all have their color, and if keys have bits
+// for hubs where there are any. argument is the place in uncolored of the rest of the last round, and the bits of
+// contacts' keys times 256.
+STAGE(color_arrange)
+{
+	GLOBAL Counters* c = p->counters;
+	int left = c->uncolored[p->argument & 255];
+	c->kept = 0;
+	c->overflow_first = 0x7fffffff;
+	c->entered = c->entered || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
+	c->arranged = left == 0 && (!c->entered || p->argument >> 8 > COLOR_BITS);
+#define CONSTRAINT_KIND(kind, Kind, KIND) \
+	c->arrange[CONSTRAINT_##KIND] = c->arranged && c->stirred[CONSTRAINT_##KIND] ? c->kind##s : 0;
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		for (int k = 0; k < COLORS + 2 && c->arrange[kind] > 0; ++k)
+		{
+			c->layout[kind].first[k] = 0;
+			c->layout[kind].last[k] = 0;
+		}
+	(void)i;
+}
+
+// What the constraints without a color are sorted by: contacts by their hub; joints in chains come before the others.
+INLINE int contact_group(const Pools* p, int i) { return hub_owner(p, p->contact_bodies[i]); }
+INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
+
+// Edges between the one whose key is made and the one whose kept row is fetched.
+#define KEY_SOON 12
+
+// The color of each slot, to be sorted by. What is kept of a constraint lies with its rows, and is copied by slot.
+#define COLOR_KEY(kind, KIND)                                                    \
+	if (FETCHES && i + KEY_SOON < p->counters->arrange[CONSTRAINT_##KIND])       \
+	{                                                                            \
+		int soon = p->kind##_place[i + KEY_SOON];                                \
+		if (soon >= 0)                                                           \
+			kind##_fetch_kept(p, soon);                                          \
+	}                                                                            \
+	int color = p->kind##_color[i], place = p->kind##_place[i];                  \
+	Word64 name = color == COLOR_NONE ? color_none(p->argument) : (Word64)color; \
+	if (color == COLORS)                                                         \
+		name += (Word64)kind##_group(p, i);                                      \
+	p->key[i] = name << 32 | (Word64)i;                                          \
+	if (place >= 0)                                                              \
+		kind##_keep(p, i, place);
+
+// Where each color, and each hub, begins and ends among the sorted keys. scan is 1 where a hub begins, so that the scan
+// counts hubs.
+INLINE void color_edge(const Pools* p, int kind, int i)
+{
+	GLOBAL KindLayout* layout = &p->counters->layout[kind];
+	int last = p->counters->arrange[kind] - 1, bits = p->argument;
+	Word64 name = p->key[i] >> 32;
+	int begins = i == 0 || p->key[i - 1] >> 32 != name, ends = i == last || p->key[i + 1] >> 32 != name;
+	if (bits > COLOR_BITS)
+		p->scan[i] = 0;
+	if (!begins && !ends)
+		return;
+	int color = color_of_key(p->key[i], bits);
+	if (begins && (i == 0 || color_of_key(p->key[i - 1], bits) != color))
+		layout->first[color] = i;
+	if (ends && (i == last || color_of_key(p->key[i + 1], bits) != color))
+		layout->last[color] = i + 1;
+	if (color != COLORS)
+		return;
+	if (kind == CONSTRAINT_JOINT)
+	{
+		if (begins && (int)name != COLORS)
+			p->counters->overflow_first = i;
+		return;
+	}
+	p->scan[i] = begins;
+	// two work-items write the two halves, and an OpenCL compiler may write a whole vector for one component
+	GLOBAL int* keys = (GLOBAL int*)&p->hub_keys[(int)name - COLORS];
+	if (begins)
+		keys[0] = i;
+	if (ends)
+		keys[1] = i + 1;
+}
+
+// The number of the hub of sorted key i, a spoke.
+INLINE int color_hub(const Pools* p, int i)
+{
+	int begins = i == 0 || p->key[i - 1] >> 32 != p->key[i] >> 32;
+	return p->scan[i] - !begins;
+}
+
+// Where each color of a kind begins among its places. Without room for all, the host grows the pools and runs this
+// again.
+INLINE void color_range(const Pools* p, int kind)
+{
+	GLOBAL Counters* c = p->counters;
+	GLOBAL KindLayout* layout = &c->layout[kind];
+	int begin = 0, spokes = kind == CONSTRAINT_CONTACT, touching = 0;
+	if (kind == CONSTRAINT_JOINT)
+		c->overflow = c->overflow_first < layout->last[COLORS] ? layout->last[COLORS] - c->overflow_first : 0;
+	if (spokes)
+	{
+		c->hubs = 0;
+		c->split = 0;
+	}
+	for (int k = 0; k <= COLORS; ++k)
+	{
+		int count = layout->last[k] - layout->first[k];
+		layout->begin[k] = begin;
+		layout->count[k] = count;
+		touching += count;
+		if (spokes && k == COLORS && count > 0)
+		{
+			// the room that hub_first leaves
+			c->hubs = color_hub(p, layout->last[k] - 1) + 1;
+			count += MAX_LANES * (c->hubs + 1);
+		}
+		if (!spokes && k == COLORS)
+			count = p->step.chain_places + c->overflow;
+		begin += (count + COLOR_PADDING - 1) & ~(COLOR_PADDING - 1);
+	}
+	layout->begin[COLORS + 1] = begin;
+	if (spokes)
+		c->touching = touching;
+	if (begin > p->step.place_capacity[kind])
+	{
+		c->arrange[kind] = 0;
+		c->arranged = 0;
+	}
+}
+
+// A spoke's place; the last spoke of a hub pads the rest of the hub's places.
+INLINE int contact_place_rest(const Pools* p, int i)
+{
+	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_CONTACT];
+	int hub = (int)(p->key[i] >> 32) - COLORS, n = color_hub(p, i);
+	Int2 keys = p->hub_keys[hub];
+	if (i == keys.x)
+		p->hub[n] = hub;
+	int place = hub_first(p, n, keys.x) + (i - keys.x);
+	int end = i + 1 == layout->last[COLORS] ? layout->begin[COLORS + 1] : hub_first(p, n + 1, i + 1);
+	for (int k = place + 1; i + 1 == keys.y && k < end; ++k)
+	{
+		// padding: a contact of the hub with nothing, at one place, so that it adds nothing to sums
+		contact_pad(p, k);
+		contact_row(p, body_b, k) = hub;
+	}
+	return place;
+}
+
+// The place of a joint of a chain, or of one without a chain behind all chains.
+INLINE int joint_place_rest(const Pools* p, int i)
+{
+	int slot = (int)(p->key[i] & (Word64)0xffffffffu), spot = p->joint_spot[slot];
+	int begin = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS];
+	return begin + (spot >= 0 ? spot : p->step.chain_places + (i - p->counters->overflow_first));
+}
+
+// Places of joints without a color are inert, until a joint is laid out there. They may be many more than the joints, whose
+// number is that of the items.
+STAGE(chain_pad)
+{
+	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];
+	int joints = p->counters->arrange[CONSTRAINT_JOINT];
+	for (int place = layout->begin[COLORS] + i; place < layout->begin[COLORS + 1]; place += joints)
+		joint_pad(p, place);
+}
+
+// What does not change while the layout stands.
+#define COLOR_PLACE(kind, KIND)                                                                                \
+	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu);           \
+	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                                 \
+	if (color > COLORS)                                                                                        \
+		return;                                                                                                \
+	int place = color == COLORS ? kind##_place_rest(p, i) : layout->begin[color] + (i - layout->first[color]); \
+	Int2 bodies = p->kind##_bodies[slot];                                                                      \
+	p->kind##_place[slot] = place;                                                                             \
+	p->kind##_place_slot[place] = slot;                                                                        \
+	kind##_row(p, body_a, place) = bodies.x;                                                                   \
+	kind##_row(p, body_b, place) = bodies.y;                                                                   \
+	kind##_set_place(p, slot, place);                                                                          \
+	kind##_put_back(p, slot, place);                                                                           \
+	if (color < COLORS && i + 1 == layout->last[color])                                                        \
+		for (int k = place + 1; k < layout->begin[color + 1]; ++k)                                             \
+			kind##_pad(p, k);
+
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                \
+	STAGE(kind##_key){COLOR_KEY(kind, KIND)} STAGE(kind##_edge) { color_edge(p, CONSTRAINT_##KIND, i); } \
+	STAGE(kind##_range)                                                                                  \
+	{                                                                                                    \
+		color_range(p, CONSTRAINT_##KIND);                                                               \
+		(void)i;                                                                                         \
+	}                                                                                                    \
+	STAGE(kind##_layout) { COLOR_PLACE(kind, KIND) }
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+
+#endif

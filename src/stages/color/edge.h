@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// edge.h -- edges: the view of a constraint that coloring, the relay and the tiles have, for every kind.
+#ifndef EDGE_H
+#define EDGE_H
+#include "constraints/constraint_kinds.h"
+#include "stages/color/spoke.h"
+
+INLINE int edge_of(int kind, int slot) { return kind << EDGE_KIND | slot; }
+INLINE int edge_kind(int edge) { return CONSTRAINT_KINDS == 1 ? 0 : edge >> EDGE_KIND; }
+INLINE int edge_slot(int edge) { return CONSTRAINT_KINDS == 1 ? edge : edge & ((1 << EDGE_KIND) - 1); }
+
+INLINE Int2 edge_bodies(const Pools* p, int edge)
+{
+	int slot = edge_slot(edge);
+#define CONSTRAINT_KIND(kind, Kind, KIND)     \
+	if (edge_kind(edge) == CONSTRAINT_##KIND) \
+		return p->kind##_bodies[slot];
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	return make_int2(0, 0);
+}
+
+// A constraint of a kind began or ended: the kind has to be laid out again.
+INLINE void edge_stir(const Pools* p, int kind)
+{
+	raise_int(&p->counters->changed, 1);
+	raise_int(&p->counters->stirred[kind], 1);
+}
+
+// The share of a contact in the pool belts at its bodies, by its tangent speed. Seen from either body, a belt runs the same way.
+INLINE int edge_belt(float speed) { return speed > 0.0f ? 1 : speed < 0.0f ? BELT_BACK : 0; }
+
+INLINE int edge_belt_of(const Pools* p, int kind, int slot)
+{
+	return kind == CONSTRAINT_CONTACT && p->step.belts ? edge_belt(p->contact_surface[slot].w) : 0;
+}
+
+INLINE void edge_add_belt(const Pools* p, Int2 bodies, int belt)
+{
+	if (belt == 0)
+		return;
+	atomic_add_int(&p->belts[bodies.x], belt);
+	atomic_add_int(&p->belts[bodies.y], belt);
+}
+
+// Counts a constraint that begins at a body. Where a body may have too many now, or lies on belts that run against each other, and some
+// of them have colors, hubs are searched for (spoke.h). Every constraint that begins requests that itself. Others begin and end meanwhile,
+// so that more may request it than need it, and then nothing is found.
+INLINE void edge_count(const Pools* p, int body, int belt)
+{
+	int crowded = atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS;
+	int opposed = belt != 0 && hub_belts(atomic_add_int(&p->belts[body], belt) + belt);
+	if ((crowded || opposed) && p->body[body].inv_mass > 0.0f && read_shared_word64(&p->color_mask[body]) != 0)
+		raise_int(&p->counters->gathered, p->counters->contacts);
+}
+
+// Counts and lists a constraint that begins; it gets a color later in the step.
+INLINE void edge_begin(const Pools* p, int edge, Int2 bodies)
+{
+	int belt = edge_belt_of(p, edge_kind(edge), edge_slot(edge));
+	edge_count(p, bodies.x, belt);
+	edge_count(p, bodies.y, belt);
+	p->began[atomic_add_int(&p->counters->began, 1)] = edge;
+	edge_stir(p, edge_kind(edge));
+}
+
+// Frees the color of an edge on its bodies.
+INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
+{
+	Word64 others = ~((Word64)1 << color);
+	if (color >= COLORS)
+		return;
+	atomic_and_word64(&p->color_mask[bodies.x], others);
+	atomic_and_word64(&p->color_mask[bodies.y], others);
+}
+
+// Ends constraint i of a kind, if it has begun.
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                 \
+	INLINE void kind##_end(const Pools* p, int i)                         \
+	{                                                                     \
+		int color = p->kind##_color[i];                                   \
+		if (color == COLOR_NONE)                                          \
+			return;                                                       \
+		Int2 bodies = p->kind##_bodies[i];                                \
+		edge_free_color(p, bodies, color);                                \
+		atomic_add_int(&p->touching[bodies.x], -1);                       \
+		atomic_add_int(&p->touching[bodies.y], -1);                       \
+		edge_add_belt(p, bodies, -edge_belt_of(p, CONSTRAINT_##KIND, i)); \
+		p->kind##_color[i] = COLOR_NONE;                                  \
+		p->kind##_place[i] = -1;                                          \
+		kind##_forget(p, i);                                              \
+		atomic_add_int(&p->counters->ended, 1);                           \
+		edge_stir(p, CONSTRAINT_##KIND);                                  \
+	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+
+INLINE void edge_set_color(const Pools* p, int edge, int color)
+{
+	int slot = edge_slot(edge);
+#define CONSTRAINT_KIND(kind, Kind, KIND)     \
+	if (edge_kind(edge) == CONSTRAINT_##KIND) \
+		p->kind##_color[slot] = color;
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+}
+
+// The edge at a place of a kind, -1 for padding.
+INLINE int edge_slot_at(const Pools* p, int kind, int place)
+{
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (kind == CONSTRAINT_##NAME)        \
+		return p->name##_place_slot[place];
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	return -1;
+}
+
+INLINE int edge_color(const Pools* p, int kind, int slot)
+{
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (kind == CONSTRAINT_##NAME)        \
+		return p->name##_color[slot];
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	return COLOR_NONE;
+}
+
+// The bodies of the constraint at a place, which is not padding.
+INLINE Int2 edge_bodies_at(const Pools* p, int kind, int place)
+{
+#define CONSTRAINT_KIND(name, Name, NAME) \
+	if (kind == CONSTRAINT_##NAME)        \
+		return make_int2(name##_row(p, body_a, place), name##_row(p, body_b, place));
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	return make_int2(0, 0);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// tasks: the places of all kinds in the order of a pass, by color and then by kind
+// ---------------------------------------------------------------------------------------------------------------
+
+typedef struct
+{
+	int kind, place;
+} KindPlace;
+
+INLINE int task_first(const GLOBAL Counters* c, int color)
+{
+	int first = 0;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		first += c->layout[kind].begin[color];
+	return first;
+}
+
+INLINE KindPlace task_at(const Pools* p, int t)
+{
+	KindPlace task;
+	task.kind = 0;
+	task.place = t;
+	if (CONSTRAINT_KINDS == 1 || !p->step.joints)
+		return task;
+	const GLOBAL Counters* c = p->counters;
+	int low = 0, high = COLORS;
+	while (low < high)
+	{
+		int middle = (low + high + 1) / 2;
+		if (task_first(c, middle) <= t)
+			low = middle;
+		else
+			high = middle - 1;
+	}
+	int left = t - task_first(c, low);
+	for (task.kind = 0; task.kind < CONSTRAINT_KINDS - 1; ++task.kind)
+	{
+		int count = c->layout[task.kind].begin[low + 1] - c->layout[task.kind].begin[low];
+		if (left < count)
+			break;
+		left -= count;
+	}
+	task.place = c->layout[task.kind].begin[low] + left;
+	return task;
+}
+
+#endif

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+// joint_edges.h -- joints that the user made or changed: their rows, their beginning and end, and the pairs that they keep apart.
+#ifndef JOINT_EDGES_H
+#define JOINT_EDGES_H
+#include "constraints/joint_one.h"
+#include "stages/color/edge.h"
+#include "stages/color/key_bound.h"
+#include "stages/color/touch.h"
+#include "stages/geometry/box.h"
+
+// An angle that gets a limit, a spring or a lock, and had none of them, counts on in the turn that is nearest to these.
+INLINE void joint_count_turns(const Pools* p, int slot, const JointData* changed)
+{
+	int k = JOINT_ANGLE, users = JOINT_LOCKED(k) | JOINT_LIMITED(k) | JOINT_SPRING(k), place = p->joint_place[slot];
+	int modes = (int)changed->modes;
+	if ((int)p->joint_data[slot].modes & users || !(modes & users))
+		return;
+	float turned = joint_turned_last(p, slot), near = changed->lock[k].target;
+	if (modes & JOINT_LIMITED(k))
+		near = minimum(maximum(turned, changed->drive[k].lower), changed->drive[k].upper);
+	turned = turned - TURN * joint_round((turned - near) * (1.0f / TURN));
+	if (place < 0)
+		p->joint_kept[slot].turned = turned;
+	else
+		joint_row(p, turned, place) = turned;
+}
+
+// The user placed a body of a joint on a path, or a frame: the next step looks for the nearest part of all.
+INLINE void joint_seek(const Pools* p, int slot)
+{
+	PathCount count = path_count_last(p, slot);
+	count.seeks = maximum(count.seeks, PATH_SEEKS);
+	path_count_store(p, slot, p->joint_place[slot], &count);
+}
+
+// Item i of what the user made or changed since the last step. argument is the number of slots that were in use before. A
+// joint that broke stays broken.
+STAGE(joint_apply)
+{
+	JointEdit edit = p->joint_edit[i];
+	int slot = edit.slot;
+	if (slot >= p->argument)
+	{
+		p->joint_color[slot] = COLOR_NONE;
+		p->joint_place[slot] = -1;
+	}
+	else if (!(edit.flags & JOINT_NEW))
+		edit.flags |= p->joint_flags[slot] & (JOINT_BROKEN | JOINT_RESTARTS | JOINT_NEW);
+	if (slot < p->argument && (edit.flags & (JOINT_THERE | JOINT_NEW)) == JOINT_THERE)
+	{
+		joint_count_turns(p, slot, &edit.data);
+		if (edit.flags & JOINT_SEEKS)
+			joint_seek(p, slot);
+	}
+	edit.flags &= ~JOINT_SEEKS;
+	if (slot >= p->argument || p->joint_spot[slot] != edit.spot)
+		raise_int(&p->counters->joint_moved, 1);
+	p->joint_spot[slot] = edit.spot;
+	p->joint_flags[slot] = edit.flags;
+	p->joint_data[slot] = edit.data;
+	raise_int(&p->counters->joints, slot + 1);
+	raise_int(&p->counters->joint_stir, 0x7fffffff);
+}
+
+// The constraint of joint i ends. Where the same joint begins again, it goes on counting turns.
+INLINE void joint_rest(const Pools* p, int i)
+{
+	float turned = joint_turned_last(p, i);
+	CouplingCount count = coupling_count_last(p, i);
+	PathCount path = path_count_last(p, i);
+	joint_end(p, i);
+	p->joint_kept[i].turned = turned;
+	coupling_count_store(p, i, -1, &count);
+	// bodies may be anywhere when it begins again
+	path.seeks = maximum(path.seeks, PATH_SEEKS);
+	path_count_store(p, i, -1, &path);
+}
+
+// Constraints of joints begin and end.
+STAGE(joint_update)
+{
+	int flags = p->joint_flags[i], wanted = JOINT_THERE | JOINT_ACTIVE | JOINT_ACTS;
+	if (p->counters->stalled)
+		return;
+	wanted = (flags & wanted) == wanted && !(flags & JOINT_BROKEN);
+	if (!wanted || flags & JOINT_RESTARTS)
+		joint_rest(p, i);
+	if (p->counters->joint_moved || flags & JOINT_RESTARTS)
+		edge_stir(p, CONSTRAINT_JOINT);
+	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_NEW);
+	if (!wanted || p->joint_color[i] != COLOR_NONE)
+		return;
+	p->joint_bodies[i] = make_int2(p->joint_data[i].body_a, p->joint_data[i].body_b);
+	edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
+}
+
+// Joint i, where it follows a path: the point of the path that is nearest to its anchor b, for the rows of the step. Where it is a coupling:
+// what it measures of its bodies. It comes after the layout, and finds the same when it runs again.
+STAGE(joint_follow)
+{
+	int place = p->joint_place[i], modes = (int)p->joint_data[i].modes;
+	if (place >= 0 && modes & JOINT_COUPLED)
+		coupling_setup(p, place);
+	if (place < 0 || !(modes & JOINT_RAILED))
+		return;
+	PathCount count = path_count_at(p, place);
+	PathFoot foot = path_follow(p, i, &count);
+	path_foot_put(p, place, &foot);
+	path_count_put(p, place, &count);
+}
+
+STAGE(joint_updated)
+{
+	if (!p->counters->stalled)
+		p->counters->joint_stir = p->counters->joint_moved = 0;
+	(void)i;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// pairs of bodies that joints or the user keep from touching
+// ---------------------------------------------------------------------------------------------------------------
+
+INLINE Word64 joint_pair_of(int a, int b)
+{
+	int low = a < b ? a : b, high = a < b ? b : a;
+	return (Word64)low << 32 | (Word64)high;
+}
+
+// The pair of joint i, to be sorted.
+STAGE(joint_pair_key)
+{
+	int flags = p->joint_flags[i], apart = JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN;
+	p->key[i] =
+	    (flags & apart) == JOINT_THERE ? joint_pair_of(p->joint_data[i].body_a, p->joint_data[i].body_b) : NO_PAIR;
+}
+
+// A pair that the user set, behind those of the joints, of which there are argument.
+STAGE(excluded_key) { p->key[p->argument + i] = p->excluded[i]; }
+
+STAGE(excluded_changed)
+{
+	raise_int(&p->counters->joint_stir, 0x7fffffff);
+	(void)i;
+}
+
+// The sorted pairs. argument is their number, with those that are none.
+STAGE(joint_pair)
+{
+	Word64 key = p->key[i];
+	p->joined[i] = key;
+	if (key != NO_PAIR && (i + 1 == p->argument || p->key[i + 1] == NO_PAIR))
+		p->counters->joined = i + 1;
+	if (i == 0 && key == NO_PAIR)
+		p->counters->joined = 0;
+}
+
+// Whether a joint or the user keeps two bodies from touching.
+INLINE int joint_parts(const Pools* p, Int2 bodies)
+{
+	Word64 key = joint_pair_of(bodies.x, bodies.y);
+	int count = p->counters->joined, at = key_bound(p->joined, 0, count, key);
+	return at < count && p->joined[at] == key;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the end of a step: turns of couplings, thresholds
+// ---------------------------------------------------------------------------------------------------------------
+
+// The joint at place i: reports, and breaks, when its force or its torque exceeded its threshold. What the sides of a coupling turned
+// in the step is counted with the ratio of the step: the user may set another one before the next.
+STAGE(joint_finalize)
+{
+	int slot = p->joint_place_slot[i];
+	if (slot < 0)
+		return;
+	const GLOBAL JointData* data = p->joint_data + slot;
+	if ((int)data->modes & JOINT_COUPLED)
+	{
+		CouplingCount count = coupling_count_at(p, i);
+		coupling_state(p, slot, &count);
+		coupling_count_put(p, i, &count);
+	}
+	JointEvent event;
+	event.slot = slot;
+	// the largest float is no threshold: nothing exceeds it, or the step would depend on whether other joints have one
+	event.force = finite_or_most(joint_rare(p, peak_force, i) * p->step.inv_h);
+	event.torque = finite_or_most(joint_rare(p, peak_torque, i) * p->step.inv_h);
+	event.broken = (p->joint_flags[slot] & JOINT_BREAKS) != 0;
+	if (!(event.force > data->most_force || event.torque > data->most_torque))
+		return;
+	p->joint_event[atomic_add_int(&p->counters->joint_events, 1)] = event;
+	if (!event.broken)
+		return;
+	p->joint_flags[slot] |= JOINT_BROKEN;
+	raise_int(&p->counters->joint_stir, 0x7fffffff);
+}
+
+#endif

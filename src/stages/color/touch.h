@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// touch.h -- touches: contacts whose surfaces met, until they part; and hits, for the user.
+//
+// A contact has points before its surfaces meet, so that it is in place when they do. Its touch begins in the step in which the
+// surfaces met: they pushed each other, or overlapped. It ends when the contact has no points any more, or is no more. So a body that
+// rests or rolls does not touch anew, however its impulses vary.
+#ifndef TOUCH_H
+#define TOUCH_H
+#include "constraints/constraint_kinds.h"
+#include "stages/color/edge.h"
+#include "stages/geometry/box.h"
+
+// The bits of a contact for what its collidables report.
+INLINE Word touch_reports(const Pools* p, Int2 pair)
+{
+	if (!p->step.reports)
+		return 0;
+	return ((p->filter[pair.x].reports | p->filter[pair.y].reports) << CONTACT_REPORT) & CONTACT_REPORTS;
+}
+
+// A contact with these flags has no points any more, or will be no more.
+INLINE void touch_end(const Pools* p, Int2 pair, Word flags)
+{
+	if (flags & CONTACT_TOUCHED)
+		p->touch_ended[atomic_add_int(&p->counters->touches_ended, 1)] = (Word64)pair.x << 32 | (Word64)pair.y;
+}
+
+// Ends contact i, as if its boxes met for the first time. flags: those that it had; kept: those that it has from now on.
+RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
+{
+	contact_end(p, i);
+	touch_end(p, p->pair[i], flags);
+	p->contact_flags[i] = CONTACT_FRESH | (flags & CONTACT_FIXED) | kept;
+	p->contact_feature[i] = make_int2(-1, -1);
+}
+
+// Before the narrow phase, which will release contact i if its boxes parted. A kernel of its own, because with these lines the narrow
+// phase was slower by a fifth on an H200, in worlds without events.
+STAGE(touch_part)
+{
+	Word flags = p->contact_flags[i];
+	if (!(flags & CONTACT_TOUCHED) || !box_parted(p, p->pair[i]))
+		return;
+	touch_end(p, p->pair[i], flags);
+	p->contact_flags[i] = flags & ~CONTACT_TOUCHED;
+}
+
+// Contact i, after the solve.
+STAGE(touch)
+{
+	Word flags = p->contact_flags[i];
+	if ((flags & (CONTACT_TOUCHED | CONTACT_COUNT)) == CONTACT_TOUCHED)
+	{
+		touch_end(p, p->pair[i], flags);
+		p->contact_flags[i] = flags & ~CONTACT_TOUCHED;
+		return;
+	}
+	int c = flags & CONTACT_REPORTS ? p->contact_place[i] : -1;
+	if (c < 0)
+		return;
+	float total1 = contact_rare(p, total_impulse1, c), total2 = contact_rare(p, total_impulse2, c);
+	float speed = maximum(contact_rare(p, approach1, c), contact_rare(p, approach2, c)), pushed = total1 + total2;
+	if (!(pushed > 0.0f) && !(flags & MANIFOLD_OVERLAPS))
+		return;
+	if ((flags & REPORT_TOUCHES << CONTACT_REPORT) && !(flags & CONTACT_TOUCHED))
+	{
+		p->contact_flags[i] = flags | CONTACT_TOUCHED;
+		p->touch_began[atomic_add_int(&p->counters->touches_began, 1)] = i;
+	}
+	if ((flags & REPORT_HITS << CONTACT_REPORT) && speed > p->step.hit_speed && pushed > p->step.hit_impulse)
+		p->hit[atomic_add_int(&p->counters->hits, 1)] = i;
+}
+
+#endif

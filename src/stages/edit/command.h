@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+// command.h -- the user's changes since the last step; those of one item in the order in which they were made.
+#ifndef COMMAND_H
+#define COMMAND_H
+#include "constraints/angle.h"
+#include "constraints/sweep_closing.h"
+#include "stages/edit/pool_item.h"
+#include "stages/geometry/pose.h"
+
+// Sets the velocity of a body; 0 along locked axes.
+INLINE void command_velocity(const Pools* p, int body, Vec v)
+{
+	p->body[body].vx = p->motion[body].free_x == 0.0f ? 0.0f : finite_or_most(v.x);
+	p->body[body].vy = p->motion[body].free_y == 0.0f ? 0.0f : finite_or_most(v.y);
+}
+
+INLINE void command_spin(const Pools* p, int body, float impulse)
+{
+	p->body[body].w = finite_or_most(p->body[body].w + p->body[body].inv_inertia * impulse);
+}
+
+INLINE void command_force(const Pools* p, int body, Vec force, float torque)
+{
+	GLOBAL Motion* motion = p->motion + body;
+	motion->fx = finite_or_most(motion->fx + force.x);
+	motion->fy = finite_or_most(motion->fy + force.y);
+	motion->torque = finite_or_most(motion->torque + torque);
+}
+
+INLINE void command_push(const Pools* p, int body, Vec impulse)
+{
+	BodyState state = p->body[body];
+	command_velocity(p, body, vec_add(vec(state.vx, state.vy), vec_scale(state.inv_mass, impulse)));
+}
+
+// The moment about the center of mass of a force or impulse at a point of the world. Where both products overflow, their difference would be
+// NaN: it is that of a force 2^64 times smaller.
+OUT_OF_LINE float command_moment(const Pools* p, int body, Vec force, float x, float y)
+{
+	Float4 pose = p->pose[body];
+	Vec arm = vec(x - pose.x, y - pose.y);
+	float moment = vec_cross(arm, force);
+	if (moment - moment == 0.0f)
+		return moment;
+	return finite_or_most(1.8446744e19f * vec_cross(arm, vec_scale(5.4210109e-20f, force)));
+}
+
+// Moves the center of mass within the body. The velocity is that of the same motion of the rigid body.
+INLINE void command_mass(const Pools* p, int i, Float4 value)
+{
+	Float2 old = p->local_center[i];
+	Vec turn = vec(p->pose[i].z, p->pose[i].w), shift = vec_turn(turn, vec(value.z - old.x, value.w - old.y));
+	BodyState state = p->body[i];
+	Vec v = vec_add(vec(state.vx, state.vy), vec_spin(state.w, shift));
+	p->local_center[i] = make_float2(value.z, value.w);
+	// a coordinate of -0 stays
+	if (shift.x != 0.0f || shift.y != 0.0f)
+		pose_move(p, i, shift, turn);
+	p->body[i].inv_mass = value.x;
+	p->body[i].inv_inertia = value.y;
+	command_velocity(p, i, v);
+}
+
+// locks has the bits of scree_body_def.locks: 1 for x, 2 for y, 4 for rotation
+INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
+{
+	GLOBAL Motion* motion = p->motion + i;
+	motion->gravity_scale = value.x;
+	motion->linear_damping = value.y;
+	motion->angular_damping = value.z;
+	motion->free_x = locks & 1 ? 0.0f : 1.0f;
+	motion->free_y = locks & 2 ? 0.0f : 1.0f;
+	command_velocity(p, i, vec(p->body[i].vx, p->body[i].vy));
+	if (locks & 4)
+		p->body[i].w = 0.0f;
+}
+
+// Disables a body: its velocity is stored in a pool of its own, and neither forces nor gravity act on it.
+INLINE void command_rest(const Pools* p, int i)
+{
+	BodyState state = p->body[i];
+	GLOBAL Motion* motion = p->motion + i;
+	StoredVelocity stored = {state.vx, state.vy, state.w, 1.0f};
+	p->stored_velocity[i] = stored;
+	p->body[i].vx = 0.0f;
+	p->body[i].vy = 0.0f;
+	p->body[i].w = 0.0f;
+	motion->fx = 0.0f;
+	motion->fy = 0.0f;
+	motion->torque = 0.0f;
+	motion->gravity_scale = 0.0f;
+}
+
+// Restores the velocity of a disabled body, while a command is applied or for good.
+INLINE void command_wake(const Pools* p, int i)
+{
+	StoredVelocity stored = p->stored_velocity[i];
+	p->body[i].vx = stored.vx;
+	p->body[i].vy = stored.vy;
+	p->body[i].w = stored.w;
+}
+
+// The center of mass of a body whose origin is at a pose.
+INLINE Vec command_center(const Pools* p, int i, Float4 pose)
+{
+	Float2 center = p->local_center[i];
+	return vec_add(vec(pose.x, pose.y), vec_turn(vec(pose.z, pose.w), vec(center.x, center.y)));
+}
+
+// Sets the velocity that moves a body to a pose within the step, by the shorter rotation, within limits and locks.
+INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
+{
+	Float4 pose = p->pose[i];
+	Float2 low = p->pose_low[i];
+	Vec to = command_center(p, i, target);
+	float rate = 1.0f / p->step.dt;
+	Vec v = vec(((to.x - pose.x) - low.x) * rate, ((to.y - pose.y) - low.y) * rate);
+	float turn = vec_angle(vec_turn_back(vec(pose.z, pose.w), vec(target.z, target.w)));
+	command_velocity(p, i, sweep_velocity(&p->step, v));
+	p->body[i].w = locks & 4 ? 0.0f : within(turn * rate, p->step.max_spin);
+}
+
+// Moves the body to the pose, except along locks, and stops it.
+INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
+{
+	Float4 pose = p->pose[i];
+	Float2 low = p->pose_low[i];
+	if (locks & 4)
+		target = make_float4(target.x, target.y, pose.z, pose.w);
+	Vec to = command_center(p, i, target);
+	p->pose[i] = make_float4(locks & 1 ? pose.x : to.x, locks & 2 ? pose.y : to.y, target.z, target.w);
+	p->pose_low[i] = make_float2(locks & 1 ? low.x : 0.0f, locks & 2 ? low.y : 0.0f);
+	p->body[i].vx = 0.0f;
+	p->body[i].vy = 0.0f;
+	p->body[i].w = 0.0f;
+}
+
+// A new row: at rest, without mass, forces or locks. The host computes the pose of its center of mass, as for rows that are written at once.
+INLINE void command_body(const Pools* p, int i, Float4 pose, Float2 center)
+{
+	item_clear(p, PER_BODY, i);
+	p->told_pose[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	p->pose[i] = pose;
+	p->local_center[i] = center;
+	p->motion[i].free_x = 1.0f;
+	p->motion[i].free_y = 1.0f;
+}
+
+// A new row. Its box is empty, so that its pairs are found as new ones.
+INLINE void command_collidable(const Pools* p, int i, Float4 pose, int attribute, int body)
+{
+	item_clear(p, PER_COLLIDABLE, i);
+	p->collidable_pose[i] = pose;
+	p->collidable_attribute[i] = attribute;
+	p->collidable_body[i] = body;
+	p->box[i] = make_float4(EMPTY_LOW, EMPTY_LOW, EMPTY_HIGH, EMPTY_HIGH);
+	p->old_box[i] = p->box[i];
+}
+
+INLINE Word64 command_word64(float low, float high) { return (Word64)float_word(high) << 32 | (Word64)float_word(low); }
+
+// Commands that set the pose or properties of a body.
+INLINE void command_body_change(const Pools* p, Command c)
+{
+	int i = c.index;
+	Float4 value = c.value;
+	switch (c.kind)
+	{
+	case COMMAND_POSE:
+	{
+		Vec position = command_center(p, i, value);
+		p->pose[i] = make_float4(position.x, position.y, value.z, value.w);
+		p->pose_low[i] = make_float2(0.0f, 0.0f);
+		break;
+	}
+	case COMMAND_ENABLED:
+		if (!c.whole[0])
+		{
+			command_rest(p, i);
+			break;
+		}
+		command_wake(p, i);
+		p->stored_velocity[i].stored = 0.0f;
+		break;
+	case COMMAND_TARGET:
+		command_target(p, i, value, c.whole[0]);
+		break;
+	case COMMAND_ARRIVE:
+		command_arrive(p, i, value, c.whole[0]);
+		break;
+	case COMMAND_MASS:
+		command_mass(p, i, value);
+		break;
+	case COMMAND_MOTION:
+		command_motion(p, i, value, c.whole[0]);
+		break;
+	case COMMAND_BODY:
+		command_body(p, i, value, make_float2(bits_float(c.whole[0]), bits_float(c.whole[1])));
+		break;
+	case COMMAND_GUARDED:
+		p->guarded[i].first = c.whole[0];
+		p->guarded[i].parts = c.whole[1];
+		p->guarded[i].way = value.x;
+		p->guarded[i].reach = value.y;
+		break;
+	}
+}
+
+// Commands of a collidable.
+INLINE void command_collidable_change(const Pools* p, Command c)
+{
+	int i = c.index;
+	Float4 value = c.value;
+	switch (c.kind)
+	{
+	case COMMAND_PLACE:
+		p->collidable_pose[i] = value;
+		break;
+	case COMMAND_COLLIDABLE:
+		command_collidable(p, i, value, c.whole[0], c.whole[1]);
+		break;
+	case COMMAND_ATTRIBUTE:
+		p->collidable_attribute[i] = c.whole[0];
+		break;
+	case COMMAND_FILTER:
+		p->filter[i].category = command_word64(value.x, value.y);
+		p->filter[i].mask = command_word64(value.z, value.w);
+		p->filter[i].group = c.whole[0];
+		p->collidable_kind[i] = c.whole[1] & 255;
+		p->filter[i].reports = (Word)c.whole[1] >> 8;
+		break;
+	case COMMAND_REPORTS:
+		p->filter[i].reports = (Word)c.whole[0];
+		break;
+	case COMMAND_NEXT:
+		p->next_collidable[i] = c.whole[0];
+		break;
+	}
+}
+
+// Applies a command. Those that push a body or set its velocity are handled here.
+INLINE void command_change(const Pools* p, Command c)
+{
+	int i = c.index;
+	Float4 value = c.value;
+	Vec v = vec(value.x, value.y);
+	switch (c.kind)
+	{
+	case COMMAND_FORCE_AT:
+		command_force(p, i, v, command_moment(p, i, v, value.z, value.w));
+		break;
+	case COMMAND_FORCE:
+		command_force(p, i, v, 0.0f);
+		break;
+	case COMMAND_TORQUE:
+		command_force(p, i, vec(0.0f, 0.0f), value.x);
+		break;
+	case COMMAND_IMPULSE_AT:
+		command_spin(p, i, command_moment(p, i, v, value.z, value.w));
+		command_push(p, i, v);
+		break;
+	case COMMAND_IMPULSE:
+		command_push(p, i, v);
+		break;
+	case COMMAND_ANGULAR_IMPULSE:
+		command_spin(p, i, value.x);
+		break;
+	case COMMAND_VELOCITY:
+		command_velocity(p, i, v);
+		p->body[i].w = value.z;
+		break;
+	case COMMAND_LINEAR_VELOCITY:
+		command_velocity(p, i, v);
+		break;
+	case COMMAND_SPIN:
+		p->body[i].w = value.x;
+		break;
+	default:
+		if (c.kind < COMMAND_PLACE)
+			command_body_change(p, c);
+		else
+			command_collidable_change(p, c);
+	}
+}
+
+INLINE void command_apply(const Pools* p, Command c)
+{
+	int disabled = c.kind < COMMAND_BODY && c.whole[1];
+	if (disabled)
+		command_wake(p, c.index);
+	command_change(p, c);
+	if (disabled)
+		command_rest(p, c.index);
+}
+
+// Groups between the one that is applied and the one whose rows are fetched.
+#define COMMAND_SOON 6
+
+// Item i is a group: the commands of one body or one collidable. argument is the number of groups.
+STAGE(command)
+{
+	if (FETCHES && i + COMMAND_SOON < p->argument)
+	{
+		int first = p->command_group[i + COMMAND_SOON], soon = p->command[first].index;
+		if (p->command[first].kind == COMMAND_BODY)
+			item_fetch(p, PER_BODY, soon);
+		if (p->command[first].kind == COMMAND_COLLIDABLE)
+			item_fetch(p, PER_COLLIDABLE, soon);
+	}
+	for (int k = p->command_group[i]; k < p->command_group[i + 1]; ++k)
+		command_apply(p, p->command[k]);
+}
+
+#endif

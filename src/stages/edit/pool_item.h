@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// pool_item.h -- what is done to an item in all its pools at once, by their roles: hashed, cleared, moved, fetched.
+#ifndef POOL_ITEM_H
+#define POOL_ITEM_H
+#include "constraints/constraint_kinds.h"
+#include "pools/hash_types.h"
+#include "pools/roles.h"
+
+#define HASH_HASHED(x) x
+#define HASH_STATE(x)
+#define HASH_STANDING(x)
+#define HASH_DERIVED(x)
+#define HASH_SCRATCH(x)
+
+// In all functions below per is a constant, so that the lines of other pools vanish.
+
+INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h)
+{
+#define X(type, name, of, role) HASH_##role(if (per == PER_##of) h = hash_##type(h, p->name[i]);)
+#include "pools/pools.def"
+#undef X
+	return h;
+}
+
+// A new item: its maker writes what is not zero. {0} is no vector in OpenCL C, so the zero is what follows an explicit one.
+INLINE void item_clear(const Pools* p, Per per, int i)
+{
+#define X(type, name, of, role)           \
+	if (per == PER_##of && role <= STATE) \
+	{                                     \
+		const struct                      \
+		{                                 \
+			int first;                    \
+			type zero;                    \
+		} value = {0};                    \
+		p->name[i] = value.zero;          \
+	}
+#include "pools/pools.def"
+#undef X
+}
+
+// All that outlives a step.
+INLINE void item_move(const Pools* p, Per per, int to, int from)
+{
+#define X(type, name, of, role)              \
+	if (per == PER_##of && role <= STANDING) \
+		p->name[to] = p->name[from];
+#include "pools/pools.def"
+#undef X
+}
+
+// Fetches what item_clear writes.
+INLINE void item_fetch(const Pools* p, Per per, int i)
+{
+#define X(type, name, of, role)           \
+	if (per == PER_##of && role <= STATE) \
+		fetch_soon(p->name + i);
+#include "pools/pools.def"
+#undef X
+	(void)p;
+	(void)per;
+	(void)i;
+}
+
+#endif

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// field_forces.h -- forces of fields on bodies, once per step, before the solve.
+//
+// Each body gathers what the fields do: first the sum of each of its collidables, in the order of its list, then the fields that act on
+// bodies, by index. So no two items write to one place, and the order of a sum depends on nothing but the user's calls. The result goes
+// where the user's forces are, which integrate adds in each substep and finalize clears.
+//
+// This work is based on:
+// Henry Crozier Plummer, On the Problem of Distribution in Globular Star Clusters, 1911: soft centers.
+#ifndef FIELD_FORCES_H
+#define FIELD_FORCES_H
+#include "stages/edit/command.h"
+#include "stages/field/field_shape.h"
+
+// Where fields are. argument is their number; items beyond it are padding.
+STAGE(field_place)
+{
+	Float4 box = box_empty();
+	if (i < p->argument)
+	{
+		const GLOBAL Field* field = p->field + i;
+		FieldSpot spot = field_spot_of(p, field);
+		p->field_spot[i] = spot;
+		if (field->shape.count == 0)
+			box = make_float4(EMPTY_HIGH, EMPTY_HIGH, EMPTY_LOW, EMPTY_LOW); // holds all
+		for (int k = 0; k < field->shape.count; ++k)
+		{
+			Vec corner = field_turn(&spot, field->shape.vertices[k].x, field->shape.vertices[k].y);
+			float x = spot.pose.x + corner.x, y = spot.pose.y + corner.y, r = field->shape.radius;
+			box = box_union(box, make_float4(x - r, y - r, x + r, y + r));
+		}
+	}
+	box_pack(p->field_box, i, box);
+}
+
+// Boxes around ARITY boxes each. argument is the number of boxes; items beyond them are padding.
+STAGE(field_gather)
+{
+	Float4 box = box_empty();
+	for (int k = ARITY * i; k < ARITY * (i + 1) && k < p->argument; ++k)
+		box = box_union(box, box_unpack(p->field_box, k));
+	box_pack(p->field_group, i, box);
+}
+
+// The acceleration towards a center at some way, over that way, 1/s^2. Within a step it may not carry a body past the center: so a field
+// that is too strong for the step has a soft middle, and throws nothing out.
+INLINE float field_pull(const Pools* p, const GLOBAL Field* field, Vec way)
+{
+	float r = square_root(vec_dot(way, way) + field->softening * field->softening), share = 1.0f;
+	if (!(r > 0.0f))
+		return 0.0f;
+	if (field->falloff == FALLOFF_LINEAR)
+		share = maximum(1.0f - r / field->radius, 0.0f);
+	else if (field->falloff != FALLOFF_CONSTANT)
+		share = field->radius / r;
+	if (field->falloff == FALLOFF_INVERSE_SQUARE)
+		share = share * share;
+	float most = 1.0f / (p->step.dt * p->step.dt);
+	return within(field->strength * share / r, most);
+}
+
+// Whether a field acts on some collidable of a body, or on a body without any.
+INLINE int field_sees_body(const Pools* p, const GLOBAL Field* field, int body)
+{
+	if (field->all)
+		return 1;
+	for (int k = p->guarded[body].first; k > 0; k = p->next_collidable[k - 1])
+		if (p->collidable_kind[k - 1] == KIND_DYNAMIC && field_sees(field, p->filter + k - 1))
+			return 1;
+	return 0;
+}
+
+INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldForce* sum)
+{
+	const GLOBAL Field* field = p->field + index;
+	if (field->kind >= FIELD_WIND || field->body == body)
+		return;
+	FieldSpot spot = p->field_spot[index];
+	if (!field_holds(field, &spot, at) || !field_sees_body(p, field, body))
+		return;
+	BodyState state = p->body[body];
+	float mass = 1.0f / state.inv_mass;
+	Vec center = vec(0.0f, 0.0f), way = vec(spot.pose.x - at.x, spot.pose.y - at.y);
+	if (field->kind == FIELD_UNIFORM)
+	{
+		Vec a = field_turn(&spot, field->acceleration_x, field->acceleration_y);
+		field_push(sum, center, vec_add(vec_scale(mass, a), field_turn(&spot, field->force_x, field->force_y)));
+	}
+	else if (field->kind == FIELD_DRAG)
+	{
+		Vec e = vec_sub(field_flow(field, &spot, at), vec(state.vx, state.vy));
+		float spin = spot.w - state.w;
+		float rate = field->linear_drag + field->quadratic_drag * square_root(vec_dot(e, e));
+		field_brake(sum, center, rate, vec_scale(rate, e));
+		field_brake_spin(sum, field->spin_drag + field->spin_drag_quadratic * absolute(spin), spin);
+	}
+	else
+	{
+		float pull = mass * field_pull(p, field, way);
+		field_push(sum, center, field->kind == FIELD_RADIAL ? vec_scale(pull, way) : vec(pull * way.y, -pull * way.x));
+	}
+}
+
+// Items are bodies. argument is twice the number of fields, plus 1 if some act on shapes.
+STAGE(field_body)
+{
+	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f)
+		return;
+	FieldForce sum = field_nothing();
+	for (int k = p->argument & 1 ? p->guarded[i].first : 0; k > 0; k = p->next_collidable[k - 1])
+		if (p->collidable_kind[k - 1] == KIND_DYNAMIC)
+			field_add(&sum, p->field_force[k - 1]);
+	Float4 pose = field_body_pose(p, i);
+	FieldWalk walk = field_walk(p->argument >> 1, make_float4(pose.x, pose.y, pose.x, pose.y));
+	for (int field = field_next(p, &walk); field >= 0; field = field_next(p, &walk))
+		field_act_body(p, i, field, vec(pose.x, pose.y), &sum);
+	field_soften(p, i, &sum);
+	command_force(p, i, vec(field_limited(sum.fx + sum.drag_x), field_limited(sum.fy + sum.drag_y)),
+	              field_limited(sum.torque + sum.drag_torque));
+}
+
+#endif

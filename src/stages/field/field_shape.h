@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// field_shape.h -- fields that act on shapes: wind on the outline, buoyancy on the part that is in the fluid.
+//
+// This work is based on:
+// Archimedes, On Floating Bodies: the force of a fluid is the weight of what is displaced, and acts at its centroid.
+// Ludwig Prandtl, Oskar Tietjens, Fundamentals of Hydro- and Aeromechanics, 1934: drag and lift by the square of the speed.
+#ifndef FIELD_SHAPE_H
+#define FIELD_SHAPE_H
+#include "stages/field/field_area.h"
+#include "stages/field/field_sum.h"
+
+typedef struct // a shape, where fields act on it
+{
+	const GLOBAL Attribute* shape;
+	Vec at, turn, arm; // pose of its origin in the world; arm from the center of mass
+	Vec v;             // velocity of the center of mass
+	float w;
+} FieldTarget;
+
+// The velocity at which a medium passes a point of the shape, given from the center of mass.
+INLINE Vec field_passing(const GLOBAL Field* field, const FieldSpot* spot, const FieldTarget* t, Vec arm)
+{
+	Vec at = vec_add(t->at, vec_sub(arm, t->arm));
+	return vec_sub(field_flow(field, spot, at), vec_add(t->v, vec_spin(t->w, arm)));
+}
+
+INLINE Vec field_middle(const GLOBAL Attribute* shape)
+{
+	Vec sum = vec(0.0f, 0.0f);
+	for (int k = 0; k < shape->count; ++k)
+		sum = vec_add(sum, vec(shape->vertices[k].x, shape->vertices[k].y));
+	return vec_scale(1.0f / (float)shape->count, sum);
+}
+
+// Drag and lift of each edge that faces the wind, at its middle, by the width that it turns to the wind; a rounded shape is wider by
+// twice its radius, at the middle of its corners.
+INLINE void field_blow(const GLOBAL Field* field, const FieldSpot* spot, const FieldTarget* t, FieldForce* sum)
+{
+	const GLOBAL Attribute* shape = t->shape;
+	float pressure = 0.5f * field->density;
+	Vec middle = vec_add(t->arm, vec_turn(t->turn, field_middle(shape)));
+	if (!field_holds(field, spot, vec_add(t->at, vec_sub(middle, t->arm))))
+		return;
+	for (int k = 0; k < shape->count && shape->count > 1; ++k)
+	{
+		Float2 a = shape->vertices[k], b = shape->vertices[k + 1 < shape->count ? k + 1 : 0];
+		Vec normal = vec_turn(t->turn, vec(shape->normals[k].x, shape->normals[k].y));
+		Vec edge = vec(b.x - a.x, b.y - a.y), own = vec(0.5f * (a.x + b.x), 0.5f * (a.y + b.y));
+		Vec arm = vec_add(vec_add(t->arm, vec_turn(t->turn, own)), vec_scale(shape->radius, normal));
+		Vec e = field_passing(field, spot, t, arm);
+		float speed = square_root(vec_dot(e, e)), facing = -vec_dot(normal, e);
+		if (!(facing > 0.0f && speed > 0.0f)) // the square of a small speed may be 0
+			continue;
+		float rate = pressure * facing * square_root(vec_dot(edge, edge));
+		float side = field->lift * rate * (vec_cross(normal, e) / speed);
+		field_brake(sum, arm, field->drag * rate, vec_scale(field->drag * rate, e));
+		field_brake(sum, arm, absolute(side), vec_spin(side, e));
+	}
+	if (shape->radius > 0.0f)
+	{
+		Vec e = field_passing(field, spot, t, middle);
+		float rate = pressure * field->drag * (2.0f * shape->radius) * square_root(vec_dot(e, e));
+		field_brake(sum, middle, rate, vec_scale(rate, e));
+	}
+}
+
+// An edge of a region, or the surface of a fluid that is everywhere below it.
+INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSpot* spot, int k, const FieldTarget* t)
+{
+	FieldEdge edge;
+	Vec normal = vec(0.0f, 1.0f), at = vec(0.0f, 0.0f), turn = vec(spot->pose.z, spot->pose.w);
+	if (field->shape.count > 0)
+	{
+		normal = vec(field->shape.normals[k].x, field->shape.normals[k].y);
+		at = vec(field->shape.vertices[k].x, field->shape.vertices[k].y);
+	}
+	at = vec_turn(turn, at);
+	edge.normal = vec_turn(turn, normal);
+	edge.offset = vec_dot(edge.normal, vec((t->at.x - spot->pose.x) - at.x, (t->at.y - spot->pose.y) - at.y));
+	return edge;
+}
+
+// The highest point of a shape above an edge, and the lowest with a sign of -1.
+INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
+{
+	Vec normal = vec_turn_back(t->turn, vec_scale(sign, edge.normal));
+	float most = -MOST_FLOAT;
+	for (int k = 0; k < t->shape->count; ++k)
+		most = maximum(most, vec_dot(normal, vec(t->shape->vertices[k].x, t->shape->vertices[k].y)));
+	return sign * edge.offset + most + t->shape->radius;
+}
+
+// The part of a shape in a fluid. depth gets the shortest way on which all of it leaves the fluid, m.
+INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSpot* spot, const FieldTarget* t, float* depth)
+{
+	FieldArea none = {0.0f, 0.0f, 0.0f};
+	*depth = MOST_FLOAT;
+	FieldEdge edges[MAX_CORNERS], line;
+	int cuts = 0, count = field->shape.count > 0 ? field->shape.count : 1;
+	line.normal = vec(0.0f, 1.0f);
+	line.offset = 0.0f;
+	line.offset = -field_height(t, line, 1.0f);
+	for (int k = 0; k < count; ++k)
+	{
+		FieldEdge edge = field_edge(field, spot, k, t);
+		edges[k] = edge;
+		*depth = minimum(*depth, field_height(t, edge, -1.0f));
+		if (!(*depth > 0.0f))
+			return none;
+		if (!(field_height(t, edge, 1.0f) > 0.0f))
+			continue;
+		cuts |= 1 << k;
+		line = edge;
+	}
+	if (cuts & (cuts - 1))
+		return field_area_clipped(t->shape, t->turn, edges, cuts);
+	return field_area_below(t->shape, t->turn, line);
+}
+
+// A limit of the force of a fluid on a point of a body, N. A body that is much lighter than the fluid would be thrown out of it: the force
+// of a step may not give the point more speed than takes it out in a step, nor more than twice sqrt(g width), about that of a ball that is
+// let go under water. What holds it down may still weigh dozens of times as much.
+INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, float weight, float depth, float width)
+{
+	BodyState state = p->body[body];
+	float dt = p->step.dt, lever = vec_cross(arm, gravity) / weight;
+	float easy = state.inv_mass + lever * lever * state.inv_inertia;
+	float most = minimum(depth / (dt * dt), 2.0f * square_root(weight * width) / dt);
+	return (weight + most) / easy;
+}
+
+// The weight of the fluid that a shape displaces, at the centroid of that; and the drag of the fluid there: by the area, and by the
+// square of the speed as of a disc of the same area.
+INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSpot* spot, int body,
+                        const FieldTarget* t, FieldForce* sum)
+{
+	if (t->shape->count < 3 && !(t->shape->radius > 0.0f))
+		return;
+	float depth;
+	FieldArea part = field_immersed(field, spot, t, &depth);
+	if (!(part.area > 0.0f))
+		return;
+	Vec arm = vec_add(t->arm, vec(part.x / part.area, part.y / part.area));
+	Vec gravity = vec(p->step.gravity_x, p->step.gravity_y);
+	float weight = square_root(vec_dot(gravity, gravity)), width = 2.0f * square_root(part.area * 0.318309886f);
+	if (weight > 0.0f && weight < MOST_FLOAT)
+	{
+		float most = field_most_lift(p, body, arm, gravity, weight, depth, width);
+		field_push(sum, arm, vec_scale(-minimum(field->density * part.area, most / weight), gravity));
+	}
+	Vec e = field_passing(field, spot, t, arm);
+	float rate =
+	    field->linear_drag * part.area + 0.5f * field->density * field->drag * width * square_root(vec_dot(e, e));
+	field_brake(sum, arm, rate, vec_scale(rate, e));
+
+	// turning about that point, as a rod from there to the farthest corner on both sides
+	Vec middle = field_middle(t->shape);
+	float most = 0.0f;
+	for (int k = 0; k < t->shape->count; ++k)
+	{
+		Vec way = vec_sub(vec(t->shape->vertices[k].x, t->shape->vertices[k].y), middle);
+		most = maximum(most, vec_dot(way, way));
+	}
+	float square = (most + t->shape->radius * t->shape->radius) * (1.0f / 3.0f);
+	field_brake_spin(sum, field->linear_drag * part.area * square, spot->w - t->w);
+}
+
+INLINE void field_act_shape(const Pools* p, int collidable, int body, int index, const FieldTarget* t, FieldForce* sum)
+{
+	const GLOBAL Field* field = p->field + index;
+	if (field->kind < FIELD_WIND || field->body == body || (!field->all && !field_sees(field, p->filter + collidable)))
+		return;
+	FieldSpot spot = p->field_spot[index];
+	if (field->kind == FIELD_WIND)
+		field_blow(field, &spot, t, sum);
+	else
+		field_float(p, field, &spot, body, t, sum);
+}
+
+// Items are collidables. argument is the number of fields; their boxes are padded to a multiple of ARITY.
+STAGE(field_shape)
+{
+	if (p->collidable_kind[i] != KIND_DYNAMIC)
+		return;
+	int body = p->collidable_body[i];
+	FieldTarget t;
+	t.shape = p->attribute + p->collidable_attribute[i];
+	Float4 pose = field_body_point(p, body, p->collidable_pose[i], &t.arm);
+	t.at = vec(pose.x, pose.y);
+	t.turn = vec(pose.z, pose.w);
+	t.v = vec(p->body[body].vx, p->body[body].vy);
+	t.w = p->body[body].w;
+	float reach = t.shape->reach;
+	Float4 box = make_float4(pose.x - reach, pose.y - reach, pose.x + reach, pose.y + reach);
+	FieldForce sum = field_nothing();
+	FieldWalk walk = field_walk(p->argument, box);
+	for (int field = field_next(p, &walk); field >= 0; field = field_next(p, &walk))
+		field_act_shape(p, i, body, field, &t, &sum);
+	p->field_force[i] = sum;
+}
+
+#endif

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// field_sum.h -- where fields and bodies are in a step, and the sum of what fields do to a body.
+//
+// Fields act once per step. A substep adds the force to the velocity and then the velocity to the position, so with n substeps of h the
+// force of a step moves a body by (n + 1) / 2 h^2 n times its acceleration. That is a drift, a kick and a drift if the force is the one
+// at the pose that the body reaches after (n - 1) / 2 h on its own: then the motion in a conservative field keeps its energy. From the
+// pose at the start of the step orbits would grow.
+//
+// This work is based on:
+// Ernst Hairer, Christian Lubich, Gerhard Wanner, Geometric Numerical Integration, 2006, I.1.4: the scheme of Stoermer and Verlet.
+#ifndef FIELD_SUM_H
+#define FIELD_SUM_H
+#include "pools/pools.h"
+#include "stages/broad_phase/transform.h"
+
+// N, N m: limit of the force of all fields on a body
+#define FIELD_MOST 1.0e35f
+
+// s: from the start of a step to the poses at which fields act
+INLINE float field_ahead(const Pools* p) { return 0.5f * (p->step.dt - p->step.h); }
+
+// The pose of the center of mass of a body then.
+INLINE Float4 field_body_pose(const Pools* p, int body)
+{
+	BodyState state = p->body[body];
+	Float4 pose = p->pose[body];
+	float ahead = field_ahead(p);
+	Vec turn = vec_turn(vec_rotation(ahead * state.w), vec(pose.z, pose.w));
+	return make_float4(pose.x + ahead * state.vx, pose.y + ahead * state.vy, turn.x, turn.y);
+}
+
+// A pose in the frame of a body, in the world. *arm gets the way from the center of mass.
+INLINE Float4 field_body_point(const Pools* p, int body, Float4 own, Vec* arm)
+{
+	Float4 pose = field_body_pose(p, body);
+	Float2 middle = p->local_center[body];
+	Vec turn = vec(pose.z, pose.w), rotation = vec_turn(turn, vec(own.z, own.w));
+	*arm = vec_turn(turn, vec(own.x - middle.x, own.y - middle.y));
+	return make_float4(pose.x + arm->x, pose.y + arm->y, rotation.x, rotation.y);
+}
+
+INLINE FieldSpot field_spot_of(const Pools* p, const GLOBAL Field* field)
+{
+	FieldSpot spot = {field->pose, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, {0.0f, 0.0f, 0.0f}};
+	if (field->body >= 0)
+	{
+		Vec arm;
+		spot.pose = field_body_point(p, field->body, field->pose, &arm);
+		spot.center_x = -arm.x;
+		spot.center_y = -arm.y;
+		spot.vx = p->body[field->body].vx;
+		spot.vy = p->body[field->body].vy;
+		spot.w = p->body[field->body].w;
+	}
+	return spot;
+}
+
+// A vector of a field, in the world.
+INLINE Vec field_turn(const FieldSpot* spot, float x, float y)
+{
+	return vec_turn(vec(spot->pose.z, spot->pose.w), vec(x, y));
+}
+
+// The velocity of the medium at a point.
+INLINE Vec field_flow(const GLOBAL Field* field, const FieldSpot* spot, Vec at)
+{
+	Vec arm = vec((at.x - spot->pose.x) - spot->center_x, (at.y - spot->pose.y) - spot->center_y);
+	Vec own = vec_add(vec(spot->vx, spot->vy), vec_spin(spot->w, arm));
+	return vec_add(own, field_turn(spot, field->velocity_x, field->velocity_y));
+}
+
+// Whether a point is in the region of a field.
+INLINE int field_holds(const GLOBAL Field* field, const FieldSpot* spot, Vec at)
+{
+	const GLOBAL Attribute* shape = &field->shape;
+	Vec q = vec_turn_back(vec(spot->pose.z, spot->pose.w), vec(at.x - spot->pose.x, at.y - spot->pose.y));
+	int inside = shape->count > 2;
+	float nearest = MOST_FLOAT; // square of the distance from the edges
+	for (int k = 0; k < shape->count; ++k)
+	{
+		Float2 a = shape->vertices[k], b = shape->vertices[k + 1 < shape->count ? k + 1 : 0],
+		       normal = shape->normals[k];
+		Vec from = vec(q.x - a.x, q.y - a.y), edge = vec(b.x - a.x, b.y - a.y);
+		float along = vec_dot(from, edge), length = vec_dot(edge, edge);
+		float share = along > 0.0f && length > 0.0f ? minimum(along / length, 1.0f) : 0.0f;
+		Vec apart = vec_sub(from, vec_scale(share, edge));
+		nearest = minimum(nearest, vec_dot(apart, apart));
+		inside = inside && vec_dot(from, vec(normal.x, normal.y)) <= 0.0f;
+	}
+	return shape->count == 0 || inside || nearest <= shape->radius * shape->radius;
+}
+
+INLINE int field_sees(const GLOBAL Field* field, const GLOBAL Filter* filter)
+{
+	return (field->mask & filter->category) != 0 && (filter->mask & field->category) != 0;
+}
+
+typedef struct // a walk over the fields whose boxes overlap one, in rising order
+{
+	Float4 box;
+	int count;        // fields
+	int next;         // item behind those that were looked at: a block of boxes, or a block of groups
+	int group, first; // of the present hits: blocks of boxes, boxes
+	Word groups, hits;
+} FieldWalk;
+
+INLINE FieldWalk field_walk(int count, Float4 box)
+{
+	FieldWalk walk = {box, count, 0, 0, 0, 0u, 0u};
+	return walk;
+}
+
+// Takes the lowest bit of a set that is not empty.
+INLINE int field_take(Word* bits)
+{
+	int k = 0;
+	while (!(*bits >> k & 1))
+		++k;
+	*bits = *bits & ~(1u << k);
+	return k;
+}
+
+// The next field, -1 at the end.
+INLINE int field_next(const Pools* p, FieldWalk* w)
+{
+	int few = w->count <= FIELD_FEW, step = few ? ARITY : ARITY * ARITY;
+	while (!w->hits)
+	{
+		if (!w->groups)
+		{
+			if (w->next * step >= w->count)
+				return -1;
+			w->group = few ? w->next : ARITY * w->next;
+			w->groups = few ? 1u : overlaps8(p->field_group + w->group, w->box);
+			++w->next;
+			continue;
+		}
+		w->first = ARITY * (w->group + field_take(&w->groups));
+		w->hits = overlaps8(p->field_box + w->first, w->box);
+	}
+	return w->first + field_take(&w->hits);
+}
+
+INLINE FieldForce field_nothing(void)
+{
+	FieldForce sum = {0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, {0.0f, 0.0f}};
+	return sum;
+}
+
+// A force at a point, from the center of mass.
+INLINE void field_push(FieldForce* sum, Vec arm, Vec force)
+{
+	sum->fx = sum->fx + force.x;
+	sum->fy = sum->fy + force.y;
+	sum->torque = sum->torque + vec_cross(arm, force);
+}
+
+// The force of a medium at a point; rate is the force over the speed at which the medium passes, kg/s.
+INLINE void field_brake(FieldForce* sum, Vec arm, float rate, Vec force)
+{
+	sum->drag_x = sum->drag_x + force.x;
+	sum->drag_y = sum->drag_y + force.y;
+	sum->drag_torque = sum->drag_torque + vec_cross(arm, force);
+	sum->rate = sum->rate + rate;
+	sum->rate_x = sum->rate_x + rate * arm.x;
+	sum->rate_y = sum->rate_y + rate * arm.y;
+	sum->rate_w = sum->rate_w + rate * vec_dot(arm, arm);
+}
+
+// The torque of a medium that turns faster than the body by a spin; rate in kg m^2/s.
+INLINE void field_brake_spin(FieldForce* sum, float rate, float spin)
+{
+	sum->drag_torque = sum->drag_torque + rate * spin;
+	sum->rate_w = sum->rate_w + rate;
+}
+
+INLINE void field_add(FieldForce* sum, FieldForce f)
+{
+	sum->fx = sum->fx + f.fx;
+	sum->fy = sum->fy + f.fy;
+	sum->torque = sum->torque + f.torque;
+	sum->drag_x = sum->drag_x + f.drag_x;
+	sum->drag_y = sum->drag_y + f.drag_y;
+	sum->drag_torque = sum->drag_torque + f.drag_torque;
+	sum->rate = sum->rate + f.rate;
+	sum->rate_x = sum->rate_x + f.rate_x;
+	sum->rate_y = sum->rate_y + f.rate_y;
+	sum->rate_w = sum->rate_w + f.rate_w;
+}
+
+// Weakens the drag of a stiff medium, which would otherwise reverse what it brakes within the step. Velocity and spin are limited one
+// by one; then both together, to where the drag's dissipation along this change of velocity is 0. So drag never adds energy, and one that
+// is not stiff is left alone: then the speed at which it balances a force is exact.
+INLINE void field_soften(const Pools* p, int body, FieldForce* sum)
+{
+	BodyState state = p->body[body];
+	Motion motion = p->motion[body];
+	float dt = p->step.dt, slow = dt * (sum->rate * state.inv_mass), slow_w = dt * (sum->rate_w * state.inv_inertia);
+	float linear = slow > 1.0f ? 1.0f / slow : 1.0f, angular = slow_w > 1.0f ? 1.0f / slow_w : 1.0f;
+	float fx = linear * sum->drag_x, fy = linear * sum->drag_y, torque = angular * sum->drag_torque;
+	float most = maximum(maximum(absolute(fx), absolute(fy)), absolute(torque)), share = 1.0f;
+	if (most > 1.0e-30f && most < FIELD_MOST)
+	{
+		float unit = 1.0f / most; // squares of forces may not be finite
+		float dx = motion.free_x * state.inv_mass * (unit * fx), dy = motion.free_y * state.inv_mass * (unit * fy);
+		float dw = state.inv_inertia * (unit * torque);
+		float gain = unit * sum->drag_x * dx + unit * sum->drag_y * dy + unit * sum->drag_torque * dw;
+		float loss =
+		    sum->rate * (dx * dx + dy * dy) + 2.0f * dw * (sum->rate_x * dy - sum->rate_y * dx) + sum->rate_w * dw * dw;
+		share = dt * loss > gain ? gain / (dt * loss) : 1.0f;
+	}
+	sum->drag_x = share * fx;
+	sum->drag_y = share * fy;
+	sum->drag_torque = share * torque;
+}
+
+INLINE float field_limited(float x) { return within(number_of(x), FIELD_MOST); }
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// contact_approval.h -- contacts about which the user is asked first: which are listed, and bodies that wait where they would meet.
+//
+// A contact of a collidable that asks has points but no impulses until the user says yes. In the step in which it gets points it is
+// listed, and waits: its bodies move no further than to where they meet, so that nothing slips through before there is an answer.
+// Their velocities stay.
+#ifndef CONTACT_APPROVAL_H
+#define CONTACT_APPROVAL_H
+#include "constraints/angle.h"
+#include "stages/finalize/continuous.h"
+#include "stages/finalize/finalize.h"
+
+// Contact i, after the narrow phase: it is listed when it has points. Those that were refused, or that a one-way
+// platform lets through, are made keys, for guard. argument: whether there are platforms.
+STAGE(contact_ask)
+{
+	Word flags = p->contact_flags[i];
+	if (i >= p->counters->live)
+		return;
+	if (p->argument)
+	{
+		int found = (flags & CONTACT_SUNK) != 0;
+		flags &= ~CONTACT_SUNK;
+		sunk_find(p, i, flags, found);
+		p->contact_flags[i] = flags;
+	}
+	if (flags & CONTACT_PASSES)
+		p->key[atomic_add_int(&p->counters->refused, 1)] = apart_passes_key(p, p->pair[i]);
+	if (!(flags & CONTACT_ASKS) || flags & CONTACT_APART || !(flags & CONTACT_COUNT))
+		return;
+	if (flags & CONTACT_REFUSED)
+	{
+		p->key[atomic_add_int(&p->counters->refused, 1)] = apart_key(p, p->pair[i]);
+		return;
+	}
+	p->contact_flags[i] = flags | CONTACT_WAITS;
+	p->waiting[atomic_add_int(&p->counters->waiting, 1)] = i;
+	raise_int(&p->counters->holds, 0x7fffffff);
+}
+
+STAGE(refused_pair) { p->refused[i] = p->key[i]; }
+
+// Contact i, at the end of the step, when contacts have the slots that they keep until the next one.
+STAGE(contact_asked)
+{
+	if (p->contact_flags[i] & CONTACT_WAITS)
+		p->asked[atomic_add_int(&p->counters->asked, 1)] = i;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// waiting
+// ---------------------------------------------------------------------------------------------------------------
+
+// Body i before the solve: where it is.
+STAGE(hold_begin)
+{
+	p->hold_pose[i] = p->pose[i];
+	p->hold_low[i] = p->pose_low[i];
+	p->hold_share[i] = float_bits(1.0f);
+}
+
+// How body i went in the step, from its poses.
+INLINE Advance hold_advance(const Pools* p, int i)
+{
+	Float4 then = p->hold_pose[i], now = p->pose[i];
+	Float2 low = p->hold_low[i], end = p->pose_low[i];
+	Advance advance;
+	advance.path = vec((now.x - then.x) + (end.x - low.x), (now.y - then.y) + (end.y - low.y));
+	advance.turn = vec_angle(vec_turn_back(vec(then.z, then.w), vec(now.z, now.w)));
+	return advance;
+}
+
+INLINE Sweep hold_sweep(const Pools* p, WorldShape s)
+{
+	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
+	return sweep_with(hold_advance(p, s.body), vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
+}
+
+// Item i of the contacts that wait: the share of the way after which its bodies meet.
+STAGE(hold_find)
+{
+	int slot = p->waiting[i];
+	Int2 pair = p->pair[slot], bodies = p->contact_bodies[slot];
+	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
+	GuardDepth meets = {SWEEP_DEPTH, SWEEP_DEPTH, GUARD_TOLERANCE, 0.0f};
+	float share = guard_time(p, a, hold_sweep(p, a), b, hold_sweep(p, b), meets).time;
+	if (!(share < 1.0f))
+		return;
+	// shares are not negative, so they are ordered like their bits
+	atomic_min_int(&p->hold_share[bodies.x], float_bits(share));
+	atomic_min_int(&p->hold_share[bodies.y], float_bits(share));
+}
+
+// Body i after the solve: back to where it met another one.
+STAGE(hold)
+{
+	float share = bits_float(p->hold_share[i]);
+	if (!(share < 1.0f) || !(p->body[i].inv_mass > 0.0f))
+		return;
+	Advance advance = hold_advance(p, i);
+	p->pose[i] = p->hold_pose[i];
+	p->pose_low[i] = p->hold_low[i];
+	finalize_pose(p, i, vec_scale(share, advance.path), share * advance.turn);
+}
+
+#endif

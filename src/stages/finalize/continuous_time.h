@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// continuous_time.h -- when two collidables are too deep in each other, by the ways that their bodies went in the step.
+//
+// This work is based on:
+// Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Here each corner has its own
+// speed, and all have a bound of their acceleration. With one bound of all speeds, what spins close to a wall took more than 20 rounds,
+// and what slides along a side that turns was found to draw away.
+#ifndef CONTINUOUS_TIME_H
+#define CONTINUOUS_TIME_H
+#include "stages/geometry/sweep.h"
+
+// m: how closely the target is met
+#define GUARD_TOLERANCE (0.1f * SWEEP_DEPTH)
+
+typedef struct // of two collidables a and b
+{
+	float time; // share of the step, 1 if they are not too deep at any time
+	Vec normal; // from a to b then, in the world
+	Vec point;  // where they are deepest then, from the origin of b, m
+} GuardMeeting;
+
+// How the velocity of the smaller one changes, seen from the larger one, which turns, at a time: m per step and step.
+INLINE Vec guard_bend(Closing c, float time)
+{
+	float frame = c.b.reach < c.a.reach ? c.a.turn : c.b.turn;
+	return vec_sub(c.bend, vec_spin(frame, vec_add(c.near, vec_scale(time, c.bend))));
+}
+
+// The points of a manifold that count from a time on, in the frame of a: also those to which only a curved way leads.
+INLINE Reach guard_reach(Closing c, Vec axes, float time)
+{
+	Reach reach = sweep_reach(c, axes, time);
+	Vec bend = guard_bend(c, time);
+	float left = 1.0f - time;
+	reach.swing += 0.5f * left * left * (absolute(bend.x) + absolute(bend.y));
+	return reach;
+}
+
+// For how long no point of the smaller one may draw near to the larger one along a normal by more than is left for it: its deepest
+// point left, m, the others more. closing: of the pair (a, b) at a time.
+INLINE float guard_advance(const Pools* p, WorldShape a, WorldShape b, Closing c, Vec normal, float time, float left)
+{
+	int first = c.a.reach < c.b.reach || c.a.reach == c.b.reach; // a is the smaller one
+	WorldShape shape = first ? a : b;
+	Sweep way = first ? c.a : c.b;
+	const GLOBAL Attribute* attribute = p->attribute + shape.attribute;
+	float spin = c.b.turn - c.a.turn, side = first ? -1.0f : 1.0f;
+	Vec turn = vec_rotation(time * way.turn), axes = vec_turn(turn, vec(shape.c, shape.s));
+	Vec center = vec_turn(turn, way.center);
+	float closes = -vec_dot(normal, vec_add(c.near, vec_scale(time, c.bend)));
+	float most = spin * spin * way.reach + maximum(-vec_dot(normal, guard_bend(c, time)), 0.0f);
+	float low = NO_POINT, soon = 2.0f;
+	for (int k = 0; k < attribute->count; ++k)
+		low = minimum(low, side * vec_dot(normal, vec_turn(axes, shape_corner(attribute, k))));
+	for (int k = 0; k < attribute->count; ++k)
+	{
+		Vec corner = vec_turn(axes, shape_corner(attribute, k));
+		float gap = left + (side * vec_dot(normal, corner) - low);
+		float speed = closes - vec_dot(normal, vec_spin(spin, vec_sub(corner, center)));
+		// speed t + most t^2 / 2 = gap
+		float twice = speed + square_root(speed * speed + 2.0f * most * gap);
+		if (twice > gap)
+			soon = minimum(soon, 2.0f * gap / twice);
+	}
+	return soon;
+}
+
+// of a path: what draws near by less of it slides
+#define GUARD_SLIDES 1.0e-5f
+
+// Whether a point of a manifold that is so deep, m, gets deeper at once.
+INLINE int guard_sinks(Closing c, Manifold m, Vec axes, Vec position, float deep)
+{
+	Vec normal = vec_turn(axes, m.normal);
+	float still = GUARD_SLIDES * (absolute(c.near.x) + absolute(c.near.y) + absolute(c.b.turn - c.a.turn) * c.b.reach);
+	UNROLL
+	for (int k = 0; k < 2; ++k)
+	{
+		Vec arm = vec_sub(vec_turn(axes, vec_sub(m.point[k], position)), c.b.center);
+		if (m.separation[k] <= -deep && vec_dot(normal, vec_add(c.near, vec_spin(c.b.turn, arm))) < -still)
+			return 1;
+	}
+	return 0;
+}
+
+typedef struct // how deep b may get in a, m
+{
+	float deeper;  // than at the beginning
+	float deepest; // in all
+	float slack;   // deeper than at the beginning in any case
+	float pressed; // in all, where b is pressed into a, which rests; 0 where it is not. What is as deep gets no deeper
+} GuardDepth;
+
+// By how much a point of b may leave the line between its places at the begin and the end, seen from a, which turns, m: an eighth of the
+// most that its velocity changes.
+INLINE float guard_bow(Closing c, Vec between)
+{
+	Vec apart = vec_sub(c.b.path, c.a.path);
+	float turn = absolute(c.a.turn), spin = c.b.turn - c.a.turn, far = absolute(apart.x) + absolute(apart.y);
+	float arm =
+	    absolute(between.x + (c.b.center.x - c.a.center.x)) + absolute(between.y + (c.b.center.y - c.a.center.y));
+	return 0.125f * (turn * (turn * (arm + far) + 2.0f * far) + spin * spin * c.b.reach);
+}
+
+typedef struct // along a direction in the frame of a shape
+{
+	Vec normal;
+	float surface; // of the shape, m
+} GuardSide;
+
+// The side of a shape that a point in its frame is farthest from.
+INLINE GuardSide guard_side(const GLOBAL Attribute* shape, Vec point)
+{
+	GuardSide side;
+	Vec corner = shape_corner(shape, 0), away = vec_sub(point, corner);
+	if (shape->count == 1)
+	{
+		float distance = square_root(vec_dot(away, away));
+		side.normal = distance > CENTERS_APART ? vec_scale(1.0f / distance, away) : vec(0.0f, 1.0f);
+	}
+	else
+	{
+		side.normal = shape_normal(shape, 0);
+		float most = vec_dot(side.normal, away);
+		for (int k = 1; k < shape->count; ++k)
+		{
+			Vec normal = shape_normal(shape, k), from = shape_corner(shape, k);
+			float far = vec_dot(normal, vec_sub(point, from));
+			if (far > most)
+			{
+				most = far;
+				side.normal = normal;
+				corner = from;
+			}
+		}
+	}
+	side.surface = vec_dot(side.normal, corner) + shape->radius;
+	return side;
+}
+
+// Whether b is on its whole path nowhere as deep in a as this, m, as seen along one normal of a: then it is so along no other. Nearly all
+// pairs end here. Between the begin and the end no corner is lower than at the lower one of both, but for its bow.
+RARE int guard_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
+{
+	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
+	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
+	Closing closing = sweep_between(a, way_a, b, way_b);
+	Vec axes = vec(a.c, a.s), between = vec(b.x - a.x, b.y - a.y);
+	Frame begin = frame_at(vec_turn_back(axes, between), vec_turn_back(axes, vec(b.c, b.s))), end;
+	end.position = vec_add(begin.position, vec_turn_back(axes, vec_sub(way_b.path, way_a.path)));
+	end.rotation = begin.rotation;
+	if (way_a.turn != 0.0f || way_b.turn * way_b.reach != 0.0f)
+		sweep_frame(a, b, closing, 1.0f, &end);
+	Vec opposite = shape_corner(shape_b, shape_b->count / 2);
+	Vec middle = vec_scale(0.5f, vec_add(shape_corner(shape_b, 0), opposite));
+	GuardSide side = guard_side(shape_a, frame_point(begin, middle));
+	Vec at_begin = vec_turn_back(begin.rotation, side.normal), at_end = vec_turn_back(end.rotation, side.normal);
+	float low_begin = -NO_AXIS, low_end = -NO_AXIS;
+	for (int k = 0; k < shape_b->count; ++k)
+	{
+		Vec corner = shape_corner(shape_b, k);
+		low_begin = minimum(low_begin, vec_dot(at_begin, corner));
+		low_end = minimum(low_end, vec_dot(at_end, corner));
+	}
+	float low = minimum(vec_dot(side.normal, begin.position) + low_begin, vec_dot(side.normal, end.position) + low_end);
+	return low - side.surface - shape_b->radius - guard_bow(closing, between) > -deep;
+}
+
+// When b gets too deep in a.
+RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, GuardDepth deep)
+{
+	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
+	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
+	Closing closing = sweep_between(a, way_a, b, way_b);
+	Vec start = vec(a.c, a.s), axes = start;
+	Frame f = frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
+	float target = 0.0f;
+	GuardMeeting met;
+	met.time = 0.0f;
+	for (int round = 0; round < SWEEP_ROUNDS; ++round)
+	{
+		Manifold m = collide(shape_a, shape_b, f, guard_reach(closing, axes, met.time));
+		float gap = minimum(m.separation[0], m.separation[1]);
+		if (round == 0)
+		{
+			target = minimum(gap, 0.0f) - deep.deeper;
+			target = maximum(target, -deep.deepest);
+			target = minimum(target, gap - deep.slack);
+			if (deep.pressed > 0.0f)
+				target = minimum(-deep.pressed,
+				                 guard_sinks(closing, m, axes, f.position, deep.pressed) ? gap : gap - GUARD_TOLERANCE);
+		}
+		met.normal = vec_turn(axes, m.normal);
+		// constant indices keep the manifold in registers
+		int second = m.separation[1] < m.separation[0];
+		Vec deepest = vec(second ? m.point[1].x : m.point[0].x, second ? m.point[1].y : m.point[0].y);
+		met.point = vec_turn(axes, vec_sub(deepest, f.position));
+		if (m.count > 0 && gap <= target)
+			return met;
+		if (m.count > 0)
+			met.time += guard_advance(p, a, b, closing, met.normal, met.time, gap - target + GUARD_TOLERANCE);
+		if (m.count == 0 || !(met.time < 1.0f))
+			break;
+		axes = vec_turn(sweep_frame(a, b, closing, met.time, &f), start);
+		if (round + 1 == SWEEP_ROUNDS)
+			return met;
+	}
+	met.time = 1.0f;
+	return met;
+}
+
+#endif

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// finalize.h -- the step's motion into the poses; bodies whose state is not finite are frozen and counted.
+#ifndef FINALIZE_H
+#define FINALIZE_H
+#include "stages/finalize/continuous.h"
+#include "stages/geometry/pose.h"
+#include "stages/solve/press.h"
+
+// 0 times a value that is not finite is NaN
+INLINE int finalize_finite(Vec v, float w, Vec d, float da)
+{
+	return 0.0f * v.x + 0.0f * v.y + 0.0f * w + 0.0f * d.x + 0.0f * d.y + 0.0f * da == 0.0f;
+}
+
+// Moves a body to its pose at the end of the step.
+INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
+{
+	Vec turn = vec(p->pose[i].z, p->pose[i].w);
+	if (da != 0.0f)
+	{
+		turn = vec_turn(vec_rotation(da), turn);
+		turn = vec_scale(1.0f / square_root(vec_dot(turn, turn)), turn);
+	}
+	pose_move(p, i, d, turn);
+}
+
+// A body that was pressed between two leaves no faster than what presses it, unless it was faster when the step began, or falls. Whether
+// it is pressed too deep into something static.
+INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, float da)
+{
+	Press press = p->press[i];
+	if ((press.way[1] | press.left | press.speed | press.depth) == 0)
+		return 0;
+	int between = press.way[0] != 0 && press.way[1] != 0;
+	int left = between ? PRESS_STEPS : press.left - (press.left > 0 && !press.tight);
+	if (left > 0)
+	{
+		float fall = p->step.dt * (absolute(p->step.gravity_x) + absolute(p->step.gravity_y));
+		float most = maximum(bits_float(press.speed), (between ? PRESS_SLOWER : 1.0f) * press.before) + fall;
+		float spin = maximum(press.spun, most / maximum(p->guarded[i].reach, LINEAR_SLOP));
+		*v = vec_scale(vec_shrink(*v, most), *v);
+		*w = within(*w, spin);
+		*d = vec_scale(vec_shrink(*d, p->step.dt * maximum(most, p->step.push_speed)), *d);
+		raise_int(&p->counters->ways, 1);
+		p->press[i].left = left;
+	}
+	else if (press.left != 0 || press.speed != 0)
+	{
+		p->press[i].left = 0;
+		p->press[i].speed = 0;
+	}
+	return press.depth != 0 && guard_presses(p, i, bits_float(press.depth), *d, da);
+}
+
+STAGE(finalize)
+{
+	GLOBAL BodyState* body = p->body + i;
+	Motion motion = p->motion[i];
+	Vec v = vec(motion.free_x * body->vx, motion.free_y * body->vy), d = vec(body->dx, body->dy);
+	float w = body->w, da = body->da;
+	if (!finalize_finite(v, w, d, da))
+	{
+		atomic_add_int(&p->counters->nonfinite, 1);
+		atomic_min_int(&p->counters->first_nonfinite, i);
+		v = vec(0.0f, 0.0f);
+		d = vec(0.0f, 0.0f);
+		w = 0.0f;
+		da = 0.0f;
+		body->dx = 0.0f;
+		body->dy = 0.0f;
+		body->da = 0.0f;
+	}
+	int forced = (float_bits(motion.fx) | float_bits(motion.fy) | float_bits(motion.torque)) != 0, pressed = 0;
+	if (p->counters->presses != 0 && body->inv_mass > 0.0f)
+	{
+		pressed = finalize_pressed(p, i, &v, &w, &d, da);
+		body->dx = d.x;
+		body->dy = d.y;
+	}
+	if (pressed)
+		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = make_int2(i, -1);
+	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da) &&
+	         (forced || !guard_foreseen(p, i, motion.gravity_scale)) && !guard_clear(p, i, d, da))
+		guard_enlist(p, i);
+	else
+		finalize_pose(p, i, d, da);
+
+	// impulses of the last substep may have exceeded the limits
+	v = sweep_velocity(&p->step, v);
+	body->vx = v.x;
+	body->vy = v.y;
+	body->w = within(w, p->step.max_spin);
+	if (forced)
+	{
+		p->motion[i].fx = 0.0f;
+		p->motion[i].fy = 0.0f;
+		p->motion[i].torque = 0.0f;
+	}
+}
+
+// Item i of the bodies that go far: each moves as far as nothing static is in its way. In a world with joints, or if it is pressed, it
+// then moves on along what stopped it, as far as that is free: a chain would press a link that is held ever harder. What is pressed
+// also turns on, unless that is in the way, and is one item whatever its collidables. The searches are one call: of two, clang for PTX
+// inlines neither, and keeps the pools on the stack of every work-item; an H200 was slower in all kernels.
+STAGE(guard)
+{
+	Int2 item = p->guard_list[i];
+	int body = item.x, pressed = item.y < 0, slides = 0;
+	Guarded guarded = p->guarded[body];
+	Vec d = vec(p->body[body].dx, p->body[body].dy), to = d;
+	float da = p->body[body].da, turn = da, least = 0.0f;
+	if (pressed)
+		guarded.parts = 1;
+	for (;;)
+	{
+		GuardStop stop = guard_part(p, guarded, item.y, to, turn);
+		if (slides)
+		{
+			if (stop.share > least)
+			{
+				d = vec_scale(stop.share, to);
+				da = stop.share * turn;
+			}
+			if (!pressed || stop.share > least || slides == 2)
+				break;
+			turn = least * turn;
+			slides = 2;
+			continue;
+		}
+		if (!guard_all(p, guarded, body, &stop.share))
+			return;
+		if (!(stop.share < 1.0f))
+			break;
+		Vec rest = vec_scale(1.0f - stop.share, d);
+		if (!pressed || vec_dot(rest, stop.normal) < -GUARD_MOST)
+			atomic_add_int(&p->counters->held, 1);
+		d = vec_scale(stop.share, d);
+		da = stop.share * da;
+		if (guarded.parts > 1 || (!pressed && !p->step.joints))
+			break;
+		to = vec_add(d, vec_sub(rest, vec_scale(minimum(vec_dot(rest, stop.normal), 0.0f), stop.normal)));
+		turn = pressed ? turn : da;
+		least = stop.share;
+		slides = 1;
+	}
+	finalize_pose(p, body, d, da);
+}
+
+#endif

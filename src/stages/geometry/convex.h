@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// convex.h -- a point, at rest or moving along a line, against a rounded convex core: distance and first meeting, exactly.
+//
+// A core is the convex hull of its corners, a shape is all that is within a radius of it. The core is that of a shape, or the
+// Minkowski sum of one shape and the mirror image of another one (convex_sum.h): two shapes are as far apart as the second one's
+// origin is from that sum. So these few functions answer all queries.
+//
+// This work is based on:
+// Mike Cyrus, Jay Beck, Generalized Two- and Three-dimensional Clipping, 1978: a line against the half-planes of a convex polygon.
+// Christer Ericson, Real-Time Collision Detection, 2005, chapters 5.1 and 5.3: Voronoi regions, the line against a sphere.
+#ifndef CONVEX_H
+#define CONVEX_H
+#include "stages/geometry/manifold_axis.h"
+
+typedef struct
+{
+	const GLOBAL Attribute* shape; // the core, or null:
+	const Vec* corners;            // those of a sum, counter-clockwise
+	const Vec* normals;            // of the edges from corner k to k + 1, outward
+	int count;                     // corners
+	int thin;                      // the core has no area: two edges back to back
+	Real radius;                   // m
+} Convex;
+
+typedef struct // where a core is nearest
+{
+	int edge, corner; // corner -1: within the edge
+	Real separation;  // of the point from the surface, m; negative inside
+	Vec normal;       // unit, from the core
+} ConvexNearest;
+
+typedef struct // where a moving point meets the surface
+{
+	int hit, inside;  // inside: it began there
+	float fraction;   // of its path
+	int edge, corner; // as in ConvexNearest
+	Vec normal;
+} ConvexHit;
+
+INLINE Convex convex_of(const GLOBAL Attribute* shape, Real radius)
+{
+	Convex c;
+	c.shape = shape;
+	c.corners = 0;
+	c.normals = 0;
+	c.count = shape->count;
+	c.thin = shape->count < 3;
+	c.radius = shape->radius + radius;
+	return c;
+}
+
+INLINE Vec convex_corner(const Convex* c, int k) { return c->shape ? shape_corner(c->shape, k) : c->corners[k]; }
+INLINE Vec convex_normal(const Convex* c, int k) { return c->shape ? shape_normal(c->shape, k) : c->normals[k]; }
+INLINE int convex_next(const Convex* c, int k) { return k + 1 < c->count ? k + 1 : 0; }
+INLINE int convex_before(const Convex* c, int k) { return k > 0 ? k - 1 : c->count - 1; }
+
+// How far a point is along edge k, from the edge's corner from, m.
+INLINE Real convex_along(const Convex* c, int k, int from, Vec q)
+{
+	Vec up = convex_normal(c, k);
+	return vec_cross(up, vec_sub(q, convex_corner(c, from)));
+}
+
+// The Voronoi region of a point outside, in a search that begins at an edge which it is above. Edges that are nearly parallel may
+// each hold it for the other's, so the search ends after one turn.
+INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
+{
+	*corner = -1;
+	for (int turn = 0; turn < c->count; ++turn)
+	{
+		int next = convex_next(c, edge), before = convex_before(c, edge);
+		if (convex_along(c, edge, edge, q) < 0.0f)
+		{
+			if (!(convex_along(c, before, edge, q) < 0.0f))
+			{
+				*corner = edge;
+				return edge;
+			}
+			edge = before;
+		}
+		else if (convex_along(c, edge, next, q) > 0.0f)
+		{
+			if (!(convex_along(c, next, next, q) > 0.0f))
+			{
+				*corner = next;
+				return edge;
+			}
+			edge = next;
+		}
+		else
+			break;
+	}
+	return edge;
+}
+
+// The distance of a point from a corner, as a separation from the surface. A point on the corner has the normal up.
+INLINE ConvexNearest convex_at_corner(const Convex* c, int edge, int corner, Vec q, Vec up)
+{
+	Vec d = vec_sub(q, convex_corner(c, corner));
+	Real distance = root(vec_dot(d, d));
+	ConvexNearest n;
+	n.edge = edge;
+	n.corner = corner;
+	n.separation = distance - c->radius;
+	n.normal = distance > 0.0f ? vec(d.x / distance, d.y / distance) : up;
+	return n;
+}
+
+INLINE ConvexNearest convex_nearest(const Convex* c, Vec q)
+{
+	if (c->count == 1)
+		return convex_at_corner(c, 0, 0, q, vec(0.0f, 1.0f));
+	ConvexNearest n;
+	n.edge = 0;
+	Real highest = NO_AXIS;
+	for (int k = 0; k < c->count; ++k)
+	{
+		Real height = vec_dot(convex_normal(c, k), vec_sub(q, convex_corner(c, k)));
+		if (height > highest)
+		{
+			highest = height;
+			n.edge = k;
+		}
+	}
+	n.corner = -1;
+	if (c->thin || !(highest < 0.0f))
+		n.edge = convex_region(c, n.edge, q, &n.corner);
+	n.normal = convex_normal(c, n.edge);
+	if (n.corner >= 0)
+		return convex_at_corner(c, n.edge, n.corner, q, n.normal);
+	n.separation = vec_dot(n.normal, vec_sub(q, convex_corner(c, n.edge))) - c->radius;
+	return n;
+}
+
+INLINE ConvexHit convex_miss(void)
+{
+	ConvexHit hit;
+	hit.hit = hit.inside = hit.edge = 0;
+	hit.corner = -1;
+	hit.fraction = 1.0f;
+	hit.normal = vec(0.0f, 0.0f);
+	return hit;
+}
+
+// The circle around a corner, for a point that begins outside of it. The nearest point of the line is found first: a discriminant
+// of the whole path would lose the small circle at the end of a long one.
+INLINE ConvexHit convex_hit_corner(const Convex* c, int edge, int corner, Vec q, Vec path)
+{
+	ConvexHit hit = convex_miss();
+	Vec from = vec_sub(q, convex_corner(c, corner));
+	Real closing = -vec_dot(from, path), square = vec_dot(path, path);
+	if (!(closing > 0.0f) || !(square > 0.0f))
+		return hit;
+	Real middle = closing / square;
+	Vec passing = vec_add(from, vec_scale(middle, path));
+	Real room = c->radius * c->radius - vec_dot(passing, passing);
+	if (room < 0.0f)
+		return hit;
+	Real fraction = maximum(middle - root(room / square), 0.0f);
+	if (fraction > 1.0f)
+		return hit;
+	Vec at = vec_add(from, vec_scale(fraction, path));
+	Real distance = root(vec_dot(at, at)), length = root(square);
+	hit.hit = 1;
+	hit.fraction = fraction;
+	hit.edge = edge;
+	hit.corner = corner;
+	hit.normal = distance > 0.0f ? vec(at.x / distance, at.y / distance) : vec(-path.x / length, -path.y / length);
+	return hit;
+}
+
+INLINE ConvexHit convex_inside(int edge, int corner)
+{
+	ConvexHit hit = convex_miss();
+	hit.hit = hit.inside = 1;
+	hit.fraction = 0.0f;
+	hit.edge = edge;
+	hit.corner = corner;
+	return hit;
+}
+
+// The share of the path at which edge k is reached, for a line that passes between its corners. The line of an edge that is nearly
+// parallel to the path may be met anywhere, so the share stays between those of the two corners. A path without a square has none: NaN
+// limits nothing.
+INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
+{
+	Vec normal = convex_normal(c, k), from = vec_sub(convex_corner(c, k), q),
+	    to = vec_sub(convex_corner(c, convex_next(c, k)), q);
+	Real square = vec_dot(path, path), first = vec_dot(from, path) / square, last = vec_dot(to, path) / square;
+	Real share = maximum(vec_dot(normal, from) / vec_dot(normal, path), minimum(first, last));
+	return minimum(share, maximum(first, last));
+}
+
+// The first meeting with a sharp core. The line of the path enters and leaves through the edges whose corners are on different sides of
+// it. Each corner has one side for both of its edges, so that no line slips through between two edges, whatever the rounding.
+INLINE ConvexHit convex_hit_sharp(const Convex* c, Vec q, Vec path)
+{
+	ConvexHit hit = convex_miss();
+	int enters = -1, leaves = -1, before = c->count - 1;
+	int right = vec_cross(path, vec_sub(convex_corner(c, before), q)) < 0.0f;
+	for (int k = 0; k < c->count; before = k, ++k)
+	{
+		int was = right;
+		right = vec_cross(path, vec_sub(convex_corner(c, k), q)) < 0.0f;
+		if (was < right)
+			enters = before;
+		if (was > right)
+			leaves = before;
+	}
+	if (enters >= 0)
+	{
+		Real share = convex_share(c, enters, q, path);
+		if (share > 1.0f || convex_share(c, leaves, q, path) < 0.0f)
+			return hit;
+		if (share > 0.0f)
+		{
+			hit.hit = 1;
+			hit.fraction = share;
+			hit.edge = enters;
+			hit.normal = convex_normal(c, enters);
+			return hit;
+		}
+	}
+	ConvexNearest n = convex_nearest(c, q);
+	return n.separation <= 0.0f ? convex_inside(n.edge, n.corner) : hit;
+}
+
+// The first meeting of a point that moves from q along a path. The half-planes of the edges, moved outward by the radius, bound
+// the shape and its mitred corners; behind a mitre is only the circle around that corner.
+INLINE ConvexHit convex_hit(const Convex* c, Vec q, Vec path)
+{
+	if (c->count > 1 && !(c->radius > 0.0f))
+		return convex_hit_sharp(c, q, path);
+	ConvexHit hit = convex_miss();
+	Real lower = 0.0f, upper = 1.0f;
+	int edge = -1;
+	for (int k = 0; c->count > 1 && k < c->count; ++k)
+	{
+		Vec normal = convex_normal(c, k);
+		Real room = vec_dot(normal, vec_sub(convex_corner(c, k), q)) + c->radius, speed = vec_dot(normal, path);
+		if (speed == 0.0f)
+		{
+			if (room < 0.0f)
+				return hit;
+		}
+		else if (speed < 0.0f)
+		{
+			if (room < lower * speed)
+			{
+				lower = room / speed;
+				edge = k;
+			}
+		}
+		else if (room < upper * speed)
+			upper = room / speed;
+		if (upper < lower)
+			return hit;
+	}
+	if (edge < 0)
+	{
+		ConvexNearest n = convex_nearest(c, q);
+		if (n.separation <= 0.0f)
+			return convex_inside(n.edge, n.corner);
+		return n.corner < 0 ? hit : convex_hit_corner(c, n.edge, n.corner, q, path);
+	}
+	int corner = -1;
+	edge = convex_region(c, edge, vec_add(q, vec_scale(lower, path)), &corner);
+	if (corner >= 0)
+		return convex_hit_corner(c, edge, corner, q, path);
+	hit.hit = 1;
+	hit.fraction = lower;
+	hit.edge = edge;
+	hit.normal = convex_normal(c, edge);
+	return hit;
+}
+
+#endif

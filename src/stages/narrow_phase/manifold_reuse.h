@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// manifold_reuse.h -- which contacts keep their manifold, and which ones narrow_phase looks at.
+//
+// If a pair has hardly moved against each other, its points stay at the same places on the two collidables, and nothing
+// is written (contact_points.h computes where they are). In a settled pile that is nearly every pair. A pair that turns
+// together, as bodies in a drum do, keeps the places too, but its normal and arms turn with it: only the rotation is
+// written.
+#ifndef MANIFOLD_REUSE_H
+#define MANIFOLD_REUSE_H
+#include "constraints/constraint_kinds.h"
+#include "constraints/sweep_closing.h"
+
+// cosine: a manifold is kept while neither collidable has turned in the world by more than 3.6 degrees since, and no
+// point moved too far against the other collidable (narrow_phase_distance).
+#define HOLD_COSINE 0.998f
+
+// A pair that turns together keeps the places up to this share of the shift for a pair at rest.
+#define TURN_SHARE 0.3f
+
+// A bound of how far any point of b near a moved in the frame of a since b was at a position and rotation: the motion of
+// the point at the origin of a, plus reach, which is that of a, times the turn. Sums of components bound lengths.
+INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec rotation_now, Real reach)
+{
+	Vec turn = vec_turn_back(rotation, rotation_now);
+	Vec moved = vec_sub(position_now, vec_turn(turn, position));
+	return absolute(moved.x) + absolute(moved.y) + reach * (absolute(turn.y) + absolute(1.0f - turn.x));
+}
+
+// The relative motion of the collidables of a pair; a and b are their rows of the pool world_shape.
+INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], const Real b[8])
+{
+	Int ia, ib;
+	load_int2(p->contact_bodies, i, &ia, &ib);
+	Int shape_a = real_bits(a[6]), shape_b = real_bits(b[6]);
+	Real body_a[8], body_b[8];
+	gather_fixed_rows8((GLOBAL float*)p->body, ia, body_a);
+	gather_fixed_rows8((GLOBAL float*)p->body, ib, body_b);
+	const GLOBAL float *radius = &p->attribute->radius, *reach = &p->attribute->reach;
+	Sweep sweep_a = sweep_with(sweep_advance_of(&p->step, vec(body_a[0], body_a[1]), body_a[2]), vec(a[4], a[5]),
+	                           sweep_shape(reach, shape_a) - sweep_shape(radius, shape_a));
+	Sweep sweep_b = sweep_with(sweep_advance_of(&p->step, vec(body_b[0], body_b[1]), body_b[2]), vec(b[4], b[5]),
+	                           sweep_shape(reach, shape_b) - sweep_shape(radius, shape_b));
+	return sweep_apart(vec(b[0] - a[0], b[1] - a[1]), sweep_a, sweep_b);
+}
+
+// Whether an impulse of the last step pushes the pair apart.
+INLINE Int narrow_phase_loaded(const Pools* p, int i)
+{
+	Int c = load_int(p->contact_place, i), there = c >= 0;
+	c = c & ~(c >> 31);
+	Int at = c / MAX_LANES * (int)(sizeof(ContactRows) / sizeof(float)) + c % MAX_LANES;
+	Real zero = splat(0.0f);
+	Real load1 = gather((const GLOBAL float*)p->contact_rows->normal_impulse1, at),
+	     load2 = gather((const GLOBAL float*)p->contact_rows->normal_impulse2, at);
+	return there & ((load1 > zero) | (load2 > zero));
+}
+
+// Contacts between the one that is looked at and the one whose rows are fetched.
+#define KEEP_SOON 32
+
+INLINE void narrow_phase_keep_fetch(const Pools* p, int i, int live)
+{
+	int soon = FETCHES && p->step.collidables >= FETCH_COLLIDABLES ? i + KEEP_SOON + LANES : 0;
+	for (int k = i + KEEP_SOON; k < soon && k < live; ++k)
+	{
+		Int2 pair = p->pair[k], bodies = p->contact_bodies[k];
+		fetch_soon(p->world_shape + (pair.x & ~(pair.x >> 31)));
+		fetch_soon(p->world_shape + (pair.y & ~(pair.y >> 31)));
+		fetch_soon(p->body + bodies.x);
+		fetch_soon(p->body + bodies.y);
+	}
+}
+
+typedef struct // LANES contacts, and how their collidables moved since their manifolds were found
+{
+	Real a[8], b[8];   // rows of the pool world_shape
+	Int far, on;       // whether one of the pair has MOVED_FAR; has MOVED_ON, and the contact points
+	Vec then_a;        // rotation of a then
+	Real shift, limit; // m: how far, and for how far the manifold is kept
+	Real room; // factor of the pair's tolerances along its surfaces, and of the distance at which it gets points
+} Keep;
+
+// Returns the lanes whose manifold could be kept, but is found anew, because the pair will meet within the step or pass
+// by. For the other lanes that turn together, writes the rotation. wanders: the lanes to test.
+INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, const Keep* c)
+{
+	Real at[8];
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i), at);
+	Closing closing = narrow_phase_closing(p, i, c->a, c->b);
+	Int touches = ((flags & (int)MANIFOLD_OVERLAPS) != 0) | narrow_phase_loaded(p, i);
+
+	// an approach that cannot close the gap in the step gets no impulse
+	Real limit = maximum(choose(SWEEP_REST * c->room, SWEEP_HOLD * c->room, touches),
+	                     (minimum(at[2], at[3]) - c->shift) / splat(sweep_end(&p->step)));
+	Real turns = absolute(closing.a.turn) + absolute(closing.b.turn);
+	Real slide = absolute(vec_cross(vec_turn(c->then_a, vec(at[0], at[1])), closing.near));
+	Int lags = touches & (slide + turns * minimum(closing.a.reach, closing.b.reach) > SWEEP_LAG * c->room);
+	Int in_place = (slide <= SWEEP_LAG * c->room) & (c->shift <= splat(TURN_SHARE) * c->limit);
+	Int passes = c->on & (((closing.most < limit) == 0) | (lags & (in_place == 0)));
+	Word anew = wanders &
+	            lane_bits(passes | (c->far & ((closing.most > splat(SPECULATIVE_DISTANCE)) | (c->room < splat(1.0f)))));
+
+	Word along = wanders & ~anew & lane_bits(c->on & lags);
+	for (int k = 0; along >> k != 0; ++k)
+	{
+		if (!(along >> k & 1))
+			continue;
+		WorldShape now = p->world_shape[p->pair[i + k].x];
+		Float4 then = p->contact_manifold[i + k].then;
+		p->contact_manifold[i + k].then = make_float4(now.c, now.s, then.z, then.w);
+	}
+	return anew;
+}
+
+// Marks the contacts that narrow_phase looks at: contacts that are new, moved too far, will meet within the step or pass
+// by, and contacts whose boxes may have parted.
+WIDE_STAGE(narrow_phase_keep)
+{
+	int live = p->counters->live;
+	narrow_phase_keep_fetch(p, i, live);
+	Int flags = load_int(p->contact_flags, i), ia, ib;
+	load_int2(p->pair, i, &ia, &ib);
+	Word there = lane_bits((ia >= 0) & (indices(i) < live)), apart = lane_bits((flags & (int)CONTACT_APART) != 0);
+	ia = ia & ~(ia >> 31);
+	ib = ib & ~(ib >> 31);
+	Int moved = gather_int(p->moved, ia) | gather_int(p->moved, ib);
+	Keep c;
+	Real manifold[8];
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, ia, c.a);
+	gather_fixed_rows8((GLOBAL float*)p->world_shape, ib, c.b);
+	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i) + 1, manifold);
+
+	Vec axes_a = vec(c.a[2], c.a[3]), axes_b = vec(c.b[2], c.b[3]);
+	c.then_a = vec(manifold[4], manifold[5]);
+	Vec turn = vec(manifold[2], manifold[3]), then_b = vec_turn(c.then_a, turn);
+	c.shift = narrow_phase_moved(vec(manifold[0], manifold[1]), turn,
+	                             vec_turn_back(axes_a, vec(c.b[0] - c.a[0], c.b[1] - c.a[1])),
+	                             vec_turn_back(axes_a, axes_b), manifold[6]);
+	c.limit = manifold[7];
+	Int points = (flags & (int)CONTACT_COUNT) != 0;
+	Real cosine = minimum(vec_dot(c.then_a, axes_a), vec_dot(then_b, axes_b));
+	Int upright = cosine >= splat(HOLD_COSINE);
+	Word stays = lane_bits((c.shift < c.limit) & (upright | (points == 0)) & ((flags & (int)CONTACT_FRESH) == 0));
+	Word anew = there & ~stays & ~apart;
+
+	Int answers = (flags & (int)CONTACT_DETECTED) == 0;
+	c.room = sweep_room(&p->step, moved);
+	c.far = (moved & MOVED_FAR) != 0;
+	c.on = ((moved & MOVED_ON) != 0) & points;
+	Word wanders = there & stays & ~apart & lane_bits(answers & (c.far | c.on));
+	if (wanders)
+		anew |= narrow_phase_wander(p, i, flags, wanders, &c);
+	Word look =
+	    anew | (there & (lane_bits((moved & MOVED_BOX) != 0) | (apart & lane_bits((flags & (int)CONTACT_FRESH) != 0))));
+	if (look == 0)
+		return;
+	raise_int(&p->counters->look, live);
+	for (int k = 0; look >> k != 0; ++k)
+		if (look >> k & 1)
+			p->contact_flags[i + k] |= anew >> k & 1 ? CONTACT_LOOK | CONTACT_ANEW : CONTACT_LOOK;
+}
+
+#endif

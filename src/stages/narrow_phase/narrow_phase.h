@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: MIT
+// narrow_phase.h -- manifolds of contacts; points inherit impulses; contacts whose boxes parted are released.
+#ifndef NARROW_PHASE_H
+#define NARROW_PHASE_H
+#include "constraints/contact_one.h"
+#include "stages/color/edge.h"
+#include "stages/geometry/box.h"
+#include "stages/geometry/predicted_manifold.h"
+#include "stages/narrow_phase/manifold_reuse.h"
+
+// m: a point farther than this from an old one, and of another feature, does not inherit its impulse
+#define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
+
+// m: a pair without points is not tested again while no point moved farther than this against the other collidable, plus
+// the distance by which the pair was farther apart than the speculative distance. A quarter of that distance, so that no
+// contact can be missed.
+#define STAY_DISTANCE LINEAR_SLOP
+
+// A manifold is kept while no point moved farther than this against the other collidable, m, nor than this share of the
+// reach of the smaller one. A manifold with one sharp point is kept for half of that, so that a second point cannot be
+// missed. With less, heaps shake: where one small body carries many, each new manifold pushes it in another direction.
+#define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
+#define HOLD_SHARE    0.1f
+
+// The old point that new point k inherits from: by feature, then the nearest within MATCH_DISTANCE; -1 for none. Points
+// in taken are excluded.
+INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point,
+                              int taken)
+{
+	// constant indices keep points and impulses in registers
+	UNROLL
+	for (int k = 0; k < 2; ++k)
+		if (k < old_count && old_feature[k] == feature && !(taken & 1 << k))
+			return k;
+	int best = -1;
+	float nearest = MATCH_DISTANCE * MATCH_DISTANCE;
+	UNROLL
+	for (int k = 0; k < 2; ++k)
+	{
+		Vec d = vec_sub(point, old_point[k]);
+		float square = vec_dot(d, d);
+		if (k < old_count && !(taken & 1 << k) && square < nearest)
+		{
+			nearest = square;
+			best = k;
+		}
+	}
+	return best;
+}
+
+// The shift up to which a manifold is kept, m.
+INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags, float gap,
+                                   float room, float within)
+{
+	int count = (int)(flags & CONTACT_COUNT);
+	if (count == 0)
+		return STAY_DISTANCE * room + maximum(gap - within, 0.0f);
+	if (flags & CONTACT_DETECTED)
+		return STAY_DISTANCE * room;
+	float distance = count == 2 || (flags & MANIFOLD_ROLLS) ? HOLD_DISTANCE : 0.5f * HOLD_DISTANCE;
+	return minimum(distance * room, HOLD_SHARE * minimum(a->reach, b->reach));
+}
+
+// Whether the boxes of a pair parted. Then its contact is released.
+INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
+{
+	if (!box_parted(p, pair))
+		return 0;
+	contact_end(p, i);
+	contact_count(p, p->contact_bodies[i], p->contact_flags[i], -1);
+	p->pair[i] = make_int2(-1, -1);
+	p->contact_flags[i] = 0;
+	atomic_add_int(&p->counters->released, 1);
+	return 1;
+}
+
+// m: bodies whose centers of mass are closer are found apart by places of their own, at most PLACE_ASIDE beside them: no direction leads
+// from one to the other
+#define PLACE_APART CENTERS_APART
+#define PLACE_ASIDE (10.0f * CENTERS_APART)
+
+// m: the place of a body. A hash without visible order, as neighbors in a pool are often made together.
+INLINE Vec narrow_phase_place(int body)
+{
+	Word x = (Word)body * 0x9e3779b9u;
+	x ^= x >> 15;
+	x *= 0x7feb352du;
+	x ^= x >> 16;
+	float scale = PLACE_ASIDE / 32768.0f;
+	return vec(scale * (float)((int)(x & 65535u) - 32768), scale * (float)((int)(x >> 16) - 32768));
+}
+
+// Moves b aside if it and a can move and are at one place. With one direction for all such pairs, hundreds of bodies that are made at a point
+// would leave it in single file: each pair parts at contact_push_speed, and the first of 500 circles at 205 m/s.
+INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
+{
+	float x = (b.x + b.center_x) - (a.x + a.center_x), y = (b.y + b.center_y) - (a.y + a.center_y);
+	if (!(absolute(x) + absolute(y) < PLACE_APART) || !(p->body[a.body].inv_mass > 0.0f) ||
+	    !(p->body[b.body].inv_mass > 0.0f))
+		return b;
+	Vec aside = vec_sub(narrow_phase_place(b.body), narrow_phase_place(a.body));
+	b.x = b.x + aside.x;
+	b.y = b.y + aside.y;
+	return b;
+}
+
+// Finds the manifold of a pair, and the poses that it is of. answers: the contact gets impulses, it is not for detection
+// only. far: the pair may approach by more than the speculative distance. belt: a surface of it runs. within: the separation from which on
+// it has points, m. rolls gets the MANIFOLD_* bits of a manifold that follows its corners.
+INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt, int moved,
+                               float within, Word* rolls)
+{
+	// in the frame of a, so that nothing depends on how far the pair is from the origin
+	Vec turn = vec(a.c, a.s);
+	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
+	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
+	Ahead found_at;
+	found_at.f = frame_at(vec_turn_back(turn, vec(b.x - a.x, b.y - a.y)), vec_turn_back(turn, vec(b.c, b.s)));
+	found_at.axes = turn;
+	found_at.ahead = 0;
+	Closing closing;
+	closing.most = 0.0f;
+	closing.within = within;
+	if (far)
+		closing = sweep_closing(p, a, b, moved);
+	int meets = closing.most > within;
+	if (meets)
+	{
+		found_at = ahead_meeting(p, a, b, closing, found_at);
+		if (found_at.ahead != AHEAD_MEETS || !ahead_rolls(p, a, b))
+			return found_at;
+	}
+	else
+	{
+		found_at.m = collide(shape_a, shape_b, found_at.f, reach_of(closing.within));
+		if (!answers || found_at.m.count == 0)
+			return found_at;
+		if (!far)
+			closing = sweep_closing(p, a, b, moved);
+		found_at = ahead_past(p, a, b, closing, found_at);
+		int round = shape_a->radius + shape_b->radius > 0.0f;
+		if (!found_at.ahead && round)
+			*rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
+		if (found_at.ahead || round || !belt)
+			return found_at;
+	}
+	return ahead_end(p, a, b, closing, found_at, meets);
+}
+
+// Gives each new point the impulses of the old point that it matches. Returns the features of the new points.
+INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifold* m)
+{
+	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_place[i];
+	Int2 features = p->contact_feature[i];
+	Float4 on_a = p->contact_manifold[i].on_a;
+	int old_feature[2] = {features.x, features.y};
+	Vec old_point[2] = {vec(on_a.x, on_a.y), vec(on_a.z, on_a.w)};
+	float normal[2] = {0.0f, 0.0f}, tangent[2] = {0.0f, 0.0f};
+	if (constraint >= 0)
+	{
+		normal[0] = contact_row(p, normal_impulse1, constraint);
+		normal[1] = contact_row(p, normal_impulse2, constraint);
+		tangent[0] = contact_row(p, tangent_impulse1, constraint);
+		tangent[1] = contact_row(p, tangent_impulse2, constraint);
+	}
+
+	float along[2] = {0.0f, 0.0f}, across[2] = {0.0f, 0.0f};
+	int feature[2] = {-1, -1}, taken = 0;
+	UNROLL
+	for (int k = 0; k < 2; ++k)
+	{
+		if (k >= m->count)
+			continue;
+		feature[k] = m->feature[k];
+		int old = narrow_phase_match(feature[k], m->point[k], old_count, old_feature, old_point, taken);
+		if (old >= 0)
+		{
+			taken |= 1 << old;
+			along[k] = old ? normal[1] : normal[0];
+			across[k] = old ? tangent[1] : tangent[0];
+		}
+	}
+	if (constraint >= 0)
+	{
+		contact_row(p, normal_impulse1, constraint) = along[0];
+		contact_row(p, normal_impulse2, constraint) = along[1];
+		contact_row(p, tangent_impulse1, constraint) = across[0];
+		contact_row(p, tangent_impulse2, constraint) = across[1];
+	}
+	return make_int2(feature[0], feature[1]);
+}
+
+// Writes a manifold. flags are those of the new one.
+INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* at, int shape_a, int shape_b, int moved,
+                               float within)
+{
+	const Manifold* m = &at->m;
+	const GLOBAL Attribute *a = p->attribute + shape_a, *b = p->attribute + shape_b;
+	LocalManifold manifold;
+	manifold.normal = make_float4(m->normal.x, m->normal.y, m->separation[0], m->separation[1]);
+	manifold.on_a = make_float4(m->point[0].x, m->point[0].y, m->point[1].x, m->point[1].y);
+	manifold.relative = make_float4(at->f.position.x, at->f.position.y, at->f.rotation.x, at->f.rotation.y);
+	manifold.then = make_float4(
+	    at->axes.x, at->axes.y, a->reach,
+	    at->ahead ? -1.0f : narrow_phase_distance(a, b, flags, m->gap, sweep_room(&p->step, moved), within));
+	p->contact_manifold[i] = manifold;
+}
+
+RARE void narrow_phase_look(const Pools* p, int i, Word flags)
+{
+	Int2 pair = p->pair[i];
+	int moved = p->moved[pair.x] | p->moved[pair.y];
+	if (!(flags & CONTACT_FRESH) && (moved & MOVED_BOX) && narrow_phase_parted(p, i, pair))
+		return;
+	if (flags & CONTACT_APART)
+	{
+		p->contact_flags[i] = flags & (CONTACT_APART | CONTACT_LASTS);
+		return;
+	}
+	if (!(flags & CONTACT_ANEW))
+	{
+		p->contact_flags[i] = flags & ~CONTACT_LOOK;
+		return;
+	}
+
+	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
+	Word rolls = 0;
+	int answers = !(flags & CONTACT_DETECTED), far = answers && (moved & MOVED_FAR);
+	int belt = edge_belt_of(p, CONSTRAINT_CONTACT, i);
+	if (answers)
+		b = narrow_phase_apart(p, a, b);
+	float within = sweep_within(&p->step, moved);
+	Ahead at = narrow_phase_find(p, a, b, answers, far, belt, moved, within, &rolls);
+	Int2 features = narrow_phase_inherit(p, i, flags, &at.m);
+	Word touching = at.m.count > 0 ? CONTACT_TOUCHING : 0u;
+	Word overlaps = minimum(at.m.separation[0], at.m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
+	Word now = (flags & CONTACT_LASTS) | touching | (Word)at.m.count | rolls | overlaps;
+	p->contact_flags[i] = now;
+	p->contact_feature[i] = features;
+	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute, moved, within);
+	if (!touching)
+		contact_end(p, i);
+	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS)))
+	{
+		p->contact_press[i] = 0; // those of its last touch
+		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), p->contact_bodies[i]);
+	}
+}
+
+// Contacts between the one that is processed and the one whose rows are fetched, because pairs are anywhere in the
+// pools. Contacts of another worker's chunk are not fetched: it changes their flags at the same time.
+#define NARROW_PHASE_SOON 12
+
+STAGE(narrow_phase)
+{
+	int soon = i + NARROW_PHASE_SOON;
+	if (FETCHES && p->step.collidables >= FETCH_COLLIDABLES && soon < p->counters->live &&
+	    soon / CHUNK_ITEMS == i / CHUNK_ITEMS && p->contact_flags[soon] & CONTACT_LOOK)
+	{
+		Int2 pair = p->pair[soon], bodies = p->contact_bodies[soon];
+		fetch_soon(p->world_shape + pair.x);
+		fetch_soon(p->world_shape + pair.y);
+		fetch_soon(p->box + pair.x);
+		fetch_soon(p->box + pair.y);
+		fetch_soon(p->old_box + pair.x);
+		fetch_soon(p->old_box + pair.y);
+		fetch_soon(p->body + bodies.x);
+		fetch_soon(p->body + bodies.y);
+		int constraint = p->contact_place[soon];
+		if (constraint >= 0)
+		{
+			fetch_soon(&contact_row(p, normal_impulse1, constraint));
+			fetch_soon(&contact_row(p, normal_impulse2, constraint));
+			fetch_soon(&contact_row(p, tangent_impulse1, constraint));
+			fetch_soon(&contact_row(p, tangent_impulse2, constraint));
+		}
+	}
+	Word flags = p->contact_flags[i];
+	if (flags & CONTACT_LOOK)
+		narrow_phase_look(p, i, flags);
+}
+
+#endif

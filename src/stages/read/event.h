@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// event.h -- the events of a step in an order that no device changes, for the host to read. No step reads them.
+#ifndef EVENT_H
+#define EVENT_H
+#include "stages/read/contact_report.h"
+
+// What event i of a list is sorted by: the slot of its contact, or the pair that parted. argument is the list.
+STAGE(event_key)
+{
+	p->key[i] = p->argument == EVENT_TOUCH_ENDED   ? p->touch_ended[i]
+	            : p->argument == EVENT_TOUCH_BEGAN ? (Word64)p->touch_began[i]
+	            : p->argument == EVENT_ASKED       ? (Word64)p->asked[i]
+	                                               : (Word64)p->hit[i];
+}
+
+// After the sort: the contact of event i, with its points and impulses.
+STAGE(event_list) { listed_write(p, (int)p->key[i], i); }
+
+#endif

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// joint_report.h -- the coordinates and forces of joints at the current poses, for the user. No step reads them.
+#ifndef JOINT_REPORT_H
+#define JOINT_REPORT_H
+#include "constraints/constraint_kinds.h"
+#include "constraints/joint_one.h"
+
+// The place of a joint; -1 for one that has not been in a step, though its slot has a place from an older one.
+INLINE int joint_show_place(const Pools* p, int i)
+{
+	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];
+}
+
+// The impulses of the last substep along the axes, N s; 0 without a constraint. off is what locks are off, bend the curvature of a path.
+INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend, GLOBAL JointState* state)
+{
+	int place = joint_show_place(p, i);
+	if (place < 0)
+		return;
+	Joint u;
+	float sum[JOINT_COORDINATES], rate = p->step.inv_h;
+	joint_load(p, place, PASS_RELAX, &u);
+
+	// forms that hold joints in registers leave the rows of the step as they are
+	u.modes = (float)modes;
+	joint_sums(p, place, &u, sum);
+	Body a = body_gather(p, p->joint_data[i].body_a);
+	if (joint_upright(&u) || joint_torn(p, &u, &a, off))
+		axis = vec(1.0f, 0.0f);
+	if (modes & JOINT_RAILED)
+		sum[0] = sum[0] - bend * sum[2];
+	state->force_x = rate * (sum[0] * axis.x - sum[1] * axis.y);
+	state->force_y = rate * (sum[0] * axis.y + sum[1] * axis.x);
+	state->torque = rate * (coupling_turns(&u) ? sum[0] : sum[2]);
+}
+
+// The speed of one side of a coupling. Returns the direction of a force on that body.
+INLINE Vec joint_show_side(const Pools* p, int i, int side, const CouplingMeasure* m, float* speed)
+{
+	BodyState now = p->body[side ? p->joint_data[i].body_b : p->joint_data[i].body_a];
+	int modes = (int)p->joint_data[i].modes, slides = modes & JOINT_SLIDES(side), hoists = modes & JOINT_HOISTS(side);
+	Vec direction = joint_line(slides ? m->line : vec(0.0f, 0.0f), m->line, hoists != 0);
+	Vec at = vec_add(vec(now.vx, now.vy), vec_spin(now.w, m->arm));
+	*speed = number_of(slides || hoists ? vec_dot(at, direction) : now.w);
+	return direction;
+}
+
+// The coordinate of a coupling, and what it measures of a and of b in place of the other two.
+INLINE void joint_show_coupling(const Pools* p, int i, GLOBAL JointState* state)
+{
+	int modes = (int)p->joint_data[i].modes;
+	float ratio = p->joint_data[i].gear_ratio, speeds[2];
+	CouplingCount count = coupling_count_last(p, i);
+	CouplingState now = coupling_state(p, i, &count);
+	joint_show_side(p, i, 0, now.sides, speeds);
+	Vec direction = joint_show_side(p, i, 1, now.sides + 1, speeds + 1);
+	float far_a = modes & JOINT_HOISTS(0) ? now.sides[0].value : 0.0f;
+	float far_b = modes & JOINT_HOISTS(1) ? now.sides[1].value : 0.0f;
+	state->value[0] = now.value + (far_b + ratio * far_a);
+	state->value[1] = now.sides[0].value;
+	state->value[2] = now.sides[1].value;
+	state->speed[0] = number_of(speeds[1] + ratio * speeds[0]);
+	state->speed[1] = speeds[0];
+	state->speed[2] = speeds[1];
+	joint_show_force(p, i, modes, direction, vec(0.0f, 0.0f), 0.0f, state);
+}
+
+// Frame A of a joint on a path, at its foot. Returns the foot.
+INLINE PathFoot joint_show_foot(const Pools* p, int i, JointFrame* a)
+{
+	PathCount count = path_count_last(p, i);
+	PathFoot foot = path_follow(p, i, &count);
+	*a = joint_frame(p, i, JOINT_AT_FRAME(0), p->joint_data[i].body_a, foot.point);
+	a->turn = vec_turn(a->turn, foot.tangent);
+	return foot;
+}
+
+STAGE(joint_show)
+{
+	GLOBAL JointState* state = p->joint_state + i;
+	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
+	JointFrame a = joint_frame(p, i, JOINT_AT_FRAME(0), ia, vec(0.0f, 0.0f));
+	JointFrame b = joint_frame(p, i, JOINT_AT_FRAME(1), ib, vec(0.0f, 0.0f));
+	float along = 0.0f, bend = 0.0f;
+	if (modes & JOINT_RAILED)
+	{
+		PathFoot foot = joint_show_foot(p, i, &a);
+		along = foot.along;
+		bend = foot.bend;
+	}
+	Vec d = joint_gap(&a, &b), axis = joint_line(a.turn, d, (modes & JOINT_RADIAL) != 0);
+	Vec across = vec(-axis.y, axis.x);
+	BodyState va = p->body[ia], vb = p->body[ib];
+	Vec at_a = vec_add(vec(va.vx, va.vy), vec_spin(va.w, vec_add(a.arm, d)));
+	Vec at_b = vec_add(vec(vb.vx, vb.vy), vec_spin(vb.w, b.arm)), apart = vec_sub(at_b, at_a);
+
+	// over all turns, where the last step left them
+	state->value[0] = along + vec_dot(d, axis);
+	state->value[1] = vec_dot(d, across);
+	state->value[2] = joint_turned(&a, &b, joint_turned_last(p, i));
+
+	// a velocity that the user's calls made infinite may be no number along an axis
+	state->speed[0] = number_of(vec_dot(apart, axis));
+	state->speed[1] = number_of(vec_dot(apart, across));
+	state->speed[2] = number_of(modes & JOINT_RAILED ? vb.w - va.w - bend * vec_dot(apart, axis) : vb.w - va.w);
+	state->force_x = 0.0f;
+	state->force_y = 0.0f;
+	state->torque = 0.0f;
+	state->broken = (p->joint_flags[i] & JOINT_BROKEN) != 0;
+	if (modes & JOINT_COUPLED)
+		joint_show_coupling(p, i, state);
+	else
+	{
+		const GLOBAL JointLock* lock = p->joint_data[i].lock;
+		Vec off = vec(state->value[0] - lock[0].target, state->value[1] - lock[1].target);
+		joint_show_force(p, i, modes, axis, off, bend, state);
+	}
+}
+
+#endif

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: MIT
+// query.h -- queries of the user: rays, shapes that move or rest, and the nearest collidable; one item each.
+//
+// docs/queries.md says what the answers are. Of equal fractions or distances the lower index counts, so an answer does not depend
+// on the order of the search.
+#ifndef QUERY_H
+#define QUERY_H
+#include "stages/geometry/convex_sum.h"
+#include "stages/read/query_tree.h"
+#include "stages/rules/one_way.h"
+
+typedef struct // a query in the world
+{
+	Vec start, turn, path; // of the origin of the shape: m, cos and sin, m
+	float radius;          // m: of a ray
+	int ignored;           // body
+	Float4 box;            // at the start
+	Float4 sides;          // of the box: those that enter first, x and y, then those that leave last
+	Float2 inverse;        // of the path, 1/m
+} Asked;
+
+// a component of a path shorter than this counts as zero, m; and its inverse
+#define QUERY_STILL   1.0e-30f
+#define QUERY_INVERSE 1.0e30f
+
+INLINE float query_inverse(float path) { return absolute(path) < QUERY_STILL ? QUERY_INVERSE : 1.0f / path; }
+
+// The body that a query does not see, 0 for none: also where it was destroyed, even if another body has its slot.
+INLINE int query_ignored(const Pools* p, const Query* query)
+{
+	int body = query->ignored, there = body > 0 && body < p->query_plan->bodies;
+	return there && p->body_generation[body] == query->ignored_generation ? body : 0;
+}
+
+INLINE Asked query_asked(const Pools* p, int i, int form)
+{
+	Query query = p->query[i];
+	Asked q;
+	q.start = vec(query.a.x, query.a.y);
+	q.turn = vec(1.0f, 0.0f);
+	q.radius = 0.0f;
+	q.ignored = query_ignored(p, &query);
+	if (form == QUERY_RAYS)
+	{
+		q.path = vec(query.a.z, query.a.w);
+		q.radius = query.b.x;
+		q.box = box_grow(make_float4(q.start.x, q.start.y, q.start.x, q.start.y), q.radius);
+	}
+	else
+	{
+		q.path = vec(query.b.x, query.b.y);
+		q.turn = vec(query.a.z, query.a.w);
+		WorldShape at;
+		at.x = q.start.x;
+		at.y = q.start.y;
+		at.c = q.turn.x;
+		at.s = q.turn.y;
+		q.box = world_box(at, &p->query_plan->shape, 0.0f);
+	}
+	q.inverse = make_float2(query_inverse(q.path.x), query_inverse(q.path.y));
+	int right = q.inverse.x > 0.0f, up = q.inverse.y > 0.0f;
+	q.sides = make_float4(right ? q.box.z : q.box.x, up ? q.box.w : q.box.y, right ? q.box.x : q.box.z,
+	                      up ? q.box.y : q.box.w);
+	return q;
+}
+
+INLINE Found query_nothing(void)
+{
+	Found found;
+	found.collidable = 0;
+	found.generation = 0;
+	found.x = found.y = found.normal_x = found.normal_y = 0.0f;
+	found.fraction = 0.0f;
+	found.marks = 0;
+	return found;
+}
+
+// Writes an answer in the world: a point and a normal in the frame of what is seen.
+INLINE void query_place(Found* found, Seen seen, Vec point, Vec normal)
+{
+	Vec turn = vec(seen.c, seen.s);
+	point = vec_turn(turn, point);
+	normal = vec_turn(turn, normal);
+	found->x = seen.x + point.x;
+	found->y = seen.y + point.y;
+	found->normal_x = normal.x;
+	found->normal_y = normal.y;
+}
+
+// The shape of a query against a leaf: where it meets it, or with form QUERY_NEAREST where it is nearest. Returns whether it does.
+// Both are solved for a point that is at q in the frame of the leaf, and the core that is as large as both together.
+INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
+{
+	if (form != QUERY_NEAREST)
+	{
+		*hit = convex_hit(&c, q, path);
+		return hit->hit;
+	}
+	ConvexNearest n = convex_nearest(&c, q);
+	*hit = convex_miss();
+	hit->edge = n.edge;
+	hit->corner = n.corner;
+	hit->normal = n.normal;
+	hit->fraction = n.separation;
+	hit->inside = n.separation <= 0.0f;
+	return 1;
+}
+
+// Whether what is seen is a one-way platform that lets a query through, which is at f and moves by path in its frame.
+INLINE int query_passes(const Pools* p, Seen seen, Frame f, float radius, Vec path, const ConvexHit* hit, int form)
+{
+	Rule rule = p->rule[seen.attribute];
+	const GLOBAL Attribute *platform = p->attribute + seen.attribute, *visitor = &p->query_plan->shape;
+	if (!rule.one_way)
+		return 0;
+	if (form == QUERY_NEAREST ? hit->fraction < -ONE_WAY_SLOP : hit->inside)
+		return 1;
+	Vec up = vec(rule.up_x, rule.up_y);
+	OneWayDepth depth = {ONE_WAY_SLOP, 0.0f};
+	OneWayWhole whole = one_way_whole(platform, up, visitor, f);
+	return one_way_height(platform, up, visitor, f, whole, radius, path, depth) != ONE_WAY_ABOVE;
+}
+
+INLINE int query_meets(const Pools* p, Seen seen, const Asked* asked, int form, Found* found)
+{
+	const GLOBAL Attribute *a = p->attribute + seen.attribute, *b = &p->query_plan->shape;
+	Vec axes = vec(seen.c, seen.s);
+	Vec q = vec_turn_back(axes, vec(asked->start.x - seen.x, asked->start.y - seen.y));
+	Vec path = vec_turn_back(axes, asked->path), turn = vec_turn_back(axes, asked->turn), point;
+	Frame f = frame_at(q, turn);
+	ConvexHit hit;
+	if (form == QUERY_RAYS || b->count == 1)
+	{
+		float radius = form == QUERY_RAYS ? asked->radius : b->radius;
+		if (form != QUERY_RAYS)
+			q = vec_add(q, vec_turn(turn, shape_corner(b, 0)));
+		if (!query_solve(convex_of(a, radius), form, q, path, &hit))
+			return 0;
+		if (form == QUERY_NEAREST)
+			radius += hit.fraction;
+		else
+			q = vec_add(q, vec_scale(hit.fraction, path));
+		point = vec_sub(q, vec_scale(radius, hit.normal));
+	}
+	else
+	{
+		Sum sum;
+		sum_make(a, b, turn, &sum);
+		if (!query_solve(sum_convex(&sum, a->radius + b->radius), form, q, path, &hit))
+			return 0;
+		if (form != QUERY_NEAREST)
+			q = vec_add(q, vec_scale(hit.fraction, path));
+		point = sum_point(&sum, a, b, turn, q, hit.edge, hit.corner, hit.normal);
+	}
+	if (p->query_plan->rules && query_passes(p, seen, f, asked->radius, path, &hit, form))
+		return 0;
+	if (hit.inside && form != QUERY_NEAREST)
+	{
+		if (p->query_plan->skips)
+			return 0;
+		point = q;
+	}
+	query_place(found, seen, point, hit.normal);
+	found->fraction = hit.fraction;
+	found->marks = FOUND_HIT | (hit.inside ? FOUND_INSIDE : 0u);
+	found->collidable = seen.collidable + 1; // handles count from 1
+	found->generation = p->generation[seen.collidable];
+	return 1;
+}
+
+// How far an answer is, in the unit of the boxes: a fraction, or a squared distance. It is no nearer than its box.
+INLINE float query_measure(Found* found, int form, float apart)
+{
+	if (form != QUERY_NEAREST)
+	{
+		found->fraction = maximum(found->fraction, apart) + 0.0f;
+		return found->fraction;
+	}
+	float separation = maximum(found->fraction, 0.0f);
+	return maximum(separation * separation, apart);
+}
+
+// Whether an answer comes before the best one so far, which is as far.
+INLINE int query_before(Found a, Found b)
+{
+	if (!(b.marks & FOUND_HIT) || a.fraction < b.fraction)
+		return 1;
+	return a.fraction == b.fraction && a.collidable < b.collidable;
+}
+
+// Answers that a CPU worker holds back, because workers would wait for each other at the counter: 16 of them took ten times as long.
+// A GPU combines what neighbors add.
+#define QUERY_HELD (FETCHES ? 16 : 1)
+
+// Lists so many answers of query i. Returns 0 once there are more than QUERY_MOST: then what is listed is of no use, and the counter, which
+// would run over, stays above that.
+INLINE int query_append(const Pools* p, int i, const Found* held, int count)
+{
+	GLOBAL QueryPlan* plan = p->query_plan;
+	int place = atomic_add_int(&plan->found, count);
+	if (place > QUERY_MOST)
+	{
+		atomic_add_int(&plan->found, -count);
+		return 0;
+	}
+	for (int k = 0; k < count && place + k < plan->room; ++k)
+	{
+		p->found[place + k] = held[k];
+		p->found_query[place + k] = i;
+	}
+	return 1;
+}
+
+// m: more than the sum of all components of a query that the host lets pass
+#define QUERY_FAR 1.0e7f
+
+// Whether a query has finite numbers. The host refuses others, but only while the device works; and what the user writes into
+// shared memory is not checked at all. NaN would meet the empty boxes that fill up a node, behind which there is nothing.
+INLINE int query_finite(Query query)
+{
+	return absolute(query.a.x) + absolute(query.a.y) + absolute(query.a.z) + absolute(query.a.w) + absolute(query.b.x) +
+	           absolute(query.b.y) <
+	       QUERY_FAR;
+}
+
+// mode is QUERY_CLOSEST, QUERY_ANY or QUERY_ALL.
+INLINE void query_run(const Pools* p, int i, int form, int mode)
+{
+	const GLOBAL QueryPlan* plan = p->query_plan;
+	Asked asked = query_asked(p, i, form);
+	Found best = query_nothing(), held[QUERY_HELD];
+	int holds = 0;
+	float limit = form == QUERY_NEAREST ? plan->most * plan->most : 1.0f;
+	QueryWalk walk;
+	query_begin(p, &walk, query_finite(p->query[i]) ? plan->kinds : 0u);
+	while (walk.count > 0)
+	{
+		--walk.count;
+		if (walk.apart[walk.count] > limit)
+			continue;
+		Word group = walk.group[walk.count];
+		const GLOBAL Tree* tree = p->tree + (group >> 31);
+		int level = (int)(group >> 27 & 15), first = ARITY * (int)(group & 0x7ffffff);
+		const GLOBAL Float4* boxes = p->seen_box + tree->begin[level] + first;
+		float apart[ARITY];
+		Word hits = form == QUERY_NEAREST ? apart8(boxes, asked.box, limit, apart)
+		                                  : beam8(boxes, asked.sides, asked.inverse, limit, apart);
+		if (level > 0)
+		{
+			query_push(&walk, hits, apart, query_group((int)(group >> 31), level - 1, first));
+			continue;
+		}
+		for (int k = 0; k < ARITY; ++k)
+		{
+			if (!(hits >> k & 1) || apart[k] > limit)
+				continue;
+			Seen seen = p->seen[tree->leaf_begin + first + k];
+			Found found = query_nothing();
+			if (!query_accepts(p, plan, seen, asked.ignored) || !query_meets(p, seen, &asked, form, &found))
+				continue;
+			float measure = query_measure(&found, form, apart[k]);
+			if (mode == QUERY_ALL)
+			{
+				held[holds] = found;
+				if (++holds < QUERY_HELD)
+					continue;
+				holds = 0;
+				if (query_append(p, i, held, QUERY_HELD))
+					continue;
+				walk.count = 0;
+				break;
+			}
+			else if (mode == QUERY_ANY)
+			{
+				best = query_nothing();
+				best.marks = FOUND_HIT;
+				walk.count = 0;
+				break;
+			}
+			else if (measure < limit || (measure == limit && query_before(found, best)))
+			{
+				best = found;
+				limit = measure;
+			}
+		}
+	}
+	if (mode != QUERY_ALL)
+		p->found[i] = best;
+	else if (holds > 0)
+		query_append(p, i, held, holds);
+}
+
+STAGE(query_ray) { query_run(p, i, QUERY_RAYS, p->argument); }
+STAGE(query_shape) { query_run(p, i, QUERY_SHAPES, p->argument); }
+STAGE(query_nearest) { query_run(p, i, QUERY_NEAREST, QUERY_CLOSEST); }
+
+// Keys by which answers are sorted, one after the other: argument is what the next sort goes by. The lower half is the answer.
+STAGE(query_key)
+{
+	Word place = p->argument == QUERY_BY_COLLIDABLE ? (Word)i : (Word)p->key[i];
+	Word by = p->argument == QUERY_BY_COLLIDABLE ? (Word)p->found[place].collidable
+	          : p->argument == QUERY_BY_FRACTION ? float_word(p->found[place].fraction)
+	                                             : (Word)p->found_query[place];
+	p->key[i] = (Word64)by << 32 | (Word64)place;
+}
+
+// After the sorts: the answers in order.
+STAGE(query_list)
+{
+	int place = (int)(p->key[i] & (Word64)0xffffffffu);
+	p->found_row[i] = p->found[place];
+	p->found_row_query[i] = p->found_query[place];
+}
+
+#endif

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// query_tree.h -- the trees with tight boxes of the poses as they are now, and the search for the nearest leaves.
+//
+// The boxes of the broad phase are those from the beginning of a step. Queries have their own, over the same leaves; they are
+// computed when somebody asks. The step never reads them, so no query changes it.
+//
+// A search visits near nodes first, and leaves out those that are farther than the best answer so far. An answer is never nearer
+// than the box of its leaf says, so what is left out would have lost: the order of the leaves changes no answer.
+#ifndef QUERY_TREE_H
+#define QUERY_TREE_H
+#include "stages/broad_phase/transform.h"
+#include "stages/geometry/filter.h"
+#include "stages/tree/tree.h"
+
+// m: by so much a box exceeds its collidable, so that rounding on the way to the surface never matters. The spacing of floats
+// grows with the distance from the origin.
+#define QUERY_MARGIN  LINEAR_SLOP
+#define QUERY_SPACING 4.0e-7f
+
+// The box of a collidable on its way from the beginning of the step to a pose. A turn moves points off the straight line by less than
+// their distance from the center of mass times 1 minus its cosine.
+INLINE Float4 query_way_box(const Pools* p, int k, WorldShape at)
+{
+	const GLOBAL Attribute* shape = p->attribute + at.attribute;
+	WorldShape start = p->world_shape[k];
+	float out = absolute(at.x) + absolute(at.y), reach = shape->reach + absolute(at.center_x) + absolute(at.center_y);
+	float bulge = reach * (1.0f - (start.c * at.c + start.s * at.s));
+	return box_union(world_box(at, shape, QUERY_MARGIN + QUERY_SPACING * out + bulge),
+	                 world_box(start, shape, QUERY_MARGIN + QUERY_SPACING * out + bulge));
+}
+
+// Whether the step's box of a collidable still holds it: that box is half the speculative distance larger than the collidable was when
+// the step began. A new row has an empty box.
+INLINE int query_holds(const Pools* p, int k, WorldShape at)
+{
+	WorldShape start = p->world_shape[k];
+	float turn = absolute(start.c * at.s - start.s * at.c) + absolute(1.0f - (start.c * at.c + start.s * at.s));
+	float shift = absolute(at.x - start.x) + absolute(at.y - start.y) + p->attribute[at.attribute].reach * turn;
+	return shift <= 0.5f * SPECULATIVE_DISTANCE && !box_is_empty(p->box[k]);
+}
+
+// What every leaf is now. Item i is a leaf of the tree argument; argument is 2 more for boxes of the way in the step, 4 more if the
+// step's boxes do not fit its poses.
+STAGE(query_leaf)
+{
+	int t = p->argument & 1;
+	const GLOBAL Tree* tree = p->tree + t;
+	Float4 box = box_empty();
+	if (i < tree->leaves)
+	{
+		int k = p->leaf[tree->leaf_begin + i], kind = p->collidable_kind[k];
+		if (kind != KIND_DEAD && tree_of_kind(kind) == t)
+		{
+			WorldShape at = collidable_place(p, k);
+			Filter filter = p->filter[k];
+			float out = absolute(at.x) + absolute(at.y);
+			if (!(p->argument & 4) && query_holds(p, k, at))
+				box = box_grow(p->box[k], QUERY_SPACING * out);
+			else if (p->argument & 2)
+				box = query_way_box(p, k, at);
+			else
+				box = world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
+			Seen seen;
+			seen.x = at.x;
+			seen.y = at.y;
+			seen.c = at.c;
+			seen.s = at.s;
+			seen.attribute = at.attribute;
+			seen.body = at.body;
+			seen.collidable = k;
+			seen.kinds = (kind & KIND_SENSOR ? SEEN_SENSOR : 1u << (kind - 1)) |
+			             (filter.category && filter.mask ? SEEN_LISTENS : 0u);
+			p->seen[tree->leaf_begin + i] = seen;
+		}
+	}
+	box_pack(p->seen_box, tree->begin[0] + i, box);
+}
+
+// argument is the tree plus 2 times the level.
+STAGE(query_node) { tree_join(p->seen_box, p->tree + (p->argument & 1), p->argument >> 1, i); }
+
+// Whether a query may find a leaf.
+INLINE int query_accepts(const Pools* p, const GLOBAL QueryPlan* plan, Seen seen, int ignored)
+{
+	if (!(plan->kinds & seen.kinds & ~SEEN_LISTENS) || seen.body == ignored)
+		return 0;
+	if (plan->all)
+		return (seen.kinds & SEEN_LISTENS) != 0;
+	Filter filter = p->filter[seen.collidable];
+	return (plan->mask & filter.category) && (plan->category & filter.mask);
+}
+
+// Groups of eight siblings that are still to visit, the nearest on top. Visiting one adds up to eight.
+#define QUERY_GROUPS (2 + (ARITY - 1) * MAX_LEVELS + 6)
+
+// A group: tree in bit 31, level from bit 27 on, number below.
+INLINE Word query_group(int tree, int level, int number) { return (Word)tree << 31 | (Word)level << 27 | (Word)number; }
+
+typedef struct
+{
+	Word group[QUERY_GROUPS];
+	float apart[QUERY_GROUPS]; // no leaf below it is nearer
+	int count;
+} QueryWalk;
+
+// The kinds, as bits of Seen.kinds, that there may be in a tree.
+INLINE Word query_kinds(int t) { return t == 1 ? 1u << (KIND_STATIC - 1) | SEEN_SENSOR : ~(1u << (KIND_STATIC - 1)); }
+
+INLINE void query_begin(const Pools* p, QueryWalk* walk, Word kinds)
+{
+	walk->count = 0;
+	for (int t = 1; t >= 0; --t)
+	{
+		if (p->tree[t].leaves == 0 || !(kinds & query_kinds(t)))
+			continue;
+		walk->group[walk->count] = query_group(t, p->tree[t].top, 0);
+		walk->apart[walk->count] = 0.0f;
+		++walk->count;
+	}
+}
+
+// Adds the children that are hit, so that the nearest is on top.
+INLINE void query_push(QueryWalk* walk, Word hits, const float apart[ARITY], Word first)
+{
+	int base = walk->count;
+	for (int k = 0; k < ARITY; ++k)
+	{
+		if (!(hits >> k & 1))
+			continue;
+		int place = walk->count++;
+		for (; place > base && walk->apart[place - 1] < apart[k]; --place)
+		{
+			walk->apart[place] = walk->apart[place - 1];
+			walk->group[place] = walk->group[place - 1];
+		}
+		walk->apart[place] = apart[k];
+		walk->group[place] = first + (Word)k;
+	}
+}
+
+#endif

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// one_way.h -- one-way platforms: whether a visitor is on the side from which a platform is solid.
+//
+// A platform has a direction, up. A visitor that is not held yet is held once it is above: no point of it is deeper under one of the
+// platform's upper sides than a small slop, and it is over that side, or gets there in the step by its velocity. So what comes from
+// below, from beside or stands half through passes, however fast, and what comes from above is held in the step in which it meets
+// the platform. A visitor that is held stays so while it touches the platform, and while it is neither below nor beside it: a tilted
+// plank may reach under the platform before they touch.
+//
+// This work is based on:
+// Erin Catto, Box2D's sample Platform, and Rapier's ContactModificationContext::update_as_oneway_platform: a state for each contact.
+#ifndef ONE_WAY_H
+#define ONE_WAY_H
+#include "stages/geometry/sweep.h"
+
+// m: how deep a visitor may be that is above; it is more than bodies fall in a step of 1/30 s, and than loads press them in. Of the
+// thickness of a thinner visitor, so that one that comes from below is not above when it touches. A pair that was far apart in the
+// last step: of the thickness, because guard stops a visitor at GUARD_DEPTH.
+#define ONE_WAY_SLOP  SPECULATIVE_DISTANCE
+#define ONE_WAY_SHARE 0.5f
+#define ONE_WAY_FRESH 0.3f
+// m: a visitor that touches a platform is at least so deep in it
+#define ONE_WAY_TOUCH 1.0e-9f
+
+// what is known of a contact when it is looked at
+#define ONE_WAY_NEW \
+	0 // the boxes did not overlap in the last step, or the visitor was higher than the platform, but not over it
+#define ONE_WAY_PAST 1 // the platform let the visitor through
+#define ONE_WAY_HELD 2 // it held it, but they do not touch
+// cosine: sides that face up by more are upper ones. The walls of a box must not count, whatever the rounding of its corners
+#define ONE_WAY_UPPER 0.1f
+
+// how high a visitor is
+#define ONE_WAY_LOW   0
+#define ONE_WAY_HIGH  1 // higher than an upper side
+#define ONE_WAY_ABOVE 2 // and over it, or it gets there in the step
+
+typedef struct // of a shape along a direction, and across it, m
+{
+	float low, high, left, right;
+} OneWaySpan;
+
+RARE OneWaySpan one_way_span(const GLOBAL Attribute* shape, Frame f, Vec n)
+{
+	Vec corner = frame_point(f, shape_corner(shape, 0));
+	OneWaySpan span;
+	span.low = span.high = vec_dot(n, corner);
+	span.left = span.right = vec_cross(n, corner);
+	for (int k = 1; k < shape->count; ++k)
+	{
+		corner = frame_point(f, shape_corner(shape, k));
+		float along = vec_dot(n, corner), across = vec_cross(n, corner);
+		span.low = minimum(span.low, along);
+		span.high = maximum(span.high, along);
+		span.left = minimum(span.left, across);
+		span.right = maximum(span.right, across);
+	}
+	span.low = span.low - shape->radius;
+	span.high = span.high + shape->radius;
+	span.left = span.left - shape->radius;
+	span.right = span.right + shape->radius;
+	return span;
+}
+
+INLINE int one_way_meet(OneWaySpan a, OneWaySpan b) { return a.left <= b.right && b.left <= a.right; }
+
+typedef struct // how deep a visitor may be in a platform that holds it, m
+{
+	float slop; // now
+	float late; // at the place where it gets over the platform in the step
+} OneWayDepth;
+
+// How high a visitor is against a side of the platform, whose normal is n. way: how it moves against the platform in the step, m.
+RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWayDepth depth)
+{
+	float gap = visitor.low - side.high, closes = -vec_dot(n, way), slides = vec_cross(n, way), from = 0.0f, to = 1.0f;
+	if (!(gap >= -depth.slop))
+		return ONE_WAY_LOW;
+	// what is not at the height of the side yet counts where it gets there
+	if (gap > depth.slop && closes > gap)
+	{
+		from = gap / closes;
+		to = minimum((gap + depth.late) / closes, 1.0f);
+	}
+	visitor.left += minimum(from * slides, to * slides);
+	visitor.right += maximum(from * slides, to * slides);
+	return one_way_meet(side, visitor) ? ONE_WAY_ABOVE : ONE_WAY_HIGH;
+}
+
+// Whether a side with the normal n is an upper one, other than its whole width.
+INLINE int one_way_upper(Vec n, Vec up) { return vec_dot(n, up) > ONE_WAY_UPPER && !(n.x == up.x && n.y == up.y); }
+
+typedef struct // a platform and a visitor along up, in the frame of the platform
+{
+	OneWaySpan platform, visitor;
+} OneWayWhole;
+
+INLINE OneWayWhole one_way_whole(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f)
+{
+	OneWayWhole whole;
+	whole.platform = one_way_span(platform, frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)), up);
+	whole.visitor = one_way_span(visitor, f, up);
+	return whole;
+}
+
+INLINE OneWaySpan one_way_grow(OneWaySpan span, float margin)
+{
+	span.low -= margin;
+	span.left -= margin;
+	span.right += margin;
+	return span;
+}
+
+// How high a visitor at a frame, with a margin around its shape, is against a platform whose direction is up: over its whole width, and over
+// each of its upper sides.
+INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f,
+                          OneWayWhole whole, float margin, Vec way, OneWayDepth depth)
+{
+	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f));
+	int most = one_way_over(whole.platform, one_way_grow(whole.visitor, margin), up, way, depth);
+	for (int k = 0; platform->count > 1 && k < platform->count; ++k)
+	{
+		Vec n = shape_normal(platform, k);
+		if (!one_way_upper(n, up))
+			continue;
+		int height = one_way_over(one_way_span(platform, own, n), one_way_grow(one_way_span(visitor, f, n), margin), n,
+		                          way, depth);
+		most = height > most ? height : most;
+	}
+	return most;
+}
+
+// How deep visitor b may be. A load may press it into platforms that hold it, and the next one takes it over as deep as it is,
+// and deeper by what guard allows in a step.
+INLINE OneWayDepth one_way_depth(const Pools* p, WorldShape b, int known, float swing)
+{
+	float thickness = p->thickness[b.attribute], sunk = bits_float(p->sunk[b.body]);
+	OneWayDepth depth = {minimum(ONE_WAY_SLOP, ONE_WAY_SHARE * thickness), swing};
+	if (known == ONE_WAY_NEW || sunk > 0.0f)
+		depth.slop = maximum(depth.slop, sunk + ONE_WAY_FRESH * thickness);
+	if (sunk > 0.0f)
+		depth.late = depth.slop + swing;
+	return depth;
+}
+
+typedef struct // a visitor, as its platform sees it
+{
+	int height; // ONE_WAY_LOW, ONE_WAY_HIGH or ONE_WAY_ABOVE
+	int below, beside;
+} OneWayPlace;
+
+// The pose of visitor b in the frame of platform a.
+INLINE Frame one_way_frame(WorldShape a, WorldShape b)
+{
+	Vec axes = vec(a.c, a.s);
+	return frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
+}
+
+INLINE Vec one_way_up(const Pools* p, WorldShape a)
+{
+	return vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y);
+}
+
+// The place of visitor b beside platform a, by their poses now. way: as above, in the world. swing: how far its points may be off it, m. known:
+// ONE_WAY_*
+RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, float swing, int known)
+{
+	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
+	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
+	Vec up = one_way_up(p, a);
+	Frame f = one_way_frame(a, b);
+	way = vec_turn_back(vec(a.c, a.s), way);
+	OneWayWhole whole = one_way_whole(shape_a, up, shape_b, f);
+	OneWayPlace place;
+	place.height = one_way_height(shape_a, up, shape_b, f, whole, 0.0f, way, one_way_depth(p, b, known, swing));
+	place.below = whole.visitor.high < whole.platform.high;
+	place.beside = !one_way_meet(whole.platform, whole.visitor);
+	return place;
+}
+
+// m: how deep visitor b is in platform a, which held it, by their poses now: under the upper side under which it is least deep. 0 if
+// it has left the platform. Its middle is outside.
+RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
+{
+	const GLOBAL Attribute* platform = p->attribute + a.attribute;
+	const GLOBAL Attribute* visitor = p->attribute + b.attribute;
+	Vec up = one_way_up(p, a);
+	Frame own = frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)), f = one_way_frame(a, b);
+	OneWayWhole whole = one_way_whole(platform, up, visitor, f);
+	float depth = minimum(whole.platform.high - whole.visitor.low, p->thickness[b.attribute]);
+	if (whole.visitor.high < whole.platform.high || !one_way_meet(whole.platform, whole.visitor) || !(depth > 0.0f))
+		return 0.0f;
+	for (int k = 0; platform->count > 1 && k < platform->count; ++k)
+	{
+		Vec n = shape_normal(platform, k);
+		if (one_way_upper(n, up))
+			depth = minimum(depth, one_way_span(platform, own, n).high - one_way_span(visitor, f, n).low);
+	}
+	return depth;
+}
+
+// Whether another collidable of the visitor's body is in the platform's way: all of a body is held, or nothing of it.
+INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, float swing, int known)
+{
+	for (int k = p->guarded[p->collidable_body[b]].first; k > 0; k = p->next_collidable[k - 1])
+	{
+		if (k - 1 == b || p->collidable_kind[k - 1] & KIND_SENSOR)
+			continue;
+		OneWayPlace place = one_way_place(p, a, p->world_shape[k - 1], way, swing, known);
+		if (place.height != ONE_WAY_ABOVE && !place.beside)
+			return 1;
+	}
+	return 0;
+}
+
+INLINE int one_way_is(const Pools* p, int a) { return p->rule[p->collidable_attribute[a]].one_way; }
+
+// ONE_WAY_HELD if platform a holds b in the step, else what is known of b in the next one. known: ONE_WAY_*
+INLINE int one_way_finds(const Pools* p, int a, int b, Vec way, float swing, int known)
+{
+	WorldShape platform = p->world_shape[a];
+	OneWayPlace place = one_way_place(p, platform, p->world_shape[b], way, swing, known);
+	int above = place.height == ONE_WAY_ABOVE;
+	if (known == ONE_WAY_HELD ? above || !(place.below || place.beside)
+	                          : above && !one_way_through(p, platform, b, way, swing, known))
+		return ONE_WAY_HELD;
+	return place.height == ONE_WAY_HIGH ? ONE_WAY_NEW : ONE_WAY_PAST;
+}
+
+#endif

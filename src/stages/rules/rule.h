@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// rule.h -- rules of the user about pairs: which contacts act. Only worlds that have rules run this.
+//
+// A contact that a rule keeps from acting has no points, as if the boxes of its collidables overlapped and no more. It is looked at
+// before the narrow phase, by what it was in the last step and by the poses now.
+#ifndef RULE_H
+#define RULE_H
+#include "stages/color/joint_edges.h"
+#include "stages/rules/one_way.h"
+
+// What the materials of a pair do.
+RARE MaterialPair rule_materials(const Pools* p, int i, int j)
+{
+	MaterialPair pair = {0.0f, 0.0f, 0.0f, 0};
+	int a = p->rule[p->collidable_attribute[i]].material, b = p->rule[p->collidable_attribute[j]].material;
+	int low = a < b ? a : b, high = a < b ? b : a, place = MATERIAL_PLACE(low, high);
+	if (place < p->step.material_pairs)
+		pair = p->material_pair[place];
+	return pair;
+}
+
+INLINE int rule_ignores(MaterialPair pair) { return pair.sets & MATERIAL_IGNORED; }
+
+// The surface of a contact (contact_surface), by its materials.
+INLINE Float4 rule_surface(MaterialPair pair, Float4 surface)
+{
+	float friction = pair.friction < MOST_FRICTION ? pair.friction : MOST_FRICTION;
+	return make_float4(pair.sets & MATERIAL_FRICTION ? friction : surface.x,
+	                   pair.sets & MATERIAL_RESTITUTION ? pair.restitution : surface.y, surface.z,
+	                   pair.sets & MATERIAL_SPEED ? pair.tangent_speed : surface.w);
+}
+
+// Whether a is a one-way platform for b: what is static or kinematic is no visitor of a platform that falls.
+INLINE int rule_platform(const Pools* p, int a, int b)
+{
+	return one_way_is(p, a) && (p->collidable_kind[a] != KIND_DYNAMIC || p->collidable_kind[b] == KIND_DYNAMIC);
+}
+
+// How the body of collidable i moves in the step, as far as it is known.
+INLINE Advance rule_advance(const Pools* p, int i)
+{
+	BodyState body = p->body[p->world_shape[i].body];
+	return sweep_advance_of(&p->step, vec(body.vx, body.vy), body.w);
+}
+
+// How b moves against a, which turns, in the step, m.
+INLINE Vec rule_way(const Pools* p, int a, int b)
+{
+	WorldShape at = p->world_shape[a], to = p->world_shape[b];
+	Advance first = rule_advance(p, a), second = rule_advance(p, b);
+	// from the center of mass of a to that of b
+	Vec arm = vec(to.x - at.x + (to.center_x - at.center_x), to.y - at.y + (to.center_y - at.center_y));
+	return vec_sub(vec_sub(second.path, first.path), vec_spin(first.turn, arm));
+}
+
+// CONTACT_PASSES if contact i passes because a side of it is a one-way platform, and CONTACT_HIGH if it may be held anew.
+RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
+{
+	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED | CONTACT_HIGH) ? ONE_WAY_NEW
+	            : flags & CONTACT_PASSES                                 ? ONE_WAY_PAST
+	                                                                     : ONE_WAY_HELD;
+	int passes = 0, past = 0;
+	if (known == ONE_WAY_HELD && flags & CONTACT_COUNT)
+		return 0;
+	for (int side = 0; side < 2; ++side)
+	{
+		int a = side ? pair.y : pair.x, b = side ? pair.x : pair.y;
+		if (!rule_platform(p, a, b))
+			continue;
+		int found = one_way_finds(p, a, b, rule_way(p, a, b), 0.0f, known);
+		passes |= found != ONE_WAY_HELD;
+		past |= found == ONE_WAY_PAST;
+	}
+	return passes ? CONTACT_PASSES | (past ? 0u : CONTACT_HIGH) : 0u;
+}
+
+// Body i, before it is known which platforms hold it.
+STAGE(sunk_begin) { p->sunk[i] = 0; }
+
+// Raises the depth of a visitor in the platform of a contact to that of its manifold, or to depth, m.
+INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
+{
+	if (p->contact_flags[slot] & CONTACT_COUNT)
+	{
+		Float4 normal = p->contact_manifold[slot].normal;
+		depth = maximum(maximum(depth, -minimum(normal.z, normal.w)), ONE_WAY_TOUCH);
+	}
+	// depths that are not negative are ordered like their bits
+	if (depth > 0.0f)
+		atomic_max_int(&p->sunk[p->collidable_body[visitor]], float_bits(depth));
+}
+
+// How deep platform a holds b, by their contact in a slot. found: their poses are those of the time when this was found before.
+RARE void sunk_by(const Pools* p, int slot, int a, int b, int found)
+{
+	if (rule_platform(p, a, b))
+		sunk_to(p, slot, b, found ? 0.0f : one_way_sunk(p, p->world_shape[a], p->world_shape[b]));
+}
+
+// How deep the platforms of contact i, with these flags, hold a visitor. found: this was found before, for the same poses.
+INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
+{
+	Int2 pair = p->pair[i];
+	if (pair.x < 0 || flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS))
+		return;
+	int by_a = one_way_is(p, pair.x), by_b = one_way_is(p, pair.y);
+	// a collidable that was destroyed may have anything as its attribute
+	if (!(by_a || by_b) || box_parted(p, pair))
+		return;
+	if (by_a)
+		sunk_by(p, i, pair.x, pair.y, found);
+	if (by_b)
+		sunk_by(p, i, pair.y, pair.x, found);
+	if (!found)
+		p->contact_flags[i] = flags | CONTACT_SUNK;
+}
+
+// Contact i, before contact_rule, when contacts are what they were in the last step. contact_ask does the same again, for guard.
+STAGE(contact_sunk)
+{
+	if (i < p->counters->live)
+		sunk_find(p, i, p->contact_flags[i] & ~CONTACT_SUNK, 0);
+}
+
+INLINE Word64 ask_key(Int2 pair) { return (Word64)pair.x << 32 | (Word64)pair.y; }
+
+INLINE int ask_finds(const GLOBAL Word64* keys, int count, Word64 key)
+{
+	int at = key_bound(keys, 0, count, key);
+	return at < count && keys[at] == key;
+}
+
+// The CONTACT_ANSWERS bits of a contact with these flags.
+RARE Word rule_answer(const Pools* p, Int2 pair, Word flags)
+{
+	if (!((p->filter[pair.x].reports | p->filter[pair.y].reports) & REPORT_ASKS))
+		return 0;
+	if (flags & CONTACT_FRESH)
+		return CONTACT_ASKS;
+	if (flags & CONTACT_WAITS && p->step.asks_again)
+		return CONTACT_ASKS;
+	if (flags & CONTACT_WAITS)
+		return ask_finds(p->allowed, p->step.allowed, ask_key(pair)) ? CONTACT_GRANTED : CONTACT_ASKS | CONTACT_REFUSED;
+	// without points the two have parted; what touched before it asked goes on
+	if (!(flags & CONTACT_COUNT))
+		return CONTACT_ASKS;
+	return flags & CONTACT_ANSWERS ? flags & CONTACT_ANSWERS : CONTACT_GRANTED;
+}
+
+// Contact i: whether it acts in this step.
+STAGE(contact_rule)
+{
+	Word flags = p->contact_flags[i];
+	Int2 pair = p->pair[i];
+	if (i >= p->counters->live || pair.x < 0 || flags & (CONTACT_DETECTED | CONTACT_JOINED))
+		return;
+	Word apart = 0, answer = p->step.asks ? rule_answer(p, pair, flags) : 0u;
+	if (p->step.material_pairs > 0)
+	{
+		MaterialPair materials = rule_materials(p, pair.x, pair.y);
+		if (flags & CONTACT_FRESH)
+			p->contact_surface[i] = rule_surface(materials, p->contact_surface[i]);
+		apart = rule_ignores(materials) ? CONTACT_IGNORED : 0u;
+	}
+	// most contacts stay as they are
+	int platform = !apart && (one_way_is(p, pair.x) || one_way_is(p, pair.y));
+	if (!platform && (flags & (CONTACT_PASSES | CONTACT_IGNORED | CONTACT_ANSWERS)) == (apart | answer))
+		return;
+	// a contact that parted is released by the narrow phase, but not one that is fresh
+	if (!(flags & CONTACT_FRESH) && box_parted(p, pair))
+		return;
+	if (platform)
+		apart = rule_passes(p, pair, flags);
+	int acts = flags & CONTACT_ASKS && !(answer & CONTACT_ASKS);
+	if (((flags ^ apart) & (CONTACT_PASSES | CONTACT_IGNORED)) || acts)
+		contact_anew(p, i, flags, apart | answer | (flags & CONTACT_REPORTS));
+	else
+		p->contact_flags[i] = (flags & ~(CONTACT_ANSWERS | CONTACT_HIGH)) | answer | apart;
+}
+
+#endif

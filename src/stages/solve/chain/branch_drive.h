@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// branch_drive.h -- motors and limits of a branch that its equations hold: those that are not at a bound.
+//
+// First each drive is solved by itself, one after the other, as everywhere. A motor that has not reached its maximum, and a limit
+// that pushes, then hold their coordinate as a lock does: friction in the hinges of a light body is as much between its ends as
+// the hinges are. One of which the solution wants more than it has stays at its bound, and the rest is solved anew.
+#ifndef BRANCH_DRIVE_H
+#define BRANCH_DRIVE_H
+#include "stages/solve/chain/chain.h"
+
+#define HELD_BY_NONE  0
+#define HELD_BY_MOTOR 1
+#define HELD_BY_LIMIT 2
+
+// The holder of coordinate k, if it is not locked.
+INLINE int branch_holder(const JointDrive* d, int modes, int k)
+{
+	if (modes & (k == JOINT_ANGLE ? JOINT_LOCKED(k) : JOINT_LOCKED(k) | JOINT_ELLIPTIC))
+		return HELD_BY_NONE;
+	if (modes & JOINT_LIMITED(k) && d->limit_impulse != 0.0f)
+		return HELD_BY_LIMIT;
+	return modes & JOINT_MOTOR(k) && absolute(d->motor_impulse) < d->motor_most ? HELD_BY_MOTOR : HELD_BY_NONE;
+}
+
+// Adds the equations of motors and limits to those of the locks. Returns what holds the coordinates, by two bits each.
+INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* link, JointSystem* s)
+{
+	int modes = (int)link->u.modes, held = 0;
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		float yield = joint_yield(&link->c, k);
+		if (!(modes & JOINT_DRIVES(k)) || !(yield > 0.0f))
+			continue;
+		JointDrive d = joint_drive_load(p, place, k);
+		int holder = branch_holder(&d, modes, k);
+		if (holder == HELD_BY_NONE)
+			continue;
+		float speed = joint_speed(&link->c, k), value = link->c.value[k];
+		held |= holder << 2 * k;
+		s->locked[k] = 1;
+		s->soft[k] = 0.0f;
+		s->goal[k] = joint_motor_speed(p, &d, k, value, (modes & JOINT_LIMITED(k)) != 0, soft) - speed;
+		if (holder == HELD_BY_MOTOR)
+			continue;
+		int low = value - d.lower < d.upper - value;
+		float gap = low ? value - d.lower : d.upper - value, sign = low ? 1.0f : -1.0f;
+		float bias = joint_limit_speed(p, &d, k, gap, soft);
+		s->soft[k] = gap > 0.0f || !soft ? 0.0f : d.limit_soft * yield;
+		s->goal[k] = -(speed + sign * (bias + s->soft[k] * joint_limit_load(&d, sign, sign * d.limit_impulse)));
+	}
+	return held;
+}
+
+// The impulse of what holds a coordinate, changed by x within its bounds.
+INLINE float branch_bounded(const JointDrive* d, int holder, float x)
+{
+	if (holder == HELD_BY_MOTOR)
+		return grip_of(hold_of(d->motor_impulse + x), d->motor_most);
+	float now = hold_of(d->limit_impulse + x);
+	return d->limit_impulse > 0.0f ? push_of(now) : -push_of(-now);
+}
+
+// Sets the impulse of what holds coordinate k.
+INLINE void branch_set(const Pools* p, int place, int holder, int k, float now, JointDrive* d, ChainLink* link)
+{
+	float change = now - (holder == HELD_BY_MOTOR ? d->motor_impulse : d->limit_impulse);
+	if (holder == HELD_BY_MOTOR)
+		d->motor_impulse = now;
+	else
+		d->limit_impulse = now;
+	joint_drive_store(p, place, k, d);
+	joint_give(&link->u, &link->c,
+	           joint_impulse(&link->c, k == JOINT_ALONG ? change : 0.0f, k == JOINT_ACROSS ? change : 0.0f,
+	                         k == JOINT_ANGLE ? change : 0.0f));
+}
+
+// Sets those to their bounds of which a solution wants more. Whether there are any.
+INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], ChainLink* link)
+{
+	int found = 0;
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		int holder = held >> 2 * k & 3;
+		if (holder == HELD_BY_NONE)
+			continue;
+		JointDrive d = joint_drive_load(p, place, k);
+		float now = branch_bounded(&d, holder, x[k]);
+		int beyond = holder == HELD_BY_MOTOR ? absolute(now) >= d.motor_most : now == 0.0f;
+		found |= beyond;
+		if (beyond)
+			branch_set(p, place, holder, k, now, &d, link);
+	}
+	return found;
+}
+
+// Adds a solution to the impulses of what holds coordinates. What remains in x is for the locks.
+INLINE void branch_drive(const Pools* p, int place, int held, float x[3], ChainLink* link)
+{
+	for (int k = 0; k < JOINT_COORDINATES; ++k)
+	{
+		int holder = held >> 2 * k & 3;
+		if (holder == HELD_BY_NONE)
+			continue;
+		JointDrive d = joint_drive_load(p, place, k);
+		branch_set(p, place, holder, k, branch_bounded(&d, holder, x[k]), &d, link);
+		x[k] = 0.0f;
+	}
+}
+
+#endif

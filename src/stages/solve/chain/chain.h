@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// chain.h -- a pass over a chain: joints in a row whose locks are solved together, exactly (chain_solve.h).
+//
+// A rope that carries a hundred times the mass of a link needs hundreds of passes from joint to joint until the links know of
+// the load. The host finds such rows of joints (src/world/chain/chains.c); they have no color, and come after the colors of a pass.
+//
+// Joints 0, 2, 4, ... of a chain have no bodies in common, nor have 1, 3, 5, ...: a wide pass takes a block of each half at once.
+#ifndef CHAIN_H
+#define CHAIN_H
+#include "stages/solve/chain/chain_stiff.h"
+
+// What does not depend on the velocities: warm start; what turned arms are worth.
+INLINE void chain_start(const Pools* p, int place, int pass, ChainLink* link)
+{
+	if (pass == PASS_WARM_START)
+	{
+		link->u.carried = load(&joint_row(p, carried, place), 0);
+		joint_warm(p, place, &link->u, &link->c);
+		store(&joint_row(p, carried, place), 0, link->u.carried);
+	}
+	if (pass == PASS_BIAS)
+		joint_turn(p, place, &link->u, &link->c);
+}
+
+// What does not depend on the other joints of the chain: this, and limits, springs, motors.
+INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
+{
+	chain_start(p, place, pass, link);
+	if (pass != PASS_WARM_START)
+		joint_drive_all(p, place, pass == PASS_BIAS, &link->u, &link->c);
+}
+
+// Where joints hold a body twice over, as in a welded bridge, the system has no single solution. A little more on the diagonal
+// picks the smallest; since it multiplies changes of impulses only, it does not make the chain softer.
+#define CHAIN_GIVE 1.00001f
+
+// Whether the free angle of a joint is damped: in both passes, by an impulse of its own.
+INLINE Int chain_damps(const Pools* p, int spot, const Joint* u)
+{
+	return (CHAIN_AT(p, slack, spot) > splat(0.0f)) & (joint_has(u, JOINT_LOCKED(JOINT_ANGLE)) == 0);
+}
+
+INLINE Int chain_damp(const Pools* p, int spot, const ChainLink* link, JointSystem* s)
+{
+	const JointPose* c = &link->c;
+	Real softness = CHAIN_AT(p, slack, spot), ia = c->a.inv_inertia, ib = c->b.inv_inertia;
+	Int damps = chain_damps(p, spot, &link->u);
+	s->yield[2] = choose(s->yield[2], ia + ib + softness, damps);
+	s->soft[2] = choose(s->soft[2], softness, damps);
+	s->goal[2] = choose(s->goal[2], -(joint_speed(c, JOINT_ANGLE) + softness * link->u.impulse_angle), damps);
+	s->cross[1] = choose(s->cross[1], ia * c->lever_a[0] + ib * c->lever_b[0], damps & s->locked[0]);
+	s->cross[2] = choose(s->cross[2], ia * c->lever_a[1] + ib * c->lever_b[1], damps & s->locked[1]);
+	s->locked[2] = s->locked[2] | damps;
+	return damps;
+}
+
+// The equations of a joint: diagonal block, right side; and what couples it with others.
+INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, const ChainLink* link)
+{
+	chain_keep_pose(p, spot, &link->c);
+	float most = p->step.max_speed < JOINT_CORRECTION ? p->step.max_speed : JOINT_CORRECTION;
+	JointSystem s = joint_system(p, chain->begin + spot, pass == PASS_BIAS, most, &link->u, &link->c);
+	Real locks = splat(0.0f), holds = splat(0.0f), zero = splat(0.0f);
+	Int slack = chain_damp(p, spot, link, &s);
+	CHAIN_PUT(p, d[0], spot, CHAIN_GIVE * s.yield[0]);
+	CHAIN_PUT(p, d[1], spot, s.cross[0]);
+	CHAIN_PUT(p, d[2], spot, s.cross[1]);
+	CHAIN_PUT(p, d[3], spot, CHAIN_GIVE * s.yield[1]);
+	CHAIN_PUT(p, d[4], spot, s.cross[2]);
+	CHAIN_PUT(p, d[5], spot, CHAIN_GIVE * s.yield[2]);
+	for (int k = 0; k < 3; ++k)
+	{
+		CHAIN_PUT(p, r[k], spot, s.goal[k]);
+		Int locked = joint_has(&link->u, JOINT_LOCKED(k));
+		locks = locks + choose(zero, splat((float)(1 << k)), k == JOINT_ANGLE ? locked | slack : locked);
+		holds = holds + choose(zero, splat((float)(1 << k)), s.locked[k]);
+	}
+	CHAIN_PUT(p, locks, spot, locks);
+	CHAIN_PUT(p, holds, spot, holds);
+}
+
+// The velocities that impulses along the coordinates of the joint before cause along those of this one, through their common
+// body.
+INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
+{
+	int spot = place.spot;
+	ChainNear before = chain_neighbor(chain, place.row, place.n, -1);
+	Real zero = splat(0.0f), one = splat(1.0f);
+	Int right = CHAIN_AT(p, side, spot) > zero, right_there = CHAIN_AT(p, other, spot) > zero;
+	Real inverse = CHAIN_AT(p, inv_mass, spot), turning = CHAIN_AT(p, turns, spot);
+	Real sign = choose(splat(-1.0f), one, right == right_there), lever[3], across[3];
+	Real there[6], locked;
+	chain_near(p->chain_joints->pose, 6, before, there);
+	chain_near(&p->chain_joints->locks, 1, before, &locked);
+	Int holds = whole(CHAIN_AT(p, holds, spot)), locks = whole(locked);
+	Vec axis[2], other[2];
+	axis[0] = vec(CHAIN_AT(p, pose[0], spot), CHAIN_AT(p, pose[1], spot));
+	other[0] = vec(there[0], there[1]);
+	axis[1] = vec(-axis[0].y, axis[0].x);
+	other[1] = vec(-other[0].y, other[0].x);
+	for (int k = 0; k < 2; ++k)
+	{
+		lever[k] = choose(CHAIN_AT(p, pose[2 + k], spot), CHAIN_AT(p, pose[4 + k], spot), right);
+		across[k] = choose(there[2 + k], there[4 + k], right_there);
+	}
+	lever[JOINT_ANGLE] = across[JOINT_ANGLE] = one;
+	for (int i = 0; i < 3; ++i)
+		for (int j = 0; j < 3; ++j)
+		{
+			Int wanted = (inverse > zero) & ((holds & (1 << i)) != 0) & ((locks & (1 << j)) != 0);
+			Real along = i == JOINT_ANGLE || j == JOINT_ANGLE ? zero : vec_dot(axis[i & 1], other[j & 1]);
+			Real value = sign * (inverse * along + turning * lever[i] * across[j]);
+			CHAIN_PUT(p, l[3 * i + j], spot, choose(zero, value, wanted));
+		}
+}
+
+// Adds a solution to the impulses of a joint, that of a damped angle too.
+INLINE void chain_hold(const Pools* p, int spot, const Real x[3], ChainLink* link)
+{
+	Int turns = joint_has(&link->u, JOINT_LOCKED(JOINT_ANGLE)) | chain_damps(p, spot, &link->u);
+	joint_hold(&link->u, &link->c, x, turns);
+}
+
+// Gives the bodies of a joint the impulses of the solution.
+INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
+{
+	ChainLink link;
+	chain_load_kept(p, chain, spot, &link);
+	Real x[3] = {CHAIN_AT(p, x[0], spot), CHAIN_AT(p, x[1], spot), CHAIN_AT(p, x[2], spot)};
+	chain_hold(p, spot, x, &link);
+	if (pass == PASS_RELAX && p->step.drives)
+		joint_peak(p, chain->begin + spot, &link.u, &link.c);
+	chain_store(p, chain, spot, &link);
+}
+
+// One half of a chain: what is its joints' own, if that is asked for, then their equations.
+INLINE void chain_half(const Pools* p, const Chain* chain, int odd, int pass, int owns, int builds)
+{
+	if (!owns && !builds)
+		return;
+	CHAIN_EACH(at, chain, odd)
+	{
+		ChainLink link;
+		chain_load_posed(p, chain->begin + at.spot, &link);
+		if (owns)
+		{
+			chain_own(p, chain->begin + at.spot, pass, &link);
+			chain_store(p, chain, at.spot, &link);
+		}
+		if (builds)
+			chain_build(p, chain, at.spot, pass, &link);
+	}
+}
+
+INLINE void chain_locks(const Pools* p, const Chain* chain, int pass)
+{
+	for (int odd = 0; odd < 2; ++odd)
+		CHAIN_EACH(at, chain, odd)
+	chain_couple(p, chain, at);
+	chain_solve(p, chain);
+	for (int odd = 0; odd < 2; ++odd)
+	{
+		CHAIN_EACH(at, chain, odd)
+		chain_give(p, chain, at.spot, pass);
+		group_meet();
+	}
+}
+
+INLINE Chain chain_number(const Pools* p, int i)
+{
+	Chain chain;
+	chain.at = p->chain[i];
+	chain.begin = p->counters->layout[CONSTRAINT_JOINT].begin[COLORS];
+	return chain;
+}
+
+INLINE void chain_pass(const Pools* p, Chain chain, int pass)
+{
+	// even joints, odd joints, even joints: the equations hold velocities after all joints did what is their own
+	int owns = pass != PASS_RELAX || p->step.drives, solves = pass != PASS_WARM_START;
+	for (int turn = 0; turn < 3; ++turn)
+	{
+		chain_half(p, &chain, turn & 1, pass, owns && turn < 2, solves && (owns ? turn > 0 : turn < 2));
+		group_meet();
+	}
+	if (solves)
+		chain_locks(p, &chain, pass);
+}
+
+// Item i is a range of chains, with those in the same blocks; argument the pass.
+GROUP_STAGE(chain)
+{
+	int first = p->chain[i].item;
+	(void)bench;
+	if (p->argument == PASS_BOUNCE)
+		return;
+	for (int k = 0; k < p->chain[first].parts; ++k)
+	{
+		Chain chain = chain_number(p, first + k);
+		if (LANES > 1 && chain_side(&chain))
+		{
+			// a call of its own, in which these are constants: a tenth of the instructions computed spots
+			chain.at.stride = MAX_LANES;
+			chain.at.bits = 1;
+			chain_pass(p, chain, p->argument);
+		}
+		else
+		{
+			chain.at.stride = 1;
+			chain_pass(p, chain, p->argument);
+		}
+	}
+}
+
+// Before any constraint starts the step: one that did so with a link's own inertia would turn it by another angle than the chain,
+// which has the inertia of the step, takes back. That is a kick in every step, and ropes were torn through their pegs.
+GROUP_STAGE(chain_begin)
+{
+	(void)bench;
+	int first = p->chain[i].item;
+	for (int k = 0; k < p->chain[first].parts; ++k)
+	{
+		Chain chain = chain_number(p, first + k);
+		chain_stretch(p, &chain);
+	}
+}
+
+// The links get their own inertias back.
+INLINE void chain_restore(const Pools* p, Chain chain)
+{
+	for (int odd = 0; odd < 2; ++odd)
+		CHAIN_EACH(at, &chain, odd)
+	for (int k = at.spot; k < at.spot + LANES; ++k)
+		chain_set_inertias(p, chain.begin + k, chain_at(p, own_a, k), chain_at(p, own_b, k));
+}
+
+GROUP_STAGE(chain_end)
+{
+	(void)bench;
+	int first = p->chain[i].item;
+	for (int k = 0; k < p->chain[first].parts; ++k)
+		chain_restore(p, chain_number(p, first + k));
+}
+
+#endif

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// chain_stiff.h -- the start of a step of a chain: the inertias that the tension of its joints asks for, and which bodies these share.
+//
+// Stiff axes. A link under tension is like a string: its sideways vibration may be faster than substeps can follow, and the rope
+// whips apart. So for the step a link's inertia is enlarged to what the tension makes it in an implicit integration, where that
+// exceeds its own. All constraints of the link see the same inertia: otherwise they would take turns in adding energy.
+//
+// This work is based on:
+// Sheldon Andrews, Marek Teichmann, Jozsef Kovecses, Geometric Stiffness for Real-time Constrained Multibody Dynamics, 2017.
+#ifndef CHAIN_STIFF_H
+#define CHAIN_STIFF_H
+#include "stages/solve/chain/chain_link.h"
+
+// Damping of a free angle that is below this share of its inertia is none: it must not overflow what it is added to.
+#define CHAIN_SLACKEST 1.0e12f
+#define CHAIN_SLOW     0.02f
+
+// kg m^2: what the pull of a joint adds to the inertia of its bodies; and what these are
+INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
+{
+	ChainLink link;
+	chain_load_posed(p, chain->begin + spot, &link);
+	Real sum[JOINT_COORDINATES];
+	joint_sums(p, chain->begin + spot, &link.u, sum);
+	Vec push = joint_impulse(&link.c, sum[0], sum[1], splat(0.0f)).push;
+	Real h = splat(p->step.h * p->step.h_ratio); // impulses are those of the last step
+	CHAIN_PUT(p, tension[0], spot, -h * vec_dot(link.c.arm_a, push));
+	CHAIN_PUT(p, tension[1], spot, h * vec_dot(link.c.arm_b, push));
+	CHAIN_PUT_INT(p, body_a, spot, link.ia);
+	CHAIN_PUT_INT(p, body_b, spot, link.ib);
+	CHAIN_PUT(p, own_a, spot, link.c.a.inv_inertia);
+	CHAIN_PUT(p, own_b, spot, link.c.b.inv_inertia);
+}
+
+typedef struct // the bodies of joints at their sides a and b, and the tension of all joints there
+{
+	Int a, b, moves_a, moves_b;
+	Real tension_a, tension_b;
+} ChainBodies;
+
+typedef struct // which sides the body is on that a joint shares with a neighbor, if one that moves
+{
+	Int here_a, here_b, there_a;
+} ChainShared;
+
+// Which body joints share with their neighbors at a spot, whose tension is added to theirs.
+INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* bodies)
+{
+	Int a = chain_near_int(p->chain_joints->body_a, neighbor), b = chain_near_int(p->chain_joints->body_b, neighbor);
+	Real tension[2];
+	chain_near(p->chain_joints->tension, 2, neighbor, tension);
+	ChainShared shared;
+	shared.here_a = bodies->moves_a & ((bodies->a == a) | (bodies->a == b));
+	shared.here_b = bodies->moves_b & ((bodies->b == a) | (bodies->b == b)) & (shared.here_a == 0);
+	shared.there_a = (bodies->moves_a & (bodies->a == a)) | (bodies->moves_b & (bodies->b == a));
+	Real pull = choose(tension[1], tension[0], shared.there_a);
+	bodies->tension_a = choose(bodies->tension_a, bodies->tension_a + pull, shared.here_a);
+	bodies->tension_b = choose(bodies->tension_b, bodies->tension_b + pull, shared.here_b);
+	return shared;
+}
+
+// The inverse inertia of a body with the tension of its joints, where that exceeds its inertia.
+INLINE Real chain_inertia(Real inverse, Real tension)
+{
+	Real zero = splat(0.0f), more = choose(zero, tension - 1.0f / inverse, inverse > zero);
+	return choose(inverse, 1.0f / tension, (more > zero) & (more <= splat(MOST_FLOAT)));
+}
+
+// A free angle between two links that move is damped, as much as substeps do not follow the string that the links are. An implicit
+// integration of the tension damps turns by its inertia t in a substep. Of that, the share is taken by which t enlarges the
+// inertia: t / (I + t). It is small for a pendulum, which loses nothing, and large for neighbors that turn to and fro. The impulse
+// acts between the two links, so that a whirled rope keeps its momentum.
+INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
+{
+	Real zero = splat(0.0f), inverse = CHAIN_AT(p, own_a, spot) + CHAIN_AT(p, own_b, spot);
+	Real t = maximum(minimum(CHAIN_AT(p, tension[0], spot), CHAIN_AT(p, tension[1], spot)), zero), more = t * inverse;
+	Real damping = t * more / (splat(CHAIN_SLOW) + more), least = splat(1.0f / CHAIN_SLACKEST);
+	Int damps = bodies->moves_a & bodies->moves_b & (damping * inverse > least) & (damping <= splat(MOST_FLOAT));
+	return choose(zero, splat(1.0f) / damping, damps);
+}
+
+// The inertias of joints' bodies for the step; and which body they share with the joint before them.
+INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
+{
+	int spot = place.spot;
+	Real zero = splat(0.0f), one = splat(1.0f);
+	ChainBodies bodies;
+	bodies.a = CHAIN_INT(p, body_a, spot);
+	bodies.b = CHAIN_INT(p, body_b, spot);
+	Real mass_a = body_gather(p, bodies.a).inv_mass, mass_b = body_gather(p, bodies.b).inv_mass;
+	bodies.moves_a = mass_a > zero;
+	bodies.moves_b = mass_b > zero;
+	ChainBodies own = bodies;
+	bodies.tension_a = CHAIN_AT(p, tension[0], spot);
+	bodies.tension_b = CHAIN_AT(p, tension[1], spot);
+	ChainShared shared = chain_share(p, chain_neighbor(chain, place.row, place.n, -1), &bodies);
+	chain_share(p, chain_neighbor(chain, place.row, place.n, 1), &bodies);
+	Real step_a = chain_inertia(CHAIN_AT(p, own_a, spot), bodies.tension_a),
+	     step_b = chain_inertia(CHAIN_AT(p, own_b, spot), bodies.tension_b);
+	CHAIN_PUT(p, step_a, spot, step_a);
+	CHAIN_PUT(p, step_b, spot, step_b);
+	CHAIN_PUT(p, slack, spot, chain_slack(p, spot, &own));
+	CHAIN_PUT(p, side, spot, choose(zero, one, shared.here_b));
+	CHAIN_PUT(p, other, spot, choose(one, zero, shared.there_a));
+	CHAIN_PUT(p, inv_mass, spot, choose(choose(zero, mass_b, shared.here_b), mass_a, shared.here_a));
+	CHAIN_PUT(p, turns, spot, choose(step_a, step_b, shared.here_b));
+}
+
+// The inert joints at the end of the row that is left when the others are taken out: nothing else sets their solution.
+INLINE void chain_clear(const Pools* p, const Chain* chain)
+{
+	for (int n = (chain->at.count + chain_rows(chain) - 1) >> chain->at.bits; n < chain->at.length; ++n)
+		for (int k = 0; k < 3; ++k)
+			chain_at(p, x[k], chain->at.first + n) = 0.0f;
+}
+
+// Sets the inertias of a joint's bodies. Two joints set the same of their common body.
+INLINE void chain_set_inertias(const Pools* p, int place, float inverse_a, float inverse_b)
+{
+	if (inverse_a > 0.0f)
+		p->body[joint_row(p, body_a, place)].inv_inertia = inverse_a;
+	if (inverse_b > 0.0f)
+		p->body[joint_row(p, body_b, place)].inv_inertia = inverse_b;
+}
+
+INLINE void chain_stretch(const Pools* p, const Chain* chain)
+{
+	for (int odd = 0; odd < 2; ++odd)
+		CHAIN_EACH(at, chain, odd)
+	chain_tension(p, chain, at.spot);
+	if (LANES > 1 && !chain_side(chain))
+		chain_clear(p, chain);
+	group_meet();
+	for (int odd = 0; odd < 2; ++odd)
+		CHAIN_EACH(at, chain, odd)
+	chain_stiffen(p, chain, at);
+	group_meet();
+	for (int odd = 0; odd < 2; ++odd)
+		CHAIN_EACH(at, chain, odd)
+	for (int k = at.spot; k < at.spot + LANES; ++k)
+		chain_set_inertias(p, chain->begin + k, chain_at(p, step_a, k), chain_at(p, step_b, k));
+	group_meet();
+}
+
+#endif

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+// hub.h -- hubs, bodies with many contacts: each is solved together with all of its contacts, exactly.
+//
+// This work is based on:
+// Richard Tonge, Feodor Benevolenski, Andrey Voroshilov, Mass Splitting for Jitter-Free Parallel Rigid Body Simulation,
+// 2012: mass splitting. A body that several hubs push at once is split into parts.
+//
+// A contact of a hub is a spoke; the body at its other end is the light end. For a given velocity of the hub each spoke
+// has its own answer (spoke_answer.h). The sums of the answers and of their derivatives with respect to the hub's velocity
+// give three equations for the hub, which Newton's method solves. docs/hubs.md has the formulas.
+#ifndef HUB_H
+#define HUB_H
+#include "constraints/schedule.h"
+#include "stages/solve/hub/spoke_answer.h"
+
+// Sums over spokes have a fixed order on every device: HUB_COLUMNS columns, each over every HUB_COLUMNS-th spoke, then a
+// reduction by halves. There are as many columns as work-items in a group of a GPU, so that all of them take part.
+#define HUB_LEVELS  8
+#define HUB_COLUMNS (1 << HUB_LEVELS)
+
+// Newton's method has converged when a round changes the hub's velocity by less than this part.
+#define HUB_ROUNDS 2
+#define HUB_CLOSE  1.0e-5f
+
+// m^2: times the square of HUB_SPEED it is a finite float
+#define HUB_GYRATION 1.0e13f
+
+// Loops over the spokes k of hub h, in columns.
+#define HUB_EACH_COLUMN(c, h) for (int c = group_lane(); c < HUB_COLUMNS && c < (h)->count; c += group_width())
+#define HUB_EACH_OF(k, c, h)  for (int k = (h)->first + c; k < (h)->first + (h)->count; k += HUB_COLUMNS)
+
+// The sum, by halves, of 16 numbers with a stride; only the first ones, used of them, are not zero.
+INLINE float hub_halve(const BENCH float* x, int stride, int used)
+{
+	float sum[16];
+	for (int j = 0; j < 16; ++j)
+		sum[j] = j < used ? x[j * stride] : 0.0f;
+	for (int j = 0; j < 8; ++j)
+		sum[j] += sum[j + 8];
+	for (int j = 0; j < 4; ++j)
+		sum[j] += sum[j + 4];
+	return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+}
+
+// The reduction of the columns by one worker, by halves.
+INLINE void hub_add_columns(int used, int sums, BENCH float* bench)
+{
+	for (int span = HUB_COLUMNS / 2; span > 0; span /= 2)
+	{
+		for (int q = 0; q < sums && span < used; ++q)
+		{
+			BENCH float* column = bench + q * HUB_COLUMNS;
+			int c = 0;
+			for (; span >= LANES && c < span && c + span < used; c += LANES)
+				store(column + c, 0, load(column + c, 0) + load(column + c, span));
+			for (; c < span && c + span < used; ++c)
+				column[c] += column[c + span];
+		}
+		used = used < span ? used : span;
+	}
+}
+
+// Reduces the columns of the bench by halves, for each of so many sums. A group does so in two rounds of 16. There are
+// few barriers, and none depends on a condition: otherwise an OpenCL compiler for CPUs takes many minutes.
+INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench, float sum[HUB_SUMS])
+{
+	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, wide = group_width() > LANES;
+	// 17, not 16, against bank conflicts in local memory
+	int stride = wide ? 17 : HUB_COLUMNS;
+	BENCH float *half_way = bench + HUB_SUMS * HUB_COLUMNS, *total = wide ? half_way : bench;
+	for (int round = 0; round < 2; ++round)
+	{
+		bench_meet();
+		if (!wide && round == 0)
+			hub_add_columns(used, sums, bench);
+		for (int k = group_lane(); wide && round == 0 && k < 16 * sums; k += group_width())
+		{
+			int c = k & 15;
+			half_way[(k >> 4) * 17 + c] =
+			    hub_halve(bench + (k >> 4) * HUB_COLUMNS + c, HUB_COLUMNS / 16, (used - c + 15) / 16);
+		}
+		for (int k = group_lane(); wide && round == 1 && k < sums; k += group_width())
+			half_way[k * 17] = hub_halve(half_way + k * 17, 1, 16);
+	}
+	bench_meet();
+
+	// the sign of a zero would depend on the number of columns; + 0 removes it
+	for (int q = 0; q < HUB_SUMS; ++q)
+		sum[q] = q < sums ? total[q * stride] + 0.0f : 0.0f;
+}
+
+// Prepares the problems of all spokes, or warm starts them if warm is set.
+INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, BENCH float* bench)
+{
+	HUB_EACH_COLUMN(c, h)
+	{
+		Real push[3] = {splat(0.0f), splat(0.0f), splat(0.0f)};
+		HUB_EACH_OF(i, c, h)
+		if (warm)
+			spoke_warm(p, h, i, what, push);
+		else
+			spoke_pose(p, h, i, what, push);
+		for (int q = 0; q < 3; ++q)
+			store(bench + q * HUB_COLUMNS, c, push[q]);
+	}
+}
+
+// Sums the answers of all spokes to the hub's velocity.
+INLINE void hub_ask(const Pools* p, const Hub* h, int what, BENCH float* bench)
+{
+	HUB_EACH_COLUMN(c, h)
+	{
+		Real part[HUB_SUMS];
+		for (int q = 0; q < HUB_SUMS; ++q)
+			part[q] = splat(0.0f);
+		HUB_EACH_OF(i, c, h) spoke_answer(p, h, i, what, part);
+		for (int q = 0; q < HUB_SUMS; ++q)
+			store(bench + q * HUB_COLUMNS, c, part[q]);
+	}
+}
+
+// Whether the hub may have such a velocity: false for a NaN.
+INLINE int hub_bears(const float v[3])
+{
+	int bears = 1;
+	for (int q = 0; q < 3; ++q)
+		bears = bears && v[q] >= -HUB_SPEED && v[q] <= HUB_SPEED;
+	return bears;
+}
+
+// The change of the hub's velocity by sums of impulses. Returns whether the hub may have it.
+INLINE int hub_gains(const Hub* h, const float* sum, float gain[3])
+{
+	gain[0] = h->inv_mass * sum[0];
+	gain[1] = h->inv_mass * sum[1];
+	gain[2] = h->inv_inertia * sum[2];
+	return hub_bears(gain);
+}
+
+// (m/s)^2: twice the kinetic energy of a velocity, per kilogram
+INLINE float hub_energy(const Hub* h, const float v[3])
+{
+	return v[0] * v[0] + v[1] * v[1] + h->gyration * v[2] * v[2];
+}
+
+// The step of Newton's method: (M + H) d = push - M (now - free), by L D L^T. H lowers no pivot, but rounding may: no
+// pivot is less than that of the hub alone.
+INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
+{
+	float mass = h->mass, inertia = h->inertia;
+	float xx = mass + sum[3], xy = sum[4], yy = mass + sum[5], xw = sum[6], yw = sum[7], ww = inertia + sum[8];
+	float x = sum[0] - mass * (h->now[0] - h->free[0]), y = sum[1] - mass * (h->now[1] - h->free[1]),
+	      w = sum[2] - inertia * (h->now[2] - h->free[2]);
+	float yx = xy / xx, wx = xw / xx, second = yy - yx * xy;
+	second = second > mass ? second : mass;
+	float wy = (yw - yx * xw) / second, third = ww - wx * xw - wy * wy * second;
+	third = third > inertia ? third : inertia;
+	y = y - yx * x;
+	w = w - wx * x - wy * y;
+	// a hub that cannot turn has no third equation
+	d[2] = inertia > 0.0f ? w / third : 0.0f;
+	d[1] = y / second - wy * d[2];
+	d[0] = x / xx - yx * d[1] - wx * d[2];
+}
+
+// Whether Newton's method has converged: the change is small against the velocity, or against a substep of gravity. A
+// change that is not finite is not applied.
+INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
+{
+	float x = step->h * step->gravity_x, y = step->h * step->gravity_y, most = step->max_speed;
+	float fall[3] = {x < most && x > -most ? x : most, y < most && y > -most ? y : most, 0.0f};
+	return !hub_bears(d) || hub_energy(h, d) <= HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
+}
+
+// All spokes give the same part of their answers, the one with the least energy: all of it if the method has converged,
+// and never so much that an unfinished search adds energy.
+INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
+{
+	float gain[3], part = 0.0f, down = -sum[9];
+	if (hub_gains(h, sum, gain))
+	{
+		// in this order, because squares of large impulses are not finite
+		float bend = sum[10] + gain[0] * sum[0] + gain[1] * sum[1] + gain[2] * sum[2];
+		if (down > 0.0f && bend > 0.0f && bend <= MOST_FLOAT)
+			part = down < bend ? down / bend : 1.0f;
+		for (int q = 0; q < 3; ++q)
+			h->now[q] = h->free[q] + part * gain[q];
+	}
+	else
+		for (int q = 0; q < 3; ++q)
+			h->now[q] = h->free[q];
+	HUB_EACH_COLUMN(c, h)
+	HUB_EACH_OF(i, c, h) spoke_give(p, h, i, what, part);
+}
+
+// The part of the impulses of the last step that a hub is warm started with, from the velocity that they give it: all,
+// unless that exceeds START_SHARE of max_speed, as in a jam after some bodies have gone. A spin counts by its energy.
+INLINE float hub_start(const Step* step, const Hub* h, const float gain[3])
+{
+	float square = hub_energy(h, gain), most = START_SHARE * step->max_speed;
+	return square > most * most ? most / square_root(square) : 1.0f;
+}
+
+// A block: the impulses of one kind of all spokes, and the velocity that they give the hub. The sums are reduced at one
+// place in the code: each more costs an OpenCL compiler for CPUs minutes.
+INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* bench)
+{
+	float sum[HUB_SUMS] = {0.0f}, d[3];
+	for (int q = 0; q < 3; ++q)
+		h->from[q] = h->free[q] = h->now[q];
+	int found = 0;
+	for (int round = -1; round <= (warm ? -1 : HUB_ROUNDS) && !found; ++round)
+	{
+		if (round < 0)
+			hub_pose(p, h, what, warm, bench);
+		else
+			hub_ask(p, h, what, bench);
+		int sums = round < 0 ? 3 : HUB_SUMS;
+		hub_add_up(h, sums, bench, sum);
+		if (round < 0)
+		{
+			float gain[3];
+			int bears = hub_gains(h, sum, gain);
+			float start = !bears ? 0.0f : warm ? hub_start(&p->step, h, gain) : 1.0f;
+			if (warm && start < 1.0f)
+				HUB_EACH_COLUMN(c, h)
+			HUB_EACH_OF(i, c, h) spoke_scale(p, h, i, what, start);
+			for (int q = 0; q < 3; ++q)
+				h->now[q] = h->free[q] = bears ? h->free[q] + start * gain[q] : h->free[q];
+		}
+		else if (round < HUB_ROUNDS)
+		{
+			hub_newton(h, sum, d);
+			found = hub_found(&p->step, h, d);
+			for (int q = 0; q < 3; ++q)
+				h->now[q] = found ? h->now[q] : h->now[q] + d[q];
+		}
+	}
+	if (!warm)
+		hub_give(p, h, what, sum);
+}
+
+// The kind of block number k of a pass; -1 behind the last.
+INLINE int hub_what(const Step* step, int pass, int k)
+{
+	// friction and rolling resistance follow the load, as in pair_relax
+	if (pass == PASS_WARM_START || pass == PASS_RELAX)
+		return k == 0 ? HUB_NORMAL : k == 1 ? HUB_FRICTION : k == 2 && step->rolls ? HUB_ROLL : -1;
+	return k > 0 ? -1 : pass == PASS_BIAS ? HUB_SOFT : HUB_BOUNCE;
+}
+
+// A pass over the spokes of a hub whose light ends are known (spoke_begin).
+INLINE void hub_work(const Pools* p, Hub* h, int pass, BENCH float* bench)
+{
+	for (int k = 0, what = 0; what >= 0; ++k)
+	{
+		what = hub_what(&p->step, pass, k);
+		if (what >= 0)
+			hub_block(p, h, what, pass == PASS_WARM_START, bench);
+	}
+	if (pass == PASS_RELAX && STEP_RARE(p->step))
+		HUB_EACH_COLUMN(c, h)
+	HUB_EACH_OF(i, c, h)
+	pair_total(p, i, load(&contact_row(p, normal_impulse1, i), 0), load(&contact_row(p, normal_impulse2, i), 0));
+}
+
+// Hub number n, from the row of its body.
+INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
+{
+	Hub h;
+	HubSpan span = hub_span_of(p, n);
+	float parts = spoke_at(p, hub_parts, spoke_of(p, span.first));
+	h.body = span.body;
+	h.first = span.first;
+	h.count = span.count;
+	h.inv_mass = parts * row[3];
+	h.inv_inertia = parts * row[7];
+	h.mass = 1.0f / h.inv_mass;
+	h.inertia = h.inv_inertia > 0.0f ? 1.0f / h.inv_inertia : 0.0f;
+	h.gyration = h.inv_mass * h.inertia;
+	h.gyration = h.gyration < HUB_GYRATION ? h.gyration : HUB_GYRATION;
+	h.most = 1.0e38f / (float)span.count;
+	for (int q = 0; q < 3; ++q)
+		h.now[q] = row[q];
+	h.whole.v = vec(splat(row[0]), splat(row[1]));
+	h.whole.w = splat(row[2]);
+	h.whole.inv_mass = splat(row[3]);
+	h.whole.d = vec(splat(row[4]), splat(row[5]));
+	h.whole.da = splat(row[6]);
+	h.whole.inv_inertia = splat(row[7]);
+	body_turn(&h.whole);
+	return h;
+}
+
+// Writes the light end back to its pool. If it is split into parts, hub_merge adds up their changes.
+INLINE void spoke_end(const Pools* p, const Hub* h, int i)
+{
+	int m = spoke_of(p, i);
+	Real row[4] = {load(&spoke_at(p, vx, m), 0), load(&spoke_at(p, vy, m), 0), load(&spoke_at(p, w, m), 0),
+	               load(&spoke_at(p, inv_mass, m), 0)};
+	Int whole = load(&spoke_at(p, parts, m), 0) == splat(1.0f);
+	scatter_rows4of8((GLOBAL float*)p->body, spoke_light(p, h, i), row, whole & (row[3] > splat(0.0f)));
+}
+
+// A pass over hub n by a group, with bodies in their pool.
+INLINE void hub_pass(const Pools* p, int n, int pass, BENCH float* bench)
+{
+	float row[8];
+	read_row8((GLOBAL float*)p->body, hub_span_of(p, n).body, row);
+	Hub h = hub_begin(p, n, row);
+	HUB_EACH_COLUMN(c, &h)
+	HUB_EACH_OF(i, c, &h) spoke_begin(p, &h, i, body_gather(p, spoke_light(p, &h, i)));
+	hub_work(p, &h, pass, bench);
+	HUB_EACH_COLUMN(c, &h)
+	HUB_EACH_OF(i, c, &h) spoke_end(p, &h, i);
+	if (group_lane() != 0)
+		return;
+	int m = spoke_of(p, h.first);
+	spoke_at(p, hub_x, m) = h.now[0];
+	spoke_at(p, hub_y, m) = h.now[1];
+	spoke_at(p, hub_w, m) = h.now[2];
+	if (spoke_at(p, hub_parts, m) == 1.0f)
+	{
+		p->body[h.body].vx = h.now[0];
+		p->body[h.body].vy = h.now[1];
+		p->body[h.body].w = h.now[2];
+	}
+}
+
+// Item i of a turn. argument is the pass, plus 256 times the turn.
+GROUP_STAGE(hub) { hub_pass(p, HUB_TURNS * i + (p->argument >> 8), p->argument & 255, bench); }
+
+#endif

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// spoke_arms.h -- how impulses at the points of a spoke act on its hub and on its light end, and where they are kept.
+#ifndef SPOKE_ARMS_H
+#define SPOKE_ARMS_H
+#include "constraints/constraint_kinds.h"
+#include "stages/color/spoke.h"
+
+// what is solved
+#define HUB_NORMAL   0 // pushes, without softness
+#define HUB_SOFT     1 // pushes that also push overlap out
+#define HUB_BOUNCE   2 // restitution
+#define HUB_FRICTION 3
+#define HUB_ROLL     4 // rolling resistance
+
+typedef struct // a hub while it is solved
+{
+	int body, first, count;      // its spokes, padding included
+	float inv_mass, inv_inertia; // of its part
+	float mass, inertia;         // their inverses; a hub of inertia 0 does not turn
+	float gyration;              // m^2, inertia over mass
+	float most;                  // the most that a spoke may add to a sum, so that the sum of all stays finite
+	float from[3];               // velocity at the beginning of the block
+	float free[3];               // the same without impulses beyond their limits
+	float now[3];
+	Body whole; // not split into parts, as the other passes use it
+} Hub;
+
+typedef struct // of a spoke: how unit impulses at its points act
+{
+	Vec n;                 // on the hub along n, on the light end against it
+	Real hub[2], light[2]; // arms
+	Real mass, inertia;    // inverse, of the light end's part
+	Real whole_mass, whole_inertia;
+	Vec v; // of the light end
+	Real w;
+} SpokeArms;
+
+INLINE Body body_choose(Body a, Body b, Int c)
+{
+	Body r;
+	r.v = vec(choose(a.v.x, b.v.x, c), choose(a.v.y, b.v.y, c));
+	r.w = choose(a.w, b.w, c);
+	r.inv_mass = choose(a.inv_mass, b.inv_mass, c);
+	r.d = vec(choose(a.d.x, b.d.x, c), choose(a.d.y, b.d.y, c));
+	r.da = choose(a.da, b.da, c);
+	r.inv_inertia = choose(a.inv_inertia, b.inv_inertia, c);
+	r.sine = choose(a.sine, b.sine, c);
+	r.versine = choose(a.versine, b.versine, c);
+	return r;
+}
+
+// Whether the hub is body b.
+INLINE Int spoke_turned(const Pools* p, const Hub* h, int i)
+{
+	return (load_int(&contact_row(p, body_b, i), 0) ^ h->body) == 0;
+}
+
+INLINE Int spoke_light(const Pools* p, const Hub* h, int i)
+{
+	return load_int(&contact_row(p, body_a, i), 0) ^ load_int(&contact_row(p, body_b, i), 0) ^ h->body;
+}
+
+// Stores what the blocks of a pass need of the light end.
+INLINE void spoke_begin(const Pools* p, const Hub* h, int i, Body light)
+{
+	Contact u;
+	contact_load(p, i, PASS_BIAS, &u);
+	Int turned = spoke_turned(p, h, i);
+	Body a = body_choose(h->whole, light, turned), b = body_choose(light, h->whole, turned);
+	ContactReady ready;
+	contact_ready(p, PASS_BIAS, i, &a, &b, &u, &ready);
+	int k = spoke_of(p, i);
+	store(&spoke_at(p, vx, k), 0, light.v.x);
+	store(&spoke_at(p, vy, k), 0, light.v.y);
+	store(&spoke_at(p, w, k), 0, light.w);
+	store(&spoke_at(p, inv_mass, k), 0, light.inv_mass);
+	store(&spoke_at(p, inv_inertia, k), 0, light.inv_inertia);
+	store(&spoke_at(p, gap1, k), 0, ready.gap[0]);
+	store(&spoke_at(p, gap2, k), 0, ready.gap[1]);
+}
+
+INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
+{
+	Contact u;
+	SpokeArms s;
+	contact_load(p, i, PREPARE_BOUNCE, &u);
+	ContactArms c = pair_of(&u, &h->whole, &h->whole);
+	Int turned = spoke_turned(p, h, i);
+	Vec n = what == HUB_FRICTION ? c.t : c.n;
+	s.n = vec(choose(-n.x, n.x, turned), choose(-n.y, n.y, turned));
+	for (int k = 0; k < 2; ++k)
+	{
+		Real on_a = -vec_cross(c.ra[k], n), on_b = vec_cross(c.rb[k], n);
+		s.hub[k] = choose(on_a, on_b, turned);
+		s.light[k] = choose(on_b, on_a, turned);
+	}
+	if (what == HUB_ROLL)
+	{
+		// a torque, at one place
+		s.n = vec(splat(0.0f), splat(0.0f));
+		s.hub[0] = choose(splat(-1.0f), splat(1.0f), turned);
+		s.light[0] = -s.hub[0];
+		s.hub[1] = splat(0.0f);
+		s.light[1] = splat(0.0f);
+	}
+	int m = spoke_of(p, i);
+	Real parts = load(&spoke_at(p, parts, m), 0);
+	s.whole_mass = load(&spoke_at(p, inv_mass, m), 0);
+	s.whole_inertia = load(&spoke_at(p, inv_inertia, m), 0);
+	s.mass = what == HUB_ROLL ? splat(0.0f) : parts * s.whole_mass;
+	s.inertia = parts * s.whole_inertia;
+	s.v = vec(load(&spoke_at(p, vx, m), 0), load(&spoke_at(p, vy, m), 0));
+	s.w = load(&spoke_at(p, w, m), 0);
+	return s;
+}
+
+// Whether a spoke may add x to a sum: false for a NaN.
+INLINE Int spoke_adds(const Hub* h, Real x) { return (x >= splat(-h->most)) & (x <= splat(h->most)); }
+
+// Computes what impulses at both points add to the hub's sums. Returns whether these, and the velocity of the light end,
+// stay finite.
+INLINE Int spoke_sum(const Hub* h, const SpokeArms* s, const Real impulse[2], Real push[3])
+{
+	Real both = impulse[0] + impulse[1];
+	push[0] = s->n.x * both;
+	push[1] = s->n.y * both;
+	push[2] = s->hub[0] * impulse[0] + s->hub[1] * impulse[1];
+	Int adds = spoke_adds(h, push[0]) & spoke_adds(h, push[1]) & spoke_adds(h, push[2]);
+	for (int k = 0; k < 2; ++k)
+		adds = adds & spoke_adds(h, impulse[k]) &
+		       spoke_adds(h, (s->mass + s->inertia * s->light[k] * s->light[k]) * impulse[k] * impulse[k]);
+	return adds;
+}
+
+// Applies impulses at both points to the light end.
+INLINE void spoke_push(const Pools* p, int i, SpokeArms s, Real impulse1, Real impulse2)
+{
+	int m = spoke_of(p, i);
+	Real both = s.mass * (impulse1 + impulse2);
+	store(&spoke_at(p, vx, m), 0, s.v.x - both * s.n.x);
+	store(&spoke_at(p, vy, m), 0, s.v.y - both * s.n.y);
+	store(&spoke_at(p, w, m), 0, s.w + s.inertia * (s.light[0] * impulse1 + s.light[1] * impulse2));
+}
+
+INLINE void spoke_impulses(const Pools* p, int i, int what, Real old[2])
+{
+	if (what == HUB_ROLL || what == HUB_BOUNCE)
+	{
+		old[0] = what == HUB_ROLL ? load(&contact_rare(p, rolling_impulse, i), 0) : splat(0.0f);
+		old[1] = splat(0.0f);
+		return;
+	}
+	old[0] = what == HUB_FRICTION ? load(&contact_row(p, tangent_impulse1, i), 0)
+	                              : load(&contact_row(p, normal_impulse1, i), 0);
+	old[1] = what == HUB_FRICTION ? load(&contact_row(p, tangent_impulse2, i), 0)
+	                              : load(&contact_row(p, normal_impulse2, i), 0);
+}
+
+// A point that bounces separates, so the next step must not be warm started with the impulse of this one.
+INLINE void spoke_keep_bounce(const Pools* p, int i, Real impulse1, Real impulse2)
+{
+	int m = spoke_of(p, i);
+	Real zero = splat(0.0f), normal1 = load(&contact_row(p, normal_impulse1, i), 0),
+	     normal2 = load(&contact_row(p, normal_impulse2, i), 0);
+	pair_total(p, i, impulse1, impulse2);
+	store(&contact_row(p, normal_impulse1, i), 0, choose(normal1, zero, load(&spoke_at(p, limit1, m), 0) > zero));
+	store(&contact_row(p, normal_impulse2, i), 0, choose(normal2, zero, load(&spoke_at(p, limit2, m), 0) > zero));
+}
+
+INLINE void spoke_keep(const Pools* p, int i, int what, Real impulse1, Real impulse2)
+{
+	if (what == HUB_BOUNCE)
+	{
+		spoke_keep_bounce(p, i, impulse1, impulse2);
+		return;
+	}
+	if (what == HUB_ROLL)
+	{
+		store(&contact_rare(p, rolling_impulse, i), 0, impulse1);
+		return;
+	}
+	store(what == HUB_FRICTION ? &contact_row(p, tangent_impulse1, i) : &contact_row(p, normal_impulse1, i), 0,
+	      impulse1);
+	store(what == HUB_FRICTION ? &contact_row(p, tangent_impulse2, i) : &contact_row(p, normal_impulse2, i), 0,
+	      impulse2);
+}
+
+#endif

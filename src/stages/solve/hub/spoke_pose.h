@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// spoke_pose.h -- the problem of a spoke for one kind of impulse: limits, target velocities, masses; its warm start.
+//
+// docs/hubs.md has the formulas.
+#ifndef SPOKE_POSE_H
+#define SPOKE_POSE_H
+#include "stages/solve/hub/spoke_arms.h"
+
+// The inverse mass of a light end gets this part of the hub's inverse mass added: without it a light end that cannot move
+// would be infinitely stiff. The solution stays the same, because the term multiplies changes of impulses only.
+#define HUB_YIELD 0.1f
+
+// The same for restitution, which is solved once: no later pass corrects what this holds back.
+#define BOUNCE_YIELD 0.001f
+
+// 1/kg: a smaller inverse mass counts as immovable. Its inverse is a finite float
+#define LEAST_RESISTS 1.0e-37f
+
+// m/s, rad/s: a body that is faster is not solved any more
+#define HUB_SPEED 1.0e12f
+
+// Whether friction or rolling resistance is solved: impulses of both signs, within limits.
+INLINE int spoke_limited(int what) { return what == HUB_FRICTION || what == HUB_ROLL; }
+
+// What friction and rolling resistance hold at most, N s.
+INLINE void spoke_limits(const Pools* p, int i, int what, Real limit[2])
+{
+	Real normal[2];
+	if (spoke_limited(what))
+		spoke_impulses(p, i, HUB_NORMAL, normal);
+	if (what == HUB_FRICTION)
+	{
+		Real friction = load(&contact_row(p, friction, i), 0);
+		limit[0] = friction * normal[0];
+		limit[1] = friction * normal[1];
+	}
+	else if (what == HUB_ROLL)
+	{
+		limit[0] = minimum(load(&contact_rare(p, rolling, i), 0) * (normal[0] + normal[1]), splat(MOST_IMPULSE));
+		limit[1] = splat(0.0f);
+	}
+}
+
+INLINE Real spoke_gap(const Pools* p, int i, int k)
+{
+	int m = spoke_of(p, i);
+	return k ? load(&spoke_at(p, gap2, m), 0) : load(&spoke_at(p, gap1, m), 0);
+}
+
+INLINE Real spoke_rebound(const Pools* p, int i, int k)
+{
+	return k ? load(&contact_rare(p, rebound2, i), 0) : load(&contact_rare(p, rebound1, i), 0);
+}
+
+// 1/kg: the relative velocity at point k that a unit impulse gives the two bodies, not split into parts
+INLINE Real spoke_resists(const Hub* h, const SpokeArms* s, int k)
+{
+	return h->whole.inv_mass + s->whole_mass + h->whole.inv_inertia * s->hub[k] * s->hub[k] +
+	       s->whole_inertia * s->light[k] * s->light[k];
+}
+
+// bias: minus the target velocity of a spoke at point k, m/s. soft: what softness adds to the inverse mass, 1/kg.
+INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const SpokeArms* s, int k, Real* bias,
+                        Real* soft)
+{
+	*bias = splat(0.0f);
+	*soft = splat(0.0f);
+	if (what == HUB_FRICTION && p->step.rolls)
+		*bias = load(&contact_rare(p, tangent_speed, i), 0);
+	if (what == HUB_FRICTION || what == HUB_ROLL)
+		return;
+	Real gap = spoke_gap(p, i, k);
+	if (what == HUB_BOUNCE)
+	{
+		*bias = -bounce_speed(&p->step, spoke_rebound(p, i, k), load(&contact_rare(p, fall, i), 0), gap);
+		return;
+	}
+	PairGoal goal = pair_goal(gap, s->whole_mass == splat(0.0f), &p->step, what == HUB_SOFT, 1);
+	*bias = goal.bias / goal.mass_scale;
+	*soft = spoke_resists(h, s, k) * goal.impulse_scale / goal.mass_scale;
+}
+
+// Whether only some points take part in a block. In restitution these are the points that were pushed; in relaxing, all but
+// the points that are to bounce and have not met yet.
+INLINE int spoke_chooses(const Pools* p, int what)
+{
+	return what == HUB_BOUNCE || (what == HUB_NORMAL && p->step.bounces);
+}
+
+// 1 where point k takes part, else 0.
+INLINE Real spoke_takes_part(const Pools* p, int i, int what, int k, Real old)
+{
+	Real zero = splat(0.0f), one = splat(1.0f), rebound = spoke_rebound(p, i, k);
+	if (what == HUB_NORMAL)
+		return choose(one, zero, pair_waits(spoke_gap(p, i, k), old, rebound));
+	Real total = k ? load(&contact_rare(p, total_impulse2, i), 0) : load(&contact_rare(p, total_impulse1, i), 0);
+	return choose(zero, one, (rebound > zero) & (total > zero));
+}
+
+// m/s: the velocities at which the points of a spoke separate
+INLINE void spoke_speeds(const Hub* h, const SpokeArms* s, Real speed[2])
+{
+	for (int k = 0; k < 2; ++k)
+		speed[k] = s->n.x * (h->from[0] - s->v.x) + s->n.y * (h->from[1] - s->v.y) + s->hub[k] * h->from[2] +
+		           s->light[k] * s->w;
+}
+
+typedef struct // the problem of a spoke for one kind of impulse
+{
+	Real old[2], limit[2];     // N s
+	Real mass[2], cross;       // 1/kg: velocities by unit impulses
+	Real slope[2], inverse[2]; // m/s; of mass
+	Int well;                  // whether its velocities and masses are finite
+} SpokeProblem;
+
+// Takes back impulses beyond their limits, because no solution may keep them. Takes back all impulses of a spoke whose
+// velocity is not finite or exceeds HUB_SPEED, because it has no other solution. Adds the effect on the hub to taken,
+// and updates the velocity of the light end.
+INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, SpokeArms* s, SpokeProblem* r, Real taken[3])
+{
+	Real zero = splat(0.0f), most = splat(HUB_SPEED), held[2], beyond[2], push[3], speed[2];
+	r->limit[0] = r->limit[1] = zero;
+	spoke_impulses(p, i, what, r->old);
+	spoke_speeds(h, s, speed);
+	Int well0 = absolute(speed[0]) <= most, well1 = absolute(speed[1]) <= most;
+	r->well = well0 & well1;
+	int limited = spoke_limited(what), m = spoke_of(p, i);
+	spoke_limits(p, i, what, r->limit);
+	for (int k = 0; k < 2; ++k)
+	{
+		r->limit[k] = choose(zero, r->limit[k], r->well);
+		held[k] = choose(zero, limited ? grip_of(r->old[k], r->limit[k]) : r->old[k], r->well);
+		beyond[k] = held[k] - r->old[k];
+	}
+	Int adds = spoke_sum(h, s, beyond, push);
+	for (int k = 0; k < 2; ++k)
+	{
+		beyond[k] = choose(zero, beyond[k], adds);
+		r->old[k] = choose(r->old[k], held[k], adds);
+	}
+	for (int q = 0; q < 3; ++q)
+		taken[q] += choose(zero, push[q], adds);
+	spoke_push(p, i, *s, beyond[0], beyond[1]);
+	s->v = vec(load(&spoke_at(p, vx, m), 0), load(&spoke_at(p, vy, m), 0));
+	s->w = load(&spoke_at(p, w, m), 0);
+}
+
+// Computes masses and slopes: zero if one of them is not finite.
+INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const SpokeArms* s, SpokeProblem* r)
+{
+	Real zero = splat(0.0f), most = splat(HUB_SPEED), speed[2];
+	Real cross = s->mass + s->inertia * s->light[0] * s->light[1];
+	float yield = what == HUB_BOUNCE ? BOUNCE_YIELD : HUB_YIELD;
+	spoke_speeds(h, s, speed);
+	for (int k = 0; k < 2; ++k)
+	{
+		Real bias, soft;
+		spoke_wants(p, h, i, what, s, k, &bias, &soft);
+		Real hub_mass = what == HUB_ROLL ? zero : splat(h->inv_mass);
+		// a little more than the mass itself, so that two points at one place have a solution
+		r->mass[k] = 1.0001f * (s->mass + s->inertia * s->light[k] * s->light[k]) +
+		             yield * (hub_mass + h->inv_inertia * s->hub[k] * s->hub[k]) + soft;
+		r->slope[k] = speed[k] + bias + soft * r->old[k];
+		r->well = r->well & (absolute(r->slope[k]) <= most) & (r->mass[k] <= splat(MOST_FLOAT));
+	}
+	r->cross = choose(zero, cross, r->well);
+	for (int k = 0; k < 2; ++k)
+	{
+		r->mass[k] = choose(zero, r->mass[k], r->well);
+		r->slope[k] = choose(zero, r->slope[k], r->well);
+	}
+}
+
+// Writes limits, or which points take part; adapts masses and coupling to them, and inverts the masses.
+INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
+{
+	Real zero = splat(0.0f);
+	int m = spoke_of(p, i);
+	if (spoke_limited(what))
+	{
+		// points side by side resist together: each gets the mass of both
+		Real together = choose(zero, absolute(r->cross), (r->limit[0] > zero) & (r->limit[1] > zero));
+		r->mass[0] += together;
+		r->mass[1] += together;
+		store(&spoke_at(p, limit1, m), 0, r->limit[0]);
+		store(&spoke_at(p, limit2, m), 0, r->limit[1]);
+	}
+	else if (spoke_chooses(p, what))
+	{
+		Real takes1 = spoke_takes_part(p, i, what, 0, r->old[0]), takes2 = spoke_takes_part(p, i, what, 1, r->old[1]);
+		store(&spoke_at(p, limit1, m), 0, takes1);
+		store(&spoke_at(p, limit2, m), 0, takes2);
+		r->cross = takes1 * takes2 * r->cross;
+	}
+	for (int k = 0; k < 2; ++k)
+		r->inverse[k] = choose(zero, 1.0f / r->mass[k], r->mass[k] > splat(LEAST_RESISTS));
+}
+
+// Prepares the problem of a spoke for one block. taken is the sum of the impulses on the hub that are taken back.
+INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken[3])
+{
+	SpokeArms s = spoke_arms(p, h, i, what);
+	SpokeProblem r;
+	int m = spoke_of(p, i);
+	spoke_take_back(p, h, i, what, &s, &r, taken);
+	spoke_masses(p, h, i, what, &s, &r);
+	spoke_restrict(p, i, what, &r);
+	store(&spoke_at(p, push_x, m), 0, s.n.x);
+	store(&spoke_at(p, push_y, m), 0, s.n.y);
+	store(&spoke_at(p, arm1, m), 0, s.hub[0]);
+	store(&spoke_at(p, arm2, m), 0, s.hub[1]);
+	store(&spoke_at(p, slope1, m), 0, r.slope[0]);
+	store(&spoke_at(p, slope2, m), 0, r.slope[1]);
+	store(&spoke_at(p, mass1, m), 0, r.mass[0]);
+	store(&spoke_at(p, mass2, m), 0, r.mass[1]);
+	store(&spoke_at(p, cross, m), 0, r.cross);
+	store(&spoke_at(p, inverse1, m), 0, r.inverse[0]);
+	store(&spoke_at(p, inverse2, m), 0, r.inverse[1]);
+	if (!spoke_limited(what))
+		store(&spoke_at(p, inverse, m), 0, 1.0f / (1.0f - r.cross * r.inverse[0] * (r.cross * r.inverse[1])));
+	store(&spoke_at(p, old1, m), 0, r.old[0]);
+	store(&spoke_at(p, old2, m), 0, r.old[1]);
+}
+
+// Warm start: applies the impulses of the last step.
+INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[3])
+{
+	SpokeArms s = spoke_arms(p, h, i, what);
+	Real old[2];
+	spoke_impulses(p, i, what, old);
+	if (what == HUB_NORMAL)
+	{
+		for (int k = 0; k < 2; ++k)
+		{
+			Real resists =
+			    h->inv_mass + s.mass + h->inv_inertia * s.hub[k] * s.hub[k] + s.inertia * s.light[k] * s.light[k];
+			old[k] = pair_start(&p->step, old[k], choose(splat(0.0f), 1.0f / resists, resists > splat(0.0f)));
+		}
+	}
+	Real one[3];
+	Int adds = spoke_sum(h, &s, old, one);
+	for (int k = 0; k < 2; ++k)
+		old[k] = choose(splat(0.0f), old[k], adds);
+	for (int q = 0; q < 3; ++q)
+		push[q] += choose(splat(0.0f), one[q], adds);
+	spoke_push(p, i, s, old[0], old[1]);
+	spoke_keep(p, i, what, old[0], old[1]);
+}
+
+// Scales the warm start down to a share of it.
+INLINE void spoke_scale(const Pools* p, const Hub* h, int i, int what, float share)
+{
+	Real old[2];
+	spoke_impulses(p, i, what, old);
+	Real now1 = share * old[0], now2 = share * old[1];
+	spoke_push(p, i, spoke_arms(p, h, i, what), now1 - old[0], now2 - old[1]);
+	spoke_keep(p, i, what, now1, now2);
+}
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// overflow.h -- joints that are in no chain and have no color, because a body has more joints than there are colors.
+#ifndef OVERFLOW_H
+#define OVERFLOW_H
+#include "constraints/constraint_kinds.h"
+
+// pass is a constant.
+INLINE void overflow_solve(const Pools* p, int k, int pass)
+{
+	int ia = joint_row(p, body_a, k), ib = joint_row(p, body_b, k);
+	Body a = body_gather(p, ia), b = body_gather(p, ib);
+	Joint u;
+	joint_load(p, k, pass, &u);
+	joint_pass(p, pass, k, 0, &u, &a, &b);
+	joint_store(p, k, pass, &u);
+	body_scatter(p, ia, a);
+	body_scatter(p, ib, b);
+}
+
+// They are solved one after the other in the order of their slots, before the colors of a pass. argument is the pass.
+STAGE(joint_overflow)
+{
+	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];
+	int first = layout->begin[COLORS] + p->step.chain_places;
+	for (int k = first; k < first + p->counters->overflow; ++k)
+	{
+		if (p->argument == PASS_WARM_START)
+			overflow_solve(p, k, PASS_WARM_START);
+		else if (p->argument == PASS_BIAS)
+			overflow_solve(p, k, PASS_BIAS);
+		else if (p->argument == PASS_RELAX)
+			overflow_solve(p, k, PASS_RELAX);
+	}
+	(void)i;
+}
+
+#endif

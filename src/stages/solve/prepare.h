@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// prepare.h -- the terms of the constraints that the passes need, once per step.
+#ifndef PREPARE_H
+#define PREPARE_H
+#include "constraints/constraint_kinds.h"
+#include "constraints/contact_bounce.h"
+#include "constraints/contact_prepare.h"
+#include "constraints/joint_prepare.h"
+
+#define CONSTRAINT_KIND(kind, Kind, KIND)                          \
+	WIDE_STAGE(kind##_prepare)                                     \
+	{                                                              \
+		Kind u;                                                    \
+		kind##_setup(p, i, load_int(p->kind##_place_slot, i), &u); \
+		kind##_store(p, i, PREPARE, &u);                           \
+	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+
+SMALL_BEGIN
+#include "constraints/joint_rare.h"
+
+// The rare rows, from those that the stage above wrote.
+#define CONSTRAINT_KIND(kind, Kind, KIND)      \
+	WIDE_STAGE(kind##_prepare_rare)            \
+	{                                          \
+		Kind u;                                \
+		kind##_load(p, i, PREPARE_BOUNCE, &u); \
+		kind##_setup_rare(p, i, &u);           \
+	}
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+SMALL_END
+
+#endif

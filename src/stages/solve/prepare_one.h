@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// prepare_one.h -- the state of bodies at the beginning of a step.
+#ifndef PREPARE_ONE_H
+#define PREPARE_ONE_H
+#include "constraints/constraint_kinds.h"
+
+// What finalize counts; the host has read that of the last step.
+INLINE void counters_clear(const Pools* p)
+{
+	p->counters->nonfinite = 0;
+	p->counters->held = 0;
+	p->counters->first_nonfinite = 0x7fffffff;
+}
+
+STAGE(solve_begin)
+{
+	GLOBAL BodyState* body = p->body + i;
+	p->base[i] = make_float4(body->vx, body->vy, body->w, 0.0f);
+	body->dx = 0.0f;
+	body->dy = 0.0f;
+	body->da = 0.0f;
+	if (i == 0)
+		counters_clear(p);
+}
+
+// The bodies get the inertias of the step: joint_taut has left what the pull asks for in the place of the turn.
+STAGE(body_taut)
+{
+	GLOBAL BodyState* body = p->body + i;
+	float pull = body->da, own = body->inv_inertia;
+	body->da = 0.0f;
+	p->own_inertia[i] = own;
+	if (own > 0.0f && pull * own > 1.0f && pull <= MOST_FLOAT)
+		body->inv_inertia = 1.0f / pull;
+	if (i == 0)
+		p->counters->taut = 0; // warm starts follow, and count anew
+}
+
+// They get their own back.
+STAGE(body_slack) { p->body[i].inv_inertia = p->own_inertia[i]; }
+
+#endif

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+// press.h -- which bodies something kinematic presses against something static, through others between them.
+//
+// Whether a body is in a static one because something kinematic presses it there, which no force stops, or because of what lies on it,
+// cannot be told from its own contacts. So a press tells its way: what is deep in something kinematic is pressed along the normal, and presses
+// what it touches in that direction, and so on: a contact hands ways on. Each hop leaves one less of PRESS_HOPS, so that a way that lost
+// its begin fades. Ways of what is static go against them. A body with opposite ways of both kinds is pressed between them.
+//
+// A contact keeps its hops; bodies gather them anew in each step.
+#ifndef PRESS_H
+#define PRESS_H
+#include "constraints/contact_report_points.h"
+#include "constraints/joint_prepare.h"
+#include "stages/geometry/sweep.h"
+
+// cosine of the angle to its direction up to which a way goes on. With less, a cart that is pushed along presses the floor.
+#define PRESS_ALONG 0.15f
+
+// The most hops of a way: bodies in a row of which the last one is held.
+#define PRESS_HOPS 63
+
+// For how long a body leaves no faster than it was pressed, after that.
+#define PRESS_STEPS 32
+// What was faster when it came between the two keeps this share of its speed in a step.
+#define PRESS_SLOWER 0.9f
+
+// A way of a contact in the pool contact_press, of kind 0 (static) or 1 (kinematic): 6 bits of hops, and one that is set if it goes from
+// b to a.
+#define PRESS_WAY(bits, kind) ((int)((bits) >> (kind)*7 & 127u))
+#define PRESS_BACK            64
+
+// And the speed of what presses: above both ways, the upper bits of a float, rounded up.
+#define PRESS_SPEED 16
+
+INLINE float press_speed(Word bits) { return bits_float((int)(bits >> PRESS_SPEED << 15)); }
+
+INLINE Word press_bits(const int way[2], float speed)
+{
+	Word bits = (Word)way[0] | (Word)way[1] << 7;
+	return way[1] ? bits | (((Word)float_bits(speed) + 32767u) >> 15 << PRESS_SPEED) : bits;
+}
+
+// A way of a body: hops, and its direction in units of 1/127. Of equal hops the direction is any, but the same everywhere.
+INLINE int press_code(int hops, Vec direction)
+{
+	int x = (int)(127.0f * direction.x + 128.5f), y = (int)(127.0f * direction.y + 128.5f);
+	return hops << 16 | x << 8 | y;
+}
+
+INLINE Vec press_direction(int code) { return vec((float)(code >> 8 & 255) - 128.0f, (float)(code & 255) - 128.0f); }
+
+// How many hops a way of a body goes on along a normal.
+INLINE int press_left(int code, Vec normal)
+{
+	int along = vec_dot(press_direction(code), normal) > PRESS_ALONG * 127.0f;
+	return along && code >> 16 > 1 ? (code >> 16) - 1 : 0;
+}
+
+// Whether the stages have nothing to do, as the solve began with a layout that changed.
+INLINE int press_waits(const Pools* p) { return (p->argument & PRESS_MAY_WAIT) && !p->counters->kept; }
+
+// The slot of the contact at place i, -1 for none.
+INLINE int press_slot(const Pools* p, int i) { return press_waits(p) ? -1 : p->contact_place_slot[i]; }
+
+// The points of the contact in a slot.
+RARE ContactPoints press_points(const Pools* p, int slot)
+{
+	Int2 pair = p->pair[slot];
+	float a[8], b[8], manifold[16];
+	load_rows8((GLOBAL float*)(p->world_shape + pair.x), 0, a);
+	load_rows8((GLOBAL float*)(p->world_shape + pair.y), 0, b);
+	load_rows8((GLOBAL float*)(p->contact_manifold + slot), 0, manifold);
+	load_rows8((GLOBAL float*)(p->contact_manifold + slot), 1, manifold + 8);
+	return listed_points(p->attribute, a, b, manifold, p->contact_flags[slot], p->contact_feature[slot]);
+}
+
+typedef struct // facts of a contact that the rounds share
+{
+	Vec normal;
+	float gap; // the smaller one of its points, m
+} PressContact;
+
+// normal_x of a contact whose facts no stage has needed yet
+#define PRESS_NONE 2.0f
+
+// Keeps the facts of the contact at place i until the solve prepares the same rows.
+INLINE PressContact press_keep(const Pools* p, int i, const ContactPoints* at)
+{
+	PressContact facts;
+	facts.normal = at->normal;
+	facts.gap = minimum(at->separation[0], at->separation[1]);
+	contact_row(p, normal_x, i) = facts.normal.x;
+	contact_row(p, normal_y, i) = facts.normal.y;
+	contact_row(p, separation1, i) = facts.gap;
+	return facts;
+}
+
+// The facts of the contact in a slot, at place i.
+INLINE PressContact press_facts(const Pools* p, int i, int slot)
+{
+	PressContact facts;
+	facts.normal = vec(contact_row(p, normal_x, i), contact_row(p, normal_y, i));
+	facts.gap = contact_row(p, separation1, i);
+	if (facts.normal.x == PRESS_NONE)
+	{
+		ContactPoints at = press_points(p, slot);
+		facts = press_keep(p, i, &at);
+	}
+	return facts;
+}
+
+// m/s: of the faster point of contact i on what is kinematic, if it comes
+INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
+{
+	WorldShape a = p->world_shape[p->pair[i].x], b = p->world_shape[p->pair[i].y];
+	BodyState body = p->body[b.body];
+	Vec from = vec(a.x - b.x - b.center_x, a.y - b.y - b.center_y);
+	float most = 0.0f;
+	for (int k = 0; k < 2; ++k)
+	{
+		Vec v = vec_add(vec(body.vx, body.vy), vec_spin(body.w, vec_add(from, at.point[k])));
+		if (at.separation[k] < 0.0f && vec_dot(v, at.normal) < 0.0f)
+			most = maximum(most, vec_dot(v, v));
+	}
+	return minimum(square_root(most), p->step.max_speed);
+}
+
+INLINE void press_give(const Pools* p, int body, int kind, int hops, Vec direction)
+{
+	float square = vec_dot(direction, direction);
+	if (square > 0.5f && square < 2.0f)
+		raise_int(&p->press[body].way[kind], press_code(hops, direction));
+}
+
+// Body i, before a step.
+STAGE(press_begin)
+{
+	BodyState state = p->body[i];
+	Vec v = vec(state.vx, state.vy);
+	if (press_waits(p) || !(state.inv_mass > 0.0f))
+		return;
+	GLOBAL Press* press = p->press + i;
+	press->way[0] = 0;
+	press->way[1] = 0;
+	press->depth = 0;
+	press->tight = 0;
+	press->before = minimum(square_root(number_of(vec_dot(v, v))), p->step.max_speed);
+	press->spun = minimum(absolute(number_of(state.w)), p->step.max_spin);
+}
+
+// The contact in a slot, at place i, of something that does not move: a way begins at it.
+RARE void press_start(const Pools* p, int i, int slot, int lasts)
+{
+	ContactPoints at = press_points(p, slot);
+	PressContact facts = press_keep(p, i, &at);
+	int body = contact_row(p, body_a, i), kinematic = p->collidable_kind[p->contact_place_pair[i].y] == KIND_KINEMATIC;
+	if (lasts && facts.gap < -PRESS_MOST)
+		raise_int(&p->press[body].tight, 1);
+	if (!(facts.gap < -PRESS_FROM))
+		return;
+	press_give(p, body, kinematic, PRESS_HOPS, vec_neg(facts.normal));
+	if (kinematic)
+		raise_int(&p->press[body].speed, float_bits(press_pushes(p, slot, at)));
+}
+
+// The contact at place i gives its bodies their ways: those of the last step, and those that begin at it.
+STAGE(press_gather)
+{
+	int slot = press_slot(p, i);
+	if (slot < 0)
+		return;
+	Word bits = p->contact_press[slot];
+	int first = !(p->argument & PRESS_AGAIN);
+	// bodies that do not move hand nothing on, and give the same in each round
+	if (!first && bits == 0)
+		return;
+	int still = p->collidable_kind[p->contact_place_pair[i].y] < KIND_DYNAMIC;
+	int body_a = contact_row(p, body_a, i), body_b = contact_row(p, body_b, i), lasts = 0;
+	if (first)
+	{
+		contact_row(p, normal_x, i) = PRESS_NONE;
+		lasts = p->press[body_a].left > 0 || (!still && p->press[body_b].left > 0);
+	}
+	if (still)
+	{
+		press_start(p, i, slot, lasts);
+		return;
+	}
+	if (bits == 0 && !lasts)
+		return;
+	PressContact facts = press_facts(p, i, slot);
+	if (lasts && facts.gap < -PRESS_MOST)
+	{
+		raise_int(&p->press[body_a].tight, 1);
+		raise_int(&p->press[body_b].tight, 1);
+	}
+	if (!(facts.gap < 0.0f))
+		return;
+	for (int k = 0; k < 2; ++k)
+	{
+		int way = PRESS_WAY(bits, k), back = way & PRESS_BACK;
+		if (way == 0)
+			continue;
+		press_give(p, back ? body_a : body_b, k, way & (PRESS_BACK - 1), back ? vec_neg(facts.normal) : facts.normal);
+		if (k)
+			raise_int(&p->press[back ? body_a : body_b].speed, float_bits(press_speed(bits)));
+	}
+}
+
+// What holds anchors together along both coordinates.
+#define PRESS_HOLDS(k) (JOINT_LOCKED(k) | JOINT_SPRING(k))
+
+// Joint i drags a body that cannot follow it to one that cannot move: also that is a press, of any speed.
+STAGE(press_joint)
+{
+	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
+	if (press_waits(p) || (p->joint_flags[i] & (JOINT_ACTIVE | JOINT_ACTS)) != (JOINT_ACTIVE | JOINT_ACTS) ||
+	    modes & (JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) || !(modes & PRESS_HOLDS(JOINT_ALONG)) ||
+	    !(modes & PRESS_HOLDS(JOINT_ACROSS)))
+		return;
+	int still_a = !(p->body[ia].inv_mass > 0.0f), still_b = !(p->body[ib].inv_mass > 0.0f);
+	if (still_a == still_b)
+		return;
+	JointFrame a = joint_frame(p, i, JOINT_AT_FRAME(0), ia, vec(0.0f, 0.0f));
+	JointFrame b = joint_frame(p, i, JOINT_AT_FRAME(1), ib, vec(0.0f, 0.0f));
+	Vec gap = joint_gap(&a, &b);
+	float far = square_root(vec_dot(gap, gap));
+	if (!(far > PRESS_GAP && far < MOST_FLOAT))
+		return;
+	press_give(p, still_a ? ib : ia, 1, PRESS_HOPS, vec_scale(still_a ? -1.0f / far : 1.0f / far, gap));
+	raise_int(&p->press[still_a ? ib : ia].speed, float_bits(p->step.max_speed));
+}
+
+typedef struct // the part of a body's row that press_hand_on reads; it raises the depth
+{
+	int way[2], speed, left;
+} PressWays;
+
+INLINE PressWays press_ways(const Pools* p, int body)
+{
+	const GLOBAL Press* press = p->press + body;
+	PressWays ways;
+	ways.way[0] = press->way[0];
+	ways.way[1] = press->way[1];
+	ways.speed = press->speed;
+	ways.left = press->left;
+	return ways;
+}
+
+// The contact at place i hands ways on. What is pressed into something static is marked for guard.
+STAGE(press_hand_on)
+{
+	int slot = press_slot(p, i), way[2] = {0, 0};
+	if (slot < 0)
+		return;
+	float speed = 0.0f;
+	int body_a = contact_row(p, body_a, i), body_b = contact_row(p, body_b, i);
+	int kind = p->collidable_kind[p->contact_place_pair[i].y];
+	PressWays a = press_ways(p, body_a), b = a;
+	b.way[0] = b.way[1] = 0;
+	if (kind == KIND_DYNAMIC)
+		b = press_ways(p, body_b);
+	int gives = kind == KIND_DYNAMIC ? a.way[0] | a.way[1] | b.way[0] | b.way[1] : a.way[1] | a.left;
+	if (gives != 0 && kind != KIND_KINEMATIC)
+	{
+		PressContact facts = press_facts(p, i, slot);
+		for (int k = 0; k < 2 && facts.gap < 0.0f; ++k)
+		{
+			int to = press_left(a.way[k], facts.normal), back = press_left(b.way[k], vec_neg(facts.normal));
+			way[k] = back > to ? back | PRESS_BACK : to;
+			speed = k && way[k] ? bits_float(back > to ? b.speed : a.speed) : speed;
+		}
+		if (kind == KIND_STATIC && facts.gap < 0.0f && (way[1] > 0 || a.left > 0))
+			raise_int(&p->press[body_a].depth, float_bits(-facts.gap));
+		if (kind == KIND_STATIC)
+			way[0] = way[1] = 0;
+	}
+	Word bits = press_bits(way, speed);
+	if (bits != p->contact_press[slot])
+		p->contact_press[slot] = bits;
+	if (way[1])
+		raise_int(&p->counters->ways, 1);
+}
+
+#endif

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+// tree.h -- packed trees of boxes: leaves in the order of a Hilbert curve, ARITY children to a node, no pointers.
+//
+// This work is based on:
+// Ibrahim Kamel, Christos Faloutsos, On Packing R-trees, 1993.
+//
+// Node n of a level has the children ARITY * n and up on the level below. So a level is built by one pass over the level
+// below, the eight boxes of a node are one cache line of a GPU, and a walk needs a stack of 8 bits per level. A binary
+// radix tree (Karras, Maximizing Parallelism in the Construction of BVHs, 2012) has tighter nodes, but needs pointers,
+// atomics between compute units to refit, and 20 levels instead of 7.
+//
+// The order of the leaves affects speed only: the set of pairs is defined by the boxes.
+#ifndef TREE_H
+#define TREE_H
+#include "stages/geometry/box.h"
+#include "stages/geometry/filter.h"
+#include "stages/tree/hilbert.h"
+
+// A node counts as wide if its area is more than this many times that of its leaves: twice that of a row of eight
+// leaves that is bent once.
+#define STRAY_BOXES 64.0f
+
+INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC; }
+
+// Leaves between the one that is read and the one whose box is fetched.
+#define LEAF_SOON 16
+
+// argument is the tree. A leaf whose collidable is dead, or moved to the other tree, gets an empty box.
+STAGE(tree_leaf)
+{
+	const GLOBAL Tree* tree = p->tree + p->argument;
+	Float4 box = box_empty();
+	if (FETCHES && i + LEAF_SOON < tree->leaves)
+	{
+		int soon = p->leaf[tree->leaf_begin + i + LEAF_SOON];
+		fetch_soon(p->box + soon);
+		fetch_soon(p->collidable_kind + soon);
+	}
+	if (i < tree->leaves)
+	{
+		int k = p->leaf[tree->leaf_begin + i], kind = p->collidable_kind[k];
+		if (kind != KIND_DEAD && tree_of_kind(kind) == p->argument)
+			box = p->box[k];
+	}
+	box_pack(p->node_box, tree->begin[0] + i, box);
+}
+
+// The box of node i of a level, around those of its children.
+INLINE void tree_join(GLOBAL Float4* boxes, const GLOBAL Tree* tree, int level, int i)
+{
+	Float4 box = i < tree->count[level] ? box_around(boxes + tree->begin[level - 1] + ARITY * i) : box_empty();
+	box_pack(boxes, tree->begin[level] + i, box);
+}
+
+// Which of the children of node i of a level have something below them that can move and is not kinematic. A kinematic walker needs no others:
+// in a body of 40,000 shapes, each would walk through its neighbors.
+INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int i)
+{
+	Word movers = 0;
+	for (int k = ARITY * i; k < ARITY * (i + 1) && k < tree->count[level - 1]; ++k)
+	{
+		int moves = level == 1 ? kinds_meet(KIND_KINEMATIC, p->collidable_kind[p->leaf[tree->leaf_begin + k]])
+		                       : p->node_movers[tree->begin[level - 2] / ARITY + k] != 0;
+		movers |= (Word)moves << (k - ARITY * i);
+	}
+	return movers;
+}
+
+// argument is the tree plus 2 times the level.
+STAGE(tree_node)
+{
+	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
+	int level = p->argument >> 1;
+	tree_join(p->node_box, tree, level, i);
+	if (p->step.kinematic > 0 && i < tree->count[level])
+		p->node_movers[tree->begin[level - 1] / ARITY + i] = tree_movers(p, tree, level, i);
+}
+
+// The same of the eight nodes of a level from first on.
+INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, int first)
+{
+	return level < tree->top ? p->node_movers[(tree->begin[level] + first) / ARITY] : 255u;
+}
+
+INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
+
+// A leaf that is new or jumped makes the nodes above it wide, and walks visit these in vain. Estimates how many walks:
+// of all boxes, as many meet a wide node as have room in it. Item i is a node of level 1, argument the tree. Nodes no
+// wider than nodes of leaves in rows are not counted.
+STAGE(tree_stray)
+{
+	const GLOBAL Tree* tree = p->tree + p->argument;
+	Float4 now = box_empty(), before = box_empty();
+	float area = 0.0f;
+	int leaves = 0, jumped = 0;
+	for (int k = ARITY * (i + 1); FETCHES && k < ARITY * (i + 2) && k < tree->leaves; ++k)
+	{
+		int leaf = p->leaf[tree->leaf_begin + k];
+		fetch_soon(p->box + leaf);
+		fetch_soon(p->old_box + leaf);
+	}
+	for (int k = ARITY * i; k < ARITY * (i + 1) && k < tree->leaves; ++k)
+	{
+		int leaf = p->leaf[tree->leaf_begin + k], kind = p->collidable_kind[leaf];
+		if (kind == KIND_DEAD || tree_of_kind(kind) != p->argument)
+			continue;
+		Float4 box = p->box[leaf], old = p->old_box[leaf];
+		jumped |= (p->moved[leaf] & MOVED_BOX) && !box_overlap(box, old);
+		now = box_union(now, box);
+		before = box_union(before, old);
+		area += box_area(box);
+		++leaves;
+	}
+	if (!jumped)
+		return;
+	float mean = area / (float)leaves, wide = box_area(now);
+	if (!(wide > STRAY_BOXES * mean))
+		return;
+	// after a jump, the upper nodes cost about as much as this one
+	wide -= box_is_empty(before) ? 0.0f : box_area(before);
+	float walks = 2.0f * wide / (mean * (float)tree->leaves);
+	if (walks < 0.0f) // may be beyond the range of whole numbers
+		return;
+	int strayed = walks < 2.0f ? (int)((float)STRAY_UNIT * walks) : 2 * STRAY_UNIT;
+	if (strayed > 0)
+		atomic_add_int(&p->counters->strayed[p->argument], strayed);
+}
+
+// Whether the walks of this step alone are worth sorting the leaves. Smaller costs add up over steps; src/step/tree_maintenance.c.
+STAGE(tree_judge)
+{
+	GLOBAL Counters* c = p->counters;
+	int t = p->argument;
+	Word64 visits = (Word64)c->moved * (Word64)c->strayed[t];
+	if (visits > (Word64)(ORDER_VISITS * STRAY_UNIT) * (Word64)p->tree[t].leaves)
+		c->order[t] = 0x7fffffff;
+	(void)i;
+}
+
+// The box around all leaves, behind the nodes of the highest level. argument is as that of tree_code.
+STAGE(tree_root)
+{
+	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
+	GLOBAL Float4* boxes = p->argument & 2 ? p->seen_box : p->node_box;
+	int top = tree->begin[tree->top];
+	box_pack(boxes, top + ARITY, box_around(boxes + top));
+	(void)i;
+}
+
+STAGE(tree_order)
+{
+	p->leaf[p->tree[p->argument].leaf_begin + i] = (int)(p->key[i] & (Word64)0xffffffffu);
+	if (i == 0)
+		p->counters->strayed[p->argument] = 0;
+}
+
+// Bit k is set if the box overlaps child k of the eight from first on.
+INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
+
+// Of the eight nodes of a level from first on: a bit for each that has leaves from leaf from up to, not including, end.
+INLINE Word64 tree_span(int level, int first, int from, int end)
+{
+	int low = (from >> (ARITY_BITS * level)) - first, high = ((end - 1) >> (ARITY_BITS * level)) - first;
+	if (low >= ARITY || high < 0)
+		return 0;
+	Word64 span = low > 0 ? (Word64)255 << low : (Word64)255;
+	return high < ARITY - 1 ? span & (((Word64)2 << high) - (Word64)1) : span;
+}
+
+typedef struct // through the nodes over leaves that overlap a box, in rising order of leaves
+{
+	Word64 masks;     // 8 bits a level: which of the eight siblings on the current path are still to be visited
+	Word64 leaves;    // of the node where it is, a bit for each leaf that overlaps the box
+	int level, first; // where it is: the first of eight siblings
+	int from, end;    // leaves from and up to, not including; end 0: all
+	int nodes;        // over leaves that it may still visit
+	int movers;       // visits only nodes with something below them that what is kinematic may touch
+} TreeWalk;
+
+// Begins a walk through leaves from up to, not including, end, or through all leaves for end 0. The tree must have
+// leaves.
+INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
+{
+	TreeWalk walk;
+	walk.level = tree->top;
+	walk.first = 0;
+	walk.from = from;
+	walk.end = end;
+	walk.nodes = nodes;
+	walk.movers = 0;
+	walk.leaves = 0;
+	walk.masks = tree_hits(p, tree->begin[walk.level], box);
+	if (end)
+		walk.masks &= tree_span(walk.level, 0, from, end);
+	walk.masks = walk.masks << (8 * walk.level);
+	return walk;
+}
+
+// Advances to the next node over leaves and returns its first leaf; walk->leaves has a bit for each that overlaps the
+// box. Returns TREE_DONE behind the last, TREE_LEFT when the walk has visited as many nodes as it may: walk->first is
+// the leaf at which it has to continue.
+#define TREE_DONE (-1)
+#define TREE_LEFT (-2)
+INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWalk* walk)
+{
+	for (;;)
+	{
+		// the lowest level that has nodes left, in one go
+		Word64 left = walk->masks >> (8 * walk->level);
+		if (left == 0)
+			return TREE_DONE;
+		int lowest = lowest_bit(left), up = lowest / 8, child = lowest % 8;
+		walk->level += up;
+		walk->first = walk->first >> (ARITY_BITS * up) & ~(ARITY - 1);
+		if (walk->level == 0)
+		{
+			walk->leaves = walk->masks & (Word64)255;
+			walk->masks ^= walk->leaves;
+			return walk->first;
+		}
+		walk->masks ^= (Word64)1 << (8 * walk->level + child);
+		walk->first = ARITY * (walk->first + child);
+		if (--walk->level == 0 && --walk->nodes < 0)
+			return TREE_LEFT;
+		Word64 hits = tree_hits(p, tree->begin[walk->level] + walk->first, box);
+		if (walk->end)
+			hits &= tree_span(walk->level, walk->first, walk->from, walk->end);
+		if (walk->movers)
+			hits &= (Word64)tree_movers_of(p, tree, walk->level, walk->first);
+		walk->masks |= hits << (8 * walk->level);
+	}
+}
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// tree_packet.h -- many walks of a CPU worker at a time: all go down a tree together, level by level.
+//
+// A walk by itself waits for memory at each node, and its branches cannot be predicted. In a wave, the nodes of the next
+// level are fetched while others are tested, and each level is one loop over the nodes that are left. The walks of
+// 50,000 circles in random order took 29 ns per node by themselves, and a third of that in waves.
+#ifndef TREE_PACKET_H
+#define TREE_PACKET_H
+#include "stages/tree/tree.h"
+
+#define WAVE_WALKS  32  // walks at a time; CHUNK_ITEMS is a multiple of it
+#define WAVE_SHARE  16  // most nodes of one level per walk; a walk with more goes by itself
+#define WAVE_LEAVES 128 // most overlapping leaves before they are processed
+
+typedef struct // nodes of one level that are still to be tested, those of a walk in a row: 4 times the first of eight siblings, plus the walk
+{
+	int count;
+	int node[WAVE_WALKS * WAVE_SHARE + ARITY];
+} WaveFront;
+
+INLINE int wave_walk(int node) { return node & (WAVE_WALKS - 1); }
+INLINE int wave_first(int node) { return node >> 2 & ~(ARITY - 1); }
+INLINE int wave_node(int walk, int first) { return first << 2 | walk; }
+
+// Tests one level: of each eight siblings, those that overlap. kinematic: the walks of what is kinematic, a bit each. Returns those that have too
+// many nodes.
+INLINE Word wave_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word kinematic,
+                         Word alone, const WaveFront* from, WaveFront* to)
+{
+	const GLOBAL Float4 *nodes = p->node_box + tree->begin[level], *below = p->node_box + tree->begin[level - 1];
+	int last = -1, begin = 0, count = 0, far = tree->leaves >= FETCH_COLLIDABLES;
+	for (int k = 0; k < from->count; ++k)
+	{
+		int walk = wave_walk(from->node[k]), first = wave_first(from->node[k]);
+		if (alone >> walk & 1)
+			continue;
+		begin = walk != last ? count : begin;
+		last = walk;
+		Word hits = overlaps8(nodes + first, boxes[walk]);
+		if (kinematic >> walk & 1)
+			hits &= tree_movers_of(p, tree, level, first);
+		for (; hits != 0; hits &= hits - 1)
+		{
+			int child = ARITY * (first + lowest_bit(hits));
+			to->node[count++] = wave_node(walk, child);
+			if (far)
+			{
+				fetch_soon(below + child);
+				fetch_soon(below + child + ARITY / 2);
+			}
+		}
+		if (count - begin > WAVE_SHARE)
+		{
+			alone |= 1u << walk;
+			count = begin;
+		}
+	}
+	to->count = count;
+	return alone;
+}
+
+#endif

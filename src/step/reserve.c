@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// reserve.c -- capacities of the pools: they grow when a stage needs more, and shrink after long disuse.
+#include "step/reserve.h"
+#include "backend/solve_runs.h"
+#include "platform/error.h"
+#include "step/tree_maintenance.h"
+
+// A pool shrinks to twice its use when for IDLE_STEPS steps, 2 s at 60 Hz, at most an eighth of it was used. So a burst that
+// repeats within that time needs no growth, and use must grow at least fourfold before the pool is as large as before.
+#define IDLE_STEPS 120
+#define IDLE_SHARE 4 // of capacity, against twice the use
+
+// Contacts are packed when for SPARSE_STEPS steps fewer than a quarter of the slots were in use: each step visits all slots,
+// and a pool cannot shrink below the last contact. Packing changes the indices of contacts and so the bits of the world: it may
+// depend only on counts that are equal on every device. Worlds of few slots are not packed: they would gain nothing.
+#define SPARSE_STEPS 60
+#define SPARSE_SHARE 4
+#define SPARSE_SLOTS 4096
+
+static int64_t rounded(int64_t capacity) { return (capacity + LEAST_ROOM - 1) / LEAST_ROOM * LEAST_ROOM; }
+
+// constraints for so many contacts: every color may need padding
+static int64_t constraints_of(int64_t contacts) { return contacts + (COLORS + 1) * COLOR_PADDING; }
+
+static int larger(int a, int b) { return a > b ? a : b; }
+
+static void note(Pipeline* pipeline, Per per, int used) { pipeline->used[per] = larger(pipeline->used[per], used); }
+
+static scree_status resize(Pipeline* pipeline, Per per, int64_t capacity)
+{
+	Backend* b = pipeline->backend;
+	if (capacity <= b->capacity[per])
+		return SCREE_OK;
+	if (capacity > INT32_MAX / 2)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "a pool of %lld items is beyond what an index can name",
+		            (long long)capacity);
+	return b->f->resize(b, per, (int)capacity);
+}
+
+static int edges(const Backend* b)
+{
+	int sum = 0;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		sum += b->capacity[kind_info[kind].items];
+	return sum;
+}
+
+// What follows the items of a kind of constraint, or its places.
+static scree_status reserve_kind(Pipeline* pipeline, const KindInfo* kind, Per per, int64_t wanted)
+{
+	const Backend* b = pipeline->backend;
+	if (per == kind->places)
+		return resize(pipeline, kind->blocks, wanted / MAX_LANES);
+	if (per != kind->items)
+		return SCREE_OK;
+	TRY(resize(pipeline, kind->places, constraints_of(wanted)));
+	TRY(resize(pipeline, kind->blocks, constraints_of(wanted) / MAX_LANES));
+	TRY(resize(pipeline, PER_EDGE, edges(b) - b->capacity[per] + wanted));
+	return resize(pipeline, PER_KEY, wanted);
+}
+
+scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
+{
+	Backend* b = pipeline->backend;
+	int old = b->capacity[per];
+	note(pipeline, per, capacity);
+	if (capacity <= old)
+		return SCREE_OK;
+	int64_t wanted = rounded(capacity > old + old / 2 ? capacity : (int64_t)old + old / 2);
+	pipeline->grown += old > 0;
+
+	scree_status status = SCREE_OK;
+	int* leaves = NULL;
+	for (int kind = 0; kind < CONSTRAINT_KINDS && !status; ++kind)
+		status = reserve_kind(pipeline, &kind_info[kind], per, wanted);
+	if (per == PER_COLLIDABLE)
+	{
+		status = tree_save(pipeline, &leaves);
+		if (!status)
+			status = resize(pipeline, PER_LEAF, 2 * wanted);
+		if (!status)
+			status = resize(pipeline, PER_NODE, 2 * (int64_t)tree_nodes((int)wanted));
+		if (!status)
+			status = resize(pipeline, PER_NODE_GROUP, b->capacity[PER_NODE] / ARITY);
+		if (!status)
+			status = resize(pipeline, PER_KEY, wanted);
+	}
+	if (!status && per == PER_CONTACT && pipeline->reports)
+		status = resize(pipeline, PER_EVENT, wanted);
+	if (!status && per == PER_CONTACT && (pipeline->asks || pipeline->platforms))
+		status = resize(pipeline, PER_ASKED, wanted);
+	if (!status)
+		status = resize(pipeline, per, wanted);
+	if (!status && per == PER_COLLIDABLE)
+		status = tree_restore(pipeline, leaves);
+	scree_release(leaves);
+	return status;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// shrinking
+// ---------------------------------------------------------------------------------------------------------------
+
+// Shrinks a kind of pool to twice its use, if that is much less than its capacity. Returns whether it shrank: when there is no
+// memory for the smaller copy, the pool keeps its size.
+static bool shrink(Pipeline* pipeline, Per per, int least)
+{
+	Backend* b = pipeline->backend;
+	int64_t wanted = rounded(larger(2 * pipeline->used[per], least));
+	return wanted * IDLE_SHARE < b->capacity[per] && b->f->resize(b, per, (int)wanted) == SCREE_OK;
+}
+
+static void shrink_all(Pipeline* pipeline)
+{
+	Backend* b = pipeline->backend;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	{
+		const KindInfo* info = &kind_info[kind];
+		if (shrink(pipeline, info->items, kind == CONSTRAINT_CONTACT ? pipeline->first_contacts : LEAST_ROOM))
+			b->f->resize(b, PER_EDGE, edges(b));
+		if (shrink(pipeline, info->places, (int)constraints_of(b->capacity[info->items])))
+			b->f->resize(b, info->blocks, b->capacity[info->places] / MAX_LANES);
+	}
+	shrink(pipeline, PER_KEY, larger(b->capacity[PER_CONTACT], b->capacity[PER_COLLIDABLE]));
+	shrink(pipeline, PER_SPOKE, LEAST_ROOM);
+	shrink(pipeline, PER_SPOKE_BLOCK, LEAST_ROOM);
+	shrink(pipeline, PER_COMMAND, LEAST_ROOM);
+	shrink(pipeline, PER_QUERY, LEAST_ROOM);
+	shrink(pipeline, PER_FOUND, LEAST_ROOM);
+}
+
+bool pipeline_sparse(Pipeline* pipeline)
+{
+	const Counters* c = &pipeline->counters;
+	int64_t alive = c->alive - c->released;
+	pipeline->sparse = c->contacts > SPARSE_SHARE * alive + SPARSE_SLOTS ? pipeline->sparse + 1 : 0;
+	return pipeline->sparse >= SPARSE_STEPS;
+}
+
+void pipeline_trim(Pipeline* pipeline)
+{
+	const Counters* c = &pipeline->counters;
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	{
+		note(pipeline, kind_info[kind].items, kind_items(c, kind) + 1);
+		note(pipeline, kind_info[kind].places, c->layout[kind].begin[COLORS + 1]);
+	}
+	note(pipeline, PER_SPOKE, layout_spokes(c));
+	note(pipeline, PER_SPOKE_BLOCK, layout_spokes(c) / MAX_LANES);
+	note(pipeline, PER_KEY, larger(c->pairs, layout_spokes(c)));
+	if (++pipeline->idle < IDLE_STEPS)
+		return;
+	shrink_all(pipeline);
+	pipeline->idle = 0;
+	for (int per = 0; per < PER_COUNT; ++per)
+		pipeline->used[per] = 0;
+}

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// step_queries.c -- queries of the user on the world as it is now: trees of the poses, searches, answers in order.
+#include "step/step_queries.h"
+#include "platform/error.h"
+#include "step/dispatch.h"
+#include "step/reserve.h"
+#include "step/tree_maintenance.h"
+
+// Room for the answers of a list, at first.
+#define FIRST_ANSWERS 256
+// Leaves are put in order when more than one in so many was appended to the others.
+#define APPENDED_SHARE 8
+
+// most runs that a refit lists: twice the levels of both trees, and an order of each
+#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4))
+
+// ways: the boxes are those of the way in the last step.
+static void list_refit(Pipeline* pipeline, int t, bool ways)
+{
+	RunList* list = &pipeline->list;
+	const Tree* tree = &pipeline->trees[t].tree;
+	int how = (ways ? 2 : 0) | (pipeline->undone ? 4 : 0);
+	runs_add(list, STAGE_query_leaf, 0, tree_padded(tree->count[0]), NO_COUNT, t | how);
+	for (int level = 1; level <= tree->top; ++level)
+		runs_add(list, STAGE_query_node, 0, tree_padded(tree->count[level]), NO_COUNT, t | level << 1);
+}
+
+// A tree of a world that never made a step has its leaves in the order of their creation.
+static scree_status order(Pipeline* pipeline, int t)
+{
+	RunList* list = &pipeline->list;
+	const Tree* tree = &pipeline->trees[t].tree;
+	list_refit(pipeline, t, false);
+	runs_add(list, STAGE_tree_root, 0, 1, NO_COUNT, t | 2);
+	runs_add(list, STAGE_tree_code, 0, tree->leaves, NO_COUNT, t | 2);
+	runs_add_sort(list, tree->leaves, NO_COUNT, 32, 64);
+	runs_add(list, STAGE_tree_order, 0, tree->leaves, NO_COUNT, t);
+	TRY(pipeline_run(pipeline, &pipeline->step));
+	pipeline->trees[t].touched = true; // the step's boxes are those of other leaves now
+	return tree_ordered(pipeline, t);
+}
+
+// Trees of the poses now, where they are not known.
+static scree_status refit(Pipeline* pipeline, bool ways)
+{
+	Backend* b = pipeline->backend;
+	TRY(runs_reserve(&pipeline->list, REFIT_RUNS));
+	TRY(tree_upload(pipeline));
+	TRY(pipeline_reserve(pipeline, PER_SEEN, b->capacity[PER_LEAF]));
+	TRY(pipeline_reserve(pipeline, PER_SEEN_NODE, b->capacity[PER_NODE]));
+	for (int t = 0; t < 2; ++t)
+	{
+		TreeState* state = &pipeline->trees[t];
+		bool moves = ways && t == 0; // static boxes do not
+		if ((state->seen && !moves) || state->tree.leaves == 0)
+			continue;
+		if (state->tree.leaves > ARITY && state->appended > state->tree.leaves / APPENDED_SHARE)
+			TRY(order(pipeline, t));
+		list_refit(pipeline, t, moves);
+		TRY(pipeline_run(pipeline, &pipeline->step));
+		state->seen = !moves;
+	}
+	return SCREE_OK;
+}
+
+// The time of the device since the last call.
+static scree_status lap(Pipeline* pipeline, const Questions* q)
+{
+	double boxes[BOX_COUNT];
+	if (!q->timings)
+		return SCREE_OK;
+	TRY(pipeline->backend->f->timings(pipeline->backend, boxes));
+	pipeline->query_milliseconds = 0.0;
+	for (int k = 0; k < BOX_COUNT; ++k)
+		pipeline->query_milliseconds += boxes[k];
+	return SCREE_OK;
+}
+
+// Sends names unless the device has this version of them.
+static scree_status send_names(Backend* b, PoolId pool, const Names* names, uint64_t* sent)
+{
+	if (*sent == names->version || names->count == 0)
+		return SCREE_OK;
+	TRY(b->f->write(b, pool, 0, names->count, names->generation));
+	*sent = names->version;
+	return SCREE_OK;
+}
+
+// Trees and pools for so many queries.
+static scree_status prepare(Pipeline* pipeline, const Questions* q)
+{
+	Backend* b = pipeline->backend;
+	TRY(lap(pipeline, q));
+	TRY(refit(pipeline, q->form == QUERY_SENSORS));
+	TRY(send_names(b, POOL_generation, &q->collidables, &pipeline->named));
+	if (q->form != QUERY_SENSORS) // which ignore no body
+		TRY(send_names(b, POOL_body_generation, &q->bodies, &pipeline->named_bodies));
+	return pipeline_reserve(pipeline, PER_QUERY, q->count);
+}
+
+static scree_status send_plan(Pipeline* pipeline, const Questions* q, int room)
+{
+	Backend* b = pipeline->backend;
+	QueryPlan plan = q->plan;
+	plan.room = room;
+	plan.bodies = q->bodies.count;
+	return b->f->write(b, POOL_query_plan, 0, 1, &plan);
+}
+
+static Run search_of(const Pipeline* pipeline, const Questions* q, int mode)
+{
+	static const int stages[] = {
+	    [QUERY_RAYS] = STAGE_query_ray,
+	    [QUERY_SHAPES] = STAGE_query_shape,
+	    [QUERY_NEAREST] = STAGE_query_nearest,
+	    [QUERY_SENSORS] = STAGE_sense,
+	};
+	Run run = {.stage = stages[q->form], .end = q->count, .count = NO_COUNT, .argument = mode};
+	if (q->form == QUERY_SENSORS)
+	{
+		// work-items share the leaves where there are more of them than sensors
+		int parts = pipeline->backend->walkers / q->count, blocks = (q->collidables.count + ARITY - 1) / ARITY;
+		run.argument = parts < 1 ? 1 : parts < blocks ? parts : blocks;
+		run.end = q->count * run.argument;
+	}
+	return run;
+}
+
+scree_status queries_answer(Pipeline* pipeline, const Questions* q, Found* found)
+{
+	Backend* b = pipeline->backend;
+	Run run = search_of(pipeline, q, q->any ? QUERY_ANY : QUERY_CLOSEST);
+	TRY(prepare(pipeline, q));
+	TRY(pipeline_reserve(pipeline, PER_FOUND, q->count));
+	TRY(send_plan(pipeline, q, 0));
+	if (q->items)
+	{
+		Exchange exchange = {.asked = POOL_query,
+		                     .items = q->items,
+		                     .run = run,
+		                     .answered = POOL_found,
+		                     .answers = found,
+		                     .check = q->check,
+		                     .context = q->context};
+		TRY(b->f->exchange(b, &pipeline->step, &exchange));
+		return lap(pipeline, q);
+	}
+	TRY(b->f->take(b, POOL_query, q->count, q->items_at));
+	TRY(b->f->run(b, &pipeline->step, &run, 1));
+	TRY(b->f->give(b, POOL_found, q->count, q->found_at));
+	return lap(pipeline, q);
+}
+
+static scree_status sort(Pipeline* pipeline, const Questions* q, int count)
+{
+	RunList* list = &pipeline->list;
+	TRY(pipeline_reserve(pipeline, PER_KEY, count));
+	TRY(runs_reserve(list, 7));
+	runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_COLLIDABLE);
+	runs_add_sort(list, count, NO_COUNT, 32, 32 + index_bits(q->collidables.count + 1));
+	if (q->form != QUERY_SENSORS)
+	{
+		runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_FRACTION);
+		runs_add_sort(list, count, NO_COUNT, 32, 64);
+	}
+	runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_QUERY);
+	runs_add_sort(list, count, NO_COUNT, 32, 32 + index_bits(q->count));
+	runs_add(list, STAGE_query_list, 0, count, NO_COUNT, 0);
+	return pipeline_run(pipeline, &pipeline->step);
+}
+
+scree_status queries_list(Pipeline* pipeline, const Questions* q, int* count)
+{
+	Backend* b = pipeline->backend;
+	TRY(prepare(pipeline, q));
+	TRY(b->f->write(b, POOL_query, 0, q->count, q->items));
+	TRY(pipeline_reserve(pipeline, PER_FOUND, FIRST_ANSWERS));
+	for (;;)
+	{
+		int room = b->capacity[PER_FOUND];
+		QueryPlan plan;
+		Run run = search_of(pipeline, q, QUERY_ALL);
+		TRY(send_plan(pipeline, q, room));
+		TRY(b->f->run(b, &pipeline->step, &run, 1));
+		if (q->check)
+			TRY(q->check(q->context, 0, q->count));
+		TRY(b->f->read(b, POOL_query_plan, 0, 1, &plan));
+		*count = plan.found;
+		if (plan.found > QUERY_MOST)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "%d queries have more than %d answers: ask fewer at once", q->count,
+			            QUERY_MOST);
+		if (plan.found <= room)
+			break;
+		TRY(pipeline_reserve(pipeline, PER_FOUND, plan.found));
+	}
+	if (*count > FEW_ANSWERS)
+		TRY(sort(pipeline, q, *count));
+	return lap(pipeline, q);
+}
+
+scree_status queries_read(Pipeline* pipeline, int count, Found* found, int* queries)
+{
+	Backend* b = pipeline->backend;
+	bool few = count <= FEW_ANSWERS;
+	TRY(b->f->read(b, few ? POOL_found_query : POOL_found_row_query, 0, count, queries));
+	return b->f->read(b, few ? POOL_found : POOL_found_row, 0, count, found);
+}
+
+scree_status told_count(Pipeline* pipeline, int bodies, int* count)
+{
+	Backend* b = pipeline->backend;
+	RunList* list = &pipeline->list;
+	pipeline->tells = true;
+	TRY(runs_reserve(list, 2));
+	runs_add_single(list, STAGE_told_begin);
+	runs_add(list, STAGE_told_mark, 1, bodies, NO_COUNT, 0); // the first one is the ground
+	TRY(pipeline_run(pipeline, &pipeline->step));
+	TRY(b->f->read(b, POOL_counters, 0, 1, &pipeline->counters));
+	*count = pipeline->counters.told;
+	return SCREE_OK;
+}
+
+scree_status told_list(Pipeline* pipeline, int bodies, int count)
+{
+	RunList* list = &pipeline->list;
+	if (count == 0)
+		return SCREE_OK;
+	TRY(runs_reserve(list, 3));
+	TRY(pipeline_reserve(pipeline, PER_KEY, count));
+	TRY(pipeline_reserve(pipeline, PER_FOUND, count));
+	runs_add(list, STAGE_told_key, 0, count, NO_COUNT, 0);
+	runs_add_sort(list, count, NO_COUNT, 0, index_bits(bodies));
+	runs_add(list, STAGE_told_list, 0, count, NO_COUNT, 0);
+	return pipeline_run(pipeline, &pipeline->step);
+}

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// tree_maintenance.c -- the host's part of the broad phase's trees: their leaves, and when they are put in order.
+#include "step/tree_maintenance.h"
+#include "platform/error.h"
+#include <string.h>
+
+// The device looks at all boxes and decides whether they jump so far that the leaves must be put in order. After such a
+// decision the next steps order the leaves without that look; one step in CHURN_STEPS looks again.
+#define CHURN_STEPS 4
+
+// a member is prefetched so many collidables before it is read
+#define LEFT_SOON 24
+
+// Pipeline.member: a leaf lies in tree t; the collidable is there and belongs to tree t
+#define HAS_LEAF(t) (1 << (t))
+#define BELONGS(t)  (4 << (t))
+
+// The user changed something in a tree.
+static void touch(TreeState* state)
+{
+	state->touched = true;
+	state->seen = false;
+}
+
+int tree_padded(int count) { return (count + ARITY - 1) / ARITY * ARITY; }
+
+int tree_nodes(int leaves)
+{
+	int nodes = tree_padded(leaves);
+	while (leaves > ARITY)
+	{
+		leaves = (leaves + ARITY - 1) / ARITY;
+		nodes += tree_padded(leaves);
+	}
+	return nodes + ARITY; // the root, behind the highest level
+}
+
+// computes where the tree lies in the pools, and its levels; uploads them if they changed
+static scree_status tree_layout(Pipeline* pipeline, int t)
+{
+	Backend* b = pipeline->backend;
+	TreeState* state = &pipeline->trees[t];
+	Tree* tree = &state->tree;
+	int capacity = pipeline->backend->capacity[PER_COLLIDABLE];
+	tree->leaf_begin = t * capacity;
+	int begin = t * tree_nodes(capacity), count = tree->leaves;
+	for (tree->top = 0;; ++tree->top)
+	{
+		tree->begin[tree->top] = begin;
+		tree->count[tree->top] = count;
+		if (count <= ARITY)
+			break;
+		begin += tree_padded(count);
+		count = (count + ARITY - 1) / ARITY;
+	}
+	if (memcmp(tree, &state->sent, sizeof *tree) == 0)
+		return SCREE_OK;
+	state->sent = *tree;
+	state->touched = true; // the nodes of more or fewer leaves lie elsewhere
+	return b->f->write(b, POOL_tree, t, 1, tree);
+}
+
+scree_status tree_insert(Pipeline* pipeline, int t, int collidable)
+{
+	if (collidable >= pipeline->member_capacity)
+	{
+		int capacity = collidable + collidable / 2 + 64;
+		uint8_t* member = scree_reallocate(pipeline->member, (size_t)pipeline->member_capacity, (size_t)capacity);
+		if (!member)
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d collidables", capacity);
+		pipeline->member = member;
+		pipeline->member_capacity = capacity;
+	}
+	TreeState* state = &pipeline->trees[t];
+	touch(state);
+	pipeline->statics |= t == 1;
+	pipeline->member[collidable] |= BELONGS(t);
+	if (pipeline->member[collidable] & HAS_LEAF(t))
+		return SCREE_OK;
+	if (state->added_count == state->added_capacity)
+	{
+		int capacity = 2 * state->added_capacity + 64;
+		int* added =
+		    scree_reallocate(state->added, sizeof(int) * (size_t)state->added_capacity, sizeof(int) * (size_t)capacity);
+		if (!added)
+		{
+			pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
+			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d new leaves", capacity);
+		}
+		state->added = added;
+		state->added_capacity = capacity;
+	}
+	pipeline->member[collidable] |= HAS_LEAF(t);
+	state->added[state->added_count++] = collidable;
+	return SCREE_OK;
+}
+
+void tree_withdraw(Pipeline* pipeline, int collidable)
+{
+	// the insertion may have failed before there was room for it
+	if (collidable >= pipeline->member_capacity)
+		return;
+	for (int t = 0; t < 2; ++t)
+	{
+		TreeState* state = &pipeline->trees[t];
+		pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
+		if (state->added_count == 0 || state->added[state->added_count - 1] != collidable)
+			continue;
+		--state->added_count;
+		pipeline->member[collidable] &= (uint8_t)~HAS_LEAF(t);
+	}
+}
+
+void tree_touch(Pipeline* pipeline, int t) { touch(&pipeline->trees[t]); }
+
+void tree_leave(Pipeline* pipeline, int t, int collidable)
+{
+	TreeState* state = &pipeline->trees[t];
+	touch(state);
+	pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
+	if (state->left_count == state->left_capacity && !state->shrunk)
+	{
+		// a list as long as member is not faster than a look at all slots
+		int capacity = 2 * state->left_capacity + 64;
+		int* left = capacity <= pipeline->member_capacity
+		                ? scree_reallocate(state->left, sizeof(int) * (size_t)state->left_capacity,
+		                                   sizeof(int) * (size_t)capacity)
+		                : NULL;
+		state->left = left ? left : state->left;
+		state->left_capacity = left ? capacity : state->left_capacity;
+		state->shrunk = !left;
+	}
+	if (!state->shrunk)
+		state->left[state->left_count++] = collidable;
+}
+
+scree_status tree_upload(Pipeline* pipeline)
+{
+	Backend* b = pipeline->backend;
+	for (int t = 0; t < 2; ++t)
+	{
+		TreeState* state = &pipeline->trees[t];
+		if (state->added_count > 0)
+		{
+			int first = t * b->capacity[PER_COLLIDABLE] + state->tree.leaves;
+			scree_status status = b->f->write(b, POOL_leaf, first, state->added_count, state->added);
+			if (status)
+				return status;
+			state->tree.leaves += state->added_count;
+			state->unsorted += state->added_count;
+			state->appended += state->added_count;
+			state->added_count = 0;
+			touch(state);
+		}
+		scree_status status = tree_layout(pipeline, t);
+		if (status)
+			return status;
+	}
+	return SCREE_OK;
+}
+
+// The leaves are put in order when walks have visited as many nodes in vain as ordering costs: about ORDER_VISITS per leaf, or
+// one visit of every box. So the cost stays within twice the minimum.
+//
+// A box changes when it has moved by its margin, an eighth of its size, and disorder grows evenly: after c changes of
+// every box a walk visits about 2 c nodes more, which add up to c * c a leaf. That is four changes of every box where
+// nothing jumps; neighbors on the curve are still near each other then. Eight won another 3 % of broad phase in scenes
+// that tumble, and would lose more where bodies fly.
+bool tree_wants_order(const TreeState* state)
+{
+	double leaves = state->tree.leaves, changes = (double)state->unsorted / leaves;
+	return state->tree.leaves > ARITY && changes * changes + state->strayed / leaves > ORDER_VISITS;
+}
+
+bool tree_churns(const TreeState* state) { return state->tree.leaves > ARITY && state->churned % CHURN_STEPS != 0; }
+
+void tree_count(TreeState* state, const Counters* counters, int t)
+{
+	if (t == 0)
+		state->unsorted += counters->moved;
+	state->strayed += (double)counters->moved * counters->strayed[t] / STRAY_UNIT;
+	state->churned = counters->order[t] || state->ordered ? state->churned + 1 : 0;
+}
+
+// Takes the leaf of collidable k out of tree t, if it has one and does not belong there any more.
+static void drop(Pipeline* pipeline, int t, int k)
+{
+	if ((pipeline->member[k] & (HAS_LEAF(t) | BELONGS(t))) != HAS_LEAF(t))
+		return;
+	pipeline->member[k] &= (uint8_t)~HAS_LEAF(t);
+	--pipeline->trees[t].tree.leaves;
+}
+
+scree_status tree_ordered(Pipeline* pipeline, int t)
+{
+	TreeState* state = &pipeline->trees[t];
+	state->unsorted = 0;
+	state->appended = 0;
+	state->strayed = 0;
+	state->seen = false;
+	if (!state->shrunk && state->left_count == 0)
+		return SCREE_OK;
+	for (int k = 0; k < pipeline->member_capacity && state->shrunk; ++k)
+		drop(pipeline, t, k);
+	for (int k = 0; k < state->left_count; ++k)
+	{
+		if (k + LEFT_SOON < state->left_count)
+			fetch_soon(pipeline->member + state->left[k + LEFT_SOON]);
+		drop(pipeline, t, state->left[k]);
+	}
+	state->left_count = 0;
+	state->shrunk = false;
+	return tree_layout(pipeline, t);
+}
+
+scree_status tree_save(Pipeline* pipeline, int** leaves)
+{
+	Backend* b = pipeline->backend;
+	const TreeState* trees = pipeline->trees;
+	*leaves = scree_allocate(sizeof(int) * (size_t)(trees[0].tree.leaves + trees[1].tree.leaves));
+	if (!*leaves)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to move %d leaves",
+		            trees[0].tree.leaves + trees[1].tree.leaves);
+	int* to = *leaves;
+	for (int t = 0; t < 2; ++t)
+	{
+		int count = trees[t].tree.leaves;
+		scree_status status =
+		    count > 0 ? b->f->read(b, POOL_leaf, t * b->capacity[PER_COLLIDABLE], count, to) : SCREE_OK;
+		if (status)
+			return status;
+		to += count;
+	}
+	return SCREE_OK;
+}
+
+scree_status tree_restore(Pipeline* pipeline, int* leaves)
+{
+	Backend* b = pipeline->backend;
+	const int* from = leaves;
+	scree_status status = SCREE_OK;
+	for (int t = 0; t < 2 && !status; ++t)
+	{
+		TreeState* state = &pipeline->trees[t];
+		if (state->tree.leaves > 0)
+			status = b->f->write(b, POOL_leaf, t * b->capacity[PER_COLLIDABLE], state->tree.leaves, from);
+		from += state->tree.leaves;
+		touch(state);
+		if (!status)
+			status = tree_layout(pipeline, t);
+	}
+	return status;
+}

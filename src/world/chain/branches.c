@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// branches.c -- finds branches: joints around light bodies that carry heavy ones, which the solver solves together.
+//
+// A branch is a tree of joints. It begins where a body with three joints or more is light beside what these carry. If all joints
+// that hang together there make a tree, they are the branch: arms of any length, light bodies beside each other, wheels on axles.
+// Otherwise it has the joints of light bodies alone that are next to each other, as far as they make a tree. The choice depends on
+// the user's calls alone, so it is the same on every device.
+#include "world/chain/branches.h"
+#include "world/objects/joints.h"
+#include <string.h>
+
+// A hub has so many joints, and ends that weigh so much beside it by their inertia about it. From joint to joint, hubs became
+// unstable with 4 to 7 times their inertia in welded ends, and with 28 to 56 times in hinged ones. The end of a hinge gives way
+// along its arm alone: it counts as a share of its mass at the hinge.
+#define HUB_JOINTS 3
+#define HUB_WEIGHT 3.0f
+#define HUB_HINGE  0.18f
+// Or all that hangs on it has so many times its mass, as a chain has a heavy load. Ragdolls have up to 9, and rest.
+#define HUB_LOAD 20.0f
+// The solver takes as long for a branch as it has joints: larger trees are solved around their light bodies alone.
+#define MOST_NODES 1024
+// Bodies behind a welded end that are summed up, at most: each hub looks at them again.
+#define MOST_WELDED 64
+
+typedef struct
+{
+	ChainSearch* s;
+	int* place;   // of each body: 1 + its place in the list, 0 for none
+	int* list;    // bodies as they were reached, and from where
+	int* through; // the joint by which each was reached, -1 for none
+	int* above;   // its place in the list, -1 for none
+} Branching;
+
+size_t branches_bytes(size_t joints, size_t bodies)
+{
+	// a body that cannot move is in the list once for each joint; each branch has one node more than joints, of which it has two
+	size_t listed = joints + bodies, nodes = 2 * joints;
+	return nodes * (sizeof(BranchNode) + sizeof(int)) + joints * sizeof(ChainRow) + bodies * sizeof(int) +
+	       listed * 3 * sizeof(int);
+}
+
+static float distance(scree_vec a, scree_vec b) { return sqrtf((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y)); }
+
+// Whether two bodies are held like one.
+static bool welded(const HostJoint* host) { return host->def.coordinates[SCREE_ANGLE].locked; }
+
+// What the end of a joint weighs beside the hub at its other side. Bodies that are welded to the end are one with it.
+static float weight_of(const scree_world* world, int joint, int hub)
+{
+	const HostJoint* host = world->host_joints + joint;
+	int side = host->bodies[0] != hub, count = 1, bodies[MOST_WELDED], from[MOST_WELDED];
+	const scree_pose* frames[2] = {&host->def.frame_a, &host->def.frame_b};
+	const scree_mass *own = &world->host_bodies[hub].mass, *end = &world->host_bodies[host->bodies[!side]].mass;
+	float arm = distance(frames[side]->position, own->center), sum = 0.0f, inertia = 0.0f, reach[MOST_WELDED];
+	bodies[0] = host->bodies[!side];
+	from[0] = joint;
+	reach[0] = arm + distance(frames[!side]->position, end->center);
+	for (int k = 0; k < count; ++k)
+	{
+		const HostBody* body = world->host_bodies + bodies[k];
+		sum += body->mass.mass;
+		inertia += body->mass.inertia + body->mass.mass * reach[k] * reach[k];
+		for (int next = body->first_joint; next > 0 && count < MOST_WELDED; next = joint_next(world, next))
+		{
+			int other = joint_of_end(next), there = chain_other_body(world, other, bodies[k]);
+			const HostJoint* more = world->host_joints + other;
+			if (other == from[k] || there == hub || !welded(more) || !chain_acts(world, other) ||
+			    !chain_moves(world, there))
+				continue;
+			int at = more->bodies[0] != bodies[k];
+			const scree_pose* ends[2] = {&more->def.frame_a, &more->def.frame_b};
+			bodies[count] = there;
+			from[count] = other;
+			reach[count++] = reach[k] + distance(ends[at]->position, body->mass.center) +
+			                 distance(ends[!at]->position, world->host_bodies[there].mass.center);
+		}
+	}
+	if (!welded(host))
+	{
+		sum *= HUB_HINGE;
+		inertia = sum * arm * arm;
+	}
+	return sum / own->mass + (own->inertia > 0.0f ? inertia / own->inertia : 0.0f);
+}
+
+// Whether a body is light beside the ends of its joints.
+static bool light(const scree_world* world, int body)
+{
+	const HostBody* hub = world->host_bodies + body;
+	float weight = 0.0f;
+	int count = 0;
+	if (hub->type != SCREE_BODY_DYNAMIC || hub->disabled || !(hub->mass.mass > 0.0f))
+		return false;
+	for (int end = hub->first_joint; end > 0; end = joint_next(world, end))
+	{
+		int joint = joint_of_end(end), other = chain_other_body(world, joint, body);
+		if (other == body || !chain_acts(world, joint))
+			continue;
+		++count;
+		weight += chain_moves(world, other) ? weight_of(world, joint, body) : 0.0f;
+	}
+	return count >= HUB_JOINTS && weight >= HUB_WEIGHT;
+}
+
+static int joints_of(const scree_world* world, int body)
+{
+	int count = 0;
+	for (int end = world->host_bodies[body].first_joint; end > 0; end = joint_next(world, end))
+		count += chain_acts(world, joint_of_end(end));
+	return count;
+}
+
+static int put(Branching* b, int count, int body, int through, int above)
+{
+	b->list[count] = body;
+	b->through[count] = through;
+	b->above[count] = above;
+	if (chain_moves(b->s->world, body))
+		b->place[body] = count + 1;
+	return count + 1;
+}
+
+// Lists bodies from those that are listed on, by the joints of those that go on: all, or light ones. whole becomes false if some
+// joint closes a ring. Returns their number.
+static int spread(Branching* b, int count, bool all, bool* whole)
+{
+	const scree_world* world = b->s->world;
+	*whole = true;
+	for (int k = 0; k < count; ++k)
+	{
+		int body = b->list[k];
+		if (!chain_moves(world, body) || (!all && !light(world, body)))
+			continue;
+		for (int end = world->host_bodies[body].first_joint; end > 0; end = joint_next(world, end))
+		{
+			int joint = joint_of_end(end), other = chain_other_body(world, joint, body);
+			if (joint == b->through[k] || other == body || !chain_acts(world, joint))
+				continue;
+			if (chain_moves(world, other) && (b->place[other] > 0 || b->s->marks[other] & BODY_BRANCHED))
+				*whole = false;
+			else
+				count = put(b, count, other, joint, k);
+		}
+	}
+	return count;
+}
+
+static void forget(Branching* b, int count)
+{
+	for (int k = 0; k < count; ++k)
+		b->place[b->list[k]] = 0;
+}
+
+// Whether some body of a tree is light beside its ends, or beside all that hangs on it.
+static bool worth(Branching* b, int count)
+{
+	const scree_world* world = b->s->world;
+	float all = 0.0f;
+	for (int k = 0; k < count; ++k)
+		all += chain_moves(world, b->list[k]) ? world->host_bodies[b->list[k]].mass.mass : 0.0f;
+	for (int k = 0; k < count; ++k)
+	{
+		int body = b->list[k];
+		if (!chain_moves(world, body) || joints_of(world, body) < HUB_JOINTS)
+			continue;
+		float mass = world->host_bodies[body].mass.mass;
+		if (light(world, body) || all - mass >= HUB_LOAD * mass)
+			return true;
+	}
+	return false;
+}
+
+static bool similar(const Branching* b, int count)
+{
+	MassRange range = mass_range();
+	for (int k = 0; k < count; ++k)
+		mass_range_add(&range, b->s->world, b->list[k]);
+	return mass_ratio(range) <= MOST_RATIO;
+}
+
+// Adds the listed bodies, in the order of their distance from the first, as the nodes of a branch.
+static void add(Branching* b, int count)
+{
+	ChainLayout* layout = &b->s->layout;
+	const scree_world* world = b->s->world;
+	BranchNode* nodes = layout->nodes + layout->node_count;
+	// a body that cannot move is no node above others: the root hangs on it
+	int skip = !chain_moves(world, b->list[0]);
+	for (int k = skip; k < count; ++k)
+	{
+		int joint = b->through[k], n = k - skip, up = b->above[k] - skip;
+		BranchNode* node = nodes + n;
+		*node = (BranchNode){.body = b->list[k], .up = up < 0 ? -1 : up};
+		node->side = joint >= 0 && world->host_joints[joint].bodies[1] == node->body;
+		layout->node_joints[layout->node_count + n] = joint;
+		if (joint >= 0)
+			b->s->seen[joint] = 1;
+		b->s->marks[node->body] |= chain_moves(world, node->body) ? BODY_BRANCHED : 0;
+		if (node->up >= 0 && nodes[node->up].count++ == 0)
+			nodes[node->up].first = n;
+	}
+	count -= skip;
+	for (int begin = 0, end; begin < count; begin = end)
+	{
+		// those that hang on the nodes before are as far from the root
+		for (end = begin + 1; end < count && nodes[end].up < begin;)
+			++end;
+		for (int k = begin; k < end; ++k)
+		{
+			nodes[k].begin = begin;
+			nodes[k].end = end;
+		}
+	}
+	layout->branches[layout->branch_count++] = (ChainRow){.first = layout->node_count, .count = count};
+	layout->node_count += count;
+}
+
+// Lists the tree that is listed anew, from a body that cannot move on, if it hangs on one: there it is solved exactly, at an end it
+// is not.
+static int hang(Branching* b, int count, bool all)
+{
+	const scree_world* world = b->s->world;
+	for (int k = 1; k < count; ++k)
+	{
+		if (chain_moves(world, b->list[k]))
+			continue;
+		int fixed = b->list[k], joint = b->through[k], body = b->list[b->above[k]];
+		bool whole;
+		forget(b, count);
+		put(b, 0, fixed, -1, -1);
+		put(b, 1, body, joint, 0);
+		return spread(b, 2, all, &whole);
+	}
+	return count;
+}
+
+void branches_find(ChainSearch* s, void* memory)
+{
+	const scree_world* world = s->world;
+	size_t joints = (size_t)world->joints.used, bodies = (size_t)world->bodies.used;
+	ChainLayout* layout = &s->layout;
+	Branching b = {.s = s};
+	layout->nodes = memory;
+	layout->branches = (ChainRow*)(layout->nodes + 2 * joints);
+	layout->node_joints = (int*)(layout->branches + joints);
+	b.place = layout->node_joints + 2 * joints;
+	b.list = b.place + bodies;
+	b.through = b.list + joints + bodies;
+	b.above = b.through + joints + bodies;
+	for (int body = 1; body < world->bodies.used; ++body)
+	{
+		bool tree = false;
+		int count = 0;
+		if (!chain_moves(world, body) || world->host_bodies[body].disabled ||
+		    s->marks[body] & (BODY_BRANCHED | BODY_IN_TREE) || joints_of(world, body) < HUB_JOINTS)
+			continue;
+		if (!(s->marks[body] & BODY_IN_NET))
+		{
+			// all that hangs together is looked at once
+			count = spread(&b, put(&b, 0, body, -1, -1), true, &tree);
+			tree = tree && count <= MOST_NODES;
+			for (int k = 0; k < count; ++k)
+				s->marks[b.list[k]] |= tree ? BODY_IN_TREE : BODY_IN_NET;
+			if (tree && worth(&b, count) && similar(&b, count))
+				add(&b, count = hang(&b, count, true));
+			forget(&b, count);
+		}
+		if (tree || !light(world, body))
+			continue;
+		count = spread(&b, put(&b, 0, body, -1, -1), false, &tree);
+		if (count > HUB_JOINTS && similar(&b, count))
+			add(&b, count = hang(&b, count, false));
+		forget(&b, count);
+	}
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// chain_layout.c -- where the joints of chains lie on a device: chains alone in rows, or side by side.
+//
+// A device has work for all its lanes in either way: in the rows of a chain, or in chains of similar lengths side by side, which
+// takes less of one worker. But a worker solves all chains that lie side by side, so a few of them lie alone if there are more
+// workers. The estimate of what a pass takes decides.
+#include "world/chain/chain_layout.h"
+#include "backend/backend.h"
+#include "platform/threads.h"
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+// What a pass takes for a block of joints of a chain in rows, and of chains side by side, in units of what the system of one joint
+// takes that is solved by itself. Measured on CPUs with 16 and 8 lanes.
+#define ROW_COST  12
+#define SIDE_COST 8
+// What a pass of ranges in blocks of their own may take, of what it takes in common blocks.
+#define APART 0.9
+// What a pass of chains that lie alone may take, of what it takes with some side by side: workers that share it wait for each other.
+#define ALONE 0.75
+
+typedef struct
+{
+	ChainLayout* layout;
+	int lanes, groups;
+	bool alone; // all chains lie alone
+	int parts;  // ranges that may share blocks
+	// the last blocks of chains side by side: spot of their joints 0, spots from there to joints 1, ranges
+	int column, column_odds, column_parts;
+} Placing;
+
+static int padded(int count, int lanes) { return (count + lanes - 1) / lanes * lanes; }
+
+// Joints of a row, if there are 2^bits rows.
+static int row_length(int joints, int bits) { return ((joints - 1) >> bits) + 1; }
+
+// Finds the number of rows in which a chain alone takes least.
+static void choose_rows(ChainRow* row, int lanes)
+{
+	for (int bits = 1; bits == 1 || (lanes > 1 && 1 << bits <= row->count); ++bits)
+	{
+		int length = row_length(row->count, bits);
+		int cost = (ROW_COST << bits) * padded(length, lanes) / lanes + length;
+		if (bits > 1 && cost >= row->cost)
+			continue;
+		row->bits = bits;
+		row->cost = cost;
+	}
+}
+
+// How many chains from one on lie side by side: as many as there are lanes, or one alone if that takes less. Shorter ones cost
+// nothing beside a longer one. *cost becomes what these chains take.
+static int side_by_side(const Placing* s, int k, int* cost)
+{
+	const ChainLayout* layout = s->layout;
+	int alone = 0, count = 0, side = SIDE_COST * layout->rows[k].count;
+	for (; !s->alone && k + count < layout->count && count < s->lanes &&
+	       layout->rows[k + count].carried == layout->rows[k].carried;
+	     ++count)
+		alone += layout->rows[k + count].cost;
+	count = alone > side ? count : 1;
+	*cost = count > 1 ? side : layout->rows[k].cost;
+	return count;
+}
+
+// Whether that many chains side by side, from one on, begin an item of a pass, and do not share the blocks of those before. One alone does.
+static bool begins_item(Placing* s, int k, int count)
+{
+	const ChainRow* rows = s->layout->rows;
+	bool shares = count > 1 && s->column_parts < s->parts && rows[k].carried == rows[k - 1].carried;
+	s->column_parts = shares ? s->column_parts + 1 : count > 1 ? 1 : s->parts;
+	return !shares;
+}
+
+// What all chains take: what the worker with most of them has, or the share of a work-group and no less than the longest item.
+static double cost_of_all(Placing* s)
+{
+	double loads[MAX_WORKERS] = {0}, sum = 0, most = 0, item = 0;
+	int counted = s->groups < MAX_WORKERS ? s->groups : MAX_WORKERS, items = 0;
+	s->column_parts = s->parts;
+	for (int k = 0, cost; k < s->layout->count;)
+	{
+		int count = side_by_side(s, k, &cost);
+		bool begins = begins_item(s, k, count);
+		items += begins;
+		item = begins ? cost : item + cost;
+		double* load = loads + dealt((items - 1) / counted, (items - 1) % counted, counted);
+		*load += cost;
+		sum += cost;
+		most = fmax(most, s->groups > counted ? item : *load);
+		k += count;
+	}
+	return s->groups > counted ? fmax(sum / s->groups, most) : most;
+}
+
+// Ranges in the same blocks are solved by one worker, or two would write to the same cache lines. Blocks of their own are in part
+// empty, so that they take more memory and time, but may be shared out better.
+static double choose_parts(Placing* s)
+{
+	int most = s->parts;
+	double together = cost_of_all(s);
+	s->parts = 1;
+	double apart = cost_of_all(s);
+	if (apart < APART * together)
+		return apart;
+	s->parts = most;
+	return together;
+}
+
+static ChainRange place_alone(Placing* s, const ChainRow* row)
+{
+	int length = padded(row_length(row->count, row->bits), s->lanes);
+	ChainRange at = {s->layout->places, row->count, length << row->bits >> 1, 1, length, row->bits, 0, 0};
+	s->layout->places += padded(2 * at.odds, MAX_LANES);
+	return at;
+}
+
+// Blocks of MAX_LANES have room for several ranges of chains side by side: those that follow have no longer chains.
+static ChainRange place_side(Placing* s, int count, bool begins)
+{
+	int length = (count + 1) / 2;
+	if (begins)
+	{
+		s->column = s->layout->places;
+		s->column_odds = length * MAX_LANES;
+		s->layout->places += 2 * s->column_odds;
+	}
+	int first = s->column + (s->column_parts - 1) * s->lanes;
+	ChainRange at = {first, count, s->column_odds, MAX_LANES, length, 1, 0, 0};
+	return at;
+}
+
+// Those that are carried last; the longest first; those of one length as they were found.
+static int compare_rows(const void* a, const void* b)
+{
+	const ChainRow *first = a, *second = b;
+	if (first->carried != second->carried)
+		return first->carried - second->carried;
+	return first->count != second->count ? second->count - first->count : first->first - second->first;
+}
+
+void chain_layout(ChainLayout* layout, int lanes, int groups)
+{
+	Placing s = {.layout = layout, .lanes = lanes, .groups = groups, .parts = MAX_LANES / lanes};
+	for (int k = 0; k < layout->count; ++k)
+		choose_rows(layout->rows + k, lanes);
+	qsort(layout->rows, (size_t)layout->count, sizeof *layout->rows, compare_rows);
+	double least = choose_parts(&s);
+	s.alone = true;
+	s.alone = cost_of_all(&s) < ALONE * least;
+	s.column_parts = s.parts;
+	for (int k = 0, count, cost, first = 0; k < layout->count; k += count)
+	{
+		const ChainRow* row = layout->rows + k;
+		count = side_by_side(&s, k, &cost);
+		bool begins = begins_item(&s, k, count);
+		ChainRange at = count > 1 ? place_side(&s, row->count, begins) : place_alone(&s, row);
+		for (int c = 0; c < count; ++c)
+			for (int n = 0; n < row[c].count; ++n)
+				layout->spots[layout->joints[row[c].first + n]] = c + CHAIN_SPOT(&at, n);
+		first = begins ? layout->ranged : first;
+		layout->carried += begins && !row->carried;
+		layout->ranges[layout->ranged++] = at;
+		++layout->ranges[first].parts;
+		if (begins)
+			layout->ranges[layout->items++].item = first;
+	}
+	for (int k = 0; k < layout->branch_count; ++k)
+	{
+		// in one row, in blocks of its own
+		const ChainRow* branch = layout->branches + k;
+		ChainRange at = {
+		    .first = layout->places, .count = branch->count, .odds = branch->first, .stride = 1, .parts = 1};
+		for (int n = 0; n < branch->count; ++n)
+		{
+			int joint = layout->node_joints[branch->first + n];
+			if (joint >= 0)
+				layout->spots[joint] = at.first + n;
+		}
+		layout->places += padded(branch->count, MAX_LANES);
+		layout->ranges[layout->ranged] = at;
+		layout->ranges[layout->items + k].item = layout->ranged++;
+	}
+}

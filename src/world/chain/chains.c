@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// chains.c -- finds chains: rows of joints that the solver solves together.
+//
+// A chain goes through bodies that have two joints with locks. No body belongs to two chains. Ropes and bridges are chains;
+// nets are none, and what is short and of similar masses gains nothing. The choice depends on the user's calls alone, so it is
+// the same on every device. How chains lie in memory (chain_layout.c) is not, and changes no bit.
+#include "world/chain/chains.h"
+#include "platform/error.h"
+#include "step/reserve.h"
+#include "world/chain/branches.h"
+#include "world/objects/joints.h"
+#include <string.h>
+
+// A chain has so many joints at least, or two and masses of such a ratio.
+#define LEAST_JOINTS 8
+#define LEAST_RATIO  8.0f
+
+// The other joint of a body that can move, is in no branch and has exactly two, else -1.
+static int next_joint(const ChainSearch* s, int body, int joint)
+{
+	const scree_world* world = s->world;
+	int count = 0, next = -1;
+	if (!chain_moves(world, body) || s->marks[body] & BODY_BRANCHED)
+		return -1;
+	for (int end = world->host_bodies[body].first_joint; end > 0 && count <= 2; end = joint_next(world, end))
+	{
+		int other = joint_of_end(end);
+		if (!chain_acts(world, other))
+			continue;
+		++count;
+		next = other == joint ? next : other;
+	}
+	return count == 2 ? next : -1;
+}
+
+// The last joint of the chain that a joint is in, through one of its bodies; *body becomes the body behind it. In a ring, the
+// joint before the first one.
+static int chain_end(const ChainSearch* s, int joint, int* body)
+{
+	for (int first = joint;;)
+	{
+		int next = next_joint(s, *body, joint);
+		if (next < 0 || next == first)
+			return joint;
+		joint = next;
+		*body = chain_other_body(s->world, joint, *body);
+	}
+}
+
+// Lists the joints of a chain from its first one, which comes behind body *at; *at becomes the body behind the last.
+static int chain_list(ChainSearch* s, int first, int* at)
+{
+	int count = 0;
+	for (int joint = first; joint >= 0 && !s->seen[joint]; joint = next_joint(s, *at, joint))
+	{
+		s->seen[joint] = 1;
+		s->layout.joints[s->joints + count++] = joint;
+		*at = chain_other_body(s->world, joint, *at);
+	}
+	return count;
+}
+
+// Whether a chain may have a body at its end: it cannot move, or it is of no other chain.
+static bool own(ChainSearch* s, int body)
+{
+	if (!chain_moves(s->world, body))
+		return true;
+	if (s->marks[body] & (BODY_OWNED | BODY_BRANCHED))
+		return false;
+	s->marks[body] |= BODY_OWNED;
+	return true;
+}
+
+static float chain_mass(const scree_world* world, int body)
+{
+	return chain_moves(world, body) ? world->host_bodies[body].mass.mass : INFINITY;
+}
+
+// By which ratio a body of a short chain is lighter than what it has on both sides, at most.
+static float load_ratio(const scree_world* world, const int* row, int count)
+{
+	float masses[LEAST_JOINTS], before = 0.0f, ratio = 0.0f;
+	for (int k = 0; k + 1 < count; ++k)
+	{
+		const int *here = world->host_joints[row[k]].bodies, *next = world->host_joints[row[k + 1]].bodies;
+		int shared = here[0] == next[0] || here[0] == next[1] ? here[0] : here[1];
+		masses[k] = chain_mass(world, shared);
+		masses[k + 1] = chain_mass(world, chain_other_body(world, row[k + 1], shared));
+		if (k == 0)
+			before = chain_mass(world, chain_other_body(world, row[0], shared));
+	}
+	for (int k = 0; k + 1 < count; ++k)
+	{
+		float behind = 0.0f;
+		for (int n = k + 1; n < count; ++n)
+			behind = fmaxf(behind, masses[n]);
+		ratio = fmaxf(ratio, fminf(before, behind) / masses[k]);
+		before = fmaxf(before, masses[k]);
+	}
+	return ratio;
+}
+
+static float row_ratio(const scree_world* world, const int* row, int count)
+{
+	MassRange range = mass_range();
+	for (int k = 0; k < 2 * count; ++k)
+		mass_range_add(&range, world, world->host_joints[row[k / 2]].bodies[k % 2]);
+	return mass_ratio(range);
+}
+
+// Adds the chain that a joint is in, if it is worth it.
+static void add_chain(ChainSearch* s, int joint)
+{
+	const scree_world* world = s->world;
+	int begin = 0, first_body = world->host_joints[joint].bodies[0];
+	int first = chain_end(s, joint, &first_body), last_body = first_body;
+	bool ring = next_joint(s, first_body, first) >= 0;
+	int count = chain_list(s, first, &last_body);
+	if (ring)
+		--count; // the last joint shares bodies with the first: it is solved by itself
+	else
+	{
+		begin = !own(s, first_body);
+		count -= count > begin && !own(s, last_body);
+	}
+	int joints = count - begin;
+	begin += s->joints;
+	const int* row = s->layout.joints + begin;
+	if (joints < 2)
+		return;
+	float ratio = row_ratio(world, row, joints);
+	if (ratio > MOST_RATIO || (joints < LEAST_JOINTS && ratio < LEAST_RATIO))
+		return;
+	// a cart on light wheels: no body between two joints is light, the ends are
+	bool carried = joints < LEAST_JOINTS && load_ratio(world, row, joints) < LEAST_RATIO;
+	s->layout.rows[s->layout.count++] = (ChainRow){.first = begin, .count = joints, .carried = carried};
+	s->joints = begin + joints;
+}
+
+// Sets the spots of all joints; those that changed wait for the upload.
+static void set_spots(scree_world* world, const int* spots)
+{
+	for (int k = 0; k < world->joints.used; ++k)
+	{
+		HostJoint* host = world->host_joints + k;
+		if (host->spot == spots[k])
+			continue;
+		bool restarts = (host->spot < 0) != (spots[k] < 0);
+		host->spot = spots[k];
+		joint_changed(world, k, restarts);
+	}
+}
+
+static scree_status upload_chains(scree_world* world, const ChainLayout* layout)
+{
+	Backend* b = world->backend;
+	if (layout->ranged == 0)
+		return SCREE_OK;
+	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN, layout->ranged));
+	TRY(pipeline_reserve(&world->pipeline, PER_CHAIN_BLOCK, layout->places / MAX_LANES));
+	TRY(b->f->write(b, POOL_chain, 0, layout->ranged, layout->ranges));
+	if (layout->node_count == 0)
+		return SCREE_OK;
+	TRY(pipeline_reserve(&world->pipeline, PER_BRANCH, layout->node_count));
+	return b->f->write(b, POOL_branch, 0, layout->node_count, layout->nodes);
+}
+
+scree_status chains_update(scree_world* world)
+{
+	size_t joints = (size_t)world->joints.used, bodies = (size_t)world->bodies.used;
+	if (!world->chains_stale)
+		return SCREE_OK;
+	size_t bytes = joints * (sizeof(ChainRow) + sizeof(ChainRange) + 2 * sizeof(int) + 1) + bodies + 1;
+	size_t before = branches_bytes(joints, bodies);
+	char* memory = scree_allocate(before + bytes);
+	if (!memory)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to find the chains of %zu joints", joints);
+	memset(memory, 0, before + bytes);
+	ChainSearch s = {.world = world};
+	ChainLayout* layout = &s.layout;
+	layout->rows = (ChainRow*)(memory + before);
+	layout->ranges = (ChainRange*)(layout->rows + joints);
+	layout->spots = (int*)(layout->ranges + joints);
+	layout->joints = layout->spots + joints;
+	s.seen = (uint8_t*)(layout->joints + joints);
+	s.marks = s.seen + joints;
+	memset(layout->spots, -1, joints * sizeof *layout->spots);
+	branches_find(&s, memory);
+	for (int k = 0; k < world->joints.used; ++k)
+		if (!s.seen[k] && chain_acts(world, k))
+			add_chain(&s, k);
+	chain_layout(layout, world->backend->chain_lanes, world->backend->groups);
+	scree_status status = upload_chains(world, layout);
+	if (status == SCREE_OK)
+	{
+		set_spots(world, layout->spots);
+		world->pipeline.chain_ranges = layout->ranged;
+		world->pipeline.chains = layout->items;
+		world->pipeline.carried = layout->carried;
+		world->pipeline.branches = layout->branch_count;
+		world->pipeline.branch_nodes = layout->node_count;
+		world->pipeline.chain_places = layout->places;
+		world->chains_stale = false;
+	}
+	scree_release(memory);
+	return status;
+}

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+// auto.c -- device "auto": a world begins on the CPU, and moves to the device on which its steps take less time.
+//
+// The GPU is opened when the time that it may save within the next steps exceeds the time of opening it. A thread opens it
+// while the world keeps stepping. A trial on the other device is made when its cost is a small part of the time that the
+// world has worked so far.
+//
+// Both devices give the same bits, so measured times may decide.
+#include "world/device/auto.h"
+#include "platform/error.h"
+#include "platform/processor.h"
+#include "world/device/devices.h"
+#include "world/device/migrate.h"
+#include "world/device/open_async.h"
+#include "world/failure.h"
+#include "world/world.h"
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Steps that a world is assumed to have ahead: so many, or as many as it has taken.
+#define HORIZON 500
+
+// Least time of a step on a GPU, ms: an H200 takes 0.13 for 10,000 boxes in pyramids, and hardly less for fewer.
+#define LEAST_STEP 0.15
+
+// Time of a step on the CPU before one is measured: ms per body and thread. It is less than any scene takes, so that only
+// very large worlds open the GPU before their first step. (Pyramids on 16 threads: 5e-4.)
+#define BODY_STEP 4e-4
+
+// Time to open a GPU before it is measured, ms: 215 to 235 for an H200 with its program in the cache on an idle machine. The
+// measured time replaces it for later worlds.
+#define OPENING 230
+
+// Speed of copying a world, bytes per ms: less than that of the bus of any fast GPU.
+#define MOVE_SPEED 4e6
+
+// Steps of a trial; the first is not counted, since its caches are cold. A trial ends early when it has taken the time
+// of TRIAL_LIMIT steps of the other device.
+#define TRIAL_STEPS 4
+#define TRIAL_LIMIT 20
+
+// The next trial waits until the world has worked PATIENCE times as long as the last trial took, or LIKELY_PATIENCE times
+// when the other device is predicted to take less than LIKELY of the time. The wait doubles after every failed trial.
+#define PATIENCE        100
+#define LIKELY_PATIENCE 20
+#define LIKELY          0.8 // of the present time of a step
+#define MOST_FAILURES   10
+
+// Expected time to open a GPU, ms: that of the last time in this process.
+static atomic_int async_open_milliseconds = OPENING;
+
+double auto_clock(void) { return processor_milliseconds(); }
+
+void auto_count(scree_world* world, double since) { world->auto_device.current += processor_milliseconds() - since; }
+
+static int work_of(const scree_world* world)
+{
+	const Counters* c = &world->pipeline.counters;
+	return 1 + world->bodies.alive + c->alive;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// what steps cost
+// ---------------------------------------------------------------------------------------------------------------
+
+static void meter_note(Meter* m, double milliseconds)
+{
+	m->recent[m->count % RECENT_STEPS] = milliseconds;
+	++m->count;
+}
+
+static int compare_times(const void* a, const void* b)
+{
+	double x = *(const double*)a, y = *(const double*)b;
+	return (x > y) - (x < y);
+}
+
+// The time at quantile share, from 0 to 1, of the last steps: single steps are disturbed by other work of the machine. The
+// first step after a move counts only when it is the only one.
+static double meter_step(const Meter* m, double share)
+{
+	double sorted[RECENT_STEPS];
+	int count = m->count < RECENT_STEPS ? m->count : RECENT_STEPS;
+	int first = m->count <= RECENT_STEPS && count > 1;
+	memcpy(sorted, m->recent + first, sizeof(double) * (size_t)(count - first));
+	qsort(sorted, (size_t)(count - first), sizeof *sorted, compare_times);
+	return sorted[(int)(share * (double)(count - first - 1))];
+}
+
+#define MEDIAN   0.5
+#define SHORTEST 0.0
+
+static Meter* meter_of(scree_world* world, const Backend* b) { return &world->auto_device.meters[b->distant]; }
+
+// A lower bound of the time of a step on a device that has not been measured, ms.
+static double least_step(const scree_world* world, const Backend* b)
+{
+	return b->distant ? LEAST_STEP : BODY_STEP * world->bodies.alive / b->threads;
+}
+
+// The expected time of a step on the other device, ms. A CPU's time is proportional to the work, a GPU's hardly depends on it.
+static double predicted_step(scree_world* world)
+{
+	const Backend* other = world->auto_device.other;
+	const Meter* m = meter_of(world, other);
+	if (m->step <= 0.0)
+		return least_step(world, other);
+	return other->distant ? m->step : m->step * work_of(world) / m->work;
+}
+
+static double steps_to_come(const scree_world* world)
+{
+	int64_t taken = world->pipeline.steps;
+	return (double)(taken > HORIZON ? taken : HORIZON);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// opening the other device
+// ---------------------------------------------------------------------------------------------------------------
+
+static bool opening_pays(scree_world* world)
+{
+	const Meter* m = meter_of(world, world->backend);
+	if (m->count % RECENT_STEPS != 0)
+		return false;
+	double step = m->count > 0 ? meter_step(m, SHORTEST) : least_step(world, world->backend);
+	return steps_to_come(world) * (step - LEAST_STEP) > atomic_load(&async_open_milliseconds);
+}
+
+static void spare_core(scree_world* world, bool core)
+{
+	Backend* b = world->backend;
+	if (b->f->spare)
+		b->f->spare(b, core);
+}
+
+static void take_opened(scree_world* world)
+{
+	AutoDevice* a = &world->auto_device;
+	double milliseconds;
+	spare_core(world, false);
+	scree_status status = async_open_end(a->opening, &a->other, &milliseconds);
+	a->opening = NULL;
+	if (status == SCREE_OK)
+	{
+		atomic_store(&async_open_milliseconds, (int)milliseconds + 1);
+		return;
+	}
+	a->alone = true;
+	log_sentence(status == SCREE_ERROR_NO_DEVICE ? SCREE_LOG_INFO : SCREE_LOG_WARNING,
+	             "scree_world_step: the world stays on the CPU: %s", scree_error());
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// trials
+// ---------------------------------------------------------------------------------------------------------------
+
+static bool trial_pays(scree_world* world)
+{
+	AutoDevice* a = &world->auto_device;
+	const Backend *here = world->backend, *there = a->other;
+	const Meter* m = meter_of(world, here);
+	if (m->count < RECENT_STEPS || a->spent < LIKELY_PATIENCE * a->cost)
+		return false;
+	// room for three times the world, since it may grow there: a step that runs out of memory cannot be undone
+	if (there->memory > 0 && 3 * here->bytes > there->memory)
+		return false;
+	double step = meter_step(m, MEDIAN), predicted = predicted_step(world);
+	if (a->cost <= 0.0)
+		return a->named[0] || steps_to_come(world) * (step - predicted) > 2.0 * (double)here->bytes / MOVE_SPEED;
+	int work = work_of(world);
+	bool another = work > 2 * a->failures_work || work < a->failures_work / 2;
+	double patience = predicted < LIKELY * step ? LIKELY_PATIENCE : PATIENCE;
+	return a->spent > patience * a->cost * (double)(1 << (another ? 0 : a->failures));
+}
+
+// Moves the world to the other device. Returns whether that succeeded.
+static bool change_over(scree_world* world)
+{
+	AutoDevice* a = &world->auto_device;
+	Backend* from = world->backend;
+	scree_status status = world_move(world, a->other);
+	if (status == SCREE_OK)
+	{
+		a->other = from;
+		meter_of(world, world->backend)->count = 0;
+		return true;
+	}
+	log_sentence(SCREE_LOG_WARNING, "scree_world_step: the world stays on %s: %s", world->device, scree_error());
+	a->other->f->close(a->other);
+	a->other = NULL;
+	a->alone = true;
+	return false;
+}
+
+static void begin_trial(scree_world* world)
+{
+	AutoDevice* a = &world->auto_device;
+	Meter* m = meter_of(world, world->backend);
+	m->step = meter_step(m, MEDIAN);
+	m->work = work_of(world);
+	a->begun = auto_clock();
+	a->trial = change_over(world);
+}
+
+static void end_trial(scree_world* world)
+{
+	AutoDevice* a = &world->auto_device;
+	Meter *here = meter_of(world, world->backend), *before = meter_of(world, a->other);
+	here->step = meter_step(here, MEDIAN);
+	here->work = work_of(world);
+	a->trial = false;
+	bool faster = here->step < before->step;
+	const char *to = world->backend->name, *from = a->other->name;
+	log_sentence(SCREE_LOG_INFO, "scree_world_step: %s %s: %.4f ms a step, and %.4f ms on %s",
+	             faster ? "the world moves to" : "the world does not stay on", to, here->step, before->step, from);
+	a->failures = faster ? 0 : a->failures < MOST_FAILURES ? a->failures + 1 : MOST_FAILURES;
+	a->failures_work = here->work;
+	if (!faster)
+		change_over(world);
+	a->cost = auto_clock() - a->begun;
+	a->spent = 0.0;
+}
+
+static bool trial_is_over(scree_world* world)
+{
+	const AutoDevice* a = &world->auto_device;
+	const Meter *here = meter_of(world, world->backend), *before = meter_of(world, a->other);
+	return here->count >= TRIAL_STEPS || (here->count > 0 && auto_clock() - a->begun > TRIAL_LIMIT * before->step);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// for the world
+// ---------------------------------------------------------------------------------------------------------------
+
+void auto_open(scree_world* world, CompareDevice* compare)
+{
+	AutoDevice* a = &world->auto_device;
+	if (a->on)
+		return;
+	*a = (AutoDevice){.on = true, .compare = compare};
+	const char* named = getenv("SCREE_AUTO");
+	if (named)
+		snprintf(a->named, sizeof a->named, "%s", named);
+	a->alone = strcmp(a->named, "cpu") == 0;
+	if (a->alone || !world->backend->distant)
+		return;
+	scree_world_def def = world->def;
+	def.device = "cpu";
+	a->alone = device_open(&def, &a->other) != SCREE_OK;
+}
+
+void auto_close(scree_world* world)
+{
+	AutoDevice* a = &world->auto_device;
+	double milliseconds;
+	if (a->opening)
+	{
+		spare_core(world, false);
+		async_open_end(a->opening, &a->other, &milliseconds);
+	}
+	if (a->other)
+		a->other->f->close(a->other);
+	*a = (AutoDevice){0};
+}
+
+scree_status auto_choose(scree_world* world)
+{
+	AutoDevice* a = &world->auto_device;
+	if (!a->on || a->alone)
+		return SCREE_OK;
+	if (world->pipeline.steps > 0)
+		meter_note(meter_of(world, world->backend), a->current);
+	a->spent += a->current;
+	a->current = 0.0;
+
+	if (!a->other && !a->opening && (a->named[0] || opening_pays(world)))
+	{
+		a->opening = async_open_begin(&world->def, a->named[0] ? a->named : NULL, a->compare);
+		a->alone = !a->opening;
+		spare_core(world, !a->alone);
+	}
+	if (a->opening && (a->named[0] || async_open_done(a->opening)))
+		take_opened(world);
+	if (a->trial && trial_is_over(world))
+		end_trial(world);
+	else if (!a->trial && a->other && trial_pays(world))
+		begin_trial(world);
+	return world->broken ? world_check(world, "scree_world_step") : SCREE_OK;
+}

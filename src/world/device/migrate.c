@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// migrate.c -- moves a world from one device to another, between two steps.
+//
+// The host's data of a world does not depend on the device, except for the places of the trees. The device holds only the
+// pools. So a move copies the pools that outlive a step.
+#include "world/device/migrate.h"
+#include "platform/error.h"
+#include "world/device/idle.h"
+#include "world/device/shared_buffers.h"
+#include "world/failure.h"
+#include "world/world.h"
+#include <stdio.h>
+#include <string.h>
+
+#define BOUNCE_BYTES ((size_t)4 << 20) // when the host can address the pools of neither device
+
+static int smaller(int a, int b) { return a < b ? a : b; }
+
+// How many items of a kind outlive a step. Slots that wait for an upload may lie beyond the capacity.
+static int lasting_items(const scree_world* world, Per per)
+{
+	const Counters* c = &world->pipeline.counters;
+	const Backend* b = world->backend;
+	switch (per)
+	{
+	case PER_ATTRIBUTE:
+		return world->edits.attribute_rows;
+	case PER_COLLIDABLE:
+		return smaller(world->collidables.used, b->capacity[per]);
+	case PER_BODY:
+		// wide stages touch the padding, which must be inert
+		return smaller((world->bodies.used + MAX_LANES - 1) / MAX_LANES * MAX_LANES, b->capacity[per]);
+#define CONSTRAINT_KIND(kind, Kind, KIND)                      \
+	case PER_##KIND:                                           \
+		return c->kind##s;                                     \
+	case PER_##KIND##_PLACE:                                   \
+		return c->layout[CONSTRAINT_##KIND].begin[COLORS + 1]; \
+	case PER_##KIND##_BLOCK:                                   \
+		return (c->layout[CONSTRAINT_##KIND].begin[COLORS + 1] + MAX_LANES - 1) / MAX_LANES;
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	case PER_JOINED:
+		return smaller(c->joints + world->pipeline.excluded, b->capacity[per]);
+	case PER_EXCLUDED:
+		return world->pipeline.excluded;
+	case PER_MATERIAL_PAIR:
+		return smaller(world->pipeline.material_pairs, b->capacity[per]);
+	case PER_PATH_SAMPLE:
+		return smaller(world->edits.sample_rows, b->capacity[per]);
+	case PER_CHAIN:
+		return world->pipeline.chain_ranges;
+	case PER_BRANCH:
+		return world->pipeline.branch_nodes;
+	case PER_ONE:
+		return 1;
+	default:
+		return 0; // scratch; the nodes of the trees are looked up again, and their leaves have places of their own
+	}
+}
+
+typedef struct // a move in progress
+{
+	scree_world* world;
+	Backend* to;
+	char* bounce;
+} Move;
+
+static char* address(Backend* b, PoolId pool, int first)
+{
+	char* memory = b->f->address ? b->f->address(b, pool) : NULL;
+	return memory ? memory + (size_t)first * pool_info[pool].bytes : NULL;
+}
+
+static scree_status fetch(Move* m, PoolId pool, int first, int count, void* items)
+{
+	Backend* from = m->world->backend;
+	return world_note(m->world, from->f->read(from, pool, first, count, items));
+}
+
+static scree_status copy(Move* m, PoolId pool, int first, int to_first, int count)
+{
+	Backend* to = m->to;
+	char *here = address(m->world->backend, pool, first), *there = address(to, pool, to_first);
+	if (here)
+		return to->f->write(to, pool, to_first, count, here);
+	if (there)
+		return fetch(m, pool, first, count, there);
+	if (!m->bounce)
+		m->bounce = scree_allocate(BOUNCE_BYTES);
+	if (!m->bounce)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to move a world");
+	int most = (int)(BOUNCE_BYTES / pool_info[pool].bytes);
+	for (int k = 0; k < count; k += most)
+	{
+		int part = smaller(most, count - k);
+		TRY(fetch(m, pool, first + k, part, m->bounce));
+		TRY(to->f->write(to, pool, to_first + k, part, m->bounce));
+	}
+	return SCREE_OK;
+}
+
+static scree_status copy_all(Move* m)
+{
+	const scree_world* world = m->world;
+	Backend *from = world->backend, *to = m->to;
+	for (int per = 0; per < PER_COUNT; ++per)
+		if (from->capacity[per] > to->capacity[per])
+			TRY(to->f->resize(to, (Per)per, from->capacity[per]));
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+		if (pool_info[pool].role <= STANDING)
+			TRY(copy(m, (PoolId)pool, 0, 0, lasting_items(world, pool_info[pool].per)));
+	for (int t = 0; t < 2; ++t)
+		TRY(copy(m, POOL_leaf, t * from->capacity[PER_COLLIDABLE], t * to->capacity[PER_COLLIDABLE],
+		         world->pipeline.trees[t].tree.leaves));
+
+	// the backend stores the counters that it returns; the read also waits for the writes, so their failures show here
+	Counters counters;
+	return to->f->read(to, POOL_counters, 0, 1, &counters);
+}
+
+scree_status world_move(scree_world* world, Backend* to)
+{
+	Move m = {.world = world, .to = to};
+	scree_status status = copy_all(&m);
+	scree_release(m.bounce);
+	if (status != SCREE_OK)
+		return status;
+	world_unshare(world);       // another device cannot use that memory
+	world->chains_stale = true; // how chains lie depends on the device
+	world->fields.stale = true; // they are not copied
+	idle_forget(world);
+	world->backend = to;
+	snprintf(world->device, sizeof world->device, "%s", to->name);
+	pipeline_move(&world->pipeline, to);
+	return SCREE_OK;
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// open_async.c -- opens a device on a thread of its own, and compares its bits with the CPU's.
+#include "world/device/open_async.h"
+#include "platform/error.h"
+#include "platform/processor.h"
+#include "platform/system.h"
+#include "world/device/devices.h"
+#include <stdatomic.h>
+#include <stdio.h>
+#include <string.h>
+
+struct AsyncOpen
+{
+	Thread thread;
+	scree_world_def def;
+	char name[160]; // of the device, empty for any GPU
+	CompareDevice* compare;
+	Backend* backend;
+	scree_status status;
+	char sentence[1024];
+	double begin, milliseconds;
+	atomic_bool done;
+};
+
+static scree_status open_and_compare(AsyncOpen* o)
+{
+	TRY(o->name[0] ? device_open(&o->def, &o->backend) : device_open_gpu(&o->def, &o->backend));
+	o->milliseconds = processor_milliseconds() - o->begin;
+	scree_status status = o->compare(o->backend);
+	if (status == SCREE_OK)
+		return SCREE_OK;
+	o->backend->f->close(o->backend);
+	o->backend = NULL;
+	return status;
+}
+
+static THREAD_RESULT async_open_main(void* argument)
+{
+	AsyncOpen* o = argument;
+	o->status = open_and_compare(o);
+	if (o->status != SCREE_OK)
+		snprintf(o->sentence, sizeof o->sentence, "%s", scree_error());
+	atomic_store(&o->done, true);
+	return THREAD_END;
+}
+
+AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, CompareDevice* compare)
+{
+	AsyncOpen* o = scree_allocate(sizeof *o);
+	if (!o)
+		return NULL;
+	o->def = *def;
+	o->compare = compare;
+	snprintf(o->name, sizeof o->name, "%s", device ? device : "");
+	o->def.device = o->name;
+	o->def.allow_unequal_bits = false;
+	o->begin = processor_milliseconds();
+	if (thread_start(&o->thread, async_open_main, o))
+		return o;
+	scree_release(o);
+	return NULL;
+}
+
+bool async_open_done(const AsyncOpen* opening) { return atomic_load(&opening->done); }
+
+scree_status async_open_end(AsyncOpen* opening, Backend** backend, double* milliseconds)
+{
+	thread_join(opening->thread);
+	scree_status status = opening->status;
+	*backend = opening->backend;
+	*milliseconds = opening->milliseconds;
+	if (status != SCREE_OK)
+		fail(status, "%s", opening->sentence);
+	scree_release(opening);
+	return status;
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// attributes.c -- the table of attributes: equal values share a slot.
+#include "world/objects/attributes.h"
+#include "platform/error.h"
+#include "world/memory.h"
+#include "world/world.h"
+#include <math.h>
+#include <string.h>
+
+// The margin of an enlarged box is an eighth of the shape's size, within these bounds in m. A larger margin finds more pairs
+// that do not touch; a body leaves a smaller one more often.
+#define LEAST_MARGIN 0.01f
+#define MOST_MARGIN  0.1f
+
+// A hash of all bytes (FNV-1a: Fowler, Noll, Vo, 1991) that is never 0.
+static uint32_t name_of(const scree_attribute_def* def)
+{
+	uint32_t hash = 2166136261u;
+	const unsigned char* bytes = (const unsigned char*)def;
+	for (size_t i = 0; i < sizeof *def; ++i)
+		hash = (hash ^ bytes[i]) * 16777619u;
+	return hash ? hash : 1;
+}
+
+// The entry of the table with these values, or the empty entry where they belong.
+static int* find(const scree_world* world, uint32_t name, const scree_attribute_def* def)
+{
+	uint32_t mask = (uint32_t)world->attribute_table_size - 1;
+	for (uint32_t i = name & mask;; i = (i + 1) & mask)
+	{
+		int* entry = world->attribute_table + i;
+		if (*entry == 0 || (world->host_attributes[*entry - 1].name == name &&
+		                    memcmp(world->attributes + *entry - 1, def, sizeof *def) == 0))
+			return entry;
+	}
+}
+
+// Removes an entry from the table, and moves entries behind it closer to their home places.
+static void forget(scree_world* world, int* entry)
+{
+	int* table = world->attribute_table;
+	uint32_t mask = (uint32_t)world->attribute_table_size - 1, hole = (uint32_t)(entry - table);
+	for (uint32_t i = (hole + 1) & mask; table[i] != 0; i = (i + 1) & mask)
+	{
+		uint32_t home = world->host_attributes[table[i] - 1].name & mask;
+		if (((i - home) & mask) < ((i - hole) & mask))
+			continue;
+		table[hole] = table[i];
+		hole = i;
+	}
+	table[hole] = 0;
+}
+
+// Room for one more attribute, in a table that is at most half full.
+static scree_status reserve(scree_world* world, const char* function)
+{
+	Slots* slots = &world->attribute_slots;
+	Edits* p = &world->edits;
+	if (slots->alive >= MAX_ITEMS)
+		return fail(SCREE_ERROR_INVALID, "%s: a world holds at most %d attributes", function, MAX_ITEMS);
+	if (!slots_reserve(slots, 1))
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for one more attribute", function);
+	TRY(GROW(function, world->attributes, world->attribute_capacity, slots->capacity));
+	TRY(GROW(function, world->host_attributes, world->host_attribute_capacity, slots->capacity));
+	TRY(GROW(function, p->attributes, p->attribute_capacity, p->attribute_count + 1));
+	if (2 * (slots->alive + 1) <= world->attribute_table_size)
+		return SCREE_OK;
+
+	int size = world->attribute_table_size > 0 ? 2 * world->attribute_table_size : 64;
+	int* table = scree_allocate((size_t)size * sizeof *table);
+	if (!table)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a table of %d attributes", function, size / 2);
+	scree_release(world->attribute_table);
+	world->attribute_table = table;
+	world->attribute_table_size = size;
+	for (int k = 0; k < slots->used; ++k)
+		if (slots_in_use(slots, k))
+			*find(world, world->host_attributes[k].name, world->attributes + k) = k + 1;
+	return SCREE_OK;
+}
+
+// A new attribute in a slot of its own; the next upload sends it.
+static int make(scree_world* world, uint32_t name, const scree_attribute_def* plain)
+{
+	Edits* p = &world->edits;
+	int index = slots_allocate(&world->attribute_slots);
+	HostAttribute* host = world->host_attributes + index;
+	if (!host->waiting)
+		p->attributes[p->attribute_count++] = index;
+	world->attributes[index] = *plain;
+	*host = (HostAttribute){.name = name, .waiting = true};
+	if (plain->restitution != 0.0f || plain->rolling_resistance != 0.0f || plain->tangent_speed != 0.0f)
+		world->pipeline.rolls = true;
+	if (plain->tangent_speed != 0.0f)
+		world->pipeline.belts = true;
+	if (plain->shape.count == 2 && plain->shape.radius == 0.0f)
+		world->pipeline.segments = true;
+	if (plain->restitution != 0.0f)
+		world->pipeline.bounces = true;
+	if (plain->shape.radius != 0.0f)
+		world->pipeline.round = true;
+	if (plain->one_way.x != 0.0f || plain->one_way.y != 0.0f)
+		world->pipeline.rules = world->pipeline.platforms = world->ruled = true;
+	world->ruled |= plain->material != 0;
+	return index;
+}
+
+scree_status attribute_claim(scree_world* world, const char* function, const scree_attribute_def* def, int* index)
+{
+	TRY(reserve(world, function));
+	uint32_t name = name_of(def);
+	int* entry = find(world, name, def);
+	if (*entry == 0)
+		*entry = make(world, name, def) + 1;
+	*index = *entry - 1;
+	++world->host_attributes[*index].claims;
+	return SCREE_OK;
+}
+
+void attribute_disclaim(scree_world* world, int index)
+{
+	HostAttribute* host = world->host_attributes + index;
+	if (--host->claims > 0)
+		return;
+	forget(world, find(world, host->name, world->attributes + index));
+	slots_free(&world->attribute_slots, index);
+}
+
+void attribute_item(const scree_world* world, int index, Attribute* item)
+{
+	const scree_attribute_def* def = world->attributes + index;
+	const scree_shape* shape = &def->shape;
+	*item = (Attribute){.radius = shape->radius,
+	                    .count = shape->count,
+	                    .friction = def->friction,
+	                    .restitution = def->restitution,
+	                    .rolling_resistance = def->rolling_resistance,
+	                    .tangent_speed = 0.0f - def->tangent_speed};
+	scree_vec lower = shape->vertices[0], upper = lower;
+	for (int k = 0; k < shape->count; ++k)
+	{
+		scree_vec v = shape->vertices[k], n = shape->normals[k];
+		item->vertices[k] = make_float2(v.x, v.y);
+		item->normals[k] = make_float2(n.x, n.y);
+		lower = (scree_vec){v.x < lower.x ? v.x : lower.x, v.y < lower.y ? v.y : lower.y};
+		upper = (scree_vec){v.x > upper.x ? v.x : upper.x, v.y > upper.y ? v.y : upper.y};
+	}
+	float width = upper.x - lower.x, height = upper.y - lower.y;
+	float margin = 0.125f * ((width > height ? width : height) + 2.0f * shape->radius);
+	margin = margin < MOST_MARGIN ? margin : MOST_MARGIN;
+	item->margin = margin > LEAST_MARGIN ? margin : LEAST_MARGIN;
+	item->reach = shape->reach;
+}
+
+Rule attribute_rule(const scree_world* world, int index)
+{
+	scree_vec up = world->attributes[index].one_way;
+	double length = sqrt((double)up.x * up.x + (double)up.y * up.y);
+	Rule rule = {.material = world->attributes[index].material};
+	if (length == 0.0)
+		return rule;
+	rule.one_way = 1;
+	rule.up_x = (float)(up.x / length);
+	rule.up_y = (float)(up.y / length);
+	return rule;
+}
+
+float attribute_thickness(const scree_world* world, int index)
+{
+	const scree_shape* shape = &world->attributes[index].shape;
+	float least = shape->count < 3 ? 0.0f : shape->reach;
+	for (int k = 0; shape->count > 2 && k < shape->count; ++k)
+	{
+		scree_vec v = shape->vertices[k], n = shape->normals[k], c = shape->centroid;
+		float side = (v.x - c.x) * n.x + (v.y - c.y) * n.y;
+		least = side < least ? side : least;
+	}
+	return least + shape->radius;
+}

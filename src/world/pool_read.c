@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// pool_read.c -- reads pools from the device.
+#include "world/pool_read.h"
+#include "world/device/auto.h"
+#include "world/failure.h"
+#include "world/shape/geometry.h"
+#include "world/world.h"
+
+scree_status world_read(scree_world* world, PoolId pool, int first, int count, void* items)
+{
+	Backend* b = world->backend;
+	double begin = auto_clock();
+	scree_status status = b->f->read(b, pool, first, count, items);
+	auto_count(world, begin);
+	return world_note(world, status);
+}
+
+scree_pose world_body_pose(const scree_world* world, int index, const Float4* row)
+{
+	scree_rot rotation = {row->z, row->w};
+	scree_vec shift = rot_vec(rotation, world->host_bodies[index].mass.center);
+	return (scree_pose){{row->x - shift.x, row->y - shift.y}, rotation};
+}

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// pool_values.h -- values of the interface as the pools hold them.
+#ifndef POOL_VALUES_H
+#define POOL_VALUES_H
+#include "pools/pools.h"
+#include "world/world.h"
+
+// The bits of a collidable that share a word on the device.
+static inline uint32_t report_bits(const HostCollidable* host) { return host->reports | host->sensor << SENSOR_SHIFT; }
+
+static inline Filter filter_row(scree_filter filter, uint32_t reports)
+{
+	return (Filter){.category = filter.category, .mask = filter.mask, .group = filter.group, .reports = reports};
+}
+
+static inline void shape_row(const scree_shape* shape, Attribute* row)
+{
+	row->count = shape->count;
+	row->radius = shape->radius;
+	for (int k = 0; k < shape->count; ++k)
+	{
+		row->vertices[k] = make_float2(shape->vertices[k].x, shape->vertices[k].y);
+		row->normals[k] = make_float2(shape->normals[k].x, shape->normals[k].y);
+	}
+}
+
+static inline Float4 pose_row(scree_pose pose)
+{
+	return make_float4(pose.position.x, pose.position.y, pose.rotation.c, pose.rotation.s);
+}
+
+#endif

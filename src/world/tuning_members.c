@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// tuning_members.c -- the members of a definition that scree_tuning has too.
+#include "world/tuning_members.h"
+
+scree_tuning tuning_of(const scree_world_def* def)
+{
+	return (scree_tuning){.size = sizeof(scree_tuning),
+	                      .contact_hertz = def->contact_hertz,
+	                      .contact_damping_ratio = def->contact_damping_ratio,
+	                      .contact_push_speed = def->contact_push_speed,
+	                      .restitution_threshold = def->restitution_threshold,
+	                      .max_speed = def->max_speed};
+}
+
+scree_status check_tuning(Where at, const scree_tuning* tuning)
+{
+	TRY(check_real(at, ".contact_hertz", tuning->contact_hertz, 1e-3f, 1e6f));
+	TRY(check_real(at, ".contact_damping_ratio", tuning->contact_damping_ratio, 0.0f, 1e6f));
+	TRY(check_real(at, ".contact_push_speed", tuning->contact_push_speed, 0.0f, SCREE_HUGE));
+	TRY(check_real(at, ".restitution_threshold", tuning->restitution_threshold, 0.0f, FLT_MAX));
+	return check_real(at, ".max_speed", tuning->max_speed, 1e-3f, SCREE_HUGE);
+}

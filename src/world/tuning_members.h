@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// tuning_members.h -- the members of a definition that scree_tuning has too.
+#ifndef TUNING_MEMBERS_H
+#define TUNING_MEMBERS_H
+#include "world/check.h"
+
+scree_tuning tuning_of(const scree_world_def* def);
+scree_status check_tuning(Where at, const scree_tuning* tuning);
+
+#endif

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// upload_commands.c -- sends short runs of rows and the user's changes as commands, grouped by item.
+#include "world/upload/upload_commands.h"
+#include "platform/error.h"
+#include "world/objects/collidables.h"
+#include "world/objects/mass.h"
+#include "world/pool_values.h"
+#include "world/upload/edit_order.h"
+#include "world/upload/upload_rows.h"
+#include <string.h>
+
+static int body_commands(scree_world* world, const BodyRow* row, Command* to)
+{
+	scree_velocity v = row->velocity;
+	to[0] = (Command){.kind = COMMAND_BODY, .value = body_pose(row)};
+	memcpy(to[0].whole, &row->center, sizeof row->center);
+	to[1] = (Command){.kind = COMMAND_MASS,
+	                  .whole = {0, row->disabled},
+	                  .value = make_float4(row->inv_mass, row->inv_inertia, row->center.x, row->center.y)};
+	to[2] = (Command){.kind = COMMAND_MOTION,
+	                  .whole = {(int)row->locks, row->disabled},
+	                  .value = make_float4(row->gravity_scale, row->linear_damping, row->angular_damping, 0.0f)};
+	to[3] = (Command){.kind = COMMAND_VELOCITY,
+	                  .whole = {0, row->disabled},
+	                  .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
+	to[4] = guarded_command(world, row->index);
+	for (int k = 0; k < BODY_COMMANDS; ++k)
+		to[k].index = row->index;
+	return BODY_COMMANDS;
+}
+
+static int collidable_commands(const scree_world* world, int k, Command* to)
+{
+	int index = world->edits.collidables[k].index, count = 0;
+	const HostCollidable* host = world->host_collidables + index;
+	if (!edit_is_dead(world, k))
+	{
+		to[count++] = (Command){.kind = COMMAND_COLLIDABLE,
+		                        .index = index,
+		                        .whole = {host->attribute, host->body},
+		                        .value = pose_row(host->pose)};
+		to[count++] = (Command){.kind = COMMAND_NEXT, .index = index, .whole = {host->next + 1}};
+	}
+	Filter filter = filter_row(host->filter, report_bits(host));
+	to[count] = (Command){.kind = COMMAND_FILTER,
+	                      .index = index,
+	                      .whole = {filter.group, device_kind(world, index) | (int)(filter.reports << 8)}};
+	Word words[4] = {(Word)filter.category, (Word)(filter.category >> 32), (Word)filter.mask,
+	                 (Word)(filter.mask >> 32)};
+	memcpy(&to[count].value, words, sizeof words);
+	return count + 1;
+}
+
+static Waiting* command_waiting(scree_world* world, const Command* c)
+{
+	if (c->kind >= COMMAND_PLACE)
+		return &world->host_collidables[c->index].waiting;
+	return &world->host_bodies[c->index].waiting;
+}
+
+// Whether a command is older than the body or collidable that its slot holds now.
+static bool is_void(scree_world* world, int k)
+{
+	const Edits* p = &world->edits;
+	const Command* c = p->commands + k;
+	int row = command_waiting(world, c)->row;
+	return row > 0 && k < (c->kind >= COMMAND_PLACE ? p->collidables[row - 1].since : p->bodies[row - 1].since);
+}
+
+typedef struct // commands grouped by item
+{
+	Command *from, *grouped; // in the order of collection; in the order of the items
+	int* begins;             // first command of each group, and the end
+	int collected, count, groups;
+} Groups;
+
+// A row without later commands is a group at once. Otherwise its commands are collected, to be grouped with the later ones.
+static void add_row(Groups* g, const Waiting* waiting, int count)
+{
+	if (waiting->group > 0)
+	{
+		memcpy(g->from + g->collected, g->grouped + g->count, (size_t)count * sizeof *g->from);
+		g->collected += count;
+		return;
+	}
+	g->begins[g->groups++] = g->count;
+	g->count += count;
+}
+
+// Collects the commands of short runs, then the user's. Rows without later commands become groups at once: they are the most
+// in worlds that create and destroy many bodies.
+static void collect_commands(scree_world* world, Groups* g)
+{
+	const Edits* p = &world->edits;
+	for (int k = 0; k < p->command_count; ++k)
+		command_waiting(world, p->commands + k)->group = !is_void(world, k);
+	for (int k = 0, end; k < p->body_count; k = end)
+	{
+		end = body_run(p, k);
+		for (int i = k; i < end && end - k < LONG_RUN; ++i)
+			add_row(g, &world->host_bodies[p->bodies[i].index].waiting,
+			        body_commands(world, p->bodies + i, g->grouped + g->count));
+	}
+	for (int k = 0, end; k < p->collidable_count; k = end)
+	{
+		end = collidable_run(world, k);
+		for (int i = k; i < end && end - k < LONG_RUN; ++i)
+			add_row(g, &world->host_collidables[p->collidables[i].index].waiting,
+			        collidable_commands(world, i, g->grouped + g->count));
+	}
+	for (int k = 0; k < p->command_count; ++k)
+	{
+		command_waiting(world, p->commands + k)->group = 0;
+		if (!is_void(world, k))
+			g->from[g->collected++] = p->commands[k];
+	}
+}
+
+// Groups the collected commands by item; those of one item stay in the order of the calls.
+static void group_commands(scree_world* world, Groups* g)
+{
+	int* begins = g->begins + g->groups;
+	int groups = 0;
+	for (int k = 0; k < g->collected; ++k)
+	{
+		int* group = &command_waiting(world, g->from + k)->group;
+		if (*group == 0)
+		{
+			*group = ++groups;
+			begins[groups] = 0;
+		}
+		++begins[*group];
+	}
+
+	// begins[n] counts group n; after the sum it is the place of the group's next command, and at last the group's end
+	begins[0] = g->count;
+	int sum = g->count;
+	for (int n = 1; n <= groups; ++n)
+	{
+		int size = begins[n];
+		begins[n] = sum;
+		sum += size;
+	}
+	for (int k = 0; k < g->collected; ++k)
+		g->grouped[begins[command_waiting(world, g->from + k)->group]++] = g->from[k];
+	for (int k = 0; k < g->collected; ++k)
+		command_waiting(world, g->from + k)->group = 0;
+	g->groups += groups;
+	g->count = sum;
+}
+
+scree_status upload_commands(scree_world* world, int most, char* memory)
+{
+	Backend* b = world->backend;
+	Groups g = {.from = (Command*)memory, .grouped = (Command*)memory + most};
+	g.begins = (int*)(g.grouped + most);
+	collect_commands(world, &g);
+	group_commands(world, &g);
+	if (g.count == 0)
+		return SCREE_OK;
+	TRY(b->f->write(b, POOL_command, 0, g.count, g.grouped));
+	TRY(b->f->write(b, POOL_command_group, 0, g.groups + 1, g.begins));
+	Step step = {0};
+	Run run = {.stage = STAGE_command, .end = g.groups, .count = NO_COUNT, .argument = g.groups};
+	return b->f->run(b, &step, &run, 1);
+}

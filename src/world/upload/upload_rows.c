@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// upload_rows.c -- writes long runs of rows, pool by pool.
+#include "world/upload/upload_rows.h"
+#include "platform/error.h"
+#include "world/objects/attributes.h"
+#include "world/objects/collidables.h"
+#include "world/objects/mass.h"
+#include "world/pool_values.h"
+#include "world/shape/geometry.h"
+#include "world/upload/edit_order.h"
+#include <stdlib.h>
+#include <string.h>
+
+Float4 body_pose(const BodyRow* row)
+{
+	scree_vec center = pose_point(row->pose, row->center);
+	return make_float4(center.x, center.y, row->pose.rotation.c, row->pose.rotation.s);
+}
+
+// What is not zero of a new body in a pool.
+static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
+{
+	// a disabled body has velocity 0; its own velocity is in the pool stored_velocity
+	scree_velocity v = row->velocity, now = row->disabled ? (scree_velocity){0} : v;
+	switch (pool)
+	{
+	case POOL_body:
+		*(BodyState*)item = (BodyState){.vx = now.linear.x,
+		                                .vy = now.linear.y,
+		                                .w = now.angular,
+		                                .inv_mass = row->inv_mass,
+		                                .inv_inertia = row->inv_inertia};
+		break;
+	case POOL_pose:
+		*(Float4*)item = body_pose(row);
+		break;
+	case POOL_motion:
+		*(Motion*)item = (Motion){.gravity_scale = row->disabled ? 0.0f : row->gravity_scale,
+		                          .linear_damping = row->linear_damping,
+		                          .angular_damping = row->angular_damping,
+		                          .free_x = row->locks & SCREE_LOCK_X ? 0.0f : 1.0f,
+		                          .free_y = row->locks & SCREE_LOCK_Y ? 0.0f : 1.0f};
+		break;
+	case POOL_local_center:
+		*(Float2*)item = make_float2(row->center.x, row->center.y);
+		break;
+	case POOL_guarded:
+		*(Guarded*)item = body_guarded(world, row->index);
+		break;
+	case POOL_stored_velocity:
+		if (row->disabled)
+			*(StoredVelocity*)item = (StoredVelocity){v.linear.x, v.linear.y, v.angular, 1.0f};
+		break;
+	default:
+		break;
+	}
+}
+
+static void collidable_item(const scree_world* world, PoolId pool, int index, void* item)
+{
+	const HostCollidable* host = world->host_collidables + index;
+	switch (pool)
+	{
+	case POOL_collidable_pose:
+		*(Float4*)item = pose_row(host->pose);
+		break;
+	case POOL_collidable_attribute:
+		*(int*)item = host->attribute;
+		break;
+	case POOL_collidable_body:
+		*(int*)item = host->body;
+		break;
+	case POOL_next_collidable:
+		*(int*)item = host->next + 1;
+		break;
+	case POOL_collidable_kind:
+		*(int*)item = device_kind(world, index);
+		break;
+	case POOL_filter:
+		*(Filter*)item = filter_row(host->filter, report_bits(host));
+		break;
+	case POOL_box:
+	case POOL_old_box:
+		*(Float4*)item = make_float4(EMPTY_LOW, EMPTY_LOW, EMPTY_HIGH, EMPTY_HIGH);
+		break;
+	default:
+		break;
+	}
+}
+
+// Whether a new item has to be written in this pool.
+static bool is_cleared(int pool, Per per) { return pool_info[pool].per == per && pool_info[pool].role <= STATE; }
+
+scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
+{
+	Backend* b = world->backend;
+	const BodyRow* rows = world->edits.bodies;
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		size_t bytes = pool_info[pool].bytes;
+		// what is told is only known once somebody has asked
+		if (!is_cleared(pool, PER_BODY) && !(pool == POOL_told_pose && world->pipeline.tells))
+			continue;
+		memset(stage, 0, (size_t)(end - begin) * bytes);
+		for (int k = begin; k < end; ++k)
+			body_item(world, (PoolId)pool, rows + k, stage + (size_t)(k - begin) * bytes);
+		TRY(b->f->write(b, (PoolId)pool, rows[begin].index, end - begin, stage));
+	}
+	return SCREE_OK;
+}
+
+scree_status upload_collidables(scree_world* world, int begin, int end, char* stage)
+{
+	Backend* b = world->backend;
+	const CollidableRow* rows = world->edits.collidables;
+	bool dead = edit_is_dead(world, begin);
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		size_t bytes = pool_info[pool].bytes;
+		if (dead ? pool != POOL_collidable_kind : !is_cleared(pool, PER_COLLIDABLE))
+			continue;
+		memset(stage, 0, (size_t)(end - begin) * bytes);
+		for (int k = begin; k < end; ++k)
+			collidable_item(world, (PoolId)pool, rows[k].index, stage + (size_t)(k - begin) * bytes);
+		TRY(b->f->write(b, (PoolId)pool, rows[begin].index, end - begin, stage));
+	}
+	return SCREE_OK;
+}
+
+static scree_status write_attributes(scree_world* world, int first, int count, char* stage)
+{
+	Backend* b = world->backend;
+	for (int k = 0; k < count; ++k)
+		attribute_item(world, first + k, (Attribute*)stage + k);
+	TRY(b->f->write(b, POOL_attribute, first, count, stage));
+	for (int k = 0; k < count; ++k)
+		((float*)stage)[k] = attribute_thickness(world, first + k);
+	TRY(b->f->write(b, POOL_thickness, first, count, stage));
+	if (!world->ruled)
+		return SCREE_OK; // new rows are zero
+	for (int k = 0; k < count; ++k)
+		((Rule*)stage)[k] = attribute_rule(world, first + k);
+	return b->f->write(b, POOL_rule, first, count, stage);
+}
+
+static int compare_slots(const void* a, const void* b) { return *(const int*)a - *(const int*)b; }
+
+scree_status upload_attributes(scree_world* world, char* stage)
+{
+	Edits* p = &world->edits;
+	if (p->attribute_count > 1)
+		qsort(p->attributes, (size_t)p->attribute_count, sizeof *p->attributes, compare_slots);
+	for (int k = 0, end; k < p->attribute_count; k = end)
+	{
+		for (end = k + 1; end < p->attribute_count && p->attributes[end] == p->attributes[end - 1] + 1;)
+			++end;
+		TRY(write_attributes(world, p->attributes[k], end - k, stage));
+		int rows = p->attributes[end - 1] + 1;
+		p->attribute_rows = rows > p->attribute_rows ? rows : p->attribute_rows;
+	}
+	return SCREE_OK;
+}

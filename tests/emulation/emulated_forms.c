@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: MIT
+// emulated_forms.c -- does with emulated kernels what src/opencl/forms/ does with a device.
+#include "emulation/emulated_forms.h"
+#include "constraints/schedule.h"
+#include "emulation/emulated_kernels.h"
+#include "world/world.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define ITEM_GROUP  48        // work-items of a group that does an item of a stage
+#define SMALL_GROUP 32        // work-items of kernels in which no group waits for another
+#define NEVER       (1 << 18) // reads of a mailbox: more than any wait needs
+
+typedef struct // words that stay from solve to solve
+{
+	Word64* words;
+	int count;
+} Kept;
+
+typedef struct // memory that is let go together
+{
+	void* memory[8];
+	int count;
+} Buffers;
+
+FormCounts form_counts;
+static const BackendFunctions* cpu;
+static BackendFunctions functions; // of the CPU, but for run, solve and resize
+static Form form;
+static Pools pools;
+static Task task;
+static Kept mailboxes, parts;
+static Buffers solve_buffers, tile_buffers; // of the solve at work; of the tiles as they were laid out
+static Task laid_out;
+static int run_words[1024]; // header and runs of the persistent kernel
+static bool stale;          // tiles must be laid out anew
+static bool pushed;         // fields have changed forces since the last solve
+
+void form_spoil(int body, int word, uint64_t value) { mailboxes.words[body * mailbox_words + word] = value; }
+
+// Memory for so many items of so many bytes, which hold nothing in particular.
+static void* buffer(Buffers* buffers, int count, size_t bytes)
+{
+	size_t size = ((size_t)(count > 0 ? count : 1) * bytes + 63) / 64 * 64;
+	void* memory = aligned_alloc(64, size);
+	memset(memory, 0xa5, size);
+	return buffers->memory[buffers->count++] = memory;
+}
+
+static void let_go(Buffers* buffers)
+{
+	while (buffers->count > 0)
+		free(buffers->memory[--buffers->count]);
+}
+
+// Room for so many words. As on a device, new ones are zero.
+static Word64* keep(Kept* kept, int count)
+{
+	if (count > kept->count)
+	{
+		free(kept->words);
+		*kept = (Kept){calloc((size_t)count, sizeof *kept->words), count};
+	}
+	return kept->words;
+}
+
+static void take_pools(Backend* b, const Step* step)
+{
+#define X(type, name, per, role) pools.name = b->f->address(b, POOL_##name);
+#include "pools/pools.def"
+#undef X
+	pools.step = *step;
+}
+
+static void note_most(int* most, int value) { *most = value > *most ? value : *most; }
+
+static bool launch(KernelId kernel, int groups, int group)
+{
+	char sentence[ITEMS_SENTENCE];
+	form.turns.seed += 2;
+	if (kernel_run(kernel, &task, groups, group, &form.turns, sentence))
+	{
+		note_most(&form_counts.puts, items_puts());
+		if (form.turns.shunned > 0 && form.turns.shunned <= groups)
+			note_most(&form_counts.looks, items_looks(form.turns.shunned - 1));
+		return true;
+	}
+	if (!form_counts.sentence[0])
+		memcpy(form_counts.sentence, sentence, sizeof sentence);
+	return false;
+}
+
+static int least(int a, int b) { return a < b ? a : b; }
+static int groups_of(int items, int group) { return items > 0 ? (items + group - 1) / group : 1; }
+static bool launch_over(KernelId kernel, int items)
+{
+	return launch(kernel, groups_of(items, SMALL_GROUP), SMALL_GROUP);
+}
+static bool plain(void) { return !STEP_RARE(pools.step) && !pools.step.bounces && !pools.step.round; }
+
+// ---------------------------------------------------------------------------------------------------------------
+// the relay
+// ---------------------------------------------------------------------------------------------------------------
+
+static int spread_of(int constraints, int places)
+{
+	int spread = 1;
+	while (spread < form.most_spread && 2 * spread * constraints <= places)
+		spread *= 2;
+	return spread;
+}
+
+static bool relay_solve(const Solve* solve)
+{
+	int found = solve->counters->hubs, constraints = solve_constraints(solve);
+	int group = found > 0 ? form.group : relay_group;
+	int hubs = found > 0 && form.groups > 1 ? least(found, form.hub_groups) : found > 0;
+	int most = found > 0 && form.groups > 1 ? form.groups - hubs : form.groups;
+	task.spread = spread_of(constraints, most * group);
+	int groups = least(groups_of(constraints * task.spread, group), most);
+	bool registers = constraints * task.spread <= groups * group;
+	task.stream = buffer(&solve_buffers, registers ? 1 : constraints * stream_float4s, sizeof(Float4));
+	task.parts = keep(&parts, 2 * (constraints + found));
+	task.hub_groups = hubs;
+	*(registers ? &form_counts.registers : &form_counts.streamed) += 1;
+	note_most(&form_counts.spread, task.spread);
+	form_counts.by_hubs += found > 0;
+	form_counts.split += pools.counters->split > 0;
+	bool hinges = !pools.step.springs && !pools.step.couplings && !pools.step.paths;
+	int kernel = plain() ? KERNEL_relay_plain : KERNEL_relay, by_hubs = KERNEL_relay_hubs;
+	if (pools.step.joints)
+	{
+		kernel = hinges ? KERNEL_relay_hinges : KERNEL_relay_joints;
+		by_hubs = hinges ? KERNEL_relay_hubs_hinges : KERNEL_relay_hubs_joints;
+	}
+	return found > 0 ? launch(by_hubs, form.groups > 1 ? hubs + groups : 1, group) : launch(kernel, groups, group);
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the tiles
+// ---------------------------------------------------------------------------------------------------------------
+
+static bool lay_out(const Solve* solve)
+{
+	let_go(&tile_buffers);
+	task.tile_rows = (pools.step.collidables - 1) / tile_bodies + 1;
+	task.places = task.tile_rows * tile_bodies;
+	task.stride = solve_constraints(solve) + tile_columns * relay_group;
+	int table = (task.tile_rows + 2) * tile_columns;
+	task.place = buffer(&tile_buffers, solve->bodies, sizeof(int));
+	task.border = buffer(&tile_buffers, solve->bodies, sizeof(int));
+	task.resident = buffer(&tile_buffers, task.places, sizeof(int));
+	task.table = memset(buffer(&tile_buffers, table, sizeof(int)), 0, (size_t)table * sizeof(int));
+	task.total = buffer(&tile_buffers, task.tile_rows + 2, sizeof(int));
+	task.rank = buffer(&tile_buffers, solve_constraints(solve), sizeof(int));
+	task.order = memset(buffer(&tile_buffers, task.stride, sizeof(int)), 0xff, (size_t)task.stride * sizeof(int));
+	bool well = launch_over(KERNEL_tile_settle, task.places) && launch_over(KERNEL_tile_list, task.places);
+	for (int color = 0; well && color < COLORS; ++color)
+	{
+		task.begin = solve_first(solve, color);
+		task.end = solve_first(solve, color + 1);
+		well = task.begin == task.end || launch_over(KERNEL_tile_count, task.end - task.begin);
+	}
+	well = well && launch_over(KERNEL_tile_total, task.tile_rows + 1) &&
+	       launch(KERNEL_tile_begin, 1, primitive_group) && launch_over(KERNEL_tile_range, task.tile_rows + 2) &&
+	       launch_over(KERNEL_tile_order, solve_constraints(solve));
+	laid_out = task;
+	stale = !well;
+	return well;
+}
+
+// The tiles of the last solve.
+static void take_layout(void)
+{
+	task.tile_rows = laid_out.tile_rows;
+	task.places = laid_out.places;
+	task.stride = laid_out.stride;
+	task.place = laid_out.place;
+	task.border = laid_out.border;
+	task.resident = laid_out.resident;
+	task.table = laid_out.table;
+	task.total = laid_out.total;
+	task.rank = laid_out.rank;
+	task.order = laid_out.order;
+	++form_counts.kept;
+}
+
+static bool tiles_solve(const Solve* solve)
+{
+	static const KernelId kernels[2][PASS_KINDS] = {
+	    {KERNEL_tile_warm_start, KERNEL_tile_bias, KERNEL_tile_relax, KERNEL_tile_bounce},
+	    {KERNEL_tile_warm_start_joints, KERNEL_tile_bias_joints, KERNEL_tile_relax_joints, KERNEL_tile_bounce_joints}};
+	bool joints = pools.step.joints;
+	stale |= pools.counters->changed || !pools.counters->kept || tile_buffers.count == 0;
+	bool well = true;
+	task.pushed = pushed;
+	if (stale || pushed != laid_out.pushed)
+		well = lay_out(solve);
+	else
+		take_layout();
+	pushed = false;
+	task.stream = buffer(&solve_buffers, task.stride * stream_float4s, sizeof(Float4));
+	int border = well ? task.total[task.tile_rows + 1] - task.total[task.tile_rows] : 0;
+	note_most(&form_counts.tiles, task.tile_rows);
+	note_most(&form_counts.inner, well ? task.total[task.tile_rows] : 0);
+	note_most(&form_counts.border, border);
+	KernelId prepare = joints ? KERNEL_tile_prepare_joints : plain() ? KERNEL_tile_prepare_plain : KERNEL_tile_prepare;
+	well = well && launch_over(prepare, task.stride);
+	for (task.q = 0; well && task.q < task.passes; ++task.q)
+		well = launch(kernels[joints][schedule_pass(solve->substeps, task.q)], task.tile_rows, tile_group) &&
+		       launch(joints ? KERNEL_tile_border_joints : KERNEL_tile_border,
+		              least(groups_of(border, relay_group) + 1, form.groups), relay_group);
+	return well;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// solves
+// ---------------------------------------------------------------------------------------------------------------
+
+static scree_status solve_emulated(const Solve* solve)
+{
+	task = (Task){.pools = &pools,
+	              .mailboxes = keep(&mailboxes, solve->bodies * mailbox_words),
+	              .bodies = solve->bodies,
+	              .constraints = solve_constraints(solve),
+	              .substeps = solve->substeps,
+	              .passes = schedule_passes(solve->substeps, solve->bounces),
+	              .bound = solve->bound,
+	              .spins = form.spins ? form.spins : NEVER};
+
+	// what is written before it is read may hold anything
+	Counters* c = pools.counters;
+	if (solve->bound < 0 || ((const int*)c)[solve->bound] > 0)
+		c->nonfinite = c->held = c->first_nonfinite = 5;
+	memset(pools.base, 0xff, (size_t)solve->bodies * sizeof *pools.base);
+	bool well = form.tiles ? tiles_solve(solve) : relay_solve(solve);
+	well = well && launch_over(KERNEL_solve_end, solve->bodies);
+	let_go(&solve_buffers);
+	++form_counts.solves;
+	if (!well)
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the work-items: %s", form_counts.sentence);
+	form_counts.fault = pools.counters->fault;
+	if (form_counts.fault)
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the device set fault %d", form_counts.fault);
+	for (int k = 0; k < solve->bodies * mailbox_words; ++k)
+		if (mailboxes.words[k])
+			return fail(SCREE_ERROR_DEVICE_FAILED, "word %d of the mailbox of body %d is not zero after the solve",
+			            k % mailbox_words, k / mailbox_words);
+	return SCREE_OK;
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// the persistent kernel
+// ---------------------------------------------------------------------------------------------------------------
+
+static bool left_out(const Run* run) { return run->stage < STAGE_COUNT && stage_widths[run->stage] >= WIDTH_ALONE; }
+
+// As persistent_run of src/opencl/persistent.c. The header of the list stays from launch to launch.
+static scree_status run_list(const Run* runs, int count)
+{
+	int largest = 1;
+	for (int k = 0; k < count; ++k)
+		largest = runs[k].end - runs[k].begin > largest ? runs[k].end - runs[k].begin : largest;
+	memcpy(run_words + persistent_header, runs, (size_t)count * sizeof *runs);
+	task = (Task){.pools = &pools, .list = run_words, .runs = count, .spins = form.spins ? form.spins : NEVER};
+	task.table = buffer(&solve_buffers, persistent_table, sizeof(int));
+	bool well = launch(KERNEL_persistent, least(groups_of(largest, primitive_group), form.groups), primitive_group);
+	let_go(&solve_buffers);
+	++form_counts.launches;
+	form_counts.runs += count;
+	if (!well)
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the work-items: %s", form_counts.sentence);
+	form_counts.fault = pools.counters->fault;
+	if (form_counts.fault)
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the device set fault %d", form_counts.fault);
+	return SCREE_OK;
+}
+
+// Items of a stage of which each takes a group.
+static scree_status run_groups(const Run* run)
+{
+	task = (Task){.pools = &pools, .run = *run};
+	if (!launch(KERNEL_group_stage, least(run->end - run->begin, form.groups), ITEM_GROUP))
+		return fail(SCREE_ERROR_DEVICE_FAILED, "the work-items: %s", form_counts.sentence);
+	++form_counts.group_stages;
+	return SCREE_OK;
+}
+
+static scree_status run_persistent(Backend* b, const Step* step, const Run* runs, int count)
+{
+	take_pools(b, step);
+	for (int first = 0, end; first < count; first = end)
+	{
+		for (end = first; end < count && end - first < primitive_group && !left_out(runs + end);)
+			++end;
+		const Run* run = runs + first;
+		if (end > first)
+			TRY(run_list(run, end - first));
+		else if (end++, stage_widths[run->stage] == WIDTH_ALONE)
+			TRY(cpu->run(b, step, run, 1));
+		else if (run->end > run->begin)
+			TRY(run_groups(run));
+	}
+	return SCREE_OK;
+}
+
+static scree_status form_run(Backend* b, const Step* step, const Run* runs, int count)
+{
+	if (form.persistent)
+		return run_persistent(b, step, runs, count);
+	for (const Run* run = runs; run < runs + count; ++run)
+	{
+		stale |= run->stage == STAGE_command || run->stage == STAGE_tree_order;
+		pushed |= run->stage == STAGE_field_body;
+	}
+	return cpu->run(b, step, runs, count);
+}
+
+static scree_status form_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
+{
+	const KindLayout* layout = solve->counters->layout;
+	if (form.persistent)
+	{
+		solve_list(solve, list);
+		scree_status status = run_persistent(b, step, list->runs, list->count);
+		list->count = 0;
+		return status;
+	}
+	if ((form.tiles && solve->counters->hubs > 0) || layout[CONSTRAINT_JOINT].count[COLORS] > 0)
+		return cpu->solve(b, step, solve, list);
+	take_pools(b, step);
+	TRY(solve_emulated(solve));
+	Run ends[2] = {
+	    {.stage = STAGE_guard, .end = solve->collidables, .count = COUNT(guarded)},
+	    {.stage = STAGE_joint_finalize, .end = layout[CONSTRAINT_JOINT].begin[COLORS + 1], .count = solve->bound}};
+	return cpu->run(b, step, ends, solve->rare[CONSTRAINT_JOINT] && ends[1].end > 0 ? 2 : 1);
+}
+
+static scree_status form_resize(Backend* b, Per per, int capacity)
+{
+	stale = true;
+	return cpu->resize(b, per, capacity);
+}
+
+void form_take(scree_world* world, const Form* how)
+{
+	Backend* b = world->backend;
+	if (b->f != &functions)
+		cpu = b->f;
+	functions = *cpu;
+	functions.run = form_run;
+	functions.solve = form_solve;
+	functions.resize = form_resize;
+	b->f = &functions;
+	b->distant = how->ahead;
+	if (how->persistent)
+		b->chain_lanes = 1; // as on a device
+	form = *how;
+	form_close();
+	memset(&form_counts, 0, sizeof form_counts);
+}
+
+void form_close(void)
+{
+	free(mailboxes.words);
+	free(parts.words);
+	mailboxes = parts = (Kept){0};
+	let_go(&tile_buffers);
+	items_close();
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// emulated_words.h -- what kernels say in OpenCL C and C17 does not know, in terms of work_items.h. Include kernels behind it.
+//
+// The stages are those of stage_items.h, with groups of more than one work-item.
+#ifndef EMULATION_EMULATED_WORDS_H
+#define EMULATION_EMULATED_WORDS_H
+#include "emulation/work_items.h"
+#include "stage_items.h"
+#include <stdbool.h>
+
+// as a device adds to the list
+#undef LIST_STAGE
+#define LIST_STAGE(name, list, length)                            \
+	INLINE int name##_listed(const Pools* p, int i);              \
+	INLINE void name##_item(const Pools* p, int i)                \
+	{                                                             \
+		if (name##_listed(p, i))                                  \
+			p->list[atomic_add_int(&p->counters->length, 1)] = i; \
+	}                                                             \
+	INLINE int name##_listed(const Pools* p, int i)
+
+// small enough for a small world to have several tiles; a group must have more work-items than there are colors
+#define TILE_BODIES 16
+#define TILE_GROUP  80
+
+// and for a small sort to take several groups and passes
+#define PRIMITIVE_GROUP 32
+#define SORT_DIGIT_BITS 5
+#define SORT_GRAIN      64
+#define SORT_FEW        32
+#define SORT_TEAM       8
+
+#if !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wold-style-declaration" // volatile static
+#endif
+// PAUSE and FETCH_AHEAD are nothing
+#pragma GCC diagnostic ignored "-Wempty-body"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+
+// Memory of a group is one for all work-items: work_items.c puts that of the group whose turn it is into this section.
+#define __local static __attribute__((section("group_memory")))
+#define __global
+#define __kernel                      static __attribute__((unused))
+#define reqd_work_group_size(x, y, z) unused
+
+typedef unsigned char uchar;
+typedef unsigned int uint;
+typedef unsigned long ulong;
+typedef Float2 float2;
+typedef Float4 float4;
+typedef Words ulong2;
+
+#define min(a, b)   ((a) < (b) ? (a) : (b))
+#define max(a, b)   ((a) > (b) ? (a) : (b))
+#define popcount(x) __builtin_popcountll(x)
+#define as_int(x)   float_bits(x)
+#define as_uint(x)  float_word(x)
+#define as_float(x) bits_float((int)(x))
+
+#define get_local_id(x)    ((size_t)items_lane())
+#define get_local_size(x)  ((size_t)items_group_size())
+#define get_group_id(x)    ((size_t)items_group())
+#define get_num_groups(x)  ((size_t)items_groups())
+#define get_global_id(x)   (get_group_id(x) * get_local_size(x) + get_local_id(x))
+#define get_global_size(x) (get_num_groups(x) * get_local_size(x))
+
+#define barrier(memory)      items_meet(__FILE__, __LINE__)
+#define atomic_add(place, x) (items_turn(), __atomic_fetch_add(place, x, __ATOMIC_RELAXED))
+#define atomic_inc(place)    atomic_add(place, 1)
+#define atomic_or(place, x)  (items_turn(), __atomic_fetch_or(place, x, __ATOMIC_RELAXED))
+#define atomic_min(place, x) (items_turn(), *(place) = min(*(place), x))
+#define DEVICE_FENCE()       items_turn()
+#define read_shared(place)   (items_turn(), *(volatile int*)(place))
+
+#undef group_lane
+#undef group_width
+#undef group_meet
+#undef bench_meet
+#undef part_lane
+#undef part_width
+#define group_lane()  items_lane()
+#define group_width() items_group_size()
+#define part_lane()   group_lane()
+#define part_width()  group_width()
+#define group_meet()  barrier(0)
+#define bench_meet()  barrier(0)
+
+#define MAILBOX_READ(row)                 items_look(row)
+#define MAILBOX_WRITE(row, first, second) items_put(row, (Words){(first), (second)})
+
+// the pools come as one struct; POOL_NAMES is made of src/pools/pools.def by tests/CMakeLists.txt
+#define POOL_ARGUMENTS const Pools *given,
+#include "emulation/pool_names.h"
+
+#endif

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+// work_items.c -- fibers that take turns, barriers among them, and words on their way.
+#include "emulation/work_items.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <ucontext.h>
+
+#if defined(__SANITIZE_ADDRESS__)
+#define ASAN
+#endif
+#if defined(__SANITIZE_THREAD__)
+#define TSAN
+#endif
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define ASAN
+#endif
+#if __has_feature(thread_sanitizer)
+#define TSAN
+#endif
+#endif
+#ifdef ASAN
+#include <sanitizer/common_interface_defs.h>
+#define STACK_BYTES ((size_t)256 << 10)
+#else
+#define STACK_BYTES ((size_t)64 << 10)
+#endif
+
+#define MOST_GROUPS 512
+#define MOST_TURNS  ((int64_t)1 << 24) // of a launch: some seconds, and far more than any needs
+#define MOST_LATE   12                 // pieces on their way at a time
+
+typedef struct
+{
+	ucontext_t context;
+	char* stack;
+	void* shadow; // of the address sanitizer
+	int group, lane;
+	int at; // among the ready ones of its group
+	int looks;
+} Item;
+
+typedef struct
+{
+	Item** ready; // that may go on
+	int ready_count, ended;
+	int met; // that wait at a barrier, which is there:
+	const char* file;
+	int line;
+	unsigned char* memory; // its __local memory while another group has the turn
+} Group;
+
+typedef struct // of two words on their way
+{
+	volatile unsigned char* place;
+	unsigned char bytes[16];
+} Piece;
+
+// all __local memory of all kernels: what the group whose turn it is has there
+extern unsigned char __start_group_memory[], __stop_group_memory[];
+
+static ucontext_t home;
+#ifdef ASAN
+static void* home_shadow;
+static const void* home_bottom;
+static size_t home_bytes;
+#endif
+static Item** items; // as many as the largest launch had
+static int item_count;
+static Group groups[MOST_GROUPS];
+static Launch launch;
+static Turns turns;
+static Item* now; // whose turn it is
+static uint64_t state;
+static unsigned patience; // a work-item gives its turn away at one place in so many
+static int64_t turns_left, put_count;
+static Piece pieces[MOST_LATE];
+static int piece_count;
+static const char* trouble;
+
+static unsigned next_random(void) // xorshift64*, as random_word
+{
+	state ^= state >> 12;
+	state ^= state << 25;
+	state ^= state >> 27;
+	return (unsigned)((state * 0x2545f4914f6cdd1du) >> 32);
+}
+
+static int random_of(int count) { return (int)(((uint64_t)next_random() * (uint64_t)count) >> 32); }
+
+// ---------------------------------------------------------------------------------------------------------------
+// turns
+// ---------------------------------------------------------------------------------------------------------------
+
+static size_t memory_bytes(void) { return (size_t)(__stop_group_memory - __start_group_memory); }
+
+// A group of which some work-item may go on; -1 for none. Mostly the same one again, for its memory stays where it is.
+static int choose_group(int last)
+{
+	if (last + 1 != turns.shunned && groups[last].ready_count > 0 && next_random() % 16 != 0)
+		return last;
+	int found[MOST_GROUPS], count = 0;
+	for (int g = 0; g < launch.groups; ++g)
+		if (groups[g].ready_count > 0 && g + 1 != turns.shunned)
+			found[count++] = g;
+	if (count > 0)
+		return found[random_of(count)];
+	return turns.shunned > 0 && groups[turns.shunned - 1].ready_count > 0 ? turns.shunned - 1 : -1;
+}
+
+// Leaves the fiber at work for another, or for home where it is null. ends: never to come back.
+static void go(Item* to, bool ends)
+{
+	Item* from = now;
+	if (to == from)
+		return;
+	if (to && (!from || to->group != from->group))
+	{
+		if (from)
+			memcpy(groups[from->group].memory, __start_group_memory, memory_bytes());
+		memcpy(__start_group_memory, groups[to->group].memory, memory_bytes());
+	}
+	now = to;
+#ifdef ASAN
+	void** shadow = from ? &from->shadow : &home_shadow;
+	__sanitizer_start_switch_fiber(ends ? NULL : shadow, to ? to->stack : home_bottom, to ? STACK_BYTES : home_bytes);
+#endif
+	if (ends && to)
+		setcontext(&to->context);
+	swapcontext(from ? &from->context : &home, to ? &to->context : &home);
+#ifdef ASAN
+	__sanitizer_finish_switch_fiber(from ? from->shadow : home_shadow, NULL, NULL);
+#endif
+}
+
+static void go_on(bool ends)
+{
+	int last = now ? now->group : 0, g = --turns_left < 0 ? -1 : choose_group(last);
+	if (turns_left < 0)
+		trouble = "they come to no end";
+	Item* next = g < 0 ? NULL : groups[g].ready[random_of(groups[g].ready_count)];
+	go(next, ends);
+}
+
+static void become_ready(Item* item)
+{
+	Group* g = groups + item->group;
+	item->at = g->ready_count;
+	g->ready[g->ready_count++] = item;
+}
+
+static void wait_for_others(Item* item)
+{
+	Group* g = groups + item->group;
+	g->ready[item->at] = g->ready[--g->ready_count];
+	g->ready[item->at]->at = item->at;
+}
+
+// When all have come to the barrier they go on.
+static void release(int group)
+{
+	Group* g = groups + group;
+	if (g->met == 0 || g->met + (turns.leavers ? g->ended : 0) < launch.group)
+		return;
+	g->ready_count = 0;
+	g->met = 0;
+	for (int lane = 0; lane < launch.group; ++lane)
+		if (items[group * launch.group + lane]->at >= 0)
+			become_ready(items[group * launch.group + lane]);
+}
+
+static void item_main(void)
+{
+#ifdef ASAN
+	__sanitizer_finish_switch_fiber(NULL, home_bottom ? NULL : &home_bottom, home_bytes ? NULL : &home_bytes);
+#endif
+	launch.item(launch.arguments);
+	Group* g = groups + now->group;
+	wait_for_others(now);
+	now->at = -1;
+	++g->ended;
+	release(now->group);
+	go_on(true);
+}
+
+void items_turn(void)
+{
+	if (next_random() % patience == 0)
+		go_on(false);
+}
+
+void items_meet(const char* file, int line)
+{
+	Group* g = groups + now->group;
+	if (g->met > 0 && (g->line != line || strcmp(g->file, file) != 0))
+	{
+		trouble = "those of a group meet at different barriers";
+		go(NULL, true);
+	}
+	g->file = file;
+	g->line = line;
+	++g->met;
+	wait_for_others(now);
+	release(now->group);
+	go_on(false);
+}
+
+int items_group(void) { return now->group; }
+int items_groups(void) { return launch.groups; }
+int items_lane(void) { return now->lane; }
+int items_group_size(void) { return launch.group; }
+
+// ---------------------------------------------------------------------------------------------------------------
+// words
+// ---------------------------------------------------------------------------------------------------------------
+
+// A piece arrives: the oldest of its place.
+static void piece_arrives(int k)
+{
+	for (int older = 0; older < k; ++older)
+		if (pieces[older].place == pieces[k].place)
+			k = older;
+	memcpy((void*)(uintptr_t)pieces[k].place, pieces[k].bytes, (size_t)turns.pieces);
+	--piece_count;
+	memmove(pieces + k, pieces + k + 1, (size_t)(piece_count - k) * sizeof *pieces);
+}
+
+static void all_arrive(void)
+{
+	while (piece_count > 0)
+		piece_arrives(0);
+}
+
+Words items_look(const volatile void* place)
+{
+	++now->looks;
+	items_turn();
+	if (piece_count > 0 && next_random() % 2)
+		piece_arrives(random_of(piece_count));
+	Words words;
+	memcpy(&words, (const void*)(uintptr_t)place, sizeof words);
+	return words;
+}
+
+void items_put(volatile void* place, Words words)
+{
+	items_turn();
+	if (++put_count == turns.lost)
+		return;
+	for (int at = 0; at < 16; at += turns.pieces)
+	{
+		if (piece_count == MOST_LATE)
+			piece_arrives(random_of(piece_count));
+		Piece* piece = pieces + piece_count++;
+		piece->place = (volatile unsigned char*)place + at;
+		memcpy(piece->bytes, (const unsigned char*)&words + at, (size_t)turns.pieces);
+	}
+	if (!turns.late)
+		all_arrive();
+}
+
+// ---------------------------------------------------------------------------------------------------------------
+// launches
+// ---------------------------------------------------------------------------------------------------------------
+
+static void item_prepare(Item* item, int group, int lane)
+{
+	item->group = group;
+	item->lane = lane;
+	item->looks = 0;
+	getcontext(&item->context);
+	item->context.uc_stack.ss_sp = item->stack;
+	item->context.uc_stack.ss_size = STACK_BYTES;
+	item->context.uc_link = NULL;
+	makecontext(&item->context, item_main, 0);
+	become_ready(item);
+}
+
+static void prepare(void)
+{
+	int count = launch.groups * launch.group;
+	if (count > item_count)
+	{
+		items = realloc(items, (size_t)count * sizeof *items);
+		for (; item_count < count; ++item_count)
+		{
+			items[item_count] = calloc(1, sizeof(Item));
+			items[item_count]->stack = malloc(STACK_BYTES);
+		}
+	}
+	for (int g = 0; g < launch.groups; ++g)
+	{
+		size_t bytes = memory_bytes();
+		groups[g] = (Group){.ready = malloc((size_t)launch.group * sizeof(Item*)), .memory = malloc(bytes)};
+		memset(groups[g].memory, 0xa5, bytes);
+		for (int lane = 0; lane < launch.group; ++lane)
+			item_prepare(items[g * launch.group + lane], g, lane);
+	}
+}
+
+bool items_run(const Launch* what, const Turns* how, char sentence[ITEMS_SENTENCE])
+{
+	if (what->groups > MOST_GROUPS)
+	{
+		snprintf(sentence, ITEMS_SENTENCE, "%d groups are more than %d", what->groups, MOST_GROUPS);
+		return false;
+	}
+	launch = *what;
+	turns = *how;
+	turns.pieces = turns.pieces ? turns.pieces : (int)sizeof(Words);
+	state = how->seed;
+	patience = 1u << next_random() % 4;
+	turns_left = MOST_TURNS;
+	put_count = 0;
+	trouble = NULL;
+	prepare();
+	now = NULL;
+	go_on(false);
+
+	all_arrive();
+	int ended = 0, group = 0;
+	for (int g = 0; g < launch.groups; ++g)
+	{
+		ended += groups[g].ended;
+		group = groups[g].met > 0 ? g : group;
+		free(groups[g].ready);
+		free(groups[g].memory);
+	}
+	if (ended == launch.groups * launch.group)
+		return true;
+	const Group* g = groups + group;
+	snprintf(sentence, ITEMS_SENTENCE, "%d of %d work-items ended: %s; %d of group %d are at the barrier of %s:%d",
+	         ended, launch.groups * launch.group, trouble ? trouble : "the others wait for each other", g->met, group,
+	         g->file ? g->file : "nowhere", g->line);
+	return false;
+}
+
+int items_looks(int group)
+{
+	int most = 0;
+	for (int i = group * launch.group; i < (group + 1) * launch.group; ++i)
+		most = items[i]->looks > most ? items[i]->looks : most;
+	return most;
+}
+
+int items_puts(void) { return (int)put_count; }
+
+void items_close(void)
+{
+	for (int i = 0; i < item_count; ++i)
+	{
+		free(items[i]->stack);
+		free(items[i]);
+	}
+	free(items);
+	items = NULL;
+	item_count = 0;
+}
+
+const char* items_refused(void)
+{
+#ifdef TSAN
+	return "the thread sanitizer is not told of the fibers";
+#else
+	return NULL;
+#endif
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// run_call.h -- one call of a program on one world.
+#ifndef RUN_CALL_H
+#define RUN_CALL_H
+#include "programs/program.h"
+
+// numbers that a program may give out
+#define MOST_NAMES 8192
+
+typedef struct // touches and visits that began and have not ended: how many, and a sum of their names
+{
+	int count;
+	uint64_t sum;
+} Open;
+
+struct Names
+{
+	scree_body bodies[MOST_NAMES];
+	scree_collidable collidables[MOST_NAMES];
+	scree_attribute attributes[MOST_NAMES];
+	scree_joint joints[MOST_NAMES];
+	scree_path paths[MOST_NAMES];
+	scree_field fields[MOST_NAMES];
+	Open open;
+};
+
+typedef struct // what a call left
+{
+	scree_status status;
+	uint64_t word; // of what it read
+	char error[256];
+} Left;
+
+typedef struct // a call on one of the worlds
+{
+	const Call* call;
+	scree_world* world;
+	struct Names* names;
+	const Place* place;
+	const char* home; // where the world was made
+	Left* left;
+} Turn;
+
+// arguments of a call
+float call_real(const Turn* turn, const char* name);
+int call_whole(const Turn* turn, const char* name); // 0 for what is no number that counts
+scree_vec call_vec(const Turn* turn, const char* x, const char* y);
+scree_pose call_pose(const Turn* turn); // x, y, angle
+scree_body call_body(const Turn* turn, int k);
+
+#define MOST_BATCH 256
+// How many names from the one on that an argument gives: none where not all can be names.
+int call_batch(const Turn* turn, const char* first);
+
+// run_joint.c: the calls of joints, and what can be read of them, mixed into a word.
+scree_status run_joint(const Turn* turn);
+scree_status read_joints(const Turn* turn, uint64_t* word);
+
+// run_path.c: the same of paths; and all of them destroyed.
+scree_path call_path(const Turn* turn);
+scree_status run_path(const Turn* turn);
+scree_status read_paths(const Turn* turn, uint64_t* word);
+scree_status clear_paths(const Turn* turn);
+
+// run_field.c: the same of fields.
+scree_status run_field(const Turn* turn);
+scree_status read_fields(const Turn* turn, uint64_t* word);
+scree_status clear_fields(const Turn* turn);
+
+// run_query.c: queries, with their answers mixed into a word.
+scree_status run_ask(const Turn* turn);
+scree_status run_blast(const Turn* turn);
+
+// run_step.c: a step, with its events mixed into a word.
+scree_status run_step(const Turn* turn);
+
+uint64_t read_mixed(uint64_t word, const void* bytes, size_t count);
+
+// Makes the call and returns its status; left gets what it read.
+scree_status run_call(const Turn* turn);
+
+// Makes the world that a program begins with.
+scree_status run_world(const Place* place, const Call* call, scree_world** world);
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// run_query.c -- queries and blasts of a program: the same answers from both worlds.
+#include "programs/run_call.h"
+#include <math.h>
+
+#define ASKED 12
+
+static float spread(uint32_t* seed, float size)
+{
+	*seed = *seed * 1664525u + 1013904223u;
+	return size * ((float)(*seed >> 8) / 8388608.0f - 1.0f);
+}
+
+static scree_status mix_list(scree_status status, const scree_found_list* list, uint64_t* word)
+{
+	if (status == SCREE_OK)
+		*word = read_mixed(*word, list->found, (size_t)list->count * sizeof *list->found);
+	return status;
+}
+
+scree_status run_ask(const Turn* t)
+{
+	uint32_t seed = (uint32_t)call_whole(t, "seed");
+	scree_vec center = call_vec(t, "x", "y");
+	float size = call_real(t, "size");
+	int attribute = call_whole(t, "attribute"), body = call_whole(t, "body");
+	scree_query_def def = scree_query_def_default();
+	def.kinds = (uint32_t)call_whole(t, "kinds");
+	def.mask = (uint64_t)call_whole(t, "mask");
+	scree_attribute_def surface = scree_attribute_def_default();
+	bool shaped = attribute >= 0 && attribute < MOST_NAMES &&
+	              scree_attribute_get_def(t->world, t->names->attributes[attribute], &surface) == SCREE_OK;
+	const scree_shape* shape = shaped ? &surface.shape : NULL;
+	scree_ray rays[ASKED];
+	scree_probe probes[ASKED], places[ASKED];
+	scree_found found[ASKED];
+	scree_found_list list;
+	for (int k = 0; k < ASKED; ++k)
+	{
+		scree_vec at = {center.x + spread(&seed, size), center.y + spread(&seed, size)};
+		scree_vec path = {spread(&seed, size), k % 4 ? spread(&seed, size) : 0.0f};
+		scree_body ignored = k % 3 ? SCREE_NULL_BODY : call_body(t, body);
+		rays[k] = (scree_ray){.origin = at, .translation = path, .radius = k % 2 ? 0.0f : fabsf(0.1f * size)};
+		rays[k].ignored = ignored;
+		places[k] = (scree_probe){.pose = {at, scree_rot_make(spread(&seed, 3.0f))}, .ignored = ignored};
+		probes[k] = places[k];
+		probes[k].translation = path;
+	}
+	uint64_t word = 0;
+	scree_status status = scree_world_cast_rays(t->world, &def, rays, ASKED, found);
+	if (status == SCREE_OK)
+	{
+		word = read_mixed(word, found, sizeof found);
+		status = scree_world_cast_shapes(t->world, &def, shape, probes, ASKED, found);
+	}
+	if (status == SCREE_OK)
+	{
+		word = read_mixed(word, found, sizeof found);
+		status = scree_world_find_nearest(t->world, &def, shape, places, ASKED, fabsf(size), found);
+	}
+	if (status == SCREE_OK)
+	{
+		word = read_mixed(word, found, sizeof found);
+		status = mix_list(scree_world_list_rays(t->world, &def, rays, ASKED, &list), &list, &word);
+	}
+	if (status == SCREE_OK)
+		status = mix_list(scree_world_list_shapes(t->world, &def, shape, places, ASKED, &list), &list, &word);
+	scree_moved_list moved = {0};
+	if (status == SCREE_OK)
+		status = scree_world_get_moved(t->world, &moved);
+	for (int k = 0; k < moved.count && status == SCREE_OK; ++k)
+		word = read_mixed(word, moved.moved + k, sizeof moved.moved[k]);
+	t->left->word = word;
+	return status;
+}
+
+scree_status run_blast(const Turn* t)
+{
+	scree_blast_def def = scree_blast_def_default();
+	def.position = call_vec(t, "x", "y");
+	def.radius = call_real(t, "radius");
+	def.falloff = call_real(t, "falloff");
+	def.impulse = call_real(t, "impulse");
+	def.mask = (uint64_t)call_whole(t, "mask");
+	int count = 0;
+	scree_status status = scree_world_blast(t->world, &def, &count);
+	t->left->word = (uint64_t)count;
+	return status;
+}

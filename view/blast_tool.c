@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// blast_tool.c -- explosions that grow as long as the user holds them back.
+#include "view/blast_tool.h"
+#include <math.h>
+
+#define FIRST   50.0f  // px: the radius at first
+#define GROWS   180.0f // px/s
+#define LARGEST 500.0f // px
+#define WIDE    1.6f   // reaches of a common body that it is wide
+
+static const Color flame = {222, 84, 20};
+
+float blast_radius(double seconds) { return fminf(FIRST + GROWS * (float)seconds, LARGEST); }
+
+float blast_impulse(const RenderTables* tables, float speed)
+{
+	// mass by width of a common body
+	return speed * fmaxf(tables->density * WIDE * tables->size, 1.0e-6f);
+}
+
+void blast_mark(Strokes* strokes, scree_vec at, float radius)
+{
+	strokes_ring(strokes, at, 2.0f * radius, 2.5f, flame, 230);
+	strokes_ring(strokes, at, 4.0f * radius, 1.0f, flame, 140);
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// device_switch.c -- which device the world goes to next, by a key.
+#include "view/window/device_switch.h"
+#include "view/window/viewer.h"
+#include <string.h>
+
+// The index of the choice of the user in the list of devices; the length of the list for "auto".
+static int find_chosen(const Session* session)
+{
+	const char* chosen =
+	    strcmp(session->device, "auto") == 0 ? session->device : scree_world_get_device(session->world);
+	int k = 0;
+	while (k < session->device_count && strcmp(session->devices[k].name, chosen) != 0)
+		++k;
+	return k;
+}
+
+// Whether a move to choice k changes where the world is.
+static bool is_elsewhere(const Session* session, int k)
+{
+	return k < session->device_count && strcmp(session->devices[k].name, scree_world_get_device(session->world)) != 0;
+}
+
+void devices_next(Viewer* v)
+{
+	const Session* session = &v->session;
+	int choices = session->device_count + 1, chosen = find_chosen(session), others = 0;
+	int next = v->next_device >= 0 ? v->next_device : (chosen + 1) % choices;
+	for (int k = 0; k < session->device_count; ++k)
+		others += is_elsewhere(session, k);
+	if (others == 0)
+	{
+		char sentence[SENTENCE];
+		const char* remedy = scree_opencl_remedy();
+		snprintf(sentence, sizeof sentence, "there is no other device than %.60s%s%.300s",
+		         scree_world_get_device(session->world), *remedy ? ": " : "", remedy);
+		viewer_show(v, sentence);
+		return;
+	}
+	// a choice that leaves the world where it is would look as if nothing had happened
+	while (next == chosen || (next < session->device_count && !is_elsewhere(session, next)))
+		next = (next + 1) % choices;
+	viewer_move(v, next < session->device_count ? session->devices[next].name : "auto");
+	v->next_device = (next + 1) % choices;
+}

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// run_viewer.c -- the viewer from start to end: opens the window, runs its frame loop, closes it.
+#include "view/window/run_viewer.h"
+#include "view/window/draw.h"
+#include "view/window/framing.h"
+#include "view/window/input.h"
+#include "view/window/script.h"
+#include "view/window/tools.h"
+#include "view/window/viewer.h"
+#include "view/window/window.h"
+#include <stdlib.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#define LONGEST       0.03  // s of steps in a frame: a world that takes longer falls behind the clock
+#define MESSAGE_STAYS 5.0   // s
+#define SMOOTH        0.1f  // weight of the last frame in the average that is shown
+#define PAUSE         0.016 // s that a paused or minimized window waits for events
+
+typedef struct
+{
+	Viewer viewer;
+	Script script;
+} Loop;
+
+void view_print_keys(FILE* file)
+{
+#define X(name, key, shown, help) fprintf(file, "  %-8s%s\n", shown, help);
+#include "view/window/keys.def"
+#undef X
+	fprintf(file,
+	        "  left button: drag a body, or the picture; click: select; right button: the picture; wheel: zoom\n");
+}
+
+// Takes the steps that the clock asks for, or one a frame for a script. A failed step ends the viewer.
+static void advance(Viewer* v, bool scripted, double seconds)
+{
+	Session* session = &v->session;
+	char sentence[SENTENCE];
+	double begin = glfwGetTime(), dt = (double)session->scene->dt;
+	if (!session->paused)
+		session->accumulator += scripted ? dt : (seconds < 0.1 ? seconds : 0.1) * (double)session->rate;
+	bool added = false;
+	while (session->due > 0 || session->accumulator >= dt * 0.999)
+	{
+		if (session->due > 0)
+			--session->due;
+		else
+			session->accumulator -= dt;
+		v->capture.seconds += dt;
+		if (grab_pull(&v->grab) != SCREE_OK)
+			grab_release(&v->grab); // its body is gone
+		if (!tools_step(v, &added))
+		{
+			viewer_fail(v, scree_error());
+			return;
+		}
+		if (!session_step(session, sentence))
+		{
+			viewer_fail(v, sentence);
+			return;
+		}
+		if (renderer_step(&v->renderer, &v->camera, &v->style, (double)session->steps * dt) != SCREE_OK)
+		{
+			viewer_fail(v, scree_error());
+			return;
+		}
+		history_step(&v->history, session->last);
+		if (glfwGetTime() - begin > LONGEST)
+			session->accumulator = 0;
+	}
+	if (added)
+		viewer_update_world(v);
+}
+
+// One turn of the loop: events, script, steps, drawing.
+static void run_frame(Loop* loop)
+{
+	Viewer* v = &loop->viewer;
+	bool scripted = loop->script.file;
+	int width, height;
+	glfwGetFramebufferSize(v->window, &width, &height);
+	bool hidden = width == 0 || height == 0 || glfwGetWindowAttrib(v->window, GLFW_ICONIFIED);
+	window_events(v, hidden || (v->session.paused && !scripted) ? PAUSE : 0.0);
+	window_title(v);
+	double now = glfwGetTime(), seconds = now - v->frame_time;
+	v->frame_time = now;
+	float ms = 1000.0f * (float)seconds;
+	if (v->frame_ms > 0.0f) // the first frame lasts since the start
+		history_frame(&v->history, ms);
+	v->frame_ms = v->frame_ms == 0.0f ? ms : v->frame_ms + SMOOTH * (ms - v->frame_ms);
+	if (now - v->message_time > MESSAGE_STAYS)
+		*v->message = 0;
+	script_run(&loop->script, v);
+	if (v->done)
+		return;
+	input_frame(v);
+	advance(v, scripted, seconds);
+	glfwGetFramebufferSize(v->window, &width, &height);
+	if (v->done || width == 0 || height == 0)
+		return;
+	camera_resize(&v->camera, width, height);
+	eye_frame(v);
+	draw_frame(v);
+}
+
+static bool open_viewer(Loop* loop, char* sentence)
+{
+	Viewer* v = &loop->viewer;
+	const ViewOptions* o = v->options;
+	int width, height;
+	v->code = 2;
+	if (!style_read(&v->style, o->paint, o->layers, sentence))
+		return false;
+	v->style.dark = o->dark;
+	v->code = 1;
+	if (!script_open(&loop->script, o->script, sentence) || !window_open(v, sentence))
+		return false;
+	if (!renderer_open(&v->renderer, sentence))
+		return false;
+	v->code = 2;
+	if (!session_open(&v->session, o, window_opengl(v), sentence))
+		return false;
+	v->code = 0;
+	glfwGetFramebufferSize(v->window, &width, &height);
+	camera_resize(&v->camera, width, height);
+	v->grab.world = v->session.world;
+	v->panel = v->hovers = true;
+	v->next_device = -1;
+	v->tools = TOOLS_DEFAULT;
+	v->x = 0.5f * (float)width;
+	v->y = 0.5f * (float)height;
+	share_open(&v->share, v->session.world, false);
+	*sentence = 0;
+	if (!viewer_update_world(v))
+		return false;
+	eye_fit_scene(v);
+	v->frame_time = glfwGetTime();
+	return true;
+}
+
+static void close_viewer(Loop* loop)
+{
+	Viewer* v = &loop->viewer;
+	if (v->window)
+	{
+		capture_close(&v->capture);
+		if (v->share.world)
+			share_close(&v->share);
+		renderer_close(&v->renderer);
+		session_close(&v->session);
+		window_close(v);
+	}
+	events_close(&v->events);
+	script_close(&loop->script);
+}
+
+int view_run(const ViewOptions* options)
+{
+	char sentence[SENTENCE] = "";
+	Loop* loop = calloc(1, sizeof *loop);
+	if (!loop)
+		return 1;
+	loop->viewer.options = options;
+	bool opened = open_viewer(loop, sentence);
+	if (!opened && *sentence)
+		fprintf(stderr, "scree view: %s\n", sentence);
+	while (opened && !loop->viewer.done)
+		run_frame(loop);
+	close_viewer(loop);
+	int code = loop->viewer.code;
+	free(loop);
+	return code;
+}

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// page_inspect.c -- what the visitor of the page looks at, which never changes the world: numbers of bodies, legends.
+//
+// Coordinates are px of the picture, from its upper left corner.
+#include "view/legend.h"
+#include "view/numbers.h"
+#include "web/page.h"
+#include <stdarg.h>
+#include <stdio.h>
+
+static const char* join_lines(const Numbers* numbers)
+{
+	size_t length = 0;
+	for (int k = 0; k < numbers->count; ++k)
+		length += (size_t)snprintf(page.text + length, sizeof page.text - length, k ? "\n%s" : "%s", numbers->list[k]);
+	return page.text;
+}
+
+static bool choose(Inspected* inspected, float x, float y, float reach)
+{
+	scree_collidable found = SCREE_NULL_COLLIDABLE;
+	bool good = !page.world || page_check(inspect_find(page.world, camera_point(&page.camera, x, y),
+	                                                   reach / page.camera.scale, &found));
+	inspect_choose(inspected, page.scene, page.world, found);
+	return good && inspect_any(inspected);
+}
+
+// The few numbers of what is within some pixels of one; empty for nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_hover(float x, float y, float reach)
+{
+	Numbers numbers;
+	if (!choose(&page.hovered, x, y, reach) || !page_check(inspect_read(&page.hovered, page.scene, page.world)))
+		return "";
+	numbers_write_short(&page.hovered, &numbers);
+	return join_lines(&numbers);
+}
+
+// Selects what is there; false, and forgets what was selected, if there is nothing.
+EMSCRIPTEN_KEEPALIVE bool page_select(float x, float y, float reach)
+{
+	page.follows = false;
+	return choose(&page.selected, x, y, reach);
+}
+
+EMSCRIPTEN_KEEPALIVE void page_forget(void)
+{
+	page.follows = false;
+	page.selected = (Inspected){0};
+}
+
+// Reads what is selected. False if there is nothing, or no more, which page_selected then tells.
+EMSCRIPTEN_KEEPALIVE bool page_read_selected(void)
+{
+	return inspect_any(&page.selected) && page_check(inspect_read(&page.selected, page.scene, page.world)) &&
+	       !page.selected.gone;
+}
+
+// The numbers of what is selected as they were read last.
+EMSCRIPTEN_KEEPALIVE const char* page_selected(bool few)
+{
+	Numbers numbers;
+	if (few && !page.selected.gone)
+		numbers_write_short(&page.selected, &numbers);
+	else
+		numbers_write(&page.selected, &numbers);
+	return join_lines(&numbers);
+}
+
+// Appends to page.text.
+static size_t write(size_t length, const char* format, ...) __attribute__((format(printf, 2, 3)));
+static size_t write(size_t length, const char* format, ...)
+{
+	va_list values;
+	va_start(values, format);
+	int more = vsnprintf(page.text + length, sizeof page.text - length, format, values);
+	va_end(values);
+	length += more > 0 ? (size_t)more : 0;
+	return length < sizeof page.text ? length : sizeof page.text - 1;
+}
+
+static size_t write_colors(size_t length, const char* name, const Color* colors, int count)
+{
+	length = write(length, ",\"%s\":[", name);
+	for (int k = 0; k < count; ++k)
+		length = write(length, "%s\"#%02x%02x%02x\"", k ? "," : "", colors[k].r, colors[k].g, colors[k].b);
+	return write(length, "]");
+}
+
+// What the colors of the picture stand for, as JSON: those of bodies, or those of joints. Empty for nothing.
+EMSCRIPTEN_KEEPALIVE const char* page_legend(bool joints)
+{
+	Legend legend;
+	if (!page.drawn || !page.world ||
+	    !(joints ? legend_of_joints : legend_of_paint)(&legend, &page.renderer, &page.style))
+		return "";
+	size_t length = write(0, "{\"title\":\"%s\",\"blocks\":%s", legend.title, legend.blocks ? "true" : "false");
+	length = write_colors(length, "low", legend.low, legend.color_count);
+	length = write_colors(length, "high", legend.high, legend.color_count);
+	for (int k = 0; k < legend.tick_count; ++k)
+		length = write(length, "%s[%.4f,\"%s\"]", k ? "," : ",\"ticks\":[", (double)legend.ticks[k].at,
+		               legend.ticks[k].text);
+	write(length, legend.tick_count > 0 ? "]}" : "}");
+	return page.text;
+}

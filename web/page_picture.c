@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// page_picture.c -- the picture of the page: what it shows, and how. Coordinates are px of it, from its upper left corner, or m.
+#include "scene/scan_picture.h"
+#include "view/blast_tool.h"
+#include "web/page.h"
+#include <math.h>
+
+#define COARSE       4.0f // px: Style.detail where drawing is slow
+#define SLOW_RAYS    3000 // Style.rays there
+#define THREAD_COLOR ((Color){187, 53, 44})
+
+// Needs a current WebGL 2 context.
+EMSCRIPTEN_KEEPALIVE bool page_open_picture(void)
+{
+	page.style = (Style){.detail = 1.0f, .rays = RAYS_DRAWN};
+	page.drawn = renderer_open(&page.renderer, page.sentence);
+	return page.drawn && (!page.world || page_show_world());
+}
+
+// After the context was lost, or before it goes.
+EMSCRIPTEN_KEEPALIVE void page_close_picture(void)
+{
+	if (page.share.world)
+	{
+		share_close(&page.share);
+		share_open(&page.share, page.world, true);
+	}
+	if (page.drawn)
+		renderer_close(&page.renderer);
+	page.drawn = false;
+}
+
+EMSCRIPTEN_KEEPALIVE void page_resize(int width, int height) { camera_resize(&page.camera, width, height); }
+
+// Shows the whole scene.
+EMSCRIPTEN_KEEPALIVE void page_fit(void)
+{
+	if (page.scene && page.drawn)
+		camera_fit(&page.camera, render_tables_view(&page.renderer.tables, page.scene), page.camera.width,
+		           page.camera.height);
+}
+
+EMSCRIPTEN_KEEPALIVE void page_pan(float x, float y) { camera_pan(&page.camera, x, y); }
+EMSCRIPTEN_KEEPALIVE void page_zoom(float x, float y, float factor) { camera_zoom(&page.camera, x, y, factor); }
+EMSCRIPTEN_KEEPALIVE float page_scale(void) { return page.camera.scale; } // px a metre
+
+// The point of the world under a pixel, m.
+EMSCRIPTEN_KEEPALIVE const double* page_point(float x, float y)
+{
+	scree_vec point = camera_point(&page.camera, x, y);
+	page.numbers[0] = (double)point.x;
+	page.numbers[1] = (double)point.y;
+	return page.numbers;
+}
+
+EMSCRIPTEN_KEEPALIVE void page_style(int paint, uint32_t layers, bool slow, bool dark)
+{
+	page.style.dark = dark;
+	page.style.paint = (Paint)paint;
+	page.style.graph = paint == PAINT_GRAPH;
+	for (int k = 0; k < LAYERS; ++k)
+		page.style.layers[k] = layers >> k & 1;
+	page.style.detail = slow ? COARSE : 1.0f;
+	page.style.rays = slow ? SLOW_RAYS : RAYS_DRAWN;
+}
+
+// A line from the finger to the body that it drags.
+static void draw_grab(void)
+{
+	scree_vec anchor;
+	if (!grab_holds(&page.grab) || grab_anchor(&page.grab, &anchor) != SCREE_OK)
+		return;
+	strokes_add(&page.renderer.strokes, anchor, page.grab.at, 1.5f, THREAD_COLOR, 200);
+	strokes_add(&page.renderer.strokes, anchor, anchor, 6.0f, THREAD_COLOR, 255);
+}
+
+// In the next picture: an arrow between two points, m.
+EMSCRIPTEN_KEEPALIVE void page_mark_arrow(float x, float y, float to_x, float to_y)
+{
+	Strokes* strokes = &page.renderer.strokes;
+	const scree_vec from = {x, y}, to = {to_x, to_y};
+	float length = hypotf(to.x - from.x, to.y - from.y), head = 12.0f / page.camera.scale;
+	if (length == 0.0f)
+		return;
+	scree_vec back = {(from.x - to.x) / length * head, (from.y - to.y) / length * head};
+	strokes_add(strokes, from, to, 2.0f, THREAD_COLOR, 220);
+	strokes_add(strokes, from, from, 7.0f, THREAD_COLOR, 255);
+	for (float side = -0.5f; side < 1.0f; side += 1.0f)
+		strokes_add(strokes, to, (scree_vec){to.x + back.x - side * back.y, to.y + back.y + side * back.x}, 2.0f,
+		            THREAD_COLOR, 220);
+}
+
+// In the next picture: a ring of a diameter in m.
+EMSCRIPTEN_KEEPALIVE void page_mark_ring(float x, float y, float diameter, int opacity)
+{
+	strokes_ring(&page.renderer.strokes, (scree_vec){x, y}, diameter * page.camera.scale, 3.0f, THREAD_COLOR, opacity);
+}
+
+// In the next picture: how far an explosion would reach, px.
+EMSCRIPTEN_KEEPALIVE void page_mark_blast(float x, float y, float radius)
+{
+	blast_mark(&page.renderer.strokes, (scree_vec){x, y}, radius);
+}
+
+static scree_vec middle(void)
+{
+	return camera_point(&page.camera, 0.5f * (float)page.camera.width, 0.5f * (float)page.camera.height);
+}
+
+// Whether the selected body is to stay in the middle; false if it does not.
+EMSCRIPTEN_KEEPALIVE bool page_follow(bool follows)
+{
+	scree_vec at, now = middle();
+	page.follows = follows && inspect_place(&page.selected, page.world, &at);
+	if (page.follows)
+		page.behind = (scree_vec){now.x - at.x, now.y - at.y};
+	return page.follows;
+}
+
+EMSCRIPTEN_KEEPALIVE bool page_follows(void) { return page.follows; }
+
+static void follow(void)
+{
+	scree_vec at;
+	page.follows = page.follows && inspect_place(&page.selected, page.world, &at);
+	if (page.follows)
+		camera_follow(&page.camera, at, middle(), &page.behind);
+}
+
+EMSCRIPTEN_KEEPALIVE bool page_draw(void)
+{
+	if (!page.drawn || !page.world)
+		return true;
+	if (page.added && !page_show_world())
+		return false;
+	follow();
+	if (share_update(&page.share) != SCREE_OK)
+		return page_fail(share_error(&page.share));
+	if (!page_check(renderer_fetch(&page.renderer, &page.camera, &page.style)))
+		return false;
+	draw_grab();
+	pour_mark(&page.pour, &page.renderer.strokes, page.grab.at, page.camera.scale);
+	inspect_mark(&page.selected, page.world, &page.renderer.strokes, &page.camera, page.style.dark);
+	renderer_draw(&page.renderer, &page.share, &page.camera, &page.style);
+	return true;
+}
+
+// Where bodies are: as many poses as there are dynamic bodies and room, each x, y in m; returns their count. For tests.
+EMSCRIPTEN_KEEPALIVE int page_places(float* places, int capacity)
+{
+	const RenderTables* tables = &page.renderer.tables;
+	int count = 0;
+	for (int k = 0; k < tables->body_count && count < capacity; ++k)
+	{
+		scree_body_type type;
+		scree_pose pose;
+		if (scree_body_get_type(page.world, tables->bodies[k], &type) != SCREE_OK || type != SCREE_BODY_DYNAMIC ||
+		    scree_body_get_pose(page.world, tables->bodies[k], &pose) != SCREE_OK)
+			continue;
+		places[2 * count] = pose.position.x;
+		places[2 * count++ + 1] = pose.position.y;
+	}
+	return count;
+}

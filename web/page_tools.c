@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// page_tools.c -- what the visitor of the page does to bodies: drags them, throws and pours others in, sets off explosions.
+//
+// Coordinates are m of the world, so that the same calls before the same steps give the same world whatever the picture shows.
+#include "view/blast_tool.h"
+#include "web/page.h"
+
+// Tables of the world as it is, which without a picture are made for this call.
+static const RenderTables* open_tables(RenderTables* own, Sprites* sprites)
+{
+	if (page.drawn && (!page.added || page_show_world()))
+		return render_tables_update_bodies(&page.renderer.tables) == SCREE_OK ? &page.renderer.tables : NULL;
+	if (page.drawn || !sprites_list(sprites, page.scene, page.world))
+		return NULL;
+	*own = (RenderTables){.world = page.world,
+	                      .attributes = sprites->attributes,
+	                      .attribute_count = sprites->attribute_count,
+	                      .bodies = sprites->bodies,
+	                      .body_count = sprites->body_count};
+	return own;
+}
+
+static bool take(Grab* grab, float x, float y, bool (*how)(Grab*, const RenderTables*))
+{
+	RenderTables own;
+	Sprites sprites = {0};
+	const RenderTables* tables = open_tables(&own, &sprites);
+	grab->at = (scree_vec){x, y};
+	bool good = tables && how(grab, tables);
+	sprites_free(&sprites);
+	return good;
+}
+
+// Holds the dynamic body at a point; false when there is none.
+EMSCRIPTEN_KEEPALIVE bool page_pick(float x, float y) { return take(&page.grab, x, y, grab_pick); }
+
+// Finds that body and does nothing to it.
+EMSCRIPTEN_KEEPALIVE bool page_reach(float x, float y) { return take(&page.reached, x, y, grab_reach); }
+
+// Where the point of it is now, m; null if it is gone.
+EMSCRIPTEN_KEEPALIVE const double* page_reached(void)
+{
+	scree_vec at;
+	if (grab_anchor(&page.reached, &at) != SCREE_OK)
+		return NULL;
+	page.numbers[0] = (double)at.x;
+	page.numbers[1] = (double)at.y;
+	return page.numbers;
+}
+
+EMSCRIPTEN_KEEPALIVE void page_pull(float x, float y) { page.grab.at = (scree_vec){x, y}; }
+EMSCRIPTEN_KEEPALIVE bool page_holds(void) { return grab_holds(&page.grab); }
+
+// Ends a drag, and pouring.
+EMSCRIPTEN_KEEPALIVE void page_release(void)
+{
+	grab_release(&page.grab);
+	pour_end(&page.pour);
+}
+
+// From now on bodies are poured around a point, which page_pull moves. False with a sentence where nothing can be poured.
+EMSCRIPTEN_KEEPALIVE bool page_pour(float x, float y)
+{
+	grab_release(&page.grab);
+	page.grab.at = (scree_vec){x, y};
+	return page_check(pour_begin(&page.pour, page.world)) &&
+	       (page.pour.kind_count > 0 || page_fail("This scene has no bodies of one shape that could be poured."));
+}
+
+// Adds a body of about this size at a point, with a velocity.
+EMSCRIPTEN_KEEPALIVE bool page_throw(float x, float y, float vx, float vy, float size)
+{
+	const scree_vec held = page.grab.at;
+	page.grab.at = (scree_vec){x, y};
+	page.grab.velocity = (scree_vec){vx, vy};
+	bool good = page_check(grab_launch(&page.grab, size)) && page_show_world();
+	page.grab.at = held;
+	return good;
+}
+
+// Bodies fly away from a point: all of the impulse (N s a metre of their width) within half the radius, none beyond it.
+EMSCRIPTEN_KEEPALIVE bool page_blast(float x, float y, float radius, float impulse)
+{
+	scree_blast_def def = scree_blast_def_default();
+	def.position = (scree_vec){x, y};
+	def.radius = 0.5f * radius;
+	def.falloff = 0.5f * radius;
+	def.impulse = impulse;
+	return page_check(scree_world_blast(page.world, &def, NULL));
+}
+
+// The impulse of an explosion in this world, and the radius (px) of one that was held for so many seconds.
+EMSCRIPTEN_KEEPALIVE float page_blast_impulse(void) { return blast_impulse(&page.renderer.tables, BLAST_SPEED); }
+EMSCRIPTEN_KEEPALIVE float page_blast_radius(float seconds) { return blast_radius((double)seconds); }
