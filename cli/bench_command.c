@@ -50,7 +50,7 @@ static scree_status take_steps(Simulation* simulation, int steps, Measurement* m
 			return status;
 		if (deepest(&record, 1) > m->penetration)
 			m->penetration = deepest(&record, 1);
-		m->nonfinite += record.counters.nonfinite > 0;
+		m->nonfinite += record.counters.frozen_bodies > 0;
 		if (step >= WARM_UP || steps <= WARM_UP)
 			m->records[m->count++] = record;
 	}

@@ -54,11 +54,11 @@ int devices_command(const Options* options)
 	{
 		const scree_device* d = &devices[k];
 		printf("%s\n  driver      %s\n  units       %d\n  memory      %.1f GiB\n  equal bits  %s%s\n  drawing     %s\n",
-		       d->name, d->driver, d->units, (double)d->memory / (1 << 30), d->equal_bits ? "yes" : "no: ", d->reason,
-		       scree_sharing_name(d->sharing));
+		       d->name, d->driver, d->compute_units, (double)d->memory / (1 << 30),
+		       d->equal_bits ? "yes" : "no: ", d->reason, scree_sharing_name(d->sharing));
 	}
 	free(devices);
-	const char* remedy = scree_opencl_remedy();
+	const char* remedy = scree_opencl_hint();
 	if (*remedy)
 		printf("%s\n", remedy);
 	return EXIT_GOOD;

@@ -105,7 +105,8 @@ static void write_row(FILE* csv, const Record* record, bool scans)
 {
 	const scree_counters* c = &record->counters;
 	fprintf(csv, "%lld,%d,%d,%d,%d,%d,%d,%d,%.6f,%.4f", (long long)c->steps, c->bodies, c->contacts, c->touching,
-	        c->colors, c->spokes, c->moved, c->new_contacts, (double)c->penetration, (double)record->milliseconds);
+	        c->colors, c->spokes, c->updated_boxes, c->new_contacts, (double)c->penetration,
+	        (double)record->milliseconds);
 	for (int k = 0; k < STAGE_COLUMNS; ++k)
 		fprintf(csv, ",%.4f", (double)record->stages[k]);
 	if (scans)

@@ -32,7 +32,7 @@ typedef struct
 	int count;
 	scree_ray* rays;
 	scree_probe* probes;
-	scree_found* found;
+	scree_query_result* found;
 	scree_shape circle;
 } Batch;
 
@@ -93,7 +93,7 @@ static scree_status ask(Batch* b, Kind kind, int* found, uint64_t* hash)
 {
 	scree_query_def def = scree_query_def_default();
 	scree_status status;
-	scree_found_list list = {.found = b->found, .count = b->count};
+	scree_query_results list = {.results = b->found, .count = b->count};
 	def.any = kind == ANY_RAYS;
 	if (kind <= ANY_RAYS)
 		status = scree_world_cast_rays(b->world, &def, b->rays, b->count, b->found);
@@ -106,9 +106,9 @@ static scree_status ask(Batch* b, Kind kind, int* found, uint64_t* hash)
 	if (!hash || status != SCREE_OK)
 		return status;
 	*found = 0;
-	*hash = hash_more(0xcbf29ce484222325u, list.found, (size_t)list.count * sizeof *list.found);
+	*hash = hash_more(0xcbf29ce484222325u, list.results, (size_t)list.count * sizeof *list.results);
 	for (int k = 0; k < list.count; ++k)
-		*found += list.found[k].hit;
+		*found += list.results[k].hit;
 	return status;
 }
 

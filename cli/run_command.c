@@ -43,7 +43,7 @@ static void add_record(Totals* totals, const Record* record)
 		totals->penetration = record->counters.penetration;
 	if (record->counters.joint_gap > totals->joint_gap)
 		totals->joint_gap = record->counters.joint_gap;
-	totals->nonfinite += record->counters.nonfinite;
+	totals->nonfinite += record->counters.frozen_bodies;
 }
 
 static int take_steps(Simulation* simulation, Outputs* outputs, int steps, Totals* totals)

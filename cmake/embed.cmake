@@ -59,23 +59,23 @@ foreach(pool IN LISTS pools)
 	set(type ${CMAKE_MATCH_1})
 	set(kind of_${CMAKE_MATCH_3})
 	if(NOT DEFINED before_${kind})
-		string(APPEND rooms "int ${kind}; ")
+		string(APPEND capacities "int ${kind}; ")
 		set(before_${kind} "0")
 		if(DEFINED home_${kind})
-			set(place_${kind} "${home_${kind}} + rooms.begin_${kind}")
+			set(place_${kind} "${home_${kind}} + capacities.begin_${kind}")
 			string(APPEND begins "ulong begin_${kind}; ")
 		else()
 			set(place_${kind} "${kind}")
 			string(APPEND arguments "__global uchar* ${kind}, ")
 		endif()
 	endif()
-	string(APPEND names "(__global ${type}*)(${place_${kind}} + (ulong)rooms.${kind} * (${before_${kind}})), ")
+	string(APPEND names "(__global ${type}*)(${place_${kind}} + (ulong)capacities.${kind} * (${before_${kind}})), ")
 	string(APPEND before_${kind} " + sizeof(${type})")
 endforeach()
-string(APPEND arguments "Rooms rooms, ")
+string(APPEND arguments "Capacities capacities, ")
 
 inline("${ENTRY}" program)
-set(program "typedef struct { ${begins}${rooms}} Rooms;
+set(program "typedef struct { ${begins}${capacities}} Capacities;
 #define POOL_ARGUMENTS ${arguments}
 #define POOL_NAMES ${names}
 ${program}")

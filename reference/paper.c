@@ -24,7 +24,7 @@ static scree_status open_device(Paper* paper, const char* device, bool allow_une
 		return fail(SCREE_ERROR_INVALID, "paper_create: device is \"%s\", must be cpu, opencl or opencl:NAME", device);
 #ifdef SCREE_NO_OPENCL
 	(void)allow_unequal_bits;
-	return fail(SCREE_ERROR_NO_DEVICE, "%s", scree_opencl_remedy());
+	return fail(SCREE_ERROR_NO_DEVICE, "%s", scree_opencl_hint());
 #else
 	return paper_opencl_open(paper, device[6] ? device + 7 : NULL, allow_unequal_bits);
 #endif
@@ -110,7 +110,7 @@ scree_status paper_apply(Paper* paper, int body, scree_vec force, float torque)
 	if (body < 0 || body >= paper->pools.step.bodies)
 		return fail(SCREE_ERROR_INVALID, "paper_apply: body is %d, must be from 0 to %d", body,
 		            paper->pools.step.bodies - 1);
-	Where at = {"paper_apply", "force", ALONE};
+	ArgumentPlace at = {"paper_apply", "force", ALONE};
 	TRY(check_vec(at, "", force, FLT_MAX));
 	at.argument = "torque";
 	TRY(check_real(at, "", torque, -FLT_MAX, FLT_MAX));

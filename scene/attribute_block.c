@@ -101,7 +101,7 @@ static bool read_shape(Reader* reader, const Location* location, const json_t* v
 		return reader_fail(reader, location, "a %s takes no radius beside it", key);
 	if (capsule && !rounding)
 		return reader_fail(reader, location, "a capsule needs a radius");
-	Range radius_range = capsule ? any_size : (Range){0, SCREE_HUGE, false, false};
+	Range radius_range = capsule ? any_size : (Range){0, SCREE_MAX_COORDINATE, false, false};
 	if (rounding && !reader_constant(reader, KEY(location, "radius"), rounding, radius_range, &radius))
 		return false;
 

@@ -84,8 +84,8 @@ static bool read_character(Reader* reader, const Location* location, const json_
 	       read_float(reader, location, value, "radius", any_size, &character->def.radius) &&
 	       read_float(reader, location, value, "speed", not_negative, &character->speed) &&
 	       read_float(reader, location, value, "jump", not_negative, &character->jump) &&
-	       read_float(reader, location, value, "climb", not_negative, &character->def.climb) &&
-	       read_float(reader, location, value, "slope", (Range){0, 1.57, false, false}, &character->def.slope) &&
+	       read_float(reader, location, value, "climb", not_negative, &character->def.step_height) &&
+	       read_float(reader, location, value, "slope", (Range){0, 1.57, false, false}, &character->def.max_slope) &&
 	       read_script(reader, KEY(location, "script"), json_object_get(value, "script"), character);
 }
 

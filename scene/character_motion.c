@@ -72,7 +72,7 @@ static void steer(const Character* character, scree_vec gravity, float dt, uint3
 	if (stands && DOWN(fresh, up))
 	{
 		rises = character->jump;
-		carried = mover->carried;
+		carried = mover->ground_velocity;
 	}
 	else if (stands && DOWN(fresh, down))
 		mover->position = (scree_vec){mover->position.x - DROP * up.x, mover->position.y - DROP * up.y};
@@ -92,9 +92,9 @@ static scree_status walk(Walkers* walkers, scree_world* world, int k, uint32_t d
 	steer(&character, gravity, scene->dt, down, fresh, mover);
 	scree_status status = scree_movers_move(world, &character.def, mover, 1, scene->dt);
 	// where it will be when its ground has moved on
-	scree_pose pose = {
-	    {mover->position.x + mover->carried.x * scene->dt, mover->position.y + mover->carried.y * scene->dt},
-	    scree_rot_make(atan2f(-character.def.up.x, character.def.up.y))};
+	scree_pose pose = {{mover->position.x + mover->ground_velocity.x * scene->dt,
+	                    mover->position.y + mover->ground_velocity.y * scene->dt},
+	                   scree_rot_make(atan2f(-character.def.up.x, character.def.up.y))};
 	return status == SCREE_OK && enabled ? scree_body_set_target(world, mover->ignored, pose) : status;
 }
 

@@ -48,7 +48,7 @@ static bool couple(const Items* items, const Scene* scene, const JointBlock* blo
 		if (!items_pose(items, block->base_positions[k], &block->base_angles[k], &def->sides[k].base))
 			return false;
 		measures[k] = measure(pose_of(scene, block, k, indices[k]), frames[k], def->sides + k);
-		def->sides[k].near = def->sides[k].measure == SCREE_MEASURE_ANGLE ? (float)measures[k] : 0.0f;
+		def->sides[k].initial_angle = def->sides[k].measure == SCREE_MEASURE_ANGLE ? (float)measures[k] : 0.0f;
 	}
 	if (block->measured)
 		def->coordinates[SCREE_ALONG].target = (float)(measures[1] + (double)def->ratio * measures[0]);

@@ -14,9 +14,9 @@
 
 static const Range any_strength = {-1e12, 1e12, false, false};
 static const Range no_less = {0, 1e12, false, false};
-static const Range any_falloff = {0.001, SCREE_HUGE, false, false};
+static const Range any_falloff = {0.001, SCREE_MAX_COORDINATE, false, false};
 static const Range any_step = {0, 1e9, true, false};
-static const Range any_reach = {0, SCREE_HUGE, false, false};
+static const Range any_reach = {0, SCREE_MAX_COORDINATE, false, false};
 
 typedef struct // a number of a definition, or the first of two
 {

@@ -58,7 +58,8 @@ static const Member joint_members[] = {{"hertz", offsetof(scree_joint_def, hertz
                                        {"torque_threshold", offsetof(scree_joint_def, torque_threshold), &any_force},
                                        {NULL, 0, NULL}};
 static const Member ratio_members[] = {{"ratio", offsetof(scree_joint_def, ratio), &any_ratio}, {NULL, 0, NULL}};
-static const Member near_members[] = {{"near", offsetof(scree_joint_def, path_near), &any_coordinate}, {NULL, 0, NULL}};
+static const Member near_members[] = {{"near", offsetof(scree_joint_def, initial_along), &any_coordinate},
+                                      {NULL, 0, NULL}};
 static const Member target_members[] = {COORDINATE("target", target, &any_coordinate), {NULL, 0, NULL}};
 static const Member spring_members[] = {
     COORDINATE("hertz", spring_hertz, &not_negative), COORDINATE("damping_ratio", spring_damping_ratio, &not_negative),
@@ -336,7 +337,7 @@ static bool read_joint(Reader* reader, const Location* location, const json_t* v
 	       read_members(reader, location, value, joint_members, 0, block) &&
 	       reader_boolean(reader, KEY(location, "collide_connected"), json_object_get(value, "collide_connected"),
 	                      &block->def.collide_connected) &&
-	       reader_boolean(reader, KEY(location, "breaks"), json_object_get(value, "breaks"), &block->def.breaks) &&
+	       reader_boolean(reader, KEY(location, "breaks"), json_object_get(value, "breaks"), &block->def.can_break) &&
 	       reader_boolean(reader, KEY(location, "disabled"), json_object_get(value, "disabled"),
 	                      &block->def.disabled) &&
 	       reader_boolean(reader, KEY(location, "elliptic"), json_object_get(value, "elliptic"), &block->def.elliptic);

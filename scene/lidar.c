@@ -95,10 +95,10 @@ static bool read_fan(Reader* reader, const Location* location, const json_t* val
 		NUMBERS
 	};
 	static const Entry entries[NUMBERS] = {{"count", {1, SCENE_MAX_RAYS, true, false}, 0, true},
-	                                       {"length", {0.001, SCREE_HUGE, false, false}, 0, true},
+	                                       {"length", {0.001, SCREE_MAX_COORDINATE, false, false}, 0, true},
 	                                       {"angle", {-1e6, 1e6, false, false}, 0, false},
 	                                       {"spread", {0, 6.2832, false, false}, TURN, false},
-	                                       {"radius", {0, SCREE_HUGE, false, false}, 0, false}};
+	                                       {"radius", {0, SCREE_MAX_COORDINATE, false, false}, 0, false}};
 	double numbers[NUMBERS];
 	fan->def = scree_query_def_default();
 	if (!reader_object(reader, location, value, fan_keys) ||

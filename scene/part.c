@@ -12,7 +12,7 @@ static const char* const part_keys[] = {"attribute", "choose",  "position", "ang
 static bool read_filter(Reader* reader, const Location* location, const json_t* object, Part* part)
 {
 	part->filter = scree_filter_default();
-	const Range bits = {0, SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS | SCREE_REPORT_ASKS, true, false};
+	const Range bits = {0, SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS | SCREE_REPORT_APPROVAL, true, false};
 	const Range sees = {0, SCREE_SENSOR_MOVING | SCREE_SENSOR_STATIC | SCREE_SENSOR_SENSORS, true, false};
 	return reader_member(reader, location, object, "group", (Range){-1e9, 1e9, true, false}, 0, &part->group) &&
 	       reader_member(reader, location, object, "reports", bits, 0, &part->reports) &&

@@ -245,7 +245,7 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 // Tints the region of a field; a fluid without a shape is everything below its surface.
 static void draw_region(Picture* p, const FieldRegion* region, const scree_pose* poses)
 {
-	const float far = 2.0f * SCREE_HUGE;
+	const float far = 2.0f * SCREE_MAX_COORDINATE;
 	scree_shape below = {.kind = SCREE_SHAPE_POLYGON, .count = 4};
 	const scree_vec corners[] = {{-far, -far}, {far, -far}, {far, 0}, {-far, 0}};
 	memcpy(below.vertices, corners, sizeof corners);

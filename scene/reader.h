@@ -36,8 +36,8 @@ typedef struct
 } Range;
 
 // ranges that several keys share; sizes and coordinates as include/scree/scree.h has them
-static const Range any_coordinate = {-SCREE_HUGE, SCREE_HUGE, false, false};
-static const Range any_size = {0.001, SCREE_HUGE, false, false};
+static const Range any_coordinate = {-SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE, false, false};
+static const Range any_size = {0.001, SCREE_MAX_COORDINATE, false, false};
 static const Range any_speed = {-1e6, 1e6, false, false};
 static const Range not_negative = {0, 1e6, false, false};
 static const Range any_angle = {-1e6, 1e6, false, false};

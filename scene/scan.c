@@ -78,7 +78,8 @@ static scree_status read_poses(Scan* scan, scree_world* world, const Fan* fan, i
 
 static bool casts(const Fan* fan, scree_pose pose, const scree_box* box)
 {
-	const scree_box all = {{-SCREE_HUGE, -SCREE_HUGE}, {SCREE_HUGE, SCREE_HUGE}};
+	const scree_box all = {{-SCREE_MAX_COORDINATE, -SCREE_MAX_COORDINATE},
+	                       {SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE}};
 	scree_vec eye = eye_of(fan, pose);
 	return is_inside(eye, all, 0.0f) && (!box || is_inside(eye, *box, fan->length + fan->radius));
 }

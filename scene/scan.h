@@ -15,7 +15,7 @@ typedef struct
 	scree_pose* poses; // of the bodies of one fan
 	scree_vec* ways;   // translations of the rays of all fans, in the frames of their bodies, m
 	scree_ray* rays;   // that are cast, fan by fan
-	scree_found* found;
+	scree_query_result* found;
 	int count, capacity; // rays
 	int* firsts;         // first ray of each fan in rays, and count behind the last
 	int in_view;         // rays among which these were chosen
@@ -26,7 +26,7 @@ scree_status scan_open(Scan* scan, const Scene* scene, scree_world* world);
 void scan_close(Scan* scan);
 
 // Lays the rays at the poses of the bodies: all rays, or with a box only those of bodies whose rays may meet it, and of them about
-// most or fewer, evenly chosen. A body that is farther out than SCREE_HUGE casts none.
+// most or fewer, evenly chosen. A body that is farther out than SCREE_MAX_COORDINATE casts none.
 scree_status scan_aim(Scan* scan, scree_world* world, const scree_box* box, int most);
 
 // Casts them: one call for each fan of the scene.

@@ -3,11 +3,11 @@
 #ifndef STAGE_ITEMS_H
 #define STAGE_ITEMS_H
 #include "dialect/dialect.h"
-#undef STAGE
-#undef LIST_STAGE
-#undef GROUP_STAGE
-#define STAGE(name)                    INLINE void name##_item(const Pools* p, int i)
-#define LIST_STAGE(name, list, length) INLINE int name##_item(const Pools* p, int i)
-#define GROUP_STAGE(name)              INLINE void name##_group(const Pools* p, int i, BENCH float* bench)
+#undef KERNEL
+#undef LIST_KERNEL
+#undef GROUP_KERNEL
+#define KERNEL(name)                    INLINE void name##_item(const Pools* p, int i)
+#define LIST_KERNEL(name, list, length) INLINE int name##_item(const Pools* p, int i)
+#define GROUP_KERNEL(name)              INLINE void name##_group(const Pools* p, int i, LOCAL float* bench)
 
 #endif

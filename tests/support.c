@@ -355,8 +355,8 @@ void print_ways(const Way* ways, int count)
 {
 	for (int k = 0; k < count; ++k)
 		print_message("way %d: %s\n", k, ways[k].name);
-	if (scree_opencl_remedy()[0])
-		print_message("no OpenCL: %s\n", scree_opencl_remedy());
+	if (scree_opencl_hint()[0])
+		print_message("no OpenCL: %s\n", scree_opencl_hint());
 }
 
 scree_world* open_on(const Way* way, const scree_world_def* given)

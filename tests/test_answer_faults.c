@@ -64,7 +64,7 @@ static scree_status make_floor(Tale* t)
 	scree_status status = scree_attribute_create(t->world, &surface, &def.attribute);
 	def.type = SCREE_BODY_STATIC;
 	def.pose.position.y = -1.0f;
-	def.reports = SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS | SCREE_REPORT_ASKS;
+	def.reports = SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS | SCREE_REPORT_APPROVAL;
 	return status ? status : scree_body_create(t->world, &def, &t->last);
 }
 
@@ -123,13 +123,13 @@ static scree_status get_events(Tale* t)
 	scree_status status = scree_world_get_events(t->world, &events);
 	if (status)
 		return status;
-	t->asked = events.asked_count;
+	t->asked = events.approval_count;
 	HEAR(t, events.touches_began, events.touches_began_count, destroyed_b);
 	HEAR(t, events.touches_ended, events.touches_ended_count, destroyed_b);
 	HEAR(t, events.hits, events.hit_count, destroyed_b);
 	HEAR(t, events.visits_began, events.visits_began_count, destroyed_visitor);
 	HEAR(t, events.visits_ended, events.visits_ended_count, destroyed_visitor);
-	HEAR(t, events.asked, events.asked_count, destroyed_b);
+	HEAR(t, events.approvals, events.approval_count, destroyed_b);
 	return SCREE_OK;
 }
 
@@ -138,31 +138,31 @@ static scree_status answer(Tale* t)
 	static bool answers[ROUNDS * GROUP * 32];
 	for (int k = 0; k < t->asked; ++k)
 		answers[k] = k % 3 != 0;
-	return scree_world_answer_asked(t->world, answers, t->asked);
+	return scree_world_approve_contacts(t->world, answers, t->asked);
 }
 
 static scree_status get_moved(Tale* t)
 {
-	scree_moved_list list;
-	scree_status status = scree_world_get_moved(t->world, &list);
+	scree_moved_bodies list;
+	scree_status status = scree_world_get_moved_bodies(t->world, &list);
 	if (status == SCREE_OK)
-		HEAR(t, list.moved, list.count, velocity);
+		HEAR(t, list.bodies, list.count, velocity);
 	return status;
 }
 
 static scree_status list_box(Tale* t)
 {
-	scree_found_list list;
+	scree_query_results list;
 	scree_status status = scree_world_overlap_box(t->world, (scree_box){{-9.0f, -3.0f}, {9.0f, 9.0f}}, &list);
 	if (status == SCREE_OK)
-		HEAR(t, list.found, list.count, reserved);
+		HEAR(t, list.results, list.count, reserved);
 	return status;
 }
 
 static scree_status cast_rays(Tale* t)
 {
 	scree_ray rays[ROUNDS * GROUP] = {0};
-	scree_found found[ROUNDS * GROUP];
+	scree_query_result found[ROUNDS * GROUP];
 	int count = (t->round + 1) * GROUP;
 	for (int k = 0; k < count; ++k)
 		rays[k] = (scree_ray){.origin = {0.05f * (float)k - 5.0f, 9.0f}, .translation = {0.0f, -20.0f}};

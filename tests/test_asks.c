@@ -28,11 +28,11 @@ static int step_answering(scree_world* world, int steps, bool answer)
 		step(world, 1);
 		scree_events events = events_of(world);
 		bool answers[64];
-		assert_true(events.asked_count <= 64);
-		for (int i = 0; i < events.asked_count; ++i)
+		assert_true(events.approval_count <= 64);
+		for (int i = 0; i < events.approval_count; ++i)
 			answers[i] = answer;
-		assert_ok(scree_world_answer_asked(world, answers, events.asked_count));
-		asked += events.asked_count;
+		assert_ok(scree_world_approve_contacts(world, answers, events.approval_count));
+		asked += events.approval_count;
 	}
 	return asked;
 }
@@ -44,7 +44,7 @@ static void yes_and_no(void** state)
 	for (int answer = 0; answer < 2; ++answer)
 	{
 		scree_world* world = make_world(-10.0f);
-		put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_ASKS);
+		put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_APPROVAL);
 		scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.2f, 2.0f, 0.0f, 0.0f, SCREE_REPORT_TOUCHES);
 		int began = 0, ended = 0, asked = 0;
 		for (int k = 0; k < 120; ++k)
@@ -53,9 +53,9 @@ static void yes_and_no(void** state)
 			scree_events events = events_of(world);
 			began += events.touches_began_count;
 			ended += events.touches_ended_count;
-			if (events.asked_count)
+			if (events.approval_count)
 			{
-				assert_true(events.asked[0].body_a.index == box.index && events.asked[0].count > 0);
+				assert_true(events.approvals[0].body_a.index == box.index && events.approvals[0].count > 0);
 				assert_int_equal(contacts_of(world), 0);
 			}
 		}
@@ -76,12 +76,12 @@ static void asked_again(void** state)
 	(void)state;
 	scree_world* world = make_world(0.0f);
 	put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, 0);
-	scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.5f, 0.0f, -3.0f, SCREE_REPORT_ASKS);
+	scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.5f, 0.0f, -3.0f, SCREE_REPORT_APPROVAL);
 	int asked = 0;
 	for (int k = 0; k < 60; ++k)
 	{
 		step(world, 1);
-		asked += events_of(world).asked_count;
+		asked += events_of(world).approval_count;
 	}
 	assert_int_equal(asked, 1);
 	assert_true(pose_of(world, box).position.y < -1.2f);
@@ -108,8 +108,8 @@ static void fast(void** state)
 		scree_body_type type = (scree_body_type)(k / 2 % 3);
 		float speed = speeds[k / 6 % 4], start = -3.0f - 0.37f * (float)(k / 24);
 		scree_world* world = make_world(0.0f);
-		scree_body wall = put(world, type, 0.0f, 0.0f, 0.0f, 0.0f, k % 3 ? SCREE_REPORT_ASKS : 0);
-		scree_body bullet = put(world, SCREE_BODY_DYNAMIC, start, 0.0f, speed, 0.0f, k % 3 ? 0 : SCREE_REPORT_ASKS);
+		scree_body wall = put(world, type, 0.0f, 0.0f, 0.0f, 0.0f, k % 3 ? SCREE_REPORT_APPROVAL : 0);
+		scree_body bullet = put(world, SCREE_BODY_DYNAMIC, start, 0.0f, speed, 0.0f, k % 3 ? 0 : SCREE_REPORT_APPROVAL);
 		int asked = 0;
 		for (int n = 0; n < 200 && !asked; ++n)
 		{
@@ -142,7 +142,7 @@ static void marked_in_mid_run(void** state)
 	add_ground(world);
 	scree_body low = put(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f, 0.0f, 0);
 	step(world, 30);
-	assert_ok(scree_collidable_set_reports(world, part_of(world, low), SCREE_REPORT_ASKS));
+	assert_ok(scree_collidable_set_reports(world, part_of(world, low), SCREE_REPORT_APPROVAL));
 	assert_int_equal(step_answering(world, 60, false), 0);
 	assert_near(pose_of(world, low).position.y, 0.5, 0.01);
 	scree_body high = put(world, SCREE_BODY_DYNAMIC, 0.1f, 1.6f, 0.0f, 0.0f, 0);
@@ -160,35 +160,35 @@ static void between(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(0.0f);
-	put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_ASKS);
+	put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_APPROVAL);
 	scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.005f, 0.0f, 0.0f, 0);
 	bool yes[2] = {true, true};
 	uint64_t before;
 	assert_ok(scree_world_step(world, 0.0f, 4));
-	assert_int_equal(events_of(world).asked_count, 1);
+	assert_int_equal(events_of(world).approval_count, 1);
 	before = hash_of(world);
-	assert_ok(scree_world_answer_asked(world, yes, 1));
+	assert_ok(scree_world_approve_contacts(world, yes, 1));
 	assert_true(hash_of(world) != before);
 	assert_ok(scree_body_destroy(world, box));
 	scree_body again = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.005f, 0.0f, -1.0f, 0);
 	assert_int_equal(again.index, box.index);
 	step(world, 1);
-	assert_int_equal(events_of(world).asked_count, 1); // the answer was about the other one
-	assert_ok(scree_world_answer_asked(world, yes, 1));
+	assert_int_equal(events_of(world).approval_count, 1); // the answer was about the other one
+	assert_ok(scree_world_approve_contacts(world, yes, 1));
 	assert_ok(scree_world_move(world, "cpu"));
 	step(world, 30);
 	assert_true(pose_of(world, again).position.y > 0.98f);
-	assert_int_equal(events_of(world).asked_count, 0);
-	assert_int_equal(scree_world_answer_asked(world, yes, 2), SCREE_ERROR_INVALID);
+	assert_int_equal(events_of(world).approval_count, 0);
+	assert_int_equal(scree_world_approve_contacts(world, yes, 2), SCREE_ERROR_INVALID);
 	assert_non_null(strstr(scree_error(), "count is 2, and 0 contacts wait for an answer"));
-	assert_int_equal(scree_world_answer_asked(world, NULL, 1), SCREE_ERROR_INVALID);
+	assert_int_equal(scree_world_approve_contacts(world, NULL, 1), SCREE_ERROR_INVALID);
 	scree_world_destroy(world);
 }
 
 static void answer_one(scree_world* world, bool yes)
 {
-	assert_int_equal(events_of(world).asked_count, 1);
-	assert_ok(scree_world_answer_asked(world, &yes, 1));
+	assert_int_equal(events_of(world).approval_count, 1);
+	assert_ok(scree_world_approve_contacts(world, &yes, 1));
 }
 
 // Steps of no time between the question and the answer ask again; between the answer and the next step they change nothing about it.
@@ -199,22 +199,22 @@ static void steps_of_no_time(void** state)
 	{
 		bool answers = k & 1, yes = k & 2, early = k & 4;
 		scree_world* world = make_world(-10.0f);
-		put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_ASKS);
+		put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_APPROVAL);
 		scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.3f, 0.0f, 0.0f, 0);
 		do
 			step(world, 1);
-		while (events_of(world).asked_count == 0);
+		while (events_of(world).approval_count == 0);
 		uint64_t open = hash_of(world);
 		for (int n = 0; n < 3 && !early; ++n)
 			look(world);
-		assert_int_equal(events_of(world).asked_count, 1);
+		assert_int_equal(events_of(world).approval_count, 1);
 		if (answers)
 		{
 			answer_one(world, yes);
 			assert_true(hash_of(world) != open);
 		}
 		look(world);
-		assert_int_equal(events_of(world).asked_count, !answers);
+		assert_int_equal(events_of(world).approval_count, !answers);
 		assert_int_equal(contacts_of(world), answers && yes);
 		step(world, 60);
 		assert_true((pose_of(world, box).position.y > 0.98f) == (answers && yes));
@@ -232,15 +232,15 @@ static void a_step_that_fails(void** state)
 	def.contact_limit = 100;
 	scree_world* world;
 	assert_ok(scree_world_create(&def, &world));
-	put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_ASKS);
+	put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_APPROVAL);
 	scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.3f, 0.0f, 0.0f, 0), crowd[40];
 	do
 		step(world, 1);
-	while (events_of(world).asked_count == 0);
+	while (events_of(world).approval_count == 0);
 	for (int k = 0; k < 40; ++k)
 		crowd[k] = put(world, SCREE_BODY_DYNAMIC, 20.0f, 20.0f, 0.0f, 0.0f, 0);
-	assert_int_equal(scree_world_step(world, STEP, 4), SCREE_ERROR_CROWDED);
-	assert_int_equal(events_of(world).asked_count, 0);
+	assert_int_equal(scree_world_step(world, STEP, 4), SCREE_ERROR_CONTACT_LIMIT);
+	assert_int_equal(events_of(world).approval_count, 0);
 	assert_ok(scree_bodies_destroy(world, crowd, 40));
 	step(world, 1);
 	assert_true(pose_of(world, box).position.y > 0.97f);

@@ -156,7 +156,7 @@ static void shape_functions(void** state)
 	assert_ok(scree_shape_make_box(1, 1, &shape));
 	scree_pose pose = {{0, 0}, {1, 0}};
 	INVALID(scree_shape_transform, (NULL, pose, &shape), "shape is null");
-	INVALID(scree_shape_transform, (&shape, pose, NULL), "moved is null");
+	INVALID(scree_shape_transform, (&shape, pose, NULL), "transformed is null");
 	pose.rotation.c = 0.9f;
 	INVALID(scree_shape_transform, (&shape, pose, &shape), "pose.rotation is (0.9, 0)");
 	pose.rotation.c = 1;
@@ -237,7 +237,7 @@ static void body_functions(void** state)
 	DEF(SCREE_ERROR_INVALID, velocity.angular = INFINITY, ".velocity.angular is inf");
 	DEF(SCREE_ERROR_INVALID, locks = 8, ".locks is 8");
 	DEF(SCREE_ERROR_INVALID, reports = 8,
-	    ".reports is 8, must be bits of SCREE_REPORT_TOUCHES, SCREE_REPORT_HITS and SCREE_REPORT_ASKS");
+	    ".reports is 8, must be bits of SCREE_REPORT_TOUCHES, SCREE_REPORT_HITS and SCREE_REPORT_APPROVAL");
 	DEF(SCREE_ERROR_STALE, attribute = foreign, ".attribute (index 0) is not an attribute of this world");
 #undef DEF
 	assert_ok(scree_bodies_create(world, NULL, 0, NULL));

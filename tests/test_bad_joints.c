@@ -200,8 +200,8 @@ static void couplings(void** state)
 	DEF(sides[1].base.position.y = -2e5f, ".sides[1].base.position.y is -200000");
 	DEF(sides[0].base.rotation.c = 0.0f, ".sides[0].base.rotation is (0, 0)");
 	DEF(sides[1].base.rotation.s = NAN, ".sides[1].base.rotation is (1, nan)");
-	DEF(sides[0].near = NAN, ".sides[0].near is nan");
-	DEF(sides[1].near = 2e5f, ".sides[1].near is 200000");
+	DEF(sides[0].initial_angle = NAN, ".sides[0].initial_angle is nan");
+	DEF(sides[1].initial_angle = 2e5f, ".sides[1].initial_angle is 200000");
 	DEF(ratio = 2e6f, ".ratio is 2000000");
 	DEF(ratio = -2e6f, ".ratio is -2000000");
 	DEF(ratio = NAN, ".ratio is nan");

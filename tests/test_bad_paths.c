@@ -159,8 +159,8 @@ static void joints(void** state)
 	DEF(path = SCREE_NULL_PATH, SCREE_ERROR_STALE, ".path is null");
 	DEF(path = gone, SCREE_ERROR_STALE, ".path (index 2");
 	DEF(path = alien, SCREE_ERROR_STALE, ".path (index 3");
-	DEF(path_near = NAN, SCREE_ERROR_INVALID, ".path_near is nan");
-	DEF(path_near = 2e5f, SCREE_ERROR_INVALID, ".path_near is 200000");
+	DEF(initial_along = NAN, SCREE_ERROR_INVALID, ".initial_along is nan");
+	DEF(initial_along = 2e5f, SCREE_ERROR_INVALID, ".initial_along is 200000");
 	DEF(size = (uint32_t)offsetof(scree_joint_def, path), SCREE_ERROR_STALE, ".path is null");
 #undef DEF
 	def = good_joint();

@@ -23,8 +23,8 @@ static void rays(void** state)
 {
 	(void)state;
 	scree_ray list[2] = {{.translation = {1, 0}}, {.translation = {1, 0}}};
-	scree_found found[2];
-	scree_found_list all;
+	scree_query_result found[2];
+	scree_query_results all;
 	scree_query_def def = scree_query_def_default();
 	INVALID(scree_world_cast_rays, (NULL, NULL, list, 2, found), "world is null");
 	INVALID(scree_world_cast_rays, (world, NULL, NULL, 2, found), "rays is null");
@@ -64,8 +64,8 @@ static void shapes(void** state)
 	(void)state;
 	scree_shape shape = box(), bad = shape;
 	scree_probe probes[2] = {{.pose = good_pose}, {.pose = good_pose}};
-	scree_found found[2];
-	scree_found_list all;
+	scree_query_result found[2];
+	scree_query_results all;
 	scree_query_def def = scree_query_def_default();
 	bad.vertices[2].x = NAN;
 	INVALID(scree_world_cast_shapes, (world, NULL, &bad, probes, 2, found), "shape.vertices[2].x is nan");
@@ -128,7 +128,7 @@ static void sensors(void** state)
 	pair[1] = part;
 	two[1] = 8;
 	INVALID(scree_collidables_set_reports, (world, pair, two, 2), "reports[1] is 8");
-	INVALID(scree_world_get_moved, (world, NULL), "list is null");
+	INVALID(scree_world_get_moved_bodies, (world, NULL), "list is null");
 	assert_ok(scree_collidable_get_sensor(world, part, &bits));
 	assert_true(bits == 0);
 }
@@ -161,7 +161,7 @@ static void shapes_without_a_world(void** state)
 	(void)state;
 	scree_shape shape = box();
 	scree_distance distance;
-	scree_found found;
+	scree_query_result found;
 	bool contains;
 	scree_pose bad = {{1, NAN}, {1, 0}};
 	INVALID(scree_shapes_get_distance, (&shape, good_pose, &shape, good_pose, NULL), "distance is null");
@@ -198,9 +198,9 @@ static void movers(void** state)
 	DEF(radius = 0, ".radius is 0");
 	DEF(up = ((scree_vec){1, 1}), ".up is (1, 1), must be a unit vector");
 	DEF(up.y = NAN, ".up.y is nan");
-	DEF(slope = 2, ".slope is 2");
-	DEF(climb = -1, ".climb is -1");
-	DEF(snap = INFINITY, ".snap is inf");
+	DEF(max_slope = 2, ".max_slope is 2");
+	DEF(step_height = -1, ".step_height is -1");
+	DEF(snap_distance = INFINITY, ".snap_distance is inf");
 	DEF(skin = 0, ".skin is 0");
 	DEF(kinds = 64, ".kinds is 64, has bits other than SCREE_QUERY_*");
 #undef DEF

@@ -125,11 +125,11 @@ static void lists_stay(void** state)
 	scree_world* world = open_world(0.0f);
 	for (int k = 0; k < 900; ++k)
 		add_box(world, SCREE_BODY_DYNAMIC, 0.2f, 0.2f, (float)(k % 30), (float)(k / 30));
-	scree_found_list list;
+	scree_query_results list;
 	OK(scree_world_overlap_box(world, (scree_box){{-0.5f, -0.5f}, {2.5f, 2.5f}}, &list));
 	assert_int_equal(list.count, 9);
-	const scree_found* found = list.found;
-	scree_found kept[9];
+	const scree_query_result* found = list.results;
+	scree_query_result kept[9];
 	memcpy(kept, found, sizeof kept);
 	for (int k = 0; k < list.count; ++k)
 		assert_int_equal(blast(world, found[k].point.x, found[k].point.y, 60.0f, 1.0f, 1.0f), 900);
@@ -147,7 +147,7 @@ static void beyond_the_world(void** state)
 	           near = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 99990.0f, 0.0f);
 	OK(scree_body_set_linear_velocity(world, lost, (scree_vec){300.0f, 0.0f}));
 	run_steps(world, 2);
-	assert_true(position_of(world, lost).x > SCREE_HUGE);
+	assert_true(position_of(world, lost).x > SCREE_MAX_COORDINATE);
 	assert_int_equal(blast(world, 99999.0f, 0.0f, 50.0f, 1.0f, 1.0f), 1);
 	NEAR(velocity_of(world, lost).linear.x, 300.0, 1e-3);
 	assert_true(velocity_of(world, near).linear.x < -0.5f);

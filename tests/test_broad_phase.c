@@ -522,7 +522,7 @@ static void run_layout(const Layout* layout, const Way* way)
 	scree_world* world = open_on(way, &def);
 	uint64_t seed = 77;
 	layout->build(world, &seed);
-	int steps = quick() ? layout->steps / 2 : layout->steps, most = 0, walks = 0;
+	int steps = quick() ? layout->steps / 2 : layout->steps, most = 0, traversals = 0;
 	for (int step = 0; step < steps; ++step)
 	{
 		// a quiet beginning, so that what the layout itself does is seen
@@ -532,10 +532,10 @@ static void run_layout(const Layout* layout, const Way* way)
 		OK(scree_world_step(world, STEP, SUBSTEPS));
 		int pairs = check_pairs(world, layout->name, step);
 		most = pairs > most ? pairs : most;
-		walks += world->pipeline.counters.walks;
+		traversals += world->pipeline.counters.traversals;
 	}
-	print_message("%s on %s: up to %d pairs, %d long walks\n", layout->name, way->name, most, walks);
-	assert_true(layout->build != build_huges || way->threads == 1 || walks > 0);
+	print_message("%s on %s: up to %d pairs, %d long walks\n", layout->name, way->name, most, traversals);
+	assert_true(layout->build != build_huges || way->threads == 1 || traversals > 0);
 	scree_world_destroy(world);
 }
 

@@ -94,8 +94,8 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 		bodies[k].inv_mass = g->moves[k] ? 1.0f : 0.0f;
 	counters->contacts = g->contacts;
 	counters->began = g->began_count;
-	counters->crowded = g->contacts;
-	counters->stirred[CONSTRAINT_CONTACT] = 1;
+	counters->over_limit = g->contacts;
+	counters->dirty[CONSTRAINT_CONTACT] = 1;
 	const Step step = {.place_capacity[CONSTRAINT_CONTACT] = MOST_ITEMS};
 	put(b, POOL_counters, 1, counters);
 	put(b, POOL_body, g->bodies, bodies);
@@ -106,28 +106,28 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	put(b, POOL_pair, g->contacts, g->ends);
 	put(b, POOL_collidable_kind, g->bodies, g->kind);
 	put(b, POOL_began, g->began_count, g->began);
-	run_one(b, &step, STAGE_hub_enter, g->contacts, COUNT(crowded), 0);
+	run_one(b, &step, KERNEL_hub_enter, g->contacts, COUNT(over_limit), 0);
 	int done = 0;
 	do
 	{
 		for (int end = done + MAX_ROUNDS / 2; done < end; ++done)
 		{
 			if (done > 0 && done % MAX_ROUNDS == 0)
-				run_one(b, &(Step){0}, STAGE_color_wrap, 1, NO_COUNT, 0);
+				run_one(b, &(Step){0}, KERNEL_color_wrap, 1, NO_COUNT, 0);
 			int count = done == 0 ? COUNT(began) : COUNT(uncolored) + done % MAX_ROUNDS;
-			run_one(b, &(Step){0}, STAGE_color_claim, g->contacts, count, done);
-			run_one(b, &(Step){0}, STAGE_color_assign, g->contacts, count, done);
+			run_one(b, &(Step){0}, KERNEL_color_claim, g->contacts, count, done);
+			run_one(b, &(Step){0}, KERNEL_color_assign, g->contacts, count, done);
 		}
 		get(b, POOL_counters, 1, counters);
 	} while (counters->uncolored[(done - 1) % MAX_ROUNDS + 1] > 0);
-	run_one(b, &(Step){0}, STAGE_color_reset, g->contacts, COUNT(began), 0);
-	run_one(b, &step, STAGE_color_arrange, 1, NO_COUNT, ((done - 1) % MAX_ROUNDS + 1) | KEY_BITS << 8);
-	run_one(b, &step, STAGE_contact_key, g->contacts, COUNT(arrange), KEY_BITS);
+	run_one(b, &(Step){0}, KERNEL_color_reset, g->contacts, COUNT(began), 0);
+	run_one(b, &step, KERNEL_color_arrange, 1, NO_COUNT, ((done - 1) % MAX_ROUNDS + 1) | KEY_BITS << 8);
+	run_one(b, &step, KERNEL_contact_key, g->contacts, COUNT(arrange), KEY_BITS);
 	run_sort(b, g->contacts, 32, 32 + KEY_BITS);
-	run_one(b, &step, STAGE_contact_edge, g->contacts, COUNT(arrange), KEY_BITS);
+	run_one(b, &step, KERNEL_contact_edge, g->contacts, COUNT(arrange), KEY_BITS);
 	run_one(b, &step, PRIMITIVE_SCAN, g->contacts, COUNT(arrange), 0);
-	run_one(b, &step, STAGE_contact_range, 1, NO_COUNT, 0);
-	run_one(b, &step, STAGE_contact_layout, g->contacts, COUNT(arrange), KEY_BITS);
+	run_one(b, &step, KERNEL_contact_range, 1, NO_COUNT, 0);
+	run_one(b, &step, KERNEL_contact_layout, g->contacts, COUNT(arrange), KEY_BITS);
 	get(b, POOL_contact_color, g->contacts, color);
 	get(b, POOL_color_mask, g->bodies, mask);
 
@@ -391,13 +391,13 @@ static int light_of(const Wheel* w, int k)
 
 static int hub_of(const Wheel* w, int k) { return w->ends[k].x ^ w->ends[k].y ^ light_of(w, k); }
 
-static int turn_of(int hub) { return (hub - 1) % HUB_TURNS; }
+static int turn_of(int hub) { return (hub - 1) % HUB_COLORS; }
 
 // What a body has of hubs: places of their spokes among their light ends, and how many there are in each turn, itself one of
 // them when it is a hub.
 typedef struct
 {
-	int beside[1 + HUBS], hubs[HUB_TURNS];
+	int beside[1 + HUBS], hubs[HUB_COLORS];
 } Share;
 
 static void shares_of(const Wheel* w, Share* shares)
@@ -470,9 +470,9 @@ static void parts_come_together(void** state)
 		put(d, POOL_hub_keys, 1 + HUBS, w->keys);
 		put(d, POOL_contact_place_slot, HUBS * 64, w->slots);
 		put(d, POOL_contact_rows, HUBS * 64 / MAX_LANES, w->constraints);
-		run_one(d, &(Step){0}, STAGE_hub_key, places, NO_COUNT, 0);
-		run_sort(d, places, HUB_KEY_TURN, 32 + 7);
-		run_one(d, &(Step){0}, STAGE_hub_order, places, NO_COUNT, places);
+		run_one(d, &(Step){0}, KERNEL_hub_key, places, NO_COUNT, 0);
+		run_sort(d, places, HUB_KEY_COLOR, 32 + 7);
+		run_one(d, &(Step){0}, KERNEL_hub_order, places, NO_COUNT, places);
 		get(d, POOL_spokes, places / MAX_LANES, w->spokes);
 		for (int i = 0; i < places; ++i)
 		{
@@ -489,15 +489,15 @@ static void parts_come_together(void** state)
 		own->hub_y[0] = 2.0f;
 		own->hub_w[0] = 3.0f;
 		put(d, POOL_spokes, places / MAX_LANES, w->spokes);
-		for (int turn = 0; turn < HUB_TURNS; ++turn)
-			run_one(d, &(Step){0}, STAGE_hub_merge, places, COUNT(split), turn);
+		for (int turn = 0; turn < HUB_COLORS; ++turn)
+			run_one(d, &(Step){0}, KERNEL_hub_merge, places, COUNT(split), turn);
 
 		BodyState after[1 + HUBS + LIGHTS];
 		get(d, POOL_body, 1 + HUBS + LIGHTS, after);
 		for (int body = 0; body < 1 + HUBS + LIGHTS; ++body)
 		{
 			BodyState b = w->bodies[body];
-			for (int turn = 0; turn < HUB_TURNS; ++turn)
+			for (int turn = 0; turn < HUB_COLORS; ++turn)
 				merge(w, shares, body, turn, &b);
 			assert_memory_equal(&after[body], &b, sizeof b);
 		}

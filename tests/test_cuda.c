@@ -103,7 +103,7 @@ static void rays_of_cuda(void** state)
 	OK(scree_world_share_queries(world, file, whole));
 
 	scree_ray* rays = calloc(RAYS, sizeof *rays);
-	scree_found *found = calloc(RAYS, sizeof *found), *shared = calloc(RAYS, sizeof *shared);
+	scree_query_result *found = calloc(RAYS, sizeof *found), *shared = calloc(RAYS, sizeof *shared);
 	uint64_t seed = 5;
 	int hits = 0;
 	for (int k = 0; k < RAYS; ++k)

@@ -42,19 +42,19 @@ static scree_events events_of(scree_world* world)
 
 static int moved_of(scree_world* world, scree_body* first)
 {
-	scree_moved_list list;
-	OK(scree_world_get_moved(world, &list));
+	scree_moved_bodies list;
+	OK(scree_world_get_moved_bodies(world, &list));
 	for (int k = 1; k < list.count; ++k)
-		assert_true(list.moved[k - 1].body.index < list.moved[k].body.index);
-	*first = list.count > 0 ? list.moved[0].body : SCREE_NULL_BODY;
+		assert_true(list.bodies[k - 1].body.index < list.bodies[k].body.index);
+	*first = list.count > 0 ? list.bodies[0].body : SCREE_NULL_BODY;
 	for (int k = 0; k < list.count; ++k)
 	{
 		scree_pose pose;
 		scree_velocity velocity;
-		OK(scree_body_get_pose(world, list.moved[k].body, &pose));
-		OK(scree_body_get_velocity(world, list.moved[k].body, &velocity));
-		assert_memory_equal(&pose, &list.moved[k].pose, sizeof pose);
-		assert_memory_equal(&velocity, &list.moved[k].velocity, sizeof velocity);
+		OK(scree_body_get_pose(world, list.bodies[k].body, &pose));
+		OK(scree_body_get_velocity(world, list.bodies[k].body, &velocity));
+		assert_memory_equal(&pose, &list.bodies[k].pose, sizeof pose);
+		assert_memory_equal(&velocity, &list.bodies[k].velocity, sizeof velocity);
 	}
 	return list.count;
 }

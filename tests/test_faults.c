@@ -305,7 +305,7 @@ static void expect(bool timings)
 		expected[k] = hash_of(s.world);
 	}
 	scree_counters counters = counters_of(s.world);
-	assert_true(counters.grown > 3 && counters.contacts > 512);
+	assert_true(counters.reallocations > 3 && counters.contacts > 512);
 	scree_world_destroy(s.world);
 	assert_int_equal(scree_memory(), 0);
 }
@@ -466,7 +466,7 @@ static scree_status faulty_wait(Backend* b)
 	return status ? status : real->wait(b);
 }
 
-static scree_status faulty_timings(Backend* b, double milliseconds[BOX_COUNT])
+static scree_status faulty_timings(Backend* b, double milliseconds[STAGE_COUNT])
 {
 	scree_status status = device_fails(false);
 	return status ? status : real->timings(b, milliseconds);
@@ -481,7 +481,7 @@ static const BackendFunctions faulty = {
     .read = faulty_read,
     .read_begin = faulty_read_begin,
     .read_end = faulty_read_end,
-    .exchange = exchange_whole,
+    .batch = batch_whole,
     .wait = faulty_wait,
     .timings = faulty_timings,
 };

@@ -115,7 +115,7 @@ static void broken_joints_have_a_cross(void** state)
 	def.body_b = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 1.0f, 0.0f);
 	OK(scree_joint_def_place(world, &def, (scree_pose){{1.0f, 2.0f}, {1.0f, 0.0f}}));
 	def.force_threshold = 5.0f;
-	def.breaks = true;
+	def.can_break = true;
 	OK(scree_joint_create(world, &def, &joint));
 	for (int k = 1; k <= 10; ++k)
 		step(world, &tables, &flashes, &camera, &style, k);

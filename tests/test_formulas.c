@@ -70,7 +70,7 @@ static void boxes_follow_bodies(void** state)
 		NEAR(placed.y, 20.0 + 2.0 * s, 1e-5);
 		NEAR(placed.x + placed.center_x, 10.0, 1e-5);
 		NEAR(placed.y + placed.center_y, 20.0, 1e-5);
-		assert_int_equal(p.moved[item], leaves[turn]);
+		assert_int_equal(p.collidable_flags[item], leaves[turn]);
 		assert_int_equal(listed, leaves[turn]);
 		assert_memory_equal(p.old_box + item, &old, sizeof old);
 		if (!leaves[turn])
@@ -98,7 +98,7 @@ static void boxes_follow_bodies(void** state)
 	// what was destroyed has an empty box, and has moved: its contacts end
 	p.collidable_kind[item] = KIND_DEAD;
 	transform_item(&p, item);
-	assert_true(p.moved[item] && box_is_empty(p.box[item]));
+	assert_true(p.collidable_flags[item] && box_is_empty(p.box[item]));
 	close_pools(&p);
 }
 
@@ -233,7 +233,7 @@ static void answers_are_counted_up_to_a_limit(void** state)
 	(void)state;
 	Pools p = {0};
 	open_pools(&p);
-	Found held[2] = {{.collidable = 1}, {.collidable = 2}};
+	QueryResult held[2] = {{.collidable = 1}, {.collidable = 2}};
 	*p.query_plan = (QueryPlan){.room = 3};
 	assert_int_equal(query_append(&p, 5, held, 2), 1);
 	assert_int_equal(query_append(&p, 6, held, 2), 1);

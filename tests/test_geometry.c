@@ -322,7 +322,7 @@ static void a_moved_shape_keeps_its_mass(void** state)
 
 	// so far out that floats cannot hold its corners apart
 	scree_pose far = {{99999.0f, 0.0f}, {1.0f, 0.0f}};
-	assert_refused(scree_shape_transform(&shapes[0], far, &moved), "moved.vertices");
+	assert_refused(scree_shape_transform(&shapes[0], far, &moved), "transformed.vertices");
 	scree_pose beyond = {{100001.0f, 0.0f}, {1.0f, 0.0f}};
 	assert_refused(scree_shape_transform(&shapes[1], beyond, &moved), "pose.position.x is 100001");
 }

@@ -139,7 +139,7 @@ static void ropes_tear(void** state)
 		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.05f, 0.25f, 0.0f, -0.25f - 0.5f * (float)k);
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : NOBODY, links[k], 0.0f,
 		                                   -0.5f * (float)k, 0.0f);
-		def.breaks = k == 12;
+		def.can_break = k == 12;
 		def.force_threshold = k == 12 ? (float)(18.5 * 0.05 * G) : 3e38f;
 		scree_joint joint = add_joint(world, &def);
 		weak = k == 12 ? joint : weak;
@@ -353,7 +353,7 @@ static void nets_hold_their_weight(void** state)
 	enum
 	{
 		SIZE = 70,
-		HELD = 3
+		STOPPED = 3
 	};
 	scree_world* world = open_world((float)-G);
 	static scree_body bodies[SIZE * SIZE];
@@ -362,7 +362,7 @@ static void nets_hold_their_weight(void** state)
 	for (int k = 0; k < SIZE * SIZE; ++k)
 	{
 		int column = k / SIZE, line = k % SIZE;
-		bool held = line == 0 && abs(column - SIZE / 2) <= HELD;
+		bool held = line == 0 && abs(column - SIZE / 2) <= STOPPED;
 		bodies[k] = add_body(world, held ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC, attribute, (float)column,
 		                     (float)-line, 0.0f);
 		if (line > 0)

@@ -60,7 +60,7 @@ static void broken_joints_let_bodies_collide(void** state)
 	scree_body low = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f),
 	           high = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
 	scree_joint_def def = joint_def_at(world, SCREE_JOINT_WELD, low, high, 0.0f, 1.0f, 0.0f);
-	def.breaks = true;
+	def.can_break = true;
 	def.force_threshold = 100.0f;
 	scree_joint joint = add_joint(world, &def);
 	step(world, 60);
@@ -253,7 +253,7 @@ static void settings_are_read_and_act(void** state)
 	assert_true(now.type == SCREE_JOINT_WELD && scree_body_is_null(now.body_a) && scree_body_equals(now.body_b, body));
 	assert_true(now.frame_a.position.x == 0.5f && now.frame_a.rotation.s == scree_rot_make(0.3f).s);
 	assert_true(now.hertz == 50.0f && now.damping_ratio == 3.0f && now.user == 9 && now.collide_connected);
-	assert_true(now.force_threshold == 7.0f && now.torque_threshold == 8.0f && !now.breaks);
+	assert_true(now.force_threshold == 7.0f && now.torque_threshold == 8.0f && !now.can_break);
 	step(world, 120);
 	assert_near(pose_of(world, body).position.x, 0.5, 1e-3);
 	assert_near(pose_of(world, body).position.y, 0.25, 1e-3);
@@ -348,7 +348,7 @@ static void joints_are_disabled(void** state)
 	assert_near(joint_state_of(world, joint).values[SCREE_ANGLE], turned + 3.0 * 20.0 / 60.0, 0.5);
 	assert_near(joint_state_of(world, joint).torque, 0.0, 0.0);
 	assert_ok(scree_joint_get_def(world, joint, &def));
-	assert_true(def.disabled && def.breaks);
+	assert_true(def.disabled && def.can_break);
 	scree_world_destroy(world);
 }
 

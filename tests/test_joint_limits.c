@@ -210,7 +210,7 @@ static void joints_break_at_their_threshold(void** state)
 			if (types[k] == SCREE_JOINT_DISTANCE)
 				def.frame_a.position.y += 1.0f;
 			def.force_threshold = (float)(weight * (above == 1 ? 1.005 : 0.995));
-			def.breaks = above < 2;
+			def.can_break = above < 2;
 			def.user = 77;
 			scree_joint joint = add_joint(world, &def);
 			int events = 0;
@@ -246,7 +246,7 @@ static void torques_break(void** state)
 		scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.1f, 0.5f, 0.0f);
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_WELD, NOBODY, body, 0.0f, 0.0f, 0.0f);
 		def.torque_threshold = (float)(0.5 * weight_of(world, body) * (above ? 1.01 : 0.99));
-		def.breaks = true;
+		def.can_break = true;
 		scree_joint joint = add_joint(world, &def);
 		run_steps(world, 120);
 		assert_true(joint_state_of(world, joint).broken == !above);

@@ -20,7 +20,7 @@ static scree_joint hang(scree_world* world, float x, float half, float above, fl
 	def.body_b = add_box(world, SCREE_BODY_DYNAMIC, half, half, x, 5.0f);
 	OK(scree_joint_def_place(world, &def, (scree_pose){{x, 5.0f + above}, {1.0f, 0.0f}}));
 	def.force_threshold = threshold;
-	def.breaks = true;
+	def.can_break = true;
 	OK(scree_joint_create(world, &def, &joint));
 	return joint;
 }

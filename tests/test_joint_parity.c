@@ -74,7 +74,7 @@ static void build_chains(scree_world* world, const void* context)
 				at->motor_speed = 1.0f;
 				at->motor_max = 3.0f;
 			}
-			def.breaks = k % 6 == 5;
+			def.can_break = k % 6 == 5;
 			def.force_threshold = k % 2 ? 30.0f : 3.4e38f;
 			if (k > 0 || row % 2)
 				add_joint(world, &def);
@@ -174,8 +174,8 @@ static void build_branches(scree_world* world, const void* context)
 				angle->limited = k % 2 == 0 && !angle->locked;
 				angle->lower = -0.1f;
 				angle->upper = 0.3f;
-				def.breaks = k == 5 && n == 1;
-				def.force_threshold = def.breaks ? 3.0f : 3.4e38f;
+				def.can_break = k == 5 && n == 1;
+				def.force_threshold = def.can_break ? 3.0f : 3.4e38f;
 				add_joint(world, &def);
 				above = part;
 			}
@@ -256,7 +256,7 @@ static void vary(scree_joint_def* def, int k)
 	along->motor = k % 8 == 7;
 	along->motor_speed = 1.0f;
 	along->motor_max = 20.0f;
-	def->breaks = k % 6 == 5;
+	def->can_break = k % 6 == 5;
 	def->force_threshold = k % 6 == 5 ? 1.5f : 3.4e38f;
 	def->torque_threshold = k % 3 == 2 ? 2.0f : 3.4e38f;
 }
@@ -398,7 +398,7 @@ static void add_bead(scree_world* world, scree_path path, scree_body a, scree_po
 	def.body_a = a;
 	def.body_b = bead;
 	def.path = path;
-	def.path_near = (float)(k % 5 - 2);
+	def.initial_along = (float)(k % 5 - 2);
 	if (k % 6 == 1)
 		GOOD(scree_joint_def_mount(world, &def, length * (float)(k % 11) / 5.0f));
 	scree_joint_coordinate *along = def.coordinates, *across = along + 1, *angle = along + 2;
@@ -424,7 +424,7 @@ static void add_bead(scree_world* world, scree_path path, scree_body a, scree_po
 	along->spring_hertz = 0.5f;
 	along->locked = k % 13 == 12;
 	along->target = 2.0f;
-	def.breaks = k % 6 == 5;
+	def.can_break = k % 6 == 5;
 	def.force_threshold = k % 2 ? 30.0f : 3.4e38f;
 	def.torque_threshold = k % 5 == 2 ? 1.0f : 3.4e38f;
 	add_joint(world, &def);

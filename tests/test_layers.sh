@@ -49,7 +49,7 @@ elsewhere='backend/backend.h cpu_open     each device defines its own, in src/cp
 backend/backend.h cpu_devices    the same
 backend/backend.h opencl_open    the same; src/world/device/devices.c in a build without OpenCL
 backend/backend.h opencl_devices the same
-backend/backend.h opencl_remedy  the same'
+backend/backend.h opencl_hint  the same'
 
 # "file includes file", both from the root of the tree, for some folders
 includes()

@@ -75,18 +75,18 @@ static void without_density(void** state)
 	surface.density = 0.0f;
 	scree_body_def def = box_def(world, SCREE_BODY_DYNAMIC, 0.0f, 2.0f);
 	assert_ok(scree_attribute_create(world, &surface, &def.attribute));
-	scree_body light, bare;
+	scree_body light, unlocked;
 	assert_ok(scree_body_create(world, &def, &light));
 	def = scree_body_def_default();
 	def.pose.position.x = 5.0f;
-	assert_ok(scree_body_create(world, &def, &bare));
+	assert_ok(scree_body_create(world, &def, &unlocked));
 	assert_mass(world, light, one);
-	assert_mass(world, bare, one);
+	assert_mass(world, unlocked, one);
 	assert_pushed(world, light, one);
 	step(world, 120);
 	assert_near(pose_of(world, light).position.y, 0.5, 0.01);
 	assert_true(pose_of(world, light).rotation.s == 0.0f);
-	assert_near(velocity_of(world, bare).linear.y, -20.0, 1e-3);
+	assert_near(velocity_of(world, unlocked).linear.y, -20.0, 1e-3);
 	scree_world_destroy(world);
 }
 

@@ -163,8 +163,8 @@ static void rides_on_platforms(void** state)
 		assert_false(scree_collidable_is_null(m.ground));
 		NEAR(m.position.x - at.x, 1.0, 2e-3);
 		NEAR(m.position.y - at.y, 0.5 + HALF + 0.01, 2e-3);
-		NEAR(m.carried.x, ways[k].linear.x, 1e-2);
-		NEAR(m.carried.y, ways[k].linear.y, 1e-2);
+		NEAR(m.ground_velocity.x, ways[k].linear.x, 1e-2);
+		NEAR(m.ground_velocity.y, ways[k].linear.y, 1e-2);
 	}
 	// it turns by 30 degrees: the mover stays at its place of the platform; targets carry too
 	scree_vec at = position_of(world, platform);
@@ -271,9 +271,9 @@ static void hostile_movers(void** state)
 		def.radius = sizes[random_below(&seed, 5)];
 		def.length = random_below(&seed, 2) ? 0.0f : 2.0f * sizes[random_below(&seed, 5)];
 		def.skin = random_below(&seed, 2) ? 0.001f : 0.3f * def.radius + 0.001f;
-		def.climb = random_below(&seed, 2) ? 0.0f : def.radius;
-		def.snap = random_below(&seed, 2) ? 0.0f : def.radius;
-		def.slope = random_between(&seed, 0.0f, 1.57f);
+		def.step_height = random_below(&seed, 2) ? 0.0f : def.radius;
+		def.snap_distance = random_below(&seed, 2) ? 0.0f : def.radius;
+		def.max_slope = random_between(&seed, 0.0f, 1.57f);
 		def.up = random_below(&seed, 2) ? def.up : (scree_vec){scree_rot_make(angle).c, scree_rot_make(angle).s};
 		scree_mover movers[20];
 		float out = far[random_below(&seed, 3)];
@@ -384,7 +384,7 @@ static void jumps_through_platforms(void** state)
 	from_above.one_way = true;
 	scree_ray rays[2] = {{.origin = {0.0f, 9.0f}, .translation = {0.0f, -5.0f}},
 	                     {.origin = {0.0f, 2.0f}, .translation = {0.0f, 5.0f}}};
-	scree_found found[2];
+	scree_query_result found[2];
 	OK(scree_world_cast_rays(world, &from_above, rays, 2, found));
 	assert_true(found[0].hit && !found[1].hit);
 	OK(scree_world_cast_rays(world, NULL, rays, 2, found));
@@ -398,13 +398,13 @@ static void at_the_end_of_the_world(void** state)
 	(void)state;
 	scree_world* world = open_world(-10.0f);
 	add_box(world, SCREE_BODY_STATIC, 10.0f, 1.0f, 99995.0f, -1.0f);
-	add_box(world, SCREE_BODY_STATIC, 0.01f, 0.1f, SCREE_HUGE, 0.1f);
+	add_box(world, SCREE_BODY_STATIC, 0.01f, 0.1f, SCREE_MAX_COORDINATE, 0.1f);
 	scree_mover mover = {.position = {99999.0f, 0.61f}};
 	for (int k = 0; k < 90; ++k)
 	{
 		mover.velocity = (scree_vec){2.0f, mover.velocity.y - 0.16f};
 		OK(scree_movers_move(world, NULL, &mover, 1, STEP));
-		assert_true(mover.position.x <= SCREE_HUGE && mover.position.y > 0.5f);
+		assert_true(mover.position.x <= SCREE_MAX_COORDINATE && mover.position.y > 0.5f);
 	}
 	assert_true(mover.position.x > 99999.6f);
 	scree_world_destroy(world);

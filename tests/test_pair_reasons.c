@@ -91,7 +91,7 @@ static void add_ball(Pair* pair, Reason reason, float x, bool sensor)
 	assert_ok(scree_attribute_create(pair->world, &surface, &def.attribute));
 	def.pose.position.x = x;
 	def.sensor = sensor ? SCREE_SENSOR_MOVING | SCREE_SENSOR_STATIC : 0;
-	def.reports = reason == REFUSED ? SCREE_REPORT_ASKS : 0;
+	def.reports = reason == REFUSED ? SCREE_REPORT_APPROVAL : 0;
 	if (reason == GROUP)
 		def.filter.group = -1;
 	if (reason == MASKS)
@@ -140,8 +140,8 @@ static Pair begin(Reason reason, scree_body_type type, float x, bool sensor)
 	scree_events events;
 	const bool no = false;
 	assert_ok(scree_world_get_events(pair.world, &events));
-	assert_int_equal(events.asked_count, 1);
-	assert_ok(scree_world_answer_asked(pair.world, &no, 1));
+	assert_int_equal(events.approval_count, 1);
+	assert_ok(scree_world_approve_contacts(pair.world, &no, 1));
 	return pair;
 }
 
@@ -178,14 +178,14 @@ static uint64_t sweep(Reason reason, scree_body_type type)
 }
 
 // The force moves the ball by 10 a h^2 = 0.6 m in four substeps of 1/240 s. It lies still before, so that no contact foresees it.
-static uint64_t guard(Reason reason, scree_body_type type)
+static uint64_t continuous(Reason reason, scree_body_type type)
 {
 	Pair pair = begin(reason, type, -0.3f, false);
 	float mass = 3.14159f * RADIUS * RADIUS;
 	assert_ok(scree_body_apply_force(pair.world, pair.ball, (scree_vec){3456.0f * mass, 0.0f}));
 	step(pair.world, 1);
 	expect(pose_of(pair.world, pair.ball).position.x < 0.0f, table[reason].guards, "guard", reason, type);
-	expect(counters_of(pair.world).held > 0, table[reason].guards, "held", reason, type);
+	expect(counters_of(pair.world).stopped_bodies > 0, table[reason].guards, "held", reason, type);
 	return end(pair);
 }
 
@@ -212,7 +212,7 @@ static uint64_t all_cells(void)
 		scree_body_type type = k % 2 ? SCREE_BODY_DYNAMIC : SCREE_BODY_STATIC;
 		hash = hash * 31 + contact(reason, type);
 		hash = hash * 31 + sweep(reason, type);
-		hash = hash * 31 + guard(reason, type);
+		hash = hash * 31 + continuous(reason, type);
 		hash = hash * 31 + sensor(reason, type);
 	}
 	return hash;
@@ -270,7 +270,7 @@ static void a_door_turns_in_its_frame(void** state)
 		for (int n = 0; n < 30; ++n)
 		{
 			step(world, 1);
-			held += counters_of(world).held;
+			held += counters_of(world).stopped_bodies;
 		}
 		scree_joint_state now;
 		assert_ok(scree_joint_get_state(world, joint, &now));

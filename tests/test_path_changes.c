@@ -340,7 +340,7 @@ static void placing_moves_frame_b(void** state)
 	GOOD(scree_joint_def_mount(world, &def, 2.5f)); // at (3.5, 0) in the world
 	NEAR(def.frame_b.position.x, -0.5, 1e-6);
 	NEAR(def.frame_b.position.y, -1.0, 1e-6);
-	NEAR(def.path_near, 2.5, 0.0);
+	NEAR(def.initial_along, 2.5, 0.0);
 	scree_world_destroy(world);
 }
 

@@ -232,7 +232,7 @@ static void loads_are_no_presses(void** state)
 			scree_vec v = velocity_of(world, wheels[k]).linear;
 			assert_true(hypotf(v.x, v.y) < 0.01f);
 		}
-		assert_int_equal(counters_of(world).held, 0);
+		assert_int_equal(counters_of(world).stopped_bodies, 0);
 	}
 	scree_world_destroy(world);
 }

@@ -134,7 +134,8 @@ static bool is_away(const Item* item, const Exact* from, double reach, double x,
 
 // Checks the first answer, and the list of all, of a shape that moves along a path.
 static void check_cast(const Place* place, const scree_query_def* def, const Exact* from, double reach, scree_vec path,
-                       scree_body ignored, const scree_found* first, const scree_found* all, int count, double slack)
+                       scree_body ignored, const scree_query_result* first, const scree_query_result* all, int count,
+                       double slack)
 {
 	double x = (double)path.x, y = (double)path.y, length = hypot(x, y), best = 2.0;
 	int met = 0;
@@ -144,7 +145,7 @@ static void check_cast(const Place* place, const scree_query_def* def, const Exa
 		double least = INFINITY, fraction = 2.0;
 		if (accepts(item, def, ignored) && !is_away(item, from, reach, x, y))
 			fraction = exact_meeting(&item->exact, from, x, y, &least);
-		const scree_found* found = NULL;
+		const scree_query_result* found = NULL;
 		for (int i = 0; i < count; ++i)
 			if (scree_collidable_equals(all[i].collidable, item->handle))
 			{
@@ -221,8 +222,8 @@ static void check_rays(const Place* place, uint64_t* seed, double slack)
 		                      .translation = random_path(seed, place->size),
 		                      .radius = random_below(seed, 2) ? 0.0f : random_between(seed, 0.0f, 0.1f * place->size),
 		                      .ignored = random_body(seed, place)};
-	scree_found first[QUERIES], some[QUERIES];
-	scree_found_list list;
+	scree_query_result first[QUERIES], some[QUERIES];
+	scree_query_results list;
 	OK(scree_world_cast_rays(place->world, &def, rays, QUERIES, first));
 	OK(scree_world_cast_rays(place->world, &any, rays, QUERIES, some));
 	OK(scree_world_list_rays(place->world, &def, rays, QUERIES, &list));
@@ -234,7 +235,7 @@ static void check_rays(const Place* place, uint64_t* seed, double slack)
 		              .y = {(double)rays[k].origin.y},
 		              .radius = (double)rays[k].radius};
 		check_cast(place, &def, &from, from.radius, rays[k].translation, rays[k].ignored, first + k,
-		           list.found + list.first[k], list.first[k + 1] - list.first[k], slack);
+		           list.results + list.first[k], list.first[k + 1] - list.first[k], slack);
 		assert_true(some[k].hit == first[k].hit && scree_collidable_is_null(some[k].collidable));
 	}
 }
@@ -251,8 +252,8 @@ static void check_shapes(const Place* place, uint64_t* seed, float scale, double
 			probes[k] = (scree_probe){random_pose(seed, place->center, place->size),
 			                          random_below(seed, 3) ? random_path(seed, place->size) : (scree_vec){0.0f, 0.0f},
 			                          random_body(seed, place)};
-		scree_found first[QUERIES / 6], some[QUERIES / 6];
-		scree_found_list list;
+		scree_query_result first[QUERIES / 6], some[QUERIES / 6];
+		scree_query_results list;
 		OK(scree_world_cast_shapes(place->world, &def, &shape, probes, QUERIES / 6, first));
 		OK(scree_world_cast_shapes(place->world, &any, &shape, probes, QUERIES / 6, some));
 		OK(scree_world_list_shapes(place->world, &def, &shape, probes, QUERIES / 6, &list));
@@ -262,7 +263,7 @@ static void check_shapes(const Place* place, uint64_t* seed, float scale, double
 			Exact from = exact_at(&shape, (double)pose.position.x, (double)pose.position.y, (double)pose.rotation.c,
 			                      (double)pose.rotation.s);
 			check_cast(place, &def, &from, 2.0 * (double)shape.reach, probes[k].translation, probes[k].ignored,
-			           first + k, list.found + list.first[k], list.first[k + 1] - list.first[k], slack);
+			           first + k, list.results + list.first[k], list.first[k + 1] - list.first[k], slack);
 			assert_true(some[k].hit == first[k].hit);
 		}
 	}
@@ -278,7 +279,7 @@ static void check_nearest(const Place* place, uint64_t* seed, float scale, doubl
 		if (!given)
 			shape = (scree_shape){.count = 1};
 		scree_probe probes[QUERIES / 6];
-		scree_found found[QUERIES / 6];
+		scree_query_result found[QUERIES / 6];
 		float most = random_below(seed, 2) ? 4.0f * place->size : scale;
 		for (int k = 0; k < QUERIES / 6; ++k)
 			probes[k] =
@@ -378,7 +379,7 @@ static void shapes_alone(void** state)
 		           at_b = random_pose(&seed, place.center, place.size), to_a = at_a, to_b = at_b;
 		scree_vec path = random_path(&seed, place.size);
 		scree_distance d;
-		scree_found found;
+		scree_query_result found;
 		OK(scree_shapes_get_distance(&a, at_a, &b, at_b, &d));
 		Exact one = exact_at(&a, (double)at_a.position.x, (double)at_a.position.y, (double)at_a.rotation.c,
 		                     (double)at_a.rotation.s);
@@ -439,7 +440,7 @@ static void rays_through_segments(void** state)
 		scree_vec through = {at.position.x + at.rotation.c * on.x - at.rotation.s * on.y,
 		                     at.position.y + at.rotation.s * on.x + at.rotation.c * on.y};
 		scree_vec from = {random_between(&seed, -4.0f, 4.0f), random_between(&seed, -4.0f, 4.0f)};
-		scree_found found;
+		scree_query_result found;
 		OK(scree_shape_cast_ray(&shape, at, from, (scree_vec){2.0f * (through.x - from.x), 2.0f * (through.y - from.y)},
 		                        &found));
 		assert_true(found.hit);

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#define ASKED 500
+#define APPROVAL 500
 
 // A batch so large that a GPU gets it in parts has the answers of small ones; a bad item at its end leaves all answers as they were.
 static void large_batches(void** state)
@@ -22,8 +22,8 @@ static void large_batches(void** state)
 		FEW = 50000
 	};
 	scree_ray* rays = malloc(MANY * sizeof *rays);
-	scree_found* found = malloc(2 * MANY * sizeof *found);
-	scree_found* large = found + MANY;
+	scree_query_result* found = malloc(2 * MANY * sizeof *found);
+	scree_query_result* large = found + MANY;
 	uint64_t seed = 5;
 	Way ways[MAX_WAYS];
 	int count = list_ways(ways);
@@ -80,16 +80,16 @@ static float any_float(uint64_t* seed)
 // Items of any bits are refused or answered, and no device reads beyond its pools for them.
 static uint64_t ask_bits(scree_world* world)
 {
-	static scree_ray rays[ASKED];
-	static scree_probe probes[ASKED];
-	static scree_found found[ASKED];
+	static scree_ray rays[APPROVAL];
+	static scree_probe probes[APPROVAL];
+	static scree_query_result found[APPROVAL];
 	uint64_t seed = 6, hash = HASH_BEGIN;
 	scree_shape shape = box_shape(0.4f, 0.1f);
 	scree_query_def def = scree_query_def_default();
-	scree_found_list list;
+	scree_query_results list;
 	for (int turn = 0; turn < (quick() ? 50 : 500); ++turn)
 	{
-		int count = 1 + random_below(&seed, turn % 2 ? 4 : ASKED), refused = 0;
+		int count = 1 + random_below(&seed, turn % 2 ? 4 : APPROVAL), refused = 0;
 		def.any = turn % 3 == 0;
 		for (int k = 0; k < count; ++k)
 		{

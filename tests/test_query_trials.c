@@ -20,19 +20,19 @@ typedef struct
 // the same everywhere
 // ---------------------------------------------------------------------------------------------------------------
 
-#define BODIES 300
-#define ASKED  500
+#define BODIES   300
+#define APPROVAL 500
 
 // Asks everything, and adds the answers to a hash.
 static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
 {
-	static scree_ray rays[ASKED];
-	static scree_probe probes[ASKED];
-	static scree_found found[ASKED];
+	static scree_ray rays[APPROVAL];
+	static scree_probe probes[APPROVAL];
+	static scree_query_result found[APPROVAL];
 	scree_shape shape = random_shape(seed, 1.0f);
 	scree_query_def def = random_def(seed);
-	scree_found_list list;
-	for (int k = 0; k < ASKED; ++k)
+	scree_query_results list;
+	for (int k = 0; k < APPROVAL; ++k)
 	{
 		rays[k] = (scree_ray){.origin = random_pose(seed, place->center, place->size).position,
 		                      .translation = random_path(seed, place->size)};
@@ -40,17 +40,18 @@ static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
 		probes[k] = (scree_probe){.pose = random_pose(seed, place->center, place->size),
 		                          .translation = random_path(seed, place->size)};
 	}
-	OK(scree_world_cast_rays(place->world, &def, rays, ASKED, found));
+	OK(scree_world_cast_rays(place->world, &def, rays, APPROVAL, found));
 	hash = hash_more(hash, found, sizeof found);
-	OK(scree_world_cast_shapes(place->world, &def, &shape, probes, ASKED, found));
+	OK(scree_world_cast_shapes(place->world, &def, &shape, probes, APPROVAL, found));
 	hash = hash_more(hash, found, sizeof found);
-	OK(scree_world_list_shapes(place->world, &def, &shape, probes, ASKED, &list));
-	hash = hash_more(hash, list.found, (size_t)list.count * sizeof *list.found);
-	OK(scree_world_list_rays(place->world, &def, rays, ASKED / 10, &list));
-	hash = hash_more(hash, list.first, (ASKED / 10 + 1) * sizeof *list.first);
-	for (int k = 0; k < ASKED; ++k)
+	OK(scree_world_list_shapes(place->world, &def, &shape, probes, APPROVAL, &list));
+	hash = hash_more(hash, list.results, (size_t)list.count * sizeof *list.results);
+	OK(scree_world_list_rays(place->world, &def, rays, APPROVAL / 10, &list));
+	hash = hash_more(hash, list.first, (APPROVAL / 10 + 1) * sizeof *list.first);
+	for (int k = 0; k < APPROVAL; ++k)
 		probes[k].translation = (scree_vec){0.0f, 0.0f};
-	OK(scree_world_find_nearest(place->world, &def, random_below(seed, 2) ? &shape : NULL, probes, ASKED, 5.0f, found));
+	OK(scree_world_find_nearest(place->world, &def, random_below(seed, 2) ? &shape : NULL, probes, APPROVAL, 5.0f,
+	                            found));
 	return hash_more(hash, found, sizeof found);
 }
 
@@ -134,15 +135,15 @@ static void all_at_one_point(void** state)
 	scree_world* world = open_world(0.0f);
 	for (int k = 0; k < COUNT; ++k)
 		add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 1.0f, 2.0f);
-	scree_found found;
-	scree_found_list list;
+	scree_query_result found;
+	scree_query_results list;
 	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, 2.0f}, (scree_vec){10.0f, 0.0f}, &found));
 	assert_true(found.hit && found.collidable.index == 1);
 	NEAR(found.fraction, 0.35, 1e-6);
 	OK(scree_world_overlap_point(world, (scree_vec){1.2f, 2.2f}, &list));
 	assert_int_equal(list.count, COUNT);
 	for (int k = 0; k < COUNT; ++k)
-		assert_true(list.found[k].inside && list.found[k].collidable.index == (uint32_t)k + 1);
+		assert_true(list.results[k].inside && list.results[k].collidable.index == (uint32_t)k + 1);
 	OK(scree_world_overlap_point(world, (scree_vec){1.6f, 2.2f}, &list));
 	assert_int_equal(list.count, 0);
 	OK(scree_world_overlap_box(world, (scree_box){{1.4f, 2.4f}, {8.0f, 9.0f}}, &list));
@@ -157,7 +158,7 @@ static void edges_and_insides(void** state)
 	scree_world* world = open_world(0.0f);
 	add_box(world, SCREE_BODY_STATIC, 1.0f, 1.0f, 0.0f, 0.0f);
 	scree_body far = add_box(world, SCREE_BODY_DYNAMIC, 1.0f, 1.0f, 6.0f, 0.0f);
-	scree_found found;
+	scree_query_result found;
 	OK(scree_world_cast_ray(world, (scree_vec){0.5f, 0.0f}, (scree_vec){10.0f, 0.0f}, &found));
 	assert_true(found.hit && found.inside && found.fraction == 0.0f && found.normal.x == 0.0f);
 	scree_query_def def = scree_query_def_default();
@@ -213,8 +214,8 @@ static void ignores_what_is_gone(void** state)
 		scree_probe probe = {.pose = {{-4.0f, 0.0f}, {1.0f, 0.0f}}, .ignored = gone};
 		scree_mover mover = {.position = {0.0f, 1.612f}, .velocity = {0.0f, -1.0f}, .ignored = gone};
 		scree_shape shape = box_shape(0.25f, 0.25f);
-		scree_found found[2];
-		scree_found_list list;
+		scree_query_result found[2];
+		scree_query_results list;
 		rays[1] = rays[0];
 		rays[1].ignored = SCREE_NULL_BODY;
 		for (int round = 0; round < 3; ++round)
@@ -256,7 +257,7 @@ static void tight_places(void** state)
 	add_box(world, SCREE_BODY_STATIC, 5.0f, 1.0f, 0.0f, 2.001f);
 	add_box(world, SCREE_BODY_STATIC, 5.0f, 1.0f, 0.0f, -2.001f);
 	scree_shape shape = box_shape(1.0f, 1.0f);
-	scree_found found;
+	scree_query_result found;
 	scree_pose pose = {{-10.0f, 0.0f}, {1.0f, 0.0f}};
 	OK(scree_world_cast_shape(world, &shape, pose, (scree_vec){20.0f, 0.0f}, &found));
 	assert_true(!found.hit);

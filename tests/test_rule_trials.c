@@ -88,10 +88,10 @@ static void act(scree_world* world, int step, const void* context)
 	scree_events events;
 	bool answers[1000];
 	OK(scree_world_get_events(world, &events));
-	for (int i = 0; i < events.asked_count; ++i)
+	for (int i = 0; i < events.approval_count; ++i)
 		answers[i] = random_below(seed, 2);
 	if (random_below(seed, 4))
-		OK(scree_world_answer_asked(world, answers, events.asked_count));
+		OK(scree_world_approve_contacts(world, answers, events.approval_count));
 	OK(scree_body_get_collidables(world, trial.bodies[k], &part, 1, &count));
 	switch (random_below(seed, 8))
 	{
@@ -151,7 +151,7 @@ static void all_devices_agree(void** state)
 	               .act = act};
 	scree_counters last;
 	check_parity(&story, ways, count, &last);
-	assert_int_equal(last.nonfinite, 0);
+	assert_int_equal(last.frozen_bodies, 0);
 }
 
 int main(void)

@@ -246,7 +246,7 @@ static void test_joints(void** state)
 	assert_true(along->spring && along->spring_hertz == 4 && along->spring_damping_ratio == 0.7f);
 	assert_true(d->coordinates[SCREE_ACROSS].locked && !along->locked && !along->motor);
 	assert_true(angle->motor && angle->motor_speed == 5 && angle->motor_max == 2 && !angle->limited);
-	assert_true(d->hertz == 30 && d->damping_ratio == 2 && d->breaks && d->force_threshold == 102);
+	assert_true(d->hertz == 30 && d->damping_ratio == 2 && d->can_break && d->force_threshold == 102);
 	assert_true(along->spring_push == 5 && along->spring_pull == 2 && along->spring_max == FLT_MAX);
 	assert_true(d->collide_connected && !defs[3].collide_connected);
 	assert_true(d->disabled && d->elliptic && !defs[3].disabled && !defs[3].elliptic);

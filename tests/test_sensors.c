@@ -182,7 +182,7 @@ static void kinds_and_filters(void** state)
 	assert_int_equal(visits_of(world, all), 0);
 	assert_int_equal(events_of(world).visits_ended_count, 7 + 1); // own does not see all any more
 	// queries see sensors when asked
-	scree_found found;
+	scree_query_result found;
 	scree_query_def query = scree_query_def_default();
 	scree_ray ray = {.origin = {-3.0f, 0.9f}, .translation = {6.0f, 0.0f}};
 	OK(scree_world_cast_rays(world, &query, &ray, 1, &found));
@@ -323,7 +323,7 @@ typedef struct // what a run said
 {
 	uint64_t hash; // of all events
 	int began, open, deep;
-} Told;
+} MovedBody;
 
 static scree_body add_random(scree_world* world, uint64_t* seed, bool sensors)
 {
@@ -399,9 +399,9 @@ static void check_visits(scree_world* world, const scree_body* bodies)
 	}
 }
 
-static Told tell_heap(const Way* way, int steps, bool checks)
+static MovedBody tell_heap(const Way* way, int steps, bool checks)
 {
-	Told told = {.hash = HASH_BEGIN};
+	MovedBody moved_bodies = {.hash = HASH_BEGIN};
 	scree_world_def def = scree_world_def_default();
 	def.device = way->device;
 	def.threads = way->threads;
@@ -417,10 +417,12 @@ static Told tell_heap(const Way* way, int steps, bool checks)
 	{
 		OK(scree_world_step(world, step % 40 == 39 ? 0.0f : STEP, SUBSTEPS));
 		scree_events events = events_of(world);
-		told.hash = hash_more(told.hash, events.visits_began, (size_t)events.visits_began_count * sizeof(scree_visit));
-		told.hash = hash_more(told.hash, events.visits_ended, (size_t)events.visits_ended_count * sizeof(scree_visit));
-		told.began += events.visits_began_count;
-		told.open += events.visits_began_count - events.visits_ended_count;
+		moved_bodies.hash =
+		    hash_more(moved_bodies.hash, events.visits_began, (size_t)events.visits_began_count * sizeof(scree_visit));
+		moved_bodies.hash =
+		    hash_more(moved_bodies.hash, events.visits_ended, (size_t)events.visits_ended_count * sizeof(scree_visit));
+		moved_bodies.began += events.visits_began_count;
+		moved_bodies.open += events.visits_began_count - events.visits_ended_count;
 		if (checks && step % 10 == 0)
 			check_visits(world, bodies);
 		int k = random_below(&seed, HEAP);
@@ -454,13 +456,13 @@ static Told tell_heap(const Way* way, int steps, bool checks)
 				OK(scree_world_move(world, step % 2 ? way->other : way->device));
 		}
 	}
-	told.hash ^= hash_of(world);
+	moved_bodies.hash ^= hash_of(world);
 	OK(scree_bodies_destroy(world, bodies, HEAP));
 	run_steps(world, 1);
-	told.open -= events_of(world).visits_ended_count;
-	assert_int_equal(told.open, 0);
+	moved_bodies.open -= events_of(world).visits_ended_count;
+	assert_int_equal(moved_bodies.open, 0);
 	scree_world_destroy(world);
-	return told;
+	return moved_bodies;
 }
 
 static void all_devices_agree(void** state)
@@ -468,11 +470,11 @@ static void all_devices_agree(void** state)
 	(void)state;
 	Way ways[MAX_WAYS];
 	int count = list_ways(ways), steps = quick() ? 60 : 300;
-	Told first = tell_heap(ways, steps, true);
+	MovedBody first = tell_heap(ways, steps, true);
 	assert_true(first.began > steps / 2);
 	for (int k = 1; k < count; ++k)
 	{
-		Told other = tell_heap(ways + k, steps, false);
+		MovedBody other = tell_heap(ways + k, steps, false);
 		if (other.hash != first.hash || other.began != first.began)
 			fail_msg("other visits on %s", ways[k].name);
 	}

@@ -323,7 +323,7 @@ static void check_rest(int a, int b, int turn, float height)
 		fail_msg("%s on %s, turn %d, from %g: %g deep", designs[b].name, designs[a].name, turn, height,
 		         counters.penetration);
 	assert_in_range(counters.touching, 2, 8);
-	assert_int_equal(counters.nonfinite, 0);
+	assert_int_equal(counters.frozen_bodies, 0);
 	scree_world_destroy(world);
 }
 

@@ -385,7 +385,7 @@ static void test_shared_queries(void** state)
 
 	scree_ray rays[RAYS];
 	scree_probe probes[RAYS];
-	scree_found found[RAYS];
+	scree_query_result found[RAYS];
 	for (int k = 0; k < RAYS; ++k)
 	{
 		rays[k] = (scree_ray){.origin = {-5.0f, 0.3f * (float)k}, .translation = {10.0f, 0.0f}};
@@ -487,7 +487,7 @@ int main(void)
 	    cmocka_unit_test_prestate_setup_teardown(test_shared_opengl, teach, forget, "cl_khr_gl_sharing"),
 	};
 	int failures = cmocka_run_group_tests_name("cpu", own, NULL, NULL);
-	if (scree_opencl_remedy()[0] == '\0')
+	if (scree_opencl_hint()[0] == '\0')
 		failures += cmocka_run_group_tests_name("opencl", distant, NULL, NULL);
 	return failures;
 }

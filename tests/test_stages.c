@@ -30,10 +30,10 @@ static Word check_curve(Backend* b, float corner_x, float corner_y, float spacin
 	put(b, POOL_tree, 1, &tree);
 	put(b, POOL_node_box, count + ARITY, boxes);
 	put(b, POOL_leaf, count, leaves);
-	run_one(b, &(Step){0}, STAGE_tree_root, 1, NO_COUNT, 0);
-	run_one(b, &(Step){0}, STAGE_tree_code, count, NO_COUNT, 0);
+	run_one(b, &(Step){0}, KERNEL_tree_root, 1, NO_COUNT, 0);
+	run_one(b, &(Step){0}, KERNEL_tree_code, count, NO_COUNT, 0);
 	run_sort(b, count, 32, 64);
-	run_one(b, &(Step){0}, STAGE_tree_order, count, NO_COUNT, 0);
+	run_one(b, &(Step){0}, KERNEL_tree_order, count, NO_COUNT, 0);
 	get(b, POOL_key, count, keys);
 	get(b, POOL_leaf, count, leaves);
 	for (int k = 0; k < count; ++k)
@@ -103,13 +103,13 @@ static void slots_are_lowest_first(void** state)
 			put(b, POOL_collidable_body, 100, bodies);
 			put(b, POOL_pair, 7, before);
 			put(b, POOL_key, 5, keys);
-			run_one(b, &step, STAGE_contact_admit, 1, NO_COUNT, 0);
+			run_one(b, &step, KERNEL_contact_admit, 1, NO_COUNT, 0);
 			run_one(b, &step, PRIMITIVE_SORT, 5, COUNT(sort_pairs), 14 << 8);
-			run_one(b, &step, STAGE_contact_dead, room, COUNT(search), 0);
+			run_one(b, &step, KERNEL_contact_mark_free, room, COUNT(search), 0);
 			run_one(b, &step, PRIMITIVE_SCAN, room, COUNT(search), 0);
-			run_one(b, &step, STAGE_contact_free, room, COUNT(search), 0);
-			run_one(b, &step, STAGE_contact_begin, 1, NO_COUNT, 0);
-			run_one(b, &step, STAGE_contact_create, room, COUNT(created), 0);
+			run_one(b, &step, KERNEL_contact_list_free, room, COUNT(search), 0);
+			run_one(b, &step, KERNEL_contact_reserve, 1, NO_COUNT, 0);
+			run_one(b, &step, KERNEL_contact_create, room, COUNT(created), 0);
 			get(b, POOL_counters, 1, &counters);
 			get(b, POOL_pair, 9, pairs);
 
@@ -243,11 +243,11 @@ static void contacts_move_together(void** state)
 		Backend* b = backends[n];
 		Counters counters;
 		put_contacts(b, &s, bytes);
-		run_one(b, &(Step){0}, STAGE_contact_dead, SLOTS + 1, NO_COUNT, 0);
+		run_one(b, &(Step){0}, KERNEL_contact_mark_free, SLOTS + 1, NO_COUNT, 0);
 		run_one(b, &(Step){0}, PRIMITIVE_SCAN, SLOTS + 1, NO_COUNT, 0);
-		run_one(b, &(Step){0}, STAGE_contact_free, SLOTS, NO_COUNT, 0);
-		run_one(b, &(Step){0}, STAGE_contact_pack, SLOTS, NO_COUNT, 0);
-		run_one(b, &(Step){0}, STAGE_contact_pack_end, 1, NO_COUNT, 0);
+		run_one(b, &(Step){0}, KERNEL_contact_list_free, SLOTS, NO_COUNT, 0);
+		run_one(b, &(Step){0}, KERNEL_contact_pack, SLOTS, NO_COUNT, 0);
+		run_one(b, &(Step){0}, KERNEL_contact_pack_end, 1, NO_COUNT, 0);
 		get(b, POOL_counters, 1, &counters);
 		assert_int_equal(counters.contacts, s.alive);
 		check_pools(b, &s, bytes);

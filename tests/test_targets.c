@@ -216,7 +216,7 @@ static void refused_steps_keep_targets(void** state)
 	uint64_t before = hash_of(world);
 	for (int k = 0; k < 2; ++k)
 	{
-		assert_int_equal(scree_world_step(world, k ? 0.0f : STEP, 4), SCREE_ERROR_CROWDED);
+		assert_int_equal(scree_world_step(world, k ? 0.0f : STEP, 4), SCREE_ERROR_CONTACT_LIMIT);
 		assert_true(hash_of(world) == before);
 		assert_velocity(world, body, 0, 0, 0);
 	}

@@ -37,7 +37,7 @@ static scree_world* open_world(void)
 	return world;
 }
 
-static scree_attribute box_of(scree_world* world)
+static scree_attribute stage_of(scree_world* world)
 {
 	scree_attribute_def def = scree_attribute_def_default(), same;
 	scree_attribute attribute;
@@ -52,7 +52,7 @@ static scree_attribute box_of(scree_world* world)
 static void two_boxes(scree_world* world, scree_body bodies[2])
 {
 	scree_body_def defs[2] = {scree_body_def_default(), scree_body_def_default()};
-	defs[0].attribute = defs[1].attribute = box_of(world);
+	defs[0].attribute = defs[1].attribute = stage_of(world);
 	defs[0].type = SCREE_BODY_STATIC;
 	defs[1].pose.position.y = 1.0f;
 	OK(scree_bodies_create(world, defs, 2, bodies));
@@ -79,7 +79,7 @@ static void older_results(void** state)
 	assert_memory_equal(contacts + 1, kept, sizeof kept);
 
 	// half of the counters
-	size_t half = offsetof(scree_counters, grown);
+	size_t half = offsetof(scree_counters, reallocations);
 	scree_counters counters;
 	memset(&counters, 0x5a, sizeof counters);
 	OK(scree_world_get_counters_sized(world, &counters, half));
@@ -118,7 +118,7 @@ static void newer_structs(void** state)
 	two_boxes(twin, bodies);
 	NewerBody defs[2];
 	memset(defs, 0x5a, sizeof defs);
-	scree_attribute box = box_of(world);
+	scree_attribute box = stage_of(world);
 	for (int k = 0; k < 2; ++k)
 	{
 		scree_body_def_default_sized(&defs[k].def, sizeof *defs);
@@ -173,13 +173,13 @@ static void older_than_rules(void** state)
 	assert_true(known.one_way.x == 0.0f && known.material == 0);
 	scree_events events;
 	memset(&events, 0x5a, sizeof events);
-	events.size = offsetof(scree_events, asked_count);
+	events.size = offsetof(scree_events, approval_count);
 	events.contact_size = sizeof(scree_contact);
 	events.hit_size = sizeof(scree_hit);
 	events.visit_size = sizeof(scree_visit);
 	events.joint_size = sizeof(scree_joint_event);
 	OK(scree_world_get_events_sized(world, &events));
-	assert_true(events.joint_count == 0 && events.asked_count == 0x5a5a5a5a);
+	assert_true(events.joint_count == 0 && events.approval_count == 0x5a5a5a5a);
 	scree_world_destroy(world);
 }
 

@@ -60,11 +60,11 @@ static void equal_attributes_are_one(void** state)
 	def.restitution = -0.0f;
 	assert_ok(scree_attribute_create(world, &def, &again));
 	assert_memory_equal(&first, &again, sizeof first);
-	assert_false(world->pipeline.rolls);
+	assert_false(world->pipeline.has_rolling);
 	def.restitution = 0.5f;
 	assert_ok(scree_attribute_create(world, &def, &again));
 	assert_memory_not_equal(&first, &again, sizeof first);
-	assert_true(world->pipeline.rolls);
+	assert_true(world->pipeline.has_rolling);
 	scree_world_destroy(world);
 }
 

@@ -175,9 +175,8 @@ static inline int memory_is_back(void** state)
 }
 
 // Runs tests, an array of CMUnitTest, on the CPU, and again on OpenCL where there is a device. Returns the failures.
-#define RUN_ON_DEVICES(tests)                                                                                     \
-	(cmocka_run_group_tests_name("cpu", tests, use_cpu, memory_is_back) +                                         \
-	 (scree_opencl_remedy()[0] == '\0' ? cmocka_run_group_tests_name("opencl", tests, use_opencl, memory_is_back) \
-	                                   : 0))
+#define RUN_ON_DEVICES(tests)                                             \
+	(cmocka_run_group_tests_name("cpu", tests, use_cpu, memory_is_back) + \
+	 (scree_opencl_hint()[0] == '\0' ? cmocka_run_group_tests_name("opencl", tests, use_opencl, memory_is_back) : 0))
 
 #endif

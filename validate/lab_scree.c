@@ -209,7 +209,7 @@ static bool step(void* context, float dt, int substeps, int* frozen)
 	if (!report(scree_world_step(state->world, dt, substeps)) ||
 	    !report(scree_world_get_counters(state->world, &counters)))
 		return false;
-	*frozen += counters.nonfinite;
+	*frozen += counters.frozen_bodies;
 	return true;
 }
 

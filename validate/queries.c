@@ -36,7 +36,7 @@ static double slack_of(const Scenery* s, int k, const Asked* asked)
 	return SLACK * fmax(1.0, 0.1 * (double)(s->shapes[k].reach + asked->shape.reach));
 }
 
-static const scree_found* find(const scree_found* found, int count, scree_collidable handle)
+static const scree_query_result* find(const scree_query_result* found, int count, scree_collidable handle)
 {
 	for (int k = 0; k < count; ++k)
 		if (scree_collidable_equals(found[k].collidable, handle))
@@ -53,8 +53,8 @@ static double from_surface(const Scenery* s, int k, scree_vec point)
 }
 
 // One shape of the scenery, which a query found or did not find.
-static void check_cast(const Scenery* s, const Asked* asked, const scree_probe* probe, int k, const scree_found* found,
-                       Count* count)
+static void check_cast(const Scenery* s, const Asked* asked, const scree_probe* probe, int k,
+                       const scree_query_result* found, Count* count)
 {
 	double x = (double)probe->translation.x, y = (double)probe->translation.y, slack = slack_of(s, k, asked);
 	if (!found && scenery_is_away(s, k, asked->shape.reach, probe))
@@ -91,8 +91,8 @@ static void check_cast(const Scenery* s, const Asked* asked, const scree_probe* 
 static void ask_cast(const Scenery* s, const Asked* asked, Count* count)
 {
 	scree_ray rays[BATCH];
-	scree_found first[BATCH];
-	scree_found_list list;
+	scree_query_result first[BATCH];
+	scree_query_results list;
 	for (int k = 0; k < BATCH; ++k)
 		rays[k] = (scree_ray){.origin = asked->probes[k].pose.position,
 		                      .translation = asked->probes[k].translation,
@@ -110,7 +110,7 @@ static void ask_cast(const Scenery* s, const Asked* asked, Count* count)
 	}
 	for (int q = 0; q < BATCH && !s->validation->broken; ++q)
 	{
-		const scree_found* all = list.found + list.first[q];
+		const scree_query_result* all = list.results + list.first[q];
 		int met = list.first[q + 1] - list.first[q];
 		for (int k = 0; k < SCENERY_SHAPES; ++k)
 			check_cast(s, asked, &asked->probes[q], k, find(all, met, s->handles[k]), count);
@@ -130,14 +130,14 @@ static void ask_overlap(const Scenery* s, const Asked* asked, Count* count)
 {
 	scree_query_def def = scenery_query_def();
 	scree_probe probes[BATCH];
-	scree_found_list list;
+	scree_query_results list;
 	stay(asked, probes);
 	scenery_ok(s, scree_world_list_shapes(s->world, &def, &asked->shape, probes, BATCH, &list));
 	for (int q = 0; q < BATCH && !s->validation->broken; ++q, ++count->asked)
 		for (int k = 0; k < SCENERY_SHAPES; ++k)
 		{
-			const scree_found* found =
-			    find(list.found + list.first[q], list.first[q + 1] - list.first[q], s->handles[k]);
+			const scree_query_result* found =
+			    find(list.results + list.first[q], list.first[q + 1] - list.first[q], s->handles[k]);
 			Difference d = difference_of(&s->shapes[k], s->poses[k], &asked->shape, probes[q].pose);
 			double apart = difference_distance(&d, 0.0, 0.0);
 			if (fabs(apart) > slack_of(s, k, asked) && (found != NULL) != (apart < 0.0))
@@ -148,7 +148,7 @@ static void ask_overlap(const Scenery* s, const Asked* asked, Count* count)
 static void ask_nearest(const Scenery* s, const Asked* asked, Count* count)
 {
 	scree_query_def def = scenery_query_def();
-	scree_found found[BATCH];
+	scree_query_result found[BATCH];
 	scree_probe probes[BATCH];
 	float most = 5.0f;
 	stay(asked, probes);

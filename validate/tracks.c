@@ -71,7 +71,7 @@ static int cast_out(const Track* t, uint64_t* seed, bool rays)
 {
 	static scree_probe probes[BATCH];
 	static scree_ray out[BATCH];
-	static scree_found found[BATCH];
+	static scree_query_result found[BATCH];
 	scree_shape shape = scenery_small(seed);
 	int through = 0;
 	for (int k = 0; k < BATCH; ++k)

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #define CATCHES     0.85f   // of the way that is left after a picture until a followed point is where it is to be seen
-#define LEAST_SCALE 1.0e-4f // px a metre: all of SCREE_HUGE in a thumbnail
+#define LEAST_SCALE 1.0e-4f // px a metre: all of SCREE_MAX_COORDINATE in a thumbnail
 #define LEAST_PART  200.0f  // px: a part that is not as wide shows nothing
 #define MOST_SCALE  1.0e5f  // px a metre: a picture of a few millimetres
 

@@ -79,7 +79,7 @@ static void mark_shape(Strokes* strokes, const scree_shape* shape, scree_pose po
 
 void field_lines_mark(const FieldLines* lines, Strokes* strokes)
 {
-	const float far = 2.0f * SCREE_HUGE;
+	const float far = 2.0f * SCREE_MAX_COORDINATE;
 	for (int k = 0; k < lines->regions.count; ++k)
 	{
 		const FieldRegion* region = &lines->regions.list[k];

@@ -25,15 +25,16 @@ scree_status inspect_find(scree_world* world, scree_vec at, float radius, scree_
 	def.kinds =
 	    SCREE_QUERY_STATIC | SCREE_QUERY_KINEMATIC | SCREE_QUERY_DYNAMIC | SCREE_QUERY_FREE | SCREE_QUERY_SENSORS;
 	const scree_ray here = {.origin = at, .radius = radius};
-	scree_found_list list;
+	scree_query_results list;
 	bool over = false; // a sensor
 	*found = SCREE_NULL_COLLIDABLE;
-	if (!(at.x >= -SCREE_HUGE && at.x <= SCREE_HUGE && at.y >= -SCREE_HUGE && at.y <= SCREE_HUGE))
+	if (!(at.x >= -SCREE_MAX_COORDINATE && at.x <= SCREE_MAX_COORDINATE && at.y >= -SCREE_MAX_COORDINATE &&
+	      at.y <= SCREE_MAX_COORDINATE))
 		return SCREE_OK;
 	scree_status status = scree_world_list_rays(world, &def, &here, 1, &list);
 	for (int k = 0; k < list.count && status == SCREE_OK; ++k)
 	{
-		scree_collidable one = list.found[k].collidable;
+		scree_collidable one = list.results[k].collidable;
 		bool sensor;
 		status = get_sensor(world, one, &sensor);
 		bool first = scree_collidable_is_null(*found);

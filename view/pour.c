@@ -96,7 +96,7 @@ static int choose_places(const Pour* pour, scree_vec middle, scree_probe* probes
 		int turn = pour->poured + k;
 		float angle = TURN * (float)turn, away = radius * sqrtf(fmodf(SHARE * (float)turn, 1.0f));
 		scree_vec at = {middle.x + away * cosf(angle), middle.y + away * sinf(angle)};
-		bool free = fabsf(at.x) < SCREE_HUGE && fabsf(at.y) < SCREE_HUGE;
+		bool free = fabsf(at.x) < SCREE_MAX_COORDINATE && fabsf(at.y) < SCREE_MAX_COORDINATE;
 		for (int n = 0; n < count && free; ++n)
 			free = hypotf(at.x - probes[n].pose.position.x, at.y - probes[n].pose.position.y) > APART * pour->size;
 		if (free)
@@ -110,7 +110,7 @@ scree_status pour_step(Pour* pour, scree_world* world, scree_vec at, bool* added
 	scree_probe probes[POUR_MOST];
 	scree_body_def defs[POUR_MOST];
 	scree_shape circle;
-	scree_found_list list;
+	scree_query_results list;
 	if (!pour->on && !pour->due)
 		return SCREE_OK;
 	pour->due = false;

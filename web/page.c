@@ -198,7 +198,7 @@ EMSCRIPTEN_KEEPALIVE const double* page_numbers(void)
 	                          (double)t.solve,
 	                          (double)t.finalize,
 	                          page.walkers.taken,
-	                          c.nonfinite,
+	                          c.frozen_bodies,
 	                          (double)scree_memory()};
 	memcpy(page.numbers, numbers, sizeof numbers);
 	return page.numbers;

@@ -52,7 +52,7 @@ typedef struct
 	float side; // m
 	scree_ray* rays;
 	scree_probe* probes;
-	scree_found* found;
+	scree_query_result* found;
 	scree_shape circle, box;
 	uint64_t seed;
 } Contest;
@@ -160,11 +160,11 @@ static bool ask_scree(Contest* c, Kind kind, int first, int count, Score* score)
 	const scree_shape* shape = kind == CIRCLE_CASTS || kind == CIRCLE_OVERLAPS ? &c->circle : &c->box;
 	scree_query_def def = scree_query_def_default();
 	def.skip_inside = kind < CIRCLE_OVERLAPS;
-	scree_found* found = c->found;
+	scree_query_result* found = c->found;
 	scree_status status;
 	if (kind >= CIRCLE_OVERLAPS)
 	{
-		scree_found_list list;
+		scree_query_results list;
 		status = scree_world_list_shapes(c->scree, &def, shape, c->probes + first, count, &list);
 		score->hits += list.count;
 		return status == SCREE_OK;

@@ -56,7 +56,7 @@ extern "C" {
 #define SCREE_MAX_VERTICES 8
 
 // Largest coordinate, in metres; larger ones are refused. The spacing of floats is 8 mm there.
-#define SCREE_HUGE 100000.0f
+#define SCREE_MAX_COORDINATE 100000.0f
 
 // ---------------------------------------------------------------------------------------------------------------
 // Errors, hooks and version
@@ -71,7 +71,8 @@ typedef enum scree_status
 	SCREE_ERROR_NO_DEVICE = 4,     // the requested device does not exist or is not bit-identical to the CPU
 	SCREE_ERROR_DEVICE_FAILED = 5, // the driver reported an error; the world can only be destroyed
 	SCREE_ERROR_NOT_SUPPORTED = 6, // the device does not support this operation; nothing changed
-	SCREE_ERROR_CROWDED = 7, // scree_world_step: more contacts than scree_world_def.contact_limit; nothing changed
+	SCREE_ERROR_CONTACT_LIMIT =
+	    7, // scree_world_step: more contacts than scree_world_def.contact_limit; nothing changed
 } scree_status;
 
 // The message of the last failure on this thread, or an empty string. Valid until the next failing call.
@@ -165,18 +166,18 @@ typedef struct scree_device
 	char driver[128];      // platform and driver version; for the CPU its widest lanes
 	bool equal_bits;       // whether results are bit-identical to the CPU's
 	char reason[192];      // if not, why, and what to do; otherwise empty
-	int units;             // CPU threads or OpenCL compute units
+	int compute_units;     // CPU threads or OpenCL compute units
 	uint64_t memory;       // bytes
 	scree_sharing sharing; // the best way that its driver supports
 	uint8_t uuid[16];      // device UUID as in OpenGL and Vulkan; zero if the driver does not report it
 } scree_device;
 
 // Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null if capacity is
-// 0) and sets count to the total number. Without OpenCL, scree_opencl_remedy tells what to install.
+// 0) and sets count to the total number. Without OpenCL, scree_opencl_hint tells what to install.
 static inline scree_status scree_devices_get(scree_device* devices, int capacity, int* count);
 
 // One sentence that tells what to install to get an OpenCL device, or an empty string if there is one.
-SCREE_API const char* scree_opencl_remedy(void);
+SCREE_API const char* scree_opencl_hint(void);
 
 // ---------------------------------------------------------------------------------------------------------------
 // World
@@ -209,16 +210,17 @@ typedef struct scree_world_def
 	// contact stiffness, Hz, 1e-3 to 1e6, default 40; limited to 1/6 of the substep rate; where contacts are deep, 3 % more, to 2/3 of the step rate
 	float contact_hertz;
 	float contact_damping_ratio; // 0 to 1e6, default 10
-	float contact_push_speed;    // maximum speed that pushes a pair apart, m/s, 0 to SCREE_HUGE, default 3
+	float contact_push_speed;    // maximum speed that pushes a pair apart, m/s, 0 to SCREE_MAX_COORDINATE, default 3
 	float restitution_threshold; // slower impacts do not bounce, m/s, >= 0, default 1
-	float max_speed; // limit at the end of a step, m/s, 1e-3 to SCREE_HUGE, default 400. Rotation is limited to pi
-	                 // radians per step and pi / 4 per substep
+	float
+	    max_speed; // limit at the end of a step, m/s, 1e-3 to SCREE_MAX_COORDINATE, default 400. Rotation is limited to pi
+	               // radians per step and pi / 4 per substep
 	const scree_opengl* opengl; // null (default), or the context for scree_world_share_opengl. The struct is copied;
 	                            // the context must outlive the world
 	int body_capacity;          // initial capacity, grows on demand; 0 (default): small
 	int contact_capacity;       // the same for contacts
 	int contact_limit;          // maximum number of contacts, 300 bytes each; a step that finds more fails with
-	                            // SCREE_ERROR_CROWDED. 0 (default): 32 per collidable, but at least 2 million
+	                            // SCREE_ERROR_CONTACT_LIMIT. 0 (default): 32 per collidable, but at least 2 million
 	// Contacts report what they did in the last step: scree_contact.details. Costs up to 5 % of the solve and 36 bytes per
 	// contact; changes no motion. Default false.
 	bool contact_details;
@@ -249,7 +251,7 @@ SCREE_API void scree_world_destroy(scree_world* world);
 // without it, because boxes and contacts were updated at another time.
 //
 // The number of contacts grows with the square of the number of bodies in one place. If it exceeds
-// scree_world_def.contact_limit, the step fails with SCREE_ERROR_CROWDED; the message names the most crowded place and
+// scree_world_def.contact_limit, the step fails with SCREE_ERROR_CONTACT_LIMIT; the message names the most crowded place and
 // the number of collidables there. If memory for the contacts runs out, the step fails with SCREE_ERROR_OUT_OF_MEMORY.
 // In both cases nothing has changed; move bodies apart or destroy some, and step again.
 //
@@ -305,13 +307,13 @@ typedef struct scree_counters
 	int touching;                // contacts with manifold points, speculative ones included
 	int colors;                  // colors in use
 	int spokes;                  // contacts of hubs (bodies with more than 32 contacts), which are solved together
-	int moved;                   // collidables whose enlarged box changed in the last step
+	int updated_boxes;           // collidables whose enlarged box changed in the last step
 	int new_contacts;            // contacts found in the last step
-	int grown;                   // buffer reallocations since the world was created
-	int nonfinite; // bodies frozen in the last step because their state became infinite or NaN. No force, impulse or
-	               // ratio of masses is known to do that. A body that reaches 1e8 m stops there
-	int held;      // bodies that were stopped in the last step because they would have tunneled through
-	               // something static or dynamic, or got far into it because something kinematic presses them
+	int reallocations;           // buffer reallocations since the world was created
+	int frozen_bodies; // bodies frozen in the last step because their state became infinite or NaN. No force, impulse or
+	                   // ratio of masses is known to do that. A body that reaches 1e8 m stops there
+	int stopped_bodies;    // bodies that were stopped in the last step because they would have tunneled through
+	                       // something static or dynamic, or got far into it because something kinematic presses them
 	float penetration;     // deepest overlap at the start of the last step, m
 	int64_t steps;         // steps taken, those of dt 0 included
 	uint64_t device_bytes; // device memory of the pools, bytes
@@ -396,7 +398,7 @@ typedef struct scree_shape
 } scree_shape;
 
 // Make a shape; lengths in m. Each fails with SCREE_ERROR_INVALID if a value is not finite, a size is below 1 mm, or a
-// coordinate exceeds SCREE_HUGE. Bodies of 4 cm and more suit the solver best; smaller ones, down to 2 mm, come to rest too, heaps of
+// coordinate exceeds SCREE_MAX_COORDINATE. Bodies of 4 cm and more suit the solver best; smaller ones, down to 2 mm, come to rest too, heaps of
 // them with at least 4 substeps (docs/manifolds.md, "Small bodies").
 SCREE_API scree_status scree_shape_make_box(float half_width, float half_height, scree_shape* shape);
 SCREE_API scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape* shape);
@@ -415,7 +417,7 @@ SCREE_API scree_status scree_shape_make_polygon(const scree_vec* corners, int co
 SCREE_API scree_status scree_shape_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape);
 
 // Transforms a shape: rotates it by pose.rotation, then translates it by pose.position.
-SCREE_API scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* moved);
+SCREE_API scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* transformed);
 
 typedef struct scree_attribute_def
 {
@@ -456,7 +458,7 @@ typedef struct scree_material_pair // what a pair of materials does instead of w
 	float friction;    // 0 to 1e6, at most 1000 counts; NaN (default): as ever
 	float restitution; // 0 to 100; NaN (default): as ever
 	bool ignored;      // they pass through each other, as if their filters kept them apart; default false
-	// m/s, within SCREE_HUGE: how fast the two surfaces run past each other, clockwise around each of the two shapes if
+	// m/s, within SCREE_MAX_COORDINATE: how fast the two surfaces run past each other, clockwise around each of the two shapes if
 	// positive; NaN (default): the sum of both, as ever
 	float tangent_speed;
 } scree_material_pair;
@@ -512,9 +514,9 @@ typedef struct scree_filter
 
 enum // bits of scree_collidable_def.reports: which events list a collidable. One of the two needs the bit
 {
-	SCREE_REPORT_TOUCHES = 1, // scree_events.touches_began, touches_ended
-	SCREE_REPORT_HITS = 2,    // scree_events.hits
-	SCREE_REPORT_ASKS = 4,    // scree_events.asked: what it begins to touch waits for scree_world_answer_asked
+	SCREE_REPORT_TOUCHES = 1,  // scree_events.touches_began, touches_ended
+	SCREE_REPORT_HITS = 2,     // scree_events.hits
+	SCREE_REPORT_APPROVAL = 4, // scree_events.approvals: what it begins to touch waits for scree_world_approve_contacts
 };
 
 // Bits of scree_body_def.sensor and scree_collidable_def.sensor: what a sensor sees. A sensor touches nothing, and nothing stops at
@@ -593,7 +595,7 @@ SCREE_API scree_status scree_bodies_set_poses(scree_world* world, const scree_bo
                                               int count); // teleports; velocities do not change
 
 // Sets the poses that kinematic bodies have at the end of the next step with dt > 0: poses of their origins, within
-// SCREE_HUGE. Static and dynamic bodies are refused. During that step the body has the velocity that takes it there, by
+// SCREE_MAX_COORDINATE. Static and dynamic bodies are refused. During that step the body has the velocity that takes it there, by
 // the shorter rotation (half a circle is counter-clockwise), so that it pushes and carries what it touches. At the end it
 // is exactly there and stands still: its velocity is 0 before that step and after it.
 //
@@ -945,8 +947,8 @@ typedef enum scree_measure // of a frame in a base, which is a frame of the worl
 typedef struct scree_joint_side
 {
 	scree_measure measure;
-	scree_pose base; // in the world; default: its origin
-	float near;      // rad: the angle that the first one is nearest to; default 0. scree_joint_def_couple sets it
+	scree_pose base;     // in the world; default: its origin
+	float initial_angle; // rad: the angle that the first one is nearest to; default 0. scree_joint_def_couple sets it
 } scree_joint_side;
 
 typedef struct scree_joint_def
@@ -962,7 +964,7 @@ typedef struct scree_joint_def
 	             // springs too, exceeds a quarter of the substep rate; joints in a row are stiffer (docs/joints.md)
 	float damping_ratio;    // of them, 0 to 1e6, default 2
 	bool collide_connected; // whether the two bodies may touch each other; default false
-	bool breaks;            // ends when a threshold is exceeded; default false
+	bool can_break;         // ends when a threshold is exceeded; default false
 	bool disabled;          // starts disabled, see scree_joint_set_enabled; default false
 	// spring_max and motor_max of along and across are half axes of an ellipse, so that equal ones bound the force in any
 	// direction; else each bounds its own coordinate. Default true for MOTOR and TARGET.
@@ -975,7 +977,7 @@ typedef struct scree_joint_def
 	scree_path path;           // of type PATH
 	// Of type PATH, m: where the search begins; its lap counts. Only another part of the path that is less than half as far
 	// from anchor B is taken instead. Default 0.
-	float path_near;
+	float initial_along;
 } scree_joint_def;
 
 // A definition with the defaults of a type, between the world and the world: set bodies and frames. An unknown type gives
@@ -988,11 +990,11 @@ static inline scree_joint_def scree_joint_def_make(scree_joint_type type);
 SCREE_API scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose);
 
 // Sets the target along of a GEAR or a PULLEY, whose bodies, frames, sides and ratio are set, to what it measures now: two
-// wheels mesh as they are, a rope is as long as it is. Sets sides[].near to the angles measured.
+// wheels mesh as they are, a rope is as long as it is. Sets sides[].initial_angle to the angles measured.
 SCREE_API scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def);
 
 // Sets frame_b of a PATH, whose bodies, frame_a and path are set, so that it lies on the path at an arc length, along its
-// direction, where the bodies are now. Sets path_near to that arc length.
+// direction, where the bodies are now. Sets initial_along to that arc length.
 SCREE_API scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, float along);
 
 // Creates count joints from count definitions and writes their handles to joints (may be null). On failure no joint is
@@ -1055,7 +1057,7 @@ SCREE_API bool scree_joint_is_enabled(const scree_world* world, scree_joint join
 SCREE_API scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz,
                                                  float damping_ratio);
 SCREE_API scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque,
-                                                  bool breaks);
+                                                  bool can_break);
 // Of types GEAR and PULLEY only. Angles count on with the new ratio, so that a gear does not jump; distances do not.
 SCREE_API scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float ratio);
 SCREE_API scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_pose base_a,
@@ -1202,44 +1204,44 @@ typedef struct scree_events
 	int joint_count;
 	const scree_joint_event* joints;
 
-	// Contacts of which one side has SCREE_REPORT_ASKS, and which touch, or will in this step, for the first time since the two
-	// were apart: scree_world_answer_asked. Their impulses are 0. In the order of scree_world_get_contacts.
-	int asked_count;
-	const scree_contact* asked;
+	// Contacts of which one side has SCREE_REPORT_APPROVAL, and which touch, or will in this step, for the first time since the two
+	// were apart: scree_world_approve_contacts. Their impulses are 0. In the order of scree_world_get_contacts.
+	int approval_count;
+	const scree_contact* approvals;
 } scree_events;
 
 // The events of the last step. The arrays belong to the world; they are valid until the next call of this function or of
 // scree_world_step, and until the world is destroyed. What was destroyed since the step is named, and marked.
 static inline scree_status scree_world_get_events(scree_world* world, scree_events* events);
 
-// Answers for the contacts in scree_events.asked of the last step; count is asked_count, or it is refused. true: the contact acts from
+// Answers for the contacts in scree_events.approvals of the last step; count is approval_count, or it is refused. true: the contact acts from
 // the next step on until the two are farther apart than 0.02 m. false, or no answer before the next step: the two pass through each
 // other until then. After that they are asked about again. A step of dt 0, or one that fails, is no answer: what has none yet is
 // asked about again in the next step. In the step in which a contact is asked about, its bodies move no further than to where they
 // meet, and keep their velocities. A second call before the next step replaces the answers of the first.
-SCREE_API scree_status scree_world_answer_asked(scree_world* world, const bool* answers, int count);
+SCREE_API scree_status scree_world_approve_contacts(scree_world* world, const bool* approved, int count);
 
-typedef struct scree_moved // a body at another pose than before
+typedef struct scree_moved_body // a body at another pose than before
 {
 	scree_body body;
 	uint64_t user; // user data
 	scree_pose pose;
 	scree_velocity velocity;
-} scree_moved;
+} scree_moved_body;
 
-typedef struct scree_moved_list
+typedef struct scree_moved_bodies
 {
-	uint32_t size, moved_size; // set by scree_world_get_moved
+	uint32_t size, body_size; // set by scree_world_get_moved_bodies
 	int count;
-	const scree_moved* moved; // by index
-} scree_moved_list;
+	const scree_moved_body* bodies; // by index
+} scree_moved_bodies;
 
 // The bodies that moved since the last call, by motion or by the user, and those made since: what a renderer or a network has to
 // know. A body moved if a number of its pose, as scree_body_get_pose returns it, differs from that at the last call, by however little:
 // one at rest under a load may move by a rounding in each step. A body that came back to where it was did not move, nor did one that
 // got another center of mass, type or velocity. The first call lists all bodies. The array belongs to the world; it is valid until the
 // next call of this function, or until the world is destroyed. The device puts the list together, and only the list is read.
-static inline scree_status scree_world_get_moved(scree_world* world, scree_moved_list* list);
+static inline scree_status scree_world_get_moved_bodies(scree_world* world, scree_moved_bodies* list);
 
 // Writes up to capacity visits to a sensor that lasted at the end of the last step, by index of the visitor, and sets count to their
 // number; .time is when each began, if that was in this step. Fails with SCREE_ERROR_INVALID for a collidable that is no sensor.
@@ -1260,7 +1262,7 @@ SCREE_API scree_status scree_world_set_hit_thresholds(scree_world* world, float 
 // The first call after a step or a change computes boxes of all collidables that can move: 25 ns each on one CPU thread.
 //
 // Queries see shapes as they are, not the distance of 0.02 m at which contacts begin. Collidables of disabled bodies are not
-// there. Coordinates are at most SCREE_HUGE, translations at most twice that.
+// there. Coordinates are at most SCREE_MAX_COORDINATE, translations at most twice that.
 // ---------------------------------------------------------------------------------------------------------------
 
 enum // bits of scree_query_def.kinds: collidables that are seen
@@ -1278,7 +1280,7 @@ typedef struct scree_query_def // what the queries of a call see
 	uint32_t kinds;    // bits of SCREE_QUERY_*; default: those of bodies
 	uint64_t category; // a collidable is seen if its mask has a bit of this; default all
 	uint64_t mask;     // and if this has a bit of its category; default all
-	bool any;          // only scree_found.hit is wanted, which is faster: the rest is zero; default false
+	bool any;          // only scree_query_result.hit is wanted, which is faster: the rest is zero; default false
 	bool skip_inside;  // what a ray or shape begins inside of is not seen; default false
 	bool one_way;      // one-way platforms are seen from the side from which they are solid only; default false
 } scree_query_def;
@@ -1301,7 +1303,7 @@ typedef struct scree_probe // 32 bytes: a place for the shape of a call
 	scree_body ignored;    // as in scree_ray
 } scree_probe;
 
-typedef struct scree_found // 32 bytes: the answer of a query
+typedef struct scree_query_result // 32 bytes: the answer of a query
 {
 	scree_collidable collidable; // null if nothing was found
 	scree_vec point;             // m: of its surface, where it is met or nearest; if inside, where the query begins
@@ -1310,35 +1312,35 @@ typedef struct scree_found // 32 bytes: the answer of a query
 	bool hit;                    // whether something was found
 	bool inside;                 // it overlapped already where the query began
 	uint16_t reserved;
-} scree_found;
+} scree_query_result;
 
-typedef struct scree_found_list // all that was found
+typedef struct scree_query_results // all that was found
 {
-	uint32_t size;            // set by the function that fills it
-	int count;                // of found
-	const scree_found* found; // by query, then by fraction, then by index of the collidable
-	const int* first;         // of query k: the first in found; those of all queries, and count behind the last
-} scree_found_list;
+	uint32_t size;                     // set by the function that fills it
+	int count;                         // of results
+	const scree_query_result* results; // by query, then by fraction, then by index of the collidable
+	const int* first; // of query k: the first in results; those of all queries, and count behind the last
+} scree_query_results;
 
 // The first collidable that each ray meets; of those met at the same fraction, the one with the lower index. def may be null
 // for the default. Method: an 8-ary tree of boxes, searched in the order of the distance; rounded polygons are exact.
 SCREE_API scree_status scree_world_cast_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
-                                             int count, scree_found* found);
+                                             int count, scree_query_result* found);
 SCREE_API scree_status scree_world_cast_ray(scree_world* world, scree_vec origin, scree_vec translation,
-                                            scree_found* found); // with the default definition
+                                            scree_query_result* found); // with the default definition
 
 // The same for a shape, which moves from the pose of each probe; a null shape is a point. Shapes are as in
 // scree_attribute_def. Exact, without iterations: a ray against the Minkowski sum of the two shapes.
 SCREE_API scree_status scree_world_cast_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
-                                               const scree_probe* probes, int count, scree_found* found);
+                                               const scree_probe* probes, int count, scree_query_result* found);
 SCREE_API scree_status scree_world_cast_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
-                                              scree_vec translation, scree_found* found);
+                                              scree_vec translation, scree_query_result* found);
 
 // The nearest collidable within a distance of each shape, in m, with its nearest point; a null shape is a point. Of
 // those that overlap, the one that overlaps most. Translations must be 0, and def->any false.
 SCREE_API scree_status scree_world_find_nearest(scree_world* world, const scree_query_def* def,
                                                 const scree_shape* shape, const scree_probe* probes, int count,
-                                                float distance, scree_found* found);
+                                                float distance, scree_query_result* found);
 
 // Queries in memory of the device, which stay there: scree_world_share_queries shares memory as scree_world_share_memory does, with the
 // same conditions. The others answer count rays or probes that begin so many bytes into it, and write the answers from another offset,
@@ -1354,33 +1356,33 @@ SCREE_API scree_status scree_world_cast_shared_shapes(scree_world* world, const 
 // All collidables that the rays, or the shapes, meet; with a translation of 0 all that they overlap. The arrays of list belong
 // to the world, and are valid until the next call that fills a list, or until the world is destroyed. def->any must be false.
 static inline scree_status scree_world_list_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
-                                                 int count, scree_found_list* list);
+                                                 int count, scree_query_results* list);
 static inline scree_status scree_world_list_shapes(scree_world* world, const scree_query_def* def,
                                                    const scree_shape* shape, const scree_probe* probes, int count,
-                                                   scree_found_list* list);
+                                                   scree_query_results* list);
 
 // All collidables that overlap a box, at least 2 mm wide and high, a shape at a pose, or a point, with the default definition.
-static inline scree_status scree_world_overlap_box(scree_world* world, scree_box box, scree_found_list* list);
+static inline scree_status scree_world_overlap_box(scree_world* world, scree_box box, scree_query_results* list);
 static inline scree_status scree_world_overlap_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
-                                                     scree_found_list* list);
-static inline scree_status scree_world_overlap_point(scree_world* world, scree_vec point, scree_found_list* list);
+                                                     scree_query_results* list);
+static inline scree_status scree_world_overlap_point(scree_world* world, scree_vec point, scree_query_results* list);
 
 typedef struct scree_blast_def // an explosion, or with a negative impulse an implosion
 {
 	uint32_t size;      // set by scree_blast_def_default
 	scree_vec position; // m
-	float radius;       // m, 0 to SCREE_HUGE: nearer surfaces get the whole impulse; default 1
-	float falloff;      // m, 0 to SCREE_HUGE: beyond the radius it falls to 0 within so many metres; default 1
-	float impulse;      // N s per m of the width that a collidable turns to the blast; default 1
-	uint64_t category;  // as in scree_query_def; default all
-	uint64_t mask;      // the same
+	float radius;       // m, 0 to SCREE_MAX_COORDINATE: nearer surfaces get the whole impulse; default 1
+	float falloff;     // m, 0 to SCREE_MAX_COORDINATE: beyond the radius it falls to 0 within so many metres; default 1
+	float impulse;     // N s per m of the width that a collidable turns to the blast; default 1
+	uint64_t category; // as in scree_query_def; default all
+	uint64_t mask;     // the same
 } scree_blast_def;
 
 static inline scree_blast_def scree_blast_def_default(void);
 
 // Pushes the dynamic bodies around a position, and sets count (may be null) to the number of collidables that were pushed. Each gets
 // an impulse at the point of it that is nearest to the position, away from it; one that the position is inside of at its centroid.
-// Sensors, disabled bodies and what is beyond SCREE_HUGE are left alone. The impulses are applied as those of
+// Sensors, disabled bodies and what is beyond SCREE_MAX_COORDINATE are left alone. The impulses are applied as those of
 // scree_bodies_apply_impulses_at, in the order of the collidables. Walls do not shield: ask scree_world_cast_rays, and push yourself. A list
 // that a query returned stays valid.
 SCREE_API scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count);
@@ -1389,13 +1391,15 @@ typedef struct scree_mover_def // characters of one kind: upright capsules that 
 {
 	uint32_t size;  // set by scree_mover_def_default
 	uint32_t kinds; // bits of SCREE_QUERY_*: what stops it; default those of bodies
-	float length; // m, 0 or 0.002 to SCREE_HUGE: between the centers of the capsule's ends, 0 for a circle; default 0.6
-	float radius; // m, 0.001 to SCREE_HUGE; default 0.3
-	scree_vec up; // unit vector; default (0, 1)
-	float slope;  // rad, 0 to pi / 2: the steepest ground that it can stand on; default 50 degrees
-	float climb;  // m, 0 to SCREE_HUGE: the highest step that it walks up; default 0.3
-	float snap;   // m, 0 to SCREE_HUGE: so far down it follows the ground that it stands on; default 0.3
-	float skin;   // m, 0.001 to SCREE_HUGE: the distance that it keeps from everything; default 0.01
+	float
+	    length; // m, 0 or 0.002 to SCREE_MAX_COORDINATE: between the centers of the capsule's ends, 0 for a circle; default 0.6
+	float radius;      // m, 0.001 to SCREE_MAX_COORDINATE; default 0.3
+	scree_vec up;      // unit vector; default (0, 1)
+	float max_slope;   // rad, 0 to pi / 2: the steepest ground that it can stand on; default 50 degrees
+	float step_height; // m, 0 to SCREE_MAX_COORDINATE: the highest step that it walks up; default 0.3
+	float
+	    snap_distance; // m, 0 to SCREE_MAX_COORDINATE: so far down it follows the ground that it stands on; default 0.3
+	float skin;        // m, 0.001 to SCREE_MAX_COORDINATE: the distance that it keeps from everything; default 0.01
 	uint64_t category; // as in scree_query_def; default all
 	uint64_t mask;     // the same
 } scree_mover_def;
@@ -1405,14 +1409,14 @@ static inline scree_mover_def scree_mover_def_default(void);
 // A character. Begin with zeros, a position and a velocity. Then change velocity and ignored only.
 typedef struct scree_mover
 {
-	scree_vec position;      // m: of the capsule's center
-	scree_vec velocity;      // m/s, on top of that of the ground: what you wish; then what is left of it
-	scree_body ignored;      // a body that it does not see, such as one that follows it; or null. As in scree_ray
-	scree_collidable ground; // what it stands on, null in the air
-	scree_vec normal;        // of the ground, 0 in the air
-	scree_pose ground_pose;  // of the body that it stands on, by which the next call moves it along
-	scree_vec carried;       // m/s: the velocity that the ground gave it. Add it to velocity when it jumps
-	scree_collidable wall;   // the last wall, ceiling or steep slope that stopped it, or null
+	scree_vec position;        // m: of the capsule's center
+	scree_vec velocity;        // m/s, on top of that of the ground: what you wish; then what is left of it
+	scree_body ignored;        // a body that it does not see, such as one that follows it; or null. As in scree_ray
+	scree_collidable ground;   // what it stands on, null in the air
+	scree_vec normal;          // of the ground, 0 in the air
+	scree_pose ground_pose;    // of the body that it stands on, by which the next call moves it along
+	scree_vec ground_velocity; // m/s: the velocity that the ground gave it. Add it to velocity when it jumps
+	scree_collidable wall;     // the last wall, ceiling or steep slope that stopped it, or null
 	scree_vec
 	    wall_normal; // unit vector from the wall to it, or 0. Of a mover that is crushed: 0, and wall is what it overlaps
 } scree_mover;
@@ -1422,7 +1426,7 @@ typedef struct scree_mover
 // that nothing can push out, as between a lift and a ceiling, is crushed: it stays where it was, at rest, until it overlaps nothing.
 // They do not collide with each other, and push no body: give wall an impulse yourself. Add gravity to the velocity of those in the
 // air. A velocity against up is dropped on ground; one along up is a jump. def may be null for the default. Ten to twenty batches of queries, however many movers: the bits are the same
-// on every device. Components of velocities are at most SCREE_HUGE. Fails without a change to movers.
+// on every device. Components of velocities are at most SCREE_MAX_COORDINATE. Fails without a change to movers.
 SCREE_API scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count,
                                          float dt);
 
@@ -1485,7 +1489,7 @@ typedef struct scree_field_def
 	scree_vec force;             // UNIFORM, N, the same; default 0
 	float strength;              // RADIAL, VORTEX, m/s^2; default 10
 	scree_field_falloff falloff; // the same; default inverse square
-	float radius;                // the same: of the falloff, m, 1e-3 to SCREE_HUGE; default 1
+	float radius;                // the same: of the falloff, m, 1e-3 to SCREE_MAX_COORDINATE; default 1
 	float softening;             // the same, m, >= 0: r^2 is the squared distance plus the square of this; default 0.1
 	scree_vec velocity;          // DRAG, WIND, BUOYANCY: of the medium, m/s, in the field's frame, on top of the body's
 	float density;               // WIND, BUOYANCY: of the medium, kg/m^2, >= 0; default 1
@@ -1519,7 +1523,7 @@ SCREE_API scree_status scree_world_get_fields(const scree_world* world, scree_fi
 // ---------------------------------------------------------------------------------------------------------------
 // Two shapes, without a world
 //
-// The geometry of queries for shapes at poses of your own. Coordinates are at most SCREE_HUGE. Results are the same on every machine.
+// The geometry of queries for shapes at poses of your own. Coordinates are at most SCREE_MAX_COORDINATE. Results are the same on every machine.
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct scree_distance
@@ -1536,9 +1540,9 @@ SCREE_API scree_status scree_shapes_get_distance(const scree_shape* a, scree_pos
 
 // Where a shape meets a ray, or where a meets b, which moves by a translation (m) without turning. found->collidable is null.
 SCREE_API scree_status scree_shape_cast_ray(const scree_shape* shape, scree_pose pose, scree_vec origin,
-                                            scree_vec translation, scree_found* found);
+                                            scree_vec translation, scree_query_result* found);
 SCREE_API scree_status scree_shapes_cast(const scree_shape* a, scree_pose pose_a, const scree_shape* b,
-                                         scree_pose pose_b, scree_vec translation, scree_found* found);
+                                         scree_pose pose_b, scree_vec translation, scree_query_result* found);
 
 // Whether a point is in a shape, its surface included.
 SCREE_API scree_status scree_shape_contains(const scree_shape* shape, scree_pose pose, scree_vec point, bool* contains);
@@ -1549,7 +1553,7 @@ SCREE_API scree_status scree_shape_contains(const scree_shape* shape, scree_pose
 // most 200 rounds; a motion that needs more counts as a hit where it ended.
 SCREE_API scree_status scree_shapes_get_impact(const scree_shape* a, scree_pose from_a, scree_pose to_a,
                                                const scree_shape* b, scree_pose from_b, scree_pose to_b,
-                                               scree_found* found);
+                                               scree_query_result* found);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Drawing
@@ -1765,15 +1769,16 @@ static inline scree_status scree_collidable_get_visits(scree_world* world, scree
 	return scree_collidable_get_visits_sized(world, sensor, visits, sizeof *visits, capacity, count);
 }
 
-SCREE_API scree_status scree_world_get_moved_sized(scree_world* world, scree_moved_list* list); // with the sizes set
-static inline scree_status scree_world_get_moved(scree_world* world, scree_moved_list* list)
+SCREE_API scree_status scree_world_get_moved_bodies_sized(scree_world* world,
+                                                          scree_moved_bodies* list); // with the sizes set
+static inline scree_status scree_world_get_moved_bodies(scree_world* world, scree_moved_bodies* list)
 {
 	if (list)
 	{
-		list->size = (uint32_t)sizeof(scree_moved_list);
-		list->moved_size = (uint32_t)sizeof(scree_moved);
+		list->size = (uint32_t)sizeof(scree_moved_bodies);
+		list->body_size = (uint32_t)sizeof(scree_moved_body);
 	}
-	return scree_world_get_moved_sized(world, list);
+	return scree_world_get_moved_bodies_sized(world, list);
 }
 
 SCREE_API void scree_material_pair_default_sized(scree_material_pair* pair, size_t size);
@@ -1832,37 +1837,37 @@ static inline scree_query_def scree_query_def_default(void)
 }
 
 SCREE_API scree_status scree_world_list_rays_sized(scree_world* world, const scree_query_def* def,
-                                                   const scree_ray* rays, int count, scree_found_list* list,
+                                                   const scree_ray* rays, int count, scree_query_results* list,
                                                    size_t size);
 static inline scree_status scree_world_list_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
-                                                 int count, scree_found_list* list)
+                                                 int count, scree_query_results* list)
 {
 	return scree_world_list_rays_sized(world, def, rays, count, list, sizeof *list);
 }
 
 SCREE_API scree_status scree_world_list_shapes_sized(scree_world* world, const scree_query_def* def,
                                                      const scree_shape* shape, const scree_probe* probes, int count,
-                                                     scree_found_list* list, size_t size);
+                                                     scree_query_results* list, size_t size);
 static inline scree_status scree_world_list_shapes(scree_world* world, const scree_query_def* def,
                                                    const scree_shape* shape, const scree_probe* probes, int count,
-                                                   scree_found_list* list)
+                                                   scree_query_results* list)
 {
 	return scree_world_list_shapes_sized(world, def, shape, probes, count, list, sizeof *list);
 }
 static inline scree_status scree_world_overlap_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
-                                                     scree_found_list* list)
+                                                     scree_query_results* list)
 {
 	scree_probe probe = {pose, {0.0f, 0.0f}, {0, 0}};
 	return scree_world_list_shapes_sized(world, NULL, shape, &probe, 1, list, sizeof *list);
 }
-static inline scree_status scree_world_overlap_point(scree_world* world, scree_vec point, scree_found_list* list)
+static inline scree_status scree_world_overlap_point(scree_world* world, scree_vec point, scree_query_results* list)
 {
 	scree_pose pose = {{point.x, point.y}, {1.0f, 0.0f}};
 	return scree_world_overlap_shape(world, NULL, pose, list);
 }
-SCREE_API scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, scree_found_list* list,
+SCREE_API scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, scree_query_results* list,
                                                      size_t size);
-static inline scree_status scree_world_overlap_box(scree_world* world, scree_box box, scree_found_list* list)
+static inline scree_status scree_world_overlap_box(scree_world* world, scree_box box, scree_query_results* list)
 {
 	return scree_world_overlap_box_sized(world, box, list, sizeof *list);
 }

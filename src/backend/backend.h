@@ -68,7 +68,7 @@ typedef struct // many items to a device, a stage over each, and an answer for e
 	// ends whatever they are. Null for none.
 	scree_status (*check)(const void* context, int begin, int end);
 	const void* context; // of check
-} Exchange;
+} Batch;
 
 typedef struct Backend Backend;
 typedef struct // every function that returns a status has set the error's sentence (fail, src/platform/error.h)
@@ -90,18 +90,18 @@ typedef struct // every function that returns a status has set the error's sente
 	scree_status (*read_begin)(Backend* b, PoolId pool, int first, int count);
 	scree_status (*read_end)(Backend* b, void* items);
 	// write, run and read, which may overlap
-	scree_status (*exchange)(Backend* b, const Step* step, const Exchange* exchange);
+	scree_status (*batch)(Backend* b, const Step* step, const Batch* batch);
 	scree_status (*wait)(Backend* b);
-	// milliseconds spent in each box since the last call, and clears them; zeros unless BackendOptions.timings. Waits.
-	scree_status (*timings)(Backend* b, double milliseconds[BOX_COUNT]);
+	// milliseconds spent in each stage since the last call, and clears them; zeros unless BackendOptions.timings. Waits.
+	scree_status (*timings)(Backend* b, double milliseconds[STAGE_COUNT]);
 	// Takes memory for a use, instead of what it had, or null for none; on failure it keeps what it had. Waits.
 	scree_status (*share)(Backend* b, SharedUse use, const SharedMemory* memory);
 	// runs a stage with the pool shown in that memory, and waits until OpenGL may read it
-	scree_status (*show)(Backend* b, const Run* run);
+	scree_status (*render)(Backend* b, const Run* run);
 	// copies the first items of a pool from the memory for queries at an offset, in order with the runs; or to it, and waits until
 	// others may read it
-	scree_status (*take)(Backend* b, PoolId pool, int count, size_t offset);
-	scree_status (*give)(Backend* b, PoolId pool, int count, size_t offset);
+	scree_status (*download)(Backend* b, PoolId pool, int count, size_t offset);
+	scree_status (*upload)(Backend* b, PoolId pool, int count, size_t offset);
 	// where a pool lies in the host's memory, until the next resize. Null where no pool does.
 	void* (*address)(Backend* b, PoolId pool);
 	// frees a core for other work of this process, or uses it again, between two lists of runs. Null where the backend
@@ -118,14 +118,14 @@ typedef struct // every function that returns a status has set the error's sente
 struct Backend
 {
 	const BackendFunctions* f;
-	char name[160];     // "cpu", "opencl:NVIDIA H200"
-	int threads, lanes; // 0 on OpenCL
-	int walkers;        // work-items among which the rest of a long walk is split, at least 1
-	int walk_nodes;     // nodes over leaves in a short walk; one that visits more is long
-	int chain_lanes;    // chains that are solved side by side, at least 1
-	int groups;         // work-groups that run at the same time, at least 1
-	bool distant;       // a read takes as long as many runs
-	bool skips;         // it leaves out what is not in active
+	char name[160];      // "cpu", "opencl:NVIDIA H200"
+	int threads, lanes;  // 0 on OpenCL
+	int traversal_items; // work-items among which the rest of a long walk is split, at least 1
+	int traversal_nodes; // nodes over leaves in a short walk; one that visits more is long
+	int chain_lanes;     // chains that are solved side by side, at least 1
+	int groups;          // work-groups that run at the same time, at least 1
+	bool distant;        // a read takes as long as many runs
+	bool skips;          // it leaves out what is not in active
 	scree_sharing
 	    sharing; // what share accepts; SCREE_SHARING_COPIED for nothing, then share, show, take and give are null
 	int capacity[PER_COUNT];           // items that each kind of pool has room for
@@ -142,6 +142,6 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend);
 // Fill entries for scree_devices_get; return how many devices there are.
 int cpu_devices(scree_device* devices, int capacity);
 int opencl_devices(scree_device* devices, int capacity);
-const char* opencl_remedy(void);
+const char* opencl_hint(void);
 
 #endif

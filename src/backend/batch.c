@@ -3,12 +3,12 @@
 #include "backend/batch.h"
 #include "platform/error.h"
 
-scree_status exchange_whole(Backend* b, const Step* step, const Exchange* exchange)
+scree_status batch_whole(Backend* b, const Step* step, const Batch* batch)
 {
-	int count = exchange->run.end;
-	TRY(b->f->write(b, exchange->asked, 0, count, exchange->items));
-	TRY(b->f->run(b, step, &exchange->run, 1));
-	if (exchange->check)
-		TRY(exchange->check(exchange->context, 0, count));
-	return b->f->read(b, exchange->answered, 0, count, exchange->answers);
+	int count = batch->run.end;
+	TRY(b->f->write(b, batch->asked, 0, count, batch->items));
+	TRY(b->f->run(b, step, &batch->run, 1));
+	if (batch->check)
+		TRY(batch->check(batch->context, 0, count));
+	return b->f->read(b, batch->answered, 0, count, batch->answers);
 }

@@ -5,6 +5,6 @@
 #include "backend/backend.h"
 
 // In turns: all items, the stage, all answers.
-scree_status exchange_whole(Backend* b, const Step* step, const Exchange* exchange);
+scree_status batch_whole(Backend* b, const Step* step, const Batch* batch);
 
 #endif

@@ -19,13 +19,14 @@ scree_status runs_reserve(RunList* list, int capacity)
 
 void runs_close(RunList* list) { scree_release(list->runs); }
 
-void runs_add(RunList* list, int stage, int begin, int end, int count, int argument)
+void runs_add(RunList* list, int kernel, int begin, int end, int count, int argument)
 {
 	ASSERT(list->count < list->capacity);
-	list->runs[list->count++] = (Run){.stage = stage, .begin = begin, .end = end, .count = count, .argument = argument};
+	list->runs[list->count++] =
+	    (Run){.kernel = kernel, .begin = begin, .end = end, .count = count, .argument = argument};
 }
 
-void runs_add_single(RunList* list, int stage) { runs_add(list, stage, 0, 1, NO_COUNT, 0); }
+void runs_add_single(RunList* list, int kernel) { runs_add(list, kernel, 0, 1, NO_COUNT, 0); }
 
 void runs_add_sort(RunList* list, int end, int count, int low, int high)
 {

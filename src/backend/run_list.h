@@ -16,10 +16,10 @@ scree_status runs_reserve(RunList* list, int capacity);
 void runs_close(RunList* list);
 
 // items begin to end, of which a counter may bound the end (COUNT, NO_COUNT)
-void runs_add(RunList* list, int stage, int begin, int end, int count, int argument);
+void runs_add(RunList* list, int kernel, int begin, int end, int count, int argument);
 
 // one item, for bookkeeping among the counters
-void runs_add_single(RunList* list, int stage);
+void runs_add_single(RunList* list, int kernel);
 
 // bits of the indices below count, as a sort key holds them: at least 1
 int index_bits(int count);

@@ -11,7 +11,7 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 int solve_runs_most(int substeps)
 {
 	// a run a color and kind, two a turn of hubs, two of chains, branches, and one over the bodies in a pass; before and after them a few
-	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_TURNS + 5) + 2 * CONSTRAINT_KINDS +
+	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_COLORS + 5) + 2 * CONSTRAINT_KINDS +
 	       COLORS + 14;
 }
 
@@ -22,18 +22,18 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 {
 	const Counters* c = solve->counters;
 	int bound = solve->bound, spokes = layout_spokes(c);
-	for (int turn = 0; turn < HUB_TURNS && turn < c->hubs; ++turn)
+	for (int turn = 0; turn < HUB_COLORS && turn < c->hubs; ++turn)
 	{
-		runs_add(list, STAGE_hub, 0, (c->hubs - turn + HUB_TURNS - 1) / HUB_TURNS, bound, pass | turn << 8);
+		runs_add(list, KERNEL_hub, 0, (c->hubs - turn + HUB_COLORS - 1) / HUB_COLORS, bound, pass | turn << 8);
 		if (bound == NO_COUNT)
-			runs_add(list, STAGE_hub_merge, 0, spokes, COUNT(split), turn);
+			runs_add(list, KERNEL_hub_merge, 0, spokes, COUNT(split), turn);
 		else if (c->split > 0)
-			runs_add(list, STAGE_hub_merge, 0, spokes, bound, turn);
+			runs_add(list, KERNEL_hub_merge, 0, spokes, bound, turn);
 	}
 	if (solve->carried < solve->chains && pass == PASS_RELAX)
-		runs_add(list, STAGE_chain, solve->carried, solve->chains, bound, pass);
+		runs_add(list, KERNEL_chain, solve->carried, solve->chains, bound, pass);
 	if (c->overflow > 0)
-		runs_add(list, STAGE_joint_overflow, 0, 1, bound, pass);
+		runs_add(list, KERNEL_joint_overflow, 0, 1, bound, pass);
 	for (int color = 0; color < COLORS; ++color)
 		for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		{
@@ -42,9 +42,9 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 				runs_add(list, kind_info[kind].pass[pass], begin, begin + padded(count), bound, 0);
 		}
 	if (solve->chains > 0)
-		runs_add(list, STAGE_chain, 0, solve->chains, bound, pass);
+		runs_add(list, KERNEL_chain, 0, solve->chains, bound, pass);
 	if (solve->branches > 0)
-		runs_add(list, STAGE_branch, solve->chains, solve->chains + solve->branches, bound, pass);
+		runs_add(list, KERNEL_branch, solve->chains, solve->chains + solve->branches, bound, pass);
 }
 
 void solve_taut(const Solve* solve, RunList* list)
@@ -53,20 +53,20 @@ void solve_taut(const Solve* solve, RunList* list)
 	runs_add(list, kind_info[CONSTRAINT_JOINT].prepare, 0, layout->begin[COLORS + 1], solve->bound, 0);
 	for (int color = 0; color < COLORS; ++color)
 		if (layout->count[color] > 0)
-			runs_add(list, STAGE_joint_taut, layout->begin[color], layout->begin[color] + padded(layout->count[color]),
+			runs_add(list, KERNEL_joint_taut, layout->begin[color], layout->begin[color] + padded(layout->count[color]),
 			         solve->bound, 0);
-	runs_add(list, STAGE_body_taut, 0, solve_bodies(solve), solve->bound, 0);
+	runs_add(list, KERNEL_body_taut, 0, solve_bodies(solve), solve->bound, 0);
 }
 
 void solve_slack(const Solve* solve, RunList* list)
 {
-	runs_add(list, STAGE_body_slack, 0, solve_bodies(solve), solve->bound, 0);
+	runs_add(list, KERNEL_body_slack, 0, solve_bodies(solve), solve->bound, 0);
 }
 
 void solve_list(const Solve* solve, RunList* list)
 {
 	int bound = solve->bound, bodies = solve_bodies(solve);
-	runs_add(list, STAGE_solve_begin, 0, bodies, bound, 0);
+	runs_add(list, KERNEL_solve_begin, 0, bodies, bound, 0);
 	if (solve->taut)
 		solve_taut(solve, list);
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
@@ -78,26 +78,26 @@ void solve_list(const Solve* solve, RunList* list)
 			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, bound, 0);
 	}
 	if (solve->chains > 0)
-		runs_add(list, STAGE_chain_begin, 0, solve->chains, bound, 0);
+		runs_add(list, KERNEL_chain_begin, 0, solve->chains, bound, 0);
 	if (solve->branches > 0)
-		runs_add(list, STAGE_branch_begin, solve->chains, solve->chains + solve->branches, bound, 0);
+		runs_add(list, KERNEL_branch_begin, solve->chains, solve->chains + solve->branches, bound, 0);
 	for (int q = 0; q < schedule_passes(solve->substeps, solve->bounces); ++q)
 	{
 		int before = schedule_before(solve->substeps, q);
 		if (before == BODY_ACCELERATES)
-			runs_add(list, STAGE_integrate_velocity, 0, bodies, bound, schedule_first(q));
+			runs_add(list, KERNEL_integrate_velocity, 0, bodies, bound, schedule_first(q));
 		if (before == BODY_MOVES)
-			runs_add(list, STAGE_integrate_position, 0, bodies, bound, 0);
+			runs_add(list, KERNEL_integrate_position, 0, bodies, bound, 0);
 		add_pass(list, solve, schedule_pass(solve->substeps, q));
 	}
 	if (solve->chains > 0)
-		runs_add(list, STAGE_chain_end, 0, solve->chains, bound, 0);
+		runs_add(list, KERNEL_chain_end, 0, solve->chains, bound, 0);
 	if (solve->branches > 0)
-		runs_add(list, STAGE_branch_end, solve->chains, solve->chains + solve->branches, bound, 0);
+		runs_add(list, KERNEL_branch_end, solve->chains, solve->chains + solve->branches, bound, 0);
 	if (solve->taut)
 		solve_slack(solve, list);
-	runs_add(list, STAGE_finalize, 0, solve->bodies, bound, 0);
-	runs_add(list, STAGE_guard, 0, solve->collidables, COUNT(guarded), 0);
+	runs_add(list, KERNEL_finalize, 0, solve->bodies, bound, 0);
+	runs_add(list, KERNEL_continuous, 0, solve->collidables, COUNT(continuous_items), 0);
 	if (solve->rare[CONSTRAINT_JOINT])
-		runs_add(list, STAGE_joint_finalize, 0, solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1], bound, 0);
+		runs_add(list, KERNEL_joint_finalize, 0, solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1], bound, 0);
 }

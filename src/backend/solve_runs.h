@@ -14,7 +14,7 @@ typedef struct
 	int substeps;
 	bool rare[CONSTRAINT_KINDS]; // the kind uses its rare rows
 	bool bounces;                // as in Step
-	bool bare;                   // some body with joints may have no collidables, and so no leaf in a tree
+	bool unlocked;               // some body with joints may have no collidables, and so no leaf in a tree
 	int chains, chain_places;    // rows of joints that are solved together, and places in them
 	int carried;                 // the first row that is heavy between light ends: from there on, to the last
 	int branches;                // trees of joints that are solved together, behind the chains

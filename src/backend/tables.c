@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tables.c -- what pools.def, stages.def and kinds.def list, as tables.
+// tables.c -- what pools.def, kernels.def and kinds.def list, as tables.
 #include "backend/tables.h"
 #include "constraints/constraint_kinds.h"
 
@@ -10,23 +10,23 @@ const PoolInfo pool_info[POOL_COUNT] = {
 #undef X
 };
 
-const char* const stage_names[RUN_KINDS] = {
-#define X(name, width, box) #name,
-#include "stages/stages.def"
+const char* const kernel_names[RUN_KINDS] = {
+#define X(name, width, stage) #name,
+#include "stages/kernels.def"
 #undef X
 	"sort",
 	"scan",
 };
 
-const Width stage_widths[STAGE_COUNT] = {
-#define X(name, width, box) WIDTH_##width,
-#include "stages/stages.def"
+const Width kernel_widths[KERNEL_COUNT] = {
+#define X(name, width, stage) WIDTH_##width,
+#include "stages/kernels.def"
 #undef X
 };
 
-const Box stage_boxes[STAGE_COUNT] = {
-#define X(name, width, box) BOX_##box,
-#include "stages/stages.def"
+const Stage kernel_stages[KERNEL_COUNT] = {
+#define X(name, width, stage) STAGE_##stage,
+#include "stages/kernels.def"
 #undef X
 };
 
@@ -35,14 +35,14 @@ const KindInfo kind_info[CONSTRAINT_KINDS] = {
 	{.items = PER_##KIND,                                                                                              \
 	 .places = PER_##KIND##_PLACE,                                                                                     \
 	 .blocks = PER_##KIND##_BLOCK,                                                                                     \
-	 .key = STAGE_##kind##_key,                                                                                        \
-	 .edge = STAGE_##kind##_edge,                                                                                      \
-	 .range = STAGE_##kind##_range,                                                                                    \
-	 .layout = STAGE_##kind##_layout,                                                                                  \
-	 .prepare = STAGE_##kind##_prepare,                                                                                \
-	 .prepare_rare = STAGE_##kind##_prepare_rare,                                                                      \
-	 .pass = {STAGE_##kind##_warm_start, STAGE_##kind##_bias, STAGE_##kind##_relax, STAGE_##kind##_bounce},            \
-	 .hash = STAGE_##kind##_hash},
+	 .key = KERNEL_##kind##_key,                                                                                        \
+	 .edge = KERNEL_##kind##_edge,                                                                                      \
+	 .range = KERNEL_##kind##_range,                                                                                    \
+	 .layout = KERNEL_##kind##_layout,                                                                                  \
+	 .prepare = KERNEL_##kind##_prepare,                                                                                \
+	 .prepare_rare = KERNEL_##kind##_prepare_rare,                                                                      \
+	 .pass = {KERNEL_##kind##_warm_start, KERNEL_##kind##_bias, KERNEL_##kind##_relax, KERNEL_##kind##_bounce},            \
+	 .hash = KERNEL_##kind##_hash},
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tables.h -- what pools.def, stages.def and kinds.def list, as enumerators and tables.
+// tables.h -- what pools.def, kernels.def and kinds.def list, as enumerators and tables.
 #ifndef TABLES_H
 #define TABLES_H
 #include "constraints/schedule.h"
@@ -17,17 +17,17 @@ typedef enum
 
 typedef enum
 {
-#define X(name, width, box) STAGE_##name,
-#include "stages/stages.def"
+#define X(name, width, stage) KERNEL_##name,
+#include "stages/kernels.def"
 #undef X
-	STAGE_COUNT,
+	KERNEL_COUNT,
 	// Not stages: each backend has its own implementation, with equal results. SORT: sorts items 0 to end of
 	// pool key by the bits from argument & 255 up to, not including, argument >> 8; stable.
-	PRIMITIVE_SORT = STAGE_COUNT,
+	PRIMITIVE_SORT = KERNEL_COUNT,
 	// SCAN: replaces items 0 to end of pool scan by the sum of the items before each.
 	PRIMITIVE_SCAN,
 	RUN_KINDS
-} StageId;
+} KernelId;
 
 typedef enum // how many lanes process an item of a stage
 {
@@ -38,16 +38,16 @@ typedef enum // how many lanes process an item of a stage
 	WIDTH_TEAM,  // the same, but that a worker does it with one lane
 } Width;
 
-typedef enum // the boxes of the figure
+typedef enum // the stages of the step
 {
-	BOX_transform,
-	BOX_broad_phase,
-	BOX_narrow_phase,
-	BOX_color,
-	BOX_solve,
-	BOX_finalize,
-	BOX_COUNT
-} Box;
+	STAGE_transform,
+	STAGE_broad_phase,
+	STAGE_narrow_phase,
+	STAGE_color,
+	STAGE_solve,
+	STAGE_finalize,
+	STAGE_COUNT
+} Stage;
 
 typedef struct // of pools.def, in order
 {
@@ -61,17 +61,17 @@ extern const PoolInfo pool_info[POOL_COUNT];
 typedef struct // of a kind of constraint
 {
 	Per items, places, blocks;
-	StageId key, edge, range, layout; // which lay it out
-	StageId prepare, prepare_rare, pass[PASS_KINDS], hash;
+	KernelId key, edge, range, layout; // which lay it out
+	KernelId prepare, prepare_rare, pass[PASS_KINDS], hash;
 } KindInfo;
 extern const KindInfo kind_info[CONSTRAINT_KINDS];
 
 // slots in use of a kind
 int kind_items(const Counters* counters, int kind);
 
-extern const char* const stage_names[RUN_KINDS];
-extern const Box stage_boxes[STAGE_COUNT];
-extern const Width stage_widths[STAGE_COUNT];
+extern const char* const kernel_names[RUN_KINDS];
+extern const Stage kernel_stages[KERNEL_COUNT];
+extern const Width kernel_widths[KERNEL_COUNT];
 
 // Run.count of a member of Counters
 #define COUNT(member) ((int)(offsetof(Counters, member) / sizeof(int)))

@@ -43,7 +43,7 @@ INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 	Int supported = (vec_dot(b.v, b.v) < gained) & (gather_int(p->touching, body) > 1);
 	Vec fall =
 	    vec(row[6] * (row[3] * gravity.x + b.inv_mass * row[0]), row[7] * (row[3] * gravity.y + b.inv_mass * row[1]));
-	return vec_choose(fall, vec(zero, zero), supported);
+	return vec_blend(fall, vec(zero, zero), supported);
 }
 
 // Newton's law of impact, m/s: the speed with which a point leaves that approaches with a normal velocity (negative) and is a
@@ -54,19 +54,19 @@ INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, R
 	Real before = velocity + 0.5f * step->h * fall, zero = splat(0.0f);
 	Real square = before * before - 2.0f * fall * gap;
 	Int bounces = (before < zero) & (square > splat(step->restitution_threshold * step->restitution_threshold));
-	return choose(zero, restitution * root(choose(splat(1.0f), square, bounces)), bounces);
+	return blend(zero, restitution * root(blend(splat(1.0f), square, bounces)), bounces);
 }
 
 // J: with which two bodies meet, and what they fall until then.
 INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Real rebound1, Real rebound2)
 {
-	Real zero = splat(0.0f), one = splat(1.0f), safe = choose(one, e, e > zero);
+	Real zero = splat(0.0f), one = splat(1.0f), safe = blend(one, e, e > zero);
 	Real meet1 = rebound1 / safe, meet2 = rebound2 / safe;
-	Real more1 = choose(zero, meet1 * meet1 - speed[0] * speed[0], rebound1 > zero),
-	     more2 = choose(zero, meet2 * meet2 - speed[1] * speed[1], rebound2 > zero);
+	Real more1 = blend(zero, meet1 * meet1 - speed[0] * speed[0], rebound1 > zero),
+	     more2 = blend(zero, meet2 * meet2 - speed[1] * speed[1], rebound2 > zero);
 	// restitution above 1 adds energy on purpose
 	Real energy = (pair_energy(c) + pair_gained(c, more1, more2)) * maximum(one, e * e);
-	return choose(splat(MOST_FLOAT), energy, energy <= splat(MOST_FLOAT));
+	return blend(splat(MOST_FLOAT), energy, energy <= splat(MOST_FLOAT));
 }
 
 // m/s^2: with the largest gap and step the square of a speed is still finite
@@ -86,9 +86,9 @@ INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 		{
 			Vec fall_a = prepare_acceleration(p, at.ia, at.arms.a), fall_b = prepare_acceleration(p, at.ib, at.arms.b);
 			Real falls = vec_dot(vec_sub(fall_b, fall_a), at.arms.n);
-			fall = choose(zero, falls, nears & (falls >= splat(-MOST_FALL)) & (falls <= splat(MOST_FALL)));
-			rebound1 = choose(zero, prepare_rebound(&p->step, e, at.speed[0], fall, u->separation1), nears);
-			rebound2 = choose(zero, prepare_rebound(&p->step, e, at.speed[1], fall, u->separation2), nears);
+			fall = blend(zero, falls, nears & (falls >= splat(-MOST_FALL)) & (falls <= splat(MOST_FALL)));
+			rebound1 = blend(zero, prepare_rebound(&p->step, e, at.speed[0], fall, u->separation1), nears);
+			rebound2 = blend(zero, prepare_rebound(&p->step, e, at.speed[1], fall, u->separation2), nears);
 			energy = prepare_energy(&at.arms, e, at.speed, rebound1, rebound2);
 		}
 	}
@@ -103,8 +103,8 @@ INLINE void prepare_approach(const Pools* p, int i, const Contact* u)
 {
 	Approach at = prepare_velocities(p, i, u);
 	Real zero = splat(0.0f), speed1 = -at.speed[0], speed2 = -at.speed[1];
-	store(&contact_rare(p, approach1, i), 0, choose(zero, speed1, (speed1 > zero) & (speed1 <= splat(MOST_FLOAT))));
-	store(&contact_rare(p, approach2, i), 0, choose(zero, speed2, (speed2 > zero) & (speed2 <= splat(MOST_FLOAT))));
+	store(&contact_rare(p, approach1, i), 0, blend(zero, speed1, (speed1 > zero) & (speed1 <= splat(MOST_FLOAT))));
+	store(&contact_rare(p, approach2, i), 0, blend(zero, speed2, (speed2 > zero) & (speed2 <= splat(MOST_FLOAT))));
 }
 
 // The rare rows that are prepared. Those of padding stay 0.

@@ -42,10 +42,10 @@
 #define CONTACT_RARE_ROWS(X)                                                                         \
 	/* 1, m, m/s */                                                                                  \
 	X(restitution, bounces, PLACED, 0.0f, IN_PREPARE_BOUNCE, IN_NONE)                                \
-	X(rolling, rolls, PLACED, 0.0f, IN_RELAX, IN_NONE)                                               \
-	X(tangent_speed, rolls, PLACED, 0.0f, IN_RELAX, IN_NONE)                                         \
+	X(rolling, has_rolling, PLACED, 0.0f, IN_RELAX, IN_NONE)                                         \
+	X(tangent_speed, has_rolling, PLACED, 0.0f, IN_RELAX, IN_NONE)                                   \
 	/* N m s */                                                                                      \
-	X(rolling_impulse, rolls, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                                     \
+	X(rolling_impulse, has_rolling, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                               \
 	/* m/s^2: normal acceleration by gravity and forces */                                           \
 	X(fall, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                   \
 	/* J: with which the two bodies meet, and what they fall until then */                           \
@@ -168,7 +168,7 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 
 	// speculative: no push before the gap closes within the substep
 	PairGoal goal;
-	goal.bias = choose(splat(0.0f), s * step->inv_h, apart);
+	goal.bias = blend(splat(0.0f), s * step->inv_h, apart);
 	goal.mass_scale = splat(1.0f);
 	goal.impulse_scale = splat(0.0f);
 	if (!soft)
@@ -176,19 +176,19 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 
 	// A limited push needs more time, but ends at the force of the whole spring: otherwise deep bodies would cluster, because
 	// more overlap would not push harder. So impulses leak more slowly by the same factor.
-	Real rate = choose(splat(step->pair.mass_scale * step->pair.bias_rate),
-	                   splat(step->fixed.mass_scale * step->fixed.bias_rate), fixed);
-	Real firm = choose(splat(step->pair.firm), splat(step->fixed.firm), fixed);
-	Real depth = choose(splat(step->pair.depth), splat(step->fixed.depth), fixed);
+	Real rate = blend(splat(step->pair.mass_scale * step->pair.bias_rate),
+	                  splat(step->fixed.mass_scale * step->fixed.bias_rate), fixed);
+	Real firm = blend(splat(step->pair.firm), splat(step->fixed.firm), fixed);
+	Real depth = blend(splat(step->pair.depth), splat(step->fixed.depth), fixed);
 	Real push = rate * (s + firm * (exact ? s : maximum(s, -depth))), most = splat(-step->push_speed);
-	Real leak = choose(splat(step->pair.impulse_scale), splat(step->fixed.impulse_scale), fixed);
+	Real leak = blend(splat(step->pair.impulse_scale), splat(step->fixed.impulse_scale), fixed);
 	Int limited = push < most;
 	if (lane_bits(limited)) // few are: it saves a division
-		leak = leak * choose(splat(1.0f), most / push, limited);
-	Real mass_scale = choose(splat(step->pair.mass_scale), splat(step->fixed.mass_scale), fixed);
-	goal.bias = choose(maximum(push, most), goal.bias, apart);
-	goal.mass_scale = choose(mass_scale, goal.mass_scale, apart);
-	goal.impulse_scale = choose(leak, goal.impulse_scale, apart);
+		leak = leak * blend(splat(1.0f), most / push, limited);
+	Real mass_scale = blend(splat(step->pair.mass_scale), splat(step->fixed.mass_scale), fixed);
+	goal.bias = blend(maximum(push, most), goal.bias, apart);
+	goal.mass_scale = blend(mass_scale, goal.mass_scale, apart);
+	goal.impulse_scale = blend(leak, goal.impulse_scale, apart);
 	return goal;
 }
 
@@ -230,8 +230,8 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 		if (step->bounces && !soft)
 		{
 			Int waits = pair_waits(gap[k], impulse[k], rebound[k]);
-			change[k] = choose(change[k], zero, waits);
-			yield[k] = choose(yield[k], zero, waits);
+			change[k] = blend(change[k], zero, waits);
+			yield[k] = blend(yield[k], zero, waits);
 		}
 	}
 
@@ -239,7 +239,7 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 	Real by1 = yield[0] * cross, by0 = yield[1] * cross, own = 1.0f - by0 * by1;
 
 	// both push, unless the second would pull; then the first alone, and the second again with what the first did
-	Real second = choose(zero, (change[1] - by0 * change[0]) / own, own > splat(PAIR_OWN));
+	Real second = blend(zero, (change[1] - by0 * change[0]) / own, own > splat(PAIR_OWN));
 	Real first = push_of(impulse[0] + (change[0] - by1 * maximum(second, -impulse[1]))) - impulse[0];
 	second = push_of(impulse[1] + (change[1] - by0 * first)) - impulse[1];
 	impulse[0] = impulse[0] + first;
@@ -264,7 +264,7 @@ INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limi
 INLINE void pair_roll(const Pools* p, int i, ContactArms* c, Real weight)
 {
 	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
-	Real mass = choose(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
+	Real mass = blend(splat(0.0f), 1.0f / inertia, inertia > splat(0.0f));
 	Real limit = minimum(load(&contact_rare(p, rolling, i), 0) * weight, splat(MOST_IMPULSE));
 	Real old = load(&contact_rare(p, rolling_impulse, i), 0);
 	Real impulse = grip_of(old - mass * (c->b.w - c->a.w), limit);
@@ -285,7 +285,7 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 {
 	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_add(vec_scale(normal1, c->n), vec_scale(tangent1, c->t)));
 	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_add(vec_scale(normal2, c->n), vec_scale(tangent2, c->t)));
-	if (p->step.rolls)
+	if (p->step.has_rolling)
 	{
 		Real rolling = load(&contact_rare(p, rolling_impulse, i), 0);
 		c->a.w = c->a.w - c->a.inv_inertia * rolling;
@@ -301,8 +301,8 @@ INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1,
 	Real cross = pair_cross(c);
 	Real share = 1.0f - cross * mass1 * cross * mass2;
 	Int one = share < splat(PAIR_OWN);
-	*impulse1 = choose(mass1 * (lack1 - cross * mass2 * lack2) / share, mass1 * lack1, one);
-	*impulse2 = choose(mass2 * (lack2 - cross * mass1 * lack1) / share, splat(0.0f), one);
+	*impulse1 = blend(mass1 * (lack1 - cross * mass2 * lack2) / share, mass1 * lack1, one);
+	*impulse2 = blend(mass2 * (lack2 - cross * mass1 * lack1) / share, splat(0.0f), one);
 }
 
 // Stops two points that will bounce at once. Solved one after the other, they would rotate a body that lands flat, and friction
@@ -319,8 +319,8 @@ INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap
 
 	// if only one of them pushes, sequential impulses are correct
 	meet = meet & ((new1 < zero) == (new2 < zero));
-	new1 = choose(*normal1, push_of(new1), meet);
-	new2 = choose(*normal2, push_of(new2), meet);
+	new1 = blend(*normal1, push_of(new1), meet);
+	new2 = blend(*normal2, push_of(new2), meet);
 	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_scale(new1 - *normal1, c->n));
 	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(new2 - *normal2, c->n));
 	*normal1 = new1;
@@ -340,11 +340,11 @@ INLINE Real pair_energy(const ContactArms* c)
 	Real zero = splat(0.0f), one = splat(1.0f), mass = c->a.inv_mass + c->b.inv_mass;
 	Int moves_a = c->a.inv_mass > zero, moves_b = c->b.inv_mass > zero;
 	Int turns_a = c->a.inv_inertia > zero, turns_b = c->b.inv_inertia > zero;
-	Vec a = vec_choose(body_velocity_at(c->a, c->ra[0]), c->a.v, moves_a),
-	    b = vec_choose(body_velocity_at(c->b, c->rb[0]), c->b.v, moves_b), v = vec_sub(b, a);
-	Real energy = vec_dot(v, v) / choose(one, mass, mass > zero);
-	energy = energy + choose(zero, c->a.w * c->a.w / choose(one, c->a.inv_inertia, turns_a), turns_a);
-	energy = energy + choose(zero, c->b.w * c->b.w / choose(one, c->b.inv_inertia, turns_b), turns_b);
+	Vec a = vec_blend(body_velocity_at(c->a, c->ra[0]), c->a.v, moves_a),
+	    b = vec_blend(body_velocity_at(c->b, c->rb[0]), c->b.v, moves_b), v = vec_sub(b, a);
+	Real energy = vec_dot(v, v) / blend(one, mass, mass > zero);
+	energy = energy + blend(zero, c->a.w * c->a.w / blend(one, c->a.inv_inertia, turns_a), turns_a);
+	energy = energy + blend(zero, c->b.w * c->b.w / blend(one, c->b.inv_inertia, turns_b), turns_b);
 	return 0.5f * energy;
 }
 
@@ -352,7 +352,7 @@ INLINE Real pair_energy(const ContactArms* c)
 INLINE Real pair_gained(const ContactArms* c, Real more1, Real more2)
 {
 	Real zero = splat(0.0f), mass = c->a.inv_mass + c->b.inv_mass;
-	return 0.5f * maximum(maximum(more1, more2), zero) / choose(splat(1.0f), mass, mass > zero);
+	return 0.5f * maximum(maximum(more1, more2), zero) / blend(splat(1.0f), mass, mass > zero);
 }
 
 // Which part of two bounces may act so that two bodies have no more energy than before they met (most). Contacts of a body that
@@ -362,14 +362,14 @@ INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], con
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
 	Real slope = speed[0] * impulse1 + speed[1] * impulse2;
-	Real yields = impulse1 * impulse1 / choose(one, mass[0], mass[0] > zero) +
-	              impulse2 * impulse2 / choose(one, mass[1], mass[1] > zero) +
+	Real yields = impulse1 * impulse1 / blend(one, mass[0], mass[0] > zero) +
+	              impulse2 * impulse2 / blend(one, mass[1], mass[1] > zero) +
 	              2.0f * pair_cross(c) * impulse1 * impulse2;
 	Real left = maximum(most - pair_energy(c), zero);
 	Int more = (slope + 0.5f * yields > left) & (yields > zero);
 	Real square = slope * slope + 2.0f * yields * left;
-	Real part = (root(choose(zero, square, more & (square > zero))) - slope) / choose(one, yields, more);
-	return choose(one, minimum(maximum(part, zero), one), more);
+	Real part = (root(blend(zero, square, more & (square > zero))) - slope) / blend(one, yields, more);
+	return blend(one, minimum(maximum(part, zero), one), more);
 }
 
 // Restitution of the points that got an impulse. A point that bounces separates, so the next step must not be warm started
@@ -384,17 +384,17 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	Real leave1 = bounce_speed(&p->step, rebound1, fall, gap1), leave2 = bounce_speed(&p->step, rebound2, fall, gap2);
 	Real speed[2] = {pair_approach(*c, 0, c->n), pair_approach(*c, 1, c->n)}, mass[2] = {mass1, mass2};
 	Real lack1 = leave1 - speed[0], lack2 = leave2 - speed[1];
-	Real alone1 = choose(zero, push_of(mass1 * lack1), hit1);
-	Real alone2 = choose(zero, push_of(mass2 * lack2), hit2);
+	Real alone1 = blend(zero, push_of(mass1 * lack1), hit1);
+	Real alone2 = blend(zero, push_of(mass2 * lack2), hit2);
 	Real impulse1, impulse2;
 	pair_joint(c, mass1, mass2, lack1, lack2, &impulse1, &impulse2);
 	Int push1 = impulse1 > zero, push2 = impulse2 > zero;
-	impulse1 = choose(alone1, push_of(impulse1), hit1 & hit2 & push2);
-	impulse2 = choose(alone2, push_of(impulse2), hit1 & hit2 & push1);
+	impulse1 = blend(alone1, push_of(impulse1), hit1 & hit2 & push2);
+	impulse2 = blend(alone2, push_of(impulse2), hit1 & hit2 & push1);
 
 	// gravity adds to speeds in half a substep, which is no gain
-	Real more1 = choose(zero, leave1 * leave1 - rebound1 * rebound1, hit1),
-	     more2 = choose(zero, leave2 * leave2 - rebound2 * rebound2, hit2);
+	Real more1 = blend(zero, leave1 * leave1 - rebound1 * rebound1, hit1),
+	     more2 = blend(zero, leave2 * leave2 - rebound2 * rebound2, hit2);
 	Real most = load(&contact_rare(p, energy, i), 0) + pair_gained(c, more1, more2);
 	Real part = pair_share(c, most, speed, mass, impulse1, impulse2);
 	impulse1 = push_of(part * impulse1);
@@ -403,8 +403,8 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	body_push(&c->a, c->ra[1], &c->b, c->rb[1], vec_scale(impulse2, c->n));
 	store(&contact_rare(p, total_impulse1, i), 0, total1 + impulse1);
 	store(&contact_rare(p, total_impulse2, i), 0, total2 + impulse2);
-	*normal1 = choose(*normal1, zero, hit1);
-	*normal2 = choose(*normal2, zero, hit2);
+	*normal1 = blend(*normal1, zero, hit1);
+	*normal2 = blend(*normal2, zero, hit2);
 }
 
 // The velocity that a warm starting impulse may give a point, as a share of max_speed. In a jam between immovable bodies
@@ -433,7 +433,7 @@ INLINE void pair_bias(const Pools* p, int i, const ContactReady* ready, ContactA
 INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactArms* c, Contact* u)
 {
 	Real speed = splat(0.0f), rebound[2] = {splat(0.0f), splat(0.0f)};
-	if (p->step.rolls)
+	if (p->step.has_rolling)
 		speed = load(&contact_rare(p, tangent_speed, i), 0);
 	if (p->step.bounces)
 	{
@@ -455,7 +455,7 @@ INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactA
 	u->tangent_impulse1 = pair_tangent(c, 0, mass, speed, u->friction * u->normal_impulse1, u->tangent_impulse1);
 	mass = held ? u->tangent_mass2 : pair_mass(c, 1, c->t);
 	u->tangent_impulse2 = pair_tangent(c, 1, mass, speed, u->friction * u->normal_impulse2, u->tangent_impulse2);
-	if (p->step.rolls)
+	if (p->step.has_rolling)
 		pair_roll(p, i, c, u->normal_impulse1 + u->normal_impulse2);
 	if (STEP_RARE(p->step))
 		pair_total(p, i, u->normal_impulse1, u->normal_impulse2);

@@ -21,22 +21,22 @@ typedef struct // world axes
 } ContactPoints;
 
 // b where c is set, else a
-INLINE ContactPoints contact_points_choose(ContactPoints a, ContactPoints b, Int c)
+INLINE ContactPoints contact_points_blend(ContactPoints a, ContactPoints b, Int c)
 {
-	a.normal = vec_choose(a.normal, b.normal, c);
-	a.offset = vec_choose(a.offset, b.offset, c);
+	a.normal = vec_blend(a.normal, b.normal, c);
+	a.offset = vec_blend(a.offset, b.offset, c);
 	for (int k = 0; k < 2; ++k)
 	{
-		a.point[k] = vec_choose(a.point[k], b.point[k], c);
-		a.anchor[k] = vec_choose(a.anchor[k], b.anchor[k], c);
-		a.separation[k] = choose(a.separation[k], b.separation[k], c);
+		a.point[k] = vec_blend(a.point[k], b.point[k], c);
+		a.anchor[k] = vec_blend(a.anchor[k], b.anchor[k], c);
+		a.separation[k] = blend(a.separation[k], b.separation[k], c);
 	}
 	return a;
 }
 
 // The part of the motion of an arm that is still to come, for a body that will turn so far, by an angle, and has the arm then: how
 // the solver moves the arm (body_shift), less how it will move.
-INLINE Vec contact_points_ahead(Vec turn, Real angle, Vec arm)
+INLINE Vec contact_points_predicted(Vec turn, Real angle, Vec arm)
 {
 	return vec_sub(vec_spin(angle, arm), vec_sub(arm, vec_turn_back(turn, arm)));
 }
@@ -76,9 +76,9 @@ INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const
 		if (lane_bits(ahead))
 		{
 			Vec arm_a = points.anchor[k], arm_b = vec_add(arm_a, points.offset);
-			Vec less = vec_sub(parted, vec_sub(contact_points_ahead(turned_b, angle_b, arm_b),
-			                                   contact_points_ahead(turned_a, angle_a, arm_a)));
-			parted = vec_choose(parted, less, ahead);
+			Vec less = vec_sub(parted, vec_sub(contact_points_predicted(turned_b, angle_b, arm_b),
+			                                   contact_points_predicted(turned_a, angle_a, arm_a)));
+			parted = vec_blend(parted, less, ahead);
 		}
 		points.separation[k] = manifold[2 + k] + vec_dot(points.normal, parted);
 	}

@@ -36,16 +36,16 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 	gather_fixed_rows8((GLOBAL float*)p->world_shape, ib, b);
 	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * slot, manifold);
 	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * slot + 1, manifold + 8);
-	Int flags = there & 0, rolls = flags;
+	Int flags = there & 0, has_rolling = flags;
 	if (p->step.round)
 	{
 		flags = gather_int((const GLOBAL int*)p->contact_flags, slot);
-		rolls = there & ((flags & (int)MANIFOLD_ROLLS) != 0);
+		has_rolling = there & ((flags & (int)MANIFOLD_ROLLS) != 0);
 	}
 	ContactPoints points;
-	if (LANES > 1 || !lane_bits(rolls))
+	if (LANES > 1 || !lane_bits(has_rolling))
 		points = contact_points_held(a, b, manifold);
-	if (lane_bits(rolls))
+	if (lane_bits(has_rolling))
 	{
 		Int feature[2];
 		feature[0] = gather_int((const GLOBAL int*)p->contact_feature, 2 * slot);
@@ -53,15 +53,15 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 		ContactPoints rolling =
 		    rolling_step(p, a, b, manifold, flags, feature, load(&contact_row(p, normal_impulse1, i), 0),
 		                 load(&contact_row(p, normal_impulse2, i), 0));
-		points = LANES > 1 ? contact_points_choose(points, rolling, rolls) : rolling;
+		points = LANES > 1 ? contact_points_blend(points, rolling, has_rolling) : rolling;
 	}
 	Vec zero = vec(splat(0.0f), splat(0.0f));
-	points.normal = vec_choose(zero, points.normal, there);
-	points.offset = vec_choose(zero, points.offset, there);
+	points.normal = vec_blend(zero, points.normal, there);
+	points.offset = vec_blend(zero, points.offset, there);
 	for (int k = 0; k < 2; ++k)
 	{
-		points.anchor[k] = vec_choose(zero, points.anchor[k], there);
-		points.separation[k] = choose(splat(NO_POINT), points.separation[k], there);
+		points.anchor[k] = vec_blend(zero, points.anchor[k], there);
+		points.separation[k] = blend(splat(NO_POINT), points.separation[k], there);
 	}
 	prepare_depth(p, minimum(points.separation[0], points.separation[1]));
 	prepare_press(p, i, minimum(points.separation[0], points.separation[1]));

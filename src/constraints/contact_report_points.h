@@ -5,8 +5,8 @@
 #include "constraints/rolling.h"
 
 // From the rows that rolling.h needs; all is relative to the origin of collidable a.
-INLINE ContactPoints listed_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
-                                   const Real manifold[16], Word flags, Int2 features)
+INLINE ContactPoints contact_report_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
+                                           const Real manifold[16], Word flags, Int2 features)
 {
 	const Advance rests = {{0.0f, 0.0f}, 0.0f};
 	Int feature[2];
@@ -18,7 +18,7 @@ INLINE ContactPoints listed_points(const GLOBAL Attribute* shapes, const Real a[
 }
 
 // Writes them to a row; x, y: m, the origin of collidable a.
-INLINE void listed_place(Listed* row, const ContactPoints* at, Real x, Real y)
+INLINE void contact_report_place(ContactReport* row, const ContactPoints* at, Real x, Real y)
 {
 	row->normal_x = at->normal.x;
 	row->normal_y = at->normal.y;

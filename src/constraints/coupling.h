@@ -27,10 +27,10 @@ INLINE CouplingSide coupling_side(const Joint* u, int side, Vec line, Vec arm, c
 	Vec moved = vec_add(body->d, swing);
 	Int slides = joint_has(u, JOINT_SLIDES(side)), hoists = joint_has(u, JOINT_HOISTS(side));
 	Int turns = (slides | hoists) == 0;
-	moved = vec_choose(moved, vec_add(line, moved), hoists);
-	s.direction = joint_line(vec_choose(zero, line, slides), moved, hoists);
-	s.lever = choose(vec_cross(vec_add(arm, swing), s.direction), splat(1.0f), turns);
-	s.value = choose(vec_dot(moved, s.direction), body->da, turns);
+	moved = vec_blend(moved, vec_add(line, moved), hoists);
+	s.direction = joint_line(vec_blend(zero, line, slides), moved, hoists);
+	s.lever = blend(vec_cross(vec_add(arm, swing), s.direction), splat(1.0f), turns);
+	s.value = blend(vec_dot(moved, s.direction), body->da, turns);
 	return s;
 }
 
@@ -53,11 +53,11 @@ OUT_OF_LINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose*
 	// a body whose state is not finite must not take the other one with it
 	Int sound = c->coupled & (absolute(value + (a.lever + b.lever)) <= splat(MOST_FLOAT));
 	Vec none = vec(zero, zero);
-	c->axis_a = vec_choose(none, vec_scale(-ratio, a.direction), sound);
-	c->axis[0] = vec_choose(c->axis[0], vec_choose(none, b.direction, sound), c->coupled);
-	c->lever_a[0] = choose(c->lever_a[0], choose(zero, -ratio * a.lever, sound), c->coupled);
-	c->lever_b[0] = choose(c->lever_b[0], choose(zero, b.lever, sound), c->coupled);
-	c->value[0] = choose(c->value[0], choose(zero, value, sound), c->coupled);
+	c->axis_a = vec_blend(none, vec_scale(-ratio, a.direction), sound);
+	c->axis[0] = vec_blend(c->axis[0], vec_blend(none, b.direction, sound), c->coupled);
+	c->lever_a[0] = blend(c->lever_a[0], blend(zero, -ratio * a.lever, sound), c->coupled);
+	c->lever_b[0] = blend(c->lever_b[0], blend(zero, b.lever, sound), c->coupled);
+	c->value[0] = blend(c->value[0], blend(zero, value, sound), c->coupled);
 	c->given_a = vec(load(&joint_rare(p, given_a_x, i), 0), load(&joint_rare(p, given_a_y, i), 0));
 }
 

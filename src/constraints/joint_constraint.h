@@ -61,23 +61,23 @@
 
 // A limit, a spring and a motor along one coordinate, in m or rad, 1/s, N s or N m s. spring_relaxes of a soft lock is
 // its softness in the relaxing pass.
-#define JOINT_DRIVE_ROWS(X, of)                                          \
-	X(of##_lower, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
-	X(of##_upper, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
-	X(of##_limit_rate, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
-	X(of##_limit_soft, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
-	X(of##_target, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)         \
-	X(of##_spring_answer, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)   \
-	X(of##_spring_rate, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)     \
-	X(of##_spring_keeps, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)    \
-	X(of##_spring_relaxes, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE) \
-	X(of##_spring_least, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)   \
-	X(of##_spring_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)    \
-	X(of##_speed, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
-	X(of##_motor_most, drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
-	X(of##_limit_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)        \
-	X(of##_spring_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)       \
-	X(of##_motor_impulse, drives, KEPT, 0.0f, IN_POSED, IN_POSED)
+#define JOINT_DRIVE_ROWS(X, of)                                              \
+	X(of##_lower, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
+	X(of##_upper, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
+	X(of##_limit_rate, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
+	X(of##_limit_soft, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
+	X(of##_target, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)         \
+	X(of##_spring_answer, has_drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)   \
+	X(of##_spring_rate, has_drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)     \
+	X(of##_spring_keeps, has_drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)    \
+	X(of##_spring_relaxes, has_drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE) \
+	X(of##_spring_least, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)   \
+	X(of##_spring_most, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)    \
+	X(of##_speed, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
+	X(of##_motor_most, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)     \
+	X(of##_limit_impulse, has_drives, KEPT, 0.0f, IN_POSED, IN_POSED)        \
+	X(of##_spring_impulse, has_drives, KEPT, 0.0f, IN_POSED, IN_POSED)       \
+	X(of##_motor_impulse, has_drives, KEPT, 0.0f, IN_POSED, IN_POSED)
 
 // of gears and pulleys (coupling.h)
 #define JOINT_COUPLING_ROWS(X)                                                                                    \
@@ -117,16 +117,16 @@
 	X(path_laps, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                               \
 	X(path_seeks, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)
 
-#define JOINT_RARE_ROWS(X)                                                  \
-	JOINT_DRIVE_ROWS(X, along)                                              \
-	JOINT_DRIVE_ROWS(X, across)                                             \
-	JOINT_DRIVE_ROWS(X, angle)                                              \
-	/* 1: it has springs, and its bodies have no other constraints */       \
-	X(springs_alone, drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)           \
-	/* N s, N m s: the largest of all substeps */                           \
-	X(peak_force, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)  \
-	X(peak_torque, drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX) \
-	JOINT_COUPLING_ROWS(X)                                                  \
+#define JOINT_RARE_ROWS(X)                                                      \
+	JOINT_DRIVE_ROWS(X, along)                                                  \
+	JOINT_DRIVE_ROWS(X, across)                                                 \
+	JOINT_DRIVE_ROWS(X, angle)                                                  \
+	/* 1: it has springs, and its bodies have no other constraints */           \
+	X(springs_alone, has_drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)           \
+	/* N s, N m s: the largest of all substeps */                               \
+	X(peak_force, has_drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)  \
+	X(peak_torque, has_drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX) \
+	JOINT_COUPLING_ROWS(X)                                                      \
 	JOINT_PATH_ROWS(X)
 
 #define JOINT_STREAM(QUAD, PAIR)                                         \
@@ -144,7 +144,7 @@
 #define JOINT_GATHERS(step)  (sizeof(JointData) + 2 * (sizeof(Float4) + 2 * sizeof(Float2)))
 #define JOINT_BOUNCE_GATHERS 0
 
-#define JOINT_RARE(step) ((step)->drives)
+#define JOINT_RARE(step) ((step)->has_drives)
 
 struct JointRows
 {
@@ -218,7 +218,7 @@ INLINE Vec joint_line(Vec axis, Vec d, Int radial)
 {
 	Real square = vec_dot(d, d);
 	Int apart = radial & (square > splat(1.0e-12f)) & (square < splat(1.0e30f));
-	return vec_choose(axis, vec_scale(1.0f / root(choose(splat(1.0f), square, apart)), d), apart);
+	return vec_blend(axis, vec_scale(1.0f / root(blend(splat(1.0f), square, apart)), d), apart);
 }
 
 // No lane has a coupling or a path, until coupling.h or path_constraint.h finds one.
@@ -249,10 +249,10 @@ INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real valu
 {
 	Real zero = splat(0.0f);
 	Int limited = joint_has(u, JOINT_LIMITED(k));
-	if (!p->step.drives || !lane_bits(limited))
+	if (!p->step.has_drives || !lane_bits(limited))
 		return zero;
 	Real lower = load(&joint_drive_row(p, k, lower, i), 0), upper = load(&joint_drive_row(p, k, upper, i), 0);
-	return choose(zero, value - minimum(maximum(value, lower), upper), limited);
+	return blend(zero, value - minimum(maximum(value, lower), upper), limited);
 }
 
 // The arm of body a ends at the anchor of b, so that no impulse of the joint changes the angular momentum. Where rigid locks, or a pair
@@ -266,20 +266,20 @@ INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* 
 	for (int k = 0; k < 2; ++k)
 	{
 		Int rigid = joint_has(u, JOINT_LOCKED(k)) & ((joint_has(u, JOINT_SOFT(k)) == 0) | c->torn);
-		off[k] = choose(choose(joint_beyond(p, i, u, k, c->value[k]), c->value[k], rigid), zero, others);
+		off[k] = blend(blend(joint_beyond(p, i, u, k, c->value[k]), c->value[k], rigid), zero, others);
 		square = square + off[k] * off[k];
 	}
 	Real bound = splat(JOINT_FAR * JOINT_FAR) * c->a.inv_mass, turns = c->a.inv_inertia * square;
 	Int far = turns > bound;
 	if (!lane_bits(far))
 		return;
-	Real less = one - root(bound / choose(one, turns, far));
+	Real less = one - root(bound / blend(one, turns, far));
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
 		// choose, because others of a block must not see this: zeros have signs
-		c->arm_a = vec_choose(c->arm_a, vec_sub(c->arm_a, vec_scale(less * off[k], c->axis[k])), far);
-		c->lever_a[k] = choose(c->lever_a[k], c->lever_a[k] + less * (k == 0 ? off[1] : -off[0]), far);
+		c->arm_a = vec_blend(c->arm_a, vec_sub(c->arm_a, vec_scale(less * off[k], c->axis[k])), far);
+		c->lever_a[k] = blend(c->lever_a[k], c->lever_a[k] + less * (k == 0 ? off[1] : -off[0]), far);
 	}
 }
 
@@ -295,20 +295,20 @@ OUT_OF_LINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	// a body whose state is not finite must not take the other one with it
 	Int sound = absolute(((d.x + d.y) + (swing_a.x + swing_b.x)) + angle) <= splat(MOST_FLOAT);
 	Vec zero = vec(splat(0.0f), splat(0.0f));
-	d = vec_choose(zero, d, sound);
-	swing_a = vec_choose(zero, swing_a, sound);
-	swing_b = vec_choose(zero, swing_b, sound);
+	d = vec_blend(zero, d, sound);
+	swing_a = vec_blend(zero, swing_a, sound);
+	swing_b = vec_blend(zero, swing_b, sound);
 	c->arm_a = vec_add(vec_add(arm_a, swing_a), d);
 	c->arm_b = vec_add(arm_b, swing_b);
 
-	Vec turned = vec_choose(axis, vec_add(axis, vec_sub(body_displacement(*a, axis), a->d)), sound);
-	axis = vec_choose(axis, turned, joint_has(u, JOINT_TURNS));
+	Vec turned = vec_blend(axis, vec_add(axis, vec_sub(body_displacement(*a, axis), a->d)), sound);
+	axis = vec_blend(axis, turned, joint_has(u, JOINT_TURNS));
 	Int radial = joint_has(u, JOINT_RADIAL);
 	if (lane_bits(radial))
 		axis = joint_line(axis, d, radial);
 	c->torn = joint_torn(p, u, a, d);
 	if (p->step.springs)
-		axis = vec_choose(axis, vec(splat(1.0f), splat(0.0f)), c->torn);
+		axis = vec_blend(axis, vec(splat(1.0f), splat(0.0f)), c->torn);
 	c->axis[0] = axis;
 	c->axis[1] = vec(-axis.y, axis.x);
 	UNROLL
@@ -318,7 +318,7 @@ OUT_OF_LINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 		c->lever_b[k] = vec_cross(c->arm_b, c->axis[k]);
 		c->value[k] = vec_dot(d, c->axis[k]);
 	}
-	c->value[JOINT_ANGLE] = choose(splat(0.0f), angle, sound);
+	c->value[JOINT_ANGLE] = blend(splat(0.0f), angle, sound);
 	c->mass = a->inv_mass + b->inv_mass;
 	joint_alone(c);
 	joint_shorten_arm(p, i, u, c);
@@ -331,7 +331,7 @@ INLINE Real joint_speed_linear(const JointPose* c, int k)
 	Real speed = vec_dot(vec_sub(c->b.v, c->a.v), c->axis[k]) + spin;
 	if (k != JOINT_ALONG || !c->couples)
 		return speed;
-	return choose(speed, (vec_dot(c->b.v, c->axis[0]) - vec_dot(c->a.v, c->axis_a)) + spin, c->coupled);
+	return blend(speed, (vec_dot(c->b.v, c->axis[0]) - vec_dot(c->a.v, c->axis_a)) + spin, c->coupled);
 }
 
 // m/s, rad/s: the speed of coordinate k, a constant. The angle to a path changes as its tangent turns.
@@ -340,16 +340,16 @@ INLINE Real joint_speed(const JointPose* c, int k)
 	if (k != JOINT_ANGLE)
 		return joint_speed_linear(c, k);
 	Real speed = c->b.w - c->a.w;
-	return c->rails ? choose(speed, speed - c->bend * joint_speed_linear(c, JOINT_ALONG), c->railed) : speed;
+	return c->rails ? blend(speed, speed - c->bend * joint_speed_linear(c, JOINT_ALONG), c->railed) : speed;
 }
 
 INLINE Real joint_yield_linear(const JointPose* c, int k)
 {
 	Real mass = c->mass;
 	if (k == JOINT_ALONG && c->couples)
-		mass = choose(mass,
-		              c->a.inv_mass * vec_dot(c->axis_a, c->axis_a) + c->b.inv_mass * vec_dot(c->axis[0], c->axis[0]),
-		              c->coupled);
+		mass =
+		    blend(mass, c->a.inv_mass * vec_dot(c->axis_a, c->axis_a) + c->b.inv_mass * vec_dot(c->axis[0], c->axis[0]),
+		          c->coupled);
 	return mass + c->a.inv_inertia * c->lever_a[k] * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
 }
 
@@ -368,7 +368,7 @@ INLINE Real joint_yield(const JointPose* c, int k)
 	if (!c->rails)
 		return own;
 	Real along = c->bend * joint_yield_linear(c, JOINT_ALONG) - 2.0f * joint_yield_turning(c, JOINT_ALONG);
-	return choose(own, own + c->bend * along, c->railed);
+	return blend(own, own + c->bend * along, c->railed);
 }
 
 typedef struct // impulses on body b, their opposite on a: N s, N m s
@@ -381,11 +381,11 @@ INLINE JointImpulse joint_impulse(const JointPose* c, Real along, Real across, R
 {
 	JointImpulse j;
 	if (c->rails)
-		along = choose(along, along - c->bend * angle, c->railed);
+		along = blend(along, along - c->bend * angle, c->railed);
 	j.push = vec_add(vec_scale(along, c->axis[0]), vec_scale(across, c->axis[1]));
 	j.angular_a = along * c->lever_a[0] + across * c->lever_a[1] + angle;
 	j.angular_b = along * c->lever_b[0] + across * c->lever_b[1] + angle;
-	j.push_a = c->couples ? vec_choose(j.push, vec_scale(along, c->axis_a), c->coupled) : j.push;
+	j.push_a = c->couples ? vec_blend(j.push, vec_scale(along, c->axis_a), c->coupled) : j.push;
 	return j;
 }
 
@@ -410,18 +410,18 @@ INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
 	Joint now = *u;
 	JointPose then = *c;
 	joint_give(&now, &then, j);
-	c->a.v = vec_choose(c->a.v, then.a.v, wanted);
-	c->a.w = choose(c->a.w, then.a.w, wanted);
-	c->b.v = vec_choose(c->b.v, then.b.v, wanted);
-	c->b.w = choose(c->b.w, then.b.w, wanted);
-	u->given_x = choose(u->given_x, now.given_x, wanted);
-	u->given_y = choose(u->given_y, now.given_y, wanted);
-	u->given_a = choose(u->given_a, now.given_a, wanted);
-	u->given_b = choose(u->given_b, now.given_b, wanted);
-	c->given_a = vec_choose(c->given_a, then.given_a, wanted);
+	c->a.v = vec_blend(c->a.v, then.a.v, wanted);
+	c->a.w = blend(c->a.w, then.a.w, wanted);
+	c->b.v = vec_blend(c->b.v, then.b.v, wanted);
+	c->b.w = blend(c->b.w, then.b.w, wanted);
+	u->given_x = blend(u->given_x, now.given_x, wanted);
+	u->given_y = blend(u->given_y, now.given_y, wanted);
+	u->given_a = blend(u->given_a, now.given_a, wanted);
+	u->given_b = blend(u->given_b, now.given_b, wanted);
+	c->given_a = vec_blend(c->given_a, then.given_a, wanted);
 }
 
 // An impulse of either sign; none in place of NaN, and of one that is beyond all bounds.
-INLINE Real hold_of(Real x) { return choose(splat(0.0f), x, absolute(x) <= splat(MOST_IMPULSE)); }
+INLINE Real bounded_impulse(Real x) { return blend(splat(0.0f), x, absolute(x) <= splat(MOST_IMPULSE)); }
 
 #endif

@@ -49,7 +49,7 @@ INLINE void joint_drive_store(const Pools* p, int i, int k, const JointDrive* d)
 // Whether some lane has a limit, a spring or a motor along coordinate k.
 INLINE Word joint_drives(const Pools* p, const Joint* u, int k)
 {
-	return p->step.drives ? lane_bits(joint_has(u, JOINT_DRIVES(k))) : 0u;
+	return p->step.has_drives ? lane_bits(joint_has(u, JOINT_HAS_DRIVES(k))) : 0u;
 }
 
 // The impulses along coordinate k.
@@ -59,7 +59,7 @@ INLINE Real joint_drive_sum(const JointDrive* d) { return d->spring_impulse + d-
 INLINE Real joint_spring(const JointDrive* d, Real yield, Real speed, Real error)
 {
 	Real change = -(d->spring_answer * speed + d->spring_rate * error) / yield - d->spring_keeps * d->spring_impulse;
-	return hold_of(d->spring_impulse + change);
+	return bounded_impulse(d->spring_impulse + change);
 }
 
 // The same in the relaxing pass. A spring at its bound stays there: how far it would go beyond is known in the biased pass only.
@@ -67,7 +67,7 @@ INLINE Real joint_spring_relaxed(const JointDrive* d, Real yield, Real speed, In
 {
 	Real old = d->spring_impulse;
 	full = full | (old <= d->spring_least) | (old >= d->spring_most);
-	return choose(hold_of(old - d->spring_relaxes * speed / yield), old, full);
+	return blend(bounded_impulse(old - d->spring_relaxes * speed / yield), old, full);
 }
 
 INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
@@ -94,7 +94,7 @@ INLINE Real joint_limit_load(const JointDrive* d, Real sign, Real impulse)
 INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, int k, Real ahead, int soft)
 {
 	Real zero = splat(0.0f), most = splat(k == JOINT_ANGLE ? JOINT_TURNING : p->step.max_speed);
-	return choose(soft ? maximum(d->limit_rate * ahead, -most) : zero, p->step.inv_h * ahead, ahead > zero);
+	return blend(soft ? maximum(d->limit_rate * ahead, -most) : zero, p->step.inv_h * ahead, ahead > zero);
 }
 
 // The impulse of a limit: the nearer one, from which it pushes away. It ends an approach just there (s > 0), and is as soft
@@ -103,8 +103,8 @@ INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, 
 {
 	Real zero = splat(0.0f), below = value - d->lower, above = d->upper - value;
 	Int low = below < above;
-	Real s = choose(above, below, low), sign = choose(splat(-1.0f), splat(1.0f), low);
-	Real yields = choose(soft ? d->limit_soft : zero, zero, s > zero);
+	Real s = blend(above, below, low), sign = blend(splat(-1.0f), splat(1.0f), low);
+	Real yields = blend(soft ? d->limit_soft : zero, zero, s > zero);
 	Real old = maximum(sign * d->limit_impulse, zero);
 	Real back = sign * speed + joint_limit_speed(p, d, k, s, soft) + yields * yield * joint_limit_load(d, sign, old);
 	return sign * push_of(old - back / (yield + yields * yield));
@@ -116,9 +116,9 @@ INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, int k, Real v
 {
 	Real below = value - d->lower, above = d->upper - value;
 	Int low = below < above;
-	Real sign = choose(splat(-1.0f), splat(1.0f), low),
-	     least = -joint_limit_speed(p, d, k, choose(above, below, low), soft);
-	return choose(d->speed, sign * maximum(sign * d->speed, least), limit);
+	Real sign = blend(splat(-1.0f), splat(1.0f), low),
+	     least = -joint_limit_speed(p, d, k, blend(above, below, low), soft);
+	return blend(d->speed, sign * maximum(sign * d->speed, least), limit);
 }
 
 // Solves the spring, the motor and the limit of coordinate k, one after the other. full: springs that are bounded together are at
@@ -128,7 +128,7 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 	JointDrive d = joint_drive_load(p, i, k), old = d;
 	Real zero = splat(0.0f), yield = joint_yield(c, k), speed = joint_speed(c, k);
 	Int yields = yield > zero;
-	Real safe = choose(splat(1.0f), yield, yields);
+	Real safe = blend(splat(1.0f), yield, yields);
 	Int motor = joint_has(u, JOINT_MOTOR(k)) & yields, limit = joint_has(u, JOINT_LIMITED(k)) & yields;
 	Int together = joint_has(u, k == JOINT_ANGLE ? 0 : JOINT_ELLIPTIC);
 	if (p->step.springs && lane_bits(joint_has(u, JOINT_SPRING(k))))
@@ -136,29 +136,30 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 		Int spring = joint_has(u, JOINT_SPRING(k)) & yields;
 		Real pull = soft ? joint_spring(&d, safe, speed, c->value[k] - d.target)
 		                 : joint_spring_relaxed(&d, safe, speed, full & together);
-		d.spring_impulse = choose(zero, choose(joint_spring_bounded(&d, pull), pull, together), spring);
-		speed = choose(speed, speed + yield * (d.spring_impulse - old.spring_impulse), spring);
+		d.spring_impulse = blend(zero, blend(joint_spring_bounded(&d, pull), pull, together), spring);
+		speed = blend(speed, speed + yield * (d.spring_impulse - old.spring_impulse), spring);
 	}
 	if (lane_bits(joint_has(u, JOINT_MOTOR(k))))
 	{
-		Real drive = hold_of(d.motor_impulse - (speed - joint_motor_speed(p, &d, k, c->value[k], limit, soft)) / safe);
-		d.motor_impulse = choose(zero, choose(grip_of(drive, d.motor_most), drive, together), motor);
-		speed = choose(speed, speed + yield * (d.motor_impulse - old.motor_impulse), motor);
+		Real drive =
+		    bounded_impulse(d.motor_impulse - (speed - joint_motor_speed(p, &d, k, c->value[k], limit, soft)) / safe);
+		d.motor_impulse = blend(zero, blend(grip_of(drive, d.motor_most), drive, together), motor);
+		speed = blend(speed, speed + yield * (d.motor_impulse - old.motor_impulse), motor);
 	}
 	if (lane_bits(joint_has(u, JOINT_LIMITED(k))))
-		d.limit_impulse = choose(zero, joint_limit(p, &d, k, safe, speed, c->value[k], soft), limit);
+		d.limit_impulse = blend(zero, joint_limit(p, &d, k, safe, speed, c->value[k], soft), limit);
 	joint_drive_store(p, i, k, &d);
 	Real change = joint_drive_sum(&d) - joint_drive_sum(&old);
 	JointImpulse j = joint_impulse(c, k == JOINT_ALONG ? change : zero, k == JOINT_ACROSS ? change : zero,
 	                               k == JOINT_ANGLE ? change : zero);
-	joint_give_where(u, c, j, joint_has(u, JOINT_DRIVES(k)));
+	joint_give_where(u, c, j, joint_has(u, JOINT_HAS_DRIVES(k)));
 }
 
 // An impulse as a share of a bound, but no more than would have a finite square.
 INLINE Real joint_share(Real impulse, Real most)
 {
 	Int there = most > splat(0.0f);
-	return choose(splat(0.0f), within(impulse / choose(splat(1.0f), most, there), splat(1.0e15f)), there);
+	return blend(splat(0.0f), within(impulse / blend(splat(1.0f), most, there), splat(1.0e15f)), there);
 }
 
 // Shortens the impulse (x, y) to an ellipse, along the line to its center.
@@ -168,9 +169,9 @@ INLINE void joint_shorten(Real* x, Real* y, Real most_x, Real most_y)
 	Real share_x = joint_share(*x, most_x), share_y = joint_share(*y, most_y);
 	Real square = share_x * share_x + share_y * share_y;
 	Int beyond = square > one;
-	Real back = one / root(choose(one, square, beyond));
-	*x = choose(zero, choose(*x, back * share_x * most_x, beyond), most_x > zero);
-	*y = choose(zero, choose(*y, back * share_y * most_y, beyond), most_y > zero);
+	Real back = one / root(blend(one, square, beyond));
+	*x = blend(zero, blend(*x, back * share_x * most_x, beyond), most_x > zero);
+	*y = blend(zero, blend(*y, back * share_y * most_y, beyond), most_y > zero);
 }
 
 // Bounds springs and motors along and across together, where the joint wants it: each by itself, a friction of F in any
@@ -184,10 +185,10 @@ INLINE void joint_drive_together(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_shorten(&now_x.spring_impulse, &now_y.spring_impulse, maximum(x.spring_most, -x.spring_least),
 	              maximum(y.spring_most, -y.spring_least));
 	joint_shorten(&now_x.motor_impulse, &now_y.motor_impulse, x.motor_most, y.motor_most);
-	x.spring_impulse = choose(x.spring_impulse, joint_spring_bounded(&x, now_x.spring_impulse), together);
-	y.spring_impulse = choose(y.spring_impulse, joint_spring_bounded(&y, now_y.spring_impulse), together);
-	x.motor_impulse = choose(x.motor_impulse, now_x.motor_impulse, together);
-	y.motor_impulse = choose(y.motor_impulse, now_y.motor_impulse, together);
+	x.spring_impulse = blend(x.spring_impulse, joint_spring_bounded(&x, now_x.spring_impulse), together);
+	y.spring_impulse = blend(y.spring_impulse, joint_spring_bounded(&y, now_y.spring_impulse), together);
+	x.motor_impulse = blend(x.motor_impulse, now_x.motor_impulse, together);
+	y.motor_impulse = blend(y.motor_impulse, now_y.motor_impulse, together);
 	joint_drive_store(p, i, JOINT_ALONG, &x);
 	joint_drive_store(p, i, JOINT_ACROSS, &y);
 	JointImpulse j = joint_impulse(c, joint_drive_sum(&x) - old_x, joint_drive_sum(&y) - old_y, zero);
@@ -216,7 +217,7 @@ OUT_OF_LINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, Join
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		// before the angle, whose motor would hold against impulses that are taken back
-		if (k == JOINT_ANGLE && p->step.drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
+		if (k == JOINT_ANGLE && p->step.has_drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 			joint_drive_together(p, i, u, c);
 		if (joint_drives(p, u, k))
 			joint_drive(p, i, k, soft, full, u, c);
@@ -236,7 +237,7 @@ OUT_OF_LINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOIN
 			continue;
 		JointDrive d = joint_drive_load(p, i, k);
 		// a joint without drives must not take part, though others of its block do: zeros have signs
-		sum[k] = choose(sum[k], sum[k] + joint_drive_sum(&d), joint_has(u, JOINT_DRIVES(k)));
+		sum[k] = blend(sum[k], sum[k] + joint_drive_sum(&d), joint_has(u, JOINT_HAS_DRIVES(k)));
 	}
 }
 

@@ -29,14 +29,14 @@ typedef struct // equations of the locks: yield x = goal
 INLINE Real joint_softer(Real softness, Real own)
 {
 	Real softer = softness * own;
-	return choose(softer, splat(JOINT_NOTHING) * own, softer > splat(1.0e30f));
+	return blend(softer, splat(JOINT_NOTHING) * own, softer > splat(1.0e30f));
 }
 
 // By which share of itself the yield between two coordinates grows. Rigid locks are soft together, whatever their axes: each by
 // itself, two that pull at a long arm aslant of both axes would give way along the arm by the yield of the lever.
 INLINE Real joint_soft_pair(const Joint* u, const Real softness[3], int i, int j)
 {
-	return choose(minimum(softness[i], softness[j]), splat(0.0f), joint_has(u, JOINT_SOFT(i) | JOINT_SOFT(j)));
+	return blend(minimum(softness[i], softness[j]), splat(0.0f), joint_has(u, JOINT_SOFT(i) | JOINT_SOFT(j)));
 }
 
 // How soft locks are. In the relaxing pass those are rigid that are no springs; springs damp (joint_spring.h).
@@ -50,7 +50,7 @@ INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Re
 		return;
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
-		softness[k] = choose(zero, load(&joint_drive_row(p, k, spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(k)));
+		softness[k] = blend(zero, load(&joint_drive_row(p, k, spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(k)));
 }
 
 // Whether a joint has springs, and no other constraint holds its bodies.
@@ -80,7 +80,7 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 		if (!joint_drives(p, u, k))
 			continue;
 		JointDrive d = joint_drive_load(p, i, k);
-		pull[k] = choose(pull[k], joint_spring_left(&d), joint_has(u, JOINT_SPRING(k)));
+		pull[k] = blend(pull[k], joint_spring_left(&d), joint_has(u, JOINT_SPRING(k)));
 	}
 	other[0] = cross[0] * pull[1] + cross[1] * pull[2];
 	other[1] = cross[0] * pull[0] + cross[2] * pull[2];
@@ -89,12 +89,12 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		Real answer = one / (one + s->softness[k]), kept = s->softness[k] * answer;
-		s->goal[k] = choose(s->goal[k], -(answer * speed[k] + kept * (own[k] * pull[k] + other[k])), rigid[k]);
-		s->yield[k] = choose(s->yield[k], own[k], rigid[k]);
+		s->goal[k] = blend(s->goal[k], -(answer * speed[k] + kept * (own[k] * pull[k] + other[k])), rigid[k]);
+		s->yield[k] = blend(s->yield[k], own[k], rigid[k]);
 	}
-	s->cross[0] = choose(s->cross[0], choose(zero, cross[0], s->locked[0] & s->locked[1]), rigid[0] | rigid[1]);
-	s->cross[1] = choose(s->cross[1], choose(zero, cross[1], s->locked[0] & s->locked[2]), rigid[0] | rigid[2]);
-	s->cross[2] = choose(s->cross[2], choose(zero, cross[2], s->locked[1] & s->locked[2]), rigid[1] | rigid[2]);
+	s->cross[0] = blend(s->cross[0], blend(zero, cross[0], s->locked[0] & s->locked[1]), rigid[0] | rigid[1]);
+	s->cross[1] = blend(s->cross[1], blend(zero, cross[1], s->locked[0] & s->locked[2]), rigid[0] | rigid[2]);
+	s->cross[2] = blend(s->cross[2], blend(zero, cross[2], s->locked[1] & s->locked[2]), rigid[1] | rigid[2]);
 }
 
 // The equations of the locks without their goals: all that does not depend on velocities. A coordinate that is not locked has a row of
@@ -115,10 +115,10 @@ OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chaine
 	{
 		Real own = joint_yield(c, k), toward = rate[k] * error[k];
 		s.locked[k] = joint_has(u, JOINT_LOCKED(k)) & (own > zero);
-		softness[k] = choose(zero, softness[k], s.locked[k]);
+		softness[k] = blend(zero, softness[k], s.locked[k]);
 		softer[k] = joint_softer(softness[k], own);
-		s.toward[k] = choose(within(toward, most[k]), toward, joint_has(u, JOINT_SOFT(k)));
-		s.yield[k] = choose(one, own + softer[k], s.locked[k]);
+		s.toward[k] = blend(within(toward, most[k]), toward, joint_has(u, JOINT_SOFT(k)));
+		s.yield[k] = blend(one, own + softer[k], s.locked[k]);
 		s.goal[k] = zero;
 	}
 	joint_crosses(c, cross);
@@ -128,12 +128,12 @@ OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chaine
 	s.back[0] = softer[0] * impulse[0] + softer01 * impulse[1] + softer02 * impulse[2];
 	s.back[1] = softer01 * impulse[0] + softer[1] * impulse[1] + softer12 * impulse[2];
 	s.back[2] = softer02 * impulse[0] + softer12 * impulse[1] + softer[2] * impulse[2];
-	s.soft_cross[0] = choose(zero, softer01, s.locked[0] & s.locked[1]);
-	s.soft_cross[1] = choose(zero, softer02, s.locked[0] & s.locked[2]);
-	s.soft_cross[2] = choose(zero, softer12, s.locked[1] & s.locked[2]);
-	s.cross[0] = choose(zero, cross[0] + softer01, s.locked[0] & s.locked[1]);
-	s.cross[1] = choose(zero, cross[1] + softer02, s.locked[0] & s.locked[2]);
-	s.cross[2] = choose(zero, cross[2] + softer12, s.locked[1] & s.locked[2]);
+	s.soft_cross[0] = blend(zero, softer01, s.locked[0] & s.locked[1]);
+	s.soft_cross[1] = blend(zero, softer02, s.locked[0] & s.locked[2]);
+	s.soft_cross[2] = blend(zero, softer12, s.locked[1] & s.locked[2]);
+	s.cross[0] = blend(zero, cross[0] + softer01, s.locked[0] & s.locked[1]);
+	s.cross[1] = blend(zero, cross[1] + softer02, s.locked[0] & s.locked[2]);
+	s.cross[2] = blend(zero, cross[2] + softer12, s.locked[1] & s.locked[2]);
 	return s;
 }
 
@@ -146,7 +146,7 @@ INLINE void joint_goals(int soft, const JointPose* c, JointSystem* s, Real speed
 		speed[k] = joint_speed(c, k);
 		if (soft)
 			speed[k] = speed[k] + s->toward[k];
-		s->goal[k] = choose(splat(0.0f), -(soft ? speed[k] + s->back[k] : speed[k]), s->locked[k]);
+		s->goal[k] = blend(splat(0.0f), -(soft ? speed[k] + s->back[k] : speed[k]), s->locked[k]);
 	}
 }
 
@@ -171,7 +171,7 @@ INLINE JointFactors joint_factor(const JointSystem* s, Real mass)
 	f.first = s->yield[0];
 	f.l01 = s->cross[0] / s->yield[0];
 	f.l02 = s->cross[1] / s->yield[0];
-	f.d1 = choose(splat(1.0f), maximum(s->yield[1] - f.l01 * s->cross[0], mass), s->locked[1]);
+	f.d1 = blend(splat(1.0f), maximum(s->yield[1] - f.l01 * s->cross[0], mass), s->locked[1]);
 	Real rest = s->cross[2] - f.l01 * s->cross[1];
 	f.l12 = rest / f.d1;
 	f.d2 = maximum((s->yield[2] - f.l02 * s->cross[1]) - f.l12 * rest, splat(JOINT_LEAST_YIELD) * s->yield[2]);

@@ -18,9 +18,9 @@
 INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
 {
 	Real zero = splat(0.0f), old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
-	u->impulse_along = choose(zero, hold_of(old[0] + x[0]), joint_has(u, JOINT_LOCKED(0)));
-	u->impulse_across = choose(zero, hold_of(old[1] + x[1]), joint_has(u, JOINT_LOCKED(1)));
-	u->impulse_angle = choose(zero, hold_of(old[2] + x[2]), turns);
+	u->impulse_along = blend(zero, bounded_impulse(old[0] + x[0]), joint_has(u, JOINT_LOCKED(0)));
+	u->impulse_across = blend(zero, bounded_impulse(old[1] + x[1]), joint_has(u, JOINT_LOCKED(1)));
+	u->impulse_angle = blend(zero, bounded_impulse(old[2] + x[2]), turns);
 	joint_give(u, c,
 	           joint_impulse(c, u->impulse_along - old[0], u->impulse_across - old[1], u->impulse_angle - old[2]));
 }
@@ -36,8 +36,8 @@ INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, 
 	Real zero = splat(0.0f);
 	Int holds = joint_upright(u);
 	JointPull pull;
-	pull.a = choose(zero, -p->step.h * vec_dot(c->arm_a, push), holds);
-	pull.b = choose(zero, p->step.h * vec_dot(c->arm_b, push), holds);
+	pull.a = blend(zero, -p->step.h * vec_dot(c->arm_a, push), holds);
+	pull.b = blend(zero, p->step.h * vec_dot(c->arm_b, push), holds);
 	return pull;
 }
 
@@ -66,23 +66,23 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 	Real most = splat(START_SHARE * p->step.max_speed), spin = splat(START_SHARE * p->step.max_spin);
 	Real faster = c->mass * (absolute(j.push.x) + absolute(j.push.y));
 	if (c->couples)
-		faster = choose(faster,
-		                c->a.inv_mass * (absolute(j.push_a.x) + absolute(j.push_a.y)) +
-		                    c->b.inv_mass * (absolute(j.push.x) + absolute(j.push.y)),
-		                c->coupled);
+		faster = blend(faster,
+		               c->a.inv_mass * (absolute(j.push_a.x) + absolute(j.push_a.y)) +
+		                   c->b.inv_mass * (absolute(j.push.x) + absolute(j.push.y)),
+		               c->coupled);
 	Real spins = absolute(c->a.inv_inertia * j.angular_a) + absolute(c->b.inv_inertia * j.angular_b);
 	Real shares = maximum(faster / most, spins / spin);
 	Real allowed = maximum(splat(JOINT_BLOW), splat(JOINT_CARRIES) * u->carried);
 	Int sound = (faster <= splat(MOST_FLOAT)) & (spins <= splat(MOST_FLOAT));
-	Real part = choose(splat(0.0f), choose(splat(1.0f), allowed / shares, shares > allowed), sound);
-	u->carried = choose(splat(0.0f), minimum(shares, allowed), sound);
+	Real part = blend(splat(0.0f), blend(splat(1.0f), allowed / shares, shares > allowed), sound);
+	u->carried = blend(splat(0.0f), minimum(shares, allowed), sound);
 	if (lane_bits(part < splat(1.0f)))
 	{
 		joint_scale(p, i, u, part);
-		j.push = vec_choose(vec(splat(0.0f), splat(0.0f)), vec_scale(part, j.push), part > splat(0.0f));
-		j.push_a = vec_choose(vec(splat(0.0f), splat(0.0f)), vec_scale(part, j.push_a), part > splat(0.0f));
-		j.angular_a = choose(splat(0.0f), part * j.angular_a, part > splat(0.0f));
-		j.angular_b = choose(splat(0.0f), part * j.angular_b, part > splat(0.0f));
+		j.push = vec_blend(vec(splat(0.0f), splat(0.0f)), vec_scale(part, j.push), part > splat(0.0f));
+		j.push_a = vec_blend(vec(splat(0.0f), splat(0.0f)), vec_scale(part, j.push_a), part > splat(0.0f));
+		j.angular_a = blend(splat(0.0f), part * j.angular_a, part > splat(0.0f));
+		j.angular_b = blend(splat(0.0f), part * j.angular_b, part > splat(0.0f));
 	}
 	joint_give(u, c, j);
 }
@@ -95,13 +95,13 @@ INLINE JointImpulse joint_turn_impulse(const Pools* p, int i, Joint* u, const Jo
 	if (p->step.springs)
 	{
 		Vec given = vec(u->given_x, u->given_y);
-		u->impulse_along = choose(u->impulse_along, vec_dot(given, c->axis[0]), c->torn);
-		u->impulse_across = choose(u->impulse_across, vec_dot(given, c->axis[1]), c->torn);
+		u->impulse_along = blend(u->impulse_along, vec_dot(given, c->axis[0]), c->torn);
+		u->impulse_across = blend(u->impulse_across, vec_dot(given, c->axis[1]), c->torn);
 	}
 	joint_sums(p, i, u, sum);
 	JointImpulse j = joint_impulse(c, sum[0], sum[1], sum[2]);
 	j.push = vec_sub(j.push, vec(u->given_x, u->given_y));
-	j.push_a = c->couples ? vec_choose(j.push, vec_sub(j.push_a, c->given_a), c->coupled) : j.push;
+	j.push_a = c->couples ? vec_blend(j.push, vec_sub(j.push_a, c->given_a), c->coupled) : j.push;
 	j.angular_a = j.angular_a - u->given_a;
 	j.angular_b = j.angular_b - u->given_b;
 	return j;
@@ -120,13 +120,13 @@ INLINE void joint_peak(const Pools* p, int i, const Joint* u, const JointPose* c
 	Real sum[JOINT_COORDINATES];
 	joint_sums(p, i, u, sum);
 	if (c->rails)
-		sum[0] = choose(sum[0], sum[0] - c->bend * sum[2], c->railed);
+		sum[0] = blend(sum[0], sum[0] - c->bend * sum[2], c->railed);
 	Real force = root(sum[0] * sum[0] + sum[1] * sum[1]), torque = absolute(sum[2]);
 	if (p->step.couplings)
 	{
 		Int turns = coupling_turns(u);
-		torque = choose(torque, absolute(sum[0]), turns);
-		force = choose(force, splat(0.0f), turns);
+		torque = blend(torque, absolute(sum[0]), turns);
+		force = blend(force, splat(0.0f), turns);
 	}
 	store(&joint_rare(p, peak_force, i), 0, maximum(load(&joint_rare(p, peak_force, i), 0), force));
 	store(&joint_rare(p, peak_torque, i), 0, maximum(load(&joint_rare(p, peak_torque, i), 0), torque));
@@ -162,8 +162,8 @@ INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 	Real turn = p->step.h * c->bend * along, yield = joint_yield_linear(c, JOINT_ALONG);
 	Int pulled = c->railed & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) & (yield > zero) &
 	             (absolute(across) > splat(JOINT_BENDS) * absolute(turn * along)) & (absolute(turn) < splat(1.0f));
-	Real impulse = hold_of(-(turn * across) / choose(splat(1.0f), yield, pulled));
-	joint_give_where(u, c, joint_impulse(c, choose(zero, impulse, pulled), zero, zero), pulled);
+	Real impulse = bounded_impulse(-(turn * across) / blend(splat(1.0f), yield, pulled));
+	joint_give_where(u, c, joint_impulse(c, blend(zero, impulse, pulled), zero, zero), pulled);
 }
 
 typedef struct // the part of a pass that depends on where the bodies are, and not on their velocities
@@ -240,7 +240,7 @@ INLINE void joint_pass(const Pools* p, int pass, int i, const JointReady* held, 
 		joint_locks(p, pass, i, &ready, u, &c);
 		if (pass == PASS_BIAS && c.rails)
 			joint_keep_along(p, u, &c);
-		if (pass == PASS_RELAX && p->step.drives)
+		if (pass == PASS_RELAX && p->step.has_drives)
 			joint_peak(p, i, u, &c);
 	}
 	coupling_store(p, i, &c);

@@ -28,8 +28,8 @@ INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer,
 	Real a1 = 2.0f * ratio + p->step.h * omega, a2 = p->step.h * omega * a1;
 
 	// what is next to nothing is soft, and no lock: only 0 Hz is rigid
-	*rate = choose(splat(0.0f), omega / a1, a2 > splat(0.0f));
-	*soft = choose(splat(0.0f), minimum(1.0f / a2, splat(JOINT_SOFTEST)), hertz > splat(0.0f));
+	*rate = blend(splat(0.0f), omega / a1, a2 > splat(0.0f));
+	*soft = blend(splat(0.0f), minimum(1.0f / a2, splat(JOINT_SOFTEST)), hertz > splat(0.0f));
 }
 
 // The softness of the lock of coordinate k. That of a soft lock is set with the rare rows.
@@ -38,12 +38,12 @@ INLINE void joint_lock(const Pools* p, const Real joint[4], int k, Int chained, 
 	Real chain_rate, chain_soft;
 	joint_softness(p, joint[0], joint[1], splat(1.0f), rate, soft);
 	joint_softness(p, joint[0], joint[1], splat(JOINT_CHAIN_STIFFER), &chain_rate, &chain_soft);
-	*soft = choose(*soft, chain_soft, chained);
+	*soft = blend(*soft, chain_soft, chained);
 
 	// Angles of a chain need not yield at all: a welded beam does not sag. Translations must: the pull of a bridge of planks
 	// without slack has no limit otherwise.
 	if (k == JOINT_ANGLE)
-		*soft = choose(*soft, splat(0.0f), chained);
+		*soft = blend(*soft, splat(0.0f), chained);
 }
 
 typedef struct // where a frame is in the world
@@ -65,9 +65,9 @@ OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body
 	// a point of the world far from its origin is exact as a position, but not as an arm, of which another is taken
 	Int world = body == 0;
 	Vec zero = vec(splat(0.0f), splat(0.0f));
-	end.arm = vec_choose(vec_turn(turn, own), zero, world);
+	end.arm = vec_blend(vec_turn(turn, own), zero, world);
 	end.turn = vec_turn(turn, frame);
-	end.position = vec_choose(vec(pose[0], pose[1]), own, world);
+	end.position = vec_blend(vec(pose[0], pose[1]), own, world);
 	end.rest = vec(gather(low, body * 2), gather(low, body * 2 + 1));
 	return end;
 }
@@ -90,8 +90,8 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 {
 	Vec foot = vec(load(&joint_rare(p, foot_x, i), 0), load(&joint_rare(p, foot_y, i), 0));
 	Vec tangent = vec(load(&joint_rare(p, foot_cos, i), 0), load(&joint_rare(p, foot_sin, i), 0));
-	JointFrame a = joint_frame(p, slot, JOINT_AT_FRAME(0), body, vec_choose(offset, foot, railed));
-	a.turn = vec_choose(a.turn, vec_turn(a.turn, tangent), railed);
+	JointFrame a = joint_frame(p, slot, JOINT_AT_FRAME(0), body, vec_blend(offset, foot, railed));
+	a.turn = vec_blend(a.turn, vec_turn(a.turn, tangent), railed);
 	return a;
 }
 
@@ -106,7 +106,7 @@ INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 	for (int k = 0; k < 2; ++k)
 	{
 		Int counts = joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k) | JOINT_COUPLED) == 0);
-		off[k] = choose(zero, off[k], counts);
+		off[k] = blend(zero, off[k], counts);
 	}
 	Real square = off[0] * off[0] + off[1] * off[1];
 	Real most = splat(bits_float(read_shared(&p->counters->joint_gap)));
@@ -135,30 +135,30 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	Real head[4], joint[4];
 	joint_quad(p, slot, JOINT_AT_MODES, head);
 	joint_quad(p, slot, JOINT_AT_HERTZ, joint);
-	u->modes = choose(zero, head[2], there);
+	u->modes = blend(zero, head[2], there);
 	Int radial = joint_has(u, JOINT_RADIAL | JOINT_COUPLED);
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		Real lock[4];
 		joint_quad(p, slot, JOINT_AT_LOCK(k), lock);
-		target[k] = choose(zero, lock[0], joint_has(u, JOINT_LOCKED(k)));
+		target[k] = blend(zero, lock[0], joint_has(u, JOINT_LOCKED(k)));
 	}
-	u->length = choose(zero, target[JOINT_ALONG], radial);
+	u->length = blend(zero, target[JOINT_ALONG], radial);
 
 	// a lock that holds another value than 0 moves the frame
-	Vec offset = vec(choose(target[JOINT_ALONG], zero, radial), target[JOINT_ACROSS]);
+	Vec offset = vec(blend(target[JOINT_ALONG], zero, radial), target[JOINT_ACROSS]);
 	Int railed = joint_has(u, JOINT_RAILED);
 	Word rails = p->step.paths ? lane_bits(railed) : 0u;
 	JointFrame a = rails ? joint_frame_railed(p, i, slot, ia, offset, railed)
 	                     : joint_frame(p, slot, JOINT_AT_FRAME(0), ia, offset);
 	JointFrame b = joint_frame(p, slot, JOINT_AT_FRAME(1), ib, vec(zero, zero));
 	if (rails)
-		u->length = choose(u->length, target[JOINT_ALONG] - load(&joint_rare(p, foot_along, i), 0), railed);
+		u->length = blend(u->length, target[JOINT_ALONG] - load(&joint_rare(p, foot_along, i), 0), railed);
 	Vec gap = joint_gap(&a, &b);
 	Int upright = joint_upright(u);
-	Vec axis = vec_choose(a.turn, vec(one, zero), upright);
-	u->modes = u->modes + choose(splat((float)JOINT_TURNS), zero, upright | radial | (there == 0));
+	Vec axis = vec_blend(a.turn, vec(one, zero), upright);
+	u->modes = u->modes + blend(splat((float)JOINT_TURNS), zero, upright | radial | (there == 0));
 	u->axis_x = axis.x;
 	u->axis_y = axis.y;
 	u->arm_a_x = a.arm.x;

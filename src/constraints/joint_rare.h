@@ -30,14 +30,14 @@ INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 	Int railed = joint_has(u, JOINT_RAILED);
 	if (k != JOINT_ALONG || !p->step.paths || !lane_bits(railed))
 		return zero;
-	return choose(zero, load(&joint_rare(p, foot_along, i), 0), railed);
+	return blend(zero, load(&joint_rare(p, foot_along, i), 0), railed);
 }
 
 // The impulse of a drive of the last step. What the user took from the coordinate since then loses it: whether a pass looks at a coordinate
 // without drives depends on the joints beside it.
 #define JOINT_DRIVE_KEPT(k, name, mode)       \
 	store(&joint_drive_row(p, k, name, i), 0, \
-	      choose(splat(0.0f), load(&joint_drive_row(p, k, name, i), 0), joint_has(u, mode)))
+	      blend(splat(0.0f), load(&joint_drive_row(p, k, name, i), 0), joint_has(u, mode)))
 
 // The rows of one coordinate but for its spring. rate, soft: of its limits.
 INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Joint* u, Real rate, Real soft)
@@ -62,8 +62,8 @@ INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Join
 // The place of coordinate k, a translation, with locks and springs at their targets, m. A lock moves the frame to its target.
 INLINE Real joint_aim(const Joint* u, const JointPose* c, int k, Real target)
 {
-	Real aim = choose(c->value[k], target, joint_has(u, JOINT_SPRING(k)));
-	return choose(aim, splat(0.0f), joint_has(u, JOINT_LOCKED(k)));
+	Real aim = blend(c->value[k], target, joint_has(u, JOINT_SPRING(k)));
+	return blend(aim, splat(0.0f), joint_has(u, JOINT_LOCKED(k)));
 }
 
 // How much stiffer a spring of coordinate k is than one of the same frequency with arms as they are now: the root of a ratio of
@@ -79,9 +79,9 @@ INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const Join
 	Real lever = vec_cross(vec(u->arm_a_x, u->arm_a_y), c->axis[k]) + (k == JOINT_ALONG ? -aim : aim);
 	Real there = c->mass + c->a.inv_inertia * lever * lever + c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
 	Int yields = there > zero;
-	Real ratio = choose(one, joint_yield(c, k) / choose(one, there, yields), yields);
+	Real ratio = blend(one, joint_yield(c, k) / blend(one, there, yields), yields);
 	Int sound = (ratio < splat(MOST_FLOAT)) & (joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) == 0);
-	return root(choose(one, ratio, sound));
+	return root(blend(one, ratio, sound));
 }
 
 // The rows of the spring of coordinate k, or of its soft lock, if some lane has one: a coordinate has one of them at most. Frequency and ratio
@@ -95,17 +95,17 @@ INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joi
 	JointDriven from = joint_driven(p, slot, k);
 	Real one = splat(1.0f), lock[4], share = joint_share_free(u, c, k), more = joint_stiffened(p, slot, u, c, k);
 	joint_quad(p, slot, JOINT_AT_LOCK(k), lock);
-	Real hertz = more * choose(from.spring_hertz, lock[1], softens);
-	Real ratio = more * choose(from.spring_ratio, lock[2], softens);
+	Real hertz = more * blend(from.spring_hertz, lock[1], softens);
+	Real ratio = more * blend(from.spring_ratio, lock[2], softens);
 	JointSpring s = joint_spring_of(p, hertz, ratio, share, beside, alone);
 	Real answer = maximum(one - s.keeps, splat(SPRING_LEAST_ANSWER));
 	Real relaxes = minimum(share * (one - s.relaxes) / s.relaxes, splat(JOINT_SOFTEST));
 	store(&joint_drive_row(p, k, spring_answer, i), 0, (one - s.keeps) / share);
 	store(&joint_drive_row(p, k, spring_rate, i), 0, s.pull * p->step.inv_h / share);
 	store(&joint_drive_row(p, k, spring_keeps, i), 0, s.keeps);
-	store(&joint_drive_row(p, k, spring_relaxes, i), 0, choose(s.relaxes / share, relaxes, softens));
-	*rate = choose(*rate, s.pull * p->step.inv_h / answer, softens);
-	*hold = choose(*hold, share * (one - answer) / answer, softens);
+	store(&joint_drive_row(p, k, spring_relaxes, i), 0, blend(s.relaxes / share, relaxes, softens));
+	*rate = blend(*rate, s.pull * p->step.inv_h / answer, softens);
+	*hold = blend(*hold, share * (one - answer) / answer, softens);
 }
 
 // Constraints of the body of joint i that has the most, contacts too, without those of what cannot move; at least 1.
@@ -114,8 +114,8 @@ INLINE Real joint_most_beside(const Pools* p, int i, const JointPose* c)
 	Real zero = splat(0.0f);
 	Real a = real_of(gather_int(p->touching, load_int(&joint_row(p, body_a, i), 0)));
 	Real b = real_of(gather_int(p->touching, load_int(&joint_row(p, body_b, i), 0)));
-	a = choose(zero, a, c->a.inv_mass > zero);
-	b = choose(zero, b, c->b.inv_mass > zero);
+	a = blend(zero, a, c->a.inv_mass > zero);
+	b = blend(zero, b, c->b.inv_mass > zero);
 	return maximum(maximum(splat(1.0f), a), b);
 }
 
@@ -123,7 +123,7 @@ INLINE Real joint_springs_of(const Joint* u)
 {
 	Real zero = splat(0.0f), sum = zero;
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
-		sum = sum + choose(zero, splat(1.0f), joint_has(u, JOINT_SPRING(k) | JOINT_SOFT(k)));
+		sum = sum + blend(zero, splat(1.0f), joint_has(u, JOINT_SPRING(k) | JOINT_SOFT(k)));
 	return sum;
 }
 
@@ -142,8 +142,8 @@ INLINE void joint_setup_springs(const Pools* p, int i, Int slot, Joint* u)
 	coupling_pose(p, i, u, &c);
 	path_pose(p, i, u, &c);
 	Real most = joint_most_beside(p, i, &c), springs = joint_springs_of(u);
-	Real beside = maximum(most * springs, one), alone = choose(one, zero, most > one);
-	store(&joint_rare(p, springs_alone, i), 0, choose(zero, alone, springs > zero));
+	Real beside = maximum(most * springs, one), alone = blend(one, zero, most > one);
+	store(&joint_rare(p, springs_alone, i), 0, blend(zero, alone, springs > zero));
 	Real rate[3] = {u->rate_along, u->rate_across, u->rate_angle},
 	     hold[3] = {u->soft_along, u->soft_across, u->soft_angle};
 	UNROLL
@@ -168,7 +168,7 @@ INLINE void joint_setup_path(const Pools* p, int i, Int slot, const Joint* u)
 {
 	Real lock[4];
 	joint_quad(p, slot, JOINT_AT_LOCK(JOINT_ACROSS), lock);
-	store(&joint_rare(p, beside, i), 0, choose(splat(0.0f), lock[0], joint_has(u, JOINT_LOCKED(JOINT_ACROSS))));
+	store(&joint_rare(p, beside, i), 0, blend(splat(0.0f), lock[0], joint_has(u, JOINT_LOCKED(JOINT_ACROSS))));
 }
 
 // All rare rows of joint i that are prepared, but for those that joint_follow wrote.
@@ -180,7 +180,7 @@ INLINE void joint_setup_rare(const Pools* p, int i, Joint* u)
 	store(&joint_rare(p, springs_alone, i), 0, zero);
 	store(&joint_rare(p, peak_force, i), 0, zero);
 	store(&joint_rare(p, peak_torque, i), 0, zero);
-	if (!p->step.drives)
+	if (!p->step.has_drives)
 		return;
 	joint_quad(p, slot, JOINT_AT_HERTZ, joint);
 	joint_softness(p, joint[0], joint[1], splat(1.0f), &rate, &soft);

@@ -72,8 +72,8 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 	Real own = splat(TURN) * (p->step.h * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h)));
 	Real angle = own * root(share), square = angle * angle;
 	Int acts = square > splat(SPRING_LEAST);
-	Real least = choose(splat(SPRING_AMONG) * own * own * own * own * share, zero, alone > zero);
-	square = choose(one, square, acts);
+	Real least = blend(splat(SPRING_AMONG) * own * own * own * own * share, zero, alone > zero);
+	square = blend(one, square, acts);
 	Real free = minimum(splat(SPRING_FREE), SPRING_SHARED / beside);
 	Real decay = maximum(maximum(ratio * own * share, least), splat(SPRING_CALMS) * (square - free));
 	Real rest = (angle - decay) * (angle + decay);
@@ -81,17 +81,17 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 
 	// underdamped: e^-decay, and a circular angle
 	Real lost = spring_lost(decay), left = one - lost;
-	Real circular = lost * lost + left * spring_versine(choose(rest, zero, over));
+	Real circular = lost * lost + left * spring_versine(blend(rest, zero, over));
 	// overdamped: two decays, of which the slow one would vanish beside the fast one
-	Real fast = decay + root(choose(zero, -rest, over));
-	Real slow = square / choose(one, fast, over);
-	Real pull = choose(circular, spring_lost(slow) * spring_lost(fast), over);
+	Real fast = decay + root(blend(zero, -rest, over));
+	Real slow = square / blend(one, fast, over);
+	Real pull = blend(circular, spring_lost(slow) * spring_lost(fast), over);
 
 	Real product = left * left, keeps = minimum(maximum(pull / square, product), one);
 	JointSpring s;
-	s.keeps = choose(one, keeps, acts);
-	s.pull = choose(zero, pull, acts);
-	s.relaxes = choose(zero, maximum(one - product / keeps, zero), acts);
+	s.keeps = blend(one, keeps, acts);
+	s.pull = blend(zero, pull, acts);
+	s.relaxes = blend(zero, maximum(one - product / keeps, zero), acts);
 	return s;
 }
 
@@ -104,8 +104,8 @@ INLINE void joint_crosses(const JointPose* c, Real cross[3])
 	cross[2] = joint_yield_turning(c, JOINT_ACROSS);
 	if (!c->rails)
 		return;
-	cross[1] = choose(cross[1], cross[1] - c->bend * joint_yield(c, JOINT_ALONG), c->railed);
-	cross[2] = choose(cross[2], cross[2] - c->bend * cross[0], c->railed);
+	cross[1] = blend(cross[1], cross[1] - c->bend * joint_yield(c, JOINT_ALONG), c->railed);
+	cross[2] = blend(cross[2], cross[2] - c->bend * cross[0], c->railed);
 }
 
 // Whether the lock of coordinate k is rigid, and holds anything.
@@ -121,14 +121,14 @@ INLINE Real joint_share_free(const Joint* u, const JointPose* c, int k)
 	int i = k == 0 ? 1 : 0, j = k == JOINT_ANGLE ? 1 : JOINT_ANGLE;
 	joint_crosses(c, cross);
 	Int first = joint_rigid(u, c, i), second = joint_rigid(u, c, j);
-	Real ki = choose(zero, cross[k + i - 1], first), kj = choose(zero, cross[k + j - 1], second);
-	Real ij = choose(zero, cross[i + j - 1], first & second);
-	Real ii = choose(one, joint_yield(c, i), first), jj = choose(one, joint_yield(c, j), second);
+	Real ki = blend(zero, cross[k + i - 1], first), kj = blend(zero, cross[k + j - 1], second);
+	Real ij = blend(zero, cross[i + j - 1], first & second);
+	Real ii = blend(one, joint_yield(c, i), first), jj = blend(one, joint_yield(c, j), second);
 	Real own = joint_yield(c, k), l = ij / ii;
 	Real rest = maximum(jj - l * ij, splat(SPRING_LEAST_YIELD) * jj), kept = kj - l * ki;
 	Real yield = (own - ki * (ki / ii)) - kept * (kept / rest);
 	Int sound = (own > zero) & (yield <= own);
-	return choose(one, maximum(yield / choose(one, own, sound), splat(SPRING_LEAST_YIELD)), sound);
+	return blend(one, maximum(yield / blend(one, own, sound), splat(SPRING_LEAST_YIELD)), sound);
 }
 
 #endif

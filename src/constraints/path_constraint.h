@@ -32,13 +32,13 @@ INLINE PathArc path_arc(Real bend, Real x, Real y)
 	Real one = splat(1.0f), c = one - bend * y, s = bend * x, square = c * c + s * s;
 	Int off = (square > splat(PATH_CENTER)) & (square < splat(1.0e30f));
 	PathArc arc;
-	arc.out = root(choose(one, square, off));
-	arc.turn = vec_choose(vec(one, splat(0.0f)), vec(c / arc.out, s / arc.out), off);
+	arc.out = root(blend(one, square, off));
+	arc.turn = vec_blend(vec(one, splat(0.0f)), vec(c / arc.out, s / arc.out), off);
 	Real q = arc.turn.y * arc.turn.y;
 	arc.along = x / arc.out * (one + q * (splat(1.0f / 6.0f) + q * (splat(3.0f / 40.0f) + q * splat(15.0f / 336.0f))));
 	Int far = off & ((q > splat(PATH_SERIES)) | (arc.turn.x < splat(0.0f)));
 	if (lane_bits(far))
-		arc.along = choose(arc.along, vec_angle(arc.turn) / choose(one, bend, far), far);
+		arc.along = blend(arc.along, vec_angle(arc.turn) / blend(one, bend, far), far);
 	return arc;
 }
 
@@ -62,19 +62,19 @@ OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 
 	// a body whose state is not finite must not take the other one with it
 	Int sound = c->railed & (absolute((across + arc.along) + (angle + (turn.x + turn.y))) <= splat(MOST_FLOAT));
-	turn = vec_choose(vec(one, zero), turn, sound);
-	c->bend = choose(zero, (bend + sway * arc.along) / maximum(arc.out, splat(0.1f)), sound);
-	c->value[JOINT_ALONG] = choose(c->value[JOINT_ALONG], arc.along, sound);
-	c->value[JOINT_ACROSS] = choose(c->value[JOINT_ACROSS], across, sound);
-	c->value[JOINT_ANGLE] = choose(c->value[JOINT_ANGLE], angle, sound);
+	turn = vec_blend(vec(one, zero), turn, sound);
+	c->bend = blend(zero, (bend + sway * arc.along) / maximum(arc.out, splat(0.1f)), sound);
+	c->value[JOINT_ALONG] = blend(c->value[JOINT_ALONG], arc.along, sound);
+	c->value[JOINT_ACROSS] = blend(c->value[JOINT_ACROSS], across, sound);
+	c->value[JOINT_ANGLE] = blend(c->value[JOINT_ANGLE], angle, sound);
 
 	// both axes and their levers turn alike
 	Vec axis = c->axis[0], levers_a = vec(c->lever_a[0], c->lever_a[1]), levers_b = vec(c->lever_b[0], c->lever_b[1]);
-	axis = vec_choose(axis, vec_turn(turn, axis), sound);
-	levers_a = vec_choose(levers_a, vec_turn_back(turn, levers_a), sound);
-	levers_b = vec_choose(levers_b, vec_turn_back(turn, levers_b), sound);
+	axis = vec_blend(axis, vec_turn(turn, axis), sound);
+	levers_a = vec_blend(levers_a, vec_turn_back(turn, levers_a), sound);
+	levers_b = vec_blend(levers_b, vec_turn_back(turn, levers_b), sound);
 	c->axis[0] = axis;
-	c->axis[1] = vec_choose(c->axis[1], vec(-axis.y, axis.x), sound);
+	c->axis[1] = vec_blend(c->axis[1], vec(-axis.y, axis.x), sound);
 	c->lever_a[0] = levers_a.x;
 	c->lever_a[1] = levers_a.y;
 	c->lever_b[0] = levers_b.x;

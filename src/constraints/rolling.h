@@ -63,8 +63,7 @@ INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, V
 {
 	Int vertex = shape * (int)(sizeof(Attribute) / sizeof(float)) + 2 * (name & (MAX_CORNERS - 1));
 	const GLOBAL float* vertices = (const GLOBAL float*)shapes->vertices;
-	return vec_choose(point, vec(gather(vertices, vertex), gather(vertices, vertex + 1)),
-	                  wanted & (name < MAX_CORNERS));
+	return vec_blend(point, vec(gather(vertices, vertex), gather(vertices, vertex + 1)), wanted & (name < MAX_CORNERS));
 }
 
 // a, b, manifold, flags and feature are those of contact_points.h, from the pools of these names.
@@ -82,7 +81,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	ContactPoints points;
 	Vec now = vec_turn(ra.axes, normal); // with which that from corner to corner is compared, however fast both spin
 	points.normal =
-	    vec_choose(vec_turn(ra.turn, now), vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal))), turns_b);
+	    vec_blend(vec_turn(ra.turn, now), vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal))), turns_b);
 	points.offset = vec_sub(ra.then, rb.then);
 	for (int k = 0; k < 2; ++k)
 	{
@@ -100,18 +99,18 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 		{
 			// corners at the same place have no direction
 			Vec direction = vec_scale(1.0f / root(vec_dot(between, between)), between);
-			direction = vec_choose(now, direction, vec_dot(direction, now) > splat(0.5f));
-			points.normal = vec_choose(points.normal, direction, corners);
+			direction = vec_blend(now, direction, vec_dot(direction, now) > splat(0.5f));
+			points.normal = vec_blend(points.normal, direction, corners);
 		}
 		Real gap = vec_dot(points.normal, between) - radius_a - radius_b;
 
 		// from the center of the body that has the corner: the other may be large, with its center far away
 		Vec from_a = vec_add(arm_a, vec_scale(radius_a + 0.5f * gap, points.normal));
 		Vec from_b = vec_sub(vec_sub(arm_b, vec_scale(radius_b + 0.5f * gap, points.normal)), points.offset);
-		arm_a = vec_choose(from_b, from_a, by_a);
+		arm_a = vec_blend(from_b, from_a, by_a);
 		if (k == 1)
-			arm_a = vec_choose(arm_a, points.anchor[0], missing);
-		gap = choose(gap, splat(NO_POINT), missing);
+			arm_a = vec_blend(arm_a, points.anchor[0], missing);
+		gap = blend(gap, splat(NO_POINT), missing);
 		points.anchor[k] = arm_a;
 		points.point[k] = vec_add(ra.then, arm_a);
 		Vec parts = vec_sub(rolling_moves(rb, vec_add(arm_a, points.offset)), rolling_moves(ra, arm_a));
@@ -145,12 +144,12 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	Real stiffness = p->step.dt * p->step.dt * p->step.inv_h * load * mobility / reach;
 	Int stiff = stiffness > splat(ROLLING_STIFFNESS);
 	Real follows = ROLLING_STIFFNESS / stiffness;
-	share = choose(share, share * follows, stiff);
+	share = blend(share, share * follows, stiff);
 
 	// a lever against the relative turn, along the tangent; limited so that the load does not reverse the turn
 	Real rate = ROLLING_TURN / maximum(stiffness, splat(ROLLING_LIGHT));
 	Real turn = (advance_b.turn - advance_a.turn) * rate;
-	Real most = choose(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);
+	Real most = blend(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);
 	Real lever = -reach * minimum(maximum(turn, -most), most);
 	Vec along = vec_scale(lever, vec(points.normal.y, -points.normal.x));
 	ContactPoints held = contact_points_held(a, b, manifold), both = points;
@@ -161,7 +160,7 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 		both.anchor[k] = vec_add(rolling_between(held.anchor[k], points.anchor[k], share), along);
 		both.separation[k] = held.separation[k] + share * (points.separation[k] - held.separation[k]);
 	}
-	return contact_points_choose(points, both, loaded);
+	return contact_points_blend(points, both, loaded);
 }
 
 #endif

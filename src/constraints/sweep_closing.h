@@ -11,7 +11,7 @@
 #define SWEEP_REST (0.03f * LINEAR_SLOP)
 
 // m per step: a loaded pair that approaches more slowly keeps its manifold
-#define SWEEP_HOLD LINEAR_SLOP
+#define SWEEP_SLOP LINEAR_SLOP
 
 // m per step: a loaded pair keeps its manifold only while it slides more slowly. If its arms turn by more, they are
 // turned with it. Arms that lag behind cost angular momentum, and let bodies that turn with a drum overlap.
@@ -47,7 +47,7 @@ RARE Real sweep_halves(Int moved)
 {
 	Real grain = splat(1.0f);
 	for (int level = 0; level < GRAIN_LEVELS; ++level)
-		grain = choose(grain, 0.5f * grain, (moved & (MOVED_GRAIN << level)) != 0);
+		grain = blend(grain, 0.5f * grain, (moved & (COLLIDABLE_GRAIN << level)) != 0);
 	return grain;
 }
 
@@ -109,7 +109,7 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 {
 	Vec arm = vec(between.x + (sb.center.x - sa.center.x), between.y + (sb.center.y - sa.center.y));
 	Vec apart = vec_sub(sb.path, sa.path);
-	Real frame = choose(sb.turn, sa.turn, sb.reach < sa.reach);
+	Real frame = blend(sb.turn, sa.turn, sb.reach < sa.reach);
 	Closing c;
 	c.a = sa;
 	c.b = sb;

@@ -9,8 +9,8 @@
 #include <string.h>
 
 // A walk of more nodes than this, about 5 us, is cut into so many parts per worker.
-#define WALK_NODES 128
-#define WALKERS    4
+#define TRAVERSAL_NODES 128
+#define TRAVERSAL_ITEMS 4
 // A joint of a chain takes as long as so many constraints of a color.
 #define CHAIN_ITEM 8
 
@@ -26,7 +26,7 @@ static scree_status cpu_run(Backend* b, const Step* step, const Run* runs, int c
 	Cpu* cpu = b->state;
 	bool detects = false;
 	for (int k = 0; k < count; ++k)
-		detects = detects || runs[k].stage == STAGE_narrow_phase;
+		detects = detects || runs[k].kernel == KERNEL_narrow_phase;
 	set_step(cpu, step);
 	cpu_work(cpu, runs, count, cpu->shares || cpu->detected > WAKE_ITEMS ? GRAIN : ALONE_GRAIN);
 	if (detects)
@@ -43,7 +43,7 @@ static scree_status cpu_solve(Backend* b, const Step* step, const Solve* solve, 
 	for (int k = 0; k < list->count; ++k)
 	{
 		items += list->runs[k].end - list->runs[k].begin;
-		chains += list->runs[k].stage == STAGE_chain && solve->chains > 1 ? CHAIN_ITEM * solve->chain_places : 0;
+		chains += list->runs[k].kernel == KERNEL_chain && solve->chains > 1 ? CHAIN_ITEM * solve->chain_places : 0;
 	}
 	if (threads_workers(cpu->threads) > 1 && items > 0)
 		cpu_work_solve(cpu, list->runs, list->count, items, chains);
@@ -59,7 +59,7 @@ static scree_status cpu_wait(Backend* b)
 	return SCREE_OK;
 }
 
-static scree_status cpu_timings(Backend* b, double milliseconds[BOX_COUNT])
+static scree_status cpu_timings(Backend* b, double milliseconds[STAGE_COUNT])
 {
 	Cpu* cpu = b->state;
 	memcpy(milliseconds, cpu->milliseconds, sizeof(cpu->milliseconds));
@@ -98,7 +98,7 @@ static const BackendFunctions functions = {
     .read = cpu_read,
     .read_begin = cpu_read_begin,
     .read_end = cpu_read_end,
-    .exchange = exchange_whole,
+    .batch = batch_whole,
     .wait = cpu_wait,
     .timings = cpu_timings,
     .address = cpu_address,
@@ -109,26 +109,26 @@ static const BackendFunctions functions = {
 };
 
 // SCREE_LANES is the sum of the numbers of lanes that this build has stages for.
-static void choose_stages(Cpu* cpu, int lanes)
+static void choose_kernels(Cpu* cpu, int lanes)
 {
-	const StageFunction *wide = stages_lanes1, *one = stages_lanes1;
+	const KernelFunction *wide = kernels_lanes1, *one = kernels_lanes1;
 #if SCREE_LANES & 4
-	wide = lanes == 4 ? stages_lanes4 : wide;
+	wide = lanes == 4 ? kernels_lanes4 : wide;
 #endif
 #if SCREE_LANES & 8
-	wide = lanes == 8 ? stages_lanes8 : wide;
+	wide = lanes == 8 ? kernels_lanes8 : wide;
 #endif
 #if SCREE_LANES & 16
-	wide = lanes == 16 ? stages_lanes16 : wide;
+	wide = lanes == 16 ? kernels_lanes16 : wide;
 #endif
 #if SCREE_LANES >= 8
-	one = lanes >= 8 ? stages_scalar_avx2 : one;
+	one = lanes >= 8 ? kernels_scalar_avx2 : one;
 #endif
-	cpu->backend.chain_lanes = wide[STAGE_chain] ? lanes : 1;
-	for (int stage = 0; stage < STAGE_COUNT; ++stage)
+	cpu->backend.chain_lanes = wide[KERNEL_chain] ? lanes : 1;
+	for (int kernel = 0; kernel < KERNEL_COUNT; ++kernel)
 	{
-		cpu->functions[stage] = wide[stage] ? wide[stage] : one[stage];
-		cpu->lanes[stage] = stage_widths[stage] == WIDTH_WIDE ? lanes : 1;
+		cpu->functions[kernel] = wide[kernel] ? wide[kernel] : one[kernel];
+		cpu->lanes[kernel] = kernel_widths[kernel] == WIDTH_WIDE ? lanes : 1;
 	}
 }
 
@@ -156,15 +156,15 @@ scree_status cpu_open(const BackendOptions* options, Backend** backend)
 	b->f = &functions;
 	b->threads = threads;
 	b->lanes = lanes;
-	b->walkers = threads > 1 ? WALKERS * threads : 1;
+	b->traversal_items = threads > 1 ? TRAVERSAL_ITEMS * threads : 1;
 	b->skips = true;
-	b->walk_nodes = threads > 1 ? WALK_NODES : INT_MAX;
+	b->traversal_nodes = threads > 1 ? TRAVERSAL_NODES : INT_MAX;
 	b->groups = threads;
 	b->state = cpu;
 	snprintf(b->name, sizeof(b->name), "cpu");
 	cpu->timed = options->timings;
 	cpu->choice.shares = true;
-	choose_stages(cpu, lanes);
+	choose_kernels(cpu, lanes);
 
 	cpu->threads = threads_open(threads);
 	if (!cpu->threads)
@@ -182,7 +182,7 @@ int cpu_devices(scree_device* devices, int capacity)
 	{
 		int lanes = processor_widest_lanes();
 		devices[0] = (scree_device){.name = "cpu", .equal_bits = true};
-		devices[0].units = processor_cores();
+		devices[0].compute_units = processor_cores();
 		devices[0].memory = processor_memory();
 		snprintf(devices[0].driver, sizeof(devices[0].driver), "%d lanes, %s", lanes, processor_instructions(lanes));
 	}

@@ -35,12 +35,12 @@ typedef struct // the state of the backend
 	Choice choice;
 	bool shares;     // the last solve was shared
 	double detected; // items of the last list with the narrow phase
-	StageFunction functions[STAGE_COUNT];
-	int lanes[STAGE_COUNT]; // items per call of a function
+	KernelFunction functions[KERNEL_COUNT];
+	int lanes[KERNEL_COUNT]; // items per call of a function
 	bool timed;
-	Box box;     // of the last stage; the time of a primitive is added to the box of the stage before it
+	Stage stage; // of the last stage; the time of a primitive is added to the box of the stage before it
 	double mark; // ms, when the last run ended
-	double milliseconds[BOX_COUNT];
+	double milliseconds[STAGE_COUNT];
 
 	// between read_begin and read_end
 	size_t async_count;

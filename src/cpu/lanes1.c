@@ -3,4 +3,4 @@
 #define LANES 1
 #include "stages/all_stages.h"
 
-#include "cpu/stage_table.h"
+#include "cpu/kernel_table.h"

@@ -10,4 +10,4 @@
 #include "stages/solve/taut.h"
 #include "stages/tree/hilbert.h"
 
-#include "cpu/stage_table.h"
+#include "cpu/kernel_table.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // scalar_avx2.c -- all stages, one item a call, with the instructions that eight lanes need: AVX2 on x86.
 #define LANES 1
-#define TABLE stages_scalar_avx2
+#define TABLE kernels_scalar_avx2
 #include "stages/all_stages.h"
 
-#include "cpu/stage_table.h"
+#include "cpu/kernel_table.h"

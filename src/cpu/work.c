@@ -19,47 +19,47 @@
 
 // Items per chunk. A stage whose items take long, and unequal times, is handed out in chunks to workers that are free. The
 // other stages are split evenly and in order, so that a worker has the same bodies and constraints in every pass.
-static const int chunks[STAGE_COUNT] = {
-    [STAGE_broad_phase] = CHUNK_ITEMS,
-    [STAGE_broad_phase_rest] = 1,
-    [STAGE_narrow_phase] = CHUNK_ITEMS,
-    [STAGE_query_ray] = CHUNK_ITEMS,
-    [STAGE_query_shape] = CHUNK_ITEMS,
-    [STAGE_query_nearest] = CHUNK_ITEMS,
-    [STAGE_sense] = 1,
-    [STAGE_hub] = 1,
-    [STAGE_chain_begin] = DEALT,
-    [STAGE_chain] = DEALT,
-    [STAGE_chain_end] = DEALT,
-    [STAGE_branch_begin] = DEALT,
-    [STAGE_branch] = DEALT,
-    [STAGE_branch_end] = DEALT,
-    [STAGE_hash_bodies] = 16,
-    [STAGE_hash_collidables] = 16,
-#define CONSTRAINT_KIND(kind, Kind, KIND) [STAGE_##kind##_layout] = CHUNK_ITEMS, [STAGE_##kind##_hash] = 16,
+static const int chunks[KERNEL_COUNT] = {
+    [KERNEL_broad_phase] = CHUNK_ITEMS,
+    [KERNEL_broad_phase_rest] = 1,
+    [KERNEL_narrow_phase] = CHUNK_ITEMS,
+    [KERNEL_query_ray] = CHUNK_ITEMS,
+    [KERNEL_query_shape] = CHUNK_ITEMS,
+    [KERNEL_query_nearest] = CHUNK_ITEMS,
+    [KERNEL_sensor_overlap] = 1,
+    [KERNEL_hub] = 1,
+    [KERNEL_chain_begin] = DEALT,
+    [KERNEL_chain] = DEALT,
+    [KERNEL_chain_end] = DEALT,
+    [KERNEL_branch_begin] = DEALT,
+    [KERNEL_branch] = DEALT,
+    [KERNEL_branch_end] = DEALT,
+    [KERNEL_hash_bodies] = 16,
+    [KERNEL_hash_collidables] = 16,
+#define CONSTRAINT_KIND(kind, Kind, KIND) [KERNEL_##kind##_layout] = CHUNK_ITEMS, [KERNEL_##kind##_hash] = 16,
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 };
 
 // Stages over all bodies, or all collidables: 1 + the kind of blocks that may be left out.
-static const int kinds[STAGE_COUNT] = {
-    [STAGE_transform] = 1 + ACTIVE_COLLIDABLES,     [STAGE_solve_begin] = 1 + ACTIVE_BODIES,
-    [STAGE_integrate_velocity] = 1 + ACTIVE_BODIES, [STAGE_integrate_position] = 1 + ACTIVE_BODIES,
-    [STAGE_finalize] = 1 + ACTIVE_BODIES,           [STAGE_field_shape] = 1 + ACTIVE_COLLIDABLES,
-    [STAGE_field_body] = 1 + ACTIVE_BODIES,         [STAGE_body_taut] = 1 + ACTIVE_BODIES,
-    [STAGE_body_slack] = 1 + ACTIVE_BODIES,
+static const int kinds[KERNEL_COUNT] = {
+    [KERNEL_transform] = 1 + ACTIVE_COLLIDABLES,     [KERNEL_solve_begin] = 1 + ACTIVE_BODIES,
+    [KERNEL_integrate_velocity] = 1 + ACTIVE_BODIES, [KERNEL_integrate_position] = 1 + ACTIVE_BODIES,
+    [KERNEL_finalize] = 1 + ACTIVE_BODIES,           [KERNEL_field_shape] = 1 + ACTIVE_COLLIDABLES,
+    [KERNEL_field_body] = 1 + ACTIVE_BODIES,         [KERNEL_body_taut] = 1 + ACTIVE_BODIES,
+    [KERNEL_body_slack] = 1 + ACTIVE_BODIES,
 };
 
 // The blocks that a run of a stage is limited to, or null.
-static const ActiveBlocks* active_blocks(const Cpu* cpu, int stage)
+static const ActiveBlocks* active_blocks(const Cpu* cpu, int kernel)
 {
-	int kind = stage < STAGE_COUNT ? kinds[stage] : 0;
+	int kind = kernel < KERNEL_COUNT ? kinds[kernel] : 0;
 	const ActiveBlocks* active = kind ? &cpu->backend.active[kind - 1] : NULL;
 	return active && active->blocks ? active : NULL;
 }
 
 // A share of the active blocks, those in a row in one call.
-static void do_active(Cpu* cpu, StageFunction function, const ActiveBlocks* active, int block, int blocks)
+static void do_active(Cpu* cpu, KernelFunction function, const ActiveBlocks* active, int block, int blocks)
 {
 	int end = split(active->count, block + 1, blocks);
 	for (int k = split(active->count, block, blocks); k < end; ++k)
@@ -73,7 +73,7 @@ static void do_active(Cpu* cpu, StageFunction function, const ActiveBlocks* acti
 	}
 }
 
-static void do_dealt(Cpu* cpu, StageFunction function, int block, int blocks)
+static void do_dealt(Cpu* cpu, KernelFunction function, int block, int blocks)
 {
 	for (int round = 0, begin = cpu->begin; begin < cpu->end; ++round, begin += blocks)
 	{
@@ -84,7 +84,7 @@ static void do_dealt(Cpu* cpu, StageFunction function, int block, int blocks)
 }
 
 // What is left of a run in chunks, a chunk after the other.
-static void do_chunks(Cpu* cpu, StageFunction function, int chunk)
+static void do_chunks(Cpu* cpu, KernelFunction function, int chunk)
 {
 	int items = cpu->end - cpu->begin, begin;
 	while ((begin = atomic_fetch_add_explicit(&cpu->next, chunk, memory_order_relaxed)) < items)
@@ -95,15 +95,15 @@ static void do_chunks(Cpu* cpu, StageFunction function, int chunk)
 static void do_block(void* context, int block, int blocks)
 {
 	Cpu* cpu = context;
-	int stage = cpu->runs[cpu->at].stage, items = cpu->end - cpu->begin;
-	StageFunction function = cpu->functions[stage];
-	const ActiveBlocks* active = active_blocks(cpu, stage);
+	int kernel = cpu->runs[cpu->at].kernel, items = cpu->end - cpu->begin;
+	KernelFunction function = cpu->functions[kernel];
+	const ActiveBlocks* active = active_blocks(cpu, kernel);
 	if (active && cpu->end > 1) // a single item is bookkeeping
 		do_active(cpu, function, active, block, blocks);
-	else if (chunks[stage] == DEALT)
+	else if (chunks[kernel] == DEALT)
 		do_dealt(cpu, function, block, blocks);
-	else if (blocks > 1 && chunks[stage])
-		do_chunks(cpu, function, chunks[stage]);
+	else if (blocks > 1 && chunks[kernel])
+		do_chunks(cpu, function, chunks[kernel]);
 	else
 	{
 		// shares consist of whole rows of MAX_LANES items, so that no two workers write to one
@@ -115,23 +115,23 @@ static void do_block(void* context, int block, int blocks)
 	}
 }
 
-static int smallest_shared(const Cpu* cpu, int stage)
+static int smallest_shared(const Cpu* cpu, int kernel)
 {
-	switch (stage)
+	switch (kernel)
 	{
 	case PRIMITIVE_SORT:
 		return SORT_GRAIN;
 	case PRIMITIVE_SCAN:
 		return SCAN_GRAIN;
-	case STAGE_broad_phase_rest: // an item is a part of a long walk: worth sharing while the workers are awake
+	case KERNEL_broad_phase_rest: // an item is a part of a long walk: worth sharing while the workers are awake
 		return cpu->grain == GRAIN ? 2 : INT_MAX;
 	default:
 		// a hub takes as long as many items: two are shared wherever anything is
-		if (stage_widths[stage] >= WIDTH_GROUP)
+		if (kernel_widths[kernel] >= WIDTH_GROUP)
 			return cpu->grain < ALONE_GRAIN ? 2 : INT_MAX;
-		if (!chunks[stage])
+		if (!chunks[kernel])
 			return cpu->grain;
-		return 2 * chunks[stage] > cpu->grain / CHUNK_ITEM ? 2 * chunks[stage] : cpu->grain / CHUNK_ITEM;
+		return 2 * chunks[kernel] > cpu->grain / CHUNK_ITEM ? 2 * chunks[kernel] : cpu->grain / CHUNK_ITEM;
 	}
 }
 
@@ -139,27 +139,27 @@ static void count_time(Cpu* cpu, const Run* run)
 {
 	if (!cpu->timed)
 		return;
-	if (run->stage < STAGE_COUNT)
-		cpu->box = stage_boxes[run->stage];
+	if (run->kernel < KERNEL_COUNT)
+		cpu->stage = kernel_stages[run->kernel];
 	double time = processor_milliseconds();
-	cpu->milliseconds[cpu->box] += time - cpu->mark;
+	cpu->milliseconds[cpu->stage] += time - cpu->mark;
 	cpu->mark = time;
 }
 
 // The number of blocks of a run: one that is not worth sharing has one.
-static int count_blocks(const Cpu* cpu, int stage, int items, const ActiveBlocks* active)
+static int count_blocks(const Cpu* cpu, int kernel, int items, const ActiveBlocks* active)
 {
-	int workers = threads_workers(cpu->threads), least = smallest_shared(cpu, stage), most = workers;
+	int workers = threads_workers(cpu->threads), least = smallest_shared(cpu, kernel), most = workers;
 	if (workers == 1 || items < least)
 		return 1;
-	if (stage >= STAGE_COUNT)
+	if (kernel >= KERNEL_COUNT)
 		return workers;
 	if (active)
 		most = active->count;
-	else if (stage_widths[stage] >= WIDTH_GROUP || chunks[stage] == DEALT)
+	else if (kernel_widths[kernel] >= WIDTH_GROUP || chunks[kernel] == DEALT)
 		most = items;
-	else if (chunks[stage])
-		most = (items + chunks[stage] - 1) / chunks[stage];
+	else if (chunks[kernel])
+		most = (items + chunks[kernel] - 1) / chunks[kernel];
 	else
 		most = items / (cpu->grain / BLOCKS_A_GRAIN);
 	return most < workers ? most : workers;
@@ -178,17 +178,17 @@ static int begin_run(Cpu* cpu, const Run* run)
 	if (cpu->begin >= cpu->end)
 		return 0;
 	cpu->pools.argument = run->argument;
-	if (run->stage < STAGE_COUNT)
+	if (run->kernel < KERNEL_COUNT)
 	{
 		// rounding up adds inert items, for which the pools have room
-		int lanes = cpu->lanes[run->stage];
+		int lanes = cpu->lanes[run->kernel];
 		cpu->end = (cpu->end + lanes - 1) / lanes * lanes;
 	}
-	const ActiveBlocks* active = active_blocks(cpu, run->stage);
+	const ActiveBlocks* active = active_blocks(cpu, run->kernel);
 	int items = cpu->end - cpu->begin, left = active ? active->count * ACTIVE_ITEMS : items;
 	items = left < items ? left : items;
 	cpu->items += items;
-	return count_blocks(cpu, run->stage, items, active);
+	return count_blocks(cpu, run->kernel, items, active);
 }
 
 void cpu_work(Cpu* cpu, const Run* runs, int count, int grain)
@@ -209,10 +209,10 @@ void cpu_work(Cpu* cpu, const Run* runs, int count, int grain)
 			threads_begin(cpu->threads);
 			shared = true;
 		}
-		if (run->stage == PRIMITIVE_SORT)
+		if (run->kernel == PRIMITIVE_SORT)
 			sort_keys(&cpu->shared, cpu->threads, blocks, cpu->pools.key, cpu->pools.key_other, cpu->end,
 			          run->argument & 255, run->argument >> 8);
-		else if (run->stage == PRIMITIVE_SCAN)
+		else if (run->kernel == PRIMITIVE_SCAN)
 			scan_values(&cpu->shared, cpu->threads, blocks, cpu->pools.scan, cpu->end);
 		else
 		{

@@ -103,7 +103,7 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 }
 #endif
 
-#define BENCH
+#define LOCAL
 #define group_lane()  0
 #define group_width() LANES
 #define part_lane()   0
@@ -111,20 +111,20 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 #define group_meet()
 #define bench_meet()
 
-#define STAGE_JOIN_(name, lanes) name##_lanes##lanes
-#define STAGE_JOIN(name, lanes)  STAGE_JOIN_(name, lanes)
-#define STAGE(name)                                                         \
-	INLINE void name##_item(const Pools* p, int i);                         \
-	static void STAGE_JOIN(name, LANES)(const Pools* p, int begin, int end) \
-	{                                                                       \
-		for (int i = begin; i < end; i += LANES)                            \
-			name##_item(p, i);                                              \
-	}                                                                       \
+#define KERNEL_JOIN_(name, lanes) name##_lanes##lanes
+#define KERNEL_JOIN(name, lanes)  KERNEL_JOIN_(name, lanes)
+#define KERNEL(name)                                                         \
+	INLINE void name##_item(const Pools* p, int i);                          \
+	static void KERNEL_JOIN(name, LANES)(const Pools* p, int begin, int end) \
+	{                                                                        \
+		for (int i = begin; i < end; i += LANES)                             \
+			name##_item(p, i);                                               \
+	}                                                                        \
 	INLINE void name##_item(const Pools* p, int i)
-#define WIDE_STAGE(name) STAGE(name)
-#define LIST_STAGE(name, list, length)                                                                               \
+#define WIDE_KERNEL(name) KERNEL(name)
+#define LIST_KERNEL(name, list, length)                                                                              \
 	INLINE int name##_listed(const Pools* p, int i);                                                                 \
-	static void STAGE_JOIN(name, LANES)(const Pools* p, int begin, int end)                                          \
+	static void KERNEL_JOIN(name, LANES)(const Pools* p, int begin, int end)                                         \
 	{                                                                                                                \
 		int found[CHUNK_ITEMS], count = 0;                                                                           \
 		for (int i = begin; i < end; ++i)                                                                            \
@@ -139,14 +139,14 @@ INLINE void scatter_rows4of8(float* base, int index, const float in[4], int want
 		}                                                                                                            \
 	}                                                                                                                \
 	INLINE int name##_listed(const Pools* p, int i)
-#define GROUP_STAGE(name)                                                   \
-	INLINE void name##_group(const Pools* p, int i, float* bench);          \
-	static void STAGE_JOIN(name, LANES)(const Pools* p, int begin, int end) \
-	{                                                                       \
-		_Alignas(64) float bench[GROUP_FLOATS];                             \
-		for (int i = begin; i < end; ++i)                                   \
-			name##_group(p, i, bench);                                      \
-	}                                                                       \
+#define GROUP_KERNEL(name)                                                   \
+	INLINE void name##_group(const Pools* p, int i, float* bench);           \
+	static void KERNEL_JOIN(name, LANES)(const Pools* p, int begin, int end) \
+	{                                                                        \
+		_Alignas(64) float bench[GROUP_FLOATS];                              \
+		for (int i = begin; i < end; ++i)                                    \
+			name##_group(p, i, bench);                                       \
+	}                                                                        \
 	INLINE void name##_group(const Pools* p, int i, float* bench)
 
 #endif

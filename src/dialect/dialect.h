@@ -64,12 +64,12 @@
 
 // The macros of the stages, which opencl_words.h and c_words.h define:
 //
-// STAGE(name) { ... }: the code for item i of the pools p. WIDE_STAGE(name): for items i to i + LANES - 1.
+// STAGE(name) { ... }: the code for item i of the pools p. WIDE_KERNEL(name): for items i to i + LANES - 1.
 //
-// LIST_STAGE(name, list, length) { ... }: a stage that appends the items for which it returns 1 to a list of the pools, in any
+// LIST_KERNEL(name, list, length) { ... }: a stage that appends the items for which it returns 1 to a list of the pools, in any
 // order. A CPU worker counts CHUNK_ITEMS of them at once: with 16 workers, one atomic counter per item took half of a step.
 //
-// GROUP_STAGE(name) { ... }: the code that a work-group executes together for item i, with GROUP_FLOATS floats of shared memory,
+// GROUP_KERNEL(name) { ... }: the code that a work-group executes together for item i, with GROUP_FLOATS floats of shared memory,
 // bench. The parts of the item are split among the work-items: group_lane() is the first index of one, group_width() its
 // stride. On a CPU one worker is the whole group, with LANES parts at a time; part_lane() and part_width() are for what it
 // does one part at a time.
@@ -103,8 +103,8 @@ typedef int Int;
 #define store_int(array, i, x) ((array)[i] = (x))
 #define real_bits(x)           float_bits(x)
 // b where c is set, else a
-INLINE Real choose(Real a, Real b, Int c) { return c ? b : a; }
-INLINE Int choose_int(Int a, Int b, Int c) { return c ? b : a; }
+INLINE Real blend(Real a, Real b, Int c) { return c ? b : a; }
+INLINE Int blend_int(Int a, Int b, Int c) { return c ? b : a; }
 // for values from 0 to below 2^31
 #define whole(x)   ((Int)(x))
 #define real_of(x) ((Real)(x))
@@ -138,8 +138,8 @@ INLINE Int choose_int(Int a, Int b, Int c) { return c ? b : a; }
 
 // Defined results for NaN and -0 on every target: b is taken only where the comparison holds.
 #ifndef WIDE_EXTREMES
-INLINE Real maximum(Real a, Real b) { return choose(a, b, a < b); }
-INLINE Real minimum(Real a, Real b) { return choose(a, b, b < a); }
+INLINE Real maximum(Real a, Real b) { return blend(a, b, a < b); }
+INLINE Real minimum(Real a, Real b) { return blend(a, b, b < a); }
 #endif
 
 #endif

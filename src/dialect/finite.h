@@ -20,14 +20,14 @@ INLINE Real within(Real x, Real most) { return maximum(minimum(x, most), -most);
 INLINE float finite_or_most(float x) { return x > MOST_FLOAT ? MOST_FLOAT : x < -MOST_FLOAT ? -MOST_FLOAT : x; }
 
 // Zero in place of NaN.
-INLINE Real number_of(Real x) { return choose(splat(0.0f), x, x == x); }
+INLINE Real number_of(Real x) { return blend(splat(0.0f), x, x == x); }
 
 // The same, and the largest number of its sign in place of an infinity.
 INLINE Real finite_of(Real x) { return number_of(within(x, splat(MOST_FLOAT))); }
 
 // An impulse that pushes: zero if it would pull, is NaN or exceeds MOST_IMPULSE. So a body with a NaN velocity pushes no
 // other body and is the only one to be frozen; and no zero is negative.
-INLINE Real push_of(Real x) { return choose(splat(0.0f), x, (x > splat(0.0f)) & (x <= splat(MOST_IMPULSE))); }
+INLINE Real push_of(Real x) { return blend(splat(0.0f), x, (x > splat(0.0f)) & (x <= splat(MOST_IMPULSE))); }
 
 // An impulse within a finite limit on either side; NaN becomes the limit.
 INLINE Real grip_of(Real x, Real limit) { return minimum(limit, maximum(-limit, x)); }
@@ -37,9 +37,9 @@ INLINE Real grip_of(Real x, Real limit) { return minimum(limit, maximum(-limit, 
 INLINE Real vec_shrink(Vec v, float length)
 {
 	Real square = vec_dot(v, v);
-	Real unit = choose(splat(1.0f), splat(1.35525272e-20f), square > splat(1.0e36f)); // 2^-66
+	Real unit = blend(splat(1.0f), splat(1.35525272e-20f), square > splat(1.0e36f)); // 2^-66
 	Vec shorter = vec_scale(unit, v);
-	return choose(splat(1.0f), unit * length / root(vec_dot(shorter, shorter)), square > splat(length * length));
+	return blend(splat(1.0f), unit * length / root(vec_dot(shorter, shorter)), square > splat(length * length));
 }
 
 #endif

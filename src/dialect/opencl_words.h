@@ -115,7 +115,7 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 }
 #define bound_at(bound, k) ((bound).of[k])
 
-#define BENCH         __local
+#define LOCAL         __local
 #define group_lane()  ((int)get_local_id(0))
 #define group_width() ((int)get_local_size(0))
 #define part_lane()   group_lane()
@@ -127,7 +127,7 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 
 // A kernel of a stage, of which specialize may set members of pools.step to constants. One in spread(items) work-items works, so that
 // few long items do not wait for each other. The name of a kernel is in parentheses, because a macro may have the same name (store).
-#define STAGE_KERNEL(kernel_name, name, specialize, spread)                                           \
+#define KERNEL_FUNCTION(kernel_name, name, specialize, spread)                                        \
 	__kernel void(kernel_name)(POOL_ARGUMENTS Step step, Run run)                                     \
 	{                                                                                                 \
 		Pools pools = {POOL_NAMES step, run.argument};                                                \
@@ -139,21 +139,21 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 				name##_item(&pools, i);                                                               \
 	}
 #define SPREAD_NOT(items) 1
-#define STAGE(name)                                 \
-	INLINE void name##_item(const Pools* p, int i); \
-	STAGE_KERNEL(name, name, (void)0, SPREAD_NOT)   \
+#define KERNEL(name)                                 \
+	INLINE void name##_item(const Pools* p, int i);  \
+	KERNEL_FUNCTION(name, name, (void)0, SPREAD_NOT) \
 	INLINE void name##_item(const Pools* p, int i)
-#define WIDE_STAGE(name) STAGE(name)
-#define LIST_STAGE(name, list, length)                            \
+#define WIDE_KERNEL(name) KERNEL(name)
+#define LIST_KERNEL(name, list, length)                           \
 	INLINE int name##_listed(const Pools* p, int i);              \
-	STAGE(name)                                                   \
+	KERNEL(name)                                                  \
 	{                                                             \
 		if (name##_listed(p, i))                                  \
 			p->list[atomic_add_int(&p->counters->length, 1)] = i; \
 	}                                                             \
 	INLINE int name##_listed(const Pools* p, int i)
-#define GROUP_STAGE(name)                                                                             \
-	INLINE void name##_group(const Pools* p, int i, BENCH float* bench);                              \
+#define GROUP_KERNEL(name)                                                                            \
+	INLINE void name##_group(const Pools* p, int i, LOCAL float* bench);                              \
 	__kernel void(name)(POOL_ARGUMENTS Step step, Run run)                                            \
 	{                                                                                                 \
 		__local float bench[GROUP_FLOATS];                                                            \
@@ -162,6 +162,6 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 		for (int i = run.begin + (int)get_group_id(0); i < end; i += (int)get_num_groups(0))          \
 			name##_group(&pools, i, bench);                                                           \
 	}                                                                                                 \
-	INLINE void name##_group(const Pools* p, int i, BENCH float* bench)
+	INLINE void name##_group(const Pools* p, int i, LOCAL float* bench)
 
 #endif

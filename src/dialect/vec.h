@@ -27,7 +27,7 @@ INLINE Vec vec_spin(Real w, Vec r) { return vec(-w * r.y, w * r.x); }
 // q is a rotation (cos, sin)
 INLINE Vec vec_turn(Vec q, Vec a) { return vec(q.x * a.x - q.y * a.y, q.y * a.x + q.x * a.y); }
 INLINE Vec vec_turn_back(Vec q, Vec a) { return vec(q.x * a.x + q.y * a.y, q.x * a.y - q.y * a.x); }
-INLINE Vec vec_choose(Vec a, Vec b, Int c) { return vec(choose(a.x, b.x, c), choose(a.y, b.y, c)); }
+INLINE Vec vec_blend(Vec a, Vec b, Int c) { return vec(blend(a.x, b.x, c), blend(a.y, b.y, c)); }
 INLINE Real absolute(Real a) { return maximum(a, -a); }
 
 // Cosine and sine of an angle up to pi: Taylor series of a quarter of it, then the double angle twice. The error is

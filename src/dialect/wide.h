@@ -21,11 +21,11 @@ typedef Word Words __attribute__((vector_size(4 * LANES)));
 #define real_bits(x)           ((Int)(x))
 #define lane(x, k)             ((x)[k])
 #if LANES == 8 && defined(__AVX__)
-INLINE Real choose(Real a, Real b, Int c) { return (Real)_mm256_blendv_ps((__m256)a, (__m256)b, (__m256)c); }
-INLINE Int choose_int(Int a, Int b, Int c) { return (Int)choose((Real)a, (Real)b, c); }
+INLINE Real blend(Real a, Real b, Int c) { return (Real)_mm256_blendv_ps((__m256)a, (__m256)b, (__m256)c); }
+INLINE Int blend_int(Int a, Int b, Int c) { return (Int)blend((Real)a, (Real)b, c); }
 #else
-INLINE Real choose(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
-INLINE Int choose_int(Int a, Int b, Int c) { return (b & c) | (a & ~c); }
+INLINE Real blend(Real a, Real b, Int c) { return (Real)(((Int)b & c) | ((Int)a & ~c)); }
+INLINE Int blend_int(Int a, Int b, Int c) { return (b & c) | (a & ~c); }
 #endif
 
 #include "dialect/extremes.h"

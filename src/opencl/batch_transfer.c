@@ -11,7 +11,7 @@
 #include "platform/error.h"
 
 // parts on their way at a time, each with a block for its items and one for its answers
-#define DEPTH (CARRY_BLOCKS / 2)
+#define DEPTH (TRANSFER_BLOCKS / 2)
 
 // Parts of a batch that needs fewer than so many blocks: there is something to overlap, and yet a GPU has work-items enough. A
 // million rays in one part took an H200 1.9 ms, in four 2.3, in eight 3.0.
@@ -20,33 +20,33 @@
 typedef struct
 {
 	OpenCl* d;
-	const Exchange* exchange;
+	const Batch* batch;
 	size_t item, answer; // bytes
 	int part, parts;     // items of a part, and how many parts
 } Way;
 
 typedef struct
 {
-	const Exchange* exchange;
+	const Batch* batch;
 	bool bad[MAX_WORKERS];
-} Checked;
+} BatchCheck;
 
 static void check_share(void* context, int block, int blocks)
 {
-	Checked* checked = context;
-	const Exchange* x = checked->exchange;
+	BatchCheck* checked = context;
+	const Batch* x = checked->batch;
 	int share = x->run.end / blocks + 1, begin = share * block,
 	    end = begin + share < x->run.end ? begin + share : x->run.end;
 	checked->bad[block] = begin < end && x->check(x->context, begin, end) != SCREE_OK;
 }
 
 // By all threads; the sentence is that of the first bad item.
-static scree_status check(OpenCl* d, const Exchange* x)
+static scree_status check(OpenCl* d, const Batch* x)
 {
-	Checked checked = {.exchange = x};
+	BatchCheck checked = {.batch = x};
 	if (!x->check)
 		return SCREE_OK;
-	threads_run_once(d->carry.threads, check_share, &checked);
+	threads_run_once(d->transfer.threads, check_share, &checked);
 	for (int block = 0; block < MAX_WORKERS; ++block)
 		if (checked.bad[block])
 			return x->check(x->context, 0, x->run.end);
@@ -59,7 +59,7 @@ static int first_of(const Way* way, int k) { return way->part * k; }
 
 static int count_of(const Way* way, int k)
 {
-	int left = way->exchange->run.end - first_of(way, k);
+	int left = way->batch->run.end - first_of(way, k);
 	return left < way->part ? left : way->part;
 }
 
@@ -70,39 +70,39 @@ static int down_block(int k) { return DEPTH + k % DEPTH; }
 // Copies part k to its block, and the answers of part back, which are in theirs. A part out of range is none.
 static void copy(const Way* way, int k, int back)
 {
-	const Exchange* x = way->exchange;
+	const Batch* x = way->batch;
 	Load loads[2];
 	int count = 0;
 	if (k < way->parts)
 		loads[count++] =
-		    (Load){carry_block(way->d, up_block(k)), (const char*)x->items + way->item * (size_t)first_of(way, k),
+		    (Load){transfer_block(way->d, up_block(k)), (const char*)x->items + way->item * (size_t)first_of(way, k),
 		           way->item * (size_t)count_of(way, k)};
 	if (back >= 0)
 		loads[count++] = (Load){(char*)x->answers + way->answer * (size_t)first_of(way, back),
-		                        carry_block(way->d, down_block(back)), way->answer * (size_t)count_of(way, back)};
+		                        transfer_block(way->d, down_block(back)), way->answer * (size_t)count_of(way, back)};
 	if (count > 0)
-		carry_copy(way->d, loads, count);
+		transfer_copy(way->d, loads, count);
 }
 
 // Sends part k, runs the stage over it, and fetches its answers; begin is complete when the device may write the items.
 static scree_status enqueue(const Way* way, int k, cl_event begin)
 {
 	OpenCl* d = way->d;
-	const Exchange* x = way->exchange;
+	const Batch* x = way->batch;
 	int first = first_of(way, k), count = count_of(way, k);
 	Run run = x->run;
 	run.begin = first;
 	run.end = first + count;
-	TRY(carry_send(d, d->carry.up, begin, up_block(k), pool_buffer(d, x->asked),
-	               pool_offset(d, x->asked) + way->item * (size_t)first, way->item * (size_t)count));
-	TRY(CALL(EnqueueBarrierWithWaitList, d->queue, 1, &d->carry.events[up_block(k)], NULL));
-	TRY(stage_run(d, &run));
+	TRY(transfer_send(d, d->transfer.up, begin, up_block(k), pool_buffer(d, x->asked),
+	                  pool_offset(d, x->asked) + way->item * (size_t)first, way->item * (size_t)count));
+	TRY(CALL(EnqueueBarrierWithWaitList, d->queue, 1, &d->transfer.events[up_block(k)], NULL));
+	TRY(kernel_run(d, &run));
 	cl_event done;
 	TRY(CALL(EnqueueBarrierWithWaitList, d->queue, 0, NULL, &done));
 	scree_status status = CALL(Flush, d->queue);
 	if (status == SCREE_OK)
-		status = carry_fetch(d, d->carry.down, done, down_block(k), pool_buffer(d, x->answered),
-		                     pool_offset(d, x->answered) + way->answer * (size_t)first, way->answer * (size_t)count);
+		status = transfer_fetch(d, d->transfer.down, done, down_block(k), pool_buffer(d, x->answered),
+		                        pool_offset(d, x->answered) + way->answer * (size_t)first, way->answer * (size_t)count);
 	opencl.ReleaseEvent(done);
 	return status;
 }
@@ -118,13 +118,13 @@ static scree_status go(const Way* way)
 	{
 		int back = k - DEPTH;
 		if (back == 0)
-			status = check(d, way->exchange);
+			status = check(d, way->batch);
 		if (back >= 0 && back < way->parts && status == SCREE_OK)
-			status = carry_settle(d, down_block(back)); // then its items are no longer needed either
+			status = transfer_settle(d, down_block(back)); // then its items are no longer needed either
 		if (status != SCREE_OK)
 			break;
 		if (k < way->parts)
-			status = carry_settle(d, up_block(k));
+			status = transfer_settle(d, up_block(k));
 		if (status != SCREE_OK)
 			break;
 		copy(way, k, back < way->parts ? back : -1);
@@ -143,19 +143,19 @@ static scree_status queue_open(OpenCl* d, cl_command_queue* queue)
 	return opencl_check("clCreateCommandQueue", error);
 }
 
-scree_status opencl_exchange(Backend* b, const Step* step, const Exchange* exchange)
+scree_status opencl_batch(Backend* b, const Step* step, const Batch* batch)
 {
 	OpenCl* d = b->state;
-	Way way = {d, exchange, pool_info[exchange->asked].bytes, pool_info[exchange->answered].bytes, 0, 0};
+	Way way = {d, batch, pool_info[batch->asked].bytes, pool_info[batch->answered].bytes, 0, 0};
 	size_t larger = way.item > way.answer ? way.item : way.answer;
-	int most = (int)(CARRY_BLOCK / larger), count = exchange->run.end;
+	int most = (int)(TRANSFER_BLOCK / larger), count = batch->run.end;
 	if (count <= most / 2)
-		return exchange_whole(b, step, exchange);
+		return batch_whole(b, step, batch);
 	way.part = clamp(count / PARTS + 1, most / 2, most);
 	way.parts = (count + way.part - 1) / way.part;
-	TRY(carry_open(d));
-	TRY(queue_open(d, &d->carry.up));
-	TRY(queue_open(d, &d->carry.down));
+	TRY(transfer_open(d));
+	TRY(queue_open(d, &d->transfer.up));
+	TRY(queue_open(d, &d->transfer.down));
 	step_set(d, step);
 	scree_status status = go(&way);
 	if (status == SCREE_OK)
@@ -164,16 +164,16 @@ scree_status opencl_exchange(Backend* b, const Step* step, const Exchange* excha
 		return SCREE_OK;
 	}
 	// nothing may still use the blocks
-	opencl.Finish(d->carry.up);
+	opencl.Finish(d->transfer.up);
 	opencl.Finish(d->queue);
-	opencl.Finish(d->carry.down);
+	opencl.Finish(d->transfer.down);
 	return status;
 }
 
-void exchange_close(OpenCl* d)
+void batch_close(OpenCl* d)
 {
-	if (d->carry.up)
-		opencl.ReleaseCommandQueue(d->carry.up);
-	if (d->carry.down)
-		opencl.ReleaseCommandQueue(d->carry.down);
+	if (d->transfer.up)
+		opencl.ReleaseCommandQueue(d->transfer.up);
+	if (d->transfer.down)
+		opencl.ReleaseCommandQueue(d->transfer.down);
 }

@@ -4,7 +4,7 @@
 #define BATCH_TRANSFER_H
 #include "opencl/opencl_state.h"
 
-scree_status opencl_exchange(Backend* b, const Step* step, const Exchange* exchange);
-void exchange_close(OpenCl* d);
+scree_status opencl_batch(Backend* b, const Step* step, const Batch* batch);
+void batch_close(OpenCl* d);
 
 #endif

@@ -112,7 +112,7 @@ static void describe(cl_platform_id platform, cl_device_id id, Device* d)
 	         driver);
 	d->type = device_number(id, CL_DEVICE_TYPE);
 	d->compiles_at_launch = strcmp(d->platform_name, "Portable Computing Language") == 0;
-	d->about.units = (int)device_number(id, CL_DEVICE_MAX_COMPUTE_UNITS);
+	d->about.compute_units = (int)device_number(id, CL_DEVICE_MAX_COMPUTE_UNITS);
 	d->about.memory = device_number(id, CL_DEVICE_GLOBAL_MEM_SIZE);
 	find_sharing(d);
 	check_support(d);
@@ -171,7 +171,7 @@ scree_status device_choose(const BackendOptions* options, Device* device)
 	Device devices[MAX_DEVICES];
 	int count = device_list(devices, MAX_DEVICES);
 	if (count == 0)
-		return fail(SCREE_ERROR_NO_DEVICE, "%s", opencl_remedy());
+		return fail(SCREE_ERROR_NO_DEVICE, "%s", opencl_hint());
 
 	const char* part = options->device ? options->device : "";
 	const Device* best = NULL;
@@ -208,7 +208,7 @@ int opencl_devices(scree_device* devices, int capacity)
 	return count < MAX_DEVICES ? count : MAX_DEVICES;
 }
 
-const char* opencl_remedy(void)
+const char* opencl_hint(void)
 {
 	if (!opencl_load())
 		return "There is no OpenCL on this machine: install ocl-icd-libopencl1 and, for the CPU, pocl-opencl-icd "

@@ -78,20 +78,20 @@ static scree_status release(OpenCl* d, const Shared* shared)
 	return opencl_check("release of shared memory", shared->release(d->queue, 1, &shared->memory, 0, NULL, NULL));
 }
 
-scree_status opencl_show(Backend* b, const Run* run)
+scree_status opencl_render(Backend* b, const Run* run)
 {
 	OpenCl* d = b->state;
 	const Shared* shared = &d->shared[SHARED_ROWS];
-	const Kernel* kernel = &d->stages[run->stage];
+	const Kernel* kernel = &d->kernels[run->kernel];
 	TRY(acquire(d, shared));
 	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[PER_RENDER_ROW], sizeof(cl_mem), &shared->memory));
-	TRY(stage_run(d, run));
+	TRY(kernel_run(d, run));
 	TRY(kernel_bind(d, PER_RENDER_ROW, kernel));
 	TRY(release(d, shared));
 	return finish(d);
 }
 
-scree_status opencl_take(Backend* b, PoolId pool, int count, size_t offset)
+scree_status opencl_download(Backend* b, PoolId pool, int count, size_t offset)
 {
 	OpenCl* d = b->state;
 	const Shared* shared = &d->shared[SHARED_QUERIES];
@@ -101,7 +101,7 @@ scree_status opencl_take(Backend* b, PoolId pool, int count, size_t offset)
 	return release(d, shared);
 }
 
-scree_status opencl_give(Backend* b, PoolId pool, int count, size_t offset)
+scree_status opencl_upload(Backend* b, PoolId pool, int count, size_t offset)
 {
 	OpenCl* d = b->state;
 	const Shared* shared = &d->shared[SHARED_QUERIES];

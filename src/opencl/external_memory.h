@@ -8,8 +8,8 @@
 scree_status share_open_context(OpenCl* d, const scree_opengl* opengl);
 void shared_close(OpenCl* d);
 scree_status opencl_share(Backend* b, SharedUse use, const SharedMemory* memory);
-scree_status opencl_show(Backend* b, const Run* run);
-scree_status opencl_take(Backend* b, PoolId pool, int count, size_t offset);
-scree_status opencl_give(Backend* b, PoolId pool, int count, size_t offset);
+scree_status opencl_render(Backend* b, const Run* run);
+scree_status opencl_download(Backend* b, PoolId pool, int count, size_t offset);
+scree_status opencl_upload(Backend* b, PoolId pool, int count, size_t offset);
 
 #endif

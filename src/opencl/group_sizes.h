@@ -4,16 +4,16 @@
 #define GROUP_SIZES_H
 
 // Work-items per work-group of a stage. Small, so that one color of a small scene uses many compute units.
-#define STAGE_GROUP 128
+#define KERNEL_GROUP 128
 // The same of guard. It uses so many registers that larger groups leave many of them idle.
-#define GUARD_GROUP 32
+#define CONTINUOUS_GROUP 32
 
 // Work-items of a work-group that solves a hub: one per column of its sums (HUB_COLUMNS).
 #define HUB_GROUP 256
 
 // Nodes above leaves that a walk of the broad phase visits, about 3 us each, before the rest of the walk is
 // distributed over the whole device. A body of usual size visits 4 to 8.
-#define WALK_NODES 12
+#define TRAVERSAL_NODES 12
 
 // Work-items per work-group of sort and scan: one per digit. All GPUs support 256. Tests with small worlds define it and the five
 // below before.

@@ -5,7 +5,7 @@
 
 // Stages for worlds that have no small bodies, belts and segments, or no rules. They use fewer registers, so more work-items are resident.
 // On an H100 the narrow phase of a million bodies in motion takes 1.83 ms with its own kernel, and 2.25 ms without.
-STAGE_KERNEL(narrow_phase_plain, narrow_phase, (pools.step.small = pools.step.belts = pools.step.segments = 0), SPREAD_NOT)
+KERNEL_FUNCTION(narrow_phase_plain, narrow_phase, (pools.step.small = pools.step.belts = pools.step.segments = 0), SPREAD_NOT)
 
 // Work-items per item, a power of two, as there is room.
 INLINE int spread_warp(int items)
@@ -15,7 +15,7 @@ INLINE int spread_warp(int items)
 		spread *= 2;
 	return spread;
 }
-STAGE_KERNEL(guard_plain, guard, (pools.step.rules = pools.step.asks = pools.step.material_pairs = 0), spread_warp)
+KERNEL_FUNCTION(continuous_plain, continuous, (pools.step.rules = pools.step.asks = pools.step.material_pairs = 0), spread_warp)
 // Only for devices that keep several work-groups resident at once: these kernels take most of the compile time. Not for a CPU: it would
 // compile the first one for minutes; tests emulate it.
 #ifdef PERSISTENT

@@ -37,21 +37,21 @@ size_t pool_offset(const OpenCl* d, PoolId pool)
 
 scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 {
-	// Rooms of cmake/embed.cmake: where the kinds begin that share a buffer, then the rooms of all kinds
+	// Capacities of cmake/embed.cmake: where the kinds begin that share a buffer, then the capacities of all kinds
 	struct
 	{
 		cl_ulong begins[PER_COUNT - BUFFERS];
-		cl_int rooms[PER_COUNT + PER_COUNT % 2];
-	} rooms = {0};
+		cl_int capacities[PER_COUNT + PER_COUNT % 2];
+	} capacities = {0};
 	for (int i = 0; i < PER_COUNT; ++i)
 	{
 		if (d->home[i] != (Per)i)
-			rooms.begins[d->argument[i]] = d->begin[i];
-		rooms.rooms[d->place[i]] = d->room[i];
+			capacities.begins[d->argument[i]] = d->begin[i];
+		capacities.capacities[d->place[i]] = d->room[i];
 	}
 	Per home = d->home[per];
 	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[home], sizeof(cl_mem), &d->buffers[home]));
-	return CALL(SetKernelArg, kernel->kernel, ARGUMENT_ROOMS, sizeof rooms, &rooms);
+	return CALL(SetKernelArg, kernel->kernel, ARGUMENT_CAPACITIES, sizeof capacities, &capacities);
 }
 
 void step_set(OpenCl* d, const Step* step)
@@ -72,30 +72,30 @@ scree_status kernel_step(OpenCl* d, Kernel* kernel)
 }
 
 // The kernel of a stage for the world as it is.
-static Kernel* stage_kernel(OpenCl* d, int stage)
+static Kernel* kernel_function(OpenCl* d, int kernel)
 {
 	const Step* step = &d->constants.step;
-	if (stage == STAGE_narrow_phase && !step->small && !step->belts && !step->segments)
+	if (kernel == KERNEL_narrow_phase && !step->small && !step->belts && !step->segments)
 		return &d->plain[PLAIN_NARROW_PHASE];
-	if (stage == STAGE_guard && !step->rules && !step->asks && step->material_pairs == 0)
-		return &d->plain[PLAIN_GUARD];
-	return &d->stages[stage];
+	if (kernel == KERNEL_continuous && !step->rules && !step->asks && step->material_pairs == 0)
+		return &d->plain[PLAIN_CONTINUOUS];
+	return &d->kernels[kernel];
 }
 
-scree_status stage_run(OpenCl* d, const Run* run)
+scree_status kernel_run(OpenCl* d, const Run* run)
 {
-	size_t group = stage_kernel(d, run->stage)->group;
-	return stage_run_within(d, run, stage_widths[run->stage] >= WIDTH_GROUP ? 1 : group, GROUPS_A_UNIT);
+	size_t group = kernel_function(d, run->kernel)->group;
+	return kernel_run_within(d, run, kernel_widths[run->kernel] >= WIDTH_GROUP ? 1 : group, GROUPS_A_UNIT);
 }
 
-scree_status stage_run_within(OpenCl* d, const Run* run, size_t items_a_group, size_t groups_a_unit)
+scree_status kernel_run_within(OpenCl* d, const Run* run, size_t items_a_group, size_t groups_a_unit)
 {
-	Kernel* kernel = stage_kernel(d, run->stage);
-	d->timing.box = stage_boxes[run->stage];
+	Kernel* kernel = kernel_function(d, run->kernel);
+	d->timing.stage = kernel_stages[run->kernel];
 	TRY(kernel_step(d, kernel));
 	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_FIRST, sizeof *run, run));
 	size_t items = (size_t)(run->end - run->begin);
 	size_t groups = (items + items_a_group - 1) / items_a_group;
-	size_t most = (size_t)d->device.about.units * groups_a_unit;
+	size_t most = (size_t)d->device.about.compute_units * groups_a_unit;
 	return launch(d, kernel->kernel, (groups < most ? groups : most) * kernel->group, kernel->group);
 }

@@ -15,7 +15,7 @@ enum
 // arguments of a kernel after the buffers
 enum
 {
-	ARGUMENT_ROOMS = BUFFERS,
+	ARGUMENT_CAPACITIES = BUFFERS,
 	ARGUMENT_STEP,
 	ARGUMENT_FIRST // of the kernel's own
 };
@@ -37,7 +37,7 @@ void step_set(OpenCl* d, const Step* step);
 scree_status kernel_step(OpenCl* d, Kernel* kernel);
 
 // Launches a run of a stage; with so many items to a work-group, as long as there are no more groups per compute unit than this.
-scree_status stage_run(OpenCl* d, const Run* run);
-scree_status stage_run_within(OpenCl* d, const Run* run, size_t items_a_group, size_t groups_a_unit);
+scree_status kernel_run(OpenCl* d, const Run* run);
+scree_status kernel_run_within(OpenCl* d, const Run* run, size_t items_a_group, size_t groups_a_unit);
 
 #endif

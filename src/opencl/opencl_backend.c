@@ -21,7 +21,7 @@
 #include <stdio.h>
 
 // Room of a pool is a multiple of so many items, so that every pool begins at a multiple of 256 bytes.
-#define ROOM_ITEMS 64
+#define CAPACITY_ITEMS 64
 
 static void opencl_close(Backend* b)
 {
@@ -34,17 +34,17 @@ static void opencl_close(Backend* b)
 		relay_close(d);
 		persistent_close(d);
 		primitives_close(d);
-		for (int i = 0; i < STAGE_COUNT; ++i)
-			if (d->stages[i].kernel)
-				opencl.ReleaseKernel(d->stages[i].kernel);
+		for (int i = 0; i < KERNEL_COUNT; ++i)
+			if (d->kernels[i].kernel)
+				opencl.ReleaseKernel(d->kernels[i].kernel);
 		for (int i = 0; i < PLAIN_KERNELS; ++i)
 			if (d->plain[i].kernel)
 				opencl.ReleaseKernel(d->plain[i].kernel);
 		if (d->solve_end.kernel)
 			opencl.ReleaseKernel(d->solve_end.kernel);
 		read_close(d);
-		exchange_close(d);
-		carry_close(d);
+		batch_close(d);
+		transfer_close(d);
 		pinned_close(d, &d->staging.pinned);
 		shared_close(d);
 		opencl_copy_release(b);
@@ -109,13 +109,13 @@ static scree_status buffer_copy(OpenCl* d, Per home, const Plan* plan)
 }
 
 // Gives a kind room for capacity items, rounded up.
-static scree_status make_room(Backend* b, Per per, int capacity)
+static scree_status kind_reserve(Backend* b, Per per, int capacity)
 {
 	OpenCl* d = b->state;
 	// both buffers exist during the copy
 	size_t bytes = item_bytes(per);
 	uint64_t wanted = (uint64_t)bytes * (uint64_t)capacity, old = (uint64_t)bytes * (uint64_t)d->room[per];
-	if (capacity > INT_MAX - ROOM_ITEMS || b->bytes + wanted > d->device.about.memory)
+	if (capacity > INT_MAX - CAPACITY_ITEMS || b->bytes + wanted > d->device.about.memory)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY,
 		            "%s has %llu MB; pools of %llu MB and their growth by %llu MB do not fit.", b->name,
 		            (unsigned long long)(d->device.about.memory >> 20), (unsigned long long)(b->bytes >> 20),
@@ -123,7 +123,7 @@ static scree_status make_room(Backend* b, Per per, int capacity)
 	Plan plan = {.bytes = 0};
 	memcpy(plan.begin, d->begin, sizeof plan.begin);
 	memcpy(plan.room, d->room, sizeof plan.room);
-	plan.room[per] = (capacity + ROOM_ITEMS - 1) / ROOM_ITEMS * ROOM_ITEMS;
+	plan.room[per] = (capacity + CAPACITY_ITEMS - 1) / CAPACITY_ITEMS * CAPACITY_ITEMS;
 	Per home = d->home[per];
 	plan.bytes = item_bytes(home) * (size_t)plan.room[home];
 	for (int i = 0; i < PER_COUNT; ++i)
@@ -141,8 +141,8 @@ static scree_status make_room(Backend* b, Per per, int capacity)
 // Sets the buffer of a kind, after it has been replaced, in all kernels.
 static scree_status kernels_bind(OpenCl* d, Per per)
 {
-	for (int k = 0; k < STAGE_COUNT; ++k)
-		TRY(kernel_bind(d, per, &d->stages[k]));
+	for (int k = 0; k < KERNEL_COUNT; ++k)
+		TRY(kernel_bind(d, per, &d->kernels[k]));
 	for (int k = 0; k < PLAIN_KERNELS; ++k)
 		TRY(kernel_bind(d, per, &d->plain[k]));
 	if (d->resident)
@@ -171,7 +171,7 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 	OpenCl* d = b->state;
 	if (capacity > d->room[per] || capacity < b->capacity[per])
 	{
-		TRY(make_room(b, per, capacity));
+		TRY(kind_reserve(b, per, capacity));
 		TRY(kernels_bind(d, per));
 	}
 	// the scratch buffers of the solve shrink with the constraints
@@ -216,20 +216,20 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	Per per = pool_info[pool].per;
 	d->tiles.stale |= per == PER_CONTACT || per == PER_CONTACT_PLACE || per == PER_BODY;
 	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
-	return carry_wanted(d, all) ? carry_up(d, pool_buffer(d, pool), offset, items, all)
-	                            : upload(d, pool_buffer(d, pool), offset, items, all);
+	return transfer_wanted(d, all) ? transfer_up(d, pool_buffer(d, pool), offset, items, all)
+	                               : upload(d, pool_buffer(d, pool), offset, items, all);
 }
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
 // Work-items per work-group of a stage. A CPU does a branch with one: PoCL would compile the barriers of several for two minutes.
-static size_t stage_group(const OpenCl* d, int stage)
+static size_t kernel_group(const OpenCl* d, int stage)
 {
-	if (stage_widths[stage] == WIDTH_TEAM && d->device.type & CL_DEVICE_TYPE_CPU)
+	if (kernel_widths[stage] == WIDTH_TEAM && d->device.type & CL_DEVICE_TYPE_CPU)
 		return 1;
-	if (stage == STAGE_guard)
-		return GUARD_GROUP;
-	return stage_widths[stage] >= WIDTH_GROUP ? HUB_GROUP : STAGE_GROUP;
+	if (stage == KERNEL_continuous)
+		return CONTINUOUS_GROUP;
+	return kernel_widths[stage] >= WIDTH_GROUP ? HUB_GROUP : KERNEL_GROUP;
 }
 
 static scree_status open_device(Backend* b, const BackendOptions* options)
@@ -242,10 +242,10 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	b->memory = d->device.about.memory;
-	b->walkers = d->device.about.units * STAGE_GROUP;
-	b->walk_nodes = WALK_NODES;
+	b->traversal_items = d->device.about.compute_units * KERNEL_GROUP;
+	b->traversal_nodes = TRAVERSAL_NODES;
 	b->chain_lanes = 1;
-	b->groups = d->device.about.units;
+	b->groups = d->device.about.compute_units;
 
 	form_open(d);
 	d->resident = persistent_wanted(d);
@@ -264,16 +264,16 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	TRY(pinned_open(d, STAGING_BYTES, &d->staging.pinned));
 	if (options->timings)
 		TRY(timing_open(d));
-	for (int i = 0; i < STAGE_COUNT; ++i)
-		TRY(kernel_create(d, stage_names[i], stage_group(d, i), &d->stages[i]));
-	TRY(kernel_create(d, "narrow_phase_plain", STAGE_GROUP, &d->plain[PLAIN_NARROW_PHASE]));
-	TRY(kernel_create(d, "guard_plain", GUARD_GROUP, &d->plain[PLAIN_GUARD]));
+	for (int i = 0; i < KERNEL_COUNT; ++i)
+		TRY(kernel_create(d, kernel_names[i], kernel_group(d, i), &d->kernels[i]));
+	TRY(kernel_create(d, "narrow_phase_plain", KERNEL_GROUP, &d->plain[PLAIN_NARROW_PHASE]));
+	TRY(kernel_create(d, "continuous_plain", CONTINUOUS_GROUP, &d->plain[PLAIN_CONTINUOUS]));
 	if (d->resident)
 	{
 		if (!cpu)
 			TRY(kernel_create(d, "persistent", PERSISTENT_GROUP, &d->persistent.kernel));
 		TRY(relay_create(d));
-		TRY(kernel_create(d, "solve_end", STAGE_GROUP, &d->solve_end));
+		TRY(kernel_create(d, "solve_end", KERNEL_GROUP, &d->solve_end));
 		TRY(tiles_open(d));
 	}
 	TRY(primitives_open(d));
@@ -281,7 +281,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	// pools without items have room too: a kernel argument needs a buffer
 	lay_out(d);
 	for (int i = 0; i < PER_COUNT; ++i)
-		TRY(make_room(b, (Per)i, 1));
+		TRY(kind_reserve(b, (Per)i, 1));
 	for (int i = 0; i < PER_COUNT; ++i)
 		TRY(kernels_bind(d, (Per)i));
 	if (d->resident)
@@ -304,13 +304,13 @@ scree_status opencl_open(const BackendOptions* options, Backend** backend)
 	    .read = opencl_read,
 	    .read_begin = opencl_read_begin,
 	    .read_end = opencl_read_end,
-	    .exchange = opencl_exchange,
+	    .batch = opencl_batch,
 	    .wait = opencl_wait,
 	    .timings = opencl_timings,
 	    .share = opencl_share,
-	    .show = opencl_show,
-	    .take = opencl_take,
-	    .give = opencl_give,
+	    .render = opencl_render,
+	    .download = opencl_download,
+	    .upload = opencl_upload,
 	    .copy_reserve = opencl_copy_reserve,
 	    .copy_release = opencl_copy_release,
 	    .copy = opencl_copy,

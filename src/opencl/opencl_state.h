@@ -33,27 +33,27 @@ typedef struct // uploads on their way; the device may read them until the host 
 	size_t used; // bytes
 } Staging;
 
-#define CARRY_BLOCKS 4
+#define TRANSFER_BLOCKS 4
 typedef struct // large arrays on their way: transfer.c
 {
 	Pinned pinned;
-	Threads* threads;              // null until the first one
-	cl_event events[CARRY_BLOCKS]; // of the blocks that the device may still use
-	cl_command_queue up, down;     // of exchanges, null until the first one
-} Carry;
+	Threads* threads;                 // null until the first one
+	cl_event events[TRANSFER_BLOCKS]; // of the blocks that the device may still use
+	cl_command_queue up, down;        // of exchanges, null until the first one
+} Transfer;
 
 typedef struct // of one launch whose time has not been read
 {
 	cl_event event;
-	Box box;
-} Lap;
+	Stage stage;
+} LaunchTime;
 
 typedef struct
 {
-	Lap* laps; // null unless BackendOptions.timings
+	LaunchTime* laps; // null unless BackendOptions.timings
 	int lap_count;
-	double milliseconds[BOX_COUNT];
-	Box box; // of the current run; the time of a primitive counts to the box of the run before it
+	double milliseconds[STAGE_COUNT];
+	Stage stage; // of the current run; the time of a primitive counts to the box of the run before it
 } Timing;
 
 typedef struct // what opencl_read_begin reads
@@ -88,7 +88,7 @@ typedef struct
 	Kernel kernel;
 	cl_mem list, probes;
 	Run* listed; // copy of the runs in list
-	int listed_count;
+	int contact_report_count;
 	int groups;    // resident at once; 0 if the device uses launches only
 	bool any_size; // SCREE_PERSISTENT=1: also for runs for which launches are faster
 	Counters last; // as last read; they predict the item counts of runs
@@ -118,7 +118,7 @@ typedef struct
 enum // kernels of kernels.cl for worlds without what the stage has else
 {
 	PLAIN_NARROW_PHASE,
-	PLAIN_GUARD,
+	PLAIN_CONTINUOUS,
 	PLAIN_KERNELS
 };
 
@@ -203,7 +203,7 @@ typedef struct
 	int argument[PER_COUNT];   // argument index of each buffer; of a kind without one its position among these
 	size_t before[POOL_COUNT]; // bytes per item of the pools of the same kind before this one
 
-	Kernel stages[STAGE_COUNT], plain[PLAIN_KERNELS];
+	Kernel kernels[KERNEL_COUNT], plain[PLAIN_KERNELS];
 	Constants constants;
 	Primitives primitives;
 	bool resident; // the program has the kernels whose work-groups must be resident at once
@@ -217,7 +217,7 @@ typedef struct
 
 	// transfers
 	Staging staging;
-	Carry carry;
+	Transfer transfer;
 	AsyncRead read;
 	CopyBlocks copy;
 	Shared shared[SHARED_USES];

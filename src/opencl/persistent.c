@@ -37,11 +37,11 @@ static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int gr
 	Persistent* own = &d->persistent;
 	cl_kernel kernel = own->kernel.kernel;
 	size_t bytes = (size_t)count * sizeof(Run);
-	if (count != own->listed_count || memcmp(own->listed, runs, bytes) != 0)
+	if (count != own->contact_report_count || memcmp(own->listed, runs, bytes) != 0)
 	{
 		TRY(upload(d, own->list, PERSISTENT_HEADER * sizeof(cl_int), runs, bytes));
 		memcpy(own->listed, runs, bytes);
-		own->listed_count = count;
+		own->contact_report_count = count;
 	}
 	TRY(kernel_step(d, &own->kernel));
 	TRY(CALL(SetKernelArg, kernel, ARGUMENT_COUNT, sizeof count, &count));
@@ -87,7 +87,7 @@ scree_status persistent_open(OpenCl* d)
 	         NULL));
 	if (own->kernel.group != PERSISTENT_GROUP)
 		return SCREE_OK;
-	own->groups = d->device.about.units * (int)(most / own->kernel.group);
+	own->groups = d->device.about.compute_units * (int)(most / own->kernel.group);
 	own->listed = scree_allocate(PERSISTENT_GROUP * sizeof(Run));
 	if (!own->listed)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for the runs of an OpenCL device.");
@@ -120,7 +120,10 @@ void persistent_close(OpenCl* d)
 static int item_count(const Run* run) { return run->end - run->begin; }
 
 // whether the persistent kernel does without the stage
-static bool is_left_out(const Run* run) { return run->stage < STAGE_COUNT && stage_widths[run->stage] >= WIDTH_ALONE; }
+static bool is_left_out(const Run* run)
+{
+	return run->kernel < KERNEL_COUNT && kernel_widths[run->kernel] >= WIDTH_ALONE;
+}
 
 // how many items a run will have if the counters do not change
 static int likely_items(const OpenCl* d, const Run* run)
@@ -134,20 +137,23 @@ static int likely_items(const OpenCl* d, const Run* run)
 	return end - run->begin;
 }
 
-// the time of a primitive counts to the box of the run before it
-static Box box_of(const Run* run, Box before) { return run->stage < STAGE_COUNT ? stage_boxes[run->stage] : before; }
+// the time of a primitive counts to the stage of the run before it
+static Stage stage_of(const Run* run, Stage before)
+{
+	return run->kernel < KERNEL_COUNT ? kernel_stages[run->kernel] : before;
+}
 
 int persistent_length(const OpenCl* d, const Run* runs, int count)
 {
 	if (d->persistent.groups == 0)
 		return 0;
-	Box box = box_of(runs, d->timing.box);
+	Stage stage = stage_of(runs, d->timing.stage);
 	int k = 0;
 	for (; k < count && k < PERSISTENT_GROUP; ++k)
 	{
-		Box own = box_of(&runs[k], box);
-		bool long_one = likely_items(d, &runs[k]) > (own == BOX_solve ? PERSISTENT_SOLVE : PERSISTENT_ITEMS);
-		if ((long_one && !d->persistent.any_size) || (d->timing.laps && own != box) || is_left_out(&runs[k]))
+		Stage own = stage_of(&runs[k], stage);
+		bool long_one = likely_items(d, &runs[k]) > (own == STAGE_solve ? PERSISTENT_SOLVE : PERSISTENT_ITEMS);
+		if ((long_one && !d->persistent.any_size) || (d->timing.laps && own != stage) || is_left_out(&runs[k]))
 			break;
 	}
 	return k > 1 ? k : 0;
@@ -159,6 +165,6 @@ scree_status persistent_run(OpenCl* d, const Run* runs, int count)
 	for (int k = 0; k < count; ++k)
 		largest = item_count(&runs[k]) > largest ? item_count(&runs[k]) : largest;
 	int groups = (largest - 1) / group + 1;
-	d->timing.box = box_of(runs, d->timing.box);
+	d->timing.stage = stage_of(runs, d->timing.stage);
 	return launch_list(d, runs, count, groups < d->persistent.groups ? groups : d->persistent.groups, SPINS);
 }

@@ -10,11 +10,11 @@
 
 enum
 {
-#define X(name, width, box) STAGE_##name,
-#include "stages/stages.def"
+#define X(name, width, box) KERNEL_##name,
+#include "stages/kernels.def"
 #undef X
-	STAGE_COUNT,
-	PRIMITIVE_SORT = STAGE_COUNT,
+	KERNEL_COUNT,
+	PRIMITIVE_SORT = KERNEL_COUNT,
 	PRIMITIVE_SCAN
 };
 
@@ -22,7 +22,7 @@ typedef struct // device-wide
 {
 	volatile __global int* arrived; // counter of arrivals; keeps rising from launch to launch
 	volatile __global int* fault;
-	volatile BENCH int* healthy;
+	volatile LOCAL int* healthy;
 	int arrivals; // value of the counter at the end of the last barrier
 	int spins;    // limit of a spin-wait
 } DeviceBarrier;
@@ -88,7 +88,7 @@ INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 }
 
 // As the launches of primitives.c. If there are fewer work-groups than parts, a group does several parts.
-INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, BENCH Bench* bench, DeviceBarrier* b,
+INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL SortMemory* bench, DeviceBarrier* b,
                             bool alone)
 {
 	uint n = item_count(run, (__global const int*)p->counters), part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
@@ -125,7 +125,7 @@ INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, BENCH
 	return true;
 }
 
-INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH uint* sum, DeviceBarrier* b)
+INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, LOCAL uint* sum, DeviceBarrier* b)
 {
 	uint n = item_count(run, (__global const int*)p->counters);
 	uint first = (uint)get_group_id(0), groups = (uint)get_num_groups(0);
@@ -140,7 +140,7 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, BENCH
 
 // Items of a run, one per work-item. Stages of one work-group per item, and rare ones, are launched by themselves.
 #define CASE_ONE(name, p)                                \
-	case STAGE_##name:                                   \
+	case KERNEL_##name:                                   \
 		for (int i = run.begin + from; i < end; i += by) \
 			name##_item(p, i);                           \
 		break;
@@ -158,7 +158,7 @@ INLINE int run_end(Run run, const Pools* p)
 // Whether the first work-group alone is faster than all with a device-wide barrier.
 INLINE bool takes_one_group(Run run, int end)
 {
-	int most = run.stage == PRIMITIVE_SORT ? SORT_GRAIN : run.stage < STAGE_COUNT && run.stage >= 0 ? PERSISTENT_GROUP : 0;
+	int most = run.kernel == PRIMITIVE_SORT ? SORT_GRAIN : run.kernel < KERNEL_COUNT && run.kernel >= 0 ? PERSISTENT_GROUP : 0;
 	return end - run.begin <= most;
 }
 
@@ -173,7 +173,7 @@ INLINE Run run_at(__global const int* list, int count, int i)
 
 // The first run from next on that has items, or count. chosen becomes that run. mine is the run that this work-item
 // holds.
-INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile BENCH int* found, BENCH Run* chosen)
+INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile LOCAL int* found, LOCAL Run* chosen)
 {
 	int lane = (int)get_local_id(0);
 	if (lane == 0)
@@ -189,14 +189,14 @@ INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile 
 }
 
 // A run that is no stage. False if a spin-wait reached its limit.
-INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __global int* probes, BENCH Bench* bench,
+INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __global int* probes, LOCAL SortMemory* bench,
                           DeviceBarrier* b, bool alone)
 {
-	if (run.stage == PRIMITIVE_SORT)
+	if (run.kernel == PRIMITIVE_SORT)
 		return persistent_sort(p, run, table, bench, b, alone);
-	if (run.stage == PRIMITIVE_SCAN)
+	if (run.kernel == PRIMITIVE_SCAN)
 		return persistent_scan(p, run, table, bench->sum, b);
-	if (run.stage == PERSISTENT_PROBE)
+	if (run.kernel == PERSISTENT_PROBE)
 		probe(probes, b->fault, run.argument);
 	return true;
 }
@@ -213,7 +213,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 {
 	volatile __local int healthy, found;
 	__local Run chosen;
-	__local Bench bench;
+	__local SortMemory bench;
 	Pools pools = {POOL_NAMES step, 0};
 	int lane = (int)get_local_id(0), begin = (int)get_global_id(0), stride = (int)get_global_size(0);
 	Run mine = run_at(list, count, lane);
@@ -250,10 +250,10 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		++next;
 		int from = alone ? lane : begin, by = alone ? (int)get_local_size(0) : stride;
 		pools.argument = run.argument;
-		switch (run.stage)
+		switch (run.kernel)
 		{
 #define X(name, width, box) CASE_##width(name, &pools)
-#include "stages/stages.def"
+#include "stages/kernels.def"
 #undef X
 		default:
 			if (!run_primitive(&pools, run, table, probes, &bench, &b, alone))

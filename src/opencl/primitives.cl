@@ -26,7 +26,7 @@ INLINE uint part_size(uint n, uint groups, uint grain)
 }
 
 // The sum of x over the work-items before this one. sum[PRIMITIVE_GROUP - 1] becomes the total.
-INLINE uint group_scan(BENCH uint* sum, uint x)
+INLINE uint group_scan(LOCAL uint* sum, uint x)
 {
 	uint t = (uint)get_local_id(0);
 	uint all = x;
@@ -48,11 +48,11 @@ typedef struct __attribute__((aligned(8))) // local memory of a work-group; memb
 	uint sum[PRIMITIVE_GROUP];
 	uint member[2][SORT_WORDS][SORT_DIGITS];
 	uint place[SORT_WORDS][SORT_DIGITS];
-} Bench;
+} SortMemory;
 
 // Counts the keys of a part by digit.
 INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* table, uint block, int shift, uint mask,
-                            BENCH uint* count)
+                            LOCAL uint* count)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
@@ -73,7 +73,7 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 // Within 256 consecutive keys, a bit mask per digit gives the rank of a key among equal digits: each work-item sets
 // its bit, in any order, and counts the lower bits. Work-item t also keeps the next place of digit t.
 INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
-                            uint block, int shift, uint mask, BENCH Bench* bench)
+                            uint block, int shift, uint mask, LOCAL SortMemory* bench)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
@@ -124,11 +124,11 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 // smaller keys. Every work-group holds all keys in local memory; SORT_TEAM work-items compare one key with the
 // others.
 INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
-                     BENCH Bench* bench)
+                     LOCAL SortMemory* bench)
 {
 	const uint teams = PRIMITIVE_GROUP / SORT_TEAM;
 	uint t = (uint)get_local_id(0), team = t / SORT_TEAM, member = t % SORT_TEAM;
-	BENCH Word64* keys = (BENCH Word64*)bench->member;
+	LOCAL Word64* keys = (LOCAL Word64*)bench->member;
 	int left = 64 - end;
 	for (uint i = t; i < n; i += PRIMITIVE_GROUP)
 		keys[i] = key[i] << left >> (left + from);
@@ -153,7 +153,7 @@ INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uin
 }
 
 // Adds up a part.
-INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table, uint block, BENCH uint* sum)
+INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table, uint block, LOCAL uint* sum)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SCAN_BLOCKS, SCAN_GRAIN);
@@ -171,7 +171,7 @@ INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table
 }
 
 // Replaces each item of a part by the sum of all items before it (exclusive scan).
-INLINE void scan_place_part(__global int* scan, uint n, __global const uint* table, uint block, BENCH uint* sum)
+INLINE void scan_place_part(__global int* scan, uint n, __global const uint* table, uint block, LOCAL uint* sum)
 {
 	uint t = (uint)get_local_id(0);
 	uint part = part_size(n, SCAN_BLOCKS, SCAN_GRAIN);
@@ -220,7 +220,7 @@ PRIMITIVE sort_count(__global uchar* keys, __global const int* counters, __globa
 PRIMITIVE sort_place(__global uchar* keys, __global const int* counters, __global const uint* table, Run run, ulong from,
                      ulong to, int shift, uint mask)
 {
-	__local Bench bench;
+	__local SortMemory bench;
 	sort_place_part((__global const Word64*)(keys + from), (__global Word64*)(keys + to), item_count(run, counters),
 	                table, (uint)get_group_id(0), shift, mask, &bench);
 }

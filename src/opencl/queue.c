@@ -21,7 +21,7 @@ static void add_laps(OpenCl* d)
 		opencl.GetEventProfilingInfo(d->timing.laps[i].event, CL_PROFILING_COMMAND_START, sizeof begin, &begin, NULL);
 		opencl.GetEventProfilingInfo(d->timing.laps[i].event, CL_PROFILING_COMMAND_END, sizeof end, &end, NULL);
 		opencl.ReleaseEvent(d->timing.laps[i].event);
-		d->timing.milliseconds[d->timing.laps[i].box] += 1e-6 * (double)(end - begin);
+		d->timing.milliseconds[d->timing.laps[i].stage] += 1e-6 * (double)(end - begin);
 	}
 	d->timing.lap_count = 0;
 }
@@ -34,7 +34,7 @@ scree_status finish(OpenCl* d)
 	return status;
 }
 
-scree_status opencl_timings(Backend* b, double milliseconds[BOX_COUNT])
+scree_status opencl_timings(Backend* b, double milliseconds[STAGE_COUNT])
 {
 	OpenCl* d = b->state;
 	TRY(finish(d));
@@ -66,6 +66,6 @@ scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group)
 	cl_event* event = d->timing.laps ? &d->timing.laps[d->timing.lap_count].event : NULL;
 	TRY(CALL(EnqueueNDRangeKernel, d->queue, kernel, 1, NULL, &items, &group, 0, NULL, event));
 	if (event)
-		d->timing.laps[d->timing.lap_count++].box = d->timing.box;
+		d->timing.laps[d->timing.lap_count++].stage = d->timing.stage;
 	return SCREE_OK;
 }

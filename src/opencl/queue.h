@@ -23,6 +23,6 @@ scree_status upload(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, 
 // Waits for the queue and adds up the laps.
 scree_status finish(OpenCl* d);
 
-scree_status opencl_timings(Backend* b, double milliseconds[BOX_COUNT]);
+scree_status opencl_timings(Backend* b, double milliseconds[STAGE_COUNT]);
 
 #endif

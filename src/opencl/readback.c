@@ -69,8 +69,8 @@ scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* it
 		TRY(opencl_read_begin(b, pool, first, count));
 		return opencl_read_end(b, items);
 	}
-	if (carry_wanted(d, all))
-		TRY(carry_down(d, pool_buffer(d, pool), offset, items, all));
+	if (transfer_wanted(d, all))
+		TRY(transfer_down(d, pool_buffer(d, pool), offset, items, all));
 	else
 		TRY(CALL(EnqueueReadBuffer, d->queue, pool_buffer(d, pool), CL_TRUE, offset, all, items, 0, NULL, NULL));
 	d->staging.used = 0;

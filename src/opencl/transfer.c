@@ -10,8 +10,8 @@
 #include <string.h>
 
 // bytes of a part of an array: while the first one is copied to its block, the bus is idle
-#define CARRY_PART    (CARRY_BLOCK / 2)
-#define CARRY_THREADS 6
+#define TRANSFER_PART    (TRANSFER_BLOCK / 2)
+#define TRANSFER_THREADS 6
 
 typedef struct
 {
@@ -33,34 +33,37 @@ static void copy_share(void* context, int block, int blocks)
 	}
 }
 
-void carry_copy(OpenCl* d, const Load* loads, int count)
+void transfer_copy(OpenCl* d, const Load* loads, int count)
 {
-	threads_run_once(d->carry.threads, copy_share, &(Loads){loads, count});
+	threads_run_once(d->transfer.threads, copy_share, &(Loads){loads, count});
 }
 
 static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
 
-bool carry_wanted(const OpenCl* d, size_t count)
+bool transfer_wanted(const OpenCl* d, size_t count)
 {
-	return count > CARRY_PART && !(d->device.type & CL_DEVICE_TYPE_CPU);
+	return count > TRANSFER_PART && !(d->device.type & CL_DEVICE_TYPE_CPU);
 }
 
-scree_status carry_open(OpenCl* d)
+scree_status transfer_open(OpenCl* d)
 {
-	Carry* c = &d->carry;
+	Transfer* c = &d->transfer;
 	int cores = processor_cores();
 	if (!c->pinned.memory)
-		TRY(pinned_open(d, CARRY_BLOCKS * CARRY_BLOCK, &c->pinned));
+		TRY(pinned_open(d, TRANSFER_BLOCKS * TRANSFER_BLOCK, &c->pinned));
 	if (!c->threads)
-		c->threads = threads_open(cores < CARRY_THREADS ? cores : CARRY_THREADS);
+		c->threads = threads_open(cores < TRANSFER_THREADS ? cores : TRANSFER_THREADS);
 	return c->threads ? SCREE_OK : SCREE_ERROR_OUT_OF_MEMORY;
 }
 
-unsigned char* carry_block(const OpenCl* d, int block) { return d->carry.pinned.memory + CARRY_BLOCK * (size_t)block; }
-
-scree_status carry_settle(OpenCl* d, int block)
+unsigned char* transfer_block(const OpenCl* d, int block)
 {
-	cl_event* event = &d->carry.events[block];
+	return d->transfer.pinned.memory + TRANSFER_BLOCK * (size_t)block;
+}
+
+scree_status transfer_settle(OpenCl* d, int block)
+{
+	cl_event* event = &d->transfer.events[block];
 	if (!*event)
 		return SCREE_OK;
 	scree_status status = CALL(WaitForEvents, 1, event);
@@ -69,63 +72,64 @@ scree_status carry_settle(OpenCl* d, int block)
 	return status;
 }
 
-scree_status carry_send(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
-                        size_t bytes)
+scree_status transfer_send(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
+                           size_t bytes)
 {
-	TRY(CALL(EnqueueWriteBuffer, queue, buffer, CL_FALSE, offset, bytes, carry_block(d, block), wait ? 1 : 0,
-	         wait ? &wait : NULL, &d->carry.events[block]));
+	TRY(CALL(EnqueueWriteBuffer, queue, buffer, CL_FALSE, offset, bytes, transfer_block(d, block), wait ? 1 : 0,
+	         wait ? &wait : NULL, &d->transfer.events[block]));
 	return CALL(Flush, queue);
 }
 
-scree_status carry_fetch(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
-                         size_t bytes)
+scree_status transfer_fetch(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
+                            size_t bytes)
 {
-	TRY(CALL(EnqueueReadBuffer, queue, buffer, CL_FALSE, offset, bytes, carry_block(d, block), wait ? 1 : 0,
-	         wait ? &wait : NULL, &d->carry.events[block]));
+	TRY(CALL(EnqueueReadBuffer, queue, buffer, CL_FALSE, offset, bytes, transfer_block(d, block), wait ? 1 : 0,
+	         wait ? &wait : NULL, &d->transfer.events[block]));
 	return CALL(Flush, queue);
 }
 
-scree_status carry_up(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count)
+scree_status transfer_up(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count)
 {
-	TRY(carry_open(d));
+	TRY(transfer_open(d));
 	int block = 0;
-	for (size_t at = 0; at < count; at += CARRY_PART, block ^= 1)
+	for (size_t at = 0; at < count; at += TRANSFER_PART, block ^= 1)
 	{
-		Load load = {carry_block(d, block), (const char*)bytes + at, smaller(CARRY_PART, count - at)};
-		TRY(carry_settle(d, block));
-		carry_copy(d, &load, 1);
-		TRY(carry_send(d, d->queue, NULL, block, buffer, offset + at, load.bytes));
+		Load load = {transfer_block(d, block), (const char*)bytes + at, smaller(TRANSFER_PART, count - at)};
+		TRY(transfer_settle(d, block));
+		transfer_copy(d, &load, 1);
+		TRY(transfer_send(d, d->queue, NULL, block, buffer, offset + at, load.bytes));
 	}
 	return SCREE_OK;
 }
 
-scree_status carry_down(OpenCl* d, cl_mem buffer, size_t offset, void* bytes, size_t count)
+scree_status transfer_down(OpenCl* d, cl_mem buffer, size_t offset, void* bytes, size_t count)
 {
-	TRY(carry_open(d));
-	int parts = (int)((count + CARRY_PART - 1) / CARRY_PART);
+	TRY(transfer_open(d));
+	int parts = (int)((count + TRANSFER_PART - 1) / TRANSFER_PART);
 	for (int k = 0; k <= parts; ++k)
 	{
-		size_t at = CARRY_PART * (size_t)k;
+		size_t at = TRANSFER_PART * (size_t)k;
 		if (k < parts)
 		{
-			TRY(carry_settle(d, k & 1));
-			TRY(carry_fetch(d, d->queue, NULL, k & 1, buffer, offset + at, smaller(CARRY_PART, count - at)));
+			TRY(transfer_settle(d, k & 1));
+			TRY(transfer_fetch(d, d->queue, NULL, k & 1, buffer, offset + at, smaller(TRANSFER_PART, count - at)));
 		}
 		if (k == 0)
 			continue;
-		size_t before = at - CARRY_PART;
-		TRY(carry_settle(d, (k - 1) & 1));
-		carry_copy(d, &(Load){(char*)bytes + before, carry_block(d, (k - 1) & 1), smaller(CARRY_PART, count - before)},
-		           1);
+		size_t before = at - TRANSFER_PART;
+		TRY(transfer_settle(d, (k - 1) & 1));
+		transfer_copy(
+		    d, &(Load){(char*)bytes + before, transfer_block(d, (k - 1) & 1), smaller(TRANSFER_PART, count - before)},
+		    1);
 	}
 	return SCREE_OK;
 }
 
-void carry_close(OpenCl* d)
+void transfer_close(OpenCl* d)
 {
-	for (int block = 0; block < CARRY_BLOCKS; ++block)
-		if (d->carry.events[block])
-			opencl.ReleaseEvent(d->carry.events[block]);
-	threads_close(d->carry.threads);
-	pinned_close(d, &d->carry.pinned);
+	for (int block = 0; block < TRANSFER_BLOCKS; ++block)
+		if (d->transfer.events[block])
+			opencl.ReleaseEvent(d->transfer.events[block]);
+	threads_close(d->transfer.threads);
+	pinned_close(d, &d->transfer.pinned);
 }

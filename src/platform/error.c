@@ -93,7 +93,7 @@ const char* scree_status_name(scree_status status)
 		return "device failed";
 	case SCREE_ERROR_NOT_SUPPORTED:
 		return "not supported";
-	case SCREE_ERROR_CROWDED:
+	case SCREE_ERROR_CONTACT_LIMIT:
 		return "crowded";
 	}
 	return "unknown";

@@ -28,10 +28,10 @@
 #define BELT_BACK 65536
 
 // A pass solves hubs in so many turns, by their numbers, so that hubs that touch are mostly solved one after the other.
-#define HUB_TURNS 4
+#define HUB_COLORS 4
 
 // A key of light ends: body from bit 32 on, turn of the hub from this bit on, number of the spoke below.
-#define HUB_KEY_TURN 30
+#define HUB_KEY_COLOR 30
 
 // Coloring rounds before the host checks whether contacts are left. Even, because rounds alternate between two lists.
 #define MAX_ROUNDS 64
@@ -43,7 +43,7 @@
 
 // Sorting the leaves of a tree costs about as much as this many visits of nodes per leaf.
 #define ORDER_VISITS 16
-#define STRAY_UNIT   64 // of Counters.strayed: 16.7 million leaves cannot overflow it
+#define OUTLIER_UNIT 64 // of Counters.strayed: 16.7 million leaves cannot overflow it
 
 #define HASH_SUMS 1024
 
@@ -60,8 +60,8 @@
 #define SPECULATIVE_DISTANCE 0.02f
 
 // of a body's thickness: how far it may go in a step before guard tests its path
-#define GUARD_TRAVEL 0.2f
-#define GUARD_CROSS  1.0f // the same where only what moves may be in its way: it must get past the middle of both
+#define CONTINUOUS_TRAVEL 0.2f
+#define CONTINUOUS_CROSS  1.0f // the same where only what moves may be in its way: it must get past the middle of both
 // kinematic bodies that guard compares a path with, before it looks which of them are near
 #define KINEMATIC_FEW 8
 // m: what is so deep in something kinematic, or static, is pressed by it, or against it
@@ -76,8 +76,8 @@
 #define PRESS_MAY_WAIT 1
 #define PRESS_AGAIN    2
 // fewest collidables of a body per work-item of guard, and most work-items per body
-#define GUARD_SHARE 2
-#define GUARD_PARTS 64
+#define CONTINUOUS_SHARE 2
+#define CONTINUOUS_PARTS 64
 
 // Most bodies, collidables or attributes of a world: the range of the indices in trees.
 #define MAX_ITEMS    (1 << 24)
@@ -93,9 +93,9 @@
 #define NO_POINT 1.0e6f
 
 // of a collidable: what happens to it is listed for the user
-#define REPORT_TOUCHES 1u // its touches begin and end
-#define REPORT_HITS    2u // it hits something, or is hit
-#define REPORT_ASKS    4u // what it begins to touch waits for an answer
+#define REPORT_TOUCHES  1u // its touches begin and end
+#define REPORT_HITS     2u // it hits something, or is hit
+#define REPORT_APPROVAL 4u // what it begins to touch waits for an answer
 
 // of a collidable that is a sensor: what it sees; in the same word
 #define SENSOR_MOVING  0x100u // what belongs to dynamic and kinematic bodies
@@ -105,18 +105,18 @@
 #define SENSOR_BITS    (SENSOR_MOVING | SENSOR_STATIC | SENSOR_SENSORS)
 
 // bits of the pool moved
-#define MOVED_BOX 1 // its box differs from old_box
-#define MOVED_FAR 2 // it may go further in this step than the speculative distance covers
-#define MOVED_ON  4 // it is not at rest in this step
+#define COLLIDABLE_NEW_BOX 1 // its box differs from old_box
+#define COLLIDABLE_FAST    2 // it may go further in this step than the speculative distance covers
+#define COLLIDABLE_MOVING  4 // it is not at rest in this step
 // m: thinner bodies have finer tolerances. Twice the speculative distance
 #define GRAIN_SIZE (2.0f * SPECULATIVE_DISTANCE)
 // Each of these is set for a dynamic collidable that is thinner than so many halves of GRAIN_SIZE. Of a pair, the tolerances of
 // contacts are halved once for each that either has: they would exceed the smaller body.
-#define MOVED_GRAIN  8 // the first one
-#define GRAIN_LEVELS 5
+#define COLLIDABLE_GRAIN 8 // the first one
+#define GRAIN_LEVELS     5
 // The same of its reach, for the distance from which on a pair has points: a long thin body needs those of both ends.
-#define MOVED_REACH  (MOVED_GRAIN << GRAIN_LEVELS)
-#define MOVED_GRAINS (MOVED_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
+#define COLLIDABLE_REACH  (COLLIDABLE_GRAIN << GRAIN_LEVELS)
+#define COLLIDABLE_GRAINS (COLLIDABLE_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
 
 // kinds of collidables
 #define KIND_DEAD      0
@@ -143,20 +143,20 @@
 #define CONTACT_PASSES   131072u // a side of it is a one-way platform, which lets the other one through
 #define CONTACT_IGNORED  262144u // its materials ignore each other
 // of a contact about which the user is asked first
-#define CONTACT_ASKS    524288u  // gets no impulses yet
-#define CONTACT_WAITS   1048576u // the user was asked in the last step
-#define CONTACT_REFUSED 2097152u // the answer was no, or none
-#define CONTACT_GRANTED 4194304u // the answer was yes: it acts until the two part
-#define CONTACT_ANSWERS (CONTACT_ASKS | CONTACT_WAITS | CONTACT_REFUSED | CONTACT_GRANTED)
-#define CONTACT_HIGH    8388608u // it passes, but was higher than its platform, and may be held as if it were new
+#define CONTACT_PENDING   524288u  // gets no impulses yet
+#define CONTACT_WAITED    1048576u // the user was asked in the last step
+#define CONTACT_REFUSED   2097152u // the answer was no, or none
+#define CONTACT_APPROVED  4194304u // the answer was yes: it acts until the two part
+#define CONTACT_APPROVALS (CONTACT_PENDING | CONTACT_WAITED | CONTACT_REFUSED | CONTACT_APPROVED)
+#define CONTACT_HIGH      8388608u // it passes, but was higher than its platform, and may be held as if it were new
 // a side of it was static, or kinematic, when it was created
 #define CONTACT_STATIC    16777216u
 #define CONTACT_KINEMATIC 33554432u
 #define CONTACT_FIXED     (CONTACT_STATIC | CONTACT_KINEMATIC)
 #define CONTACT_SUNK      67108864u // contact_sunk found in this step how deep its collidables are in a platform
 #define CONTACT_APART     (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // has no points, whatever the poses
-#define CONTACT_LASTS                                                                                        \
-	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_ANSWERS | CONTACT_HIGH | CONTACT_FIXED | \
+#define CONTACT_LASTS                                                                                          \
+	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_APPROVALS | CONTACT_HIGH | CONTACT_FIXED | \
 	 CONTACT_SUNK) // bits that narrow_phase leaves alone
 // within the narrow phase
 #define CONTACT_LOOK 2048u // narrow_phase looks at it
@@ -210,9 +210,9 @@ typedef struct // 16 bytes: what guard needs of a dynamic body
 {
 	int first;   // 1 + index of its first collidable, 0 for none
 	int parts;   // work-items that share its collidables
-	float way;   // m: GUARD_TRAVEL times the thickness of its thinnest collidable
+	float way;   // m: CONTINUOUS_TRAVEL times the thickness of its thinnest collidable
 	float reach; // m: no point of it is further from the center of mass
-} Guarded;
+} ContinuousBody;
 
 typedef struct // 32 bytes: how a body is pressed
 {
@@ -270,7 +270,7 @@ typedef struct // 96 bytes: a contact, as reported to the user
 	Float4 detail;                  // normal impulses of all substeps, N s, and approach speeds, m/s, of points 1 and 2
 	float separation1, separation2; // m
 	float unused[2];
-} Listed;
+} ContactReport;
 
 typedef struct // what is common to the queries of a call
 {
@@ -306,28 +306,28 @@ typedef struct // MAX_LANES spokes; all but the first two are working data of a 
 #define spoke_at(p, component, k) ((p)->spokes[(k) / MAX_LANES].component[(k) % MAX_LANES])
 
 // bits of joint_flags
-#define JOINT_THERE    1   // the slot holds a joint
-#define JOINT_ACTIVE   2   // both bodies are enabled, at least one of them moves
-#define JOINT_RESTARTS 4   // its constraint has to start anew
-#define JOINT_BROKEN   8   // it broke
-#define JOINT_COLLIDES 16  // its bodies may touch each other
-#define JOINT_BREAKS   32  // it breaks when its force or torque exceeds its threshold
-#define JOINT_ACTS     64  // it has something to solve: a lock, a limit, a spring or a motor
-#define JOINT_NEW      128 // the slot holds another joint than before
-#define JOINT_SEEKS    256 // of an edit: a body or a frame was placed, so another part of its path may be nearer
+#define JOINT_THERE     1   // the slot holds a joint
+#define JOINT_ACTIVE    2   // both bodies are enabled, at least one of them moves
+#define JOINT_RESTARTS  4   // its constraint has to start anew
+#define JOINT_BROKEN    8   // it broke
+#define JOINT_COLLIDES  16  // its bodies may touch each other
+#define JOINT_CAN_BREAK 32  // it breaks when its force or torque exceeds its threshold
+#define JOINT_ACTS      64  // it has something to solve: a lock, a limit, a spring or a motor
+#define JOINT_NEW       128 // the slot holds another joint than before
+#define JOINT_SEEKS     256 // of an edit: a body or a frame was placed, so another part of its path may be nearer
 
 // JointData.modes: a whole number, of four bits for each coordinate, and more
-#define JOINT_LOCKED(k)  (1 << (4 * (k)))
-#define JOINT_LIMITED(k) (2 << (4 * (k)))
-#define JOINT_SPRING(k)  (4 << (4 * (k)))
-#define JOINT_MOTOR(k)   (8 << (4 * (k)))
-#define JOINT_DRIVES(k)  (JOINT_LIMITED(k) | JOINT_SPRING(k) | JOINT_MOTOR(k))
-#define JOINT_EXTRAS     0xeee           // limits, springs and motors
-#define JOINT_RADIAL     0x1000          // its axis lies along the line between the two anchors
-#define JOINT_SOFT(k)    (0x2000 << (k)) // its lock is a spring
-#define JOINT_SPRINGS    0xe444          // springs and soft locks
-#define JOINT_TURNS      0x10000         // its axis turns with body a
-#define JOINT_COUPLED    0x20000         // it is a gear or a pulley, whose coordinate along is that of a coupling
+#define JOINT_LOCKED(k)     (1 << (4 * (k)))
+#define JOINT_LIMITED(k)    (2 << (4 * (k)))
+#define JOINT_SPRING(k)     (4 << (4 * (k)))
+#define JOINT_MOTOR(k)      (8 << (4 * (k)))
+#define JOINT_HAS_DRIVES(k) (JOINT_LIMITED(k) | JOINT_SPRING(k) | JOINT_MOTOR(k))
+#define JOINT_EXTRAS        0xeee           // limits, springs and motors
+#define JOINT_RADIAL        0x1000          // its axis lies along the line between the two anchors
+#define JOINT_SOFT(k)       (0x2000 << (k)) // its lock is a spring
+#define JOINT_SPRINGS       0xe444          // springs and soft locks
+#define JOINT_TURNS         0x10000         // its axis turns with body a
+#define JOINT_COUPLED       0x20000         // it is a gear or a pulley, whose coordinate along is that of a coupling
 
 // what a coupling measures of a side, 0 for a: a translation or a distance, else an angle
 #define JOINT_SLIDES(side) (0x40000 << (side))
@@ -530,7 +530,7 @@ typedef struct // 48 bytes: a field in the step
 	float center_x, center_y; // m: center of mass of its body, from there on
 	float vx, vy, w;          // m/s, rad/s: of that body
 	float unused[3];
-} FieldSpot;
+} FieldSample;
 
 typedef struct // 48 bytes: what acts on a body, about its center of mass
 {
@@ -565,7 +565,7 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_SPIN            11 // x: rad/s; the linear velocity stays
 #define COMMAND_BODY \
 	12 // a new row, without mass: center of mass x, y, cos, sin; whole: bits of that in the body's frame
-#define COMMAND_GUARDED    13 // Guarded: whole first, parts; x way, y reach
+#define COMMAND_CONTINUOUS 13 // ContinuousBody: whole first, parts; x way, y reach
 #define COMMAND_ENABLED    14 // whole[0]: 1, or 0 for a body that takes no part from now on
 #define COMMAND_TARGET     15 // pose of the origin x, y, cos, sin at the end of the step; whole[0]: locks
 #define COMMAND_ARRIVE     16 // the same at the end of that step: moves the body there, and stops it
@@ -580,7 +580,7 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define EVENT_TOUCH_BEGAN 0
 #define EVENT_TOUCH_ENDED 1
 #define EVENT_HIT         2
-#define EVENT_ASKED       3
+#define EVENT_APPROVALS   3
 #define EVENT_LISTS       4
 
 typedef struct // one tree of the broad phase, as the host sees it
@@ -620,46 +620,47 @@ typedef struct // constants of one step, passed by value to every stage
 	float max_speed, max_spin; // m/s, rad/s
 	float push_speed;          // m/s
 	float restitution_threshold;
-	float fall;           // m: how far gravity may move what rests, in a step, and more
-	Softness pair, fixed; // softness of contacts: between bodies that can move; with one that cannot
-	float h_ratio;        // h over that of the last step that took time
-	int rolls;            // some attribute has restitution, rolling resistance or tangent speed
-	int belts;            // some attribute, or pair of materials, has a tangent speed
-	int segments;         // some attribute is a segment
-	int details;          // the user wants to know what contacts did in the step
-	int reports;          // some collidable reports touches or hits
-	int rules;            // some pair may be subject to a rule
-	int material_pairs;   // rows of the pool material_pair
-	int excluded;         // rows of the pool excluded
-	int asks;             // some collidable asks
-	int asks_again;       // what the user was asked in the last step has no answer yet, and is asked again
-	int allowed;          // rows of the pool allowed
-	float hit_speed;      // m/s: slower approaches are no hits
-	float hit_impulse;    // N s: nor are smaller impulses
-	int bounces;          // some attribute has restitution
-	int joints;           // there may be joints among the constraints
-	int calm;             // bodies without contacts and forces go as their velocities say, within 5 mm
-	int chain_places;     // spots of chains
-	int drives;           // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
-	int springs;          // some joint has a spring or a soft lock
-	int couplings;        // some joint is a gear or a pulley
-	int paths;            // some joint follows a path
-	int kinematic;        // kinematic bodies
-	int presses;          // there is something static, and kinematic bodies or joints with what does not move
-	int round;            // some attribute has a radius
-	int small;            // some dynamic collidable may be thinner than GRAIN_SIZE
-	float guard_way;      // m: lower bound of all Guarded.way of the world
-	float guard_reach;    // m: upper bound of all Guarded.reach
-	int collidables;      // slots in use
+	float fall;             // m: how far gravity may move what rests, in a step, and more
+	Softness pair, fixed;   // softness of contacts: between bodies that can move; with one that cannot
+	float h_ratio;          // h over that of the last step that took time
+	int has_rolling;        // some attribute has restitution, rolling resistance or tangent speed
+	int belts;              // some attribute, or pair of materials, has a tangent speed
+	int segments;           // some attribute is a segment
+	int details;            // the user wants to know what contacts did in the step
+	int reports;            // some collidable reports touches or hits
+	int rules;              // some pair may be subject to a rule
+	int material_pairs;     // rows of the pool material_pair
+	int excluded;           // rows of the pool excluded
+	int asks;               // some collidable asks
+	int request_again;      // what the user was asked in the last step has no answer yet, and is asked again
+	int allowed;            // rows of the pool allowed
+	float hit_speed;        // m/s: slower approaches are no hits
+	float hit_impulse;      // N s: nor are smaller impulses
+	int bounces;            // some attribute has restitution
+	int joints;             // there may be joints among the constraints
+	int calm;               // bodies without contacts and forces go as their velocities say, within 5 mm
+	int chain_places;       // spots of chains
+	int has_drives;         // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
+	int springs;            // some joint has a spring or a soft lock
+	int couplings;          // some joint is a gear or a pulley
+	int paths;              // some joint follows a path
+	int kinematic;          // kinematic bodies
+	int presses;            // there is something static, and kinematic bodies or joints with what does not move
+	int round;              // some attribute has a radius
+	int small;              // some dynamic collidable may be thinner than GRAIN_SIZE
+	float continuous_way;   // m: lower bound of all ContinuousBody.way of the world
+	float continuous_reach; // m: upper bound of all ContinuousBody.reach
+	int collidables;        // slots in use
 	int pair_capacity, contact_capacity;
 	int place_capacity[CONSTRAINT_KINDS];
-	int contact_limit;       // most contacts that the world may have
-	int walk_nodes, walkers; // nodes over leaves that a walk visits before its rest is split among so many work-items
-	int key_bits;            // bits of a collidable's index in a pair's key
+	int contact_limit; // most contacts that the world may have
+	int traversal_nodes,
+	    traversal_items; // nodes over leaves that a traversal visits before its rest is split among so many work-items
+	int key_bits;        // bits of a collidable's index in a pair's key
 } Step;
 
 // Whether rare rows of contacts are used.
-#define STEP_RARE(step) ((step).rolls | (step).details)
+#define STEP_RARE(step) ((step).has_rolling | (step).details)
 
 typedef struct // places of the constraints of a kind
 {
@@ -684,57 +685,57 @@ typedef struct
 	KindLayout layout[CONSTRAINT_KINDS]; // where constraints lie
 	int hubs;                            // bodies solved with all of their contacts
 	int split;                           // ends of spokes, if some body is split into parts, else 0
-	int strayed[2]; // of each tree: nodes that a walk visits in vain because of boxes that jumped, times STRAY_UNIT
+	int outliers[2]; // of each tree: nodes that a walk visits in vain because of boxes that jumped, times OUTLIER_UNIT
 	// of this step
-	int moved;        // collidables whose enlarged box changed
-	int changed;      // 1 if a constraint began or ended, so that a layout is due
-	int kept;         // INT_MAX if the layout of the last step is valid; 0 if it changed or must not be used
-	int refit;        // tree nodes to recompute: all if some box changed, else 0
-	int jumped;       // tree nodes to check for boxes that jumped: all if some box did, else 0
-	int order[2];     // of each tree: leaves to sort in this step, all or 0
-	int walks;        // walks that one work-item did not finish
-	int rest;         // work-items that these are split among: all, or 0 if there are none
-	int pairs;        // new pairs found, also without room for them; above the limit not all
-	int crowded;      // 1 for more contacts than a world may have: the rest of the step is skipped
-	int sort_pairs;   // new pairs, or 0 without room for them
-	int search;       // contact slots to search for free ones, plus one; 0 without new pairs
-	int dead;         // free slots found
-	int created;      // new contacts
-	int needed;       // contact slots that the step needs
-	int stalled;      // 1 if crowded or a buffer is too small: the rest is skipped; the host repeats the step
-	int live;         // contact slots of the narrow phase
-	int look;         // the same if it has to look at some, else 0
-	int released;     // contacts whose boxes parted
-	int began, ended; // contacts that began and ceased to touch
-	int gathered;     // contact slots to search for contacts of bodies that became hubs, else 0
-	int entered;      // 1 when a contact became a spoke
+	int updated_boxes; // collidables whose enlarged box changed
+	int changed;       // 1 if a constraint began or ended, so that a layout is due
+	int kept;          // INT_MAX if the layout of the last step is valid; 0 if it changed or must not be used
+	int refit;         // tree nodes to recompute: all if some box changed, else 0
+	int jumped;        // tree nodes to check for boxes that jumped: all if some box did, else 0
+	int order[2];      // of each tree: leaves to sort in this step, all or 0
+	int traversals;    // walks that one work-item did not finish
+	int rest;          // work-items that these are split among: all, or 0 if there are none
+	int pairs;         // new pairs found, also without room for them; above the limit not all
+	int over_limit;    // 1 for more contacts than a world may have: the rest of the step is skipped
+	int sort_pairs;    // new pairs, or 0 without room for them
+	int search;        // contact slots to search for free ones, plus one; 0 without new pairs
+	int dead;          // free slots found
+	int created;       // new contacts
+	int needed;        // contact slots that the step needs
+	int stalled;       // 1 if crowded or a buffer is too small: the rest is skipped; the host repeats the step
+	int live;          // contact slots of the narrow phase
+	int look;          // the same if it has to look at some, else 0
+	int released;      // contacts whose boxes parted
+	int began, ended;  // contacts that began and ceased to touch
+	int gathered;      // contact slots to search for contacts of bodies that became hubs, else 0
+	int entered;       // 1 when a contact became a spoke
 	int uncolored[MAX_ROUNDS + 1]; // [r + 1]: contacts without a color after coloring round r
-	int stirred[CONSTRAINT_KINDS]; // 1 when a constraint of the kind began or ended
+	int dirty[CONSTRAINT_KINDS];   // 1 when a constraint of the kind began or ended
 	int arrange[CONSTRAINT_KINDS]; // slots of the kind to sort by color: 0 if none began or ended
 	int arranged;                  // 1 if all that changed was laid out
 	int penetration;               // bits of the deepest overlap, m
 	int joint_gap;                 // bits of the widest gap of a joint, m
-	int taut;            // 1 if the pull of some joint was large against the inertia of a body, until body_taut
-	int nonfinite;       // bodies frozen because their state was not finite
-	int first_nonfinite; // lowest index of these
-	int press[2];        // 1 if some body is deep in something static; in something kinematic
-	int guarded;         // items of guard: bodies that went far; a body of many collidables has several
-	int held;            // bodies that guard stopped before something static
-	int joint_moved;     // 1 if some joint got another place among the chains, until joint_update
-	int joint_stir;      // INT_MAX if some joint was made, changed or broke since the last step, else 0
+	int taut;             // 1 if the pull of some joint was large against the inertia of a body, until body_taut
+	int nonfinite;        // bodies frozen because their state was not finite
+	int first_nonfinite;  // lowest index of these
+	int press[2];         // 1 if some body is deep in something static; in something kinematic
+	int continuous_items; // items of continuous: bodies that went far; a body of many collidables has several
+	int held;             // bodies that guard stopped before something static
+	int joint_moved;      // 1 if some joint got another place among the chains, until joint_update
+	int joints_dirty;     // INT_MAX if some joint was made, changed or broke since the last step, else 0
 	int overflow_first, overflow; // among the sorted keys of joints those without a color and a chain begin; how many
 	int joined;                   // pairs of bodies that joints or the user keep from touching
 	int joint_events;             // joints whose force exceeded a threshold in the step
 	int touches_began, touches_ended, hits; // of the step
 	int waiting, refused, asked;            // contacts that wait, that were refused, that are listed
 	int holds;                              // INT_MAX if some wait, else 0
-	int told;                               // bodies at other poses than the user was told
+	int moved_bodies;                       // bodies at other poses than the user was told
 	int fault; // set by a device that failed during a run; its backend reads it with the other counters
 } Counters;
 
 typedef struct // one entry of a list that a backend executes in order
 {
-	int stage;      // STAGE_*, or PRIMITIVE_*
+	int kernel;     // KERNEL_*, or PRIMITIVE_*
 	int begin, end; // items
 	int count;      // position in Counters of an upper bound of end, or -1
 	int argument;   // of the stage

@@ -26,9 +26,9 @@ typedef struct // 32 bytes: a collidable as queries see it
 	float x, y, c, s; // world pose
 	int attribute, body, collidable;
 	Word kinds; // a bit for its kind, KIND_STATIC first, or of a sensor that for sensors; and more
-} Seen;
-#define SEEN_SENSOR  0x10u
-#define SEEN_LISTENS 0x100u // its category and mask are not 0
+} QueryLeaf;
+#define LEAF_SENSOR  0x10u
+#define LEAF_LISTENS 0x100u // its category and mask are not 0
 
 typedef struct // 32 bytes: a query as the user writes it: scree_ray, scree_probe
 {
@@ -37,14 +37,14 @@ typedef struct // 32 bytes: a query as the user writes it: scree_ray, scree_prob
 	int ignored, ignored_generation; // body that it does not see, 0 for none
 } Query;
 
-typedef struct // 32 bytes: scree_found
+typedef struct // 32 bytes: scree_query_result
 {
 	int collidable; // as in handles: 1 + index, 0 for none
 	Word generation;
 	float x, y, normal_x, normal_y;
 	float fraction; // of the path; of the nearest, the distance in m
 	Word marks;     // FOUND_* bits
-} Found;
+} QueryResult;
 #define FOUND_HIT    1u
 #define FOUND_INSIDE 0x100u
 
@@ -53,6 +53,6 @@ typedef struct // 32 bytes: a body that moved, as the user is told
 	Float4 pose; // of the center of mass: x, y, cos, sin
 	float vx, vy, w;
 	int body;
-} Told;
+} MovedBody;
 
 #endif

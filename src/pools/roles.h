@@ -12,24 +12,24 @@ typedef enum // what a pool has an item for
 	PER_##KIND, PER_##KIND##_PLACE, PER_##KIND##_BLOCK, // edge of a constraint; place of its rows; MAX_LANES of these
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
-	PER_EDGE,        // of any kind
-	PER_JOINED,      // pair of bodies that never touch
-	PER_EXCLUDED,    // of those, pair that the user set
-	PER_JOINT_EDIT,  // joint that the user made or changed
-	PER_PATH_SAMPLE, // sample of a path
-	PER_CHAIN,       // joints that are solved together
-	PER_CHAIN_BLOCK, // MAX_LANES spots of a chain
-	PER_BRANCH,      // body of a branch
-	PER_SPOKE,       // contact of a hub
-	PER_SPOKE_BLOCK, // of MAX_LANES of them
-	PER_RENDER_ROW,  // collidable, as a renderer sees it
-	PER_LISTED,      // contact of a body that the user asks for
-	PER_EVENT,       // contact of a world in which some collidable reports
-	PER_ASKED,       // contact of a world in which some collidable asks, or is a one-way platform
-	PER_ALLOWED,     // pair of collidables that may touch
-	PER_HELD,        // body of a world in which some collidable asks
-	PER_SEEN,        // leaf, as queries see it
-	PER_SEEN_NODE,   // node, as queries see it
+	PER_EDGE,           // of any kind
+	PER_JOINED,         // pair of bodies that never touch
+	PER_EXCLUDED,       // of those, pair that the user set
+	PER_JOINT_EDIT,     // joint that the user made or changed
+	PER_PATH_SAMPLE,    // sample of a path
+	PER_CHAIN,          // joints that are solved together
+	PER_CHAIN_BLOCK,    // MAX_LANES spots of a chain
+	PER_BRANCH,         // body of a branch
+	PER_SPOKE,          // contact of a hub
+	PER_SPOKE_BLOCK,    // of MAX_LANES of them
+	PER_RENDER_ROW,     // collidable, as a renderer sees it
+	PER_CONTACT_REPORT, // contact of a body that the user asks for
+	PER_EVENT,          // contact of a world in which some collidable reports
+	PER_APPROVAL,       // contact of a world in which some collidable asks, or is a one-way platform
+	PER_ALLOWED,        // pair of collidables that may touch
+	PER_STOPPED,        // body of a world in which some collidable asks
+	PER_QUERY_LEAF,     // leaf, as queries see it
+	PER_QUERY_NODE,     // node, as queries see it
 	PER_QUERY,
 	PER_FOUND,         // answer of a query
 	PER_MATERIAL_PAIR, // pair of materials

@@ -58,7 +58,7 @@ static float usual_size(const Float4* boxes, int count, uint64_t* words)
 }
 
 // The mean center of the boxes in the fullest cell of a grid. Returns the number of boxes that contain it.
-static int crowded_place(const Float4* boxes, int count, uint64_t* keys, scree_vec* place)
+static int fullest_place(const Float4* boxes, int count, uint64_t* keys, scree_vec* place)
 {
 	float cell = usual_size(boxes, count, keys);
 	int found = 0, most = 0, length = 0;
@@ -88,7 +88,7 @@ static int crowded_place(const Float4* boxes, int count, uint64_t* keys, scree_v
 	return over;
 }
 
-scree_status crowd_fail(Pipeline* pipeline, const Step* step)
+scree_status contact_limit_fail(Pipeline* pipeline, const Step* step)
 {
 	Backend* b = pipeline->backend;
 	int count = step->collidables, contacts = pipeline->counters.alive, pairs = pipeline->counters.pairs,
@@ -100,7 +100,7 @@ scree_status crowd_fail(Pipeline* pipeline, const Step* step)
 	if (boxes && keys && status == SCREE_OK)
 	{
 		scree_vec place;
-		int over = crowded_place(boxes, count, keys, &place);
+		int over = fullest_place(boxes, count, keys, &place);
 		snprintf(where, sizeof where, "; most crowded is (%.2f, %.2f), where the boxes of %d collidables overlap",
 		         (double)place.x, (double)place.y, over);
 	}
@@ -108,7 +108,7 @@ scree_status crowd_fail(Pipeline* pipeline, const Step* step)
 	scree_release(keys);
 	if (status != SCREE_OK)
 		return status;
-	return fail(SCREE_ERROR_CROWDED,
+	return fail(SCREE_ERROR_CONTACT_LIMIT,
 	            "scree_world_step: %d contacts and %s%d new pairs are more than contact_limit, %d, allows%s", contacts,
 	            pairs > limit ? "at least " : "", pairs, limit, where);
 }

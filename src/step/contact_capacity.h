@@ -7,8 +7,8 @@
 // The limit of contacts: that of the definition, or the default.
 int contact_limit(const StepRequest* request);
 
-// Fails with SCREE_ERROR_CROWDED and a sentence that names the place where most boxes overlap. Called right after the search
+// Fails with SCREE_ERROR_CONTACT_LIMIT and a sentence that names the place where most boxes overlap. Called right after the search
 // that found too many pairs, while its counters and boxes are in the pools.
-scree_status crowd_fail(Pipeline* pipeline, const Step* step);
+scree_status contact_limit_fail(Pipeline* pipeline, const Step* step);
 
 #endif

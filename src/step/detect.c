@@ -23,29 +23,29 @@ static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 {
 	if (tree->leaves == 0)
 		return;
-	runs_add(list, STAGE_tree_leaf, 0, tree_padded(tree->count[0]), count, t);
+	runs_add(list, KERNEL_tree_leaf, 0, tree_padded(tree->count[0]), count, t);
 	for (int level = 1; level <= tree->top; ++level)
-		runs_add(list, STAGE_tree_node, 0, tree_padded(tree->count[level]), count, t | level << 1);
+		runs_add(list, KERNEL_tree_node, 0, tree_padded(tree->count[level]), count, t | level << 1);
 }
 
 // puts the leaves of a tree in order: always, or when a counter says so
 static void tree_order(RunList* list, const Tree* tree, int t, int count)
 {
 	tree_refit(list, tree, t, count);
-	runs_add(list, STAGE_tree_root, 0, 1, count, t);
-	runs_add(list, STAGE_tree_code, 0, tree->leaves, count, t);
+	runs_add(list, KERNEL_tree_root, 0, 1, count, t);
+	runs_add(list, KERNEL_tree_code, 0, tree->leaves, count, t);
 	runs_add_sort(list, tree->leaves, count, 32, 64);
-	runs_add(list, STAGE_tree_order, 0, tree->leaves, count, t);
+	runs_add(list, KERNEL_tree_order, 0, tree->leaves, count, t);
 }
 
 // Boxes that jumped widen the nodes above them. When the walks of this step would take longer than ordering all leaves, the
 // leaves are put in order; the device decides, since it knows the boxes.
-static void tree_settle(RunList* list, const Tree* tree, int t)
+static void tree_refit_all(RunList* list, const Tree* tree, int t)
 {
 	if (tree->leaves <= ARITY)
 		return;
-	runs_add(list, STAGE_tree_stray, 0, (tree->leaves + ARITY - 1) / ARITY, COUNT(jumped), t);
-	runs_add(list, STAGE_tree_judge, 0, 1, COUNT(jumped), t);
+	runs_add(list, KERNEL_tree_outlier, 0, (tree->leaves + ARITY - 1) / ARITY, COUNT(jumped), t);
+	runs_add(list, KERNEL_tree_measure_quality, 0, 1, COUNT(jumped), t);
 	tree_order(list, tree, t, COUNT(order) + t);
 }
 
@@ -53,8 +53,8 @@ static void tree_settle(RunList* list, const Tree* tree, int t)
 static scree_status transform(Pipeline* pipeline, const Step* step)
 {
 	RunList* list = &pipeline->list;
-	runs_add_single(list, STAGE_step_begin);
-	runs_add(list, STAGE_transform, 0, step->collidables, NO_COUNT, 0);
+	runs_add_single(list, KERNEL_step_begin);
+	runs_add(list, KERNEL_transform, 0, step->collidables, NO_COUNT, 0);
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
@@ -65,7 +65,7 @@ static scree_status transform(Pipeline* pipeline, const Step* step)
 			if (state->ordered)
 				tree_order(list, &state->tree, t, NO_COUNT);
 			else if (pipeline->jumps)
-				tree_settle(list, &state->tree, t);
+				tree_refit_all(list, &state->tree, t);
 			state->touched = state->touched || state->ordered;
 			continue;
 		}
@@ -88,37 +88,37 @@ static scree_status transform(Pipeline* pipeline, const Step* step)
 static void broad_phase(RunList* list, const Step* step)
 {
 	int contacts = step->contact_capacity;
-	runs_add(list, STAGE_broad_phase, 0, step->collidables, COUNT(moved), 0);
-	runs_add(list, STAGE_broad_phase_rest, 0, step->walkers, COUNT(rest), 0);
-	runs_add(list, STAGE_contact_admit, 0, 1, COUNT(pairs), 0);
+	runs_add(list, KERNEL_broad_phase, 0, step->collidables, COUNT(updated_boxes), 0);
+	runs_add(list, KERNEL_broad_phase_rest, 0, step->traversal_items, COUNT(rest), 0);
+	runs_add(list, KERNEL_contact_admit, 0, 1, COUNT(pairs), 0);
 	runs_add_sort(list, step->pair_capacity, COUNT(sort_pairs), 0, 2 * step->key_bits);
-	runs_add(list, STAGE_contact_dead, 0, contacts, COUNT(search), 0);
+	runs_add(list, KERNEL_contact_mark_free, 0, contacts, COUNT(search), 0);
 	runs_add(list, PRIMITIVE_SCAN, 0, contacts, COUNT(search), 0);
-	runs_add(list, STAGE_contact_free, 0, contacts, COUNT(search), 0);
-	runs_add(list, STAGE_contact_begin, 0, 1, COUNT(pairs), 0);
-	runs_add(list, STAGE_contact_create, 0, contacts, COUNT(created), 0);
+	runs_add(list, KERNEL_contact_list_free, 0, contacts, COUNT(search), 0);
+	runs_add(list, KERNEL_contact_reserve, 0, 1, COUNT(pairs), 0);
+	runs_add(list, KERNEL_contact_create, 0, contacts, COUNT(created), 0);
 }
 
 // The pairs of bodies that joints or the user keep apart, sorted by two indices of bodies.
 static void join(RunList* list, int joints, int excluded, int bodies)
 {
-	int bits = index_bits(bodies), count = COUNT(joint_stir), pairs = joints + excluded;
-	runs_add(list, STAGE_joint_pair_key, 0, joints, count, 0);
-	runs_add(list, STAGE_excluded_key, 0, excluded, count, joints);
+	int bits = index_bits(bodies), count = COUNT(joints_dirty), pairs = joints + excluded;
+	runs_add(list, KERNEL_joint_pair_key, 0, joints, count, 0);
+	runs_add(list, KERNEL_excluded_key, 0, excluded, count, joints);
 	runs_add_sort(list, pairs, count, 0, bits);
 	runs_add_sort(list, pairs, count, 32, 32 + bits);
-	runs_add(list, STAGE_joint_pair, 0, pairs, count, pairs);
+	runs_add(list, KERNEL_joint_pair, 0, pairs, count, pairs);
 }
 
 // The user is asked about contacts that begin. What they refused, and what one-way platforms let through, is sorted for guard.
 static void ask(RunList* list, const Step* step, int bodies, bool platforms)
 {
 	int contacts = step->contact_capacity;
-	runs_add(list, STAGE_contact_ask, 0, contacts, COUNT(live), platforms);
+	runs_add(list, KERNEL_approval_request, 0, contacts, COUNT(live), platforms);
 	runs_add_sort(list, contacts, COUNT(refused), 0, 2 * step->key_bits);
-	runs_add(list, STAGE_refused_pair, 0, contacts, COUNT(refused), 0);
+	runs_add(list, KERNEL_refused_pair, 0, contacts, COUNT(refused), 0);
 	if (step->asks)
-		runs_add(list, STAGE_hold_begin, 0, bodies, COUNT(holds), 0);
+		runs_add(list, KERNEL_approval_begin, 0, bodies, COUNT(holds), 0);
 }
 
 static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
@@ -126,29 +126,29 @@ static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 	RunList* list = &pipeline->list;
 	if (pipeline->platforms)
 	{
-		runs_add(list, STAGE_sunk_begin, 0, bodies, NO_COUNT, 0);
-		runs_add(list, STAGE_contact_sunk, 0, step->contact_capacity, COUNT(live), 0);
+		runs_add(list, KERNEL_sunk_begin, 0, bodies, NO_COUNT, 0);
+		runs_add(list, KERNEL_contact_sunk, 0, step->contact_capacity, COUNT(live), 0);
 	}
 	if (step->rules)
-		runs_add(list, STAGE_contact_rule, 0, step->contact_capacity, COUNT(live), 0);
+		runs_add(list, KERNEL_contact_rule, 0, step->contact_capacity, COUNT(live), 0);
 	if (pipeline->reports)
-		runs_add(list, STAGE_touch_part, 0, step->contact_capacity, COUNT(live), 0);
-	runs_add(list, STAGE_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
-	runs_add(list, STAGE_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
+		runs_add(list, KERNEL_touch_part, 0, step->contact_capacity, COUNT(live), 0);
+	runs_add(list, KERNEL_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
+	runs_add(list, KERNEL_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
 }
 
 // Constraints of joints begin and end.
 static void update_joints(RunList* list, int joints)
 {
-	runs_add(list, STAGE_joint_update, 0, joints, COUNT(joint_stir), 0);
-	runs_add(list, STAGE_joint_updated, 0, 1, COUNT(joint_stir), 0);
+	runs_add(list, KERNEL_joint_update, 0, joints, COUNT(joints_dirty), 0);
+	runs_add(list, KERNEL_joint_updated, 0, 1, COUNT(joints_dirty), 0);
 }
 
 // Where joints are on their paths, and what couplings measure: after each layout, which may move their rows.
 static void follow_joints(Pipeline* pipeline)
 {
 	if (pipeline->paths || pipeline->couplings)
-		runs_add(&pipeline->list, STAGE_joint_follow, 0, pipeline->counters.joints, NO_COUNT, 0);
+		runs_add(&pipeline->list, KERNEL_joint_follow, 0, pipeline->counters.joints, NO_COUNT, 0);
 }
 
 // bits of the sort key of contacts: the color, and with hubs also an index of a body
@@ -173,7 +173,7 @@ static void lay_out(RunList* list, const Backend* b, int kind, int bits)
 		runs_add(list, PRIMITIVE_SCAN, 0, items, count, 0);
 	runs_add(list, info->range, 0, 1, count, 0);
 	if (kind == CONSTRAINT_JOINT)
-		runs_add(list, STAGE_chain_pad, 0, items, count, 0);
+		runs_add(list, KERNEL_chain_pad, 0, items, count, 0);
 	runs_add(list, info->layout, 0, items, count, bits);
 }
 
@@ -182,17 +182,17 @@ static void color(RunList* list, const Backend* b, const Counters* c, int from, 
 {
 	int edges = b->capacity[PER_EDGE];
 	if (from == 0)
-		runs_add(list, STAGE_hub_enter, 0, b->capacity[PER_CONTACT], COUNT(gathered), 0);
+		runs_add(list, KERNEL_hub_enter, 0, b->capacity[PER_CONTACT], COUNT(gathered), 0);
 	for (int round = from; round < to; ++round)
 	{
 		if (round > 0 && round % MAX_ROUNDS == 0)
-			runs_add_single(list, STAGE_color_wrap);
+			runs_add_single(list, KERNEL_color_wrap);
 		int count = round == 0 ? COUNT(began) : COUNT(uncolored) + round % MAX_ROUNDS;
-		runs_add(list, STAGE_color_claim, 0, edges, count, round);
-		runs_add(list, STAGE_color_assign, 0, edges, count, round);
+		runs_add(list, KERNEL_color_claim, 0, edges, count, round);
+		runs_add(list, KERNEL_color_assign, 0, edges, count, round);
 	}
-	runs_add(list, STAGE_color_reset, 0, edges, COUNT(began), 0);
-	runs_add(list, STAGE_color_arrange, 0, 1, COUNT(changed), ((to - 1) % MAX_ROUNDS + 1) | bits << 8);
+	runs_add(list, KERNEL_color_reset, 0, edges, COUNT(began), 0);
+	runs_add(list, KERNEL_color_arrange, 0, 1, COUNT(changed), ((to - 1) % MAX_ROUNDS + 1) | bits << 8);
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		if (kind == CONSTRAINT_CONTACT || kind_items(c, kind) > 0)
 			lay_out(list, b, kind, kind == CONSTRAINT_CONTACT ? bits : COLOR_BITS);
@@ -224,22 +224,22 @@ static scree_status solve_ahead(Pipeline* pipeline, const Step* step, const Step
 // Ends a search for pairs that cannot be completed: restores the boxes, and with them the world, as before the step.
 static scree_status break_off(Pipeline* pipeline, const Step* step, scree_status why)
 {
-	runs_add(&pipeline->list, STAGE_transform_undo, 0, step->collidables, NO_COUNT, 0);
+	runs_add(&pipeline->list, KERNEL_transform_undo, 0, step->collidables, NO_COUNT, 0);
 	pipeline->trees[0].touched = pipeline->trees[1].touched = true;
 	pipeline->trees[0].seen = pipeline->trees[1].seen = false;
-	pipeline->undone = true;
+	pipeline->reverted = true;
 	scree_status status = pipeline_run(pipeline, step);
-	pipeline->begun = status != SCREE_OK;
+	pipeline->started = status != SCREE_OK;
 	return status ? status : why;
 }
 
 // Enlarges the pool that was too small for the pairs or contacts.
-static scree_status make_room(Pipeline* pipeline, Step* step)
+static scree_status kind_reserve(Pipeline* pipeline, Step* step)
 {
 	const Backend* b = pipeline->backend;
 	const Counters* c = &pipeline->counters;
-	if (c->crowded)
-		return crowd_fail(pipeline, step);
+	if (c->over_limit)
+		return contact_limit_fail(pipeline, step);
 	TRY(c->pairs > step->pair_capacity ? pipeline_reserve(pipeline, PER_KEY, c->pairs)
 	                                   : pipeline_reserve(pipeline, PER_CONTACT, c->needed + 1));
 	step->pair_capacity = b->capacity[PER_KEY];
@@ -258,12 +258,12 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 	bool ahead = b->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split);
 	for (;;)
 	{
-		bool joints = c->joints + pipeline->excluded > 0 && (pipeline->stirred || pipeline->breaks);
+		bool joints = c->joints + pipeline->excluded > 0 && (pipeline->dirty || pipeline->can_break);
 		if (joints)
 			join(list, c->joints, pipeline->excluded, request->bodies);
 		broad_phase(list, step);
 		if (joints)
-			runs_add(list, STAGE_contact_join, 0, step->contact_capacity, COUNT(joint_stir), 0);
+			runs_add(list, KERNEL_contact_join, 0, step->contact_capacity, COUNT(joints_dirty), 0);
 		narrow_phase(pipeline, step, request->bodies);
 		if (step->asks || pipeline->platforms)
 			ask(list, step, request->bodies, pipeline->platforms);
@@ -278,10 +278,10 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 		if (!c->stalled)
 			return SCREE_OK;
 		ahead = false;
-		scree_status status = make_room(pipeline, step);
+		scree_status status = kind_reserve(pipeline, step);
 		if (status)
 			return break_off(pipeline, step, status);
-		runs_add_single(list, STAGE_broad_phase_begin);
+		runs_add_single(list, KERNEL_broad_phase_begin);
 	}
 }
 
@@ -325,7 +325,7 @@ scree_status pipeline_detect(Pipeline* pipeline, Step* step, const StepRequest* 
 	int rounds = pipeline->rounds + SPARE_ROUNDS, done = rounds;
 	TRY(search(pipeline, step, request, rounds, solved));
 	TRY(finish_colors(pipeline, step, request->bodies, &done));
-	pipeline->stirred = false;
+	pipeline->dirty = false;
 	pipeline->split = pipeline->split && c->arrange[CONSTRAINT_CONTACT] == 0;
 	if (done > rounds)
 		pipeline->rounds = done < MAX_ROUNDS ? done : MAX_ROUNDS;

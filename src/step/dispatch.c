@@ -9,7 +9,7 @@
 scree_status pipeline_run(Pipeline* pipeline, const Step* step)
 {
 	Backend* b = pipeline->backend;
-	pipeline->begun = true;
+	pipeline->started = true;
 	scree_status status = b->f->run(b, step, pipeline->list.runs, pipeline->list.count);
 	pipeline->list.count = 0;
 	return status;
@@ -25,9 +25,9 @@ scree_status pipeline_split(Pipeline* pipeline, const Step* step, int bodies)
 	// the name of what cannot move has all bits set, which no body has
 	int body_bits = index_bits(bodies + 1);
 	RunList* list = &pipeline->list;
-	runs_add(list, STAGE_hub_key, 0, spokes, NO_COUNT, 0);
-	runs_add_sort(list, spokes, NO_COUNT, pipeline->counters.hubs > 1 ? HUB_KEY_TURN : 32, 32 + body_bits);
-	runs_add(list, STAGE_hub_order, 0, spokes, NO_COUNT, spokes);
+	runs_add(list, KERNEL_hub_key, 0, spokes, NO_COUNT, 0);
+	runs_add_sort(list, spokes, NO_COUNT, pipeline->counters.hubs > 1 ? HUB_KEY_COLOR : 32, 32 + body_bits);
+	runs_add(list, KERNEL_hub_order, 0, spokes, NO_COUNT, spokes);
 	pipeline->split = true;
 	return pipeline_run(pipeline, step);
 }
@@ -37,12 +37,12 @@ static scree_status push(Pipeline* pipeline, const Step* step, const StepRequest
 {
 	RunList* list = &pipeline->list;
 	int fields = request->fields, padded = (fields + ARITY - 1) / ARITY * ARITY;
-	runs_add(list, STAGE_field_place, 0, padded, bound, fields);
+	runs_add(list, KERNEL_field_place, 0, padded, bound, fields);
 	if (fields > FIELD_FEW)
-		runs_add(list, STAGE_field_gather, 0, (padded / ARITY + ARITY - 1) / ARITY * ARITY, bound, padded);
+		runs_add(list, KERNEL_field_gather, 0, (padded / ARITY + ARITY - 1) / ARITY * ARITY, bound, padded);
 	if (request->field_shapes)
-		runs_add(list, STAGE_field_shape, 0, request->collidables, bound, fields);
-	runs_add(list, STAGE_field_body, 0, request->bodies, bound, 2 * fields + request->field_shapes);
+		runs_add(list, KERNEL_field_shape, 0, request->collidables, bound, fields);
+	runs_add(list, KERNEL_field_body, 0, request->bodies, bound, 2 * fields + request->field_shapes);
 	return pipeline_run(pipeline, step);
 }
 
@@ -53,13 +53,13 @@ static scree_status push(Pipeline* pipeline, const Step* step, const StepRequest
 void press_list(RunList* list, const Counters* c, int bodies, bool may_wait)
 {
 	int places = c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1], waits = may_wait ? PRESS_MAY_WAIT : 0;
-	runs_add(list, STAGE_press_begin, 0, bodies, COUNT(presses), waits);
+	runs_add(list, KERNEL_press_begin, 0, bodies, COUNT(presses), waits);
 	if (c->joints > 0)
-		runs_add(list, STAGE_press_joint, 0, c->joints, COUNT(presses), waits);
+		runs_add(list, KERNEL_press_joint, 0, c->joints, COUNT(presses), waits);
 	for (int round = 0; round < PRESS_ROUNDS; ++round)
 	{
-		runs_add(list, STAGE_press_gather, 0, places, COUNT(presses), waits | (round > 0 ? PRESS_AGAIN : 0));
-		runs_add(list, STAGE_press_hand_on, 0, places, COUNT(presses), waits);
+		runs_add(list, KERNEL_press_gather, 0, places, COUNT(presses), waits | (round > 0 ? PRESS_AGAIN : 0));
+		runs_add(list, KERNEL_press_hand_on, 0, places, COUNT(presses), waits);
 	}
 }
 
@@ -81,7 +81,7 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 	               .collidables = request->collidables,
 	               .substeps = request->substeps,
 	               .bounces = step->bounces,
-	               .bare = pipeline->bare,
+	               .unlocked = pipeline->unlocked,
 	               .chains = pipeline->chains,
 	               .carried = pipeline->carried,
 	               .branches = pipeline->branches,
@@ -92,6 +92,6 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 #define CONSTRAINT_KIND(kind, Kind, KIND) solve.rare[CONSTRAINT_##KIND] = KIND##_RARE(step);
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
-	pipeline->begun = true;
+	pipeline->started = true;
 	return b->f->solve(b, step, &solve, &pipeline->list);
 }

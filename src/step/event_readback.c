@@ -10,13 +10,13 @@ scree_status events_reserve(Pipeline* pipeline, const StepRequest* request)
 	pipeline->reports = pipeline->reports || request->reports;
 	Backend* b = pipeline->backend;
 	if (pipeline->asks || pipeline->platforms)
-		TRY(pipeline_reserve(pipeline, PER_ASKED, b->capacity[PER_CONTACT]));
+		TRY(pipeline_reserve(pipeline, PER_APPROVAL, b->capacity[PER_CONTACT]));
 	if (!pipeline->reports)
 		return SCREE_OK;
 	TRY(pipeline_reserve(pipeline, PER_EVENT, b->capacity[PER_CONTACT]));
 	if (!pipeline->asks)
 		return SCREE_OK;
-	TRY(pipeline_reserve(pipeline, PER_HELD, request->bodies));
+	TRY(pipeline_reserve(pipeline, PER_STOPPED, request->bodies));
 	if (request->allowed_count == 0)
 		return SCREE_OK;
 	TRY(pipeline_reserve(pipeline, PER_ALLOWED, request->allowed_count));
@@ -27,9 +27,9 @@ scree_status events_list(Pipeline* pipeline, const Step* step)
 {
 	if (!pipeline->reports || pipeline->counters.contacts == 0)
 		return SCREE_OK;
-	runs_add(&pipeline->list, STAGE_touch, 0, pipeline->counters.contacts, NO_COUNT, 0);
+	runs_add(&pipeline->list, KERNEL_touch, 0, pipeline->counters.contacts, NO_COUNT, 0);
 	if (pipeline->asks)
-		runs_add(&pipeline->list, STAGE_contact_asked, 0, pipeline->counters.contacts, NO_COUNT, 0);
+		runs_add(&pipeline->list, KERNEL_approval_list, 0, pipeline->counters.contacts, NO_COUNT, 0);
 	return pipeline_run(pipeline, step);
 }
 
@@ -41,7 +41,7 @@ scree_status events_count(Pipeline* pipeline, int counts[EVENT_LISTS])
 	counts[EVENT_TOUCH_BEGAN] = c->touches_began;
 	counts[EVENT_TOUCH_ENDED] = c->touches_ended;
 	counts[EVENT_HIT] = c->hits;
-	counts[EVENT_ASKED] = c->asked;
+	counts[EVENT_APPROVALS] = c->asked;
 	return SCREE_OK;
 }
 
@@ -54,18 +54,18 @@ static scree_status sort(Pipeline* pipeline, int which, int count, int bits)
 	bool contacts = which != EVENT_TOUCH_ENDED;
 	TRY(pipeline_reserve(pipeline, PER_KEY, count));
 	if (contacts)
-		TRY(pipeline_reserve(pipeline, PER_LISTED, count));
-	Run runs[] = {{.stage = STAGE_event_key, .end = count, .count = NO_COUNT, .argument = which},
-	              {.stage = PRIMITIVE_SORT, .end = count, .count = NO_COUNT, .argument = bits << 8},
-	              {.stage = STAGE_event_list, .end = count, .count = NO_COUNT}};
+		TRY(pipeline_reserve(pipeline, PER_CONTACT_REPORT, count));
+	Run runs[] = {{.kernel = KERNEL_event_key, .end = count, .count = NO_COUNT, .argument = which},
+	              {.kernel = PRIMITIVE_SORT, .end = count, .count = NO_COUNT, .argument = bits << 8},
+	              {.kernel = KERNEL_event_list, .end = count, .count = NO_COUNT}};
 	return b->f->run(b, &step, runs, contacts ? 3 : 2);
 }
 
-scree_status events_contacts(Pipeline* pipeline, int which, int count, Listed* rows)
+scree_status events_contacts(Pipeline* pipeline, int which, int count, ContactReport* rows)
 {
 	Backend* b = pipeline->backend;
 	TRY(sort(pipeline, which, count, index_bits(pipeline->counters.contacts)));
-	return b->f->read(b, POOL_listed, 0, count, rows);
+	return b->f->read(b, POOL_contact_report, 0, count, rows);
 }
 
 scree_status events_pairs(Pipeline* pipeline, int count, Word64* pairs)

@@ -14,7 +14,7 @@ scree_status events_list(Pipeline* pipeline, const Step* step);
 scree_status events_count(Pipeline* pipeline, int counts[EVENT_LISTS]);
 
 // Reads the contacts of all count events of a list, in ascending slots.
-scree_status events_contacts(Pipeline* pipeline, int which, int count, Listed* rows);
+scree_status events_contacts(Pipeline* pipeline, int which, int count, ContactReport* rows);
 
 // Reads the pairs of collidables of all count touches that ended, in ascending order; the first one is in the upper half.
 scree_status events_pairs(Pipeline* pipeline, int count, Word64* pairs);

@@ -21,7 +21,7 @@
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
 {
 	pipeline->backend = backend;
-	pipeline->guard_way = INFINITY;
+	pipeline->continuous_way = INFINITY;
 	pipeline->first_contacts = contacts > 0 ? contacts + 1 : 512;
 	TRY(pipeline_reserve(pipeline, PER_ONE, 1));
 	TRY(pipeline_reserve(pipeline, PER_HASH, HASH_SUMS));
@@ -30,7 +30,7 @@ scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int
 	TRY(pipeline_reserve(pipeline, PER_BODY, bodies > 0 ? bodies + 1 : 256));
 	TRY(pipeline_reserve(pipeline, PER_COLLIDABLE, bodies > 0 ? bodies : 256));
 	TRY(pipeline_reserve(pipeline, PER_CONTACT, pipeline->first_contacts));
-	return pipeline_reserve(pipeline, PER_COMMAND, LEAST_ROOM);
+	return pipeline_reserve(pipeline, PER_COMMAND, LEAST_CAPACITY);
 }
 
 // Packs the contacts into the first slots.
@@ -39,11 +39,11 @@ static scree_status pack(Pipeline* pipeline, const Step* step)
 	RunList* list = &pipeline->list;
 	Counters* c = &pipeline->counters;
 	int slots = c->contacts;
-	runs_add(list, STAGE_contact_dead, 0, slots + 1, NO_COUNT, 0);
+	runs_add(list, KERNEL_contact_mark_free, 0, slots + 1, NO_COUNT, 0);
 	runs_add(list, PRIMITIVE_SCAN, 0, slots + 1, NO_COUNT, 0);
-	runs_add(list, STAGE_contact_free, 0, slots, NO_COUNT, 0);
-	runs_add(list, STAGE_contact_pack, 0, slots, NO_COUNT, 0);
-	runs_add_single(list, STAGE_contact_pack_end);
+	runs_add(list, KERNEL_contact_list_free, 0, slots, NO_COUNT, 0);
+	runs_add(list, KERNEL_contact_pack, 0, slots, NO_COUNT, 0);
+	runs_add_single(list, KERNEL_contact_pack_end);
 	c->contacts = c->alive - c->released;
 	pipeline->sparse = 0;
 	return pipeline_run(pipeline, step);
@@ -70,7 +70,7 @@ static scree_status command(Pipeline* pipeline, const Step* step, const StepComm
 	TRY(pipeline_reserve(pipeline, PER_COMMAND, all->count + 1));
 	TRY(b->f->write(b, POOL_command, 0, all->count, commands));
 	TRY(b->f->write(b, POOL_command_group, 0, all->count + 1, all->groups));
-	Run run = {.stage = STAGE_command, .end = all->count, .count = NO_COUNT, .argument = all->count};
+	Run run = {.kernel = KERNEL_command, .end = all->count, .count = NO_COUNT, .argument = all->count};
 	return b->f->run(b, step, &run, 1);
 }
 
@@ -91,7 +91,7 @@ static scree_status kinematics_upload(Pipeline* pipeline, const StepRequest* req
 // Some collidable has another attribute: recomputes the surfaces of all contacts.
 static scree_status mix(Pipeline* pipeline, const Step* step)
 {
-	runs_add(&pipeline->list, STAGE_contact_mix, 0, pipeline->counters.contacts, NO_COUNT, 0);
+	runs_add(&pipeline->list, KERNEL_contact_mix, 0, pipeline->counters.contacts, NO_COUNT, 0);
 	pipeline->mixed = false;
 	return pipeline_run(pipeline, step);
 }
@@ -104,7 +104,7 @@ static scree_status look(Pipeline* pipeline, const Step* step, int bodies)
 	const Counters* c = &pipeline->counters;
 	if (c->hubs > 0 && !pipeline->split)
 		TRY(pipeline_split(pipeline, step, bodies));
-	runs_add_single(list, STAGE_solve_begin); // its first item clears what the last finalize counted
+	runs_add_single(list, KERNEL_solve_begin); // its first item clears what the last finalize counted
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
 		int constraints = c->layout[kind].begin[COLORS + 1];
@@ -118,8 +118,8 @@ static scree_status look(Pipeline* pipeline, const Step* step, int bodies)
 // Bodies that wait for an answer go back to where they met.
 static scree_status hold(Pipeline* pipeline, const Step* step, int bodies)
 {
-	runs_add(&pipeline->list, STAGE_hold_find, 0, step->contact_capacity, COUNT(waiting), 0);
-	runs_add(&pipeline->list, STAGE_hold, 0, bodies, COUNT(holds), 0);
+	runs_add(&pipeline->list, KERNEL_approval_find, 0, step->contact_capacity, COUNT(waiting), 0);
+	runs_add(&pipeline->list, KERNEL_approval_stop, 0, bodies, COUNT(holds), 0);
 	return pipeline_run(pipeline, step);
 }
 
@@ -151,7 +151,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	Backend* b = pipeline->backend;
 	int solve_most = solve_runs_most(request->substeps);
 	bool moves = request->dt > 0.0f;
-	pipeline->begun = false;
+	pipeline->started = false;
 	pipeline->trees[0].seen = false;
 
 	// reserves the longest list before the step begins, so that a lack of memory cannot break it off
@@ -171,22 +171,22 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	scree_status status = command(pipeline, &step, &request->commands, request->commands.begin);
 	if (!status)
 		status = work(pipeline, &step, request);
-	if (status && !pipeline->begun &&
+	if (status && !pipeline->started &&
 	    command(pipeline, &step, &request->commands, request->commands.undo) == SCREE_ERROR_DEVICE_FAILED)
 		status = SCREE_ERROR_DEVICE_FAILED;
 	TRY(status);
 	if (request->timings)
-		TRY(b->f->timings(b, pipeline->boxes));
+		TRY(b->f->timings(b, pipeline->stage_times));
 	pipeline->traffic = (scree_traffic){0};
 	if (moves)
 	{
 		pipeline->traffic = traffic_of_solve(&pipeline->counters, request->bodies, request->substeps, &step);
 		pipeline->step = step;
 	}
-	pipeline->begun = false;
+	pipeline->started = false;
 	TRY(count_trees(pipeline));
 	pipeline->jumps = false;
-	pipeline->undone = false;
+	pipeline->reverted = false;
 	pipeline_trim(pipeline);
 	++pipeline->steps;
 	return SCREE_OK;
@@ -197,11 +197,11 @@ scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint
 	Backend* b = pipeline->backend;
 	Step step = {0};
 	Run runs[2 + CONSTRAINT_KINDS] = {
-	    {.stage = STAGE_hash_bodies, .end = HASH_SUMS, .count = NO_COUNT, .argument = bodies},
-	    {.stage = STAGE_hash_collidables, .end = HASH_SUMS, .count = NO_COUNT, .argument = collidables},
+	    {.kernel = KERNEL_hash_bodies, .end = HASH_SUMS, .count = NO_COUNT, .argument = bodies},
+	    {.kernel = KERNEL_hash_collidables, .end = HASH_SUMS, .count = NO_COUNT, .argument = collidables},
 	};
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		runs[2 + kind] = (Run){.stage = kind_info[kind].hash, .end = HASH_SUMS, .count = NO_COUNT};
+		runs[2 + kind] = (Run){.kernel = kind_info[kind].hash, .end = HASH_SUMS, .count = NO_COUNT};
 	uint64_t sums[HASH_SUMS];
 	scree_status status = b->f->run(b, &step, runs, 2 + CONSTRAINT_KINDS);
 	if (!status)
@@ -214,22 +214,22 @@ scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint
 	return SCREE_OK;
 }
 
-scree_status pipeline_show(Pipeline* pipeline, int collidables, bool shared)
+scree_status pipeline_render(Pipeline* pipeline, int collidables, bool shared)
 {
 	Backend* b = pipeline->backend;
-	Run run = {.stage = STAGE_show, .end = collidables, .count = NO_COUNT};
+	Run run = {.kernel = KERNEL_render_row, .end = collidables, .count = NO_COUNT};
 	if (shared)
-		return b->f->show(b, &run);
+		return b->f->render(b, &run);
 	TRY(pipeline_reserve(pipeline, PER_RENDER_ROW, run.end));
 	return b->f->run(b, &pipeline->step, &run, 1);
 }
 
-scree_status pipeline_show_joints(Pipeline* pipeline, int first, int count)
+scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count)
 {
 	Backend* b = pipeline->backend;
-	Run run = {.stage = STAGE_joint_show, .begin = first, .end = first + count, .count = NO_COUNT};
+	Run run = {.kernel = KERNEL_joint_report, .begin = first, .end = first + count, .count = NO_COUNT};
 	Step step = pipeline->step;
-	step.drives = pipeline->drives;
+	step.has_drives = pipeline->has_drives;
 	step.springs = pipeline->springs;
 	step.couplings = pipeline->couplings;
 	step.paths = pipeline->paths;
@@ -242,14 +242,14 @@ scree_status pipeline_list_contacts(Pipeline* pipeline, int body, bool details, 
 	Step step = pipeline->step; // of the last step that took time, if there was one
 	step.details = details;
 	int slots = pipeline->counters.contacts;
-	Run mark[] = {{.stage = STAGE_contact_mark, .end = slots + 1, .count = NO_COUNT, .argument = body},
-	              {.stage = PRIMITIVE_SCAN, .end = slots + 1, .count = NO_COUNT}};
+	Run mark[] = {{.kernel = KERNEL_contact_mark, .end = slots + 1, .count = NO_COUNT, .argument = body},
+	              {.kernel = PRIMITIVE_SCAN, .end = slots + 1, .count = NO_COUNT}};
 	TRY(b->f->run(b, &step, mark, 2));
 	TRY(b->f->read(b, POOL_scan, slots, 1, count));
 	if (*count == 0)
 		return SCREE_OK;
-	TRY(pipeline_reserve(pipeline, PER_LISTED, *count));
-	Run list = {.stage = STAGE_contact_list, .end = slots, .count = NO_COUNT, .argument = *count};
+	TRY(pipeline_reserve(pipeline, PER_CONTACT_REPORT, *count));
+	Run list = {.kernel = KERNEL_contact_list, .end = slots, .count = NO_COUNT, .argument = *count};
 	return b->f->run(b, &step, &list, 1);
 }
 

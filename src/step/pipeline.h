@@ -19,10 +19,10 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request);
 scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint64_t* hash);
 
 // Updates the pool render_row for so many slots of collidables; with shared, in the memory that OpenGL draws from.
-scree_status pipeline_show(Pipeline* pipeline, int collidables, bool shared);
+scree_status pipeline_render(Pipeline* pipeline, int collidables, bool shared);
 
 // Updates the pool joint_state for slots first to first + count - 1 of joints. The user's changes are on the device.
-scree_status pipeline_show_joints(Pipeline* pipeline, int first, int count);
+scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count);
 
 // Collects the touching contacts of a body in the pool listed, with what they did in the last step if details are kept, and sets
 // *count to their number. The user's changes are on the device.

@@ -11,7 +11,7 @@ typedef struct // host side of one tree of the broad phase; tree_maintenance.c
 	int* added;      // collidables to append to the leaves in the next step
 	int added_count, added_capacity;
 	int64_t unsorted; // leaves appended, and boxes that changed, since the leaves were last put in order
-	double strayed;   // nodes visited in vain since then because of boxes that jumped
+	double outliers;  // nodes visited in vain since then because of boxes that jumped
 	int churned;      // steps in a row in which boxes jumped so far that the leaves were put in order
 	bool ordered;     // the current step orders the leaves because boxes will have jumped
 	bool touched;     // the user changed some box of this tree
@@ -46,7 +46,7 @@ typedef struct // what a step is asked for
 	float hit_speed, hit_impulse; // as in Step
 	int fields;                   // that act
 	bool field_shapes;            // some of them on shapes
-	bool asks_again;              // as in Step
+	bool request_again;           // as in Step
 	const Word64* allowed;        // pairs of collidables to which the user said yes, sorted
 	int allowed_count;
 } StepRequest;
@@ -72,39 +72,39 @@ typedef struct
 	bool platforms; // some attribute is a one-way platform
 	int material_pairs, excluded; // rows of these pools
 	bool asks;                    // some collidable has ever asked
-	bool begun;                   // the current step has changed something on the device
-	bool undone;                  // the last step was refused: boxes are older than the poses that it found
-	bool rolls;                   // some attribute has restitution, rolling resistance or tangent speed
+	bool started;                 // the current step has changed something on the device
+	bool reverted;                // the last step was refused: boxes are older than the poses that it found
+	bool has_rolling;             // some attribute has restitution, rolling resistance or tangent speed
 	bool belts;                   // some attribute, or pair of materials, has a tangent speed
 	bool segments;                // some attribute is a segment
 	bool statics;                 // some collidable has ever been static
 	bool bounces;                 // some attribute has restitution
 	bool round;                   // some attribute has a radius
-	bool drives;    // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
-	bool springs;   // some joint has a spring or a soft lock
-	bool couplings; // some joint is a gear or a pulley
-	bool paths;     // some joint follows a path
-	bool bare;      // some body with joints may have no collidables
-	bool tethers;   // some joint may hold what moves to what does not
-	bool breaks;    // some joint may break
+	bool has_drives; // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
+	bool springs;    // some joint has a spring or a soft lock
+	bool couplings;  // some joint is a gear or a pulley
+	bool paths;      // some joint follows a path
+	bool unlocked;   // some body with joints may have no collidables
+	bool tethers;    // some joint may hold what moves to what does not
+	bool can_break;  // some joint may break
 	int chains, chain_ranges; // items of a pass over rows of joints that are solved together; these rows
 	int carried;              // the first of these items that is heavy between light ends; they are the last
 	int chain_places;         // joints in them and in branches, with padding
 	int branches,
 	    branch_nodes; // items of a pass over trees of joints that are solved together, which come behind; their bodies
-	bool stirred;     // joints were made, changed or destroyed since the last step
-	float guard_way, guard_reach; // as in Step: bounds over all bodies that ever existed
-	int taut;                     // Counters.taut as the last step found it
-	bool split;                   // the light ends of the spokes have been split for this layout
-	int rounds;                   // coloring rounds that the last step needed
+	bool dirty;       // joints were made, changed or destroyed since the last step
+	float continuous_way, continuous_reach; // as in Step: bounds over all bodies that ever existed
+	int taut;                               // Counters.taut as the last step found it
+	bool split;                             // the light ends of the spokes have been split for this layout
+	int rounds;                             // coloring rounds that the last step needed
 	int64_t steps;
-	bool tells;                   // the user has asked which bodies moved
-	uint64_t named, named_bodies; // versions of the Names of collidables and bodies that the device has; 0 for none
-	int grown;                    // times that a pool grew
-	double milliseconds;          // of the last step, by the wall clock
-	double boxes[BOX_COUNT];      // the same by box; zeros unless timings were asked for
-	double query_milliseconds;    // of the last queries, the same
-	scree_traffic traffic;        // of the last step
+	bool tells;                      // the user has asked which bodies moved
+	uint64_t named, named_bodies;    // versions of the Names of collidables and bodies that the device has; 0 for none
+	int grown;                       // times that a pool grew
+	double milliseconds;             // of the last step, by the wall clock
+	double stage_times[STAGE_COUNT]; // the same by stage; zeros unless timings were asked for
+	double query_milliseconds;       // of the last queries, the same
+	scree_traffic traffic;           // of the last step
 } Pipeline;
 
 #endif

@@ -17,7 +17,7 @@
 #define SPARSE_SHARE 4
 #define SPARSE_SLOTS 4096
 
-static int64_t rounded(int64_t capacity) { return (capacity + LEAST_ROOM - 1) / LEAST_ROOM * LEAST_ROOM; }
+static int64_t rounded(int64_t capacity) { return (capacity + LEAST_CAPACITY - 1) / LEAST_CAPACITY * LEAST_CAPACITY; }
 
 // constraints for so many contacts: every color may need padding
 static int64_t constraints_of(int64_t contacts) { return contacts + (COLORS + 1) * COLOR_PADDING; }
@@ -88,7 +88,7 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 	if (!status && per == PER_CONTACT && pipeline->reports)
 		status = resize(pipeline, PER_EVENT, wanted);
 	if (!status && per == PER_CONTACT && (pipeline->asks || pipeline->platforms))
-		status = resize(pipeline, PER_ASKED, wanted);
+		status = resize(pipeline, PER_APPROVAL, wanted);
 	if (!status)
 		status = resize(pipeline, per, wanted);
 	if (!status && per == PER_COLLIDABLE)
@@ -116,17 +116,17 @@ static void shrink_all(Pipeline* pipeline)
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
 		const KindInfo* info = &kind_info[kind];
-		if (shrink(pipeline, info->items, kind == CONSTRAINT_CONTACT ? pipeline->first_contacts : LEAST_ROOM))
+		if (shrink(pipeline, info->items, kind == CONSTRAINT_CONTACT ? pipeline->first_contacts : LEAST_CAPACITY))
 			b->f->resize(b, PER_EDGE, edges(b));
 		if (shrink(pipeline, info->places, (int)constraints_of(b->capacity[info->items])))
 			b->f->resize(b, info->blocks, b->capacity[info->places] / MAX_LANES);
 	}
 	shrink(pipeline, PER_KEY, larger(b->capacity[PER_CONTACT], b->capacity[PER_COLLIDABLE]));
-	shrink(pipeline, PER_SPOKE, LEAST_ROOM);
-	shrink(pipeline, PER_SPOKE_BLOCK, LEAST_ROOM);
-	shrink(pipeline, PER_COMMAND, LEAST_ROOM);
-	shrink(pipeline, PER_QUERY, LEAST_ROOM);
-	shrink(pipeline, PER_FOUND, LEAST_ROOM);
+	shrink(pipeline, PER_SPOKE, LEAST_CAPACITY);
+	shrink(pipeline, PER_SPOKE_BLOCK, LEAST_CAPACITY);
+	shrink(pipeline, PER_COMMAND, LEAST_CAPACITY);
+	shrink(pipeline, PER_QUERY, LEAST_CAPACITY);
+	shrink(pipeline, PER_FOUND, LEAST_CAPACITY);
 }
 
 bool pipeline_sparse(Pipeline* pipeline)

@@ -4,7 +4,7 @@
 #define RESERVE_H
 #include "step/pipeline_state.h"
 
-#define LEAST_ROOM 64 // items: a pool has a multiple of it
+#define LEAST_CAPACITY 64 // items: a pool has a multiple of it
 
 // Gives a kind of pool and those that follow it (constraints with contacts, leaves and nodes with collidables, ...)
 // room for at least capacity items; grows by half at least.

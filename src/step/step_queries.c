@@ -14,15 +14,15 @@
 // most runs that a refit lists: twice the levels of both trees, and an order of each
 #define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4))
 
-// ways: the boxes are those of the way in the last step.
+// ways: the stage_times are those of the way in the last step.
 static void list_refit(Pipeline* pipeline, int t, bool ways)
 {
 	RunList* list = &pipeline->list;
 	const Tree* tree = &pipeline->trees[t].tree;
-	int how = (ways ? 2 : 0) | (pipeline->undone ? 4 : 0);
-	runs_add(list, STAGE_query_leaf, 0, tree_padded(tree->count[0]), NO_COUNT, t | how);
+	int how = (ways ? 2 : 0) | (pipeline->reverted ? 4 : 0);
+	runs_add(list, KERNEL_query_leaf, 0, tree_padded(tree->count[0]), NO_COUNT, t | how);
 	for (int level = 1; level <= tree->top; ++level)
-		runs_add(list, STAGE_query_node, 0, tree_padded(tree->count[level]), NO_COUNT, t | level << 1);
+		runs_add(list, KERNEL_query_node, 0, tree_padded(tree->count[level]), NO_COUNT, t | level << 1);
 }
 
 // A tree of a world that never made a step has its leaves in the order of their creation.
@@ -31,12 +31,12 @@ static scree_status order(Pipeline* pipeline, int t)
 	RunList* list = &pipeline->list;
 	const Tree* tree = &pipeline->trees[t].tree;
 	list_refit(pipeline, t, false);
-	runs_add(list, STAGE_tree_root, 0, 1, NO_COUNT, t | 2);
-	runs_add(list, STAGE_tree_code, 0, tree->leaves, NO_COUNT, t | 2);
+	runs_add(list, KERNEL_tree_root, 0, 1, NO_COUNT, t | 2);
+	runs_add(list, KERNEL_tree_code, 0, tree->leaves, NO_COUNT, t | 2);
 	runs_add_sort(list, tree->leaves, NO_COUNT, 32, 64);
-	runs_add(list, STAGE_tree_order, 0, tree->leaves, NO_COUNT, t);
+	runs_add(list, KERNEL_tree_order, 0, tree->leaves, NO_COUNT, t);
 	TRY(pipeline_run(pipeline, &pipeline->step));
-	pipeline->trees[t].touched = true; // the step's boxes are those of other leaves now
+	pipeline->trees[t].touched = true; // the step's stage_times are those of other leaves now
 	return tree_ordered(pipeline, t);
 }
 
@@ -46,12 +46,12 @@ static scree_status refit(Pipeline* pipeline, bool ways)
 	Backend* b = pipeline->backend;
 	TRY(runs_reserve(&pipeline->list, REFIT_RUNS));
 	TRY(tree_upload(pipeline));
-	TRY(pipeline_reserve(pipeline, PER_SEEN, b->capacity[PER_LEAF]));
-	TRY(pipeline_reserve(pipeline, PER_SEEN_NODE, b->capacity[PER_NODE]));
+	TRY(pipeline_reserve(pipeline, PER_QUERY_LEAF, b->capacity[PER_LEAF]));
+	TRY(pipeline_reserve(pipeline, PER_QUERY_NODE, b->capacity[PER_NODE]));
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
-		bool moves = ways && t == 0; // static boxes do not
+		bool moves = ways && t == 0; // static stage_times do not
 		if ((state->seen && !moves) || state->tree.leaves == 0)
 			continue;
 		if (state->tree.leaves > ARITY && state->appended > state->tree.leaves / APPENDED_SHARE)
@@ -64,15 +64,15 @@ static scree_status refit(Pipeline* pipeline, bool ways)
 }
 
 // The time of the device since the last call.
-static scree_status lap(Pipeline* pipeline, const Questions* q)
+static scree_status lap(Pipeline* pipeline, const QueryRequest* q)
 {
-	double boxes[BOX_COUNT];
+	double stage_times[STAGE_COUNT];
 	if (!q->timings)
 		return SCREE_OK;
-	TRY(pipeline->backend->f->timings(pipeline->backend, boxes));
+	TRY(pipeline->backend->f->timings(pipeline->backend, stage_times));
 	pipeline->query_milliseconds = 0.0;
-	for (int k = 0; k < BOX_COUNT; ++k)
-		pipeline->query_milliseconds += boxes[k];
+	for (int k = 0; k < STAGE_COUNT; ++k)
+		pipeline->query_milliseconds += stage_times[k];
 	return SCREE_OK;
 }
 
@@ -87,7 +87,7 @@ static scree_status send_names(Backend* b, PoolId pool, const Names* names, uint
 }
 
 // Trees and pools for so many queries.
-static scree_status prepare(Pipeline* pipeline, const Questions* q)
+static scree_status prepare(Pipeline* pipeline, const QueryRequest* q)
 {
 	Backend* b = pipeline->backend;
 	TRY(lap(pipeline, q));
@@ -98,7 +98,7 @@ static scree_status prepare(Pipeline* pipeline, const Questions* q)
 	return pipeline_reserve(pipeline, PER_QUERY, q->count);
 }
 
-static scree_status send_plan(Pipeline* pipeline, const Questions* q, int room)
+static scree_status send_plan(Pipeline* pipeline, const QueryRequest* q, int room)
 {
 	Backend* b = pipeline->backend;
 	QueryPlan plan = q->plan;
@@ -107,26 +107,26 @@ static scree_status send_plan(Pipeline* pipeline, const Questions* q, int room)
 	return b->f->write(b, POOL_query_plan, 0, 1, &plan);
 }
 
-static Run search_of(const Pipeline* pipeline, const Questions* q, int mode)
+static Run search_of(const Pipeline* pipeline, const QueryRequest* q, int mode)
 {
 	static const int stages[] = {
-	    [QUERY_RAYS] = STAGE_query_ray,
-	    [QUERY_SHAPES] = STAGE_query_shape,
-	    [QUERY_NEAREST] = STAGE_query_nearest,
-	    [QUERY_SENSORS] = STAGE_sense,
+	    [QUERY_RAYS] = KERNEL_query_ray,
+	    [QUERY_SHAPES] = KERNEL_query_shape,
+	    [QUERY_NEAREST] = KERNEL_query_nearest,
+	    [QUERY_SENSORS] = KERNEL_sensor_overlap,
 	};
-	Run run = {.stage = stages[q->form], .end = q->count, .count = NO_COUNT, .argument = mode};
+	Run run = {.kernel = stages[q->form], .end = q->count, .count = NO_COUNT, .argument = mode};
 	if (q->form == QUERY_SENSORS)
 	{
 		// work-items share the leaves where there are more of them than sensors
-		int parts = pipeline->backend->walkers / q->count, blocks = (q->collidables.count + ARITY - 1) / ARITY;
+		int parts = pipeline->backend->traversal_items / q->count, blocks = (q->collidables.count + ARITY - 1) / ARITY;
 		run.argument = parts < 1 ? 1 : parts < blocks ? parts : blocks;
 		run.end = q->count * run.argument;
 	}
 	return run;
 }
 
-scree_status queries_answer(Pipeline* pipeline, const Questions* q, Found* found)
+scree_status queries_answer(Pipeline* pipeline, const QueryRequest* q, QueryResult* found)
 {
 	Backend* b = pipeline->backend;
 	Run run = search_of(pipeline, q, q->any ? QUERY_ANY : QUERY_CLOSEST);
@@ -135,41 +135,41 @@ scree_status queries_answer(Pipeline* pipeline, const Questions* q, Found* found
 	TRY(send_plan(pipeline, q, 0));
 	if (q->items)
 	{
-		Exchange exchange = {.asked = POOL_query,
-		                     .items = q->items,
-		                     .run = run,
-		                     .answered = POOL_found,
-		                     .answers = found,
-		                     .check = q->check,
-		                     .context = q->context};
-		TRY(b->f->exchange(b, &pipeline->step, &exchange));
+		Batch batch = {.asked = POOL_query,
+		               .items = q->items,
+		               .run = run,
+		               .answered = POOL_found,
+		               .answers = found,
+		               .check = q->check,
+		               .context = q->context};
+		TRY(b->f->batch(b, &pipeline->step, &batch));
 		return lap(pipeline, q);
 	}
-	TRY(b->f->take(b, POOL_query, q->count, q->items_at));
+	TRY(b->f->download(b, POOL_query, q->count, q->items_at));
 	TRY(b->f->run(b, &pipeline->step, &run, 1));
-	TRY(b->f->give(b, POOL_found, q->count, q->found_at));
+	TRY(b->f->upload(b, POOL_found, q->count, q->found_at));
 	return lap(pipeline, q);
 }
 
-static scree_status sort(Pipeline* pipeline, const Questions* q, int count)
+static scree_status sort(Pipeline* pipeline, const QueryRequest* q, int count)
 {
 	RunList* list = &pipeline->list;
 	TRY(pipeline_reserve(pipeline, PER_KEY, count));
 	TRY(runs_reserve(list, 7));
-	runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_COLLIDABLE);
+	runs_add(list, KERNEL_query_key, 0, count, NO_COUNT, QUERY_BY_COLLIDABLE);
 	runs_add_sort(list, count, NO_COUNT, 32, 32 + index_bits(q->collidables.count + 1));
 	if (q->form != QUERY_SENSORS)
 	{
-		runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_FRACTION);
+		runs_add(list, KERNEL_query_key, 0, count, NO_COUNT, QUERY_BY_FRACTION);
 		runs_add_sort(list, count, NO_COUNT, 32, 64);
 	}
-	runs_add(list, STAGE_query_key, 0, count, NO_COUNT, QUERY_BY_QUERY);
+	runs_add(list, KERNEL_query_key, 0, count, NO_COUNT, QUERY_BY_QUERY);
 	runs_add_sort(list, count, NO_COUNT, 32, 32 + index_bits(q->count));
-	runs_add(list, STAGE_query_list, 0, count, NO_COUNT, 0);
+	runs_add(list, KERNEL_query_list, 0, count, NO_COUNT, 0);
 	return pipeline_run(pipeline, &pipeline->step);
 }
 
-scree_status queries_list(Pipeline* pipeline, const Questions* q, int* count)
+scree_status queries_list(Pipeline* pipeline, const QueryRequest* q, int* count)
 {
 	Backend* b = pipeline->backend;
 	TRY(prepare(pipeline, q));
@@ -198,7 +198,7 @@ scree_status queries_list(Pipeline* pipeline, const Questions* q, int* count)
 	return lap(pipeline, q);
 }
 
-scree_status queries_read(Pipeline* pipeline, int count, Found* found, int* queries)
+scree_status queries_read(Pipeline* pipeline, int count, QueryResult* found, int* queries)
 {
 	Backend* b = pipeline->backend;
 	bool few = count <= FEW_ANSWERS;
@@ -206,21 +206,21 @@ scree_status queries_read(Pipeline* pipeline, int count, Found* found, int* quer
 	return b->f->read(b, few ? POOL_found : POOL_found_row, 0, count, found);
 }
 
-scree_status told_count(Pipeline* pipeline, int bodies, int* count)
+scree_status moved_count(Pipeline* pipeline, int bodies, int* count)
 {
 	Backend* b = pipeline->backend;
 	RunList* list = &pipeline->list;
 	pipeline->tells = true;
 	TRY(runs_reserve(list, 2));
-	runs_add_single(list, STAGE_told_begin);
-	runs_add(list, STAGE_told_mark, 1, bodies, NO_COUNT, 0); // the first one is the ground
+	runs_add_single(list, KERNEL_moved_begin);
+	runs_add(list, KERNEL_moved_mark, 1, bodies, NO_COUNT, 0); // the first one is the ground
 	TRY(pipeline_run(pipeline, &pipeline->step));
 	TRY(b->f->read(b, POOL_counters, 0, 1, &pipeline->counters));
-	*count = pipeline->counters.told;
+	*count = pipeline->counters.moved_bodies;
 	return SCREE_OK;
 }
 
-scree_status told_list(Pipeline* pipeline, int bodies, int count)
+scree_status moved_list(Pipeline* pipeline, int bodies, int count)
 {
 	RunList* list = &pipeline->list;
 	if (count == 0)
@@ -228,8 +228,8 @@ scree_status told_list(Pipeline* pipeline, int bodies, int count)
 	TRY(runs_reserve(list, 3));
 	TRY(pipeline_reserve(pipeline, PER_KEY, count));
 	TRY(pipeline_reserve(pipeline, PER_FOUND, count));
-	runs_add(list, STAGE_told_key, 0, count, NO_COUNT, 0);
+	runs_add(list, KERNEL_moved_key, 0, count, NO_COUNT, 0);
 	runs_add_sort(list, count, NO_COUNT, 0, index_bits(bodies));
-	runs_add(list, STAGE_told_list, 0, count, NO_COUNT, 0);
+	runs_add(list, KERNEL_moved_list, 0, count, NO_COUNT, 0);
 	return pipeline_run(pipeline, &pipeline->step);
 }

@@ -25,23 +25,23 @@ typedef struct // what is asked
 	// the items are
 	scree_status (*check)(const void* context, int begin, int end);
 	const void* context; // of check
-} Questions;
+} QueryRequest;
 
 // The answer of each query; found is null for those whose items are. The user's changes are on the device.
-scree_status queries_answer(Pipeline* pipeline, const Questions* questions, Found* found);
+scree_status queries_answer(Pipeline* pipeline, const QueryRequest* questions, QueryResult* found);
 
 // All answers: sets *count to their number, and lists them in the pools found_row and found_row_query, by their queries, then by
 // their fractions, then by their collidables; or, when there are at most FEW_ANSWERS, in found and found_query, in no order.
 #define FEW_ANSWERS 64
-scree_status queries_list(Pipeline* pipeline, const Questions* questions, int* count);
+scree_status queries_list(Pipeline* pipeline, const QueryRequest* questions, int* count);
 
 // Reads so many answers from there, and the query of each.
-scree_status queries_read(Pipeline* pipeline, int count, Found* found, int* queries);
+scree_status queries_read(Pipeline* pipeline, int count, QueryResult* found, int* queries);
 
 // Counts the bodies, of so many slots, at other poses than the user was told last.
-scree_status told_count(Pipeline* pipeline, int bodies, int* count);
+scree_status moved_count(Pipeline* pipeline, int bodies, int* count);
 
-// Lists those that were just counted in the pool told_row, by index. From then on the user has been told.
-scree_status told_list(Pipeline* pipeline, int bodies, int count);
+// Lists those that were just counted in the pool moved_row, by index. From then on the user has been told.
+scree_status moved_list(Pipeline* pipeline, int bodies, int count);
 
 #endif

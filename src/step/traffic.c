@@ -25,35 +25,40 @@ typedef struct // of one constraint in a step
 // Bytes that a pass reads and writes of a row whose gate is open.
 #define COUNT_ROW(name, gate, life, inert, read, written) \
 	bytes += on.gate ? (((read) >> pass & 1) + ((written) >> pass & 1)) * ROW_BYTES : 0;
-#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                            \
-	static size_t kind##_pass_bytes(int pass, const Step* step)                                                      \
-	{                                                                                                                \
-		const struct                                                                                                 \
-		{                                                                                                            \
-			int always, rare, rolls, details, bounces, drives, couplings, paths;                                     \
-		} on =                                                                                                       \
-		    {1,          STEP_RARE(*step), step->rolls, step->details, step->bounces, step->drives, step->couplings, \
-		     step->paths};                                                                                           \
-		size_t bytes = pass == PREPARE ? 0 : ENDS_BYTES;                                                             \
-		KIND##_ROWS(COUNT_ROW) KIND##_RARE_ROWS(COUNT_ROW) return bytes;                                             \
-	}                                                                                                                \
-	static Bytes kind##_bytes(int substeps, const Step* step)                                                        \
-	{                                                                                                                \
-		/* its slot, once more for rare rows; what setup gathers */                                                  \
-		Bytes count = {(KIND##_RARE(step) ? 2 : 1) * sizeof(int), 0};                                                \
-		count.rows += KIND##_GATHERS(step);                                                                          \
-		count.rows += kind##_pass_bytes(PREPARE, step);                                                              \
-		if (step->bounces)                                                                                           \
-		{                                                                                                            \
-			count.rows += kind##_pass_bytes(PREPARE_BOUNCE, step);                                                   \
-			count.bodies += KIND##_BOUNCE_GATHERS;                                                                   \
-		}                                                                                                            \
-		for (int q = 0; q < schedule_passes(substeps, step->bounces); ++q)                                           \
-		{                                                                                                            \
-			count.rows += kind##_pass_bytes(schedule_pass(substeps, q), step);                                       \
-			count.bodies += 2 * (sizeof(BodyState) + VELOCITY);                                                      \
-		}                                                                                                            \
-		return count;                                                                                                \
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                  \
+	static size_t kind##_pass_bytes(int pass, const Step* step)                            \
+	{                                                                                      \
+		const struct                                                                       \
+		{                                                                                  \
+			int always, rare, has_rolling, details, bounces, has_drives, couplings, paths; \
+		} on = {1,                                                                         \
+		        STEP_RARE(*step),                                                          \
+		        step->has_rolling,                                                         \
+		        step->details,                                                             \
+		        step->bounces,                                                             \
+		        step->has_drives,                                                          \
+		        step->couplings,                                                           \
+		        step->paths};                                                              \
+		size_t bytes = pass == PREPARE ? 0 : ENDS_BYTES;                                   \
+		KIND##_ROWS(COUNT_ROW) KIND##_RARE_ROWS(COUNT_ROW) return bytes;                   \
+	}                                                                                      \
+	static Bytes kind##_bytes(int substeps, const Step* step)                              \
+	{                                                                                      \
+		/* its slot, once more for rare rows; what setup gathers */                        \
+		Bytes count = {(KIND##_RARE(step) ? 2 : 1) * sizeof(int), 0};                      \
+		count.rows += KIND##_GATHERS(step);                                                \
+		count.rows += kind##_pass_bytes(PREPARE, step);                                    \
+		if (step->bounces)                                                                 \
+		{                                                                                  \
+			count.rows += kind##_pass_bytes(PREPARE_BOUNCE, step);                         \
+			count.bodies += KIND##_BOUNCE_GATHERS;                                         \
+		}                                                                                  \
+		for (int q = 0; q < schedule_passes(substeps, step->bounces); ++q)                 \
+		{                                                                                  \
+			count.rows += kind##_pass_bytes(schedule_pass(substeps, q), step);             \
+			count.bodies += 2 * (sizeof(BodyState) + VELOCITY);                            \
+		}                                                                                  \
+		return count;                                                                      \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND

@@ -169,7 +169,7 @@ scree_status tree_upload(Pipeline* pipeline)
 bool tree_wants_order(const TreeState* state)
 {
 	double leaves = state->tree.leaves, changes = (double)state->unsorted / leaves;
-	return state->tree.leaves > ARITY && changes * changes + state->strayed / leaves > ORDER_VISITS;
+	return state->tree.leaves > ARITY && changes * changes + state->outliers / leaves > ORDER_VISITS;
 }
 
 bool tree_churns(const TreeState* state) { return state->tree.leaves > ARITY && state->churned % CHURN_STEPS != 0; }
@@ -177,8 +177,8 @@ bool tree_churns(const TreeState* state) { return state->tree.leaves > ARITY && 
 void tree_count(TreeState* state, const Counters* counters, int t)
 {
 	if (t == 0)
-		state->unsorted += counters->moved;
-	state->strayed += (double)counters->moved * counters->strayed[t] / STRAY_UNIT;
+		state->unsorted += counters->updated_boxes;
+	state->outliers += (double)counters->updated_boxes * counters->outliers[t] / OUTLIER_UNIT;
 	state->churned = counters->order[t] || state->ordered ? state->churned + 1 : 0;
 }
 
@@ -196,7 +196,7 @@ scree_status tree_ordered(Pipeline* pipeline, int t)
 	TreeState* state = &pipeline->trees[t];
 	state->unsorted = 0;
 	state->appended = 0;
-	state->strayed = 0;
+	state->outliers = 0;
 	state->seen = false;
 	if (!state->shrunk && state->left_count == 0)
 		return SCREE_OK;

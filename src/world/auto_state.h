@@ -17,7 +17,7 @@ typedef struct // what a step costs on one device
 	int count;                   // steps since the world came to this device
 	double step;                 // ms, as of the last comparison; 0 before the first
 	int work;                    // bodies and contacts at that comparison
-} Meter;
+} StepMeter;
 
 typedef struct
 {
@@ -28,10 +28,10 @@ typedef struct
 	Backend* other;         // open, but the world is not on it; null when there is none yet
 	bool alone;             // there is no other device
 	bool trial;             // the world is on the device that is measured
-	Meter meters[2];        // of the CPU, and of the other
+	StepMeter meters[2];    // of the CPU, and of the other
 	double current;         // ms that the library has worked since the last step began
 	double spent;           // ms of steps since the last comparison
-	double begun;           // ms, when the last trial began
+	double started;         // ms, when the last trial began
 	double cost;            // ms that the last trial took, with its steps; 0 before the first
 	int failures;           // trials in a row after which the world went back
 	int failures_work;      // bodies and contacts at the last of them

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-scree_status refuse(scree_status status, Where at, const char* member, const char* format, ...)
+scree_status refuse(scree_status status, ArgumentPlace at, const char* member, const char* format, ...)
 {
 	char sentence[384], index[16] = "";
 	va_list arguments;
@@ -30,7 +30,7 @@ Decimal decimal(float x)
 	return d;
 }
 
-scree_status check_real(Where at, const char* member, float x, float low, float high)
+scree_status check_real(ArgumentPlace at, const char* member, float x, float low, float high)
 {
 	if (isfinite(x) && x >= low && x <= high)
 		return SCREE_OK;
@@ -42,7 +42,7 @@ scree_status check_real(Where at, const char* member, float x, float low, float 
 	return refuse(SCREE_ERROR_INVALID, at, member, "is %s, must be from %s to %s", value.text, least.text, most.text);
 }
 
-static scree_status check_component(Where at, const char* member, const char* component, float x, float limit)
+static scree_status check_component(ArgumentPlace at, const char* member, const char* component, float x, float limit)
 {
 	if (x >= -limit && x <= limit)
 		return SCREE_OK;
@@ -51,16 +51,16 @@ static scree_status check_component(Where at, const char* member, const char* co
 	return check_real(at, name, x, -limit, limit);
 }
 
-scree_status check_vec(Where at, const char* member, scree_vec v, float limit)
+scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float limit)
 {
 	TRY(check_component(at, member, ".x", v.x, limit));
 	return check_component(at, member, ".y", v.y, limit);
 }
 
-scree_status check_pose(Where at, const char* member, scree_pose* pose)
+scree_status check_pose(ArgumentPlace at, const char* member, scree_pose* pose)
 {
-	TRY(check_component(at, member, ".position.x", pose->position.x, SCREE_HUGE));
-	TRY(check_component(at, member, ".position.y", pose->position.y, SCREE_HUGE));
+	TRY(check_component(at, member, ".position.x", pose->position.x, SCREE_MAX_COORDINATE));
+	TRY(check_component(at, member, ".position.y", pose->position.y, SCREE_MAX_COORDINATE));
 	scree_rot q = pose->rotation;
 	double square = (double)q.c * q.c + (double)q.s * q.s;
 	if (!(square > 1.0 - 1e-3 && square < 1.0 + 1e-3))
@@ -79,11 +79,11 @@ scree_status check_pose(Where at, const char* member, scree_pose* pose)
 	return SCREE_OK;
 }
 
-scree_status check_velocity(Where at, const char* member, scree_velocity velocity)
+scree_status check_velocity(ArgumentPlace at, const char* member, scree_velocity velocity)
 {
-	TRY(check_component(at, member, ".linear.x", velocity.linear.x, SCREE_HUGE));
-	TRY(check_component(at, member, ".linear.y", velocity.linear.y, SCREE_HUGE));
-	return check_component(at, member, ".angular", velocity.angular, SCREE_HUGE);
+	TRY(check_component(at, member, ".linear.x", velocity.linear.x, SCREE_MAX_COORDINATE));
+	TRY(check_component(at, member, ".linear.y", velocity.linear.y, SCREE_MAX_COORDINATE));
+	return check_component(at, member, ".angular", velocity.angular, SCREE_MAX_COORDINATE);
 }
 
 scree_status check_pointer(const char* function, const char* argument, const void* pointer)
@@ -107,7 +107,7 @@ scree_status check_list(const char* function, const char* argument, const void* 
 	return check_pointer(function, "count", count);
 }
 
-scree_status check_device(Where at, const char* member, const char* device)
+scree_status check_device(ArgumentPlace at, const char* member, const char* device)
 {
 	if (!device)
 		return refuse(SCREE_ERROR_INVALID, at, member, "is null");
@@ -121,14 +121,14 @@ scree_status check_device(Where at, const char* member, const char* device)
 	    device);
 }
 
-scree_status check_type(Where at, const char* member, scree_body_type type)
+scree_status check_type(ArgumentPlace at, const char* member, scree_body_type type)
 {
 	if ((unsigned)type <= SCREE_BODY_DYNAMIC)
 		return SCREE_OK;
 	return refuse(SCREE_ERROR_INVALID, at, member, "is %d, not a scree_body_type", (int)type);
 }
 
-scree_status check_locks(Where at, const char* member, uint32_t locks)
+scree_status check_locks(ArgumentPlace at, const char* member, uint32_t locks)
 {
 	if (locks <= (SCREE_LOCK_X | SCREE_LOCK_Y | SCREE_LOCK_ROTATION))
 		return SCREE_OK;
@@ -136,7 +136,7 @@ scree_status check_locks(Where at, const char* member, uint32_t locks)
 	              "is %u, must be bits of SCREE_LOCK_X, SCREE_LOCK_Y and SCREE_LOCK_ROTATION", locks);
 }
 
-scree_status check_sensor(Where at, const char* member, uint32_t sensor)
+scree_status check_sensor(ArgumentPlace at, const char* member, uint32_t sensor)
 {
 	if (sensor <= (SCREE_SENSOR_MOVING | SCREE_SENSOR_STATIC | SCREE_SENSOR_SENSORS))
 		return SCREE_OK;
@@ -144,10 +144,10 @@ scree_status check_sensor(Where at, const char* member, uint32_t sensor)
 	              "is %u, must be bits of SCREE_SENSOR_MOVING, SCREE_SENSOR_STATIC and SCREE_SENSOR_SENSORS", sensor);
 }
 
-scree_status check_reports(Where at, const char* member, uint32_t reports)
+scree_status check_reports(ArgumentPlace at, const char* member, uint32_t reports)
 {
-	if (reports <= (SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS | SCREE_REPORT_ASKS))
+	if (reports <= (SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS | SCREE_REPORT_APPROVAL))
 		return SCREE_OK;
 	return refuse(SCREE_ERROR_INVALID, at, member,
-	              "is %u, must be bits of SCREE_REPORT_TOUCHES, SCREE_REPORT_HITS and SCREE_REPORT_ASKS", reports);
+	              "is %u, must be bits of SCREE_REPORT_TOUCHES, SCREE_REPORT_HITS and SCREE_REPORT_APPROVAL", reports);
 }

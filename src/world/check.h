@@ -17,7 +17,7 @@ typedef struct // the place of a value in a call
 	const char* function;
 	const char* argument;
 	int index; // in the batch; ALONE when the argument is not an array
-} Where;
+} ArgumentPlace;
 
 // The shortest decimal number that reads back as a float, for sentences.
 typedef struct
@@ -27,26 +27,26 @@ typedef struct
 Decimal decimal(float x);
 
 // "function: argument[index]member SENTENCE"; member is "" or begins with a dot.
-scree_status refuse(scree_status status, Where at, const char* member, const char* format, ...) FORMAT(4, 5);
+scree_status refuse(scree_status status, ArgumentPlace at, const char* member, const char* format, ...) FORMAT(4, 5);
 
 // A finite number from low to high; -FLT_MAX and FLT_MAX stand for no bound.
-scree_status check_real(Where at, const char* member, float x, float low, float high);
+scree_status check_real(ArgumentPlace at, const char* member, float x, float low, float high);
 
 // Both components from -limit to limit.
-scree_status check_vec(Where at, const char* member, scree_vec v, float limit);
+scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float limit);
 
-// A position within SCREE_HUGE, and a rotation whose length is 1 to within 0.0005, which is then normalized. A length that is
+// A position within SCREE_MAX_COORDINATE, and a rotation whose length is 1 to within 0.0005, which is then normalized. A length that is
 // 1 to within a few units of the last place is left alone, so that a pose that was read can be set again unchanged.
-scree_status check_pose(Where at, const char* member, scree_pose* pose);
+scree_status check_pose(ArgumentPlace at, const char* member, scree_pose* pose);
 
 // A device name in one of the forms of scree_world_def.device.
-scree_status check_device(Where at, const char* member, const char* device);
+scree_status check_device(ArgumentPlace at, const char* member, const char* device);
 
-scree_status check_type(Where at, const char* member, scree_body_type type);
-scree_status check_locks(Where at, const char* member, uint32_t locks);
-scree_status check_reports(Where at, const char* member, uint32_t reports);
-scree_status check_sensor(Where at, const char* member, uint32_t sensor);
-scree_status check_velocity(Where at, const char* member, scree_velocity velocity);
+scree_status check_type(ArgumentPlace at, const char* member, scree_body_type type);
+scree_status check_locks(ArgumentPlace at, const char* member, uint32_t locks);
+scree_status check_reports(ArgumentPlace at, const char* member, uint32_t reports);
+scree_status check_sensor(ArgumentPlace at, const char* member, uint32_t sensor);
+scree_status check_velocity(ArgumentPlace at, const char* member, scree_velocity velocity);
 scree_status check_pointer(const char* function, const char* argument, const void* pointer);
 
 // 0 <= count <= MAX_ITEMS, and an array that is not null unless count is 0.

@@ -42,7 +42,7 @@ static uint32_t size_of(const void* def)
 
 static const char* place_of(const void* defs, int k) { return (const char*)defs + (size_t)k * size_of(defs); }
 
-scree_status check_definition(Where at, const void* defs, int k, const DefinitionType* type)
+scree_status check_definition(ArgumentPlace at, const void* defs, int k, const DefinitionType* type)
 {
 	const char* def = place_of(defs, k);
 	uint32_t size = size_of(def);

@@ -22,7 +22,7 @@ extern const DefinitionType world_definition, tuning_definition, attribute_defin
     material_definition, field_definition;
 
 // Checks definition k of a batch. All definitions of a batch have the size of the first.
-scree_status check_definition(Where at, const void* defs, int k, const DefinitionType* type);
+scree_status check_definition(ArgumentPlace at, const void* defs, int k, const DefinitionType* type);
 
 // Definition k of a batch after its check: its address if it has this library's size, else a copy in local, a struct of
 // the type.

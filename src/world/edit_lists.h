@@ -29,7 +29,7 @@ typedef struct // kept with a body or a collidable; 0 for none
 {
 	int row;   // 1 + its place among the rows
 	int group; // 1 + its group of commands, within world_upload
-} Waiting;
+} PendingEdits;
 
 typedef struct
 {

@@ -27,7 +27,7 @@ void edits_close(Edits* edits)
 void edits_body(scree_world* world, BodyRow row)
 {
 	Edits* p = &world->edits;
-	Waiting* waiting = &world->host_bodies[row.index].waiting;
+	PendingEdits* waiting = &world->host_bodies[row.index].waiting;
 	if (waiting->row == 0)
 		waiting->row = ++p->body_count;
 	row.since = p->command_count;
@@ -37,7 +37,7 @@ void edits_body(scree_world* world, BodyRow row)
 void edits_collidable(scree_world* world, int index)
 {
 	Edits* p = &world->edits;
-	Waiting* waiting = &world->host_collidables[index].waiting;
+	PendingEdits* waiting = &world->host_collidables[index].waiting;
 	if (waiting->row == 0)
 		waiting->row = ++p->collidable_count;
 	p->collidables[waiting->row - 1] = (CollidableRow){index, p->command_count};

@@ -12,11 +12,11 @@ scree_tuning tuning_of(const scree_world_def* def)
 	                      .max_speed = def->max_speed};
 }
 
-scree_status check_tuning(Where at, const scree_tuning* tuning)
+scree_status check_tuning(ArgumentPlace at, const scree_tuning* tuning)
 {
 	TRY(check_real(at, ".contact_hertz", tuning->contact_hertz, 1e-3f, 1e6f));
 	TRY(check_real(at, ".contact_damping_ratio", tuning->contact_damping_ratio, 0.0f, 1e6f));
-	TRY(check_real(at, ".contact_push_speed", tuning->contact_push_speed, 0.0f, SCREE_HUGE));
+	TRY(check_real(at, ".contact_push_speed", tuning->contact_push_speed, 0.0f, SCREE_MAX_COORDINATE));
 	TRY(check_real(at, ".restitution_threshold", tuning->restitution_threshold, 0.0f, FLT_MAX));
-	return check_real(at, ".max_speed", tuning->max_speed, 1e-3f, SCREE_HUGE);
+	return check_real(at, ".max_speed", tuning->max_speed, 1e-3f, SCREE_MAX_COORDINATE);
 }

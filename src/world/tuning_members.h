@@ -5,6 +5,6 @@
 #include "world/check.h"
 
 scree_tuning tuning_of(const scree_world_def* def);
-scree_status check_tuning(Where at, const scree_tuning* tuning);
+scree_status check_tuning(ArgumentPlace at, const scree_tuning* tuning);
 
 #endif

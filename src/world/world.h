@@ -29,7 +29,7 @@ typedef struct // host data of a body
 	int64_t went;            // Pipeline.steps when it got to that
 	bool still;              // it stands: it has no velocity
 	bool disabled;           // not simulated: its collidables are KIND_DEAD on the device
-	Waiting waiting;
+	PendingEdits waiting;
 	bool marked; // within one call: already seen in the batch
 } HostBody;
 
@@ -45,7 +45,7 @@ typedef struct // host data of a collidable
 	int next, previous; // collidable of the same body, -1 for none; collidable_put sets this member and those below
 	int64_t made;       // Pipeline.steps then
 	int64_t born;       // Pipeline.steps when its contacts last began anew
-	Waiting waiting;
+	PendingEdits waiting;
 	bool marked;
 } HostCollidable;
 
@@ -128,16 +128,16 @@ typedef struct // the name of a collidable, which may have been destroyed since
 	scree_body body;
 	uint64_t user;
 	int64_t step; // Pipeline.steps then; -1 for none
-} Departed;
+} CollidableName;
 
 typedef struct // events of the last step
 {
-	int reporters;      // collidables that report something
-	Departed* departed; // two of each slot, for an even and an odd number of steps
+	int reporters;            // collidables that report something
+	CollidableName* departed; // two of each slot, for an even and an odd number of steps
 	int departed_capacity;
 	bool fetched; // the lists below are those of the last step
 	int counts[EVENT_LISTS], capacity[EVENT_LISTS];
-	Listed *began, *hits, *asked;
+	ContactReport *began, *hits, *asked;
 	Word64* ended;
 	Word64* allowed; // pairs of collidables to which the user said yes since the last step, sorted
 	int allowed_count, allowed_capacity;
@@ -168,7 +168,7 @@ typedef struct
 	Visit *began, *ended; // in the last step
 	int began_count, ended_count, began_capacity, ended_capacity;
 	Visit* found; // in the step, from these rows
-	Found* rows;
+	QueryResult* rows;
 	int* row_queries;
 	int found_capacity, row_capacity, row_query_capacity;
 } Sensors;
@@ -197,7 +197,7 @@ typedef struct // the shape of the last queries, checked; the answers of the las
 {
 	scree_shape shape;
 	Attribute attribute;
-	Found* found;
+	QueryResult* found;
 	int* query; // of each answer
 	int* first; // answer of each query, and the end
 	int capacity, query_capacity, first_capacity;
@@ -242,7 +242,7 @@ struct scree_world
 	Materials materials;
 	Fields fields;
 	Exclusions exclusions;
-	char* moved; // what scree_world_get_moved returned last
+	char* moved; // what scree_world_get_moved_bodies returned last
 	int moved_capacity;
 	IdleBlocks idle[ACTIVE_KINDS];
 	Pipeline pipeline;

@@ -75,11 +75,11 @@ static void take_pools(Backend* b, const Step* step)
 
 static void note_most(int* most, int value) { *most = value > *most ? value : *most; }
 
-static bool launch(KernelId kernel, int groups, int group)
+static bool launch(EmulatedKernel kernel, int groups, int group)
 {
 	char sentence[ITEMS_SENTENCE];
 	form.turns.seed += 2;
-	if (kernel_run(kernel, &task, groups, group, &form.turns, sentence))
+	if (emulated_run(kernel, &task, groups, group, &form.turns, sentence))
 	{
 		note_most(&form_counts.puts, items_puts());
 		if (form.turns.shunned > 0 && form.turns.shunned <= groups)
@@ -93,7 +93,7 @@ static bool launch(KernelId kernel, int groups, int group)
 
 static int least(int a, int b) { return a < b ? a : b; }
 static int groups_of(int items, int group) { return items > 0 ? (items + group - 1) / group : 1; }
-static bool launch_over(KernelId kernel, int items)
+static bool launch_over(EmulatedKernel kernel, int items)
 {
 	return launch(kernel, groups_of(items, SMALL_GROUP), SMALL_GROUP);
 }
@@ -128,11 +128,11 @@ static bool relay_solve(const Solve* solve)
 	form_counts.by_hubs += found > 0;
 	form_counts.split += pools.counters->split > 0;
 	bool hinges = !pools.step.springs && !pools.step.couplings && !pools.step.paths;
-	int kernel = plain() ? KERNEL_relay_plain : KERNEL_relay, by_hubs = KERNEL_relay_hubs;
+	int kernel = plain() ? EMULATED_relay_plain : EMULATED_relay, by_hubs = EMULATED_relay_hubs;
 	if (pools.step.joints)
 	{
-		kernel = hinges ? KERNEL_relay_hinges : KERNEL_relay_joints;
-		by_hubs = hinges ? KERNEL_relay_hubs_hinges : KERNEL_relay_hubs_joints;
+		kernel = hinges ? EMULATED_relay_hinges : EMULATED_relay_joints;
+		by_hubs = hinges ? EMULATED_relay_hubs_hinges : EMULATED_relay_hubs_joints;
 	}
 	return found > 0 ? launch(by_hubs, form.groups > 1 ? hubs + groups : 1, group) : launch(kernel, groups, group);
 }
@@ -155,16 +155,16 @@ static bool lay_out(const Solve* solve)
 	task.total = buffer(&tile_buffers, task.tile_rows + 2, sizeof(int));
 	task.rank = buffer(&tile_buffers, solve_constraints(solve), sizeof(int));
 	task.order = memset(buffer(&tile_buffers, task.stride, sizeof(int)), 0xff, (size_t)task.stride * sizeof(int));
-	bool well = launch_over(KERNEL_tile_settle, task.places) && launch_over(KERNEL_tile_list, task.places);
+	bool well = launch_over(EMULATED_tile_settle, task.places) && launch_over(EMULATED_tile_list, task.places);
 	for (int color = 0; well && color < COLORS; ++color)
 	{
 		task.begin = solve_first(solve, color);
 		task.end = solve_first(solve, color + 1);
-		well = task.begin == task.end || launch_over(KERNEL_tile_count, task.end - task.begin);
+		well = task.begin == task.end || launch_over(EMULATED_tile_count, task.end - task.begin);
 	}
-	well = well && launch_over(KERNEL_tile_total, task.tile_rows + 1) &&
-	       launch(KERNEL_tile_begin, 1, primitive_group) && launch_over(KERNEL_tile_range, task.tile_rows + 2) &&
-	       launch_over(KERNEL_tile_order, solve_constraints(solve));
+	well = well && launch_over(EMULATED_tile_total, task.tile_rows + 1) &&
+	       launch(EMULATED_tile_begin, 1, primitive_group) && launch_over(EMULATED_tile_range, task.tile_rows + 2) &&
+	       launch_over(EMULATED_tile_order, solve_constraints(solve));
 	laid_out = task;
 	stale = !well;
 	return well;
@@ -188,9 +188,10 @@ static void take_layout(void)
 
 static bool tiles_solve(const Solve* solve)
 {
-	static const KernelId kernels[2][PASS_KINDS] = {
-	    {KERNEL_tile_warm_start, KERNEL_tile_bias, KERNEL_tile_relax, KERNEL_tile_bounce},
-	    {KERNEL_tile_warm_start_joints, KERNEL_tile_bias_joints, KERNEL_tile_relax_joints, KERNEL_tile_bounce_joints}};
+	static const EmulatedKernel kernels[2][PASS_KINDS] = {
+	    {EMULATED_tile_warm_start, EMULATED_tile_bias, EMULATED_tile_relax, EMULATED_tile_bounce},
+	    {EMULATED_tile_warm_start_joints, EMULATED_tile_bias_joints, EMULATED_tile_relax_joints,
+	     EMULATED_tile_bounce_joints}};
 	bool joints = pools.step.joints;
 	stale |= pools.counters->changed || !pools.counters->kept || tile_buffers.count == 0;
 	bool well = true;
@@ -205,11 +206,13 @@ static bool tiles_solve(const Solve* solve)
 	note_most(&form_counts.tiles, task.tile_rows);
 	note_most(&form_counts.inner, well ? task.total[task.tile_rows] : 0);
 	note_most(&form_counts.border, border);
-	KernelId prepare = joints ? KERNEL_tile_prepare_joints : plain() ? KERNEL_tile_prepare_plain : KERNEL_tile_prepare;
+	EmulatedKernel prepare = joints    ? EMULATED_tile_prepare_joints
+	                         : plain() ? EMULATED_tile_prepare_plain
+	                                   : EMULATED_tile_prepare;
 	well = well && launch_over(prepare, task.stride);
 	for (task.q = 0; well && task.q < task.passes; ++task.q)
 		well = launch(kernels[joints][schedule_pass(solve->substeps, task.q)], task.tile_rows, tile_group) &&
-		       launch(joints ? KERNEL_tile_border_joints : KERNEL_tile_border,
+		       launch(joints ? EMULATED_tile_border_joints : EMULATED_tile_border,
 		              least(groups_of(border, relay_group) + 1, form.groups), relay_group);
 	return well;
 }
@@ -235,7 +238,7 @@ static scree_status solve_emulated(const Solve* solve)
 		c->nonfinite = c->held = c->first_nonfinite = 5;
 	memset(pools.base, 0xff, (size_t)solve->bodies * sizeof *pools.base);
 	bool well = form.tiles ? tiles_solve(solve) : relay_solve(solve);
-	well = well && launch_over(KERNEL_solve_end, solve->bodies);
+	well = well && launch_over(EMULATED_solve_end, solve->bodies);
 	let_go(&solve_buffers);
 	++form_counts.solves;
 	if (!well)
@@ -254,7 +257,7 @@ static scree_status solve_emulated(const Solve* solve)
 // the persistent kernel
 // ---------------------------------------------------------------------------------------------------------------
 
-static bool left_out(const Run* run) { return run->stage < STAGE_COUNT && stage_widths[run->stage] >= WIDTH_ALONE; }
+static bool left_out(const Run* run) { return run->kernel < KERNEL_COUNT && kernel_widths[run->kernel] >= WIDTH_ALONE; }
 
 // As persistent_run of src/opencl/persistent.c. The header of the list stays from launch to launch.
 static scree_status run_list(const Run* runs, int count)
@@ -265,7 +268,7 @@ static scree_status run_list(const Run* runs, int count)
 	memcpy(run_words + persistent_header, runs, (size_t)count * sizeof *runs);
 	task = (Task){.pools = &pools, .list = run_words, .runs = count, .spins = form.spins ? form.spins : NEVER};
 	task.table = buffer(&solve_buffers, persistent_table, sizeof(int));
-	bool well = launch(KERNEL_persistent, least(groups_of(largest, primitive_group), form.groups), primitive_group);
+	bool well = launch(EMULATED_persistent, least(groups_of(largest, primitive_group), form.groups), primitive_group);
 	let_go(&solve_buffers);
 	++form_counts.launches;
 	form_counts.runs += count;
@@ -281,7 +284,7 @@ static scree_status run_list(const Run* runs, int count)
 static scree_status run_groups(const Run* run)
 {
 	task = (Task){.pools = &pools, .run = *run};
-	if (!launch(KERNEL_group_stage, least(run->end - run->begin, form.groups), ITEM_GROUP))
+	if (!launch(EMULATED_group_stage, least(run->end - run->begin, form.groups), ITEM_GROUP))
 		return fail(SCREE_ERROR_DEVICE_FAILED, "the work-items: %s", form_counts.sentence);
 	++form_counts.group_stages;
 	return SCREE_OK;
@@ -297,7 +300,7 @@ static scree_status run_persistent(Backend* b, const Step* step, const Run* runs
 		const Run* run = runs + first;
 		if (end > first)
 			TRY(run_list(run, end - first));
-		else if (end++, stage_widths[run->stage] == WIDTH_ALONE)
+		else if (end++, kernel_widths[run->kernel] == WIDTH_ALONE)
 			TRY(cpu->run(b, step, run, 1));
 		else if (run->end > run->begin)
 			TRY(run_groups(run));
@@ -311,8 +314,8 @@ static scree_status form_run(Backend* b, const Step* step, const Run* runs, int 
 		return run_persistent(b, step, runs, count);
 	for (const Run* run = runs; run < runs + count; ++run)
 	{
-		stale |= run->stage == STAGE_command || run->stage == STAGE_tree_order;
-		pushed |= run->stage == STAGE_field_body;
+		stale |= run->kernel == KERNEL_command || run->kernel == KERNEL_tree_order;
+		pushed |= run->kernel == KERNEL_field_body;
 	}
 	return cpu->run(b, step, runs, count);
 }
@@ -332,8 +335,8 @@ static scree_status form_solve(Backend* b, const Step* step, const Solve* solve,
 	take_pools(b, step);
 	TRY(solve_emulated(solve));
 	Run ends[2] = {
-	    {.stage = STAGE_guard, .end = solve->collidables, .count = COUNT(guarded)},
-	    {.stage = STAGE_joint_finalize, .end = layout[CONSTRAINT_JOINT].begin[COLORS + 1], .count = solve->bound}};
+	    {.kernel = KERNEL_continuous, .end = solve->collidables, .count = COUNT(continuous_items)},
+	    {.kernel = KERNEL_joint_finalize, .end = layout[CONSTRAINT_JOINT].begin[COLORS + 1], .count = solve->bound}};
 	return cpu->run(b, step, ends, solve->rare[CONSTRAINT_JOINT] && ends[1].end > 0 ? 2 : 1);
 }
 

@@ -18,12 +18,12 @@ const int relay_group = RELAY_GROUP, mailbox_words = MAILBOX_WORDS, relay_ticket
           persistent_table = SORT_BLOCKS * SORT_DIGITS > SCAN_BLOCKS ? SORT_BLOCKS *SORT_DIGITS : SCAN_BLOCKS,
           fault_timeout = FAULT_TIMEOUT, fault_stale = FAULT_STALE;
 
-// Stages of which a group does an item, as GROUP_STAGE of src/dialect/emulated_words.h makes kernels of them.
+// Stages of which a group does an item, as GROUP_KERNEL of src/dialect/emulated_words.h makes kernels of them.
 #define GROUP_ONE(name)
 #define GROUP_WIDE(name)
 #define GROUP_ALONE(name)
 #define GROUP_GROUP(name)               \
-	case STAGE_##name:                  \
+	case KERNEL_##name:                 \
 		name##_group(&pools, i, bench); \
 		break;
 #define GROUP_TEAM(name) GROUP_GROUP(name)
@@ -33,10 +33,10 @@ static void group_stage(const Pools* given, Step step, Run run)
 	Pools pools = {POOL_NAMES step, run.argument};
 	int end = run_end(run, &pools);
 	for (int i = run.begin + items_group(); i < end; i += items_groups())
-		switch (run.stage)
+		switch (run.kernel)
 		{
 #define X(name, width, box) GROUP_##width(name)
-#include "stages/stages.def"
+#include "stages/kernels.def"
 #undef X
 		}
 }
@@ -104,8 +104,8 @@ static void call_tile_range(const void* arguments)
 	tile_range(t->table, t->total, t->tile_rows);
 }
 
-#define ENTRY(name) [KERNEL_##name] = call_##name
-static void (*const calls[KERNEL_COUNT])(const void* arguments) = {
+#define ENTRY(name) [EMULATED_##name] = call_##name
+static void (*const calls[EMULATED_COUNT])(const void* arguments) = {
     ENTRY(relay),
     ENTRY(relay_plain),
     ENTRY(relay_hinges),
@@ -138,8 +138,8 @@ static void (*const calls[KERNEL_COUNT])(const void* arguments) = {
     ENTRY(tile_border_joints),
 };
 
-bool kernel_run(KernelId kernel, const Task* task, int group_count, int group, const Turns* turns,
-                char sentence[ITEMS_SENTENCE])
+bool emulated_run(EmulatedKernel kernel, const Task* task, int group_count, int group, const Turns* turns,
+                  char sentence[ITEMS_SENTENCE])
 {
 	const Launch launch = {group_count, group, calls[kernel], task};
 	return items_run(&launch, turns, sentence);

@@ -23,42 +23,42 @@ typedef struct // of all kernels that work on pools; each takes what it needs
 
 typedef enum
 {
-	KERNEL_relay,
-	KERNEL_relay_plain,
-	KERNEL_relay_hinges,
-	KERNEL_relay_joints,
-	KERNEL_relay_hubs,
-	KERNEL_relay_hubs_hinges,
-	KERNEL_relay_hubs_joints,
-	KERNEL_group_stage,
-	KERNEL_persistent,
-	KERNEL_solve_end,
-	KERNEL_tile_settle,
-	KERNEL_tile_list,
-	KERNEL_tile_count,
-	KERNEL_tile_total,
-	KERNEL_tile_begin,
-	KERNEL_tile_range,
-	KERNEL_tile_order,
-	KERNEL_tile_prepare,
-	KERNEL_tile_prepare_plain,
-	KERNEL_tile_prepare_joints,
-	KERNEL_tile_warm_start,
-	KERNEL_tile_bias,
-	KERNEL_tile_relax,
-	KERNEL_tile_bounce,
-	KERNEL_tile_border,
-	KERNEL_tile_warm_start_joints,
-	KERNEL_tile_bias_joints,
-	KERNEL_tile_relax_joints,
-	KERNEL_tile_bounce_joints,
-	KERNEL_tile_border_joints,
-	KERNEL_COUNT
-} KernelId;
+	EMULATED_relay,
+	EMULATED_relay_plain,
+	EMULATED_relay_hinges,
+	EMULATED_relay_joints,
+	EMULATED_relay_hubs,
+	EMULATED_relay_hubs_hinges,
+	EMULATED_relay_hubs_joints,
+	EMULATED_group_stage,
+	EMULATED_persistent,
+	EMULATED_solve_end,
+	EMULATED_tile_settle,
+	EMULATED_tile_list,
+	EMULATED_tile_count,
+	EMULATED_tile_total,
+	EMULATED_tile_begin,
+	EMULATED_tile_range,
+	EMULATED_tile_order,
+	EMULATED_tile_prepare,
+	EMULATED_tile_prepare_plain,
+	EMULATED_tile_prepare_joints,
+	EMULATED_tile_warm_start,
+	EMULATED_tile_bias,
+	EMULATED_tile_relax,
+	EMULATED_tile_bounce,
+	EMULATED_tile_border,
+	EMULATED_tile_warm_start_joints,
+	EMULATED_tile_bias_joints,
+	EMULATED_tile_relax_joints,
+	EMULATED_tile_bounce_joints,
+	EMULATED_tile_border_joints,
+	EMULATED_COUNT
+} EmulatedKernel;
 
 // Runs a kernel with so many groups of so many work-items.
-bool kernel_run(KernelId kernel, const Task* task, int groups, int group, const Turns* turns,
-                char sentence[ITEMS_SENTENCE]);
+bool emulated_run(EmulatedKernel kernel, const Task* task, int groups, int group, const Turns* turns,
+                  char sentence[ITEMS_SENTENCE]);
 
 // Runs relay_probe and returns what it says: 0, FAULT_TIMEOUT or FAULT_STALE; -1 when it came to no end.
 int probe_run(int groups, int group, int rounds, int spins, const Turns* turns);

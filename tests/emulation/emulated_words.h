@@ -9,8 +9,8 @@
 #include <stdbool.h>
 
 // as a device adds to the list
-#undef LIST_STAGE
-#define LIST_STAGE(name, list, length)                            \
+#undef LIST_KERNEL
+#define LIST_KERNEL(name, list, length)                           \
 	INLINE int name##_listed(const Pools* p, int i);              \
 	INLINE void name##_item(const Pools* p, int i)                \
 	{                                                             \

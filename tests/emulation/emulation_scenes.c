@@ -191,7 +191,7 @@ static void build_joints(scree_world* world)
 			if (row == 2)
 				def.frame_a.position.x -= 0.8f;
 			def.collide_connected = k == 3;
-			def.breaks = k == 2;
+			def.can_break = k == 2;
 			def.force_threshold = k == 2 ? 40.0f : 10.0f;
 			OK(scree_joint_create(world, &def, NULL));
 			before = body;
@@ -265,7 +265,7 @@ static void build_paths(scree_world* world)
 		def.coordinates[SCREE_ALONG].motor = k % 4 == 1;
 		def.coordinates[SCREE_ALONG].motor_speed = 4.0f;
 		def.coordinates[SCREE_ALONG].motor_max = 3.0f;
-		def.breaks = k == 14;
+		def.can_break = k == 14;
 		def.force_threshold = k == 14 ? 5.0f : 100.0f;
 		OK(scree_joint_create(world, &def, NULL));
 	}
@@ -333,7 +333,8 @@ static bool same_counts(const scree_world* one, const scree_world* other)
 {
 	const Counters *a = counted(one), *b = counted(other);
 	return a->nonfinite == b->nonfinite && a->first_nonfinite == b->first_nonfinite && a->held == b->held &&
-	       a->guarded == b->guarded && a->penetration == b->penetration && a->joint_gap == b->joint_gap;
+	       a->continuous_items == b->continuous_items && a->penetration == b->penetration &&
+	       a->joint_gap == b->joint_gap;
 }
 
 void check_form(const FormScene* scene, const Form* form)

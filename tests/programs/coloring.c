@@ -43,14 +43,14 @@ static bool count_kind(Counted* counted, const Constraints* s, char sentence[256
 	for (int k = 0; k < s->count; ++k)
 	{
 		int color = s->colors[k], place = s->places[k];
-		bool begun = color != COLOR_NONE;
-		if (begun ? place < s->layout->begin[color] || place >= s->layout->begin[color + 1] : place >= 0)
+		bool started = color != COLOR_NONE;
+		if (started ? place < s->layout->begin[color] || place >= s->layout->begin[color + 1] : place >= 0)
 		{
 			snprintf(sentence, 256, "%s %d has color %d and place %d, where that color is not", s->name, k, color,
 			         place);
 			return false;
 		}
-		if (!begun)
+		if (!started)
 			continue;
 		bool apart = count_end(counted, s->bodies[k].x, color);
 		if (count_end(counted, s->bodies[k].y, color) && apart)
@@ -83,7 +83,7 @@ static bool bodies_fit(scree_world* world, const Counted* counted, char sentence
 	return fits;
 }
 
-static bool crowded(const Counted* counted, int body)
+static bool over_limit(const Counted* counted, int body)
 {
 	return counted->touching[body] > HUB_CONTACTS && counted->state[body].inv_mass > 0.0f;
 }
@@ -95,9 +95,9 @@ static bool hubs_fit(const Counted* counted, const Constraints* contacts, char s
 	{
 		int color = contacts->colors[k];
 		Int2 bodies = contacts->bodies[k];
-		if (color == COLOR_NONE || color == COLORS || !(crowded(counted, bodies.x) || crowded(counted, bodies.y)))
+		if (color == COLOR_NONE || color == COLORS || !(over_limit(counted, bodies.x) || over_limit(counted, bodies.y)))
 			continue;
-		int hub = crowded(counted, bodies.x) ? bodies.x : bodies.y;
+		int hub = over_limit(counted, bodies.x) ? bodies.x : bodies.y;
 		snprintf(sentence, 256, "contact %d has color %d, but its body %d has %d constraints: it is no spoke", k, color,
 		         hub, counted->touching[hub]);
 		return false;

@@ -27,7 +27,7 @@ static void read_between(Pair* pair, Turn turn)
 	uint64_t hash;
 	Left left;
 	Call call = call_make(CALL_read);
-	scree_found found;
+	scree_query_result found;
 	turn.call = &call;
 	turn.left = &left;
 	call_set(&call, "body", (float)(any >> 16 & 63));

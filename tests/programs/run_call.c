@@ -161,9 +161,9 @@ static scree_status run_answer(const Turn* t)
 	scree_status status = scree_world_get_events(t->world, &events);
 	if (status != SCREE_OK)
 		return status;
-	for (int k = 0; k < events.asked_count && k < MOST; ++k)
+	for (int k = 0; k < events.approval_count && k < MOST; ++k)
 		answers[k] = call_whole(t, "bits") >> k % 8 & 1;
-	return scree_world_answer_asked(t->world, answers, events.asked_count < MOST ? events.asked_count : MOST);
+	return scree_world_approve_contacts(t->world, answers, events.approval_count < MOST ? events.approval_count : MOST);
 }
 
 static scree_status run_material(const Turn* t)
@@ -461,8 +461,8 @@ static scree_status run_read(const Turn* t)
 		status = scree_world_get_counters(t->world, &c);
 	if (status == SCREE_OK)
 	{
-		int more[] = {c.bodies, c.dynamic_bodies, c.collidables,  c.contacts, c.touching,
-		              c.colors, c.spokes,         c.new_contacts, c.nonfinite};
+		int more[] = {c.bodies, c.dynamic_bodies, c.collidables,  c.contacts,     c.touching,
+		              c.colors, c.spokes,         c.new_contacts, c.frozen_bodies};
 		float depths[] = {c.penetration, c.joint_gap};
 		word = read_mixed(read_mixed(word, more, sizeof more), depths, sizeof depths);
 	}

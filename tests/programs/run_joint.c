@@ -44,7 +44,7 @@ static void set_sides(const Turn* t, scree_joint_def* def)
 		if (measure >= 0)
 			def->sides[k].measure = (scree_measure)measure;
 		def->sides[k].base = second_pose(t);
-		def->sides[k].near = call_real(t, "near");
+		def->sides[k].initial_angle = call_real(t, "near");
 	}
 }
 
@@ -57,12 +57,12 @@ static scree_status run_one(const Turn* t)
 	def.hertz = call_real(t, "hertz");
 	def.damping_ratio = call_real(t, "ratio");
 	def.collide_connected = call_whole(t, "collides") != 0;
-	def.breaks = call_whole(t, "breaks") != 0;
+	def.can_break = call_whole(t, "breaks") != 0;
 	def.force_threshold = threshold_of(t, "force");
 	def.torque_threshold = threshold_of(t, "torque");
 	def.frame_a = call_pose(t);
 	def.path = call_path(t);
-	def.path_near = call_real(t, "near");
+	def.initial_along = call_real(t, "near");
 	if (call_whole(t, "far") == 0)
 	{
 		scree_status status = scree_joint_def_place(t->world, &def, call_pose(t));
@@ -106,12 +106,12 @@ static scree_status run_row(const Turn* t)
 
 static scree_joint_coordinate coordinate_of(const Turn* t)
 {
-	int drives = call_whole(t, "drives");
+	int has_drives = call_whole(t, "drives");
 	return (scree_joint_coordinate){.target = call_real(t, "target"),
-	                                .locked = drives & 1,
-	                                .limited = drives & 2,
-	                                .spring = drives & 4,
-	                                .motor = drives & 8,
+	                                .locked = has_drives & 1,
+	                                .limited = has_drives & 2,
+	                                .spring = has_drives & 4,
+	                                .motor = has_drives & 8,
 	                                .lock_hertz = call_real(t, "lock_hertz"),
 	                                .lock_damping_ratio = call_real(t, "lock_ratio"),
 	                                .lower = call_real(t, "lower"),

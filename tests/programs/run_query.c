@@ -3,7 +3,7 @@
 #include "programs/run_call.h"
 #include <math.h>
 
-#define ASKED 12
+#define APPROVAL 12
 
 static float spread(uint32_t* seed, float size)
 {
@@ -11,10 +11,10 @@ static float spread(uint32_t* seed, float size)
 	return size * ((float)(*seed >> 8) / 8388608.0f - 1.0f);
 }
 
-static scree_status mix_list(scree_status status, const scree_found_list* list, uint64_t* word)
+static scree_status mix_list(scree_status status, const scree_query_results* list, uint64_t* word)
 {
 	if (status == SCREE_OK)
-		*word = read_mixed(*word, list->found, (size_t)list->count * sizeof *list->found);
+		*word = read_mixed(*word, list->results, (size_t)list->count * sizeof *list->results);
 	return status;
 }
 
@@ -31,11 +31,11 @@ scree_status run_ask(const Turn* t)
 	bool shaped = attribute >= 0 && attribute < MOST_NAMES &&
 	              scree_attribute_get_def(t->world, t->names->attributes[attribute], &surface) == SCREE_OK;
 	const scree_shape* shape = shaped ? &surface.shape : NULL;
-	scree_ray rays[ASKED];
-	scree_probe probes[ASKED], places[ASKED];
-	scree_found found[ASKED];
-	scree_found_list list;
-	for (int k = 0; k < ASKED; ++k)
+	scree_ray rays[APPROVAL];
+	scree_probe probes[APPROVAL], places[APPROVAL];
+	scree_query_result found[APPROVAL];
+	scree_query_results list;
+	for (int k = 0; k < APPROVAL; ++k)
 	{
 		scree_vec at = {center.x + spread(&seed, size), center.y + spread(&seed, size)};
 		scree_vec path = {spread(&seed, size), k % 4 ? spread(&seed, size) : 0.0f};
@@ -47,29 +47,29 @@ scree_status run_ask(const Turn* t)
 		probes[k].translation = path;
 	}
 	uint64_t word = 0;
-	scree_status status = scree_world_cast_rays(t->world, &def, rays, ASKED, found);
+	scree_status status = scree_world_cast_rays(t->world, &def, rays, APPROVAL, found);
 	if (status == SCREE_OK)
 	{
 		word = read_mixed(word, found, sizeof found);
-		status = scree_world_cast_shapes(t->world, &def, shape, probes, ASKED, found);
+		status = scree_world_cast_shapes(t->world, &def, shape, probes, APPROVAL, found);
 	}
 	if (status == SCREE_OK)
 	{
 		word = read_mixed(word, found, sizeof found);
-		status = scree_world_find_nearest(t->world, &def, shape, places, ASKED, fabsf(size), found);
+		status = scree_world_find_nearest(t->world, &def, shape, places, APPROVAL, fabsf(size), found);
 	}
 	if (status == SCREE_OK)
 	{
 		word = read_mixed(word, found, sizeof found);
-		status = mix_list(scree_world_list_rays(t->world, &def, rays, ASKED, &list), &list, &word);
+		status = mix_list(scree_world_list_rays(t->world, &def, rays, APPROVAL, &list), &list, &word);
 	}
 	if (status == SCREE_OK)
-		status = mix_list(scree_world_list_shapes(t->world, &def, shape, places, ASKED, &list), &list, &word);
-	scree_moved_list moved = {0};
+		status = mix_list(scree_world_list_shapes(t->world, &def, shape, places, APPROVAL, &list), &list, &word);
+	scree_moved_bodies moved = {0};
 	if (status == SCREE_OK)
-		status = scree_world_get_moved(t->world, &moved);
+		status = scree_world_get_moved_bodies(t->world, &moved);
 	for (int k = 0; k < moved.count && status == SCREE_OK; ++k)
-		word = read_mixed(word, moved.moved + k, sizeof moved.moved[k]);
+		word = read_mixed(word, moved.bodies + k, sizeof moved.bodies[k]);
 	t->left->word = word;
 	return status;
 }

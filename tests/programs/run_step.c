@@ -58,8 +58,8 @@ scree_status run_step(const Turn* t)
 		word = mix_contact(word, events.touches_began + k);
 	for (int k = 0; k < events.touches_ended_count; ++k)
 		word = mix_contact(word, events.touches_ended + k);
-	for (int k = 0; k < events.asked_count; ++k)
-		word = mix_contact(word, events.asked + k);
+	for (int k = 0; k < events.approval_count; ++k)
+		word = mix_contact(word, events.approvals + k);
 	for (int k = 0; k < events.hit_count; ++k)
 		word = read_mixed(word, events.hits + k, sizeof events.hits[k]);
 	for (int k = 0; k < events.visits_began_count; ++k)

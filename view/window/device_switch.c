@@ -31,7 +31,7 @@ void devices_next(Viewer* v)
 	if (others == 0)
 	{
 		char sentence[SENTENCE];
-		const char* remedy = scree_opencl_remedy();
+		const char* remedy = scree_opencl_hint();
 		snprintf(sentence, sizeof sentence, "there is no other device than %.60s%s%.300s",
 		         scree_world_get_device(session->world), *remedy ? ": " : "", remedy);
 		viewer_show(v, sentence);

@@ -121,5 +121,5 @@ void part_times(const Viewer* v)
 	ImGui::Text("%d colors, %d contacts of hubs", c->colors, c->spokes);
 	ImGui::Text("deepest overlap %.4f m now, %.4f m seen", static_cast<double>(c->penetration),
 	            static_cast<double>(session->deepest));
-	ImGui::Text("%d boxes moved, %.1f MB on the device", c->moved, static_cast<double>(c->device_bytes) * 1e-6);
+	ImGui::Text("%d boxes moved, %.1f MB on the device", c->updated_boxes, static_cast<double>(c->device_bytes) * 1e-6);
 }

@@ -10,7 +10,7 @@ const [, , headerPath, runtimePath, folder] = process.argv;
 const header = parse(readFileSync(headerPath, "utf8"));
 
 // Has no use in a page: hooks in C, one device only, memory that is shared with OpenCL.
-const left_out = /^scree_(hooks_set|opencl_remedy|sharing_name|devices_get_sized|world_(share_\w+|cast_shared_\w+|unshare|measure_bandwidth|write_render_rows|get_sharing|move))$/;
+const left_out = /^scree_(hooks_set|opencl_hint|sharing_name|devices_get_sized|world_(share_\w+|cast_shared_\w+|unshare|measure_bandwidth|write_render_rows|get_sharing|move))$/;
 // What objects do by themselves: worlds, rows, defaults of definitions.
 const without_method = /^scree_(world_(create|destroy|get_render_rows)|filter_default|\w+_(default|make)_sized)$/;
 const short = (type) => type.replace(/^scree_/, "");
@@ -84,7 +84,7 @@ function result(f) {
 const described = functions.map((f) => ({...f, ...describe(f), kind: result(f)}));
 
 const structs = Object.values(header.structs).filter((s) => !/^scree_(hooks|device|opengl|render_row)$/.test(s.name));
-const sizes = {contact_size: "contact", hit_size: "hit", visit_size: "visit", joint_size: "joint_event", moved_size: "moved"};
+const sizes = {contact_size: "contact", hit_size: "hit", visit_size: "visit", joint_size: "joint_event", body_size: "moved_body"};
 function member(struct, m) {
 	let type = code(m.type);
 	if (m.name === "size" || sizes[m.name])
@@ -122,7 +122,7 @@ const runtime = readFileSync(runtimePath, "utf8").replace(/^\/\/ SPDX[^\n]*\n/, 
 writeFileSync(`${folder}/scree.js`, `${licence}// Made from scree.h ${Object.values(header.constants).slice(0, 3).join(".")}.
 const STRUCTS = \`${structTable}\`;
 const FUNCTIONS = \`${functionTable}\`;
-export const HUGE = ${header.constants.HUGE};
+export const MAX_COORDINATE = ${header.constants.MAX_COORDINATE};
 ${enumCode}
 ${runtime}`);
 writeFileSync(`${folder}/scree.d.ts`, licence + types({header, structs, described: described.filter((f) => !without_method.test(f.name)), enumerations, short}));

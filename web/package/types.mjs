@@ -27,7 +27,7 @@ export function types({header, structs, described, enumerations, short}) {
 		const floats = header.structs[p.type]?.members.every((m) => ["float", "scree_vec", "scree_rot", "scree_pose"].includes(m.type));
 		return p.many ? `ArrayLike<${wide}>${floats || p.type === "float" ? " | Float32Array" : ""}` : p.optional ? `${wide} | null` : wide;
 	};
-	let text = `// Made from scree.h.\n\nexport declare const HUGE: ${header.constants.HUGE};\n`;
+	let text = `// Made from scree.h.\n\nexport declare const MAX_COORDINATE: ${header.constants.MAX_COORDINATE};\n`;
 	for (const e of enumerations)
 		text += `\n${doc(e.comment)}export declare const ${e.title}: Readonly<{\n${e.list.map(([name, value, note]) => `${doc(note, "\t")}\t${name}: ${value};`).join("\n")}\n}>;\n`;
 

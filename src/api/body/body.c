@@ -35,7 +35,7 @@ bool scree_body_is_valid(const scree_world* world, scree_body body) { return wor
 
 static bool has_attribute(const scree_body_def* def) { return !scree_attribute_is_null(def->attribute); }
 
-static scree_status check_def(const scree_world* world, Where at, const scree_body_def* def)
+static scree_status check_def(const scree_world* world, ArgumentPlace at, const scree_body_def* def)
 {
 	int attribute = 0;
 	scree_pose pose = def->pose;
@@ -79,7 +79,7 @@ static void fetch_collidable(const scree_world* world, int collidable)
 }
 
 // Makes a body in a slot that was taken, from a checked definition. slot is that of its collidable, if it has one.
-static void put(scree_world* world, Where at, const scree_body_def* def, int index, int slot)
+static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
 	world->dynamic_bodies += moves;
@@ -151,7 +151,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 	int collidables = 0, kinematics = 0;
 	for (int k = 0; k < count; ++k)
 	{
-		Where at = {function, argument, alone ? ALONE : k};
+		ArgumentPlace at = {function, argument, alone ? ALONE : k};
 		TRY(check_definition(at, defs, k, &body_definition));
 		const scree_body_def* def = def_at(defs, k, &local);
 		TRY(check_def(world, at, def));
@@ -181,7 +181,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 		if (next + BODY_SOON < collidables)
 			fetch_collidable(world, slots[next + BODY_SOON]);
 		const scree_body_def* def = def_at(defs, k, &local);
-		put(world, (Where){function, argument, k}, def, indices[k], has_attribute(def) ? slots[next++] : -1);
+		put(world, (ArgumentPlace){function, argument, k}, def, indices[k], has_attribute(def) ? slots[next++] : -1);
 		if (bodies)
 			bodies[k] = body_handle(world, indices[k]);
 	}
@@ -211,7 +211,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	{
 		if (marked + BODY_SOON < count)
 			fetch_body(world, bodies[marked + BODY_SOON]);
-		Where at = {function, argument, alone ? ALONE : marked};
+		ArgumentPlace at = {function, argument, alone ? ALONE : marked};
 		status = check_body(world, at, "", bodies[marked], &index);
 		if (status == SCREE_OK && world->host_bodies[index].marked)
 			status = refuse(SCREE_ERROR_STALE, at, "", "is twice in the batch");

@@ -17,13 +17,14 @@ scree_status scree_body_get_mass(const scree_world* world, scree_body body, scre
 	TRY(check_pointer(function, "world", world));
 	TRY(check_pointer(function, "mass", mass));
 	int index = 0;
-	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index));
 	*mass = mass_now(world, index);
 	return SCREE_OK;
 }
 
 // body and mass say where the two stand in the call.
-static scree_status check_mass(const scree_world* world, Where body, Where mass, scree_body handle, scree_mass value)
+static scree_status check_mass(const scree_world* world, ArgumentPlace body, ArgumentPlace mass, scree_body handle,
+                               scree_mass value)
 {
 	int index = 0;
 	TRY(check_body(world, body, "", handle, &index));
@@ -32,14 +33,15 @@ static scree_status check_mass(const scree_world* world, Where body, Where mass,
 	TRY(check_real(mass, ".mass", value.mass, LEAST_MASS, MOST_MASS));
 	if (value.inertia != 0.0f)
 		TRY(check_real(mass, ".inertia (when it is not 0)", value.inertia, LEAST_INERTIA, MOST_MASS));
-	return check_vec(mass, ".center", value.center, SCREE_HUGE);
+	return check_vec(mass, ".center", value.center, SCREE_MAX_COORDINATE);
 }
 
 scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass)
 {
 	const char* function = "scree_body_set_mass";
 	TRY(world_check(world, function));
-	TRY(check_mass(world, (Where){function, "body", ALONE}, (Where){function, "mass", ALONE}, body, mass));
+	TRY(check_mass(world, (ArgumentPlace){function, "body", ALONE}, (ArgumentPlace){function, "mass", ALONE}, body,
+	               mass));
 	TRY(edits_reserve(world, function, 0, 0, 2));
 	mass_own(world, (int)body.index, mass);
 	return SCREE_OK;
@@ -52,7 +54,8 @@ scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodie
 	TRY(check_batch(function, "bodies", bodies, count));
 	TRY(check_batch(function, "masses", masses, count));
 	for (int k = 0; k < count; ++k)
-		TRY(check_mass(world, (Where){function, "bodies", k}, (Where){function, "masses", k}, bodies[k], masses[k]));
+		TRY(check_mass(world, (ArgumentPlace){function, "bodies", k}, (ArgumentPlace){function, "masses", k}, bodies[k],
+		               masses[k]));
 	TRY(edits_reserve(world, function, 0, 0, 2 * count));
 	for (int k = 0; k < count; ++k)
 		mass_own(world, (int)bodies[k].index, masses[k]);

@@ -46,8 +46,8 @@ static const void* values_array(const Values* v)
 static scree_status value_at(const Call* call, const Values* values, int k, Float4* value)
 {
 	int shown = call->alone ? ALONE : k;
-	Where at = {call->function, call->values, shown};
-	float limit = call->kind == COMMAND_LINEAR_VELOCITY || call->kind == COMMAND_SPIN ? SCREE_HUGE : FLT_MAX;
+	ArgumentPlace at = {call->function, call->values, shown};
+	float limit = call->kind == COMMAND_LINEAR_VELOCITY || call->kind == COMMAND_SPIN ? SCREE_MAX_COORDINATE : FLT_MAX;
 	if (values->numbers)
 	{
 		*value = make_float4(values->numbers[k], 0.0f, 0.0f, 0.0f);
@@ -58,7 +58,7 @@ static scree_status value_at(const Call* call, const Values* values, int k, Floa
 		scree_vec v = values->vectors[k], p = values->points ? values->points[k] : (scree_vec){0};
 		*value = make_float4(v.x, v.y, p.x, p.y);
 		TRY(check_vec(at, "", v, limit));
-		return check_vec((Where){call->function, call->points, shown}, "", p, SCREE_HUGE);
+		return check_vec((ArgumentPlace){call->function, call->points, shown}, "", p, SCREE_MAX_COORDINATE);
 	}
 	if (values->velocities)
 	{
@@ -114,7 +114,8 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 	Float4 value;
 	for (int k = 0; k < count; ++k)
 	{
-		TRY(check_body(world, (Where){call->function, call->bodies, call->alone ? ALONE : k}, "", bodies[k], &index));
+		TRY(check_body(world, (ArgumentPlace){call->function, call->bodies, call->alone ? ALONE : k}, "", bodies[k],
+		               &index));
 		TRY(value_at(call, values, k, &value));
 	}
 	TRY(edits_reserve(world, call->function, 0, 0, count));

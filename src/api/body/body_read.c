@@ -33,7 +33,7 @@ static scree_status read_rows(scree_world* world, const char* function, const ch
 	for (int k = 0; k < count; ++k)
 	{
 		int index = 0;
-		TRY(check_body(world, (Where){function, argument, alone ? ALONE : k}, "", bodies[k], &index));
+		TRY(check_body(world, (ArgumentPlace){function, argument, alone ? ALONE : k}, "", bodies[k], &index));
 		low = k == 0 || index < low ? index : low;
 		high = index > high ? index : high;
 	}
@@ -171,7 +171,7 @@ static scree_status point_pose(scree_world* world, const char* function, scree_b
                                scree_vec point, const char* result, const void* out, scree_pose* pose)
 {
 	TRY(check_read(world, function, &body, result, out, 1));
-	TRY(check_vec((Where){function, argument, ALONE}, "", point, SCREE_HUGE));
+	TRY(check_vec((ArgumentPlace){function, argument, ALONE}, "", point, SCREE_MAX_COORDINATE));
 	return get_poses(world, function, "body", &body, pose, 1, true);
 }
 

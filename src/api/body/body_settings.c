@@ -18,7 +18,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 {
 	int index = 0;
 	TRY(check_pointer(function, "world", world));
-	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index));
 	*host = world->host_bodies + index;
 	return check_pointer(function, argument, out);
 }
@@ -27,7 +27,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 static scree_status lookup_to_set(scree_world* world, const char* function, scree_body body, int commands, int* index)
 {
 	TRY(world_check(world, function));
-	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, index));
+	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, index));
 	return edits_reserve(world, function, 0, world->host_bodies[*index].collidables, commands);
 }
 
@@ -36,7 +36,7 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 	const char* function = "scree_body_set_type";
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 4, &index));
-	TRY(check_type((Where){function, "type", ALONE}, "", type));
+	TRY(check_type((ArgumentPlace){function, "type", ALONE}, "", type));
 	HostBody* host = world->host_bodies + index;
 	if (host->type == type)
 		return SCREE_OK;
@@ -86,8 +86,8 @@ scree_status scree_body_set_damping(scree_world* world, scree_body body, float l
 	const char* function = "scree_body_set_damping";
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 1, &index));
-	TRY(check_real((Where){function, "linear", ALONE}, "", linear, 0.0f, FLT_MAX));
-	TRY(check_real((Where){function, "angular", ALONE}, "", angular, 0.0f, FLT_MAX));
+	TRY(check_real((ArgumentPlace){function, "linear", ALONE}, "", linear, 0.0f, FLT_MAX));
+	TRY(check_real((ArgumentPlace){function, "angular", ALONE}, "", angular, 0.0f, FLT_MAX));
 	world->host_bodies[index].linear_damping = linear;
 	world->host_bodies[index].angular_damping = angular;
 	body_send_motion(world, index);
@@ -110,7 +110,7 @@ scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, f
 	const char* function = "scree_body_set_gravity_scale";
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 1, &index));
-	TRY(check_real((Where){function, "scale", ALONE}, "", scale, -FLT_MAX, FLT_MAX));
+	TRY(check_real((ArgumentPlace){function, "scale", ALONE}, "", scale, -FLT_MAX, FLT_MAX));
 	world->host_bodies[index].gravity_scale = scale;
 	body_send_motion(world, index);
 	return SCREE_OK;
@@ -129,7 +129,7 @@ scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t 
 	const char* function = "scree_body_set_locks";
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 3, &index));
-	TRY(check_locks((Where){function, "locks", ALONE}, "", locks));
+	TRY(check_locks((ArgumentPlace){function, "locks", ALONE}, "", locks));
 	mass_settle(world);
 	world->host_bodies[index].locks = locks;
 	mass_set(world, index, world->host_bodies[index].mass);
@@ -197,7 +197,7 @@ static scree_status set_enabled(scree_world* world, const char* function, const 
 	int index = 0, collidables = 0;
 	for (int k = 0; k < count; ++k)
 	{
-		TRY(check_body(world, (Where){function, argument, alone ? ALONE : k}, "", bodies[k], &index));
+		TRY(check_body(world, (ArgumentPlace){function, argument, alone ? ALONE : k}, "", bodies[k], &index));
 		collidables += world->host_bodies[index].collidables;
 	}
 	TRY(edits_reserve(world, function, 0, collidables, 2 * count));

@@ -5,7 +5,8 @@
 #include "world/objects/targets.h"
 #include "world/world.h"
 
-static scree_status check_target(const scree_world* world, Where body, Where value, scree_body handle, scree_pose* pose)
+static scree_status check_target(const scree_world* world, ArgumentPlace body, ArgumentPlace value, scree_body handle,
+                                 scree_pose* pose)
 {
 	static const char* const types[] = {"static", "kinematic", "dynamic"};
 	int index = 0;
@@ -16,8 +17,8 @@ static scree_status check_target(const scree_world* world, Where body, Where val
 	return check_pose(value, "", pose);
 }
 
-static scree_status set(scree_world* world, Where body, Where value, const scree_body* bodies, const scree_pose* poses,
-                        int count)
+static scree_status set(scree_world* world, ArgumentPlace body, ArgumentPlace value, const scree_body* bodies,
+                        const scree_pose* poses, int count)
 {
 	const char* function = body.function;
 	bool alone = body.index == ALONE;
@@ -43,11 +44,13 @@ static scree_status set(scree_world* world, Where body, Where value, const scree
 scree_status scree_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
 {
 	const char* function = "scree_bodies_set_targets";
-	return set(world, (Where){function, "bodies", 0}, (Where){function, "poses", 0}, bodies, poses, count);
+	return set(world, (ArgumentPlace){function, "bodies", 0}, (ArgumentPlace){function, "poses", 0}, bodies, poses,
+	           count);
 }
 
 scree_status scree_body_set_target(scree_world* world, scree_body body, scree_pose pose)
 {
 	const char* function = "scree_body_set_target";
-	return set(world, (Where){function, "body", ALONE}, (Where){function, "pose", ALONE}, &body, &pose, 1);
+	return set(world, (ArgumentPlace){function, "body", ALONE}, (ArgumentPlace){function, "pose", ALONE}, &body, &pose,
+	           1);
 }

@@ -25,16 +25,16 @@ void scree_attribute_def_default_sized(scree_attribute_def* def, size_t size)
 // Checks a definition and makes it canonical: equal values, equal bytes.
 static scree_status check_def(const char* function, scree_attribute_def* def)
 {
-	Where at = {function, "def", ALONE};
-	TRY(shape_finish((Where){function, "def.shape", ALONE}, &def->shape));
+	ArgumentPlace at = {function, "def", ALONE};
+	TRY(shape_finish((ArgumentPlace){function, "def.shape", ALONE}, &def->shape));
 	if (def->density != 0.0f)
 		TRY(check_real(at, ".density (when it is not 0)", def->density, LEAST_DENSITY, MOST_DENSITY));
 	TRY(check_real(at, ".friction", def->friction, 0.0f, MOST_SURFACE));
 	TRY(check_real(at, ".restitution", def->restitution, 0.0f, MOST_RESTITUTION));
 	TRY(check_real(at, ".rolling_resistance", def->rolling_resistance, 0.0f, MOST_SURFACE));
-	TRY(check_real(at, ".tangent_speed", def->tangent_speed, -SCREE_HUGE, SCREE_HUGE));
+	TRY(check_real(at, ".tangent_speed", def->tangent_speed, -SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE));
 
-	TRY(check_vec(at, ".one_way", def->one_way, SCREE_HUGE));
+	TRY(check_vec(at, ".one_way", def->one_way, SCREE_MAX_COORDINATE));
 	if (def->material < 0 || def->material >= MATERIALS)
 		return refuse(SCREE_ERROR_INVALID, at, ".material", "is %d, must be from 0 to %d", def->material,
 		              MATERIALS - 1);
@@ -65,7 +65,7 @@ scree_status scree_attribute_create(scree_world* world, const scree_attribute_de
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "def", def));
 	TRY(check_pointer(function, "attribute", attribute));
-	TRY(check_definition((Where){function, "def", ALONE}, def, 0, &attribute_definition));
+	TRY(check_definition((ArgumentPlace){function, "def", ALONE}, def, 0, &attribute_definition));
 	scree_attribute_def local;
 	scree_attribute_def plain = *(const scree_attribute_def*)definition_at(def, 0, &attribute_definition, &local);
 	TRY(check_def(function, &plain));
@@ -82,7 +82,7 @@ scree_status scree_attribute_get_def_sized(const scree_world* world, scree_attri
 	TRY(check_pointer(function, "world", world));
 	TRY(check_pointer(function, "def", def));
 	int index = 0;
-	TRY(check_attribute(world, (Where){function, "attribute", ALONE}, "", attribute, &index));
+	TRY(check_attribute(world, (ArgumentPlace){function, "attribute", ALONE}, "", attribute, &index));
 	scree_attribute_def known = world->attributes[index];
 	known.size = (uint32_t)size;
 	write_result(def, size, &known, sizeof known);
@@ -94,7 +94,7 @@ scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribu
 	const char* function = "scree_attribute_destroy";
 	TRY(world_check(world, function));
 	int index = 0;
-	Where at = {function, "attribute", ALONE};
+	ArgumentPlace at = {function, "attribute", ALONE};
 	TRY(check_attribute(world, at, "", attribute, &index));
 	const HostAttribute* host = world->host_attributes + index;
 	if (host->claims == 1 && host->collidables > 0)

@@ -22,7 +22,7 @@ bool scree_collidable_is_valid(const scree_world* world, scree_collidable collid
 	return world && collidable_is_valid(world, collidable);
 }
 
-static scree_status check_def(const scree_world* world, Where at, const scree_collidable_def* defs, int k,
+static scree_status check_def(const scree_world* world, ArgumentPlace at, const scree_collidable_def* defs, int k,
                               HostCollidable* made)
 {
 	scree_collidable_def local;
@@ -49,7 +49,7 @@ static scree_status create(scree_world* world, const char* function, const char*
 	TRY(check_batch(function, argument, defs, count));
 	HostCollidable made;
 	for (int k = 0; k < count; ++k)
-		TRY(check_def(world, (Where){function, argument, alone ? ALONE : k}, defs, k, &made));
+		TRY(check_def(world, (ArgumentPlace){function, argument, alone ? ALONE : k}, defs, k, &made));
 	TRY(collidables_reserve(world, function, count));
 	TRY(edits_reserve(world, function, 0, count, count));
 	int* slots = world_scratch(world, 2 * (size_t)count * sizeof *slots);
@@ -59,14 +59,14 @@ static scree_status create(scree_world* world, const char* function, const char*
 	int* bodies = slots + count;
 	for (int k = 0; k < count; ++k)
 	{
-		check_def(world, (Where){function, argument, k}, defs, k, &made);
+		check_def(world, (ArgumentPlace){function, argument, k}, defs, k, &made);
 		bodies[k] = made.body;
 		slots[k] = kind_on_body(world, made.body);
 	}
 	TRY(collidables_allocate(world, slots, count));
 	for (int k = 0; k < count; ++k)
 	{
-		check_def(world, (Where){function, argument, k}, defs, k, &made);
+		check_def(world, (ArgumentPlace){function, argument, k}, defs, k, &made);
 		collidable_put(world, slots[k], &made);
 		if (collidables)
 			collidables[k] = collidable_handle(world, slots[k]);
@@ -100,7 +100,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	int marked = 0;
 	for (int index = 0; marked < count && status == SCREE_OK;)
 	{
-		Where at = {function, argument, alone ? ALONE : marked};
+		ArgumentPlace at = {function, argument, alone ? ALONE : marked};
 		status = check_collidable(world, at, collidables[marked], &index);
 		if (status == SCREE_OK && world->host_collidables[index].marked)
 			status = refuse(SCREE_ERROR_STALE, at, "", "is twice in the batch");
@@ -150,7 +150,7 @@ scree_status scree_body_get_collidables(const scree_world* world, scree_body bod
 	}
 	else
 	{
-		TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+		TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index));
 		for (int k = world->host_bodies[index].first_collidable; k >= 0; k = world->host_collidables[k].next)
 		{
 			if (listed < capacity)

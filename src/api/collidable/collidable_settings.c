@@ -16,7 +16,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 {
 	int index = 0;
 	TRY(check_pointer(function, "world", world));
-	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	TRY(check_collidable(world, (ArgumentPlace){function, "collidable", ALONE}, collidable, &index));
 	*host = world->host_collidables + index;
 	return check_pointer(function, argument, out);
 }
@@ -50,8 +50,8 @@ scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable
 	const char* function = "scree_collidable_set_attribute";
 	TRY(world_check(world, function));
 	int index = 0, now = 0;
-	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
-	TRY(check_attribute(world, (Where){function, "attribute", ALONE}, "", attribute, &now));
+	TRY(check_collidable(world, (ArgumentPlace){function, "collidable", ALONE}, collidable, &index));
+	TRY(check_attribute(world, (ArgumentPlace){function, "attribute", ALONE}, "", attribute, &now));
 	HostCollidable* host = world->host_collidables + index;
 	const scree_attribute_def *old = world->attributes + host->attribute, *def = world->attributes + now;
 	if (host->attribute == now)
@@ -117,7 +117,7 @@ scree_status scree_collidable_set_filter(scree_world* world, scree_collidable co
 	const char* function = "scree_collidable_set_filter";
 	TRY(world_check(world, function));
 	int index = 0;
-	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
+	TRY(check_collidable(world, (ArgumentPlace){function, "collidable", ALONE}, collidable, &index));
 	TRY(edits_reserve(world, function, 0, 1, 0));
 	TRY(mark_tree(world, index));
 	world->host_collidables[index].filter = filter;
@@ -139,8 +139,8 @@ static scree_status set_reports(scree_world* world, const char* function, const 
 	for (int k = 0; k < count; ++k)
 	{
 		int index;
-		TRY(check_collidable(world, (Where){function, argument, alone ? ALONE : k}, collidables[k], &index));
-		TRY(check_reports((Where){function, "reports", alone ? ALONE : k}, "", reports[k]));
+		TRY(check_collidable(world, (ArgumentPlace){function, argument, alone ? ALONE : k}, collidables[k], &index));
+		TRY(check_reports((ArgumentPlace){function, "reports", alone ? ALONE : k}, "", reports[k]));
 	}
 	TRY(edits_reserve(world, function, 0, 0, count));
 	for (int k = 0; k < count; ++k)
@@ -188,8 +188,8 @@ scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable co
 	const char* function = "scree_collidable_set_sensor";
 	TRY(world_check(world, function));
 	int index = 0;
-	TRY(check_collidable(world, (Where){function, "collidable", ALONE}, collidable, &index));
-	TRY(check_sensor((Where){function, "sensor", ALONE}, "", sensor));
+	TRY(check_collidable(world, (ArgumentPlace){function, "collidable", ALONE}, collidable, &index));
+	TRY(check_sensor((ArgumentPlace){function, "sensor", ALONE}, "", sensor));
 	HostCollidable* host = world->host_collidables + index;
 	if (host->sensor == sensor)
 		return SCREE_OK;
@@ -214,17 +214,18 @@ scree_status scree_collidables_set_poses(scree_world* world, const scree_collida
 	{
 		int index = 0;
 		scree_pose pose = poses[k];
-		TRY(check_collidable(world, (Where){function, "collidables", k}, collidables[k], &index));
+		TRY(check_collidable(world, (ArgumentPlace){function, "collidables", k}, collidables[k], &index));
 		if (world->host_collidables[index].body >= 0)
-			return refuse(SCREE_ERROR_INVALID, (Where){function, "collidables", k}, "", "belongs to a body: move that");
-		TRY(check_pose((Where){function, "poses", k}, "", &pose));
+			return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "collidables", k}, "",
+			              "belongs to a body: move that");
+		TRY(check_pose((ArgumentPlace){function, "poses", k}, "", &pose));
 	}
 	TRY(edits_reserve(world, function, 0, 0, count));
 	for (int k = 0; k < count; ++k)
 	{
 		int index = (int)collidables[k].index - 1;
 		scree_pose pose = poses[k];
-		check_pose((Where){function, "poses", k}, "", &pose);
+		check_pose((ArgumentPlace){function, "poses", k}, "", &pose);
 		world->host_collidables[index].pose = pose;
 		Float4 value = pose_row(pose);
 		edits_command(world, COMMAND_PLACE, index, value, 0);

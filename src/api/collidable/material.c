@@ -15,12 +15,13 @@ static scree_status check_material(const char* function, const char* argument, i
 {
 	if (material >= 0 && material < MATERIALS)
 		return SCREE_OK;
-	return refuse(SCREE_ERROR_INVALID, (Where){function, argument, ALONE}, "", "is %d, must be from 0 to %d", material,
-	              MATERIALS - 1);
+	return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, argument, ALONE}, "", "is %d, must be from 0 to %d",
+	              material, MATERIALS - 1);
 }
 
 // A number that counts unless it is NaN: its bit of MaterialPair.sets.
-static scree_status check_part(Where at, const char* member, float value, float low, float high, int bit, int* sets)
+static scree_status check_part(ArgumentPlace at, const char* member, float value, float low, float high, int bit,
+                               int* sets)
 {
 	if (isnan(value))
 		return SCREE_OK;
@@ -32,7 +33,7 @@ scree_status scree_world_set_material_pair(scree_world* world, int material_a, i
                                            const scree_material_pair* pair)
 {
 	const char* function = "scree_world_set_material_pair";
-	Where at = {function, "pair", ALONE};
+	ArgumentPlace at = {function, "pair", ALONE};
 	TRY(world_check(world, function));
 	TRY(check_material(function, "material_a", material_a));
 	TRY(check_material(function, "material_b", material_b));
@@ -45,7 +46,8 @@ scree_status scree_world_set_material_pair(scree_world* world, int material_a, i
 		row.sets = def->ignored ? MATERIAL_IGNORED : 0;
 		TRY(check_part(at, ".friction", def->friction, 0.0f, MOST_SURFACE, MATERIAL_FRICTION, &row.sets));
 		TRY(check_part(at, ".restitution", def->restitution, 0.0f, MOST_RESTITUTION, MATERIAL_RESTITUTION, &row.sets));
-		TRY(check_part(at, ".tangent_speed", def->tangent_speed, -SCREE_HUGE, SCREE_HUGE, MATERIAL_SPEED, &row.sets));
+		TRY(check_part(at, ".tangent_speed", def->tangent_speed, -SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE,
+		               MATERIAL_SPEED, &row.sets));
 		// adding zero makes a negative zero positive
 		row.friction = row.sets & MATERIAL_FRICTION ? def->friction + 0.0f : 0.0f;
 		row.restitution = row.sets & MATERIAL_RESTITUTION ? def->restitution + 0.0f : 0.0f;

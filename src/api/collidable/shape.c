@@ -17,8 +17,10 @@ scree_status scree_shape_make_box(float half_width, float half_height, scree_sha
 {
 	const char* function = "scree_shape_make_box";
 	TRY(check_pointer(function, "shape", shape));
-	TRY(check_real((Where){function, "half_width", ALONE}, "", half_width, SMALLEST_SIZE, SCREE_HUGE));
-	TRY(check_real((Where){function, "half_height", ALONE}, "", half_height, SMALLEST_SIZE, SCREE_HUGE));
+	TRY(check_real((ArgumentPlace){function, "half_width", ALONE}, "", half_width, SMALLEST_SIZE,
+	               SCREE_MAX_COORDINATE));
+	TRY(check_real((ArgumentPlace){function, "half_height", ALONE}, "", half_height, SMALLEST_SIZE,
+	               SCREE_MAX_COORDINATE));
 	float w = half_width, h = half_height;
 	*shape = (scree_shape){.kind = SCREE_SHAPE_POLYGON, .count = 4, .vertices = {{-w, -h}, {w, -h}, {w, h}, {-w, h}}};
 	shape_fill(shape);
@@ -29,8 +31,8 @@ scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape
 {
 	const char* function = "scree_shape_make_circle";
 	TRY(check_pointer(function, "shape", shape));
-	TRY(check_vec((Where){function, "center", ALONE}, "", center, SCREE_HUGE));
-	TRY(check_real((Where){function, "radius", ALONE}, "", radius, SMALLEST_SIZE, SCREE_HUGE));
+	TRY(check_vec((ArgumentPlace){function, "center", ALONE}, "", center, SCREE_MAX_COORDINATE));
+	TRY(check_real((ArgumentPlace){function, "radius", ALONE}, "", radius, SMALLEST_SIZE, SCREE_MAX_COORDINATE));
 	*shape = (scree_shape){.kind = SCREE_SHAPE_CIRCLE, .count = 1, .radius = radius, .vertices = {center}};
 	shape_fill(shape);
 	return SCREE_OK;
@@ -40,9 +42,9 @@ scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, sc
 {
 	const char* function = "scree_shape_make_capsule";
 	TRY(check_pointer(function, "shape", shape));
-	TRY(check_vec((Where){function, "a", ALONE}, "", a, SCREE_HUGE));
-	TRY(check_vec((Where){function, "b", ALONE}, "", b, SCREE_HUGE));
-	TRY(check_real((Where){function, "radius", ALONE}, "", radius, SMALLEST_SIZE, SCREE_HUGE));
+	TRY(check_vec((ArgumentPlace){function, "a", ALONE}, "", a, SCREE_MAX_COORDINATE));
+	TRY(check_vec((ArgumentPlace){function, "b", ALONE}, "", b, SCREE_MAX_COORDINATE));
+	TRY(check_real((ArgumentPlace){function, "radius", ALONE}, "", radius, SMALLEST_SIZE, SCREE_MAX_COORDINATE));
 	TRY(check_ends(function, a, b));
 	*shape = (scree_shape){.kind = SCREE_SHAPE_CAPSULE, .count = 2, .radius = radius, .vertices = {a, b}};
 	shape_fill(shape);
@@ -53,8 +55,8 @@ scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* sha
 {
 	const char* function = "scree_shape_make_segment";
 	TRY(check_pointer(function, "shape", shape));
-	TRY(check_vec((Where){function, "a", ALONE}, "", a, SCREE_HUGE));
-	TRY(check_vec((Where){function, "b", ALONE}, "", b, SCREE_HUGE));
+	TRY(check_vec((ArgumentPlace){function, "a", ALONE}, "", a, SCREE_MAX_COORDINATE));
+	TRY(check_vec((ArgumentPlace){function, "b", ALONE}, "", b, SCREE_MAX_COORDINATE));
 	TRY(check_ends(function, a, b));
 	*shape = (scree_shape){.kind = SCREE_SHAPE_SEGMENT, .count = 2, .vertices = {a, b}};
 	shape_fill(shape);
@@ -77,7 +79,7 @@ static scree_status check_polygon(const char* function, const char* argument, co
 	TRY(check_pointer(function, "shape", shape));
 	if (count < 3 || count > most)
 		return fail(SCREE_ERROR_INVALID, "%s: count is %d, must be from 3 to %d", function, count, most);
-	TRY(check_real((Where){function, "radius", ALONE}, "", radius, 0.0f, SCREE_HUGE));
+	TRY(check_real((ArgumentPlace){function, "radius", ALONE}, "", radius, 0.0f, SCREE_MAX_COORDINATE));
 	return check_points(function, argument, points, count);
 }
 
@@ -108,17 +110,17 @@ scree_status scree_shape_make_hull(const scree_vec* points, int count, float rad
 	return SCREE_OK;
 }
 
-scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* moved)
+scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* transformed)
 {
 	const char* function = "scree_shape_transform";
 	TRY(check_pointer(function, "shape", shape));
-	TRY(check_pointer(function, "moved", moved));
-	TRY(check_pose((Where){function, "pose", ALONE}, "", &pose));
+	TRY(check_pointer(function, "transformed", transformed));
+	TRY(check_pose((ArgumentPlace){function, "pose", ALONE}, "", &pose));
 	scree_shape made = *shape;
-	TRY(shape_finish((Where){function, "shape", ALONE}, &made));
+	TRY(shape_finish((ArgumentPlace){function, "shape", ALONE}, &made));
 	for (int i = 0; i < made.count; ++i)
 		made.vertices[i] = pose_point(pose, made.vertices[i]);
-	TRY(shape_finish((Where){function, "moved", ALONE}, &made));
-	*moved = made;
+	TRY(shape_finish((ArgumentPlace){function, "transformed", ALONE}, &made));
+	*transformed = made;
 	return SCREE_OK;
 }

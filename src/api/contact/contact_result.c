@@ -8,7 +8,7 @@ static scree_contact_detail detail_of(float total_impulse, float approach_speed,
 	return (scree_contact_detail){total_impulse, approach_speed, total_impulse > 0.0f || separation <= 0.0f};
 }
 
-scree_contact contact_result(const Listed* row, bool details)
+scree_contact contact_result(const ContactReport* row, bool details)
 {
 	scree_contact contact = {
 	    .normal = {row->normal_x, row->normal_y}, .color = row->color, .count = (int)(row->flags & CONTACT_COUNT)};

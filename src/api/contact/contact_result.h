@@ -5,6 +5,6 @@
 #include "world/world.h"
 
 // From a row of the device, without names. details: with what it did in the last step.
-scree_contact contact_result(const Listed* row, bool details);
+scree_contact contact_result(const ContactReport* row, bool details);
 
 #endif

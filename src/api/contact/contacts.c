@@ -60,15 +60,15 @@ static bool both_were_there(const scree_world* world, Int2 pair)
 
 static bool is_wanted(const scree_world* world, const Rows* rows, int k, Word detected)
 {
-	Word flags = rows->flags[k] & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS);
+	Word flags = rows->flags[k] & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING);
 	return flags == (CONTACT_TOUCHING | detected) && both_were_there(world, rows->pair[k]);
 }
 
-static Listed listed_at(const scree_world* world, const Rows* rows, int k)
+static ContactReport contact_report_at(const scree_world* world, const Rows* rows, int k)
 {
 	int c = rows->place[k];
 	Int2 pair = rows->pair[k];
-	Listed row = {.pair = pair, .feature = rows->feature[k], .flags = rows->flags[k], .color = rows->color[k]};
+	ContactReport row = {.pair = pair, .feature = rows->feature[k], .flags = rows->flags[k], .color = rows->color[k]};
 	Real a[8], b[8], manifold[16];
 	gather_rows8((const float*)(rows->placed + pair.x), 0, a);
 	gather_rows8((const float*)(rows->placed + pair.y), 0, b);
@@ -83,8 +83,8 @@ static Listed listed_at(const scree_world* world, const Rows* rows, int k)
 		a[6] = bits_float(0);
 		b[6] = bits_float(1);
 	}
-	ContactPoints at = listed_points(shapes, a, b, manifold, row.flags, row.feature);
-	listed_place(&row, &at, a[0], a[1]);
+	ContactPoints at = contact_report_points(shapes, a, b, manifold, row.flags, row.feature);
+	contact_report_place(&row, &at, a[0], a[1]);
 	if (c >= 0)
 	{
 		const ContactRows* block = rows->blocks + c / MAX_LANES;
@@ -100,7 +100,7 @@ static Listed listed_at(const scree_world* world, const Rows* rows, int k)
 	return row;
 }
 
-static scree_contact contact_at(const scree_world* world, const Listed* row)
+static scree_contact contact_at(const scree_world* world, const ContactReport* row)
 {
 	Int2 pair = row->pair;
 	scree_contact contact = contact_result(row, world->def.contact_details);
@@ -137,7 +137,7 @@ static scree_status list(scree_world* world, const char* function, Word detected
 		{
 			if (!is_wanted(world, rows, k, detected))
 				continue;
-			Listed row = listed_at(world, rows, k);
+			ContactReport row = contact_report_at(world, rows, k);
 			scree_contact contact = contact_at(world, &row);
 			write_result((char*)contacts + size * (size_t)listed++, size, &contact, sizeof contact);
 		}
@@ -179,10 +179,10 @@ scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* o
 static scree_status list_rows(scree_world* world, const char* function, int found, scree_contact* contacts, size_t size,
                               int capacity, int* count)
 {
-	Listed* rows = world_scratch(world, (size_t)found * sizeof *rows);
+	ContactReport* rows = world_scratch(world, (size_t)found * sizeof *rows);
 	if (!rows)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d contacts", function, found);
-	TRY(world_read(world, POOL_listed, 0, found, rows));
+	TRY(world_read(world, POOL_contact_report, 0, found, rows));
 	int listed = 0;
 	for (int k = 0; k < found; ++k)
 	{
@@ -205,7 +205,7 @@ scree_status scree_body_get_contacts_sized(scree_world* world, scree_body body, 
 	const char* function = "scree_body_get_contacts";
 	int index = 0, found = 0;
 	TRY(world_check(world, function));
-	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index));
 	TRY(check_list(function, "contacts", contacts, capacity, count));
 	TRY(world_upload(world));
 	if (world->pipeline.counters.contacts > 0)

@@ -12,20 +12,20 @@
 #include <stdlib.h>
 
 // of structs from versions that know visits and joints
-#define LEAST_WITH_ASKED  (offsetof(scree_events, asked) + sizeof(const scree_contact*))
-#define LEAST_WITH_VISITS (offsetof(scree_events, joints) + sizeof(const scree_joint_event*))
+#define LEAST_WITH_APPROVALS (offsetof(scree_events, approvals) + sizeof(const scree_contact*))
+#define LEAST_WITH_VISITS    (offsetof(scree_events, joints) + sizeof(const scree_joint_event*))
 
 // The names of both sides of a contact or a hit.
 #define NAME(world, event, first, second, before)                                         \
 	do                                                                                    \
 	{                                                                                     \
-		Departed a_ = reports_name(world, first, before, &(event)->destroyed_a),          \
-		         b_ = reports_name(world, second, before, &(event)->destroyed_b);         \
+		CollidableName a_ = reports_name(world, first, before, &(event)->destroyed_a),    \
+		               b_ = reports_name(world, second, before, &(event)->destroyed_b);   \
 		(event)->a = a_.collidable, (event)->body_a = a_.body, (event)->user_a = a_.user; \
 		(event)->b = b_.collidable, (event)->body_b = b_.body, (event)->user_b = b_.user; \
 	} while (0)
 
-static scree_contact began_at(const scree_world* world, const Listed* row)
+static scree_contact began_at(const scree_world* world, const ContactReport* row)
 {
 	scree_contact contact = contact_result(row, true);
 	NAME(world, &contact, row->pair.x, row->pair.y, false);
@@ -39,7 +39,7 @@ static scree_contact ended_at(const scree_world* world, Word64 pair)
 	return contact;
 }
 
-static scree_hit hit_at(const scree_world* world, const Listed* row)
+static scree_hit hit_at(const scree_world* world, const ContactReport* row)
 {
 	bool second = (row->flags & CONTACT_COUNT) == 2 && row->detail.y > row->detail.x;
 	scree_hit hit = {.point =
@@ -71,7 +71,7 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	if (events->size < least || events->size > MOST_SIZE || events->contact_size > MOST_SIZE ||
 	    events->hit_size > MOST_SIZE ||
 	    (events->size >= LEAST_WITH_VISITS && (events->visit_size > MOST_SIZE || events->joint_size > MOST_SIZE)))
-		return refuse(SCREE_ERROR_INVALID, (Where){function, "events", ALONE}, ".size",
+		return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "events", ALONE}, ".size",
 		              "is %u, and those of contacts and hits %u and %u: they were not set by %s", events->size,
 		              events->contact_size, events->hit_size, function);
 	TRY(reports_fetch(world));
@@ -89,7 +89,7 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	if (joint > 0)
 		TRY(joint_events_find(world, function, &joint_rows, &joints));
 	bytes += joint * (size_t)joints;
-	int asked = events->size >= LEAST_WITH_ASKED ? counts[EVENT_ASKED] : 0;
+	int asked = events->size >= LEAST_WITH_APPROVALS ? counts[EVENT_APPROVALS] : 0;
 	bytes += (size_t)asked * contact;
 	if (bytes > INT32_MAX)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: %zu bytes of events are too many", function, bytes);
@@ -106,7 +106,7 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	                       .visits_ended_count = sensors->ended_count,
 	                       .joint_size = (uint32_t)joint,
 	                       .joint_count = joints,
-	                       .asked_count = asked};
+	                       .approval_count = asked};
 	char* to = r->rows;
 	result.touches_began = (const scree_contact*)to;
 	for (int k = 0; k < counts[EVENT_TOUCH_BEGAN]; ++k, to += contact)
@@ -136,7 +136,7 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 		scree_joint_event row = joint_event_result(world, joint_rows + k);
 		write_result(to, joint, &row, sizeof row);
 	}
-	result.asked = (const scree_contact*)to;
+	result.approvals = (const scree_contact*)to;
 	for (int k = 0; k < asked; ++k, to += contact)
 	{
 		scree_contact row = began_at(world, r->asked + k);
@@ -152,16 +152,16 @@ static int compare_pairs(const void* a, const void* b)
 	return first < second ? -1 : first > second;
 }
 
-scree_status scree_world_answer_asked(scree_world* world, const bool* answers, int count)
+scree_status scree_world_approve_contacts(scree_world* world, const bool* answers, int count)
 {
-	const char* function = "scree_world_answer_asked";
+	const char* function = "scree_world_approve_contacts";
 	TRY(world_check(world, function));
 	TRY(check_batch(function, "answers", answers, count));
 	TRY(reports_fetch(world));
 	Reports* r = &world->reports;
-	if (count != r->counts[EVENT_ASKED])
+	if (count != r->counts[EVENT_APPROVALS])
 		return fail(SCREE_ERROR_INVALID, "%s: count is %d, and %d contacts wait for an answer", function, count,
-		            r->counts[EVENT_ASKED]);
+		            r->counts[EVENT_APPROVALS]);
 	TRY(GROW(function, r->allowed, r->allowed_capacity, count));
 	r->answered = count > 0;
 	r->allowed_count = 0;
@@ -177,8 +177,8 @@ scree_status scree_world_set_hit_thresholds(scree_world* world, float speed, flo
 {
 	const char* function = "scree_world_set_hit_thresholds";
 	TRY(world_check(world, function));
-	TRY(check_real((Where){function, "speed", ALONE}, "", speed, 0.0f, FLT_MAX));
-	TRY(check_real((Where){function, "impulse", ALONE}, "", impulse, 0.0f, FLT_MAX));
+	TRY(check_real((ArgumentPlace){function, "speed", ALONE}, "", speed, 0.0f, FLT_MAX));
+	TRY(check_real((ArgumentPlace){function, "impulse", ALONE}, "", impulse, 0.0f, FLT_MAX));
 	world->def.hit_speed = speed;
 	world->def.hit_impulse = impulse;
 	return SCREE_OK;

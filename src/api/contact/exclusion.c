@@ -9,10 +9,10 @@
 static scree_status check_pair(const scree_world* world, const char* function, const char* const arguments[2], int k,
                                scree_body a, scree_body b, int bodies[2])
 {
-	TRY(check_body(world, (Where){function, arguments[0], k}, "", a, bodies));
-	TRY(check_body(world, (Where){function, arguments[1], k}, "", b, bodies + 1));
+	TRY(check_body(world, (ArgumentPlace){function, arguments[0], k}, "", a, bodies));
+	TRY(check_body(world, (ArgumentPlace){function, arguments[1], k}, "", b, bodies + 1));
 	if (bodies[0] == bodies[1])
-		return refuse(SCREE_ERROR_INVALID, (Where){function, arguments[1], k}, "",
+		return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, arguments[1], k}, "",
 		              "is the same body (index %u) as %s: a body never touches itself", b.index, arguments[0]);
 	return SCREE_OK;
 }
@@ -64,7 +64,7 @@ scree_status scree_body_get_excluded(scree_world* world, scree_body body, scree_
 	const char* function = "scree_body_get_excluded";
 	int index = 0, listed = 0;
 	TRY(world_check(world, function));
-	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index));
 	TRY(check_list(function, "others", others, capacity, count));
 	const HostBody* host = world->host_bodies + index;
 	// the list begins with the newest pair: what does not fit is not always the last

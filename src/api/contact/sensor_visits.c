@@ -10,8 +10,8 @@
 scree_visit visit_result(const scree_world* world, const Visit* visit)
 {
 	scree_visit result = {.time = visit->time};
-	Departed sensor = reports_name(world, visit->sensor, visit->before, &result.destroyed_sensor),
-	         visitor = reports_name(world, visit->visitor, visit->before, &result.destroyed_visitor);
+	CollidableName sensor = reports_name(world, visit->sensor, visit->before, &result.destroyed_sensor),
+	               visitor = reports_name(world, visit->visitor, visit->before, &result.destroyed_visitor);
 	result.sensor = sensor.collidable;
 	result.body_sensor = sensor.body;
 	result.user_sensor = sensor.user;
@@ -27,10 +27,10 @@ scree_status scree_collidable_get_visits_sized(scree_world* world, scree_collida
 	const char* function = "scree_collidable_get_visits";
 	int index = 0, first;
 	TRY(world_check(world, function));
-	TRY(check_collidable(world, (Where){function, "sensor", ALONE}, sensor, &index));
+	TRY(check_collidable(world, (ArgumentPlace){function, "sensor", ALONE}, sensor, &index));
 	TRY(check_list(function, "visits", visits, capacity, count));
 	if (!world->host_collidables[index].sensor)
-		return refuse(SCREE_ERROR_INVALID, (Where){function, "sensor", ALONE}, "", "(index %u) is no sensor",
+		return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "sensor", ALONE}, "", "(index %u) is no sensor",
 		              sensor.index);
 	// what the sensor was before it became another one is not its own
 	bool was_there = world->host_collidables[index].born < world->pipeline.steps;

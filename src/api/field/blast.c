@@ -60,26 +60,26 @@ static scree_status push_one(const scree_world* world, const scree_blast_def* de
 	return SCREE_OK;
 }
 
-static bool in_world(scree_vec v) { return fabsf(v.x) <= SCREE_HUGE && fabsf(v.y) <= SCREE_HUGE; }
+static bool in_world(scree_vec v) { return fabsf(v.x) <= SCREE_MAX_COORDINATE && fabsf(v.y) <= SCREE_MAX_COORDINATE; }
 
 static scree_status push(scree_world* world, const char* function, const scree_blast_def* def,
-                         const scree_found_list* list, Push* p, int* count)
+                         const scree_query_results* list, Push* p, int* count)
 {
 	int pushed = 0;
 	for (int k = 0; k < list->count; ++k)
-		p->bodies[k] = owner_handle(world, (int)list->found[k].collidable.index - 1);
+		p->bodies[k] = owner_handle(world, (int)list->results[k].collidable.index - 1);
 	TRY(scree_bodies_get_poses(world, p->bodies, p->poses, list->count));
 	for (int k = 0; k < list->count; ++k)
 	{
-		int collidable = (int)list->found[k].collidable.index - 1;
+		int collidable = (int)list->results[k].collidable.index - 1;
 		scree_vec* impulse = p->impulses + pushed;
 		if (!in_world(pose_product(p->poses[k], world->host_collidables[collidable].pose).position))
 			continue;
 		TRY(push_one(world, def, collidable, p->poses[k], impulse, p->points + pushed));
 		if (!(fabsf(impulse->x) <= FLT_MAX && fabsf(impulse->y) <= FLT_MAX))
-			return refuse(SCREE_ERROR_INVALID, (Where){function, "def", ALONE}, ".impulse",
+			return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "def", ALONE}, ".impulse",
 			              "is %s: an impulse on collidable %u would not be finite", decimal(def->impulse).text,
-			              list->found[k].collidable.index);
+			              list->results[k].collidable.index);
 		p->bodies[pushed] = p->bodies[k];
 		pushed += in_world(p->points[pushed]);
 	}
@@ -100,23 +100,23 @@ static void swap_lists(scree_world* world)
 scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count)
 {
 	const char* function = "scree_world_blast";
-	Where at = {function, "def", ALONE};
+	ArgumentPlace at = {function, "def", ALONE};
 	scree_blast_def local;
-	scree_found_list list;
+	scree_query_results list;
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "def", def));
 	TRY(check_definition(at, def, 0, &blast_definition));
 	def = definition_at(def, 0, &blast_definition, &local);
-	TRY(check_vec(at, ".position", def->position, SCREE_HUGE));
-	TRY(check_real(at, ".radius", def->radius, 0.0f, SCREE_HUGE));
-	TRY(check_real(at, ".falloff", def->falloff, 0.0f, SCREE_HUGE));
+	TRY(check_vec(at, ".position", def->position, SCREE_MAX_COORDINATE));
+	TRY(check_real(at, ".radius", def->radius, 0.0f, SCREE_MAX_COORDINATE));
+	TRY(check_real(at, ".falloff", def->falloff, 0.0f, SCREE_MAX_COORDINATE));
 	TRY(check_real(at, ".impulse", def->impulse, -FLT_MAX, FLT_MAX));
 	scree_query_def query = scree_query_def_default();
 	query.kinds = SCREE_QUERY_DYNAMIC;
 	query.category = def->category;
 	query.mask = def->mask;
 	float reach = def->radius + def->falloff;
-	scree_ray circle = {.origin = def->position, .radius = reach < SCREE_HUGE ? reach : SCREE_HUGE};
+	scree_ray circle = {.origin = def->position, .radius = reach < SCREE_MAX_COORDINATE ? reach : SCREE_MAX_COORDINATE};
 	swap_lists(world);
 	scree_status status = scree_world_list_rays(world, &query, &circle, 1, &list);
 	swap_lists(world);

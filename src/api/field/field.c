@@ -27,12 +27,12 @@ void scree_field_def_default_sized(scree_field_def* def, size_t size, scree_fiel
 	write_result(def, size, &made, sizeof made);
 }
 
-static scree_status check_region(Where at, scree_field_def* def)
+static scree_status check_region(ArgumentPlace at, scree_field_def* def)
 {
 	char argument[32];
 	snprintf(argument, sizeof argument, "%s.shape", at.argument);
 	if (def->shape.count != 0)
-		TRY(shape_finish((Where){at.function, argument, ALONE}, &def->shape));
+		TRY(shape_finish((ArgumentPlace){at.function, argument, ALONE}, &def->shape));
 	if (def->type == SCREE_FIELD_BUOYANCY && def->shape.count != 0 &&
 	    (def->shape.kind != SCREE_SHAPE_POLYGON || def->shape.radius > 0.0f))
 		return refuse(SCREE_ERROR_INVALID, at, ".shape",
@@ -44,7 +44,7 @@ static scree_status check_region(Where at, scree_field_def* def)
 static scree_status check_def(const scree_world* world, const char* function, const scree_field_def* def,
                               scree_field_def* made, int* body)
 {
-	Where at = {function, "def", ALONE};
+	ArgumentPlace at = {function, "def", ALONE};
 	scree_field_def local;
 	TRY(check_pointer(function, "def", def));
 	TRY(check_definition(at, def, 0, &field_definition));
@@ -60,14 +60,14 @@ static scree_status check_def(const scree_world* world, const char* function, co
 	TRY(check_region(at, made));
 	TRY(check_vec(at, ".acceleration", made->acceleration, MOST_STRENGTH));
 	TRY(check_vec(at, ".force", made->force, MOST_STRENGTH));
-	TRY(check_vec(at, ".velocity", made->velocity, SCREE_HUGE));
+	TRY(check_vec(at, ".velocity", made->velocity, SCREE_MAX_COORDINATE));
 	const struct
 	{
 		const char* member;
 		float value, least, most;
 	} numbers[] = {{".strength", made->strength, -MOST_STRENGTH, MOST_STRENGTH},
-	               {".radius", made->radius, LEAST_FALLOFF, SCREE_HUGE},
-	               {".softening", made->softening, 0.0f, SCREE_HUGE},
+	               {".radius", made->radius, LEAST_FALLOFF, SCREE_MAX_COORDINATE},
+	               {".softening", made->softening, 0.0f, SCREE_MAX_COORDINATE},
 	               {".density", made->density, 0.0f, MOST_STRENGTH},
 	               {".drag", made->drag, 0.0f, MOST_STRENGTH},
 	               {".lift", made->lift, 0.0f, MOST_STRENGTH},
@@ -98,7 +98,7 @@ scree_status scree_field_create(scree_world* world, const scree_field_def* def, 
 static scree_status lookup(const scree_world* world, const char* function, scree_field field, int* index)
 {
 	TRY(world_check(world, function));
-	return check_field(world, (Where){function, "field", ALONE}, field, index);
+	return check_field(world, (ArgumentPlace){function, "field", ALONE}, field, index);
 }
 
 scree_status scree_field_destroy(scree_world* world, scree_field field)
@@ -128,7 +128,7 @@ scree_status scree_field_get_def_sized(const scree_world* world, scree_field fie
 	int index = 0;
 	TRY(check_pointer(function, "world", world));
 	TRY(check_pointer(function, "def", def));
-	TRY(check_field(world, (Where){function, "field", ALONE}, field, &index));
+	TRY(check_field(world, (ArgumentPlace){function, "field", ALONE}, field, &index));
 	scree_field_def known = world->fields.host[index].def;
 	known.size = (uint32_t)size;
 	write_result(def, size, &known, sizeof known);
@@ -140,7 +140,7 @@ scree_status scree_field_set_pose(scree_world* world, scree_field field, scree_p
 	const char* function = "scree_field_set_pose";
 	int index = 0;
 	TRY(lookup(world, function, field, &index));
-	TRY(check_pose((Where){function, "pose", ALONE}, "", &pose));
+	TRY(check_pose((ArgumentPlace){function, "pose", ALONE}, "", &pose));
 	world->fields.host[index].def.pose = pose;
 	world->fields.stale = true;
 	return SCREE_OK;

@@ -13,14 +13,15 @@ static const scree_joint_def* def_at(const scree_joint_def* defs, int k, scree_j
 	return definition_at(defs, k, &joint_definition, local);
 }
 
-static scree_status check_end(const scree_world* world, Where at, const char* member, scree_body body, int* index)
+static scree_status check_end(const scree_world* world, ArgumentPlace at, const char* member, scree_body body,
+                              int* index)
 {
 	*index = 0;
 	return scree_body_is_null(body) ? SCREE_OK : check_body(world, at, member, body, index);
 }
 
 // Checks definition k of a batch, and copies it.
-static scree_status check_def(const scree_world* world, Where at, const scree_joint_def* defs, int k,
+static scree_status check_def(const scree_world* world, ArgumentPlace at, const scree_joint_def* defs, int k,
                               scree_joint_def* made, int bodies[2])
 {
 	TRY(check_definition(at, defs, k, &joint_definition));
@@ -43,7 +44,7 @@ static scree_status check_def(const scree_world* world, Where at, const scree_jo
 	if (made->type == SCREE_JOINT_PATH)
 	{
 		TRY(check_path(world, at, ".path", made->path, &path));
-		TRY(check_real(at, ".path_near", made->path_near, -SCREE_HUGE, SCREE_HUGE));
+		TRY(check_real(at, ".initial_along", made->initial_along, -SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE));
 	}
 	return check_joint_numbers(at, made);
 }
@@ -62,11 +63,11 @@ static scree_status create(scree_world* world, const char* function, const char*
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, defs, count));
 	for (int k = 0; k < count; ++k)
-		TRY(check_def(world, (Where){function, argument, alone ? ALONE : k}, defs, k, &made, bodies));
+		TRY(check_def(world, (ArgumentPlace){function, argument, alone ? ALONE : k}, defs, k, &made, bodies));
 	TRY(joints_reserve(world, function, count));
 	for (int k = 0; k < count; ++k)
 	{
-		check_def(world, (Where){function, argument, k}, defs, k, &made, bodies);
+		check_def(world, (ArgumentPlace){function, argument, k}, defs, k, &made, bodies);
 		int index = joint_put(world, &made, bodies[0], bodies[1]);
 		if (joints)
 			joints[k] = joint_handle(world, index);
@@ -93,7 +94,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	int marked = 0;
 	for (int index = 0; marked < count && status == SCREE_OK;)
 	{
-		Where at = {function, argument, alone ? ALONE : marked};
+		ArgumentPlace at = {function, argument, alone ? ALONE : marked};
 		status = check_joint(world, at, joints[marked], &index);
 		if (status == SCREE_OK && world->host_joints[index].marked)
 			status = refuse(SCREE_ERROR_STALE, at, "", "is twice in the batch");
@@ -158,7 +159,7 @@ scree_status scree_body_get_joints(const scree_world* world, scree_body body, sc
 	const char* function = "scree_body_get_joints";
 	int index = 0, listed = 0;
 	TRY(check_pointer(function, "world", world));
-	TRY(check_body(world, (Where){function, "body", ALONE}, "", body, &index));
+	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index));
 	TRY(check_list(function, "joints", joints, capacity, count));
 	// the list of a body begins with the newest joint: what does not fit is not always the last
 	int total = 0;

@@ -12,7 +12,7 @@
 typedef struct // a batch of changes
 {
 	scree_world* world;
-	Where joint, value;
+	ArgumentPlace joint, value;
 	const scree_joint* joints;
 	int count;
 	scree_coordinate which;
@@ -21,17 +21,17 @@ typedef struct // a batch of changes
 } Change;
 
 // Value k of a batch, checked and written to a definition.
-typedef scree_status (*Setter)(const Change* change, Where at, const void* values, int k, scree_joint_def* def);
+typedef scree_status (*Setter)(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def);
 
 // Checks all joints and values, then writes all.
 static scree_status change_all(const Change* change, const void* values, Setter set)
 {
 	scree_world* world = change->world;
-	Where at = change->joint, value = change->value;
+	ArgumentPlace at = change->joint, value = change->value;
 	TRY(world_check(world, at.function));
 	TRY(check_batch(at.function, at.argument, change->joints, change->count));
 	TRY(check_batch(at.function, value.argument, values, change->count));
-	TRY(check_which((Where){at.function, "which", ALONE}, change->which));
+	TRY(check_which((ArgumentPlace){at.function, "which", ALONE}, change->which));
 	for (int k = 0, index = 0; k < change->count; ++k)
 	{
 		if (at.index != ALONE)
@@ -71,7 +71,8 @@ static Change single(scree_world* world, const char* function, const char* value
 // coordinates
 // ---------------------------------------------------------------------------------------------------------------
 
-static scree_status set_coordinate(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+static scree_status set_coordinate(const Change* change, ArgumentPlace at, const void* values, int k,
+                                   scree_joint_def* def)
 {
 	const scree_joint_coordinate* value = (const scree_joint_coordinate*)values + k;
 	TRY(check_coordinate(at, def->type, change->which, value));
@@ -101,19 +102,19 @@ scree_status scree_joint_get_coordinate(const scree_world* world, scree_joint jo
 	const char* function = "scree_joint_get_coordinate";
 	int index = 0;
 	TRY(check_pointer(function, "world", world));
-	TRY(check_joint(world, (Where){function, "joint", ALONE}, joint, &index));
-	TRY(check_which((Where){function, "which", ALONE}, which));
+	TRY(check_joint(world, (ArgumentPlace){function, "joint", ALONE}, joint, &index));
+	TRY(check_which((ArgumentPlace){function, "which", ALONE}, which));
 	TRY(check_pointer(function, "value", value));
 	*value = world->host_joints[index].def.coordinates[which];
 	return SCREE_OK;
 }
 
 // One number of a coordinate.
-static scree_status set_number(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+static scree_status set_number(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def)
 {
 	float value = ((const float*)values)[k];
 	memcpy((char*)(def->coordinates + change->which) + change->member, &value, sizeof value);
-	return check_real(at, "", value, -SCREE_HUGE, SCREE_HUGE);
+	return check_real(at, "", value, -SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE);
 }
 
 scree_status scree_joints_set_targets(scree_world* world, const scree_joint* joints, scree_coordinate which,
@@ -156,7 +157,7 @@ typedef struct
 	const char *name_a, *name_b;
 } Frames;
 
-static scree_status set_frames(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+static scree_status set_frames(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def)
 {
 	const Frames* frames = values;
 	def->frame_a = frames->a[k];
@@ -193,7 +194,7 @@ scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree
 // enabled or not
 // ---------------------------------------------------------------------------------------------------------------
 
-static scree_status set_enabled(const Change* change, Where at, const void* values, int k, scree_joint_def* def)
+static scree_status set_enabled(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def)
 {
 	def->disabled = !((const bool*)values)[k];
 	(void)change;

@@ -80,7 +80,7 @@ void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, siz
 }
 
 // The frame of a body, or of the world, that lies at a pose in the world.
-static scree_status place(scree_world* world, Where at, const char* member, scree_body body, scree_pose pose,
+static scree_status place(scree_world* world, ArgumentPlace at, const char* member, scree_body body, scree_pose pose,
                           scree_pose* frame)
 {
 	int index = 0;
@@ -99,11 +99,11 @@ static scree_status place(scree_world* world, Where at, const char* member, scre
 
 scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose)
 {
-	Where at = {"scree_joint_def_place", "def", ALONE};
+	ArgumentPlace at = {"scree_joint_def_place", "def", ALONE};
 	TRY(world_check(world, at.function));
 	TRY(check_pointer(at.function, "def", def));
 	TRY(check_definition(at, def, 0, &joint_definition));
-	TRY(check_pose((Where){at.function, "pose", ALONE}, "", &pose));
+	TRY(check_pose((ArgumentPlace){at.function, "pose", ALONE}, "", &pose));
 	scree_pose frame_a, frame_b;
 	TRY(place(world, at, ".body_a", def->body_a, pose, &frame_a));
 	TRY(place(world, at, ".body_b", def->body_b, pose, &frame_b));
@@ -115,7 +115,7 @@ scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scr
 
 scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, float along)
 {
-	Where at = {"scree_joint_def_mount", "def", ALONE};
+	ArgumentPlace at = {"scree_joint_def_mount", "def", ALONE};
 	int path = 0, body;
 	TRY(world_check(world, at.function));
 	TRY(check_pointer(at.function, "def", def));
@@ -126,7 +126,8 @@ scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, flo
 		return refuse(SCREE_ERROR_INVALID, at, ".type", "is %s: only a path can be mounted",
 		              scree_joint_type_name(def->type));
 	TRY(check_path(world, at, ".path", def->path, &path));
-	TRY(check_real((Where){at.function, "along", ALONE}, "", along, -SCREE_HUGE, SCREE_HUGE));
+	TRY(check_real((ArgumentPlace){at.function, "along", ALONE}, "", along, -SCREE_MAX_COORDINATE,
+	               SCREE_MAX_COORDINATE));
 	scree_pose frame = def->frame_a, own = {{0.0f, 0.0f}, {1.0f, 0.0f}};
 	TRY(check_pose(at, ".frame_a", &frame));
 	if (!scree_body_is_null(def->body_a))
@@ -136,12 +137,12 @@ scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, flo
 	}
 	scree_pose pose = pose_product(pose_product(own, frame), path_pose_at(world, path, along));
 	TRY(place(world, at, ".body_b", def->body_b, pose, &def->frame_b));
-	def->path_near = along;
+	def->initial_along = along;
 	return SCREE_OK;
 }
 
 // What side k of a definition measures now.
-static scree_status measure(scree_world* world, Where at, const scree_joint_def* def, int k, float* value)
+static scree_status measure(scree_world* world, ArgumentPlace at, const scree_joint_def* def, int k, float* value)
 {
 	static const char* const members[] = {".body_a", ".body_b"};
 	const scree_joint_side* side = def->sides + k;
@@ -169,7 +170,7 @@ static scree_status measure(scree_world* world, Where at, const scree_joint_def*
 
 scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def)
 {
-	Where at = {"scree_joint_def_couple", "def", ALONE};
+	ArgumentPlace at = {"scree_joint_def_couple", "def", ALONE};
 	float values[2];
 	TRY(world_check(world, at.function));
 	TRY(check_pointer(at.function, "def", def));
@@ -187,7 +188,7 @@ scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def)
 	for (int k = 0; k < 2; ++k)
 		TRY(measure(world, at, &made, k, values + k));
 	for (int k = 0; k < 2; ++k)
-		made.sides[k].near = made.sides[k].measure == SCREE_MEASURE_ANGLE ? values[k] : 0.0f;
+		made.sides[k].initial_angle = made.sides[k].measure == SCREE_MEASURE_ANGLE ? values[k] : 0.0f;
 	made.coordinates[SCREE_ALONG].target = values[1] + made.ratio * values[0];
 	TRY(check_coordinate(at, made.type, SCREE_ALONG, &made.coordinates[SCREE_ALONG]));
 	made.size = size;

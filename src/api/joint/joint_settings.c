@@ -10,7 +10,7 @@
 static scree_status lookup(const scree_world* world, const char* function, scree_joint joint, int* index)
 {
 	TRY(world_check(world, function));
-	return check_joint(world, (Where){function, "joint", ALONE}, joint, index);
+	return check_joint(world, (ArgumentPlace){function, "joint", ALONE}, joint, index);
 }
 
 scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz, float damping_ratio)
@@ -18,8 +18,8 @@ scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, fl
 	const char* function = "scree_joint_set_stiffness";
 	int index = 0;
 	TRY(lookup(world, function, joint, &index));
-	TRY(check_real((Where){function, "hertz", ALONE}, "", hertz, 0.0f, 1e6f));
-	TRY(check_real((Where){function, "damping_ratio", ALONE}, "", damping_ratio, 0.0f, 1e6f));
+	TRY(check_real((ArgumentPlace){function, "hertz", ALONE}, "", hertz, 0.0f, 1e6f));
+	TRY(check_real((ArgumentPlace){function, "damping_ratio", ALONE}, "", damping_ratio, 0.0f, 1e6f));
 	world->host_joints[index].def.hertz = hertz;
 	world->host_joints[index].def.damping_ratio = damping_ratio;
 	joint_changed(world, index, false);
@@ -33,8 +33,8 @@ static scree_status lookup_coupling(const scree_world* world, const char* functi
 	scree_joint_type type = world->host_joints[*index].def.type;
 	if (joint_couples(type))
 		return SCREE_OK;
-	return refuse(SCREE_ERROR_INVALID, (Where){function, "joint", ALONE}, "", "is of type %s, not a gear or a pulley",
-	              scree_joint_type_name(type));
+	return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "joint", ALONE}, "",
+	              "is of type %s, not a gear or a pulley", scree_joint_type_name(type));
 }
 
 scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float ratio)
@@ -42,7 +42,7 @@ scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float 
 	const char* function = "scree_joint_set_ratio";
 	int index = 0;
 	TRY(lookup_coupling(world, function, joint, &index));
-	TRY(check_gear_ratio((Where){function, "ratio", ALONE}, "", ratio));
+	TRY(check_gear_ratio((ArgumentPlace){function, "ratio", ALONE}, "", ratio));
 	world->host_joints[index].def.ratio = ratio;
 	joint_changed(world, index, false);
 	return SCREE_OK;
@@ -53,25 +53,26 @@ scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_
 	const char* function = "scree_joint_set_bases";
 	int index = 0;
 	TRY(lookup_coupling(world, function, joint, &index));
-	TRY(check_pose((Where){function, "base_a", ALONE}, "", &base_a));
-	TRY(check_pose((Where){function, "base_b", ALONE}, "", &base_b));
+	TRY(check_pose((ArgumentPlace){function, "base_a", ALONE}, "", &base_a));
+	TRY(check_pose((ArgumentPlace){function, "base_b", ALONE}, "", &base_b));
 	world->host_joints[index].def.sides[0].base = base_a;
 	world->host_joints[index].def.sides[1].base = base_b;
 	joint_changed(world, index, false);
 	return SCREE_OK;
 }
 
-scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque, bool breaks)
+scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque,
+                                        bool can_break)
 {
 	const char* function = "scree_joint_set_thresholds";
 	int index = 0;
 	TRY(lookup(world, function, joint, &index));
-	TRY(check_real((Where){function, "force", ALONE}, "", force, 0.0f, FLT_MAX));
-	TRY(check_real((Where){function, "torque", ALONE}, "", torque, 0.0f, FLT_MAX));
+	TRY(check_real((ArgumentPlace){function, "force", ALONE}, "", force, 0.0f, FLT_MAX));
+	TRY(check_real((ArgumentPlace){function, "torque", ALONE}, "", torque, 0.0f, FLT_MAX));
 	HostJoint* host = world->host_joints + index;
 	host->def.force_threshold = force;
 	host->def.torque_threshold = torque;
-	host->def.breaks = breaks;
+	host->def.can_break = can_break;
 	joint_changed(world, index, false);
 	return SCREE_OK;
 }
@@ -107,7 +108,7 @@ scree_status scree_joint_get_def_sized(const scree_world* world, scree_joint joi
 	const char* function = "scree_joint_get_def";
 	int index = 0;
 	TRY(check_pointer(function, "world", world));
-	TRY(check_joint(world, (Where){function, "joint", ALONE}, joint, &index));
+	TRY(check_joint(world, (ArgumentPlace){function, "joint", ALONE}, joint, &index));
 	TRY(check_pointer(function, "def", def));
 	scree_joint_def now = world->host_joints[index].def;
 	now.size = (uint32_t)size;

@@ -32,7 +32,7 @@ scree_status scree_joints_get_states_sized(scree_world* world, const scree_joint
 	TRY(check_batch(function, "states", states, count));
 	for (int k = 0, index = 0; k < count; ++k)
 	{
-		TRY(check_joint(world, (Where){function, "joints", k}, joints[k], &index));
+		TRY(check_joint(world, (ArgumentPlace){function, "joints", k}, joints[k], &index));
 		low = k == 0 || index < low ? index : low;
 		high = index > high ? index : high;
 	}
@@ -42,7 +42,7 @@ scree_status scree_joints_get_states_sized(scree_world* world, const scree_joint
 	JointState* rows = world_scratch(world, (size_t)(high - low + 1) * sizeof *rows);
 	if (!rows)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d joints", function, high - low + 1);
-	TRY(world_note(world, pipeline_show_joints(&world->pipeline, low, high - low + 1)));
+	TRY(world_note(world, pipeline_report_joints(&world->pipeline, low, high - low + 1)));
 	TRY(world_read(world, POOL_joint_state, low, high - low + 1, rows));
 	for (int k = 0; k < count; ++k)
 	{
@@ -60,7 +60,7 @@ static int compare_events(const void* a, const void* b)
 scree_status joint_events_find(scree_world* world, const char* function, JointEvent** rows, int* count)
 {
 	*count = 0;
-	if (!world->pipeline.drives)
+	if (!world->pipeline.has_drives)
 		return SCREE_OK;
 	TRY(world_read(world, POOL_counters, 0, 1, &world->pipeline.counters));
 	int found = world->pipeline.counters.joint_events;

@@ -17,7 +17,7 @@ void scree_path_def_default_sized(scree_path_def* def, size_t size)
 	write_result(def, size, &made, sizeof made);
 }
 
-static scree_status check_points(Where at, const scree_path_def* def)
+static scree_status check_points(ArgumentPlace at, const scree_path_def* def)
 {
 	int least = def->closed ? 3 : 2;
 	char member[32];
@@ -29,7 +29,7 @@ static scree_status check_points(Where at, const scree_path_def* def)
 	for (int k = 0; k < def->count; ++k)
 	{
 		snprintf(member, sizeof member, ".points[%d]", k);
-		TRY(check_vec(at, member, def->points[k], SCREE_HUGE));
+		TRY(check_vec(at, member, def->points[k], SCREE_MAX_COORDINATE));
 		if (k == 0 && !def->closed)
 			continue;
 		scree_vec a = def->points[k > 0 ? k - 1 : def->count - 1], b = def->points[k];
@@ -50,7 +50,7 @@ static scree_status check_points(Where at, const scree_path_def* def)
 scree_status scree_path_create(scree_world* world, const scree_path_def* def, scree_path* path)
 {
 	const char* function = "scree_path_create";
-	Where at = {function, "def", ALONE};
+	ArgumentPlace at = {function, "def", ALONE};
 	scree_path_def local;
 	int index;
 	TRY(world_check(world, function));
@@ -67,7 +67,7 @@ scree_status scree_path_create(scree_world* world, const scree_path_def* def, sc
 scree_status scree_path_destroy(scree_world* world, scree_path path)
 {
 	const char* function = "scree_path_destroy";
-	Where at = {function, "path", ALONE};
+	ArgumentPlace at = {function, "path", ALONE};
 	int index = 0;
 	TRY(world_check(world, function));
 	TRY(check_path(world, at, "", path, &index));
@@ -93,7 +93,7 @@ bool scree_path_is_closed(const scree_world* world, scree_path path)
 static scree_status lookup(const scree_world* world, const char* function, scree_path path, int* index)
 {
 	TRY(check_pointer(function, "world", world));
-	return check_path(world, (Where){function, "path", ALONE}, "", path, index);
+	return check_path(world, (ArgumentPlace){function, "path", ALONE}, "", path, index);
 }
 
 scree_status scree_path_get_length(const scree_world* world, scree_path path, float* length)
@@ -111,7 +111,7 @@ scree_status scree_path_get_pose(const scree_world* world, scree_path path, floa
 	const char* function = "scree_path_get_pose";
 	int index = 0;
 	TRY(lookup(world, function, path, &index));
-	TRY(check_real((Where){function, "along", ALONE}, "", along, -FLT_MAX, FLT_MAX));
+	TRY(check_real((ArgumentPlace){function, "along", ALONE}, "", along, -FLT_MAX, FLT_MAX));
 	TRY(check_pointer(function, "pose", pose));
 	*pose = path_pose_at(world, index, along);
 	return SCREE_OK;
@@ -123,7 +123,7 @@ scree_status scree_path_get_nearest(const scree_world* world, scree_path path, s
 	int index = 0;
 	float laps = 0.0f;
 	TRY(lookup(world, function, path, &index));
-	TRY(check_vec((Where){function, "point", ALONE}, "", point, SCREE_HUGE));
+	TRY(check_vec((ArgumentPlace){function, "point", ALONE}, "", point, SCREE_MAX_COORDINATE));
 	TRY(check_pointer(function, "along", along));
 	PathCurve curve = path_curve_of(world, index);
 	Vec at = {point.x, point.y};

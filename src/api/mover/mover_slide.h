@@ -18,7 +18,7 @@ typedef struct // one mover in a call
 	scree_collidable wall, ground;
 	bool crushed; // overlaps what it could not get out of: it stays where it was
 	bool stood;   // on ground when the call began, and does not jump
-} Walker;
+} MoverMotion;
 
 typedef struct // a call
 {
@@ -30,14 +30,14 @@ typedef struct // a call
 	float steepest;  // cosine of the steepest slope that is ground
 	int count, asked;
 	const scree_mover* movers;
-	Walker* walkers;
+	MoverMotion* motions;
 	scree_probe* probes; // the asked ones, their answers, and which walkers they are of
 	scree_ray* rays;
-	scree_found* found;
+	scree_query_result* found;
 	int* of;
 	scree_body* bodies; // of the ground, and their poses
 	scree_pose* poses;
-} Walk;
+} MoverCall;
 
 static inline float dot(scree_vec a, scree_vec b) { return a.x * b.x + a.y * b.y; }
 // a + s b
@@ -46,23 +46,23 @@ static inline scree_vec add_scaled(scree_vec a, float s, scree_vec b)
 	return (scree_vec){a.x + s * b.x, a.y + s * b.y};
 }
 
-// The world ends at SCREE_HUGE: movers stop there.
-scree_vec walk_within(scree_vec at);
+// The world ends at SCREE_MAX_COORDINATE: movers stop there.
+scree_vec mover_within(scree_vec at);
 
 // A walker is crushed by something: it stays where it was when the call began, out of what is static.
-void walk_crush(const Walk* walk, int k, scree_collidable by);
+void mover_crush(const MoverCall* call, int k, scree_collidable by);
 
 // Before anything moves: those that were crushed stay so while they overlap anything.
-scree_status walk_crushed(Walk* walk);
+scree_status mover_is_crushed(MoverCall* call);
 
 // Moves walkers out of what they overlap, until they keep their distance from everything or 8 rounds have passed. Those that overlap
 // something then are crushed.
-scree_status walk_recover(Walk* walk);
+scree_status mover_recover(MoverCall* call);
 
 // Moves them along what is left of their way. They slide along what they meet, and climb steps.
-scree_status walk_slide(Walk* walk);
+scree_status mover_slide(MoverCall* call);
 
 // Finds the ground under those that have met none and do not rise, and sets those down on it that stood.
-scree_status walk_stand(Walk* walk);
+scree_status mover_stand(MoverCall* call);
 
 #endif

@@ -12,7 +12,7 @@
 #include "world/world.h"
 #include <math.h>
 
-// share of a mover's radius: slower walls are left to walk_recover
+// share of a mover's radius: slower walls are left to mover_recover
 #define SWEPT_FAR 0.5f
 
 typedef struct // a collidable of a kinematic body on its way
@@ -46,15 +46,16 @@ static scree_rot rotation_at(scree_rot from, scree_rot to, float share)
 	return length > 0.01f ? (scree_rot){c / length, s / length} : to;
 }
 
-static bool is_seen(const Walk* walk, const HostCollidable* host)
+static bool is_obstacle(const MoverCall* call, const HostCollidable* host)
 {
-	return host->sensor == 0 && (host->filter.category & walk->def->mask) && (host->filter.mask & walk->def->category);
+	return host->sensor == 0 && (host->filter.category & call->def->mask) && (host->filter.mask & call->def->category);
 }
 
 // The sweepers of a body. Returns how many.
-static int sweepers_of(const Walk* walk, scree_body body, scree_pose now, scree_velocity v, float dt, Sweeper* sweepers)
+static int sweepers_of(const MoverCall* call, scree_body body, scree_pose now, scree_velocity v, float dt,
+                       Sweeper* sweepers)
 {
-	scree_world* world = walk->world;
+	scree_world* world = call->world;
 	scree_mass mass;
 	int count = 0;
 	if (scree_body_get_mass(world, body, &mass) != SCREE_OK)
@@ -66,7 +67,7 @@ static int sweepers_of(const Walk* walk, scree_body body, scree_pose now, scree_
 	{
 		const HostCollidable* host = world->host_collidables + k;
 		scree_attribute_def def;
-		if (!is_seen(walk, host) ||
+		if (!is_obstacle(call, host) ||
 		    scree_attribute_get_def(world, attribute_handle(world, host->attribute), &def) != SCREE_OK ||
 		    dot(def.one_way, def.one_way) > 0.0f)
 			continue;
@@ -78,26 +79,26 @@ static int sweepers_of(const Walk* walk, scree_body body, scree_pose now, scree_
 		s.to = pose_product(now, host->pose);
 		scree_vec way = {s.to.position.x - s.from.position.x, s.to.position.y - s.from.position.y};
 		s.far = sqrtf(dot(way, way)) + turn_most(s.from.rotation, s.to.rotation) * s.reach;
-		if (s.far > SWEPT_FAR * walk->def->radius)
+		if (s.far > SWEPT_FAR * call->def->radius)
 			sweepers[count++] = s;
 	}
 	return count;
 }
 
 // How a sweeper pushes a walker: the way along its normal, 0 if they do not meet.
-static scree_status push_by(const Walk* walk, const Sweeper* s, const Walker* w, scree_vec* way)
+static scree_status push_by(const MoverCall* call, const Sweeper* s, const MoverMotion* w, scree_vec* way)
 {
 	scree_pose at = {w->at, {1.0f, 0.0f}};
 	scree_vec apart = {w->at.x - s->to.position.x, w->at.y - s->to.position.y};
-	float most = s->far + s->reach + walk->def->radius + 0.5f * walk->def->length;
-	scree_found found;
+	float most = s->far + s->reach + call->def->radius + 0.5f * call->def->length;
+	scree_query_result found;
 	scree_distance first;
 	*way = (scree_vec){0.0f, 0.0f};
 	if (dot(apart, apart) > most * most)
 		return SCREE_OK;
-	TRY(scree_shapes_get_distance(&s->shape, s->from, &walk->shape, at, &first));
-	TRY(scree_shapes_get_impact(&s->shape, s->from, s->to, &walk->shape, at, at, &found));
-	if (first.distance < -0.5f * walk->def->radius || !found.hit)
+	TRY(scree_shapes_get_distance(&s->shape, s->from, &call->shape, at, &first));
+	TRY(scree_shapes_get_impact(&s->shape, s->from, s->to, &call->shape, at, at, &found));
+	if (first.distance < -0.5f * call->def->radius || !found.hit)
 		return SCREE_OK;
 
 	// the point of the sweeper that meets it goes on to its end
@@ -105,7 +106,7 @@ static scree_status push_by(const Walk* walk, const Sweeper* s, const Walker* w,
 	float f = found.fraction;
 	scree_vec path = {s->to.position.x - s->from.position.x, s->to.position.y - s->from.position.y};
 	scree_pose then = {add_scaled(s->from.position, f, path), rotation_at(s->from.rotation, s->to.rotation, f)};
-	TRY(scree_shapes_get_distance(&s->shape, then, &walk->shape, at, &met));
+	TRY(scree_shapes_get_distance(&s->shape, then, &call->shape, at, &met));
 	scree_rot back = {then.rotation.c, -then.rotation.s};
 	scree_vec arm = {met.point_a.x - then.position.x, met.point_a.y - then.position.y};
 	scree_vec turned = rot_vec(rot_product(s->to.rotation, back), arm);
@@ -113,58 +114,58 @@ static scree_status push_by(const Walk* walk, const Sweeper* s, const Walker* w,
 	                  s->to.position.y - then.position.y + turned.y - arm.y};
 	float along = dot(goes, met.normal);
 	if (along > 0.0f)
-		*way = add_scaled((scree_vec){0.0f, 0.0f}, along + walk->def->skin, met.normal);
+		*way = add_scaled((scree_vec){0.0f, 0.0f}, along + call->def->skin, met.normal);
 	return SCREE_OK;
 }
 
 // Moves those that are pushed, as far as nothing static is in their way. crushers: who pushes each.
-static scree_status push_all(Walk* walk, const scree_collidable* crushers)
+static scree_status push_all(MoverCall* call, const scree_collidable* crushers)
 {
-	uint32_t kinds = walk->seen.kinds;
-	walk->seen.kinds = SCREE_QUERY_STATIC & kinds;
-	scree_status status = walk->seen.kinds ? scree_world_cast_shapes(walk->world, &walk->seen, &walk->shape,
-	                                                                 walk->probes, walk->asked, walk->found)
+	uint32_t kinds = call->seen.kinds;
+	call->seen.kinds = SCREE_QUERY_STATIC & kinds;
+	scree_status status = call->seen.kinds ? scree_world_cast_shapes(call->world, &call->seen, &call->shape,
+	                                                                 call->probes, call->asked, call->found)
 	                                       : SCREE_OK;
-	bool sees = walk->seen.kinds != 0;
-	walk->seen.kinds = kinds;
+	bool sees = call->seen.kinds != 0;
+	call->seen.kinds = kinds;
 	TRY(status);
-	for (int k = 0; k < walk->asked; ++k)
+	for (int k = 0; k < call->asked; ++k)
 	{
-		Walker* w = walk->walkers + walk->of[k];
-		if (sees && walk->found[k].hit)
-			walk_crush(walk, walk->of[k], crushers[k]);
+		MoverMotion* w = call->motions + call->of[k];
+		if (sees && call->found[k].hit)
+			mover_crush(call, call->of[k], crushers[k]);
 		else
-			w->at = walk_within(add_scaled(w->at, 1.0f, walk->probes[k].translation));
+			w->at = mover_within(add_scaled(w->at, 1.0f, call->probes[k].translation));
 	}
 	return SCREE_OK;
 }
 
 // The body of a collidable that may have been destroyed, or null.
-static scree_body owner_of(const Walk* walk, scree_collidable collidable)
+static scree_body owner_of(const MoverCall* call, scree_collidable collidable)
 {
-	return collidable_is_valid(walk->world, collidable) ? owner_handle(walk->world, (int)collidable.index - 1)
+	return collidable_is_valid(call->world, collidable) ? owner_handle(call->world, (int)collidable.index - 1)
 	                                                    : SCREE_NULL_BODY;
 }
 
 static bool is_body(scree_body a, scree_body b) { return !scree_body_is_null(a) && a.index == b.index; }
 
 // The longest way that a sweeper pushes walker k; who does. On a ground that is one, a walker rides through what it passes.
-static scree_status push_of(Walk* walk, int k, const Sweeper* sweepers, int count, scree_vec* longest,
+static scree_status push_of(MoverCall* call, int k, const Sweeper* sweepers, int count, scree_vec* longest,
                             scree_collidable* crusher)
 {
-	Walker* w = walk->walkers + k;
-	scree_body ground = owner_of(walk, walk->movers[k].ground);
+	MoverMotion* w = call->motions + k;
+	scree_body ground = owner_of(call, call->movers[k].ground);
 	*longest = (scree_vec){0.0f, 0.0f};
 	for (int j = 0; j < count && !w->crushed; ++j)
 	{
-		scree_body owner = owner_of(walk, sweepers[j].handle);
+		scree_body owner = owner_of(call, sweepers[j].handle);
 		scree_vec way = w->carried;
-		if (is_body(owner, walk->movers[k].ignored))
+		if (is_body(owner, call->movers[k].ignored))
 			continue;
 		if (is_body(owner, ground))
 			w->rest = (scree_vec){0.0f, 0.0f};
 		else
-			TRY(push_by(walk, sweepers + j, w, &way));
+			TRY(push_by(call, sweepers + j, w, &way));
 		if (dot(way, way) <= dot(*longest, *longest))
 			continue;
 		*longest = way;
@@ -174,18 +175,18 @@ static scree_status push_of(Walk* walk, int k, const Sweeper* sweepers, int coun
 }
 
 // Asks for the ways of the walkers that are pushed.
-static scree_status ask_all(Walk* walk, const Sweeper* sweepers, int count, scree_collidable* crushers)
+static scree_status ask_all(MoverCall* call, const Sweeper* sweepers, int count, scree_collidable* crushers)
 {
-	walk->asked = 0;
-	for (int k = 0; k < walk->count; ++k)
+	call->asked = 0;
+	for (int k = 0; k < call->count; ++k)
 	{
 		scree_vec way;
-		TRY(push_of(walk, k, sweepers, count, &way, crushers + walk->asked));
+		TRY(push_of(call, k, sweepers, count, &way, crushers + call->asked));
 		if (dot(way, way) == 0.0f)
 			continue;
-		walk->probes[walk->asked] =
-		    (scree_probe){.pose = {walk->walkers[k].at, {1.0f, 0.0f}}, way, walk->movers[k].ignored};
-		walk->of[walk->asked++] = k;
+		call->probes[call->asked] =
+		    (scree_probe){.pose = {call->motions[k].at, {1.0f, 0.0f}}, way, call->movers[k].ignored};
+		call->of[call->asked++] = k;
 	}
 	return SCREE_OK;
 }
@@ -203,27 +204,27 @@ typedef struct // kinematic bodies, where and how fast they are; what they sweep
 	scree_velocity* velocities;
 	Sweeper* sweepers;
 	scree_collidable* crushers; // one for each mover that is asked for
-} Swept;
+} SweptBodies;
 
-static scree_status push(Walk* walk, const Swept* swept, int bodies, float dt)
+static scree_status push(MoverCall* call, const SweptBodies* swept, int bodies, float dt)
 {
 	int count = 0;
-	TRY(scree_bodies_get_poses(walk->world, swept->bodies, swept->poses, bodies));
-	TRY(scree_bodies_get_velocities(walk->world, swept->bodies, swept->velocities, bodies));
+	TRY(scree_bodies_get_poses(call->world, swept->bodies, swept->poses, bodies));
+	TRY(scree_bodies_get_velocities(call->world, swept->bodies, swept->velocities, bodies));
 	for (int k = 0; k < bodies; ++k)
 		count +=
-		    sweepers_of(walk, swept->bodies[k], swept->poses[k], swept->velocities[k], dt, swept->sweepers + count);
+		    sweepers_of(call, swept->bodies[k], swept->poses[k], swept->velocities[k], dt, swept->sweepers + count);
 	if (count == 0)
 		return SCREE_OK;
-	TRY(ask_all(walk, swept->sweepers, count, swept->crushers));
-	return walk->asked > 0 ? push_all(walk, swept->crushers) : SCREE_OK;
+	TRY(ask_all(call, swept->sweepers, count, swept->crushers));
+	return call->asked > 0 ? push_all(call, swept->crushers) : SCREE_OK;
 }
 
-scree_status walk_swept(Walk* walk, float dt)
+scree_status mover_swept(MoverCall* call, float dt)
 {
-	scree_world* world = walk->world;
+	scree_world* world = call->world;
 	int count = 0, parts = 0;
-	if (world->kinematic_count == 0 || dt == 0.0f || !(walk->def->kinds & SCREE_QUERY_KINEMATIC))
+	if (world->kinematic_count == 0 || dt == 0.0f || !(call->def->kinds & SCREE_QUERY_KINEMATIC))
 		return SCREE_OK;
 	for (int k = 0; k < world->bodies.used; ++k)
 		if (sweeps(world, k))
@@ -234,8 +235,8 @@ scree_status walk_swept(Walk* walk, float dt)
 	if (parts == 0)
 		return SCREE_OK;
 	size_t n = (size_t)count, each = sizeof(scree_body) + sizeof(scree_pose) + sizeof(scree_velocity);
-	size_t bytes = (size_t)parts * sizeof(Sweeper) + n * each + (size_t)walk->count * sizeof(scree_collidable);
-	Swept swept = {.sweepers = scree_allocate(bytes)};
+	size_t bytes = (size_t)parts * sizeof(Sweeper) + n * each + (size_t)call->count * sizeof(scree_collidable);
+	SweptBodies swept = {.sweepers = scree_allocate(bytes)};
 	if (!swept.sweepers)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "scree_movers_move: no memory for %d kinematic bodies", count);
 	swept.poses = (scree_pose*)(void*)(swept.sweepers + parts);
@@ -246,7 +247,7 @@ scree_status walk_swept(Walk* walk, float dt)
 	for (int k = 0; k < world->bodies.used; ++k)
 		if (sweeps(world, k))
 			swept.bodies[count++] = body_handle(world, k);
-	scree_status status = push(walk, &swept, count, dt);
+	scree_status status = push(call, &swept, count, dt);
 	scree_release(swept.sweepers);
 	return status;
 }

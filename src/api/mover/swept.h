@@ -6,6 +6,6 @@
 
 // Before anything moves: movers that a kinematic body met on its way in the last step, of dt seconds, are where it pushes them. Those
 // that something static holds there are crushed.
-scree_status walk_swept(Walk* walk, float dt);
+scree_status mover_swept(MoverCall* call, float dt);
 
 #endif

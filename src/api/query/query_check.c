@@ -22,7 +22,7 @@ void scree_query_def_default_sized(scree_query_def* def, size_t size)
 	write_result(def, size, &made, sizeof made);
 }
 
-scree_status check_query_kinds(Where at, uint32_t kinds)
+scree_status check_query_kinds(ArgumentPlace at, uint32_t kinds)
 {
 	return kinds & ~(uint32_t)ALL_KINDS
 	           ? refuse(SCREE_ERROR_INVALID, at, ".kinds", "is %u, has bits other than SCREE_QUERY_*", kinds)
@@ -30,14 +30,14 @@ scree_status check_query_kinds(Where at, uint32_t kinds)
 }
 
 scree_status query_check(scree_world* world, const char* function, const scree_query_def* def, const void* items,
-                         const char* items_name, int count, Asking* asking, Questions* questions)
+                         const char* items_name, int count, QueryItems* query_items, QueryRequest* questions)
 {
 	TRY(world_check(world, function));
 	TRY(check_batch(function, items_name, items, count));
 	scree_query_def local;
 	if (def)
 	{
-		Where at = {function, "def", ALONE};
+		ArgumentPlace at = {function, "def", ALONE};
 		TRY(check_definition(at, def, 0, &query_definition));
 		def = definition_at(def, 0, &query_definition, &local);
 		TRY(check_query_kinds(at, def->kinds));
@@ -47,20 +47,20 @@ scree_status query_check(scree_world* world, const char* function, const scree_q
 		scree_query_def_default_sized(&local, sizeof local);
 		def = &local;
 	}
-	*asking = (Asking){world, function, items, 2.0f * SCREE_HUGE};
-	*questions = (Questions){.plan = {.category = def->category,
-	                                  .mask = def->mask,
-	                                  .kinds = def->kinds,
-	                                  .skips = def->skip_inside,
-	                                  .rules = def->one_way && world->pipeline.rules,
-	                                  .all = def->category == ALL_BITS && def->mask == ALL_BITS,
-	                                  .shape = {.count = 1}},
-	                         .any = def->any,
-	                         .items = items,
-	                         .count = count,
-	                         .collidables = collidable_names(world),
-	                         .bodies = body_names(world),
-	                         .timings = world->def.timings};
+	*query_items = (QueryItems){world, function, items, 2.0f * SCREE_MAX_COORDINATE};
+	*questions = (QueryRequest){.plan = {.category = def->category,
+	                                     .mask = def->mask,
+	                                     .kinds = def->kinds,
+	                                     .skips = def->skip_inside,
+	                                     .rules = def->one_way && world->pipeline.rules,
+	                                     .all = def->category == ALL_BITS && def->mask == ALL_BITS,
+	                                     .shape = {.count = 1}},
+	                            .any = def->any,
+	                            .items = items,
+	                            .count = count,
+	                            .collidables = collidable_names(world),
+	                            .bodies = body_names(world),
+	                            .timings = world->def.timings};
 	return SCREE_OK;
 }
 
@@ -71,12 +71,12 @@ typedef uint32_t Words4 __attribute__((vector_size(16))); // half of a ray or a 
 typedef struct // of each word: the bits that count, and the most that they may be as a whole number
 {
 	Words4 counts[2], most[2];
-} Plain;
+} PlainBits;
 
 // How many of count items are surely in bounds; *ignores gets whether one of these ignores a body, which their last two
 // words name. Floats that are not negative are ordered like their bits, NaN behind infinity; a word above its bound leaves the
 // highest bit. With comparisons of floats a million rays took 6 ms.
-static int plain_items(const void* items, int count, const Plain* plain, bool* ignores)
+static int plain_items(const void* items, int count, const PlainBits* plain, bool* ignores)
 {
 	enum
 	{
@@ -106,15 +106,15 @@ static int plain_items(const void* items, int count, const Plain* plain, bool* i
 static uint32_t bits_of(float x) { return (uint32_t)float_bits(x); }
 
 // The ignored bodies. Many queries in a row ignore the same one.
-static scree_status check_ignored(const Asking* asking, const char* name, size_t offset, int begin, int end)
+static scree_status check_ignored(const QueryItems* query_items, const char* name, size_t offset, int begin, int end)
 {
 	scree_body last = SCREE_NULL_BODY, body;
 	for (int k = begin; k < end; ++k)
 	{
-		memcpy(&body, (const char*)asking->items + sizeof(Query) * (size_t)k + offset, sizeof body);
+		memcpy(&body, (const char*)query_items->items + sizeof(Query) * (size_t)k + offset, sizeof body);
 		if (scree_body_equals(body, last) || scree_body_is_null(body))
 			continue;
-		TRY(check_body_once(asking->world, (Where){asking->function, name, k}, ".ignored", body));
+		TRY(check_body_once(query_items->world, (ArgumentPlace){query_items->function, name, k}, ".ignored", body));
 		last = body;
 	}
 	return SCREE_OK;
@@ -122,29 +122,29 @@ static scree_status check_ignored(const Asking* asking, const char* name, size_t
 
 static scree_status check_rays(const void* context, int begin, int end)
 {
-	const Asking* asking = context;
-	const scree_ray* rays = asking->items;
-	const uint32_t all = ~0u, low = bits_of(SCREE_HUGE), high = bits_of(2.0f * SCREE_HUGE);
-	const Plain plain = {{{MAGNITUDE, MAGNITUDE, MAGNITUDE, MAGNITUDE}, {all, all, 0, 0}},
-	                     {{low, low, high, high}, {low, 0, 0, 0}}};
+	const QueryItems* query_items = context;
+	const scree_ray* rays = query_items->items;
+	const uint32_t all = ~0u, low = bits_of(SCREE_MAX_COORDINATE), high = bits_of(2.0f * SCREE_MAX_COORDINATE);
+	const PlainBits plain = {{{MAGNITUDE, MAGNITUDE, MAGNITUDE, MAGNITUDE}, {all, all, 0, 0}},
+	                         {{low, low, high, high}, {low, 0, 0, 0}}};
 	bool ignores;
 	for (int k = begin + plain_items(rays + begin, end - begin, &plain, &ignores); k < end; ++k)
 	{
-		Where at = {asking->function, "rays", k};
-		TRY(check_vec(at, ".origin", rays[k].origin, SCREE_HUGE));
-		TRY(check_vec(at, ".translation", rays[k].translation, 2.0f * SCREE_HUGE));
-		TRY(check_real(at, ".radius", rays[k].radius, 0.0f, SCREE_HUGE));
+		ArgumentPlace at = {query_items->function, "rays", k};
+		TRY(check_vec(at, ".origin", rays[k].origin, SCREE_MAX_COORDINATE));
+		TRY(check_vec(at, ".translation", rays[k].translation, 2.0f * SCREE_MAX_COORDINATE));
+		TRY(check_real(at, ".radius", rays[k].radius, 0.0f, SCREE_MAX_COORDINATE));
 		if (rays[k].reserved != 0)
 			return refuse(SCREE_ERROR_INVALID, at, ".reserved", "is %u, must be 0", rays[k].reserved);
 	}
-	return ignores ? check_ignored(asking, "rays", offsetof(scree_ray, ignored), begin, end) : SCREE_OK;
+	return ignores ? check_ignored(query_items, "rays", offsetof(scree_ray, ignored), begin, end) : SCREE_OK;
 }
 
-void query_rays(Asking* asking, Questions* questions)
+void query_rays(QueryItems* query_items, QueryRequest* questions)
 {
 	questions->form = QUERY_RAYS;
 	questions->check = check_rays;
-	questions->context = asking;
+	questions->context = query_items;
 }
 
 scree_status query_shape_of(const char* function, const char* argument, const scree_shape* given, Attribute* to)
@@ -153,7 +153,7 @@ scree_status query_shape_of(const char* function, const char* argument, const sc
 	if (!given)
 		return SCREE_OK;
 	scree_shape shape = *given;
-	TRY(shape_finish((Where){function, argument, ALONE}, &shape));
+	TRY(shape_finish((ArgumentPlace){function, argument, ALONE}, &shape));
 	shape_row(&shape, to);
 	return SCREE_OK;
 }
@@ -184,29 +184,30 @@ static bool is_turn(scree_rot r)
 
 static scree_status check_probes(const void* context, int begin, int end)
 {
-	const Asking* asking = context;
-	const scree_probe* probes = asking->items;
-	const uint32_t low = bits_of(SCREE_HUGE), one = bits_of(2.0f), high = bits_of(asking->longest);
-	const Plain plain = {{{MAGNITUDE, MAGNITUDE, MAGNITUDE, MAGNITUDE}, {MAGNITUDE, MAGNITUDE, 0, 0}},
-	                     {{low, low, one, one}, {high, high, 0, 0}}};
+	const QueryItems* query_items = context;
+	const scree_probe* probes = query_items->items;
+	const uint32_t low = bits_of(SCREE_MAX_COORDINATE), one = bits_of(2.0f), high = bits_of(query_items->longest);
+	const PlainBits plain = {{{MAGNITUDE, MAGNITUDE, MAGNITUDE, MAGNITUDE}, {MAGNITUDE, MAGNITUDE, 0, 0}},
+	                         {{low, low, one, one}, {high, high, 0, 0}}};
 	bool ignores;
 	int plain_end = begin + plain_items(probes + begin, end - begin, &plain, &ignores);
 	for (int k = begin; k < end; ++k)
 	{
 		scree_pose pose = probes[k].pose;
-		Where at = {asking->function, "probes", k};
+		ArgumentPlace at = {query_items->function, "probes", k};
 		if (k < plain_end && is_turn(pose.rotation))
 			continue;
 		TRY(check_pose(at, ".pose", &pose));
-		TRY(check_vec(at, ".translation", probes[k].translation, asking->longest));
+		TRY(check_vec(at, ".translation", probes[k].translation, query_items->longest));
 	}
-	return ignores ? check_ignored(asking, "probes", offsetof(scree_probe, ignored), begin, end) : SCREE_OK;
+	return ignores ? check_ignored(query_items, "probes", offsetof(scree_probe, ignored), begin, end) : SCREE_OK;
 }
 
-scree_status query_probes(scree_world* world, const scree_shape* shape, Asking* asking, Questions* questions)
+scree_status query_probes(scree_world* world, const scree_shape* shape, QueryItems* query_items,
+                          QueryRequest* questions)
 {
 	questions->form = QUERY_SHAPES;
 	questions->check = check_probes;
-	questions->context = asking;
-	return set_shape(world, asking->function, shape, &questions->plan.shape);
+	questions->context = query_items;
+	return set_shape(world, query_items->function, shape, &questions->plan.shape);
 }

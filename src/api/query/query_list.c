@@ -10,15 +10,15 @@
 #include <string.h>
 
 // Sorts a few answers by query, fraction and collidable.
-static void sort_few(Found* found, int* query, int count)
+static void sort_few(QueryResult* found, int* query, int count)
 {
 	for (int k = 1; k < count; ++k)
 	{
-		Found row = found[k];
+		QueryResult row = found[k];
 		int of = query[k], place = k;
 		for (; place > 0; --place)
 		{
-			const Found* before = found + place - 1;
+			const QueryResult* before = found + place - 1;
 			int that = query[place - 1];
 			bool after = that != of                         ? that > of
 			             : before->fraction != row.fraction ? before->fraction > row.fraction
@@ -45,7 +45,7 @@ static scree_status read_rows(scree_world* world, const char* function, int coun
 	return SCREE_OK;
 }
 
-static scree_status read_list(scree_world* world, const char* function, const Questions* questions, int* count)
+static scree_status read_list(scree_world* world, const char* function, const QueryRequest* questions, int* count)
 {
 	Queries* q = &world->queries;
 	TRY(GROW(function, q->first, q->first_capacity, questions->count + 1));
@@ -64,8 +64,8 @@ static scree_status read_list(scree_world* world, const char* function, const Qu
 	return SCREE_OK;
 }
 
-static scree_status list(scree_world* world, const char* function, const Questions* questions, scree_found_list* to,
-                         size_t size)
+static scree_status list(scree_world* world, const char* function, const QueryRequest* questions,
+                         scree_query_results* to, size_t size)
 {
 	TRY(check_pointer(function, "list", to));
 	if (questions->any)
@@ -76,41 +76,41 @@ static scree_status list(scree_world* world, const char* function, const Questio
 	scree_status status = read_list(world, function, questions, &count);
 	auto_count(world, begin);
 	TRY(world_note(world, status));
-	scree_found_list result = {.size = (uint32_t)size,
-	                           .count = count,
-	                           .found = (const scree_found*)(const void*)world->queries.found,
-	                           .first = world->queries.first};
+	scree_query_results result = {.size = (uint32_t)size,
+	                              .count = count,
+	                              .results = (const scree_query_result*)(const void*)world->queries.found,
+	                              .first = world->queries.first};
 	write_result(to, size, &result, sizeof result);
 	return SCREE_OK;
 }
 
 scree_status scree_world_list_rays_sized(scree_world* world, const scree_query_def* def, const scree_ray* rays,
-                                         int count, scree_found_list* to, size_t size)
+                                         int count, scree_query_results* to, size_t size)
 {
 	const char* function = "scree_world_list_rays";
-	Asking asking;
-	Questions questions;
-	TRY(query_check(world, function, def, rays, "rays", count, &asking, &questions));
-	query_rays(&asking, &questions);
+	QueryItems query_items;
+	QueryRequest questions;
+	TRY(query_check(world, function, def, rays, "rays", count, &query_items, &questions));
+	query_rays(&query_items, &questions);
 	return list(world, function, &questions, to, size);
 }
 
 scree_status scree_world_list_shapes_sized(scree_world* world, const scree_query_def* def, const scree_shape* shape,
-                                           const scree_probe* probes, int count, scree_found_list* to, size_t size)
+                                           const scree_probe* probes, int count, scree_query_results* to, size_t size)
 {
 	const char* function = "scree_world_list_shapes";
-	Asking asking;
-	Questions questions;
-	TRY(query_check(world, function, def, probes, "probes", count, &asking, &questions));
-	TRY(query_probes(world, shape, &asking, &questions));
+	QueryItems query_items;
+	QueryRequest questions;
+	TRY(query_check(world, function, def, probes, "probes", count, &query_items, &questions));
+	TRY(query_probes(world, shape, &query_items, &questions));
 	return list(world, function, &questions, to, size);
 }
 
-scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, scree_found_list* to, size_t size)
+scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, scree_query_results* to, size_t size)
 {
 	const char* function = "scree_world_overlap_box";
-	TRY(check_vec((Where){function, "box", ALONE}, ".lower", box.lower, SCREE_HUGE));
-	TRY(check_vec((Where){function, "box", ALONE}, ".upper", box.upper, SCREE_HUGE));
+	TRY(check_vec((ArgumentPlace){function, "box", ALONE}, ".lower", box.lower, SCREE_MAX_COORDINATE));
+	TRY(check_vec((ArgumentPlace){function, "box", ALONE}, ".upper", box.upper, SCREE_MAX_COORDINATE));
 	float half_x = 0.5f * (box.upper.x - box.lower.x), half_y = 0.5f * (box.upper.y - box.lower.y);
 	scree_shape shape;
 	if (!(half_x >= SMALLEST_SIZE) || !(half_y >= SMALLEST_SIZE))
@@ -119,9 +119,9 @@ scree_status scree_world_overlap_box_sized(scree_world* world, scree_box box, sc
 		            decimal(box.upper.y).text, decimal(2.0f * SMALLEST_SIZE).text);
 	TRY(scree_shape_make_box(half_x, half_y, &shape));
 	scree_probe probe = {.pose = {{box.lower.x + half_x, box.lower.y + half_y}, {1.0f, 0.0f}}};
-	Asking asking;
-	Questions questions;
-	TRY(query_check(world, function, NULL, &probe, "box", 1, &asking, &questions));
-	TRY(query_probes(world, &shape, &asking, &questions));
+	QueryItems query_items;
+	QueryRequest questions;
+	TRY(query_check(world, function, NULL, &probe, "box", 1, &query_items, &questions));
+	TRY(query_probes(world, &shape, &query_items, &questions));
 	return list(world, function, &questions, to, size);
 }

@@ -36,7 +36,7 @@ static scree_status check_shared(const scree_world* world, const char* function,
 	return check_place(world, function, "found_offset", found, count);
 }
 
-static scree_status answer(scree_world* world, Questions* questions, size_t items, int count, size_t found)
+static scree_status answer(scree_world* world, QueryRequest* questions, size_t items, int count, size_t found)
 {
 	questions->check = NULL;
 	questions->count = count;
@@ -52,11 +52,11 @@ scree_status scree_world_cast_shared_rays(scree_world* world, const scree_query_
                                           size_t found_offset)
 {
 	const char* function = "scree_world_cast_shared_rays";
-	Asking asking;
-	Questions questions;
-	TRY(query_check(world, function, def, NULL, "rays", 0, &asking, &questions));
+	QueryItems query_items;
+	QueryRequest questions;
+	TRY(query_check(world, function, def, NULL, "rays", 0, &query_items, &questions));
 	TRY(check_shared(world, function, "rays_offset", rays_offset, count, found_offset));
-	query_rays(&asking, &questions);
+	query_rays(&query_items, &questions);
 	return answer(world, &questions, rays_offset, count, found_offset);
 }
 
@@ -64,10 +64,10 @@ scree_status scree_world_cast_shared_shapes(scree_world* world, const scree_quer
                                             size_t probes_offset, int count, size_t found_offset)
 {
 	const char* function = "scree_world_cast_shared_shapes";
-	Asking asking;
-	Questions questions;
-	TRY(query_check(world, function, def, NULL, "probes", 0, &asking, &questions));
+	QueryItems query_items;
+	QueryRequest questions;
+	TRY(query_check(world, function, def, NULL, "probes", 0, &query_items, &questions));
 	TRY(check_shared(world, function, "probes_offset", probes_offset, count, found_offset));
-	TRY(query_probes(world, shape, &asking, &questions));
+	TRY(query_probes(world, shape, &query_items, &questions));
 	return answer(world, &questions, probes_offset, count, found_offset);
 }

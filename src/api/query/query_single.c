@@ -14,87 +14,91 @@ _Static_assert(sizeof(scree_ray) == sizeof(Query) && offsetof(scree_ray, ignored
 _Static_assert(sizeof(scree_probe) == sizeof(Query) && offsetof(scree_probe, ignored) == offsetof(Query, ignored) &&
                    offsetof(scree_probe, translation) == offsetof(Query, b),
                "a probe is a Query");
-_Static_assert(sizeof(scree_found) == sizeof(Found) && offsetof(scree_found, fraction) == offsetof(Found, fraction) &&
-                   offsetof(scree_found, hit) == offsetof(Found, marks),
+_Static_assert(sizeof(scree_query_result) == sizeof(QueryResult) &&
+                   offsetof(scree_query_result, fraction) == offsetof(QueryResult, fraction) &&
+                   offsetof(scree_query_result, hit) == offsetof(QueryResult, marks),
                "an answer is a Found");
 
-static scree_status answer(scree_world* world, const char* function, const Questions* questions, scree_found* found)
+static scree_status answer(scree_world* world, const char* function, const QueryRequest* questions,
+                           scree_query_result* found)
 {
 	TRY(check_batch(function, "found", found, questions->count));
 	if (questions->count == 0)
 		return SCREE_OK;
 	TRY(world_upload(world));
 	double begin = auto_clock();
-	scree_status status = queries_answer(&world->pipeline, questions, (Found*)(void*)found);
+	scree_status status = queries_answer(&world->pipeline, questions, (QueryResult*)(void*)found);
 	auto_count(world, begin);
 	return world_note(world, status);
 }
 
 static scree_status cast_rays(scree_world* world, const char* function, const char* name, const scree_query_def* def,
-                              const scree_ray* rays, int count, scree_found* found)
+                              const scree_ray* rays, int count, scree_query_result* found)
 {
-	Asking asking;
-	Questions questions;
-	TRY(query_check(world, function, def, rays, name, count, &asking, &questions));
-	query_rays(&asking, &questions);
+	QueryItems query_items;
+	QueryRequest questions;
+	TRY(query_check(world, function, def, rays, name, count, &query_items, &questions));
+	query_rays(&query_items, &questions);
 	return answer(world, function, &questions, found);
 }
 
 scree_status scree_world_cast_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays, int count,
-                                   scree_found* found)
+                                   scree_query_result* found)
 {
 	return cast_rays(world, "scree_world_cast_rays", "rays", def, rays, count, found);
 }
 
-scree_status scree_world_cast_ray(scree_world* world, scree_vec origin, scree_vec translation, scree_found* found)
+scree_status scree_world_cast_ray(scree_world* world, scree_vec origin, scree_vec translation,
+                                  scree_query_result* found)
 {
 	const char* function = "scree_world_cast_ray";
 	scree_ray ray = {.origin = origin, .translation = translation};
-	TRY(check_vec((Where){function, "origin", ALONE}, "", origin, SCREE_HUGE));
-	TRY(check_vec((Where){function, "translation", ALONE}, "", translation, 2.0f * SCREE_HUGE));
+	TRY(check_vec((ArgumentPlace){function, "origin", ALONE}, "", origin, SCREE_MAX_COORDINATE));
+	TRY(check_vec((ArgumentPlace){function, "translation", ALONE}, "", translation, 2.0f * SCREE_MAX_COORDINATE));
 	return cast_rays(world, function, "ray", NULL, &ray, 1, found);
 }
 
 static scree_status cast_shapes(scree_world* world, const char* function, const char* name, const scree_query_def* def,
-                                const scree_shape* shape, const scree_probe* probes, int count, scree_found* found)
+                                const scree_shape* shape, const scree_probe* probes, int count,
+                                scree_query_result* found)
 {
-	Asking asking;
-	Questions questions;
-	TRY(query_check(world, function, def, probes, name, count, &asking, &questions));
-	TRY(query_probes(world, shape, &asking, &questions));
+	QueryItems query_items;
+	QueryRequest questions;
+	TRY(query_check(world, function, def, probes, name, count, &query_items, &questions));
+	TRY(query_probes(world, shape, &query_items, &questions));
 	return answer(world, function, &questions, found);
 }
 
 scree_status scree_world_cast_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
-                                     const scree_probe* probes, int count, scree_found* found)
+                                     const scree_probe* probes, int count, scree_query_result* found)
 {
 	return cast_shapes(world, "scree_world_cast_shapes", "probes", def, shape, probes, count, found);
 }
 
 scree_status scree_world_cast_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
-                                    scree_vec translation, scree_found* found)
+                                    scree_vec translation, scree_query_result* found)
 {
 	const char* function = "scree_world_cast_shape";
 	scree_probe probe = {.pose = pose, .translation = translation};
-	TRY(check_pose((Where){function, "pose", ALONE}, "", &pose));
-	TRY(check_vec((Where){function, "translation", ALONE}, "", translation, 2.0f * SCREE_HUGE));
+	TRY(check_pose((ArgumentPlace){function, "pose", ALONE}, "", &pose));
+	TRY(check_vec((ArgumentPlace){function, "translation", ALONE}, "", translation, 2.0f * SCREE_MAX_COORDINATE));
 	return cast_shapes(world, function, "probe", NULL, shape, &probe, 1, found);
 }
 
 scree_status scree_world_find_nearest(scree_world* world, const scree_query_def* def, const scree_shape* shape,
-                                      const scree_probe* probes, int count, float distance, scree_found* found)
+                                      const scree_probe* probes, int count, float distance, scree_query_result* found)
 {
 	const char* function = "scree_world_find_nearest";
-	Asking asking;
-	Questions questions;
-	TRY(query_check(world, function, def, probes, "probes", count, &asking, &questions));
+	QueryItems query_items;
+	QueryRequest questions;
+	TRY(query_check(world, function, def, probes, "probes", count, &query_items, &questions));
 	if (questions.any)
 		return fail(SCREE_ERROR_INVALID, "%s: def.any is true, but the nearest cannot be any", function);
-	TRY(check_real((Where){function, "distance", ALONE}, "", distance, 0.0f, FLT_MAX));
-	TRY(query_probes(world, shape, &asking, &questions));
-	asking.longest = 0.0f;
+	TRY(check_real((ArgumentPlace){function, "distance", ALONE}, "", distance, 0.0f, FLT_MAX));
+	TRY(query_probes(world, shape, &query_items, &questions));
+	query_items.longest = 0.0f;
 	questions.form = QUERY_NEAREST;
 	// no two points of a world are farther apart, and the square has to be finite
-	questions.plan.most = distance < 4.0f * SCREE_HUGE ? distance : 4.0f * SCREE_HUGE;
+	questions.plan.most = distance < 4.0f * SCREE_MAX_COORDINATE ? distance : 4.0f * SCREE_MAX_COORDINATE;
 	return answer(world, function, &questions, found);
 }

@@ -21,7 +21,7 @@ static scree_status set_side(const char* function, const char* shape_name, const
                              const scree_shape* shape, scree_pose* pose, Attribute* to)
 {
 	TRY(query_shape_of(function, shape_name, shape, to));
-	return check_pose((Where){function, pose_name, ALONE}, "", pose);
+	return check_pose((ArgumentPlace){function, pose_name, ALONE}, "", pose);
 }
 
 static void place(Pair* pair)
@@ -74,13 +74,13 @@ scree_status scree_shapes_get_distance(const scree_shape* a, scree_pose pose_a, 
 }
 
 static scree_status cast(const char* function, const char* names[4], const scree_shape* a, scree_pose pose_a,
-                         const scree_shape* b, scree_pose pose_b, scree_vec translation, scree_found* found)
+                         const scree_shape* b, scree_pose pose_b, scree_vec translation, scree_query_result* found)
 {
 	Pair pair;
 	TRY(check_pointer(function, "found", found));
 	TRY(set_side(function, names[0], names[1], a, &pose_a, &pair.a));
 	TRY(set_side(function, names[2], names[3], b, &pose_b, &pair.b));
-	TRY(check_vec((Where){function, "translation", ALONE}, "", translation, 2.0f * SCREE_HUGE));
+	TRY(check_vec((ArgumentPlace){function, "translation", ALONE}, "", translation, 2.0f * SCREE_MAX_COORDINATE));
 	pair.pose_a = pose_a;
 	pair.pose_b = pose_b;
 	FloatMode mode = float_mode_enter();
@@ -88,7 +88,7 @@ static scree_status cast(const char* function, const char* names[4], const scree
 	Convex convex = sum_convex(&pair.sum, pair.a.radius + pair.b.radius);
 	Vec path = vec_turn_back(vec(pose_a.rotation.c, pose_a.rotation.s), vec(translation.x, translation.y));
 	ConvexHit hit = convex_hit(&convex, pair.q, path);
-	*found = (scree_found){.hit = hit.hit, .inside = hit.inside};
+	*found = (scree_query_result){.hit = hit.hit, .inside = hit.inside};
 	if (hit.hit)
 	{
 		Vec then = vec_add(pair.q, vec_scale(hit.fraction, path));
@@ -104,18 +104,18 @@ static scree_status cast(const char* function, const char* names[4], const scree
 }
 
 scree_status scree_shapes_cast(const scree_shape* a, scree_pose pose_a, const scree_shape* b, scree_pose pose_b,
-                               scree_vec translation, scree_found* found)
+                               scree_vec translation, scree_query_result* found)
 {
 	const char* names[] = {"a", "pose_a", "b", "pose_b"};
 	return cast("scree_shapes_cast", names, a, pose_a, b, pose_b, translation, found);
 }
 
 scree_status scree_shape_cast_ray(const scree_shape* shape, scree_pose pose, scree_vec origin, scree_vec translation,
-                                  scree_found* found)
+                                  scree_query_result* found)
 {
 	const char* function = "scree_shape_cast_ray";
 	const char* names[] = {"shape", "pose", "", "origin"};
-	TRY(check_vec((Where){function, "origin", ALONE}, "", origin, SCREE_HUGE));
+	TRY(check_vec((ArgumentPlace){function, "origin", ALONE}, "", origin, SCREE_MAX_COORDINATE));
 	return cast(function, names, shape, pose, NULL, (scree_pose){origin, {1.0f, 0.0f}}, translation, found);
 }
 
@@ -124,7 +124,7 @@ scree_status scree_shape_contains(const scree_shape* shape, scree_pose pose, scr
 	const char* function = "scree_shape_contains";
 	TRY(check_pointer(function, "contains", contains));
 	TRY(check_pointer(function, "shape", shape));
-	TRY(check_vec((Where){function, "point", ALONE}, "", point, SCREE_HUGE));
+	TRY(check_vec((ArgumentPlace){function, "point", ALONE}, "", point, SCREE_MAX_COORDINATE));
 	scree_distance distance;
 	TRY(scree_shapes_get_distance(shape, pose, NULL, (scree_pose){point, {1.0f, 0.0f}}, &distance));
 	*contains = distance.distance <= 0.0f;
@@ -163,7 +163,7 @@ static float swing(const Way* m, const Attribute* shape)
 }
 
 // Two points cannot meet before the speed along the normal has closed their distance.
-static scree_found advance(Pair* pair, const Way* a, const Way* b)
+static scree_query_result advance(Pair* pair, const Way* a, const Way* b)
 {
 	scree_vec path = {(b->to.position.x - b->from.position.x) - (a->to.position.x - a->from.position.x),
 	                  (b->to.position.y - b->from.position.y) - (a->to.position.y - a->from.position.y)};
@@ -179,23 +179,24 @@ static scree_found advance(Pair* pair, const Way* a, const Way* b)
 			break;
 		float speed = turns - (path.x * d.normal.x + path.y * d.normal.y);
 		if (!(speed * (1.0f - time) > d.distance - 0.5f * IMPACT_DISTANCE))
-			return (scree_found){0};
+			return (scree_query_result){0};
 		time += (d.distance - 0.5f * IMPACT_DISTANCE) / speed;
 	}
 	bool inside = time == 0.0f && d.distance <= 0.0f;
-	return (scree_found){.hit = true, .inside = inside, .fraction = time, .point = d.point_a, .normal = d.normal};
+	return (scree_query_result){
+	    .hit = true, .inside = inside, .fraction = time, .point = d.point_a, .normal = d.normal};
 }
 
 scree_status scree_shapes_get_impact(const scree_shape* a, scree_pose from_a, scree_pose to_a, const scree_shape* b,
-                                     scree_pose from_b, scree_pose to_b, scree_found* found)
+                                     scree_pose from_b, scree_pose to_b, scree_query_result* found)
 {
 	const char* function = "scree_shapes_get_impact";
 	Pair pair;
 	TRY(check_pointer(function, "found", found));
 	TRY(set_side(function, "a", "from_a", a, &from_a, &pair.a));
 	TRY(set_side(function, "b", "from_b", b, &from_b, &pair.b));
-	TRY(check_pose((Where){function, "to_a", ALONE}, "", &to_a));
-	TRY(check_pose((Where){function, "to_b", ALONE}, "", &to_b));
+	TRY(check_pose((ArgumentPlace){function, "to_a", ALONE}, "", &to_a));
+	TRY(check_pose((ArgumentPlace){function, "to_b", ALONE}, "", &to_b));
 	Way motion_a = motion_of(from_a, to_a), motion_b = motion_of(from_b, to_b);
 	FloatMode mode = float_mode_enter();
 	*found = advance(&pair, &motion_a, &motion_b);

@@ -21,11 +21,11 @@ scree_status scree_world_get_counters_sized(scree_world* world, scree_counters* 
 	                      .contacts = c->alive - c->released,
 	                      .touching = c->touching,
 	                      .spokes = c->layout[CONSTRAINT_CONTACT].count[COLORS],
-	                      .moved = c->moved,
+	                      .updated_boxes = c->updated_boxes,
 	                      .new_contacts = c->created,
-	                      .grown = pipeline->grown,
-	                      .nonfinite = c->nonfinite,
-	                      .held = c->held,
+	                      .reallocations = pipeline->grown,
+	                      .frozen_bodies = c->nonfinite,
+	                      .stopped_bodies = c->held,
 	                      .penetration = bits_float(c->penetration),
 	                      .steps = pipeline->steps,
 	                      .device_bytes = world->backend->bytes,
@@ -47,15 +47,15 @@ scree_status scree_world_get_timings_sized(scree_world* world, scree_timings* ti
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "timings", timings));
 	scree_timings now = {0};
-	const double* boxes = world->pipeline.boxes;
+	const double* times = world->pipeline.stage_times;
 	if (world->def.timings)
 		now = (scree_timings){.step = (float)world->pipeline.milliseconds,
-		                      .transform = (float)boxes[BOX_transform],
-		                      .broad_phase = (float)boxes[BOX_broad_phase],
-		                      .narrow_phase = (float)boxes[BOX_narrow_phase],
-		                      .color = (float)boxes[BOX_color],
-		                      .solve = (float)boxes[BOX_solve],
-		                      .finalize = (float)boxes[BOX_finalize],
+		                      .transform = (float)times[STAGE_transform],
+		                      .broad_phase = (float)times[STAGE_broad_phase],
+		                      .narrow_phase = (float)times[STAGE_narrow_phase],
+		                      .color = (float)times[STAGE_color],
+		                      .solve = (float)times[STAGE_solve],
+		                      .finalize = (float)times[STAGE_finalize],
 		                      .queries = (float)world->pipeline.query_milliseconds};
 	write_result(timings, size, &now, sizeof now);
 	return SCREE_OK;

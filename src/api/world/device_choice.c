@@ -29,13 +29,13 @@ scree_status scree_devices_get_sized(scree_device* devices, size_t size, int cap
 	return SCREE_OK;
 }
 
-const char* scree_opencl_remedy(void) { return opencl_devices(NULL, 0) > 0 ? "" : opencl_remedy(); }
+const char* scree_opencl_hint(void) { return opencl_devices(NULL, 0) > 0 ? "" : opencl_hint(); }
 
 scree_status scree_world_move(scree_world* world, const char* device)
 {
 	const char* function = "scree_world_move";
 	TRY(world_check(world, function));
-	TRY(check_device((Where){function, "device", ALONE}, "", device));
+	TRY(check_device((ArgumentPlace){function, "device", ALONE}, "", device));
 	if (strcmp(device, "auto") == 0)
 	{
 		auto_open(world, compare_bits);

@@ -36,7 +36,7 @@ void scree_world_def_default_sized(scree_world_def* def, size_t size)
 
 static scree_status check_def(const char* function, const scree_world_def* def)
 {
-	Where at = {function, "def", ALONE};
+	ArgumentPlace at = {function, "def", ALONE};
 	TRY(check_vec(at, ".gravity", def->gravity, FLT_MAX));
 	TRY(check_device(at, ".device", def->device));
 	if (def->opengl && (!def->opengl->context || !def->opengl->display))
@@ -70,7 +70,7 @@ scree_status scree_world_create(const scree_world_def* def, scree_world** world)
 	TRY(check_pointer(function, "world", world));
 	*world = NULL;
 	TRY(check_pointer(function, "def", def));
-	TRY(check_definition((Where){function, "def", ALONE}, def, 0, &world_definition));
+	TRY(check_definition((ArgumentPlace){function, "def", ALONE}, def, 0, &world_definition));
 	scree_world_def local;
 	def = definition_at(def, 0, &world_definition, &local);
 	TRY(check_def(function, def));
@@ -97,7 +97,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 		TRY(auto_choose(world));
 	double start = processor_milliseconds();
 	TRY(reports_reserve(world, function));
-	bool asks_again = !world->reports.answered && (dt == 0.0f || world->reports.lost);
+	bool request_again = !world->reports.answered && (dt == 0.0f || world->reports.lost);
 	reports_forget(world);
 	sensors_forget(world);
 	TRY(world_upload_to_step(world));
@@ -114,7 +114,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	                       .timings = world->def.timings,
 	                       .details = world->def.contact_details,
 	                       .reports = world->reports.reporters > 0,
-	                       .asks_again = asks_again,
+	                       .request_again = request_again,
 	                       .allowed = world->reports.allowed,
 	                       .allowed_count = world->reports.allowed_count,
 	                       .hit_speed = world->def.hit_speed,
@@ -132,7 +132,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 		idle_end(world);
 	}
 	// the boxes have moved and the bodies have not: pairs that began to touch in between would never be found
-	if (status != SCREE_OK && world->pipeline.begun)
+	if (status != SCREE_OK && world->pipeline.started)
 		world->broken = status;
 	double milliseconds = processor_milliseconds() - start;
 	if (status == SCREE_OK && world->auto_device.trial)
@@ -162,7 +162,7 @@ void scree_world_destroy(scree_world* world)
 scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity)
 {
 	TRY(world_check(world, "scree_world_set_gravity"));
-	TRY(check_vec((Where){"scree_world_set_gravity", "gravity", ALONE}, "", gravity, FLT_MAX));
+	TRY(check_vec((ArgumentPlace){"scree_world_set_gravity", "gravity", ALONE}, "", gravity, FLT_MAX));
 	world->def.gravity = gravity;
 	return SCREE_OK;
 }

@@ -40,7 +40,7 @@ scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* r
 	int used = world->collidables.used, wanted = used < capacity ? used : capacity;
 	if (wanted > 0)
 	{
-		TRY(world_note(world, pipeline_show(&world->pipeline, world->collidables.used, false)));
+		TRY(world_note(world, pipeline_render(&world->pipeline, world->collidables.used, false)));
 		TRY(world_note(world, world->backend->f->read(world->backend, POOL_render_row, 0, wanted, rows)));
 	}
 	*count = used;
@@ -83,5 +83,5 @@ scree_status scree_world_write_render_rows(scree_world* world, int* count)
 	if ((size_t)*count > room)
 		return fail(SCREE_ERROR_INVALID, "%s: there are %d rows, and the shared memory has room for %zu", function,
 		            *count, room);
-	return *count > 0 ? world_note(world, pipeline_show(&world->pipeline, world->collidables.used, true)) : SCREE_OK;
+	return *count > 0 ? world_note(world, pipeline_render(&world->pipeline, world->collidables.used, true)) : SCREE_OK;
 }

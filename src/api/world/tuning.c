@@ -19,7 +19,7 @@ scree_status scree_world_get_tuning_sized(const scree_world* world, scree_tuning
 scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuning)
 {
 	const char* function = "scree_world_set_tuning";
-	Where at = {function, "tuning", ALONE};
+	ArgumentPlace at = {function, "tuning", ALONE};
 	TRY(world_check(world, function));
 	TRY(check_pointer(function, "tuning", tuning));
 	TRY(check_definition(at, tuning, 0, &tuning_definition));

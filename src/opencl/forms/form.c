@@ -15,7 +15,7 @@
 
 // Work-groups of guard per compute unit, at most. It usually has few items, each of which gets a group as long as there is room:
 // work-items side by side would wait for each other.
-#define GUARD_GROUPS 12
+#define CONTINUOUS_GROUPS 12
 
 // arguments of solve_end after the step
 enum
@@ -53,7 +53,7 @@ static SolveForm solve_form(OpenCl* d, const Solve* solve)
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
 		return FORM_RELAY;
 	// the spokes of a hub are in many tiles, a body without collidables is in none
-	bool tiles = solve->counters->hubs == 0 && !solve->bare && (d->form == FORM_TILES || tiles_pay(d, solve));
+	bool tiles = solve->counters->hubs == 0 && !solve->unlocked && (d->form == FORM_TILES || tiles_pay(d, solve));
 	return tiles ? FORM_TILES : FORM_LAUNCHES;
 }
 
@@ -62,19 +62,19 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 {
 	cl_kernel kernel = d->solve_end.kernel;
 	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
-	Run guard = {.stage = STAGE_guard, .end = solve->collidables, .count = COUNT(guarded)};
+	Run continuous = {.kernel = KERNEL_continuous, .end = solve->collidables, .count = COUNT(continuous_items)};
 	TRY(kernel_step(d, &d->solve_end));
 	TRY(CALL(SetKernelArg, kernel, END_BODIES, sizeof(cl_int), &solve->bodies));
 	TRY(CALL(SetKernelArg, kernel, END_SUBSTEPS, sizeof(cl_int), &solve->substeps));
 	TRY(CALL(SetKernelArg, kernel, END_PASSES, sizeof(cl_int), &passes));
 	TRY(CALL(SetKernelArg, kernel, END_BOUND, sizeof(cl_int), &solve->bound));
 	size_t group = d->solve_end.group;
-	d->timing.box = BOX_finalize;
+	d->timing.stage = STAGE_finalize;
 	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
-	TRY(stage_run_within(d, &guard, 1, GUARD_GROUPS));
+	TRY(kernel_run_within(d, &continuous, 1, CONTINUOUS_GROUPS));
 	int joints = solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1];
-	Run joint = {.stage = STAGE_joint_finalize, .end = joints, .count = solve->bound};
-	return solve->rare[CONSTRAINT_JOINT] && joints > 0 ? stage_run(d, &joint) : SCREE_OK;
+	Run joint = {.kernel = KERNEL_joint_finalize, .end = joints, .count = solve->bound};
+	return solve->rare[CONSTRAINT_JOINT] && joints > 0 ? kernel_run(d, &joint) : SCREE_OK;
 }
 
 static scree_status run_now(Backend* b, const Step* step, RunList* list)
@@ -99,10 +99,10 @@ scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunL
 		solve_list(solve, list);
 		return run_now(b, step, list);
 	}
-	d->timing.box = BOX_solve;
+	d->timing.stage = STAGE_solve;
 	if (solve->taut)
 	{
-		runs_add(list, STAGE_solve_begin, 0, solve_bodies(solve), solve->bound, 0);
+		runs_add(list, KERNEL_solve_begin, 0, solve_bodies(solve), solve->bound, 0);
 		solve_taut(solve, list);
 		TRY(run_now(b, step, list));
 	}

@@ -13,8 +13,8 @@
 // The same for a world whose joints have no springs, couplings and paths.
 #define STEP_HINGES(step)   ((step).springs = (step).couplings = (step).paths = 0)
 // The same for a world without joints.
-#define STEP_CONTACTS(step) ((step).joints = (step).drives = (step).springs = (step).couplings = (step).paths = 0)
-#define STEP_PLAIN(step)    (STEP_CONTACTS(step), (step).rolls = (step).details = (step).bounces = (step).round = 0)
+#define STEP_CONTACTS(step) ((step).joints = (step).has_drives = (step).springs = (step).couplings = (step).paths = 0)
+#define STEP_PLAIN(step)    (STEP_CONTACTS(step), (step).has_rolling = (step).details = (step).bounces = (step).round = 0)
 
 INLINE void body_row(const Pools* p, int body, float row[8])
 {
@@ -107,7 +107,7 @@ INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 	side.moves = p->body[body].inv_mass > 0.0f;
 	side.before = (int)popcount(mask & (((Word64)1 << color) - (Word64)1));
 	if (hubs && p->touching[body] > (int)popcount(mask))
-		side.before += (int)popcount((uint)p->hub_turns[body]);
+		side.before += (int)popcount((uint)p->hub_colors[body]);
 	side.last = mask >> color == (Word64)1;
 	return side;
 }

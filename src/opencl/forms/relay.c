@@ -145,7 +145,7 @@ static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 	         NULL));
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
 	kernel->group = cpu ? 1 : kernel->group;
-	kernel->groups = cpu ? 1 : d->device.about.units * (int)(most / kernel->group);
+	kernel->groups = cpu ? 1 : d->device.about.compute_units * (int)(most / kernel->group);
 	return SCREE_OK;
 }
 

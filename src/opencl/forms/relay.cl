@@ -161,7 +161,7 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 
 // Pass q of a constraint. False if its ticket did not come. With in_step the whole work-group does the pass at once
 // and fails as a whole; no two constraints of the group share a body.
-INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool in_step, volatile BENCH int* fault)
+INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool in_step, volatile LOCAL int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
 	bool ok = true;
@@ -211,7 +211,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool
 // Does all tasks of all constraints. solve_end does the bodies without constraints. If there are more constraints than
 // work-items, stream has STREAM_FLOAT4S per constraint. Does nothing if the counter at bound is zero.
 INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream, int constraints, int bound, int spread,
-                        volatile BENCH int* fault)
+                        volatile LOCAL int* fault)
 {
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;

@@ -10,11 +10,11 @@
 // the hubs come before the split bodies. The first task that is not done never waits.
 #include "opencl/forms/relay.cl"
 
-// The side of a body in a turn of hubs (HUB_TURNS).
+// The side of a body in a turn of hubs (HUB_COLORS).
 INLINE Side relay_side(const Pools* p, int body, int turn)
 {
 	Side side;
-	uint turns = (uint)p->hub_turns[body];
+	uint turns = (uint)p->hub_colors[body];
 	side.body = body;
 	side.before = (int)popcount(turns & ((1u << turn) - 1u));
 	side.moves = p->body[body].inv_mass > 0.0f;
@@ -87,10 +87,10 @@ INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global
 // Pass q of hub n, by a work-group. Sets fault if a ticket did not come, and then does nothing. The index of a part
 // is the spoke for light ends; the parts of hubs come after those.
 INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* parts, int n, int q,
-                      BENCH float* bench, volatile BENCH int* fault)
+                      LOCAL float* bench, volatile LOCAL int* fault)
 {
 	Body b;
-	int turn = hub_turn(n);
+	int turn = hub_color(n);
 	Side own = relay_side(p, hub_span_of(p, n).body, turn);
 	bool ok = relay_receive(p, r, own, q, &b);
 	float row[8] = {b.v.x, b.v.y, b.w, b.inv_mass, b.d.x, b.d.y, b.da, b.inv_inertia};
@@ -98,9 +98,9 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 	HUB_EACH_COLUMN(c, &h)
 	HUB_EACH_OF(i, c, &h)
 	{
-		Body light;
-		ok = relay_receive(p, r, relay_side(p, spoke_light(p, &h, i), turn), q, &light) && ok;
-		spoke_begin(p, &h, i, light);
+		Body neighbor;
+		ok = relay_receive(p, r, relay_side(p, spoke_neighbor(p, &h, i), turn), q, &neighbor) && ok;
+		spoke_begin(p, &h, i, neighbor);
 	}
 	if (!ok)
 		*fault = 1;
@@ -117,7 +117,7 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 		float vx = hub ? h.now[0] : spoke_at(p, vx, m), vy = hub ? h.now[1] : spoke_at(p, vy, m),
 		      w = hub ? h.now[2] : spoke_at(p, w, m), count = hub ? spoke_at(p, hub_parts, m) : spoke_at(p, parts, m);
 		if (count == 1.0f)
-			relay_send_from_hub(p, r, hub ? own : relay_side(p, spoke_light(p, &h, h.first + k), turn), q, vx, vy, w);
+			relay_send_from_hub(p, r, hub ? own : relay_side(p, spoke_neighbor(p, &h, h.first + k), turn), q, vx, vy, w);
 		else
 			relay_send_part(parts, hub ? spoke_places(p) + n : m, q, vx, vy, w);
 	}
@@ -130,7 +130,7 @@ OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global u
 	if (spoke < 0)
 		return true;
 	Int2 run = p->spoke_run[i];
-	int body = spoke_light_of(p, spoke), n = hub_within(p, body, turn);
+	int body = spoke_neighbor_of(p, spoke), n = hub_within(p, body, turn);
 	Side side = relay_side(p, body, turn);
 	Body b;
 	Vec part, sum = vec(0.0f, 0.0f);
@@ -147,9 +147,9 @@ OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global u
 	}
 	for (int k = run.x; k < run.y; ++k)
 	{
-		if (!relay_receive_part(p, r, parts, p->spoke_order[k] / HUB_TURNS, q, &part, &spin))
+		if (!relay_receive_part(p, r, parts, p->spoke_order[k] / HUB_COLORS, q, &part, &spin))
 			return false;
-		float count = spoke_at(p, parts, p->spoke_order[k] / HUB_TURNS);
+		float count = spoke_at(p, parts, p->spoke_order[k] / HUB_COLORS);
 		sum = vec_add(sum, vec((part.x - b.v.x) / count, (part.y - b.v.y) / count));
 		w = w + (spin - b.w) / count;
 	}
@@ -217,14 +217,14 @@ INLINE void hub_tasks_prepare_colors(const Pools* p, const HubTasks* t, Register
 
 // Pass q of the hubs of a work-group. False, for the whole group, if a ticket did not come.
 INLINE bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTasks* t, volatile __global ulong* parts, int q,
-                                BENCH float* bench, volatile BENCH int* fault)
+                                LOCAL float* bench, volatile LOCAL int* fault)
 {
 	bool ok = true;
 	int width = group_width();
-	for (int turn = 0; turn < HUB_TURNS && turn < t->hub_count; ++turn)
+	for (int turn = 0; turn < HUB_COLORS && turn < t->hub_count; ++turn)
 	{
 		for (int n = t->group; n < t->hub_count; n += t->hub_groups)
-			if (hub_turn(n) == turn)
+			if (hub_color(n) == turn)
 				relay_hub(p, r, parts, n, q, bench, fault);
 		if (p->counters->split > 0)
 			for (int i = t->group * width + group_lane(); i < t->spokes && ok; i += t->hub_groups * width)
@@ -239,7 +239,7 @@ INLINE bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTasks* 
 
 // Pass q of the constraints of a work-item. False if a ticket did not come.
 INLINE bool hub_tasks_pass_colors(const Pools* p, const Relay* r, const HubTasks* t, int q, Registers* u,
-                                  volatile BENCH int* fault)
+                                  volatile LOCAL int* fault)
 {
 	bool ok = true;
 	for (int i = t->colors ? t->begin : t->constraints; i < t->constraints && ok; i += t->stride)
@@ -267,7 +267,7 @@ INLINE void hub_tasks_store_colors(const Pools* p, const HubTasks* t, Registers*
 // As relay. The first hub_groups work-groups solve hubs, the others constraints; if there is one work-group, it does
 // both. parts has two words per spoke and per hub.
 INLINE void relay_hub_tasks(const Pools* p, const Relay* r, __global float4* stream, int bound, int spread,
-                            __global ulong* parts, int hub_groups, BENCH float* bench, volatile BENCH int* fault)
+                            __global ulong* parts, int hub_groups, LOCAL float* bench, volatile LOCAL int* fault)
 {
 	if (bound >= 0 && ((__global const int*)p->counters)[bound] == 0)
 		return;

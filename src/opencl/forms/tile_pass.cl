@@ -9,7 +9,7 @@ typedef struct // the bodies of a tile
 } Tile;
 
 // Loads a body into local memory, integrated up to pass q.
-INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, BENCH Tile* tile, int k)
+INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, LOCAL Tile* tile, int k)
 {
 	int body = resident & ~TILE_PLAIN;
 	BodyState state = p->body[body];
@@ -43,7 +43,7 @@ INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, BENC
 	tile->moved[k] = make_float4(row[4], row[5], row[6], row[7]);
 }
 
-INLINE void tile_gather(const Pools* p, BENCH const Tile* tile, uint place, Body* b)
+INLINE void tile_gather(const Pools* p, LOCAL const Tile* tile, uint place, Body* b)
 {
 	float4 motion = tile->motion[place], moved = tile->moved[place];
 	b->v = vec(motion.x, motion.y);
@@ -55,7 +55,7 @@ INLINE void tile_gather(const Pools* p, BENCH const Tile* tile, uint place, Body
 	body_turn(b);
 }
 
-INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
+INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
 {
 	if (place != TILE_RESTS)
 		tile->motion[place] = make_float4(b->v.x, b->v.y, b->w, b->inv_mass);
@@ -63,7 +63,7 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 
 // Pass q of the constraint at place j; pass is the kind of pass q.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                        \
-	INLINE void kind##_tile_task(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile, int j, int q, \
+	INLINE void kind##_tile_task(const Pools* p, const Relay* r, const Tiles* t, LOCAL Tile* tile, int j, int q, \
 	                             int pass)                                                                       \
 	{                                                                                                            \
 		Kind u;                                                                                                  \
@@ -89,7 +89,7 @@ INLINE void tile_scatter(BENCH Tile* tile, uint place, const Body* b)
 #define TILE_LAST_COLUMN (TILE_COLUMNS - 1)
 
 // the place of the next constraints of a work-group: in the same column, or in the next column that is not empty
-INLINE int tile_next(const Pools* p, BENCH const int* range, int at, int* column)
+INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column)
 {
 	if (at < range[*column + 1])
 		return at;
@@ -135,8 +135,8 @@ INLINE void tile_fetch_ahead(const Pools* p, const Tiles* t, int kind, int j, in
 }
 
 // A pass over a tile, by a work-group.
-INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, BENCH Tile* tile,
-                      BENCH int* range, int q, int pass)
+INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, LOCAL Tile* tile,
+                      LOCAL int* range, int q, int pass)
 {
 	int lane = (int)get_local_id(0), row = (int)get_group_id(0);
 	for (int k = lane; k <= TILE_COLUMNS; k += TILE_GROUP)
@@ -213,7 +213,7 @@ INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, B
 
 // Pass q of a border constraint. A body comes from its pool, or from its previous border constraint through its
 // mailbox.
-INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile BENCH int* fault)
+INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile LOCAL int* fault)
 {
 	Registers u = registers_load(p, t->order[j], t->stream, t->stride, j);
 	int pass = schedule_pass(r->substeps, q);
@@ -270,7 +270,7 @@ INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int
 }
 
 // Pass q of the border constraints of a work-item.
-INLINE void tile_border_work(const Pools* p, const Relay* r, const Tiles* t, int q, volatile BENCH int* fault)
+INLINE void tile_border_work(const Pools* p, const Relay* r, const Tiles* t, int q, volatile LOCAL int* fault)
 {
 	if (get_local_id(0) == 0)
 		*fault = 0;

@@ -21,18 +21,18 @@ static const struct
 	const char* name;
 	size_t group;
 } kernels[TILE_KERNELS] = {
-    [TILE_SETTLE] = {"tile_settle", STAGE_GROUP},
-    [TILE_LIST] = {"tile_list", STAGE_GROUP},
-    [TILE_COUNT] = {"tile_count", STAGE_GROUP},
-    [TILE_ORDER] = {"tile_order", STAGE_GROUP},
-    [TILE_PREPARE] = {"tile_prepare", STAGE_GROUP},
-    [TILE_PREPARE_PLAIN] = {"tile_prepare_plain", STAGE_GROUP},
+    [TILE_SETTLE] = {"tile_settle", KERNEL_GROUP},
+    [TILE_LIST] = {"tile_list", KERNEL_GROUP},
+    [TILE_COUNT] = {"tile_count", KERNEL_GROUP},
+    [TILE_ORDER] = {"tile_order", KERNEL_GROUP},
+    [TILE_PREPARE] = {"tile_prepare", KERNEL_GROUP},
+    [TILE_PREPARE_PLAIN] = {"tile_prepare_plain", KERNEL_GROUP},
     [TILE_PASS + PASS_WARM_START] = {"tile_warm_start", TILE_GROUP},
     [TILE_PASS + PASS_BIAS] = {"tile_bias", TILE_GROUP},
     [TILE_PASS + PASS_RELAX] = {"tile_relax", TILE_GROUP},
     [TILE_PASS + PASS_BOUNCE] = {"tile_bounce", TILE_GROUP},
     [TILE_BORDER] = {"tile_border", RELAY_GROUP},
-    [TILE_PREPARE_JOINTS] = {"tile_prepare_joints", STAGE_GROUP},
+    [TILE_PREPARE_JOINTS] = {"tile_prepare_joints", KERNEL_GROUP},
     [TILE_PASS_JOINTS + PASS_WARM_START] = {"tile_warm_start_joints", TILE_GROUP},
     [TILE_PASS_JOINTS + PASS_BIAS] = {"tile_bias_joints", TILE_GROUP},
     [TILE_PASS_JOINTS + PASS_RELAX] = {"tile_relax_joints", TILE_GROUP},
@@ -162,9 +162,9 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 			             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),
 			                    VALUE(first), VALUE(end))));
 	}
-	TRY(plain_run(d, t->total, STAGE_GROUP, rows + 1, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
+	TRY(plain_run(d, t->total, KERNEL_GROUP, rows + 1, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
 	TRY(plain_run(d, t->begin, PRIMITIVE_GROUP, 1, 0, VALUES(VALUE(total), VALUE(rows))));
-	TRY(plain_run(d, t->range, STAGE_GROUP, rows + 2, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
+	TRY(plain_run(d, t->range, KERNEL_GROUP, rows + 2, 0, VALUES(VALUE(table), VALUE(total), VALUE(rows))));
 	cl_int constraints = solve_constraints(solve);
 	TRY(tile_run(d, TILE_ORDER, constraints,
 	             VALUES(VALUE(place), VALUE(edge), VALUE(table), VALUE(rank), VALUE(rows), VALUE(solve->bound),

@@ -34,7 +34,7 @@ INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 {
 	// most neighbors are known pairs
-	if (box_overlap(p->old_box[i], p->old_box[j]) || i == j || ((p->moved[j] & MOVED_BOX) && j < i))
+	if (box_overlap(p->old_box[i], p->old_box[j]) || i == j || ((p->collidable_flags[j] & COLLIDABLE_NEW_BOX) && j < i))
 		return 1;
 	if (apart_by(p, i, j, APART_PAIR))
 		return 1;
@@ -47,22 +47,22 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 
 // Visits the leaves of tree t that overlap the box of collidable i: from leaf from up to, not including, end, or all for
 // end 0. Returns the leaf at which the walk has to continue after so many nodes over leaves, or 0 if it is complete.
-INLINE int broad_phase_walk(const Pools* p, int i, int t, int from, int end, int nodes)
+INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end, int nodes)
 {
 	const GLOBAL Tree* tree = p->tree + t;
 	// once there are too many pairs, the others need not be found
 	if (tree->leaves == 0 || read_shared(&p->counters->pairs) > p->step.contact_limit)
 		return 0;
 	Float4 box = p->box[i];
-	TreeWalk walk = tree_walk(p, tree, box, from, end, nodes);
-	walk.movers = p->step.kinematic > 0 && p->collidable_kind[i] == KIND_KINEMATIC;
+	TreeTraversal traversal = tree_traverse(p, tree, box, from, end, nodes);
+	traversal.movers = p->step.kinematic > 0 && p->collidable_kind[i] == KIND_KINEMATIC;
 	for (;;)
 	{
-		int first = tree_next(p, tree, box, &walk);
+		int first = tree_next(p, tree, box, &traversal);
 		if (first < 0)
-			return first == TREE_LEFT ? walk.first : 0;
+			return first == TREE_LEFT ? traversal.first : 0;
 		first += tree->leaf_begin;
-		Word64 leaves = broad_phase_fresh(p, i, first, walk.leaves);
+		Word64 leaves = broad_phase_fresh(p, i, first, traversal.leaves);
 		for (; leaves != 0; leaves &= leaves - (Word64)1)
 			if (!broad_phase_leaf(p, i, p->leaf[first + lowest_bit(leaves)]))
 				return 0;
@@ -70,10 +70,10 @@ INLINE int broad_phase_walk(const Pools* p, int i, int t, int from, int end, int
 }
 
 // The search again, after a buffer grew.
-STAGE(broad_phase_begin)
+KERNEL(broad_phase_begin)
 {
 	p->counters->pairs = 0;
-	p->counters->walks = 0;
+	p->counters->traversals = 0;
 	p->counters->rest = 0;
 	p->counters->created = 0;
 	p->counters->stalled = 0;
@@ -90,40 +90,40 @@ INLINE int broad_phase_trees(int kind)
 // leaves undone is listed.
 INLINE void broad_phase_alone(const Pools* p, int k, int t)
 {
-	int next = broad_phase_walk(p, k, t, 0, 0, p->step.walk_nodes);
+	int next = broad_phase_traverse(p, k, t, 0, 0, p->step.traversal_nodes);
 	if (next == 0)
 		return;
-	p->walk[atomic_add_int(&p->counters->walks, 1)] = make_int2(2 * k + t, next);
+	p->traversal[atomic_add_int(&p->counters->traversals, 1)] = make_int2(2 * k + t, next);
 	raise_int(&p->counters->rest, 0x7fffffff);
 }
 
 // The leaves of tree t that overlap the boxes of these walks, without the walks that go alone. kinematic, alone: a bit for each walk. Returns
 // whether the search may continue.
-INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* walkers, const Float4* boxes,
-                              Word kinematic, Word alone, const WaveFront* front)
+INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* collidables, const Float4* boxes,
+                              Word kinematic, Word alone, const PacketFront* front)
 {
-	int walk[WAVE_LEAVES], leaf[WAVE_LEAVES], count = 0, far = tree->leaves >= FETCH_COLLIDABLES;
+	int traversal[PACKET_LEAVES], leaf[PACKET_LEAVES], count = 0, far = tree->leaves >= FETCH_COLLIDABLES;
 	for (int k = 0; k < front->count; ++k)
 	{
-		int w = wave_walk(front->node[k]), first = wave_first(front->node[k]);
+		int w = packet_traverse(front->node[k]), first = packet_first(front->node[k]);
 		Word hits = alone >> w & 1 ? 0 : overlaps8(p->node_box + tree->begin[0] + first, boxes[w]);
 		if (kinematic >> w & 1)
 			hits &= tree_movers_of(p, tree, 0, first);
 		for (; hits != 0; hits &= hits - 1)
 		{
-			walk[count] = walkers[w];
+			traversal[count] = collidables[w];
 			leaf[count] = p->leaf[tree->leaf_begin + first + lowest_bit(hits)];
 			if (far)
 			{
 				fetch_soon(p->old_box + leaf[count]);
-				fetch_soon(p->moved + leaf[count]);
+				fetch_soon(p->collidable_flags + leaf[count]);
 			}
 			++count;
 		}
-		if (count <= WAVE_LEAVES - ARITY && k + 1 < front->count)
+		if (count <= PACKET_LEAVES - ARITY && k + 1 < front->count)
 			continue;
 		for (int n = 0; n < count; ++n)
-			if (!broad_phase_leaf(p, walk[n], leaf[n]))
+			if (!broad_phase_leaf(p, traversal[n], leaf[n]))
 				return 0;
 		count = 0;
 	}
@@ -131,68 +131,70 @@ INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int
 }
 
 // Walks i and up, together, through tree t.
-INLINE void broad_phase_wave(const Pools* p, int i, int t)
+INLINE void broad_phase_packet(const Pools* p, int i, int t)
 {
 	const GLOBAL Tree* tree = p->tree + t;
 	if (tree->leaves == 0 || read_shared(&p->counters->pairs) > p->step.contact_limit)
 		return;
-	int walkers[WAVE_WALKS], end = i + WAVE_WALKS < p->counters->moved ? i + WAVE_WALKS : p->counters->moved;
-	Float4 boxes[WAVE_WALKS];
-	WaveFront fronts[2];
+	int collidables[PACKET_TRAVERSALS],
+	    end = i + PACKET_TRAVERSALS < p->counters->updated_boxes ? i + PACKET_TRAVERSALS : p->counters->updated_boxes;
+	Float4 boxes[PACKET_TRAVERSALS];
+	PacketFront fronts[2];
 	Word kinematic = 0, alone = 0;
 	fronts[0].count = 0;
 	for (int k = i; k < end; ++k)
 	{
-		int walker = p->moved_list[k], n = fronts[0].count;
-		if (t >= broad_phase_trees(p->collidable_kind[walker]))
+		int collidable = p->updated_list[k], n = fronts[0].count;
+		if (t >= broad_phase_trees(p->collidable_kind[collidable]))
 			continue;
-		walkers[n] = walker;
-		boxes[n] = p->box[walker];
-		kinematic |= (Word)(p->collidable_kind[walker] == KIND_KINEMATIC) << n;
-		fetch_soon(p->old_box + walker);
-		fronts[0].node[n] = wave_node(n, 0);
+		collidables[n] = collidable;
+		boxes[n] = p->box[collidable];
+		kinematic |= (Word)(p->collidable_kind[collidable] == KIND_KINEMATIC) << n;
+		fetch_soon(p->old_box + collidable);
+		fronts[0].node[n] = packet_node(n, 0);
 		++fronts[0].count;
 	}
-	int walks = fronts[0].count, front = 0;
+	int traversals = fronts[0].count, front = 0;
 	for (int level = tree->top; level > 0; --level, front ^= 1)
-		alone = wave_descend(p, tree, level, boxes, kinematic, alone, fronts + front, fronts + (front ^ 1));
-	if (!broad_phase_leaves(p, tree, walkers, boxes, kinematic, alone, fronts + front))
+		alone = packet_descend(p, tree, level, boxes, kinematic, alone, fronts + front, fronts + (front ^ 1));
+	if (!broad_phase_leaves(p, tree, collidables, boxes, kinematic, alone, fronts + front))
 		return;
-	for (int k = 0; k < walks; ++k)
+	for (int k = 0; k < traversals; ++k)
 		if (alone >> k & 1)
-			broad_phase_alone(p, walkers[k], t);
+			broad_phase_alone(p, collidables[k], t);
 }
 
-// On a CPU, chunks begin at a multiple of WAVE_WALKS walks, which go together.
-STAGE(broad_phase)
+// On a CPU, chunks begin at a multiple of PACKET_TRAVERSALS walks, which go together.
+KERNEL(broad_phase)
 {
 	if (FETCHES)
 	{
-		for (int t = 0; t < 2 && i % WAVE_WALKS == 0; ++t)
-			broad_phase_wave(p, i, t);
+		for (int t = 0; t < 2 && i % PACKET_TRAVERSALS == 0; ++t)
+			broad_phase_packet(p, i, t);
 		return;
 	}
-	int k = p->moved_list[i];
+	int k = p->updated_list[i];
 	for (int t = 0; t < broad_phase_trees(p->collidable_kind[k]); ++t)
 		broad_phase_alone(p, k, t);
 }
 
 // The rests of the long walks. Each is cut by its leaves into as many parts as there are work-items for it. If there are
 // more walks than work-items, an item takes several.
-STAGE(broad_phase_rest)
+KERNEL(broad_phase_rest)
 {
-	int walks = p->counters->walks, parts = walks < p->step.walkers ? p->step.walkers / walks : 1;
-	int teams = p->step.walkers / parts;
-	for (int w = i / parts; w < walks && i < teams * parts; w += teams)
+	int traversals = p->counters->traversals,
+	    parts = traversals < p->step.traversal_items ? p->step.traversal_items / traversals : 1;
+	int teams = p->step.traversal_items / parts;
+	for (int w = i / parts; w < traversals && i < teams * parts; w += teams)
 	{
-		Int2 walk = p->walk[w];
-		int k = walk.x / 2, t = walk.x % 2, leaves = p->tree[t].leaves;
-		int begin = walk.y / ARITY, blocks = (leaves - 1) / ARITY + 1 - begin, share = (blocks - 1) / parts + 1;
+		Int2 traversal = p->traversal[w];
+		int k = traversal.x / 2, t = traversal.x % 2, leaves = p->tree[t].leaves;
+		int begin = traversal.y / ARITY, blocks = (leaves - 1) / ARITY + 1 - begin, share = (blocks - 1) / parts + 1;
 		int from = ARITY * (begin + share * (i % parts)), end = from + ARITY * share;
-		from = from < walk.y ? walk.y : from;
+		from = from < traversal.y ? traversal.y : from;
 		end = end < leaves ? end : leaves;
 		if (from < end)
-			broad_phase_walk(p, k, t, from, end, 0x7fffffff);
+			broad_phase_traverse(p, k, t, from, end, 0x7fffffff);
 	}
 }
 

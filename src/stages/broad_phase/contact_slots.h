@@ -13,11 +13,11 @@
 
 // Whether there is room for the pairs found, and whether a world may have so many. The latter depends on no capacity,
 // and so on no device.
-STAGE(contact_admit)
+KERNEL(contact_admit)
 {
 	GLOBAL Counters* c = p->counters;
-	c->crowded = c->alive + c->pairs > p->step.contact_limit;
-	c->stalled = c->crowded || c->pairs > p->step.pair_capacity;
+	c->over_limit = c->alive + c->pairs > p->step.contact_limit;
+	c->stalled = c->over_limit || c->pairs > p->step.pair_capacity;
 	c->sort_pairs = c->stalled ? 0 : c->pairs;
 	if (c->stalled)
 		c->kept = 0;
@@ -26,17 +26,17 @@ STAGE(contact_admit)
 	(void)i;
 }
 
-STAGE(contact_dead) { p->scan[i] = i < p->counters->contacts && p->pair[i].x < 0; }
+KERNEL(contact_mark_free) { p->scan[i] = i < p->counters->contacts && p->pair[i].x < 0; }
 
 // After the scan: slot i is free, and the scan holds how many free slots are before it.
-STAGE(contact_free)
+KERNEL(contact_list_free)
 {
 	if (i < p->counters->contacts && p->pair[i].x < 0)
 		p->free_slot[p->scan[i]] = i;
 }
 
 // Whether there is room for the contacts, and how many there are then.
-STAGE(contact_begin)
+KERNEL(contact_reserve)
 {
 	GLOBAL Counters* c = p->counters;
 	c->dead = c->search > 0 ? p->scan[c->search - 1] : 0;
@@ -58,7 +58,7 @@ STAGE(contact_begin)
 
 // Moves contacts in slots from alive on into the free slots before alive, the first into the lowest, so that the first
 // slots hold all contacts. Sources and destinations have no slot in common.
-STAGE(contact_pack)
+KERNEL(contact_pack)
 {
 	const GLOBAL Counters* c = p->counters;
 	int alive = c->alive - c->released;
@@ -71,7 +71,7 @@ STAGE(contact_pack)
 	p->pair[i] = make_int2(-1, -1);
 }
 
-STAGE(contact_pack_end)
+KERNEL(contact_pack_end)
 {
 	p->counters->contacts = p->counters->alive - p->counters->released;
 	(void)i;
@@ -99,7 +99,7 @@ INLINE Word contact_parts(const Pools* p, Int2 pair)
 	return apart == APART_DETECTED ? CONTACT_DETECTED : apart ? CONTACT_JOINED : 0u;
 }
 
-STAGE(contact_create)
+KERNEL(contact_create)
 {
 	Word64 key = p->key[i];
 	int a = (int)(key >> p->step.key_bits), b = (int)(key & (((Word64)1 << p->step.key_bits) - (Word64)1));
@@ -128,7 +128,7 @@ STAGE(contact_create)
 }
 
 // Pairs changed: contact i ends or begins.
-STAGE(contact_join)
+KERNEL(contact_join)
 {
 	Word flags = p->contact_flags[i];
 	if (i >= p->counters->live || p->pair[i].x < 0)
@@ -144,7 +144,7 @@ STAGE(contact_join)
 
 // Some collidable got another attribute, or reports other events: what contacts take from their collidables is computed again, also
 // where the layout stands.
-STAGE(contact_mix)
+KERNEL(contact_mix)
 {
 	Int2 pair = p->pair[i];
 	if (pair.x < 0)

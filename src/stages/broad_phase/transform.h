@@ -10,11 +10,11 @@
 #define REACH_SHARE 0.125f
 
 // Clears the counters of one step.
-STAGE(step_begin)
+KERNEL(step_begin)
 {
 	GLOBAL Counters* c = p->counters;
 	c->alive = c->alive - c->released;
-	c->moved = 0;
+	c->updated_boxes = 0;
 	c->refit = 0;
 	c->jumped = 0;
 	c->order[0] = 0;
@@ -28,13 +28,13 @@ STAGE(step_begin)
 	c->arranged = 0;
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
-		c->stirred[kind] = 0;
+		c->dirty[kind] = 0;
 		c->arrange[kind] = 0;
 	}
-	c->walks = 0;
+	c->traversals = 0;
 	c->rest = 0;
 	c->pairs = 0;
-	c->crowded = 0;
+	c->over_limit = 0;
 	c->created = 0;
 	c->stalled = 0;
 	c->needed = 0;
@@ -44,7 +44,7 @@ STAGE(step_begin)
 	c->gathered = c->belts ? c->contacts : 0;
 	c->belts = 0;
 	c->entered = 0;
-	c->guarded = 0;
+	c->continuous_items = 0;
 	if (p->step.dt > 0.0f)
 	{
 		c->presses = (c->press[0] && c->press[1]) || c->ways ? 0x7fffffff : 0;
@@ -123,24 +123,24 @@ INLINE int transform_bits(float length, int first)
 	return bits;
 }
 
-// The MOVED_GRAIN and MOVED_REACH bits of a dynamic collidable whose nearest side is so far from its centroid, m. What has no thickness
+// The COLLIDABLE_GRAIN and COLLIDABLE_REACH bits of a dynamic collidable whose nearest side is so far from its centroid, m. What has no thickness
 // is a segment: others come to rest on it, it does not.
 INLINE int transform_grains(float thickness, float reach)
 {
 	if (!(thickness < 0.5f * GRAIN_SIZE) || thickness == 0.0f)
 		return 0;
-	return transform_bits(thickness, MOVED_GRAIN) | transform_bits(REACH_SHARE * reach, MOVED_REACH);
+	return transform_bits(thickness, COLLIDABLE_GRAIN) | transform_bits(REACH_SHARE * reach, COLLIDABLE_REACH);
 }
 
 // Lists collidables that left their box or were placed.
-LIST_STAGE(transform, moved_list, moved)
+LIST_KERNEL(transform, updated_list, updated_boxes)
 {
 	Float4 box = p->box[i];
-	int moved = p->moved[i];
+	int moved = p->collidable_flags[i];
 	if (p->collidable_kind[i] == KIND_DEAD)
 	{
 		// its contacts see an empty box, and end; the box of a new row that died at once is empty already
-		p->moved[i] = MOVED_BOX;
+		p->collidable_flags[i] = COLLIDABLE_NEW_BOX;
 		p->box[i] = box_empty();
 		return 0;
 	}
@@ -166,7 +166,7 @@ LIST_STAGE(transform, moved_list, moved)
 		float travel = absolute(path.x) + absolute(path.y) + swing;
 		float room = sweep_room(&p->step, how), within = sweep_within(&p->step, how);
 		if (travel > 0.5f * SWEEP_REST * room)
-			how |= MOVED_ON;
+			how |= COLLIDABLE_MOVING;
 		if (travel > 0.5f * within)
 		{
 			// the pose at the end of the step is part of the tight box too; a collidable that leaves its box in every
@@ -174,21 +174,21 @@ LIST_STAGE(transform, moved_list, moved)
 			Float4 then = make_float4(tight.x + path.x, tight.y + path.y, tight.z + path.x, tight.w + path.y);
 			tight = box_grow(box_union(tight, then), swing);
 			margin = travel < margin ? margin : 0.0f;
-			how |= MOVED_FAR;
+			how |= COLLIDABLE_FAST;
 		}
 	}
 	if (box_contains(box, tight))
 	{
-		if (moved & MOVED_BOX)
+		if (moved & COLLIDABLE_NEW_BOX)
 			p->old_box[i] = box;
 		if (moved != how)
-			p->moved[i] = how;
+			p->collidable_flags[i] = how;
 		return 0;
 	}
 	Float4 grown = box_grow(tight, margin);
 	p->old_box[i] = box;
 	p->box[i] = grown;
-	p->moved[i] = MOVED_BOX | how;
+	p->collidable_flags[i] = COLLIDABLE_NEW_BOX | how;
 	raise_int(&p->counters->refit, 0x7fffffff);
 	// the path of the step is part of the box, so a collidable that moves by itself never parts from its old place
 	if (!box_overlap(box, grown))
@@ -198,16 +198,16 @@ LIST_STAGE(transform, moved_list, moved)
 
 // After a step that stopped before it found all contacts: restores the boxes, so that the next step finds the same
 // pairs.
-STAGE(transform_undo)
+KERNEL(transform_undo)
 {
-	if (!(p->moved[i] & MOVED_BOX) || p->collidable_kind[i] == KIND_DEAD)
+	if (!(p->collidable_flags[i] & COLLIDABLE_NEW_BOX) || p->collidable_kind[i] == KIND_DEAD)
 		return;
 	p->box[i] = p->old_box[i];
-	p->moved[i] = 0;
+	p->collidable_flags[i] = 0;
 }
 
 // The pose of a collidable now. The pool world_shape has the pose at which the contacts of the last step were found.
-STAGE(show)
+KERNEL(render_row)
 {
 	WorldShape world_shape = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};
 	if (p->collidable_kind[i] != KIND_DEAD)

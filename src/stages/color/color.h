@@ -77,7 +77,7 @@ INLINE int color_holds(const Pools* p, int edge)
 	return edge_kind(edge) == CONSTRAINT_CONTACT && p->collidable_kind[p->pair[edge_slot(edge)].y] == KIND_STATIC;
 }
 
-STAGE(color_claim)
+KERNEL(color_claim)
 {
 	int edge = color_source(p, i);
 	Int2 bodies = edge_bodies(p, edge);
@@ -97,7 +97,7 @@ STAGE(color_claim)
 		atomic_max_word(&claim[bodies.y], priority);
 }
 
-STAGE(color_assign)
+KERNEL(color_assign)
 {
 	int edge = color_source(p, i), round = p->argument;
 	Int2 bodies = edge_bodies(p, edge);
@@ -139,7 +139,7 @@ STAGE(color_assign)
 }
 
 // After MAX_ROUNDS rounds the counts start again.
-STAGE(color_wrap)
+KERNEL(color_wrap)
 {
 	GLOBAL Counters* c = p->counters;
 	c->uncolored[0] = c->uncolored[MAX_ROUNDS];
@@ -149,7 +149,7 @@ STAGE(color_wrap)
 }
 
 // Claims are zero between steps.
-STAGE(color_reset)
+KERNEL(color_reset)
 {
 	Int2 bodies = edge_bodies(p, p->began[i]);
 	write_shared_word(&p->claim0[bodies.x], 0);
@@ -176,7 +176,7 @@ INLINE int color_of_key(Word64 key, int bits)
 // Some constraint began or ended: which kinds are laid out again? Only if all have their color, and if keys have bits
 // for hubs where there are any. argument is the place in uncolored of the rest of the last round, and the bits of
 // contacts' keys times 256.
-STAGE(color_arrange)
+KERNEL(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
 	int left = c->uncolored[p->argument & 255];
@@ -185,7 +185,7 @@ STAGE(color_arrange)
 	c->entered = c->entered || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
 	c->arranged = left == 0 && (!c->entered || p->argument >> 8 > COLOR_BITS);
 #define CONSTRAINT_KIND(kind, Kind, KIND) \
-	c->arrange[CONSTRAINT_##KIND] = c->arranged && c->stirred[CONSTRAINT_##KIND] ? c->kind##s : 0;
+	c->arrange[CONSTRAINT_##KIND] = c->arranged && c->dirty[CONSTRAINT_##KIND] ? c->kind##s : 0;
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
@@ -330,7 +330,7 @@ INLINE int joint_place_rest(const Pools* p, int i)
 
 // Places of joints without a color are inert, until a joint is laid out there. They may be many more than the joints, whose
 // number is that of the items.
-STAGE(chain_pad)
+KERNEL(chain_pad)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];
 	int joints = p->counters->arrange[CONSTRAINT_JOINT];
@@ -356,14 +356,14 @@ STAGE(chain_pad)
 		for (int k = place + 1; k < layout->begin[color + 1]; ++k)                                             \
 			kind##_pad(p, k);
 
-#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                \
-	STAGE(kind##_key){COLOR_KEY(kind, KIND)} STAGE(kind##_edge) { color_edge(p, CONSTRAINT_##KIND, i); } \
-	STAGE(kind##_range)                                                                                  \
-	{                                                                                                    \
-		color_range(p, CONSTRAINT_##KIND);                                                               \
-		(void)i;                                                                                         \
-	}                                                                                                    \
-	STAGE(kind##_layout) { COLOR_PLACE(kind, KIND) }
+#define CONSTRAINT_KIND(kind, Kind, KIND)                                                                  \
+	KERNEL(kind##_key){COLOR_KEY(kind, KIND)} KERNEL(kind##_edge) { color_edge(p, CONSTRAINT_##KIND, i); } \
+	KERNEL(kind##_range)                                                                                   \
+	{                                                                                                      \
+		color_range(p, CONSTRAINT_##KIND);                                                                 \
+		(void)i;                                                                                           \
+	}                                                                                                      \
+	KERNEL(kind##_layout) { COLOR_PLACE(kind, KIND) }
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 

@@ -21,10 +21,10 @@ INLINE Int2 edge_bodies(const Pools* p, int edge)
 }
 
 // A constraint of a kind began or ended: the kind has to be laid out again.
-INLINE void edge_stir(const Pools* p, int kind)
+INLINE void edge_mark_dirty(const Pools* p, int kind)
 {
 	raise_int(&p->counters->changed, 1);
-	raise_int(&p->counters->stirred[kind], 1);
+	raise_int(&p->counters->dirty[kind], 1);
 }
 
 // The share of a contact in the pool belts at its bodies, by its tangent speed. Seen from either body, a belt runs the same way.
@@ -48,9 +48,9 @@ INLINE void edge_add_belt(const Pools* p, Int2 bodies, int belt)
 // so that more may request it than need it, and then nothing is found.
 INLINE void edge_count(const Pools* p, int body, int belt)
 {
-	int crowded = atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS;
+	int over_limit = atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS;
 	int opposed = belt != 0 && hub_belts(atomic_add_int(&p->belts[body], belt) + belt);
-	if ((crowded || opposed) && p->body[body].inv_mass > 0.0f && read_shared_word64(&p->color_mask[body]) != 0)
+	if ((over_limit || opposed) && p->body[body].inv_mass > 0.0f && read_shared_word64(&p->color_mask[body]) != 0)
 		raise_int(&p->counters->gathered, p->counters->contacts);
 }
 
@@ -61,7 +61,7 @@ INLINE void edge_begin(const Pools* p, int edge, Int2 bodies)
 	edge_count(p, bodies.x, belt);
 	edge_count(p, bodies.y, belt);
 	p->began[atomic_add_int(&p->counters->began, 1)] = edge;
-	edge_stir(p, edge_kind(edge));
+	edge_mark_dirty(p, edge_kind(edge));
 }
 
 // Frees the color of an edge on its bodies.
@@ -90,7 +90,7 @@ INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
 		p->kind##_place[i] = -1;                                          \
 		kind##_forget(p, i);                                              \
 		atomic_add_int(&p->counters->ended, 1);                           \
-		edge_stir(p, CONSTRAINT_##KIND);                                  \
+		edge_mark_dirty(p, CONSTRAINT_##KIND);                            \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND

@@ -35,7 +35,7 @@ INLINE void joint_seek(const Pools* p, int slot)
 
 // Item i of what the user made or changed since the last step. argument is the number of slots that were in use before. A
 // joint that broke stays broken.
-STAGE(joint_apply)
+KERNEL(joint_apply)
 {
 	JointEdit edit = p->joint_edit[i];
 	int slot = edit.slot;
@@ -59,7 +59,7 @@ STAGE(joint_apply)
 	p->joint_flags[slot] = edit.flags;
 	p->joint_data[slot] = edit.data;
 	raise_int(&p->counters->joints, slot + 1);
-	raise_int(&p->counters->joint_stir, 0x7fffffff);
+	raise_int(&p->counters->joints_dirty, 0x7fffffff);
 }
 
 // The constraint of joint i ends. Where the same joint begins again, it goes on counting turns.
@@ -77,7 +77,7 @@ INLINE void joint_rest(const Pools* p, int i)
 }
 
 // Constraints of joints begin and end.
-STAGE(joint_update)
+KERNEL(joint_update)
 {
 	int flags = p->joint_flags[i], wanted = JOINT_THERE | JOINT_ACTIVE | JOINT_ACTS;
 	if (p->counters->stalled)
@@ -86,7 +86,7 @@ STAGE(joint_update)
 	if (!wanted || flags & JOINT_RESTARTS)
 		joint_rest(p, i);
 	if (p->counters->joint_moved || flags & JOINT_RESTARTS)
-		edge_stir(p, CONSTRAINT_JOINT);
+		edge_mark_dirty(p, CONSTRAINT_JOINT);
 	p->joint_flags[i] = flags & ~(JOINT_RESTARTS | JOINT_NEW);
 	if (!wanted || p->joint_color[i] != COLOR_NONE)
 		return;
@@ -96,7 +96,7 @@ STAGE(joint_update)
 
 // Joint i, where it follows a path: the point of the path that is nearest to its anchor b, for the rows of the step. Where it is a coupling:
 // what it measures of its bodies. It comes after the layout, and finds the same when it runs again.
-STAGE(joint_follow)
+KERNEL(joint_follow)
 {
 	int place = p->joint_place[i], modes = (int)p->joint_data[i].modes;
 	if (place >= 0 && modes & JOINT_COUPLED)
@@ -109,10 +109,10 @@ STAGE(joint_follow)
 	path_count_put(p, place, &count);
 }
 
-STAGE(joint_updated)
+KERNEL(joint_updated)
 {
 	if (!p->counters->stalled)
-		p->counters->joint_stir = p->counters->joint_moved = 0;
+		p->counters->joints_dirty = p->counters->joint_moved = 0;
 	(void)i;
 }
 
@@ -127,7 +127,7 @@ INLINE Word64 joint_pair_of(int a, int b)
 }
 
 // The pair of joint i, to be sorted.
-STAGE(joint_pair_key)
+KERNEL(joint_pair_key)
 {
 	int flags = p->joint_flags[i], apart = JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN;
 	p->key[i] =
@@ -135,16 +135,16 @@ STAGE(joint_pair_key)
 }
 
 // A pair that the user set, behind those of the joints, of which there are argument.
-STAGE(excluded_key) { p->key[p->argument + i] = p->excluded[i]; }
+KERNEL(excluded_key) { p->key[p->argument + i] = p->excluded[i]; }
 
-STAGE(excluded_changed)
+KERNEL(excluded_changed)
 {
-	raise_int(&p->counters->joint_stir, 0x7fffffff);
+	raise_int(&p->counters->joints_dirty, 0x7fffffff);
 	(void)i;
 }
 
 // The sorted pairs. argument is their number, with those that are none.
-STAGE(joint_pair)
+KERNEL(joint_pair)
 {
 	Word64 key = p->key[i];
 	p->joined[i] = key;
@@ -168,7 +168,7 @@ INLINE int joint_parts(const Pools* p, Int2 bodies)
 
 // The joint at place i: reports, and breaks, when its force or its torque exceeded its threshold. What the sides of a coupling turned
 // in the step is counted with the ratio of the step: the user may set another one before the next.
-STAGE(joint_finalize)
+KERNEL(joint_finalize)
 {
 	int slot = p->joint_place_slot[i];
 	if (slot < 0)
@@ -185,14 +185,14 @@ STAGE(joint_finalize)
 	// the largest float is no threshold: nothing exceeds it, or the step would depend on whether other joints have one
 	event.force = finite_or_most(joint_rare(p, peak_force, i) * p->step.inv_h);
 	event.torque = finite_or_most(joint_rare(p, peak_torque, i) * p->step.inv_h);
-	event.broken = (p->joint_flags[slot] & JOINT_BREAKS) != 0;
+	event.broken = (p->joint_flags[slot] & JOINT_CAN_BREAK) != 0;
 	if (!(event.force > data->most_force || event.torque > data->most_torque))
 		return;
 	p->joint_event[atomic_add_int(&p->counters->joint_events, 1)] = event;
 	if (!event.broken)
 		return;
 	p->joint_flags[slot] |= JOINT_BROKEN;
-	raise_int(&p->counters->joint_stir, 0x7fffffff);
+	raise_int(&p->counters->joints_dirty, 0x7fffffff);
 }
 
 #endif

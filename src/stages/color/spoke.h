@@ -69,7 +69,7 @@ INLINE HubSpan hub_span_of(const Pools* p, int n)
 }
 
 // The turn of a pass in which hub number n is solved.
-INLINE int hub_turn(int n) { return n % HUB_TURNS; }
+INLINE int hub_color(int n) { return n % HUB_COLORS; }
 
 // Places of spokes, padding included.
 INLINE int spoke_places(const Pools* p)

@@ -36,7 +36,7 @@ RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 
 // Before the narrow phase, which will release contact i if its boxes parted. A kernel of its own, because with these lines the narrow
 // phase was slower by a fifth on an H200, in worlds without events.
-STAGE(touch_part)
+KERNEL(touch_part)
 {
 	Word flags = p->contact_flags[i];
 	if (!(flags & CONTACT_TOUCHED) || !box_parted(p, p->pair[i]))
@@ -46,7 +46,7 @@ STAGE(touch_part)
 }
 
 // Contact i, after the solve.
-STAGE(touch)
+KERNEL(touch)
 {
 	Word flags = p->contact_flags[i];
 	if ((flags & (CONTACT_TOUCHED | CONTACT_COUNT)) == CONTACT_TOUCHED)

@@ -139,7 +139,7 @@ INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 INLINE void command_body(const Pools* p, int i, Float4 pose, Float2 center)
 {
 	item_clear(p, PER_BODY, i);
-	p->told_pose[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
+	p->reported_pose[i] = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	p->pose[i] = pose;
 	p->local_center[i] = center;
 	p->motion[i].free_x = 1.0f;
@@ -197,11 +197,11 @@ INLINE void command_body_change(const Pools* p, Command c)
 	case COMMAND_BODY:
 		command_body(p, i, value, make_float2(bits_float(c.whole[0]), bits_float(c.whole[1])));
 		break;
-	case COMMAND_GUARDED:
-		p->guarded[i].first = c.whole[0];
-		p->guarded[i].parts = c.whole[1];
-		p->guarded[i].way = value.x;
-		p->guarded[i].reach = value.y;
+	case COMMAND_CONTINUOUS:
+		p->continuous_body[i].first = c.whole[0];
+		p->continuous_body[i].parts = c.whole[1];
+		p->continuous_body[i].way = value.x;
+		p->continuous_body[i].reach = value.y;
 		break;
 	}
 }
@@ -297,7 +297,7 @@ INLINE void command_apply(const Pools* p, Command c)
 #define COMMAND_SOON 6
 
 // Item i is a group: the commands of one body or one collidable. argument is the number of groups.
-STAGE(command)
+KERNEL(command)
 {
 	if (FETCHES && i + COMMAND_SOON < p->argument)
 	{

@@ -13,14 +13,14 @@
 #include "stages/field/field_shape.h"
 
 // Where fields are. argument is their number; items beyond it are padding.
-STAGE(field_place)
+KERNEL(field_place)
 {
 	Float4 box = box_empty();
 	if (i < p->argument)
 	{
 		const GLOBAL Field* field = p->field + i;
-		FieldSpot spot = field_spot_of(p, field);
-		p->field_spot[i] = spot;
+		FieldSample spot = field_sample_of(p, field);
+		p->field_sample[i] = spot;
 		if (field->shape.count == 0)
 			box = make_float4(EMPTY_HIGH, EMPTY_HIGH, EMPTY_LOW, EMPTY_LOW); // holds all
 		for (int k = 0; k < field->shape.count; ++k)
@@ -34,7 +34,7 @@ STAGE(field_place)
 }
 
 // Boxes around ARITY boxes each. argument is the number of boxes; items beyond them are padding.
-STAGE(field_gather)
+KERNEL(field_gather)
 {
 	Float4 box = box_empty();
 	for (int k = ARITY * i; k < ARITY * (i + 1) && k < p->argument; ++k)
@@ -64,7 +64,7 @@ INLINE int field_sees_body(const Pools* p, const GLOBAL Field* field, int body)
 {
 	if (field->all)
 		return 1;
-	for (int k = p->guarded[body].first; k > 0; k = p->next_collidable[k - 1])
+	for (int k = p->continuous_body[body].first; k > 0; k = p->next_collidable[k - 1])
 		if (p->collidable_kind[k - 1] == KIND_DYNAMIC && field_sees(field, p->filter + k - 1))
 			return 1;
 	return 0;
@@ -75,7 +75,7 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 	const GLOBAL Field* field = p->field + index;
 	if (field->kind >= FIELD_WIND || field->body == body)
 		return;
-	FieldSpot spot = p->field_spot[index];
+	FieldSample spot = p->field_sample[index];
 	if (!field_holds(field, &spot, at) || !field_sees_body(p, field, body))
 		return;
 	BodyState state = p->body[body];
@@ -102,17 +102,17 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 }
 
 // Items are bodies. argument is twice the number of fields, plus 1 if some act on shapes.
-STAGE(field_body)
+KERNEL(field_body)
 {
 	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f)
 		return;
 	FieldForce sum = field_nothing();
-	for (int k = p->argument & 1 ? p->guarded[i].first : 0; k > 0; k = p->next_collidable[k - 1])
+	for (int k = p->argument & 1 ? p->continuous_body[i].first : 0; k > 0; k = p->next_collidable[k - 1])
 		if (p->collidable_kind[k - 1] == KIND_DYNAMIC)
 			field_add(&sum, p->field_force[k - 1]);
 	Float4 pose = field_body_pose(p, i);
-	FieldWalk walk = field_walk(p->argument >> 1, make_float4(pose.x, pose.y, pose.x, pose.y));
-	for (int field = field_next(p, &walk); field >= 0; field = field_next(p, &walk))
+	FieldTraversal traversal = field_traverse(p->argument >> 1, make_float4(pose.x, pose.y, pose.x, pose.y));
+	for (int field = field_next(p, &traversal); field >= 0; field = field_next(p, &traversal))
 		field_act_body(p, i, field, vec(pose.x, pose.y), &sum);
 	field_soften(p, i, &sum);
 	command_force(p, i, vec(field_limited(sum.fx + sum.drag_x), field_limited(sum.fy + sum.drag_y)),

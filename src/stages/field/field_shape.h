@@ -18,7 +18,7 @@ typedef struct // a shape, where fields act on it
 } FieldTarget;
 
 // The velocity at which a medium passes a point of the shape, given from the center of mass.
-INLINE Vec field_passing(const GLOBAL Field* field, const FieldSpot* spot, const FieldTarget* t, Vec arm)
+INLINE Vec field_passing(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, Vec arm)
 {
 	Vec at = vec_add(t->at, vec_sub(arm, t->arm));
 	return vec_sub(field_flow(field, spot, at), vec_add(t->v, vec_spin(t->w, arm)));
@@ -34,7 +34,7 @@ INLINE Vec field_middle(const GLOBAL Attribute* shape)
 
 // Drag and lift of each edge that faces the wind, at its middle, by the width that it turns to the wind; a rounded shape is wider by
 // twice its radius, at the middle of its corners.
-INLINE void field_blow(const GLOBAL Field* field, const FieldSpot* spot, const FieldTarget* t, FieldForce* sum)
+INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, FieldForce* sum)
 {
 	const GLOBAL Attribute* shape = t->shape;
 	float pressure = 0.5f * field->density;
@@ -65,7 +65,7 @@ INLINE void field_blow(const GLOBAL Field* field, const FieldSpot* spot, const F
 }
 
 // An edge of a region, or the surface of a fluid that is everywhere below it.
-INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSpot* spot, int k, const FieldTarget* t)
+INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSample* spot, int k, const FieldTarget* t)
 {
 	FieldEdge edge;
 	Vec normal = vec(0.0f, 1.0f), at = vec(0.0f, 0.0f), turn = vec(spot->pose.z, spot->pose.w);
@@ -91,7 +91,7 @@ INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 }
 
 // The part of a shape in a fluid. depth gets the shortest way on which all of it leaves the fluid, m.
-INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSpot* spot, const FieldTarget* t, float* depth)
+INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, float* depth)
 {
 	FieldArea none = {0.0f, 0.0f, 0.0f};
 	*depth = MOST_FLOAT;
@@ -131,7 +131,7 @@ INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, flo
 
 // The weight of the fluid that a shape displaces, at the centroid of that; and the drag of the fluid there: by the area, and by the
 // square of the speed as of a disc of the same area.
-INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSpot* spot, int body,
+INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSample* spot, int body,
                         const FieldTarget* t, FieldForce* sum)
 {
 	if (t->shape->count < 3 && !(t->shape->radius > 0.0f))
@@ -170,7 +170,7 @@ INLINE void field_act_shape(const Pools* p, int collidable, int body, int index,
 	const GLOBAL Field* field = p->field + index;
 	if (field->kind < FIELD_WIND || field->body == body || (!field->all && !field_sees(field, p->filter + collidable)))
 		return;
-	FieldSpot spot = p->field_spot[index];
+	FieldSample spot = p->field_sample[index];
 	if (field->kind == FIELD_WIND)
 		field_blow(field, &spot, t, sum);
 	else
@@ -178,7 +178,7 @@ INLINE void field_act_shape(const Pools* p, int collidable, int body, int index,
 }
 
 // Items are collidables. argument is the number of fields; their boxes are padded to a multiple of ARITY.
-STAGE(field_shape)
+KERNEL(field_shape)
 {
 	if (p->collidable_kind[i] != KIND_DYNAMIC)
 		return;
@@ -193,8 +193,8 @@ STAGE(field_shape)
 	float reach = t.shape->reach;
 	Float4 box = make_float4(pose.x - reach, pose.y - reach, pose.x + reach, pose.y + reach);
 	FieldForce sum = field_nothing();
-	FieldWalk walk = field_walk(p->argument, box);
-	for (int field = field_next(p, &walk); field >= 0; field = field_next(p, &walk))
+	FieldTraversal traversal = field_traverse(p->argument, box);
+	for (int field = field_next(p, &traversal); field >= 0; field = field_next(p, &traversal))
 		field_act_shape(p, i, body, field, &t, &sum);
 	p->field_force[i] = sum;
 }

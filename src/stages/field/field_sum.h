@@ -39,9 +39,9 @@ INLINE Float4 field_body_point(const Pools* p, int body, Float4 own, Vec* arm)
 	return make_float4(pose.x + arm->x, pose.y + arm->y, rotation.x, rotation.y);
 }
 
-INLINE FieldSpot field_spot_of(const Pools* p, const GLOBAL Field* field)
+INLINE FieldSample field_sample_of(const Pools* p, const GLOBAL Field* field)
 {
-	FieldSpot spot = {field->pose, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, {0.0f, 0.0f, 0.0f}};
+	FieldSample spot = {field->pose, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, {0.0f, 0.0f, 0.0f}};
 	if (field->body >= 0)
 	{
 		Vec arm;
@@ -56,13 +56,13 @@ INLINE FieldSpot field_spot_of(const Pools* p, const GLOBAL Field* field)
 }
 
 // A vector of a field, in the world.
-INLINE Vec field_turn(const FieldSpot* spot, float x, float y)
+INLINE Vec field_turn(const FieldSample* spot, float x, float y)
 {
 	return vec_turn(vec(spot->pose.z, spot->pose.w), vec(x, y));
 }
 
 // The velocity of the medium at a point.
-INLINE Vec field_flow(const GLOBAL Field* field, const FieldSpot* spot, Vec at)
+INLINE Vec field_flow(const GLOBAL Field* field, const FieldSample* spot, Vec at)
 {
 	Vec arm = vec((at.x - spot->pose.x) - spot->center_x, (at.y - spot->pose.y) - spot->center_y);
 	Vec own = vec_add(vec(spot->vx, spot->vy), vec_spin(spot->w, arm));
@@ -70,7 +70,7 @@ INLINE Vec field_flow(const GLOBAL Field* field, const FieldSpot* spot, Vec at)
 }
 
 // Whether a point is in the region of a field.
-INLINE int field_holds(const GLOBAL Field* field, const FieldSpot* spot, Vec at)
+INLINE int field_holds(const GLOBAL Field* field, const FieldSample* spot, Vec at)
 {
 	const GLOBAL Attribute* shape = &field->shape;
 	Vec q = vec_turn_back(vec(spot->pose.z, spot->pose.w), vec(at.x - spot->pose.x, at.y - spot->pose.y));
@@ -102,12 +102,12 @@ typedef struct // a walk over the fields whose boxes overlap one, in rising orde
 	int next;         // item behind those that were looked at: a block of boxes, or a block of groups
 	int group, first; // of the present hits: blocks of boxes, boxes
 	Word groups, hits;
-} FieldWalk;
+} FieldTraversal;
 
-INLINE FieldWalk field_walk(int count, Float4 box)
+INLINE FieldTraversal field_traverse(int count, Float4 box)
 {
-	FieldWalk walk = {box, count, 0, 0, 0, 0u, 0u};
-	return walk;
+	FieldTraversal traversal = {box, count, 0, 0, 0, 0u, 0u};
+	return traversal;
 }
 
 // Takes the lowest bit of a set that is not empty.
@@ -121,7 +121,7 @@ INLINE int field_take(Word* bits)
 }
 
 // The next field, -1 at the end.
-INLINE int field_next(const Pools* p, FieldWalk* w)
+INLINE int field_next(const Pools* p, FieldTraversal* w)
 {
 	int few = w->count <= FIELD_FEW, step = few ? ARITY : ARITY * ARITY;
 	while (!w->hits)

@@ -12,7 +12,7 @@
 
 // Contact i, after the narrow phase: it is listed when it has points. Those that were refused, or that a one-way
 // platform lets through, are made keys, for guard. argument: whether there are platforms.
-STAGE(contact_ask)
+KERNEL(approval_request)
 {
 	Word flags = p->contact_flags[i];
 	if (i >= p->counters->live)
@@ -26,24 +26,24 @@ STAGE(contact_ask)
 	}
 	if (flags & CONTACT_PASSES)
 		p->key[atomic_add_int(&p->counters->refused, 1)] = apart_passes_key(p, p->pair[i]);
-	if (!(flags & CONTACT_ASKS) || flags & CONTACT_APART || !(flags & CONTACT_COUNT))
+	if (!(flags & CONTACT_PENDING) || flags & CONTACT_APART || !(flags & CONTACT_COUNT))
 		return;
 	if (flags & CONTACT_REFUSED)
 	{
 		p->key[atomic_add_int(&p->counters->refused, 1)] = apart_key(p, p->pair[i]);
 		return;
 	}
-	p->contact_flags[i] = flags | CONTACT_WAITS;
+	p->contact_flags[i] = flags | CONTACT_WAITED;
 	p->waiting[atomic_add_int(&p->counters->waiting, 1)] = i;
 	raise_int(&p->counters->holds, 0x7fffffff);
 }
 
-STAGE(refused_pair) { p->refused[i] = p->key[i]; }
+KERNEL(refused_pair) { p->refused[i] = p->key[i]; }
 
 // Contact i, at the end of the step, when contacts have the slots that they keep until the next one.
-STAGE(contact_asked)
+KERNEL(approval_list)
 {
-	if (p->contact_flags[i] & CONTACT_WAITS)
+	if (p->contact_flags[i] & CONTACT_WAITED)
 		p->asked[atomic_add_int(&p->counters->asked, 1)] = i;
 }
 
@@ -52,54 +52,54 @@ STAGE(contact_asked)
 // ---------------------------------------------------------------------------------------------------------------
 
 // Body i before the solve: where it is.
-STAGE(hold_begin)
+KERNEL(approval_begin)
 {
-	p->hold_pose[i] = p->pose[i];
-	p->hold_low[i] = p->pose_low[i];
-	p->hold_share[i] = float_bits(1.0f);
+	p->approval_pose[i] = p->pose[i];
+	p->approval_low[i] = p->pose_low[i];
+	p->approval_fraction[i] = float_bits(1.0f);
 }
 
 // How body i went in the step, from its poses.
-INLINE Advance hold_advance(const Pools* p, int i)
+INLINE Advance approval_advance(const Pools* p, int i)
 {
-	Float4 then = p->hold_pose[i], now = p->pose[i];
-	Float2 low = p->hold_low[i], end = p->pose_low[i];
+	Float4 then = p->approval_pose[i], now = p->pose[i];
+	Float2 low = p->approval_low[i], end = p->pose_low[i];
 	Advance advance;
 	advance.path = vec((now.x - then.x) + (end.x - low.x), (now.y - then.y) + (end.y - low.y));
 	advance.turn = vec_angle(vec_turn_back(vec(then.z, then.w), vec(now.z, now.w)));
 	return advance;
 }
 
-INLINE Sweep hold_sweep(const Pools* p, WorldShape s)
+INLINE Sweep approval_sweep(const Pools* p, WorldShape s)
 {
 	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
-	return sweep_with(hold_advance(p, s.body), vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
+	return sweep_with(approval_advance(p, s.body), vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
 // Item i of the contacts that wait: the share of the way after which its bodies meet.
-STAGE(hold_find)
+KERNEL(approval_find)
 {
 	int slot = p->waiting[i];
 	Int2 pair = p->pair[slot], bodies = p->contact_bodies[slot];
 	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
-	GuardDepth meets = {SWEEP_DEPTH, SWEEP_DEPTH, GUARD_TOLERANCE, 0.0f};
-	float share = guard_time(p, a, hold_sweep(p, a), b, hold_sweep(p, b), meets).time;
+	ContinuousDepth meets = {SWEEP_DEPTH, SWEEP_DEPTH, CONTINUOUS_TOLERANCE, 0.0f};
+	float share = continuous_time(p, a, approval_sweep(p, a), b, approval_sweep(p, b), meets).time;
 	if (!(share < 1.0f))
 		return;
 	// shares are not negative, so they are ordered like their bits
-	atomic_min_int(&p->hold_share[bodies.x], float_bits(share));
-	atomic_min_int(&p->hold_share[bodies.y], float_bits(share));
+	atomic_min_int(&p->approval_fraction[bodies.x], float_bits(share));
+	atomic_min_int(&p->approval_fraction[bodies.y], float_bits(share));
 }
 
 // Body i after the solve: back to where it met another one.
-STAGE(hold)
+KERNEL(approval_stop)
 {
-	float share = bits_float(p->hold_share[i]);
+	float share = bits_float(p->approval_fraction[i]);
 	if (!(share < 1.0f) || !(p->body[i].inv_mass > 0.0f))
 		return;
-	Advance advance = hold_advance(p, i);
-	p->pose[i] = p->hold_pose[i];
-	p->pose_low[i] = p->hold_low[i];
+	Advance advance = approval_advance(p, i);
+	p->pose[i] = p->approval_pose[i];
+	p->pose_low[i] = p->approval_low[i];
 	finalize_pose(p, i, vec_scale(share, advance.path), share * advance.turn);
 }
 

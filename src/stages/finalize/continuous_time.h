@@ -10,27 +10,27 @@
 #include "stages/geometry/sweep.h"
 
 // m: how closely the target is met
-#define GUARD_TOLERANCE (0.1f * SWEEP_DEPTH)
+#define CONTINUOUS_TOLERANCE (0.1f * SWEEP_DEPTH)
 
 typedef struct // of two collidables a and b
 {
 	float time; // share of the step, 1 if they are not too deep at any time
 	Vec normal; // from a to b then, in the world
 	Vec point;  // where they are deepest then, from the origin of b, m
-} GuardMeeting;
+} ContinuousMeeting;
 
 // How the velocity of the smaller one changes, seen from the larger one, which turns, at a time: m per step and step.
-INLINE Vec guard_bend(Closing c, float time)
+INLINE Vec continuous_bend(Closing c, float time)
 {
 	float frame = c.b.reach < c.a.reach ? c.a.turn : c.b.turn;
 	return vec_sub(c.bend, vec_spin(frame, vec_add(c.near, vec_scale(time, c.bend))));
 }
 
 // The points of a manifold that count from a time on, in the frame of a: also those to which only a curved way leads.
-INLINE Reach guard_reach(Closing c, Vec axes, float time)
+INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 {
 	Reach reach = sweep_reach(c, axes, time);
-	Vec bend = guard_bend(c, time);
+	Vec bend = continuous_bend(c, time);
 	float left = 1.0f - time;
 	reach.swing += 0.5f * left * left * (absolute(bend.x) + absolute(bend.y));
 	return reach;
@@ -38,7 +38,8 @@ INLINE Reach guard_reach(Closing c, Vec axes, float time)
 
 // For how long no point of the smaller one may draw near to the larger one along a normal by more than is left for it: its deepest
 // point left, m, the others more. closing: of the pair (a, b) at a time.
-INLINE float guard_advance(const Pools* p, WorldShape a, WorldShape b, Closing c, Vec normal, float time, float left)
+INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Closing c, Vec normal, float time,
+                                float left)
 {
 	int first = c.a.reach < c.b.reach || c.a.reach == c.b.reach; // a is the smaller one
 	WorldShape shape = first ? a : b;
@@ -48,7 +49,7 @@ INLINE float guard_advance(const Pools* p, WorldShape a, WorldShape b, Closing c
 	Vec turn = vec_rotation(time * way.turn), axes = vec_turn(turn, vec(shape.c, shape.s));
 	Vec center = vec_turn(turn, way.center);
 	float closes = -vec_dot(normal, vec_add(c.near, vec_scale(time, c.bend)));
-	float most = spin * spin * way.reach + maximum(-vec_dot(normal, guard_bend(c, time)), 0.0f);
+	float most = spin * spin * way.reach + maximum(-vec_dot(normal, continuous_bend(c, time)), 0.0f);
 	float low = NO_POINT, soon = 2.0f;
 	for (int k = 0; k < attribute->count; ++k)
 		low = minimum(low, side * vec_dot(normal, vec_turn(axes, shape_corner(attribute, k))));
@@ -66,13 +67,14 @@ INLINE float guard_advance(const Pools* p, WorldShape a, WorldShape b, Closing c
 }
 
 // of a path: what draws near by less of it slides
-#define GUARD_SLIDES 1.0e-5f
+#define CONTINUOUS_SLIDES 1.0e-5f
 
 // Whether a point of a manifold that is so deep, m, gets deeper at once.
-INLINE int guard_sinks(Closing c, Manifold m, Vec axes, Vec position, float deep)
+INLINE int continuous_sinks(Closing c, Manifold m, Vec axes, Vec position, float deep)
 {
 	Vec normal = vec_turn(axes, m.normal);
-	float still = GUARD_SLIDES * (absolute(c.near.x) + absolute(c.near.y) + absolute(c.b.turn - c.a.turn) * c.b.reach);
+	float still =
+	    CONTINUOUS_SLIDES * (absolute(c.near.x) + absolute(c.near.y) + absolute(c.b.turn - c.a.turn) * c.b.reach);
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
@@ -89,11 +91,11 @@ typedef struct // how deep b may get in a, m
 	float deepest; // in all
 	float slack;   // deeper than at the beginning in any case
 	float pressed; // in all, where b is pressed into a, which rests; 0 where it is not. What is as deep gets no deeper
-} GuardDepth;
+} ContinuousDepth;
 
 // By how much a point of b may leave the line between its places at the begin and the end, seen from a, which turns, m: an eighth of the
 // most that its velocity changes.
-INLINE float guard_bow(Closing c, Vec between)
+INLINE float continuous_bow(Closing c, Vec between)
 {
 	Vec apart = vec_sub(c.b.path, c.a.path);
 	float turn = absolute(c.a.turn), spin = c.b.turn - c.a.turn, far = absolute(apart.x) + absolute(apart.y);
@@ -106,12 +108,12 @@ typedef struct // along a direction in the frame of a shape
 {
 	Vec normal;
 	float surface; // of the shape, m
-} GuardSide;
+} ContinuousSide;
 
 // The side of a shape that a point in its frame is farthest from.
-INLINE GuardSide guard_side(const GLOBAL Attribute* shape, Vec point)
+INLINE ContinuousSide continuous_side(const GLOBAL Attribute* shape, Vec point)
 {
-	GuardSide side;
+	ContinuousSide side;
 	Vec corner = shape_corner(shape, 0), away = vec_sub(point, corner);
 	if (shape->count == 1)
 	{
@@ -140,7 +142,7 @@ INLINE GuardSide guard_side(const GLOBAL Attribute* shape, Vec point)
 
 // Whether b is on its whole path nowhere as deep in a as this, m, as seen along one normal of a: then it is so along no other. Nearly all
 // pairs end here. Between the begin and the end no corner is lower than at the lower one of both, but for its bow.
-RARE int guard_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
+RARE int continuous_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -153,7 +155,7 @@ RARE int guard_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, S
 		sweep_frame(a, b, closing, 1.0f, &end);
 	Vec opposite = shape_corner(shape_b, shape_b->count / 2);
 	Vec middle = vec_scale(0.5f, vec_add(shape_corner(shape_b, 0), opposite));
-	GuardSide side = guard_side(shape_a, frame_point(begin, middle));
+	ContinuousSide side = continuous_side(shape_a, frame_point(begin, middle));
 	Vec at_begin = vec_turn_back(begin.rotation, side.normal), at_end = vec_turn_back(end.rotation, side.normal);
 	float low_begin = -NO_AXIS, low_end = -NO_AXIS;
 	for (int k = 0; k < shape_b->count; ++k)
@@ -163,11 +165,12 @@ RARE int guard_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, S
 		low_end = minimum(low_end, vec_dot(at_end, corner));
 	}
 	float low = minimum(vec_dot(side.normal, begin.position) + low_begin, vec_dot(side.normal, end.position) + low_end);
-	return low - side.surface - shape_b->radius - guard_bow(closing, between) > -deep;
+	return low - side.surface - shape_b->radius - continuous_bow(closing, between) > -deep;
 }
 
 // When b gets too deep in a.
-RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, GuardDepth deep)
+RARE ContinuousMeeting continuous_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b,
+                                       ContinuousDepth deep)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -175,11 +178,11 @@ RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldSha
 	Vec start = vec(a.c, a.s), axes = start;
 	Frame f = frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
 	float target = 0.0f;
-	GuardMeeting met;
+	ContinuousMeeting met;
 	met.time = 0.0f;
 	for (int round = 0; round < SWEEP_ROUNDS; ++round)
 	{
-		Manifold m = collide(shape_a, shape_b, f, guard_reach(closing, axes, met.time));
+		Manifold m = collide(shape_a, shape_b, f, continuous_reach(closing, axes, met.time));
 		float gap = minimum(m.separation[0], m.separation[1]);
 		if (round == 0)
 		{
@@ -187,8 +190,9 @@ RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldSha
 			target = maximum(target, -deep.deepest);
 			target = minimum(target, gap - deep.slack);
 			if (deep.pressed > 0.0f)
-				target = minimum(-deep.pressed,
-				                 guard_sinks(closing, m, axes, f.position, deep.pressed) ? gap : gap - GUARD_TOLERANCE);
+				target = minimum(-deep.pressed, continuous_sinks(closing, m, axes, f.position, deep.pressed)
+				                                    ? gap
+				                                    : gap - CONTINUOUS_TOLERANCE);
 		}
 		met.normal = vec_turn(axes, m.normal);
 		// constant indices keep the manifold in registers
@@ -198,7 +202,7 @@ RARE GuardMeeting guard_time(const Pools* p, WorldShape a, Sweep way_a, WorldSha
 		if (m.count > 0 && gap <= target)
 			return met;
 		if (m.count > 0)
-			met.time += guard_advance(p, a, b, closing, met.normal, met.time, gap - target + GUARD_TOLERANCE);
+			met.time += continuous_advance(p, a, b, closing, met.normal, met.time, gap - target + CONTINUOUS_TOLERANCE);
 		if (m.count == 0 || !(met.time < 1.0f))
 			break;
 		axes = vec_turn(sweep_frame(a, b, closing, met.time, &f), start);

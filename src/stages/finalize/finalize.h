@@ -37,7 +37,7 @@ INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, flo
 	{
 		float fall = p->step.dt * (absolute(p->step.gravity_x) + absolute(p->step.gravity_y));
 		float most = maximum(bits_float(press.speed), (between ? PRESS_SLOWER : 1.0f) * press.before) + fall;
-		float spin = maximum(press.spun, most / maximum(p->guarded[i].reach, LINEAR_SLOP));
+		float spin = maximum(press.spun, most / maximum(p->continuous_body[i].reach, LINEAR_SLOP));
 		*v = vec_scale(vec_shrink(*v, most), *v);
 		*w = within(*w, spin);
 		*d = vec_scale(vec_shrink(*d, p->step.dt * maximum(most, p->step.push_speed)), *d);
@@ -49,10 +49,10 @@ INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, flo
 		p->press[i].left = 0;
 		p->press[i].speed = 0;
 	}
-	return press.depth != 0 && guard_presses(p, i, bits_float(press.depth), *d, da);
+	return press.depth != 0 && continuous_presses(p, i, bits_float(press.depth), *d, da);
 }
 
-STAGE(finalize)
+KERNEL(finalize)
 {
 	GLOBAL BodyState* body = p->body + i;
 	Motion motion = p->motion[i];
@@ -78,10 +78,10 @@ STAGE(finalize)
 		body->dy = d.y;
 	}
 	if (pressed)
-		p->guard_list[atomic_add_int(&p->counters->guarded, 1)] = make_int2(i, -1);
-	else if (body->inv_mass > 0.0f && guard_wanted(p, i, d, da) &&
-	         (forced || !guard_foreseen(p, i, motion.gravity_scale)) && !guard_clear(p, i, d, da))
-		guard_enlist(p, i);
+		p->continuous_list[atomic_add_int(&p->counters->continuous_items, 1)] = make_int2(i, -1);
+	else if (body->inv_mass > 0.0f && continuous_wanted(p, i, d, da) &&
+	         (forced || !continuous_foreseen(p, i, motion.gravity_scale)) && !continuous_clear(p, i, d, da))
+		continuous_enlist(p, i);
 	else
 		finalize_pose(p, i, d, da);
 
@@ -102,18 +102,18 @@ STAGE(finalize)
 // then moves on along what stopped it, as far as that is free: a chain would press a link that is held ever harder. What is pressed
 // also turns on, unless that is in the way, and is one item whatever its collidables. The searches are one call: of two, clang for PTX
 // inlines neither, and keeps the pools on the stack of every work-item; an H200 was slower in all kernels.
-STAGE(guard)
+KERNEL(continuous)
 {
-	Int2 item = p->guard_list[i];
+	Int2 item = p->continuous_list[i];
 	int body = item.x, pressed = item.y < 0, slides = 0;
-	Guarded guarded = p->guarded[body];
+	ContinuousBody continuous_body = p->continuous_body[body];
 	Vec d = vec(p->body[body].dx, p->body[body].dy), to = d;
 	float da = p->body[body].da, turn = da, least = 0.0f;
 	if (pressed)
-		guarded.parts = 1;
+		continuous_body.parts = 1;
 	for (;;)
 	{
-		GuardStop stop = guard_part(p, guarded, item.y, to, turn);
+		ContinuousStop stop = continuous_part(p, continuous_body, item.y, to, turn);
 		if (slides)
 		{
 			if (stop.share > least)
@@ -127,16 +127,16 @@ STAGE(guard)
 			slides = 2;
 			continue;
 		}
-		if (!guard_all(p, guarded, body, &stop.share))
+		if (!continuous_all(p, continuous_body, body, &stop.share))
 			return;
 		if (!(stop.share < 1.0f))
 			break;
 		Vec rest = vec_scale(1.0f - stop.share, d);
-		if (!pressed || vec_dot(rest, stop.normal) < -GUARD_MOST)
+		if (!pressed || vec_dot(rest, stop.normal) < -CONTINUOUS_MOST)
 			atomic_add_int(&p->counters->held, 1);
 		d = vec_scale(stop.share, d);
 		da = stop.share * da;
-		if (guarded.parts > 1 || (!pressed && !p->step.joints))
+		if (continuous_body.parts > 1 || (!pressed && !p->step.joints))
 			break;
 		to = vec_add(d, vec_sub(rest, vec_scale(minimum(vec_dot(rest, stop.normal), 0.0f), stop.normal)));
 		turn = pressed ? turn : da;

@@ -74,15 +74,15 @@ INLINE void narrow_phase_keep_fetch(const Pools* p, int i, int live)
 typedef struct // LANES contacts, and how their collidables moved since their manifolds were found
 {
 	Real a[8], b[8];   // rows of the pool world_shape
-	Int far, on;       // whether one of the pair has MOVED_FAR; has MOVED_ON, and the contact points
+	Int far, on;       // whether one of the pair has COLLIDABLE_FAST; has COLLIDABLE_MOVING, and the contact points
 	Vec then_a;        // rotation of a then
 	Real shift, limit; // m: how far, and for how far the manifold is kept
 	Real room; // factor of the pair's tolerances along its surfaces, and of the distance at which it gets points
-} Keep;
+} ManifoldReuse;
 
 // Returns the lanes whose manifold could be kept, but is found anew, because the pair will meet within the step or pass
 // by. For the other lanes that turn together, writes the rotation. wanders: the lanes to test.
-INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, const Keep* c)
+INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, const ManifoldReuse* c)
 {
 	Real at[8];
 	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * indices(i), at);
@@ -90,7 +90,7 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 	Int touches = ((flags & (int)MANIFOLD_OVERLAPS) != 0) | narrow_phase_loaded(p, i);
 
 	// an approach that cannot close the gap in the step gets no impulse
-	Real limit = maximum(choose(SWEEP_REST * c->room, SWEEP_HOLD * c->room, touches),
+	Real limit = maximum(blend(SWEEP_REST * c->room, SWEEP_SLOP * c->room, touches),
 	                     (minimum(at[2], at[3]) - c->shift) / splat(sweep_end(&p->step)));
 	Real turns = absolute(closing.a.turn) + absolute(closing.b.turn);
 	Real slide = absolute(vec_cross(vec_turn(c->then_a, vec(at[0], at[1])), closing.near));
@@ -114,7 +114,7 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 
 // Marks the contacts that narrow_phase looks at: contacts that are new, moved too far, will meet within the step or pass
 // by, and contacts whose boxes may have parted.
-WIDE_STAGE(narrow_phase_keep)
+WIDE_KERNEL(narrow_phase_keep)
 {
 	int live = p->counters->live;
 	narrow_phase_keep_fetch(p, i, live);
@@ -123,8 +123,8 @@ WIDE_STAGE(narrow_phase_keep)
 	Word there = lane_bits((ia >= 0) & (indices(i) < live)), apart = lane_bits((flags & (int)CONTACT_APART) != 0);
 	ia = ia & ~(ia >> 31);
 	ib = ib & ~(ib >> 31);
-	Int moved = gather_int(p->moved, ia) | gather_int(p->moved, ib);
-	Keep c;
+	Int moved = gather_int(p->collidable_flags, ia) | gather_int(p->collidable_flags, ib);
+	ManifoldReuse c;
 	Real manifold[8];
 	gather_fixed_rows8((GLOBAL float*)p->world_shape, ia, c.a);
 	gather_fixed_rows8((GLOBAL float*)p->world_shape, ib, c.b);
@@ -145,13 +145,13 @@ WIDE_STAGE(narrow_phase_keep)
 
 	Int answers = (flags & (int)CONTACT_DETECTED) == 0;
 	c.room = sweep_room(&p->step, moved);
-	c.far = (moved & MOVED_FAR) != 0;
-	c.on = ((moved & MOVED_ON) != 0) & points;
+	c.far = (moved & COLLIDABLE_FAST) != 0;
+	c.on = ((moved & COLLIDABLE_MOVING) != 0) & points;
 	Word wanders = there & stays & ~apart & lane_bits(answers & (c.far | c.on));
 	if (wanders)
 		anew |= narrow_phase_wander(p, i, flags, wanders, &c);
-	Word look =
-	    anew | (there & (lane_bits((moved & MOVED_BOX) != 0) | (apart & lane_bits((flags & (int)CONTACT_FRESH) != 0))));
+	Word look = anew | (there & (lane_bits((moved & COLLIDABLE_NEW_BOX) != 0) |
+	                             (apart & lane_bits((flags & (int)CONTACT_FRESH) != 0))));
 	if (look == 0)
 		return;
 	raise_int(&p->counters->look, live);

@@ -107,14 +107,14 @@ INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 // Finds the manifold of a pair, and the poses that it is of. answers: the contact gets impulses, it is not for detection
 // only. far: the pair may approach by more than the speculative distance. belt: a surface of it runs. within: the separation from which on
 // it has points, m. rolls gets the MANIFOLD_* bits of a manifold that follows its corners.
-INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt, int moved,
-                               float within, Word* rolls)
+INLINE Prediction narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt,
+                                    int moved, float within, Word* has_rolling)
 {
 	// in the frame of a, so that nothing depends on how far the pair is from the origin
 	Vec turn = vec(a.c, a.s);
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
-	Ahead found_at;
+	Prediction found_at;
 	found_at.f = frame_at(vec_turn_back(turn, vec(b.x - a.x, b.y - a.y)), vec_turn_back(turn, vec(b.c, b.s)));
 	found_at.axes = turn;
 	found_at.ahead = 0;
@@ -126,8 +126,8 @@ INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int a
 	int meets = closing.most > within;
 	if (meets)
 	{
-		found_at = ahead_meeting(p, a, b, closing, found_at);
-		if (found_at.ahead != AHEAD_MEETS || !ahead_rolls(p, a, b))
+		found_at = predict_meeting(p, a, b, closing, found_at);
+		if (found_at.ahead != PREDICT_MEETS || !predict_rolls(p, a, b))
 			return found_at;
 	}
 	else
@@ -137,14 +137,14 @@ INLINE Ahead narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int a
 			return found_at;
 		if (!far)
 			closing = sweep_closing(p, a, b, moved);
-		found_at = ahead_past(p, a, b, closing, found_at);
+		found_at = predict_past(p, a, b, closing, found_at);
 		int round = shape_a->radius + shape_b->radius > 0.0f;
 		if (!found_at.ahead && round)
-			*rolls = MANIFOLD_ROLLS | (Word)found_at.m.made;
+			*has_rolling = MANIFOLD_ROLLS | (Word)found_at.m.made;
 		if (found_at.ahead || round || !belt)
 			return found_at;
 	}
-	return ahead_end(p, a, b, closing, found_at, meets);
+	return predict_end(p, a, b, closing, found_at, meets);
 }
 
 // Gives each new point the impulses of the old point that it matches. Returns the features of the new points.
@@ -191,8 +191,8 @@ INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifo
 }
 
 // Writes a manifold. flags are those of the new one.
-INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* at, int shape_a, int shape_b, int moved,
-                               float within)
+INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Prediction* at, int shape_a, int shape_b,
+                               int moved, float within)
 {
 	const Manifold* m = &at->m;
 	const GLOBAL Attribute *a = p->attribute + shape_a, *b = p->attribute + shape_b;
@@ -209,8 +209,8 @@ INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Ahead* a
 RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 {
 	Int2 pair = p->pair[i];
-	int moved = p->moved[pair.x] | p->moved[pair.y];
-	if (!(flags & CONTACT_FRESH) && (moved & MOVED_BOX) && narrow_phase_parted(p, i, pair))
+	int moved = p->collidable_flags[pair.x] | p->collidable_flags[pair.y];
+	if (!(flags & CONTACT_FRESH) && (moved & COLLIDABLE_NEW_BOX) && narrow_phase_parted(p, i, pair))
 		return;
 	if (flags & CONTACT_APART)
 	{
@@ -224,23 +224,23 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 	}
 
 	WorldShape a = p->world_shape[pair.x], b = p->world_shape[pair.y];
-	Word rolls = 0;
-	int answers = !(flags & CONTACT_DETECTED), far = answers && (moved & MOVED_FAR);
+	Word has_rolling = 0;
+	int answers = !(flags & CONTACT_DETECTED), far = answers && (moved & COLLIDABLE_FAST);
 	int belt = edge_belt_of(p, CONSTRAINT_CONTACT, i);
 	if (answers)
 		b = narrow_phase_apart(p, a, b);
 	float within = sweep_within(&p->step, moved);
-	Ahead at = narrow_phase_find(p, a, b, answers, far, belt, moved, within, &rolls);
+	Prediction at = narrow_phase_find(p, a, b, answers, far, belt, moved, within, &has_rolling);
 	Int2 features = narrow_phase_inherit(p, i, flags, &at.m);
 	Word touching = at.m.count > 0 ? CONTACT_TOUCHING : 0u;
 	Word overlaps = minimum(at.m.separation[0], at.m.separation[1]) < 0.0f ? MANIFOLD_OVERLAPS : 0u;
-	Word now = (flags & CONTACT_LASTS) | touching | (Word)at.m.count | rolls | overlaps;
+	Word now = (flags & CONTACT_LASTS) | touching | (Word)at.m.count | has_rolling | overlaps;
 	p->contact_flags[i] = now;
 	p->contact_feature[i] = features;
 	narrow_phase_write(p, i, now, &at, a.attribute, b.attribute, moved, within);
 	if (!touching)
 		contact_end(p, i);
-	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS)))
+	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)))
 	{
 		p->contact_press[i] = 0; // those of its last touch
 		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), p->contact_bodies[i]);
@@ -251,7 +251,7 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 // pools. Contacts of another worker's chunk are not fetched: it changes their flags at the same time.
 #define NARROW_PHASE_SOON 12
 
-STAGE(narrow_phase)
+KERNEL(narrow_phase)
 {
 	int soon = i + NARROW_PHASE_SOON;
 	if (FETCHES && p->step.collidables >= FETCH_COLLIDABLES && soon < p->counters->live &&

@@ -6,9 +6,9 @@
 #include "constraints/contact_report_points.h"
 
 // Contact i in a row.
-INLINE void listed_write(const Pools* p, int i, int row)
+INLINE void contact_report_write(const Pools* p, int i, int row)
 {
-	Listed listed;
+	ContactReport listed;
 	Int2 pair = p->pair[i];
 	Real a[8], b[8], manifold[16];
 	int c = p->contact_place[i];
@@ -22,8 +22,8 @@ INLINE void listed_write(const Pools* p, int i, int row)
 	gather_fixed_rows8((GLOBAL float*)p->world_shape, pair.y, b);
 	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * i, manifold);
 	gather_fixed_rows8((GLOBAL float*)p->contact_manifold, 2 * i + 1, manifold + 8);
-	ContactPoints at = listed_points(p->attribute, a, b, manifold, listed.flags, listed.feature);
-	listed_place(&listed, &at, a[0], a[1]);
+	ContactPoints at = contact_report_points(p->attribute, a, b, manifold, listed.flags, listed.feature);
+	contact_report_place(&listed, &at, a[0], a[1]);
 	listed.impulse = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
 	if (c >= 0)
 		listed.impulse = make_float4(contact_row(p, normal_impulse1, c), contact_row(p, normal_impulse2, c),
@@ -32,29 +32,29 @@ INLINE void listed_write(const Pools* p, int i, int row)
 	if (c >= 0 && p->step.details)
 		listed.detail = make_float4(contact_rare(p, total_impulse1, c), contact_rare(p, total_impulse2, c),
 		                            contact_rare(p, approach1, c), contact_rare(p, approach2, c));
-	p->listed[row] = listed;
+	p->contact_report[row] = listed;
 }
 
 // Item i is a contact slot, plus one item for the end of the scan. argument is the body.
-STAGE(contact_mark)
+KERNEL(contact_mark)
 {
 	int wanted = 0;
 	if (i < p->counters->contacts && p->pair[i].x >= 0)
 	{
 		Int2 bodies = p->contact_bodies[i];
-		wanted = (p->contact_flags[i] & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_ASKS)) == CONTACT_TOUCHING &&
+		wanted = (p->contact_flags[i] & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)) == CONTACT_TOUCHING &&
 		         (bodies.x == p->argument || bodies.y == p->argument);
 	}
 	p->scan[i] = wanted;
 }
 
 // After the scan: slot i is listed where the scan rises. argument is the number of rows that there is room for.
-STAGE(contact_list)
+KERNEL(contact_list)
 {
 	int row = p->scan[i];
 	if (p->scan[i + 1] == row || row >= p->argument)
 		return;
-	listed_write(p, i, row);
+	contact_report_write(p, i, row);
 }
 
 #endif

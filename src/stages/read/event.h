@@ -5,15 +5,15 @@
 #include "stages/read/contact_report.h"
 
 // What event i of a list is sorted by: the slot of its contact, or the pair that parted. argument is the list.
-STAGE(event_key)
+KERNEL(event_key)
 {
 	p->key[i] = p->argument == EVENT_TOUCH_ENDED   ? p->touch_ended[i]
 	            : p->argument == EVENT_TOUCH_BEGAN ? (Word64)p->touch_began[i]
-	            : p->argument == EVENT_ASKED       ? (Word64)p->asked[i]
+	            : p->argument == EVENT_APPROVALS   ? (Word64)p->asked[i]
 	                                               : (Word64)p->hit[i];
 }
 
 // After the sort: the contact of event i, with its points and impulses.
-STAGE(event_list) { listed_write(p, (int)p->key[i], i); }
+KERNEL(event_list) { contact_report_write(p, (int)p->key[i], i); }
 
 #endif

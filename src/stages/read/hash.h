@@ -6,7 +6,7 @@
 #include "stages/edit/pool_item.h"
 
 // Item i sums items i, i + HASH_SUMS, ... below argument. hash_bodies starts the sums, the other stages add to them.
-STAGE(hash_bodies)
+KERNEL(hash_bodies)
 {
 	Word64 sum = 0;
 	for (int k = i; k < p->argument; k += HASH_SUMS)
@@ -14,7 +14,7 @@ STAGE(hash_bodies)
 	p->hash[i] = sum;
 }
 
-STAGE(hash_collidables)
+KERNEL(hash_collidables)
 {
 	Word64 sum = 0;
 	for (int k = i; k < p->argument; k += HASH_SUMS)
@@ -24,7 +24,7 @@ STAGE(hash_collidables)
 }
 
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                              \
-	STAGE(kind##_hash)                                                                                 \
+	KERNEL(kind##_hash)                                                                                \
 	{                                                                                                  \
 		Word64 sum = 0;                                                                                \
 		for (int k = i; k < p->counters->kind##s; k += HASH_SUMS)                                      \

@@ -6,15 +6,16 @@
 #include "constraints/joint_one.h"
 
 // The place of a joint; -1 for one that has not been in a step, though its slot has a place from an older one.
-INLINE int joint_show_place(const Pools* p, int i)
+INLINE int joint_report_place(const Pools* p, int i)
 {
 	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];
 }
 
 // The impulses of the last substep along the axes, N s; 0 without a constraint. off is what locks are off, bend the curvature of a path.
-INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend, GLOBAL JointState* state)
+INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend,
+                               GLOBAL JointState* state)
 {
-	int place = joint_show_place(p, i);
+	int place = joint_report_place(p, i);
 	if (place < 0)
 		return;
 	Joint u;
@@ -35,7 +36,7 @@ INLINE void joint_show_force(const Pools* p, int i, int modes, Vec axis, Vec off
 }
 
 // The speed of one side of a coupling. Returns the direction of a force on that body.
-INLINE Vec joint_show_side(const Pools* p, int i, int side, const CouplingMeasure* m, float* speed)
+INLINE Vec joint_report_side(const Pools* p, int i, int side, const CouplingMeasure* m, float* speed)
 {
 	BodyState now = p->body[side ? p->joint_data[i].body_b : p->joint_data[i].body_a];
 	int modes = (int)p->joint_data[i].modes, slides = modes & JOINT_SLIDES(side), hoists = modes & JOINT_HOISTS(side);
@@ -46,14 +47,14 @@ INLINE Vec joint_show_side(const Pools* p, int i, int side, const CouplingMeasur
 }
 
 // The coordinate of a coupling, and what it measures of a and of b in place of the other two.
-INLINE void joint_show_coupling(const Pools* p, int i, GLOBAL JointState* state)
+INLINE void joint_report_coupling(const Pools* p, int i, GLOBAL JointState* state)
 {
 	int modes = (int)p->joint_data[i].modes;
 	float ratio = p->joint_data[i].gear_ratio, speeds[2];
 	CouplingCount count = coupling_count_last(p, i);
 	CouplingState now = coupling_state(p, i, &count);
-	joint_show_side(p, i, 0, now.sides, speeds);
-	Vec direction = joint_show_side(p, i, 1, now.sides + 1, speeds + 1);
+	joint_report_side(p, i, 0, now.sides, speeds);
+	Vec direction = joint_report_side(p, i, 1, now.sides + 1, speeds + 1);
 	float far_a = modes & JOINT_HOISTS(0) ? now.sides[0].value : 0.0f;
 	float far_b = modes & JOINT_HOISTS(1) ? now.sides[1].value : 0.0f;
 	state->value[0] = now.value + (far_b + ratio * far_a);
@@ -62,11 +63,11 @@ INLINE void joint_show_coupling(const Pools* p, int i, GLOBAL JointState* state)
 	state->speed[0] = number_of(speeds[1] + ratio * speeds[0]);
 	state->speed[1] = speeds[0];
 	state->speed[2] = speeds[1];
-	joint_show_force(p, i, modes, direction, vec(0.0f, 0.0f), 0.0f, state);
+	joint_report_force(p, i, modes, direction, vec(0.0f, 0.0f), 0.0f, state);
 }
 
 // Frame A of a joint on a path, at its foot. Returns the foot.
-INLINE PathFoot joint_show_foot(const Pools* p, int i, JointFrame* a)
+INLINE PathFoot joint_report_foot(const Pools* p, int i, JointFrame* a)
 {
 	PathCount count = path_count_last(p, i);
 	PathFoot foot = path_follow(p, i, &count);
@@ -75,7 +76,7 @@ INLINE PathFoot joint_show_foot(const Pools* p, int i, JointFrame* a)
 	return foot;
 }
 
-STAGE(joint_show)
+KERNEL(joint_report)
 {
 	GLOBAL JointState* state = p->joint_state + i;
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
@@ -84,7 +85,7 @@ STAGE(joint_show)
 	float along = 0.0f, bend = 0.0f;
 	if (modes & JOINT_RAILED)
 	{
-		PathFoot foot = joint_show_foot(p, i, &a);
+		PathFoot foot = joint_report_foot(p, i, &a);
 		along = foot.along;
 		bend = foot.bend;
 	}
@@ -108,12 +109,12 @@ STAGE(joint_show)
 	state->torque = 0.0f;
 	state->broken = (p->joint_flags[i] & JOINT_BROKEN) != 0;
 	if (modes & JOINT_COUPLED)
-		joint_show_coupling(p, i, state);
+		joint_report_coupling(p, i, state);
 	else
 	{
 		const GLOBAL JointLock* lock = p->joint_data[i].lock;
 		Vec off = vec(state->value[0] - lock[0].target, state->value[1] - lock[1].target);
-		joint_show_force(p, i, modes, axis, off, bend, state);
+		joint_report_force(p, i, modes, axis, off, bend, state);
 	}
 }
 

@@ -8,14 +8,14 @@
 #include "dialect/vec.h"
 #include "pools/pools.h"
 
-STAGE(told_begin)
+KERNEL(moved_begin)
 {
-	p->counters->told = 0;
+	p->counters->moved_bodies = 0;
 	(void)i;
 }
 
 // The pose of a body's origin, with the roundings of world_body_pose.
-INLINE Float4 told_origin(const Pools* p, int i)
+INLINE Float4 reported_origin(const Pools* p, int i)
 {
 	Float4 pose = p->pose[i];
 	Float2 center = p->local_center[i];
@@ -24,18 +24,18 @@ INLINE Float4 told_origin(const Pools* p, int i)
 }
 
 // A new row has the pose 0, whose rotation no body has.
-LIST_STAGE(told_mark, told, told)
+LIST_KERNEL(moved_mark, moved_bodies, moved_bodies)
 {
-	Float4 now = told_origin(p, i), then = p->told_pose[i];
+	Float4 now = reported_origin(p, i), then = p->reported_pose[i];
 	return now.x != then.x || now.y != then.y || now.z != then.z || now.w != then.w;
 }
 
-STAGE(told_key) { p->key[i] = (Word64)p->told[i]; }
+KERNEL(moved_key) { p->key[i] = (Word64)p->moved_bodies[i]; }
 
 // After the sort.
-STAGE(told_list)
+KERNEL(moved_list)
 {
-	Told row;
+	MovedBody row;
 	row.body = (int)p->key[i];
 	row.pose = p->pose[row.body];
 	row.vx = p->body[row.body].vx;
@@ -48,8 +48,8 @@ STAGE(told_list)
 		row.vy = stored.vy;
 		row.w = stored.w;
 	}
-	p->told_pose[row.body] = told_origin(p, row.body);
-	p->told_row[i] = row;
+	p->reported_pose[row.body] = reported_origin(p, row.body);
+	p->moved_row[i] = row;
 }
 
 #endif

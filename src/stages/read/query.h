@@ -17,7 +17,7 @@ typedef struct // a query in the world
 	Float4 box;            // at the start
 	Float4 sides;          // of the box: those that enter first, x and y, then those that leave last
 	Float2 inverse;        // of the path, 1/m
-} Asked;
+} WorldQuery;
 
 // a component of a path shorter than this counts as zero, m; and its inverse
 #define QUERY_STILL   1.0e-30f
@@ -32,10 +32,10 @@ INLINE int query_ignored(const Pools* p, const Query* query)
 	return there && p->body_generation[body] == query->ignored_generation ? body : 0;
 }
 
-INLINE Asked query_asked(const Pools* p, int i, int form)
+INLINE WorldQuery query_in_world(const Pools* p, int i, int form)
 {
 	Query query = p->query[i];
-	Asked q;
+	WorldQuery q;
 	q.start = vec(query.a.x, query.a.y);
 	q.turn = vec(1.0f, 0.0f);
 	q.radius = 0.0f;
@@ -64,9 +64,9 @@ INLINE Asked query_asked(const Pools* p, int i, int form)
 	return q;
 }
 
-INLINE Found query_nothing(void)
+INLINE QueryResult query_nothing(void)
 {
-	Found found;
+	QueryResult found;
 	found.collidable = 0;
 	found.generation = 0;
 	found.x = found.y = found.normal_x = found.normal_y = 0.0f;
@@ -76,7 +76,7 @@ INLINE Found query_nothing(void)
 }
 
 // Writes an answer in the world: a point and a normal in the frame of what is seen.
-INLINE void query_place(Found* found, Seen seen, Vec point, Vec normal)
+INLINE void query_place(QueryResult* found, QueryLeaf seen, Vec point, Vec normal)
 {
 	Vec turn = vec(seen.c, seen.s);
 	point = vec_turn(turn, point);
@@ -107,7 +107,7 @@ INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 }
 
 // Whether what is seen is a one-way platform that lets a query through, which is at f and moves by path in its frame.
-INLINE int query_passes(const Pools* p, Seen seen, Frame f, float radius, Vec path, const ConvexHit* hit, int form)
+INLINE int query_passes(const Pools* p, QueryLeaf seen, Frame f, float radius, Vec path, const ConvexHit* hit, int form)
 {
 	Rule rule = p->rule[seen.attribute];
 	const GLOBAL Attribute *platform = p->attribute + seen.attribute, *visitor = &p->query_plan->shape;
@@ -121,7 +121,7 @@ INLINE int query_passes(const Pools* p, Seen seen, Frame f, float radius, Vec pa
 	return one_way_height(platform, up, visitor, f, whole, radius, path, depth) != ONE_WAY_ABOVE;
 }
 
-INLINE int query_meets(const Pools* p, Seen seen, const Asked* asked, int form, Found* found)
+INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, int form, QueryResult* found)
 {
 	const GLOBAL Attribute *a = p->attribute + seen.attribute, *b = &p->query_plan->shape;
 	Vec axes = vec(seen.c, seen.s);
@@ -169,7 +169,7 @@ INLINE int query_meets(const Pools* p, Seen seen, const Asked* asked, int form, 
 }
 
 // How far an answer is, in the unit of the boxes: a fraction, or a squared distance. It is no nearer than its box.
-INLINE float query_measure(Found* found, int form, float apart)
+INLINE float query_measure(QueryResult* found, int form, float apart)
 {
 	if (form != QUERY_NEAREST)
 	{
@@ -181,7 +181,7 @@ INLINE float query_measure(Found* found, int form, float apart)
 }
 
 // Whether an answer comes before the best one so far, which is as far.
-INLINE int query_before(Found a, Found b)
+INLINE int query_before(QueryResult a, QueryResult b)
 {
 	if (!(b.marks & FOUND_HIT) || a.fraction < b.fraction)
 		return 1;
@@ -194,7 +194,7 @@ INLINE int query_before(Found a, Found b)
 
 // Lists so many answers of query i. Returns 0 once there are more than QUERY_MOST: then what is listed is of no use, and the counter, which
 // would run over, stays above that.
-INLINE int query_append(const Pools* p, int i, const Found* held, int count)
+INLINE int query_append(const Pools* p, int i, const QueryResult* held, int count)
 {
 	GLOBAL QueryPlan* plan = p->query_plan;
 	int place = atomic_add_int(&plan->found, count);
@@ -227,35 +227,35 @@ INLINE int query_finite(Query query)
 INLINE void query_run(const Pools* p, int i, int form, int mode)
 {
 	const GLOBAL QueryPlan* plan = p->query_plan;
-	Asked asked = query_asked(p, i, form);
-	Found best = query_nothing(), held[QUERY_HELD];
+	WorldQuery asked = query_in_world(p, i, form);
+	QueryResult best = query_nothing(), held[QUERY_HELD];
 	int holds = 0;
 	float limit = form == QUERY_NEAREST ? plan->most * plan->most : 1.0f;
-	QueryWalk walk;
-	query_begin(p, &walk, query_finite(p->query[i]) ? plan->kinds : 0u);
-	while (walk.count > 0)
+	QueryTraversal traversal;
+	query_begin(p, &traversal, query_finite(p->query[i]) ? plan->kinds : 0u);
+	while (traversal.count > 0)
 	{
-		--walk.count;
-		if (walk.apart[walk.count] > limit)
+		--traversal.count;
+		if (traversal.apart[traversal.count] > limit)
 			continue;
-		Word group = walk.group[walk.count];
+		Word group = traversal.group[traversal.count];
 		const GLOBAL Tree* tree = p->tree + (group >> 31);
 		int level = (int)(group >> 27 & 15), first = ARITY * (int)(group & 0x7ffffff);
-		const GLOBAL Float4* boxes = p->seen_box + tree->begin[level] + first;
+		const GLOBAL Float4* boxes = p->query_box + tree->begin[level] + first;
 		float apart[ARITY];
 		Word hits = form == QUERY_NEAREST ? apart8(boxes, asked.box, limit, apart)
 		                                  : beam8(boxes, asked.sides, asked.inverse, limit, apart);
 		if (level > 0)
 		{
-			query_push(&walk, hits, apart, query_group((int)(group >> 31), level - 1, first));
+			query_push(&traversal, hits, apart, query_group((int)(group >> 31), level - 1, first));
 			continue;
 		}
 		for (int k = 0; k < ARITY; ++k)
 		{
 			if (!(hits >> k & 1) || apart[k] > limit)
 				continue;
-			Seen seen = p->seen[tree->leaf_begin + first + k];
-			Found found = query_nothing();
+			QueryLeaf seen = p->query_leaf_row[tree->leaf_begin + first + k];
+			QueryResult found = query_nothing();
 			if (!query_accepts(p, plan, seen, asked.ignored) || !query_meets(p, seen, &asked, form, &found))
 				continue;
 			float measure = query_measure(&found, form, apart[k]);
@@ -267,14 +267,14 @@ INLINE void query_run(const Pools* p, int i, int form, int mode)
 				holds = 0;
 				if (query_append(p, i, held, QUERY_HELD))
 					continue;
-				walk.count = 0;
+				traversal.count = 0;
 				break;
 			}
 			else if (mode == QUERY_ANY)
 			{
 				best = query_nothing();
 				best.marks = FOUND_HIT;
-				walk.count = 0;
+				traversal.count = 0;
 				break;
 			}
 			else if (measure < limit || (measure == limit && query_before(found, best)))
@@ -290,12 +290,12 @@ INLINE void query_run(const Pools* p, int i, int form, int mode)
 		query_append(p, i, held, holds);
 }
 
-STAGE(query_ray) { query_run(p, i, QUERY_RAYS, p->argument); }
-STAGE(query_shape) { query_run(p, i, QUERY_SHAPES, p->argument); }
-STAGE(query_nearest) { query_run(p, i, QUERY_NEAREST, QUERY_CLOSEST); }
+KERNEL(query_ray) { query_run(p, i, QUERY_RAYS, p->argument); }
+KERNEL(query_shape) { query_run(p, i, QUERY_SHAPES, p->argument); }
+KERNEL(query_nearest) { query_run(p, i, QUERY_NEAREST, QUERY_CLOSEST); }
 
 // Keys by which answers are sorted, one after the other: argument is what the next sort goes by. The lower half is the answer.
-STAGE(query_key)
+KERNEL(query_key)
 {
 	Word place = p->argument == QUERY_BY_COLLIDABLE ? (Word)i : (Word)p->key[i];
 	Word by = p->argument == QUERY_BY_COLLIDABLE ? (Word)p->found[place].collidable
@@ -305,7 +305,7 @@ STAGE(query_key)
 }
 
 // After the sorts: the answers in order.
-STAGE(query_list)
+KERNEL(query_list)
 {
 	int place = (int)(p->key[i] & (Word64)0xffffffffu);
 	p->found_row[i] = p->found[place];

@@ -41,7 +41,7 @@ INLINE int query_holds(const Pools* p, int k, WorldShape at)
 
 // What every leaf is now. Item i is a leaf of the tree argument; argument is 2 more for boxes of the way in the step, 4 more if the
 // step's boxes do not fit its poses.
-STAGE(query_leaf)
+KERNEL(query_leaf)
 {
 	int t = p->argument & 1;
 	const GLOBAL Tree* tree = p->tree + t;
@@ -60,7 +60,7 @@ STAGE(query_leaf)
 				box = query_way_box(p, k, at);
 			else
 				box = world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
-			Seen seen;
+			QueryLeaf seen;
 			seen.x = at.x;
 			seen.y = at.y;
 			seen.c = at.c;
@@ -68,24 +68,24 @@ STAGE(query_leaf)
 			seen.attribute = at.attribute;
 			seen.body = at.body;
 			seen.collidable = k;
-			seen.kinds = (kind & KIND_SENSOR ? SEEN_SENSOR : 1u << (kind - 1)) |
-			             (filter.category && filter.mask ? SEEN_LISTENS : 0u);
-			p->seen[tree->leaf_begin + i] = seen;
+			seen.kinds = (kind & KIND_SENSOR ? LEAF_SENSOR : 1u << (kind - 1)) |
+			             (filter.category && filter.mask ? LEAF_LISTENS : 0u);
+			p->query_leaf_row[tree->leaf_begin + i] = seen;
 		}
 	}
-	box_pack(p->seen_box, tree->begin[0] + i, box);
+	box_pack(p->query_box, tree->begin[0] + i, box);
 }
 
 // argument is the tree plus 2 times the level.
-STAGE(query_node) { tree_join(p->seen_box, p->tree + (p->argument & 1), p->argument >> 1, i); }
+KERNEL(query_node) { tree_join(p->query_box, p->tree + (p->argument & 1), p->argument >> 1, i); }
 
 // Whether a query may find a leaf.
-INLINE int query_accepts(const Pools* p, const GLOBAL QueryPlan* plan, Seen seen, int ignored)
+INLINE int query_accepts(const Pools* p, const GLOBAL QueryPlan* plan, QueryLeaf seen, int ignored)
 {
-	if (!(plan->kinds & seen.kinds & ~SEEN_LISTENS) || seen.body == ignored)
+	if (!(plan->kinds & seen.kinds & ~LEAF_LISTENS) || seen.body == ignored)
 		return 0;
 	if (plan->all)
-		return (seen.kinds & SEEN_LISTENS) != 0;
+		return (seen.kinds & LEAF_LISTENS) != 0;
 	Filter filter = p->filter[seen.collidable];
 	return (plan->mask & filter.category) && (plan->category & filter.mask);
 }
@@ -101,40 +101,40 @@ typedef struct
 	Word group[QUERY_GROUPS];
 	float apart[QUERY_GROUPS]; // no leaf below it is nearer
 	int count;
-} QueryWalk;
+} QueryTraversal;
 
 // The kinds, as bits of Seen.kinds, that there may be in a tree.
-INLINE Word query_kinds(int t) { return t == 1 ? 1u << (KIND_STATIC - 1) | SEEN_SENSOR : ~(1u << (KIND_STATIC - 1)); }
+INLINE Word query_kinds(int t) { return t == 1 ? 1u << (KIND_STATIC - 1) | LEAF_SENSOR : ~(1u << (KIND_STATIC - 1)); }
 
-INLINE void query_begin(const Pools* p, QueryWalk* walk, Word kinds)
+INLINE void query_begin(const Pools* p, QueryTraversal* traversal, Word kinds)
 {
-	walk->count = 0;
+	traversal->count = 0;
 	for (int t = 1; t >= 0; --t)
 	{
 		if (p->tree[t].leaves == 0 || !(kinds & query_kinds(t)))
 			continue;
-		walk->group[walk->count] = query_group(t, p->tree[t].top, 0);
-		walk->apart[walk->count] = 0.0f;
-		++walk->count;
+		traversal->group[traversal->count] = query_group(t, p->tree[t].top, 0);
+		traversal->apart[traversal->count] = 0.0f;
+		++traversal->count;
 	}
 }
 
 // Adds the children that are hit, so that the nearest is on top.
-INLINE void query_push(QueryWalk* walk, Word hits, const float apart[ARITY], Word first)
+INLINE void query_push(QueryTraversal* traversal, Word hits, const float apart[ARITY], Word first)
 {
-	int base = walk->count;
+	int base = traversal->count;
 	for (int k = 0; k < ARITY; ++k)
 	{
 		if (!(hits >> k & 1))
 			continue;
-		int place = walk->count++;
-		for (; place > base && walk->apart[place - 1] < apart[k]; --place)
+		int place = traversal->count++;
+		for (; place > base && traversal->apart[place - 1] < apart[k]; --place)
 		{
-			walk->apart[place] = walk->apart[place - 1];
-			walk->group[place] = walk->group[place - 1];
+			traversal->apart[place] = traversal->apart[place - 1];
+			traversal->group[place] = traversal->group[place - 1];
 		}
-		walk->apart[place] = apart[k];
-		walk->group[place] = first + (Word)k;
+		traversal->apart[place] = apart[k];
+		traversal->group[place] = first + (Word)k;
 	}
 }
 

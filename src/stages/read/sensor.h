@@ -15,19 +15,19 @@
 #include "stages/rules/apart.h"
 
 // m: shapes that overlap by less within the step alone have not met
-#define SENSE_DEPTH (0.05f * LINEAR_SLOP)
+#define SENSOR_DEPTH (0.05f * LINEAR_SLOP)
 // rounds of conservative advancement. From half of them on each goes on by at least its share of what is left of the step: where
 // something turns fast close beside a sensor, a visit may be missed that is shorter
-#define SENSE_ROUNDS 64
+#define SENSOR_ROUNDS 64
 // more rounds, which halve the time within which such a share went past the beginning of a visit
-#define SENSE_HALVINGS 10
+#define SENSOR_HALVINGS 10
 // of the sizes of two shapes: more than the rounding of places in them
-#define SENSE_ROUNDING 1e-6f
+#define SENSOR_ROUNDING 1e-6f
 // later than any time of a step
-#define SENSE_NEVER 2.0f
+#define SENSOR_NEVER 2.0f
 
 // The way of a collidable in the step, from one pose to another one.
-INLINE Sweep sense_sweep(const Pools* p, WorldShape from, WorldShape to)
+INLINE Sweep sensor_sweep(const Pools* p, WorldShape from, WorldShape to)
 {
 	const GLOBAL Attribute* shape = p->attribute + from.attribute;
 	Sweep s;
@@ -40,7 +40,7 @@ INLINE Sweep sense_sweep(const Pools* p, WorldShape from, WorldShape to)
 
 // The separation of two collidables in a frame, with the normal from a to b in the frame of a. Inlined, it would take from gcc the room
 // in which it inlines the narrow phase: storm took 1.2 % more instructions.
-RARE float sense_apart(const Pools* p, WorldShape a, WorldShape b, Frame f, Vec* normal)
+RARE float sensor_apart(const Pools* p, WorldShape a, WorldShape b, Frame f, Vec* normal)
 {
 	const GLOBAL Attribute *shape_a = p->attribute + a.attribute, *shape_b = p->attribute + b.attribute;
 	Sum sum;
@@ -51,7 +51,7 @@ RARE float sense_apart(const Pools* p, WorldShape a, WorldShape b, Frame f, Vec*
 	return n.separation;
 }
 
-INLINE Frame sense_frame(WorldShape a, WorldShape b)
+INLINE Frame sensor_frame(WorldShape a, WorldShape b)
 {
 	Vec axes = vec(a.c, a.s);
 	return frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
@@ -59,10 +59,10 @@ INLINE Frame sense_frame(WorldShape a, WorldShape b)
 
 // Whether a corner of b is well inside a: then they overlap without a look at the others. Most visitors of a large sensor are there. The
 // margin is more than rounding, so that this never says more than the separation does.
-INLINE int sense_within(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
+INLINE int sensor_within(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
 {
 	Vec corner = frame_point(f, shape_corner(b, 0));
-	float margin = SENSE_DEPTH + SENSE_ROUNDING * (a->reach + b->reach);
+	float margin = SENSOR_DEPTH + SENSOR_ROUNDING * (a->reach + b->reach);
 	if (a->count == 1)
 	{
 		Vec from = vec_sub(corner, shape_corner(a, 0));
@@ -80,13 +80,13 @@ typedef struct // bounds of how fast two collidables draw near at any time of th
 	Vec path;    // of b against a, without the turns
 	float turns; // by which points move because their bodies turn
 	float along; // for points seen from the larger one, which turns: small where both turn together
-} SensePace;
+} SensorPace;
 
 // Seen from a body that turns by w, a velocity u changes by |w| |path| + |w| |u| at most per step, so it stays below
 // e^|w| (|u| + |w| |path|); up to 1.7 rad, 1 + |w| + w^2 is more than that power.
-INLINE SensePace sense_pace(Closing c)
+INLINE SensorPace sensor_pace(Closing c)
 {
-	SensePace pace;
+	SensorPace pace;
 	pace.path = vec_sub(c.b.path, c.a.path);
 	pace.turns = absolute(c.a.turn) * c.a.reach + absolute(c.b.turn) * c.b.reach;
 	float w = absolute(c.b.reach < c.a.reach ? c.a.turn : c.b.turn);
@@ -96,23 +96,23 @@ INLINE SensePace sense_pace(Closing c)
 }
 
 // The most by which two points may draw near along a normal.
-INLINE float sense_speed(SensePace pace, Vec normal)
+INLINE float sensor_speed(SensorPace pace, Vec normal)
 {
 	return minimum(pace.turns - vec_dot(normal, pace.path), pace.along);
 }
 
-// The time at which two collidables first overlap on their ways, SENSE_NEVER if they do not. An advance ends SENSE_DEPTH inside, which
+// The time at which two collidables first overlap on their ways, SENSOR_NEVER if they do not. An advance ends SENSOR_DEPTH inside, which
 // is a long way for what is slow: the meeting is where the separation is 0 if it falls evenly since the time before.
-RARE float sense_time(const Pools* p, WorldShape a, WorldShape b, Closing closing)
+RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closing)
 {
-	SensePace pace = sense_pace(closing);
-	float time = 0.0f, before = 0.0f, gap_before = 0.0f, met = SENSE_NEVER;
+	SensorPace pace = sensor_pace(closing);
+	float time = 0.0f, before = 0.0f, gap_before = 0.0f, met = SENSOR_NEVER;
 	int past = 0, halvings = 0; // past: a share may have gone past the beginning
-	for (int round = 0; round < SENSE_ROUNDS + SENSE_HALVINGS; ++round)
+	for (int round = 0; round < SENSOR_ROUNDS + SENSOR_HALVINGS; ++round)
 	{
 		Frame f;
 		Vec normal, axes = vec_turn(sweep_frame(a, b, closing, time, &f), vec(a.c, a.s));
-		float gap = sense_apart(p, a, b, f, &normal);
+		float gap = sensor_apart(p, a, b, f, &normal);
 		if (gap <= 0.0f)
 		{
 			met = time;
@@ -126,15 +126,15 @@ RARE float sense_time(const Pools* p, WorldShape a, WorldShape b, Closing closin
 		}
 		if (met <= 1.0f)
 		{
-			if (++halvings > SENSE_HALVINGS)
+			if (++halvings > SENSOR_HALVINGS)
 				break;
 			time = 0.5f * (before + met);
 			continue;
 		}
-		float speed = sense_speed(pace, vec_turn(axes, normal)), left = gap + SENSE_DEPTH;
-		if (round >= SENSE_ROUNDS || !(speed * (1.0f - time) > gap))
+		float speed = sensor_speed(pace, vec_turn(axes, normal)), left = gap + SENSOR_DEPTH;
+		if (round >= SENSOR_ROUNDS || !(speed * (1.0f - time) > gap))
 			break;
-		float share = round < SENSE_ROUNDS / 2 ? 0.0f : (1.0f - time) / (float)(SENSE_ROUNDS - round);
+		float share = round < SENSOR_ROUNDS / 2 ? 0.0f : (1.0f - time) / (float)(SENSOR_ROUNDS - round);
 		past = share * speed > left;
 		time = minimum(time + maximum(left / speed, share), 1.0f);
 	}
@@ -142,32 +142,33 @@ RARE float sense_time(const Pools* p, WorldShape a, WorldShape b, Closing closin
 }
 
 // The visit of leaf b to sensor a, both at their poses of the end, if there is one: when it began and ended, and whether it lasts.
-INLINE int sense_visit(const Pools* p, int sensor, WorldShape a, Seen seen, Found* visit)
+INLINE int sensor_visit(const Pools* p, int sensor, WorldShape a, QueryLeaf seen, QueryResult* visit)
 {
 	WorldShape b = collidable_place(p, seen.collidable), start_a = p->world_shape[sensor],
 	           start_b = p->world_shape[seen.collidable];
 	const GLOBAL Attribute *shape_a = p->attribute + a.attribute, *shape_b = p->attribute + b.attribute;
-	Frame end = sense_frame(a, b);
+	Frame end = sensor_frame(a, b);
 	visit->collidable = seen.collidable;
 	visit->fraction = 0.0f;
 	visit->x = 1.0f;
 	visit->marks = FOUND_HIT | FOUND_INSIDE;
-	if (sense_within(shape_a, shape_b, end) && sense_within(shape_a, shape_b, sense_frame(start_a, start_b)))
+	if (sensor_within(shape_a, shape_b, end) && sensor_within(shape_a, shape_b, sensor_frame(start_a, start_b)))
 		return 1;
 	Vec normal;
-	float apart = sense_apart(p, a, b, end, &normal);
-	Sweep sa = sense_sweep(p, start_a, a), sb = sense_sweep(p, start_b, b);
+	float apart = sensor_apart(p, a, b, end, &normal);
+	Sweep sa = sensor_sweep(p, start_a, a), sb = sensor_sweep(p, start_b, b);
 	Closing closing = sweep_between(start_a, sa, start_b, sb);
-	SensePace pace = sense_pace(closing);
+	SensorPace pace = sensor_pace(closing);
 	if (apart > minimum(pace.turns + root(vec_dot(pace.path, pace.path)), pace.along))
 		return 0;
 	int moves = pace.turns > 0.0f || pace.path.x != 0.0f || pace.path.y != 0.0f;
-	float begin = moves ? sense_time(p, start_a, start_b, closing) : 0.0f, left = 1.0f;
+	float begin = moves ? sensor_time(p, start_a, start_b, closing) : 0.0f, left = 1.0f;
 	if (apart > 0.0f)
 	{
 		if (begin > 1.0f)
 			return 0;
-		float back = sense_time(p, a, b, sweep_between(a, sense_sweep(p, a, start_a), b, sense_sweep(p, b, start_b)));
+		float back =
+		    sensor_time(p, a, b, sweep_between(a, sensor_sweep(p, a, start_a), b, sensor_sweep(p, b, start_b)));
 		left = back > 1.0f ? begin : maximum(1.0f - back, begin);
 	}
 	visit->fraction = minimum(begin, 1.0f);
@@ -177,12 +178,12 @@ INLINE int sense_visit(const Pools* p, int sensor, WorldShape a, Seen seen, Foun
 }
 
 // The kinds that a sensor sees, as bits of Seen.kinds.
-INLINE Word sense_kinds(Word bits)
+INLINE Word sensor_kinds(Word bits)
 {
 	const Word moving = 1u << (KIND_DYNAMIC - 1) | 1u << (KIND_KINEMATIC - 1);
 	const Word still = 1u << (KIND_STATIC - 1) | 1u << (KIND_FREE - 1);
 	return (bits & SENSOR_MOVING ? moving : 0u) | (bits & SENSOR_STATIC ? still : 0u) |
-	       (bits & SENSOR_SENSORS ? SEEN_SENSOR : 0u);
+	       (bits & SENSOR_SENSORS ? LEAF_SENSOR : 0u);
 }
 
 typedef struct // a search for the visits of a sensor
@@ -192,59 +193,59 @@ typedef struct // a search for the visits of a sensor
 	WorldShape at; // at the end
 	Float4 box;    // of its way
 	int blocks[2]; // of eight leaves: from here on, and where to end
-} Sense;
+} SensorSearch;
 
-INLINE void sense_leaf(const Pools* p, const Sense* s, Seen seen)
+INLINE void sensor_leaf(const Pools* p, const SensorSearch* s, QueryLeaf seen)
 {
-	Found visit = query_nothing();
+	QueryResult visit = query_nothing();
 	if ((seen.kinds & s->kinds) && seen.collidable != s->sensor &&
-	    !apart_by(p, s->sensor, seen.collidable, APART_SEEN) && sense_visit(p, s->sensor, s->at, seen, &visit))
+	    !apart_by(p, s->sensor, seen.collidable, APART_SEEN) && sensor_visit(p, s->sensor, s->at, seen, &visit))
 		query_append(p, s->query, &visit, 1);
 }
 
 // Whether the leaves below a node of a level are among those searched. Node n of level 1 is over block n.
-INLINE int sense_covers(const Sense* s, int level, int node)
+INLINE int sensor_covers(const SensorSearch* s, int level, int node)
 {
 	int bits = ARITY_BITS * (level - 1);
 	return node << bits < s->blocks[1] && (node + 1) << bits > s->blocks[0];
 }
 
 // The leaves of tree t.
-INLINE void sense_tree(const Pools* p, const Sense* s, int t)
+INLINE void sensor_tree(const Pools* p, const SensorSearch* s, int t)
 {
 	const GLOBAL Tree* tree = p->tree + t;
-	QueryWalk walk;
-	walk.group[0] = query_group(t, tree->top, 0);
-	walk.count = 1;
-	while (walk.count > 0)
+	QueryTraversal traversal;
+	traversal.group[0] = query_group(t, tree->top, 0);
+	traversal.count = 1;
+	while (traversal.count > 0)
 	{
-		Word group = walk.group[--walk.count];
+		Word group = traversal.group[--traversal.count];
 		int level = (int)(group >> 27 & 15), first = ARITY * (int)(group & 0x7ffffff);
-		Word hits = overlaps8(p->seen_box + tree->begin[level] + first, s->box);
+		Word hits = overlaps8(p->query_box + tree->begin[level] + first, s->box);
 		for (int k = 0; k < ARITY; ++k)
 		{
 			if (!(hits >> k & 1))
 				continue;
 			if (level == 0)
-				sense_leaf(p, s, p->seen[tree->leaf_begin + first + k]);
-			else if (sense_covers(s, level, first + k))
-				walk.group[walk.count++] = query_group(t, level - 1, first + k);
+				sensor_leaf(p, s, p->query_leaf_row[tree->leaf_begin + first + k]);
+			else if (sensor_covers(s, level, first + k))
+				traversal.group[traversal.count++] = query_group(t, level - 1, first + k);
 		}
 	}
 }
 
 // Items argument * q and up are parts of the search of query q, whose collidable is a sensor. One that is as large as the world would keep
 // a single work-item busy for long: each part takes a share of the leaves.
-STAGE(sense)
+KERNEL(sensor_overlap)
 {
-	Sense s;
+	SensorSearch s;
 	int parts = p->argument, part = i % parts;
 	s.query = i / parts;
 	s.sensor = p->query[s.query].ignored_generation;
 	Word reports = p->filter[s.sensor].reports;
 	if (p->collidable_kind[s.sensor] == KIND_DEAD || !(reports & SENSOR_BITS))
 		return;
-	s.kinds = sense_kinds(reports);
+	s.kinds = sensor_kinds(reports);
 	s.at = collidable_place(p, s.sensor);
 	s.box = query_way_box(p, s.sensor, s.at);
 	for (int t = 0; t < 2; ++t)
@@ -253,7 +254,7 @@ STAGE(sense)
 		s.blocks[0] = share * part;
 		s.blocks[1] = s.blocks[0] + share;
 		if (leaves > 0 && ARITY * s.blocks[0] < leaves && (s.kinds & query_kinds(t)))
-			sense_tree(p, &s, t);
+			sensor_tree(p, &s, t);
 	}
 }
 

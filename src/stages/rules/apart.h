@@ -58,7 +58,7 @@ INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 	if (reasons & APART_MATERIAL && p->step.material_pairs > 0 && rule_ignores(rule_materials(p, i, j)))
 		return APART_MATERIAL;
 	if (reasons & APART_REFUSED && p->step.asks &&
-	    ask_finds(p->refused, p->counters->refused, apart_key(p, apart_pair(p, i, j))))
+	    approval_finds(p->refused, p->counters->refused, apart_key(p, apart_pair(p, i, j))))
 		return APART_REFUSED;
 	return 0;
 }
@@ -74,7 +74,7 @@ RARE int apart_lets(const Pools* p, int a, int b, Vec way, float swing)
 	if (!rule_platform(p, a, b))
 		return 0;
 	if (box_overlap(p->box[a], p->box[b]) &&
-	    !ask_finds(p->refused, p->counters->refused, apart_passes_key(p, apart_pair(p, a, b))))
+	    !approval_finds(p->refused, p->counters->refused, apart_passes_key(p, apart_pair(p, a, b))))
 		return 0;
 	return one_way_finds(p, a, b, way, swing, ONE_WAY_PAST) != ONE_WAY_HELD;
 }

@@ -15,7 +15,7 @@
 
 // m: how deep a visitor may be that is above; it is more than bodies fall in a step of 1/30 s, and than loads press them in. Of the
 // thickness of a thinner visitor, so that one that comes from below is not above when it touches. A pair that was far apart in the
-// last step: of the thickness, because guard stops a visitor at GUARD_DEPTH.
+// last step: of the thickness, because guard stops a visitor at CONTINUOUS_DEPTH.
 #define ONE_WAY_SLOP  SPECULATIVE_DISTANCE
 #define ONE_WAY_SHARE 0.5f
 #define ONE_WAY_FRESH 0.3f
@@ -202,7 +202,7 @@ RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
 // Whether another collidable of the visitor's body is in the platform's way: all of a body is held, or nothing of it.
 INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, float swing, int known)
 {
-	for (int k = p->guarded[p->collidable_body[b]].first; k > 0; k = p->next_collidable[k - 1])
+	for (int k = p->continuous_body[p->collidable_body[b]].first; k > 0; k = p->next_collidable[k - 1])
 	{
 		if (k - 1 == b || p->collidable_kind[k - 1] & KIND_SENSOR)
 			continue;

@@ -75,7 +75,7 @@ RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 }
 
 // Body i, before it is known which platforms hold it.
-STAGE(sunk_begin) { p->sunk[i] = 0; }
+KERNEL(sunk_begin) { p->sunk[i] = 0; }
 
 // Raises the depth of a visitor in the platform of a contact to that of its manifold, or to depth, m.
 INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
@@ -101,7 +101,7 @@ RARE void sunk_by(const Pools* p, int slot, int a, int b, int found)
 INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 {
 	Int2 pair = p->pair[i];
-	if (pair.x < 0 || flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_ASKS))
+	if (pair.x < 0 || flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_PENDING))
 		return;
 	int by_a = one_way_is(p, pair.x), by_b = one_way_is(p, pair.y);
 	// a collidable that was destroyed may have anything as its attribute
@@ -115,40 +115,41 @@ INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 		p->contact_flags[i] = flags | CONTACT_SUNK;
 }
 
-// Contact i, before contact_rule, when contacts are what they were in the last step. contact_ask does the same again, for guard.
-STAGE(contact_sunk)
+// Contact i, before contact_rule, when contacts are what they were in the last step. approval_request does the same again, for guard.
+KERNEL(contact_sunk)
 {
 	if (i < p->counters->live)
 		sunk_find(p, i, p->contact_flags[i] & ~CONTACT_SUNK, 0);
 }
 
-INLINE Word64 ask_key(Int2 pair) { return (Word64)pair.x << 32 | (Word64)pair.y; }
+INLINE Word64 approval_key(Int2 pair) { return (Word64)pair.x << 32 | (Word64)pair.y; }
 
-INLINE int ask_finds(const GLOBAL Word64* keys, int count, Word64 key)
+INLINE int approval_finds(const GLOBAL Word64* keys, int count, Word64 key)
 {
 	int at = key_bound(keys, 0, count, key);
 	return at < count && keys[at] == key;
 }
 
-// The CONTACT_ANSWERS bits of a contact with these flags.
+// The CONTACT_APPROVALS bits of a contact with these flags.
 RARE Word rule_answer(const Pools* p, Int2 pair, Word flags)
 {
-	if (!((p->filter[pair.x].reports | p->filter[pair.y].reports) & REPORT_ASKS))
+	if (!((p->filter[pair.x].reports | p->filter[pair.y].reports) & REPORT_APPROVAL))
 		return 0;
 	if (flags & CONTACT_FRESH)
-		return CONTACT_ASKS;
-	if (flags & CONTACT_WAITS && p->step.asks_again)
-		return CONTACT_ASKS;
-	if (flags & CONTACT_WAITS)
-		return ask_finds(p->allowed, p->step.allowed, ask_key(pair)) ? CONTACT_GRANTED : CONTACT_ASKS | CONTACT_REFUSED;
+		return CONTACT_PENDING;
+	if (flags & CONTACT_WAITED && p->step.request_again)
+		return CONTACT_PENDING;
+	if (flags & CONTACT_WAITED)
+		return approval_finds(p->allowed, p->step.allowed, approval_key(pair)) ? CONTACT_APPROVED
+		                                                                       : CONTACT_PENDING | CONTACT_REFUSED;
 	// without points the two have parted; what touched before it asked goes on
 	if (!(flags & CONTACT_COUNT))
-		return CONTACT_ASKS;
-	return flags & CONTACT_ANSWERS ? flags & CONTACT_ANSWERS : CONTACT_GRANTED;
+		return CONTACT_PENDING;
+	return flags & CONTACT_APPROVALS ? flags & CONTACT_APPROVALS : CONTACT_APPROVED;
 }
 
 // Contact i: whether it acts in this step.
-STAGE(contact_rule)
+KERNEL(contact_rule)
 {
 	Word flags = p->contact_flags[i];
 	Int2 pair = p->pair[i];
@@ -164,18 +165,18 @@ STAGE(contact_rule)
 	}
 	// most contacts stay as they are
 	int platform = !apart && (one_way_is(p, pair.x) || one_way_is(p, pair.y));
-	if (!platform && (flags & (CONTACT_PASSES | CONTACT_IGNORED | CONTACT_ANSWERS)) == (apart | answer))
+	if (!platform && (flags & (CONTACT_PASSES | CONTACT_IGNORED | CONTACT_APPROVALS)) == (apart | answer))
 		return;
 	// a contact that parted is released by the narrow phase, but not one that is fresh
 	if (!(flags & CONTACT_FRESH) && box_parted(p, pair))
 		return;
 	if (platform)
 		apart = rule_passes(p, pair, flags);
-	int acts = flags & CONTACT_ASKS && !(answer & CONTACT_ASKS);
+	int acts = flags & CONTACT_PENDING && !(answer & CONTACT_PENDING);
 	if (((flags ^ apart) & (CONTACT_PASSES | CONTACT_IGNORED)) || acts)
 		contact_anew(p, i, flags, apart | answer | (flags & CONTACT_REPORTS));
 	else
-		p->contact_flags[i] = (flags & ~(CONTACT_ANSWERS | CONTACT_HIGH)) | answer | apart;
+		p->contact_flags[i] = (flags & ~(CONTACT_APPROVALS | CONTACT_HIGH)) | answer | apart;
 }
 
 #endif

@@ -56,7 +56,7 @@ INLINE void body_move(const Step* step, Real* b, const Real* m)
 }
 
 // argument is 1 in the first substep
-WIDE_STAGE(integrate_velocity)
+WIDE_KERNEL(integrate_velocity)
 {
 	Real b[8], m[8], base[4];
 	load_rows8((GLOBAL float*)p->body, i, b);
@@ -67,7 +67,7 @@ WIDE_STAGE(integrate_velocity)
 	store_rows4((GLOBAL float*)p->base, i, base);
 }
 
-WIDE_STAGE(integrate_position)
+WIDE_KERNEL(integrate_position)
 {
 	Real b[8], m[8];
 	load_rows8((GLOBAL float*)p->body, i, b);

@@ -18,7 +18,7 @@ INLINE void overflow_solve(const Pools* p, int k, int pass)
 }
 
 // They are solved one after the other in the order of their slots, before the colors of a pass. argument is the pass.
-STAGE(joint_overflow)
+KERNEL(joint_overflow)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];
 	int first = layout->begin[COLORS] + p->step.chain_places;

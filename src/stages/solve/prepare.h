@@ -8,7 +8,7 @@
 #include "constraints/joint_prepare.h"
 
 #define CONSTRAINT_KIND(kind, Kind, KIND)                          \
-	WIDE_STAGE(kind##_prepare)                                     \
+	WIDE_KERNEL(kind##_prepare)                                    \
 	{                                                              \
 		Kind u;                                                    \
 		kind##_setup(p, i, load_int(p->kind##_place_slot, i), &u); \
@@ -22,7 +22,7 @@ SMALL_BEGIN
 
 // The rare rows, from those that the stage above wrote.
 #define CONSTRAINT_KIND(kind, Kind, KIND)      \
-	WIDE_STAGE(kind##_prepare_rare)            \
+	WIDE_KERNEL(kind##_prepare_rare)           \
 	{                                          \
 		Kind u;                                \
 		kind##_load(p, i, PREPARE_BOUNCE, &u); \

@@ -12,7 +12,7 @@ INLINE void counters_clear(const Pools* p)
 	p->counters->first_nonfinite = 0x7fffffff;
 }
 
-STAGE(solve_begin)
+KERNEL(solve_begin)
 {
 	GLOBAL BodyState* body = p->body + i;
 	p->base[i] = make_float4(body->vx, body->vy, body->w, 0.0f);
@@ -24,7 +24,7 @@ STAGE(solve_begin)
 }
 
 // The bodies get the inertias of the step: joint_taut has left what the pull asks for in the place of the turn.
-STAGE(body_taut)
+KERNEL(body_taut)
 {
 	GLOBAL BodyState* body = p->body + i;
 	float pull = body->da, own = body->inv_inertia;
@@ -37,6 +37,6 @@ STAGE(body_taut)
 }
 
 // They get their own back.
-STAGE(body_slack) { p->body[i].inv_inertia = p->own_inertia[i]; }
+KERNEL(body_slack) { p->body[i].inv_inertia = p->own_inertia[i]; }
 
 #endif

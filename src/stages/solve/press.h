@@ -71,7 +71,7 @@ RARE ContactPoints press_points(const Pools* p, int slot)
 	load_rows8((GLOBAL float*)(p->world_shape + pair.y), 0, b);
 	load_rows8((GLOBAL float*)(p->contact_manifold + slot), 0, manifold);
 	load_rows8((GLOBAL float*)(p->contact_manifold + slot), 1, manifold + 8);
-	return listed_points(p->attribute, a, b, manifold, p->contact_flags[slot], p->contact_feature[slot]);
+	return contact_report_points(p->attribute, a, b, manifold, p->contact_flags[slot], p->contact_feature[slot]);
 }
 
 typedef struct // facts of a contact that the rounds share
@@ -133,7 +133,7 @@ INLINE void press_give(const Pools* p, int body, int kind, int hops, Vec directi
 }
 
 // Body i, before a step.
-STAGE(press_begin)
+KERNEL(press_begin)
 {
 	BodyState state = p->body[i];
 	Vec v = vec(state.vx, state.vy);
@@ -164,7 +164,7 @@ RARE void press_start(const Pools* p, int i, int slot, int lasts)
 }
 
 // The contact at place i gives its bodies their ways: those of the last step, and those that begin at it.
-STAGE(press_gather)
+KERNEL(press_gather)
 {
 	int slot = press_slot(p, i);
 	if (slot < 0)
@@ -211,7 +211,7 @@ STAGE(press_gather)
 #define PRESS_HOLDS(k) (JOINT_LOCKED(k) | JOINT_SPRING(k))
 
 // Joint i drags a body that cannot follow it to one that cannot move: also that is a press, of any speed.
-STAGE(press_joint)
+KERNEL(press_joint)
 {
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
 	if (press_waits(p) || (p->joint_flags[i] & (JOINT_ACTIVE | JOINT_ACTS)) != (JOINT_ACTIVE | JOINT_ACTS) ||
@@ -248,7 +248,7 @@ INLINE PressWays press_ways(const Pools* p, int body)
 }
 
 // The contact at place i hands ways on. What is pressed into something static is marked for guard.
-STAGE(press_hand_on)
+KERNEL(press_hand_on)
 {
 	int slot = press_slot(p, i), way[2] = {0, 0};
 	if (slot < 0)

@@ -5,7 +5,7 @@
 #include "constraints/constraint_kinds.h"
 
 #define SOLVE_PASS(kind, Kind, name, which)                  \
-	WIDE_STAGE(kind##_##name)                                \
+	WIDE_KERNEL(kind##_##name)                               \
 	{                                                        \
 		Int ia = load_int(&kind##_row(p, body_a, i), 0);     \
 		Int ib = load_int(&kind##_row(p, body_b, i), 0);     \

@@ -14,12 +14,12 @@ INLINE void taut_add(const Pools* p, Int body, const Body* b, Real turn, Real pu
 {
 	Real zero = splat(0.0f), row[4];
 	row[0] = row[1] = zero;
-	row[2] = turn + choose(zero, pull, absolute(pull) <= splat(MOST_FLOAT));
+	row[2] = turn + blend(zero, pull, absolute(pull) <= splat(MOST_FLOAT));
 	row[3] = b->inv_inertia;
 	scatter_rows4of8((GLOBAL float*)p->body + 4, body, row, b->inv_mass > zero);
 }
 
-WIDE_STAGE(joint_taut)
+WIDE_KERNEL(joint_taut)
 {
 	Int ia = load_int(&joint_row(p, body_a, i), 0), ib = load_int(&joint_row(p, body_b, i), 0);
 	Joint u;

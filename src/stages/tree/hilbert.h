@@ -52,10 +52,10 @@ INLINE Int tree_cell(Real lower, Real upper, float begin, float cells)
 
 // Keys of the leaves: distance of the box's center along the curve, then the collidable. argument is the tree, plus 2 for the boxes
 // that queries have. Dead leaves are sorted last, where the host drops them.
-WIDE_STAGE(tree_code)
+WIDE_KERNEL(tree_code)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
-	GLOBAL Float4* boxes = p->argument & 2 ? p->seen_box : p->node_box;
+	GLOBAL Float4* boxes = p->argument & 2 ? p->query_box : p->node_box;
 	Float4 bounds = box_unpack(boxes, tree->begin[tree->top] + ARITY);
 	float width = bounds.z - bounds.x, height = bounds.w - bounds.y, side = width > height ? width : height;
 	float cells = side > 0.0f ? TREE_CELLS / side : 0.0f;
@@ -65,8 +65,8 @@ WIDE_STAGE(tree_code)
 		box[which] = gather((const GLOBAL float*)boxes, place + 8 * which);
 	Int code = hilbert_distance(tree_cell(box[0], box[2], bounds.x, cells), tree_cell(box[1], box[3], bounds.y, cells));
 	// no box has the key of a dead leaf, which has all bits set
-	code = choose_int(code, code & ~1, code == -1);
-	store_keys(p->key, i, choose_int(code, code | -1, box[0] > box[2]), load_int(p->leaf + tree->leaf_begin, i));
+	code = blend_int(code, code & ~1, code == -1);
+	store_keys(p->key, i, blend_int(code, code | -1, box[0] > box[2]), load_int(p->leaf + tree->leaf_begin, i));
 }
 
 #endif

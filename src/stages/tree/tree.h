@@ -18,7 +18,7 @@
 
 // A node counts as wide if its area is more than this many times that of its leaves: twice that of a row of eight
 // leaves that is bent once.
-#define STRAY_BOXES 64.0f
+#define OUTLIER_BOXES 64.0f
 
 INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC; }
 
@@ -26,7 +26,7 @@ INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC;
 #define LEAF_SOON 16
 
 // argument is the tree. A leaf whose collidable is dead, or moved to the other tree, gets an empty box.
-STAGE(tree_leaf)
+KERNEL(tree_leaf)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
 	Float4 box = box_empty();
@@ -67,7 +67,7 @@ INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int 
 }
 
 // argument is the tree plus 2 times the level.
-STAGE(tree_node)
+KERNEL(tree_node)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
 	int level = p->argument >> 1;
@@ -87,7 +87,7 @@ INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
 // A leaf that is new or jumped makes the nodes above it wide, and walks visit these in vain. Estimates how many walks:
 // of all boxes, as many meet a wide node as have room in it. Item i is a node of level 1, argument the tree. Nodes no
 // wider than nodes of leaves in rows are not counted.
-STAGE(tree_stray)
+KERNEL(tree_outlier)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
 	Float4 now = box_empty(), before = box_empty();
@@ -105,7 +105,7 @@ STAGE(tree_stray)
 		if (kind == KIND_DEAD || tree_of_kind(kind) != p->argument)
 			continue;
 		Float4 box = p->box[leaf], old = p->old_box[leaf];
-		jumped |= (p->moved[leaf] & MOVED_BOX) && !box_overlap(box, old);
+		jumped |= (p->collidable_flags[leaf] & COLLIDABLE_NEW_BOX) && !box_overlap(box, old);
 		now = box_union(now, box);
 		before = box_union(before, old);
 		area += box_area(box);
@@ -114,44 +114,44 @@ STAGE(tree_stray)
 	if (!jumped)
 		return;
 	float mean = area / (float)leaves, wide = box_area(now);
-	if (!(wide > STRAY_BOXES * mean))
+	if (!(wide > OUTLIER_BOXES * mean))
 		return;
 	// after a jump, the upper nodes cost about as much as this one
 	wide -= box_is_empty(before) ? 0.0f : box_area(before);
-	float walks = 2.0f * wide / (mean * (float)tree->leaves);
-	if (walks < 0.0f) // may be beyond the range of whole numbers
+	float traversals = 2.0f * wide / (mean * (float)tree->leaves);
+	if (traversals < 0.0f) // may be beyond the range of whole numbers
 		return;
-	int strayed = walks < 2.0f ? (int)((float)STRAY_UNIT * walks) : 2 * STRAY_UNIT;
-	if (strayed > 0)
-		atomic_add_int(&p->counters->strayed[p->argument], strayed);
+	int outliers = traversals < 2.0f ? (int)((float)OUTLIER_UNIT * traversals) : 2 * OUTLIER_UNIT;
+	if (outliers > 0)
+		atomic_add_int(&p->counters->outliers[p->argument], outliers);
 }
 
 // Whether the walks of this step alone are worth sorting the leaves. Smaller costs add up over steps; src/step/tree_maintenance.c.
-STAGE(tree_judge)
+KERNEL(tree_measure_quality)
 {
 	GLOBAL Counters* c = p->counters;
 	int t = p->argument;
-	Word64 visits = (Word64)c->moved * (Word64)c->strayed[t];
-	if (visits > (Word64)(ORDER_VISITS * STRAY_UNIT) * (Word64)p->tree[t].leaves)
+	Word64 visits = (Word64)c->updated_boxes * (Word64)c->outliers[t];
+	if (visits > (Word64)(ORDER_VISITS * OUTLIER_UNIT) * (Word64)p->tree[t].leaves)
 		c->order[t] = 0x7fffffff;
 	(void)i;
 }
 
 // The box around all leaves, behind the nodes of the highest level. argument is as that of tree_code.
-STAGE(tree_root)
+KERNEL(tree_root)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
-	GLOBAL Float4* boxes = p->argument & 2 ? p->seen_box : p->node_box;
+	GLOBAL Float4* boxes = p->argument & 2 ? p->query_box : p->node_box;
 	int top = tree->begin[tree->top];
 	box_pack(boxes, top + ARITY, box_around(boxes + top));
 	(void)i;
 }
 
-STAGE(tree_order)
+KERNEL(tree_order)
 {
 	p->leaf[p->tree[p->argument].leaf_begin + i] = (int)(p->key[i] & (Word64)0xffffffffu);
 	if (i == 0)
-		p->counters->strayed[p->argument] = 0;
+		p->counters->outliers[p->argument] = 0;
 }
 
 // Bit k is set if the box overlaps child k of the eight from first on.
@@ -175,25 +175,25 @@ typedef struct // through the nodes over leaves that overlap a box, in rising or
 	int from, end;    // leaves from and up to, not including; end 0: all
 	int nodes;        // over leaves that it may still visit
 	int movers;       // visits only nodes with something below them that what is kinematic may touch
-} TreeWalk;
+} TreeTraversal;
 
 // Begins a walk through leaves from up to, not including, end, or through all leaves for end 0. The tree must have
 // leaves.
-INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
+INLINE TreeTraversal tree_traverse(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
 {
-	TreeWalk walk;
-	walk.level = tree->top;
-	walk.first = 0;
-	walk.from = from;
-	walk.end = end;
-	walk.nodes = nodes;
-	walk.movers = 0;
-	walk.leaves = 0;
-	walk.masks = tree_hits(p, tree->begin[walk.level], box);
+	TreeTraversal traversal;
+	traversal.level = tree->top;
+	traversal.first = 0;
+	traversal.from = from;
+	traversal.end = end;
+	traversal.nodes = nodes;
+	traversal.movers = 0;
+	traversal.leaves = 0;
+	traversal.masks = tree_hits(p, tree->begin[traversal.level], box);
 	if (end)
-		walk.masks &= tree_span(walk.level, 0, from, end);
-	walk.masks = walk.masks << (8 * walk.level);
-	return walk;
+		traversal.masks &= tree_span(traversal.level, 0, from, end);
+	traversal.masks = traversal.masks << (8 * traversal.level);
+	return traversal;
 }
 
 // Advances to the next node over leaves and returns its first leaf; walk->leaves has a bit for each that overlaps the
@@ -201,33 +201,33 @@ INLINE TreeWalk tree_walk(const Pools* p, const GLOBAL Tree* tree, Float4 box, i
 // the leaf at which it has to continue.
 #define TREE_DONE (-1)
 #define TREE_LEFT (-2)
-INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeWalk* walk)
+INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeTraversal* traversal)
 {
 	for (;;)
 	{
 		// the lowest level that has nodes left, in one go
-		Word64 left = walk->masks >> (8 * walk->level);
+		Word64 left = traversal->masks >> (8 * traversal->level);
 		if (left == 0)
 			return TREE_DONE;
 		int lowest = lowest_bit(left), up = lowest / 8, child = lowest % 8;
-		walk->level += up;
-		walk->first = walk->first >> (ARITY_BITS * up) & ~(ARITY - 1);
-		if (walk->level == 0)
+		traversal->level += up;
+		traversal->first = traversal->first >> (ARITY_BITS * up) & ~(ARITY - 1);
+		if (traversal->level == 0)
 		{
-			walk->leaves = walk->masks & (Word64)255;
-			walk->masks ^= walk->leaves;
-			return walk->first;
+			traversal->leaves = traversal->masks & (Word64)255;
+			traversal->masks ^= traversal->leaves;
+			return traversal->first;
 		}
-		walk->masks ^= (Word64)1 << (8 * walk->level + child);
-		walk->first = ARITY * (walk->first + child);
-		if (--walk->level == 0 && --walk->nodes < 0)
+		traversal->masks ^= (Word64)1 << (8 * traversal->level + child);
+		traversal->first = ARITY * (traversal->first + child);
+		if (--traversal->level == 0 && --traversal->nodes < 0)
 			return TREE_LEFT;
-		Word64 hits = tree_hits(p, tree->begin[walk->level] + walk->first, box);
-		if (walk->end)
-			hits &= tree_span(walk->level, walk->first, walk->from, walk->end);
-		if (walk->movers)
-			hits &= (Word64)tree_movers_of(p, tree, walk->level, walk->first);
-		walk->masks |= hits << (8 * walk->level);
+		Word64 hits = tree_hits(p, tree->begin[traversal->level] + traversal->first, box);
+		if (traversal->end)
+			hits &= tree_span(traversal->level, traversal->first, traversal->from, traversal->end);
+		if (traversal->movers)
+			hits &= (Word64)tree_movers_of(p, tree, traversal->level, traversal->first);
+		traversal->masks |= hits << (8 * traversal->level);
 	}
 }
 

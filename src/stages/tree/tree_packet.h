@@ -8,50 +8,50 @@
 #define TREE_PACKET_H
 #include "stages/tree/tree.h"
 
-#define WAVE_WALKS  32  // walks at a time; CHUNK_ITEMS is a multiple of it
-#define WAVE_SHARE  16  // most nodes of one level per walk; a walk with more goes by itself
-#define WAVE_LEAVES 128 // most overlapping leaves before they are processed
+#define PACKET_TRAVERSALS 32  // walks at a time; CHUNK_ITEMS is a multiple of it
+#define PACKET_SHARE      16  // most nodes of one level per walk; a walk with more goes by itself
+#define PACKET_LEAVES     128 // most overlapping leaves before they are processed
 
 typedef struct // nodes of one level that are still to be tested, those of a walk in a row: 4 times the first of eight siblings, plus the walk
 {
 	int count;
-	int node[WAVE_WALKS * WAVE_SHARE + ARITY];
-} WaveFront;
+	int node[PACKET_TRAVERSALS * PACKET_SHARE + ARITY];
+} PacketFront;
 
-INLINE int wave_walk(int node) { return node & (WAVE_WALKS - 1); }
-INLINE int wave_first(int node) { return node >> 2 & ~(ARITY - 1); }
-INLINE int wave_node(int walk, int first) { return first << 2 | walk; }
+INLINE int packet_traverse(int node) { return node & (PACKET_TRAVERSALS - 1); }
+INLINE int packet_first(int node) { return node >> 2 & ~(ARITY - 1); }
+INLINE int packet_node(int traversal, int first) { return first << 2 | traversal; }
 
 // Tests one level: of each eight siblings, those that overlap. kinematic: the walks of what is kinematic, a bit each. Returns those that have too
 // many nodes.
-INLINE Word wave_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word kinematic,
-                         Word alone, const WaveFront* from, WaveFront* to)
+INLINE Word packet_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word kinematic,
+                           Word alone, const PacketFront* from, PacketFront* to)
 {
 	const GLOBAL Float4 *nodes = p->node_box + tree->begin[level], *below = p->node_box + tree->begin[level - 1];
 	int last = -1, begin = 0, count = 0, far = tree->leaves >= FETCH_COLLIDABLES;
 	for (int k = 0; k < from->count; ++k)
 	{
-		int walk = wave_walk(from->node[k]), first = wave_first(from->node[k]);
-		if (alone >> walk & 1)
+		int traversal = packet_traverse(from->node[k]), first = packet_first(from->node[k]);
+		if (alone >> traversal & 1)
 			continue;
-		begin = walk != last ? count : begin;
-		last = walk;
-		Word hits = overlaps8(nodes + first, boxes[walk]);
-		if (kinematic >> walk & 1)
+		begin = traversal != last ? count : begin;
+		last = traversal;
+		Word hits = overlaps8(nodes + first, boxes[traversal]);
+		if (kinematic >> traversal & 1)
 			hits &= tree_movers_of(p, tree, level, first);
 		for (; hits != 0; hits &= hits - 1)
 		{
 			int child = ARITY * (first + lowest_bit(hits));
-			to->node[count++] = wave_node(walk, child);
+			to->node[count++] = packet_node(traversal, child);
 			if (far)
 			{
 				fetch_soon(below + child);
 				fetch_soon(below + child + ARITY / 2);
 			}
 		}
-		if (count - begin > WAVE_SHARE)
+		if (count - begin > PACKET_SHARE)
 		{
-			alone |= 1u << walk;
+			alone |= 1u << traversal;
 			count = begin;
 		}
 	}

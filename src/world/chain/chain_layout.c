@@ -28,7 +28,7 @@ typedef struct
 	int parts;  // ranges that may share blocks
 	// the last blocks of chains side by side: spot of their joints 0, spots from there to joints 1, ranges
 	int column, column_odds, column_parts;
-} Placing;
+} ChainPlacement;
 
 static int padded(int count, int lanes) { return (count + lanes - 1) / lanes * lanes; }
 
@@ -51,7 +51,7 @@ static void choose_rows(ChainRow* row, int lanes)
 
 // How many chains from one on lie side by side: as many as there are lanes, or one alone if that takes less. Shorter ones cost
 // nothing beside a longer one. *cost becomes what these chains take.
-static int side_by_side(const Placing* s, int k, int* cost)
+static int side_by_side(const ChainPlacement* s, int k, int* cost)
 {
 	const ChainLayout* layout = s->layout;
 	int alone = 0, count = 0, side = SIDE_COST * layout->rows[k].count;
@@ -65,7 +65,7 @@ static int side_by_side(const Placing* s, int k, int* cost)
 }
 
 // Whether that many chains side by side, from one on, begin an item of a pass, and do not share the blocks of those before. One alone does.
-static bool begins_item(Placing* s, int k, int count)
+static bool begins_item(ChainPlacement* s, int k, int count)
 {
 	const ChainRow* rows = s->layout->rows;
 	bool shares = count > 1 && s->column_parts < s->parts && rows[k].carried == rows[k - 1].carried;
@@ -74,7 +74,7 @@ static bool begins_item(Placing* s, int k, int count)
 }
 
 // What all chains take: what the worker with most of them has, or the share of a work-group and no less than the longest item.
-static double cost_of_all(Placing* s)
+static double cost_of_all(ChainPlacement* s)
 {
 	double loads[MAX_WORKERS] = {0}, sum = 0, most = 0, item = 0;
 	int counted = s->groups < MAX_WORKERS ? s->groups : MAX_WORKERS, items = 0;
@@ -96,7 +96,7 @@ static double cost_of_all(Placing* s)
 
 // Ranges in the same blocks are solved by one worker, or two would write to the same cache lines. Blocks of their own are in part
 // empty, so that they take more memory and time, but may be shared out better.
-static double choose_parts(Placing* s)
+static double choose_parts(ChainPlacement* s)
 {
 	int most = s->parts;
 	double together = cost_of_all(s);
@@ -108,7 +108,7 @@ static double choose_parts(Placing* s)
 	return together;
 }
 
-static ChainRange place_alone(Placing* s, const ChainRow* row)
+static ChainRange place_alone(ChainPlacement* s, const ChainRow* row)
 {
 	int length = padded(row_length(row->count, row->bits), s->lanes);
 	ChainRange at = {s->layout->places, row->count, length << row->bits >> 1, 1, length, row->bits, 0, 0};
@@ -117,7 +117,7 @@ static ChainRange place_alone(Placing* s, const ChainRow* row)
 }
 
 // Blocks of MAX_LANES have room for several ranges of chains side by side: those that follow have no longer chains.
-static ChainRange place_side(Placing* s, int count, bool begins)
+static ChainRange place_side(ChainPlacement* s, int count, bool begins)
 {
 	int length = (count + 1) / 2;
 	if (begins)
@@ -142,7 +142,7 @@ static int compare_rows(const void* a, const void* b)
 
 void chain_layout(ChainLayout* layout, int lanes, int groups)
 {
-	Placing s = {.layout = layout, .lanes = lanes, .groups = groups, .parts = MAX_LANES / lanes};
+	ChainPlacement s = {.layout = layout, .lanes = lanes, .groups = groups, .parts = MAX_LANES / lanes};
 	for (int k = 0; k < layout->count; ++k)
 		choose_rows(layout->rows + k, lanes);
 	qsort(layout->rows, (size_t)layout->count, sizeof *layout->rows, compare_rows);

@@ -65,7 +65,7 @@ static int work_of(const scree_world* world)
 // what steps cost
 // ---------------------------------------------------------------------------------------------------------------
 
-static void meter_note(Meter* m, double milliseconds)
+static void meter_note(StepMeter* m, double milliseconds)
 {
 	m->recent[m->count % RECENT_STEPS] = milliseconds;
 	++m->count;
@@ -79,7 +79,7 @@ static int compare_times(const void* a, const void* b)
 
 // The time at quantile share, from 0 to 1, of the last steps: single steps are disturbed by other work of the machine. The
 // first step after a move counts only when it is the only one.
-static double meter_step(const Meter* m, double share)
+static double meter_step(const StepMeter* m, double share)
 {
 	double sorted[RECENT_STEPS];
 	int count = m->count < RECENT_STEPS ? m->count : RECENT_STEPS;
@@ -92,7 +92,7 @@ static double meter_step(const Meter* m, double share)
 #define MEDIAN   0.5
 #define SHORTEST 0.0
 
-static Meter* meter_of(scree_world* world, const Backend* b) { return &world->auto_device.meters[b->distant]; }
+static StepMeter* meter_of(scree_world* world, const Backend* b) { return &world->auto_device.meters[b->distant]; }
 
 // A lower bound of the time of a step on a device that has not been measured, ms.
 static double least_step(const scree_world* world, const Backend* b)
@@ -104,7 +104,7 @@ static double least_step(const scree_world* world, const Backend* b)
 static double predicted_step(scree_world* world)
 {
 	const Backend* other = world->auto_device.other;
-	const Meter* m = meter_of(world, other);
+	const StepMeter* m = meter_of(world, other);
 	if (m->step <= 0.0)
 		return least_step(world, other);
 	return other->distant ? m->step : m->step * work_of(world) / m->work;
@@ -122,7 +122,7 @@ static double steps_to_come(const scree_world* world)
 
 static bool opening_pays(scree_world* world)
 {
-	const Meter* m = meter_of(world, world->backend);
+	const StepMeter* m = meter_of(world, world->backend);
 	if (m->count % RECENT_STEPS != 0)
 		return false;
 	double step = m->count > 0 ? meter_step(m, SHORTEST) : least_step(world, world->backend);
@@ -161,7 +161,7 @@ static bool trial_pays(scree_world* world)
 {
 	AutoDevice* a = &world->auto_device;
 	const Backend *here = world->backend, *there = a->other;
-	const Meter* m = meter_of(world, here);
+	const StepMeter* m = meter_of(world, here);
 	if (m->count < RECENT_STEPS || a->spent < LIKELY_PATIENCE * a->cost)
 		return false;
 	// room for three times the world, since it may grow there: a step that runs out of memory cannot be undone
@@ -198,17 +198,17 @@ static bool change_over(scree_world* world)
 static void begin_trial(scree_world* world)
 {
 	AutoDevice* a = &world->auto_device;
-	Meter* m = meter_of(world, world->backend);
+	StepMeter* m = meter_of(world, world->backend);
 	m->step = meter_step(m, MEDIAN);
 	m->work = work_of(world);
-	a->begun = auto_clock();
+	a->started = auto_clock();
 	a->trial = change_over(world);
 }
 
 static void end_trial(scree_world* world)
 {
 	AutoDevice* a = &world->auto_device;
-	Meter *here = meter_of(world, world->backend), *before = meter_of(world, a->other);
+	StepMeter *here = meter_of(world, world->backend), *before = meter_of(world, a->other);
 	here->step = meter_step(here, MEDIAN);
 	here->work = work_of(world);
 	a->trial = false;
@@ -220,15 +220,15 @@ static void end_trial(scree_world* world)
 	a->failures_work = here->work;
 	if (!faster)
 		change_over(world);
-	a->cost = auto_clock() - a->begun;
+	a->cost = auto_clock() - a->started;
 	a->spent = 0.0;
 }
 
 static bool trial_is_over(scree_world* world)
 {
 	const AutoDevice* a = &world->auto_device;
-	const Meter *here = meter_of(world, world->backend), *before = meter_of(world, a->other);
-	return here->count >= TRIAL_STEPS || (here->count > 0 && auto_clock() - a->begun > TRIAL_LIMIT * before->step);
+	const StepMeter *here = meter_of(world, world->backend), *before = meter_of(world, a->other);
+	return here->count >= TRIAL_STEPS || (here->count > 0 && auto_clock() - a->started > TRIAL_LIMIT * before->step);
 }
 
 // ---------------------------------------------------------------------------------------------------------------

@@ -13,7 +13,7 @@ int opencl_devices(scree_device* devices, int capacity)
 	(void)capacity;
 	return 0;
 }
-const char* opencl_remedy(void) { return without_opencl; }
+const char* opencl_hint(void) { return without_opencl; }
 scree_status opencl_open(const BackendOptions* options, Backend** backend)
 {
 	(void)options;

@@ -90,7 +90,7 @@ static int make(scree_world* world, uint32_t name, const scree_attribute_def* pl
 	world->attributes[index] = *plain;
 	*host = (HostAttribute){.name = name, .waiting = true};
 	if (plain->restitution != 0.0f || plain->rolling_resistance != 0.0f || plain->tangent_speed != 0.0f)
-		world->pipeline.rolls = true;
+		world->pipeline.has_rolling = true;
 	if (plain->tangent_speed != 0.0f)
 		world->pipeline.belts = true;
 	if (plain->shape.count == 2 && plain->shape.radius == 0.0f)

@@ -77,7 +77,7 @@ static void list_changed(scree_world* world, int previous)
 void collidable_put(scree_world* world, int index, const HostCollidable* made)
 {
 	HostCollidable* host = world->host_collidables + index;
-	Waiting waiting = host->waiting;
+	PendingEdits waiting = host->waiting;
 	*host = *made;
 	host->waiting = waiting;
 	++world->host_attributes[host->attribute].collidables;
@@ -118,7 +118,7 @@ void collidable_remove(scree_world* world, int index)
 		else
 			body->last_collidable = host->previous;
 		--body->collidables;
-		world->pipeline.bare |= body->collidables == 0 && body->first_joint > 0;
+		world->pipeline.unlocked |= body->collidables == 0 && body->first_joint > 0;
 		list_changed(world, host->previous);
 	}
 	int kind = collidable_kind(world, index);

@@ -111,10 +111,10 @@ scree_status upload_exclusions(scree_world* world)
 		keys[k] = k < e->slots.used && slots_in_use(&e->slots, k) ? key_of(e->rows + k) : NO_PAIR;
 	TRY(b->f->write(b, POOL_excluded, 0, rows, keys));
 	Step step = {0};
-	Run run = {.stage = STAGE_excluded_changed, .end = 1, .count = NO_COUNT};
+	Run run = {.kernel = KERNEL_excluded_changed, .end = 1, .count = NO_COUNT};
 	TRY(b->f->run(b, &step, &run, 1));
 	pipeline->excluded = rows;
-	pipeline->stirred = true;
+	pipeline->dirty = true;
 	e->waiting = false;
 	return SCREE_OK;
 }

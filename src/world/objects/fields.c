@@ -112,7 +112,7 @@ typedef struct // a field that acts, and its place among them
 {
 	uint64_t key;
 	int slot;
-} Acting;
+} ActiveField;
 
 static uint64_t spread(uint32_t x)
 {
@@ -125,7 +125,7 @@ static uint64_t spread(uint32_t x)
 }
 
 // 30 bits of a coordinate, in steps of 0.2 mm
-static uint32_t fixed(float x) { return (uint32_t)(((double)x + (double)SCREE_HUGE) * 5000.0); }
+static uint32_t fixed(float x) { return (uint32_t)(((double)x + (double)SCREE_MAX_COORDINATE) * 5000.0); }
 
 static uint64_t key_of(const HostField* host)
 {
@@ -137,7 +137,7 @@ static uint64_t key_of(const HostField* host)
 
 static int compare(const void* a, const void* b)
 {
-	const Acting *x = a, *y = b;
+	const ActiveField *x = a, *y = b;
 	return x->key != y->key ? (x->key > y->key) - (x->key < y->key) : (x->slot > y->slot) - (x->slot < y->slot);
 }
 
@@ -154,13 +154,13 @@ scree_status upload_fields(scree_world* world)
 	if (count > 0)
 	{
 		TRY(pipeline_reserve(&world->pipeline, PER_FIELD, (count + ARITY - 1) / ARITY * ARITY));
-		Field* rows = world_scratch(world, (size_t)count * (sizeof *rows + sizeof(Acting)));
+		Field* rows = world_scratch(world, (size_t)count * (sizeof *rows + sizeof(ActiveField)));
 		if (!rows)
 			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory to upload %d fields", count);
-		Acting* acting = (Acting*)(rows + count);
+		ActiveField* acting = (ActiveField*)(rows + count);
 		for (int k = 0, row = 0; k < f->slots.used; ++k)
 			if (acts(world, k))
-				acting[row++] = (Acting){count > FIELD_FEW ? key_of(f->host + k) : 0, k};
+				acting[row++] = (ActiveField){count > FIELD_FEW ? key_of(f->host + k) : 0, k};
 		if (count > FIELD_FEW)
 			qsort(acting, (size_t)count, sizeof *acting, compare);
 		for (int row = 0; row < count; ++row)

@@ -9,7 +9,7 @@ static bool holds(const Slots* slots, uint32_t slot, uint32_t generation)
 	return slot < (uint32_t)slots->used && generation & 1 && slots->generation[slot] == generation;
 }
 
-static scree_status refuse_stale(Where at, const char* member, uint32_t index, uint32_t generation)
+static scree_status refuse_stale(ArgumentPlace at, const char* member, uint32_t index, uint32_t generation)
 {
 	if (index == 0 && generation == 0)
 		return refuse(SCREE_ERROR_STALE, at, member, "is null");
@@ -33,7 +33,7 @@ bool body_is_valid(const scree_world* world, scree_body body)
 	return holds(&world->bodies, body.index, body.generation);
 }
 
-scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index)
+scree_status check_body(const scree_world* world, ArgumentPlace at, const char* member, scree_body body, int* index)
 {
 	if (!body_is_valid(world, body))
 		return refuse_stale(at, member, body.index, body.generation);
@@ -41,7 +41,7 @@ scree_status check_body(const scree_world* world, Where at, const char* member, 
 	return SCREE_OK;
 }
 
-scree_status check_body_once(const scree_world* world, Where at, const char* member, scree_body body)
+scree_status check_body_once(const scree_world* world, ArgumentPlace at, const char* member, scree_body body)
 {
 	const Slots* slots = &world->bodies;
 	bool had = body.index > 0 && body.index < (uint32_t)slots->used && body.generation & 1 &&
@@ -66,7 +66,7 @@ bool collidable_is_valid(const scree_world* world, scree_collidable collidable)
 	return holds(&world->collidables, collidable.index - 1, collidable.generation);
 }
 
-scree_status check_collidable(const scree_world* world, Where at, scree_collidable collidable, int* index)
+scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_collidable collidable, int* index)
 {
 	if (!collidable_is_valid(world, collidable))
 		return refuse_stale(at, "", collidable.index, collidable.generation);
@@ -95,7 +95,7 @@ bool attribute_is_valid(const scree_world* world, scree_attribute attribute)
 	       generation_of(world, (int)attribute.index) == attribute.generation;
 }
 
-scree_status check_attribute(const scree_world* world, Where at, const char* member, scree_attribute attribute,
+scree_status check_attribute(const scree_world* world, ArgumentPlace at, const char* member, scree_attribute attribute,
                              int* index)
 {
 	if (scree_attribute_is_null(attribute))
@@ -117,7 +117,7 @@ bool joint_is_valid(const scree_world* world, scree_joint joint)
 	return holds(&world->joints, joint.index - 1, joint.generation);
 }
 
-scree_status check_joint(const scree_world* world, Where at, scree_joint joint, int* index)
+scree_status check_joint(const scree_world* world, ArgumentPlace at, scree_joint joint, int* index)
 {
 	if (!joint_is_valid(world, joint))
 		return refuse_stale(at, "", joint.index, joint.generation);
@@ -135,7 +135,7 @@ bool field_is_valid(const scree_world* world, scree_field field)
 	return holds(&world->fields.slots, field.index - 1, field.generation);
 }
 
-scree_status check_field(const scree_world* world, Where at, scree_field field, int* index)
+scree_status check_field(const scree_world* world, ArgumentPlace at, scree_field field, int* index)
 {
 	if (!field_is_valid(world, field))
 		return refuse_stale(at, "", field.index, field.generation);
@@ -153,7 +153,7 @@ bool path_is_valid(const scree_world* world, scree_path path)
 	return holds(&world->paths, path.index - 1, path.generation);
 }
 
-scree_status check_path(const scree_world* world, Where at, const char* member, scree_path path, int* index)
+scree_status check_path(const scree_world* world, ArgumentPlace at, const char* member, scree_path path, int* index)
 {
 	if (!path_is_valid(world, path))
 		return refuse_stale(at, member, path.index, path.generation);

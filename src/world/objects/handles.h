@@ -24,19 +24,19 @@ bool path_is_valid(const scree_world* world, scree_path path);
 bool field_is_valid(const scree_world* world, scree_field field);
 
 // The slot of a handle. Fails with SCREE_ERROR_STALE for a null or invalid handle; the sentence names its place in the call.
-scree_status check_body(const scree_world* world, Where at, const char* member, scree_body body, int* index);
-scree_status check_joint(const scree_world* world, Where at, scree_joint joint, int* index);
-scree_status check_path(const scree_world* world, Where at, const char* member, scree_path path, int* index);
-scree_status check_field(const scree_world* world, Where at, scree_field field, int* index);
-scree_status check_collidable(const scree_world* world, Where at, scree_collidable collidable, int* index);
+scree_status check_body(const scree_world* world, ArgumentPlace at, const char* member, scree_body body, int* index);
+scree_status check_joint(const scree_world* world, ArgumentPlace at, scree_joint joint, int* index);
+scree_status check_path(const scree_world* world, ArgumentPlace at, const char* member, scree_path path, int* index);
+scree_status check_field(const scree_world* world, ArgumentPlace at, scree_field field, int* index);
+scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_collidable collidable, int* index);
 
 // The same for a body that may have been destroyed since. One that this world never had is refused, null too.
-scree_status check_body_once(const scree_world* world, Where at, const char* member, scree_body body);
+scree_status check_body_once(const scree_world* world, ArgumentPlace at, const char* member, scree_body body);
 
 // What queries need of handles.
 Names collidable_names(const scree_world* world);
 Names body_names(const scree_world* world);
-scree_status check_attribute(const scree_world* world, Where at, const char* member, scree_attribute attribute,
+scree_status check_attribute(const scree_world* world, ArgumentPlace at, const char* member, scree_attribute attribute,
                              int* index);
 
 #endif

@@ -10,31 +10,32 @@
 
 static const char* const names[] = {"SCREE_ALONG", "SCREE_ACROSS", "SCREE_ANGLE"};
 
-scree_status check_which(Where at, scree_coordinate which)
+scree_status check_which(ArgumentPlace at, scree_coordinate which)
 {
 	if ((unsigned)which <= SCREE_ANGLE)
 		return SCREE_OK;
 	return refuse(SCREE_ERROR_INVALID, at, "", "is %d, not a scree_coordinate", (int)which);
 }
 
-scree_status check_coordinate(Where at, scree_joint_type type, scree_coordinate which, const scree_joint_coordinate* c)
+scree_status check_coordinate(ArgumentPlace at, scree_joint_type type, scree_coordinate which,
+                              const scree_joint_coordinate* c)
 {
 	const struct
 	{
 		const char* name;
 		float value, low, high;
 	} numbers[] = {
-	    {"target", c->target, -SCREE_HUGE, SCREE_HUGE},
+	    {"target", c->target, -SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE},
 	    {"lock_hertz", c->lock_hertz, 0.0f, MOST_HERTZ},
 	    {"lock_damping_ratio", c->lock_damping_ratio, 0.0f, MOST_RATIO},
-	    {"lower", c->lower, -SCREE_HUGE, SCREE_HUGE},
-	    {"upper", c->upper, -SCREE_HUGE, SCREE_HUGE},
+	    {"lower", c->lower, -SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE},
+	    {"upper", c->upper, -SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE},
 	    {"spring_hertz", c->spring_hertz, 0.0f, MOST_HERTZ},
 	    {"spring_damping_ratio", c->spring_damping_ratio, 0.0f, MOST_RATIO},
 	    {"spring_max", c->spring_max, 0.0f, FLT_MAX},
 	    {"spring_push", c->spring_push, 0.0f, FLT_MAX},
 	    {"spring_pull", c->spring_pull, 0.0f, FLT_MAX},
-	    {"motor_speed", c->motor_speed, -SCREE_HUGE, SCREE_HUGE},
+	    {"motor_speed", c->motor_speed, -SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE},
 	    {"motor_max", c->motor_max, 0.0f, FLT_MAX},
 	};
 	char member[64];
@@ -59,7 +60,7 @@ scree_status check_coordinate(Where at, scree_joint_type type, scree_coordinate 
 	              decimal(c->upper).text);
 }
 
-scree_status check_motors(Where at, const scree_joint_def* def)
+scree_status check_motors(ArgumentPlace at, const scree_joint_def* def)
 {
 	char member[64];
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
@@ -73,22 +74,22 @@ scree_status check_motors(Where at, const scree_joint_def* def)
 	return SCREE_OK;
 }
 
-static scree_status check_side(Where at, scree_joint_side* side, int k)
+static scree_status check_side(ArgumentPlace at, scree_joint_side* side, int k)
 {
-	static const char* const members[2][3] = {{".sides[0].measure", ".sides[0].base", ".sides[0].near"},
-	                                          {".sides[1].measure", ".sides[1].base", ".sides[1].near"}};
+	static const char* const members[2][3] = {{".sides[0].measure", ".sides[0].base", ".sides[0].initial_angle"},
+	                                          {".sides[1].measure", ".sides[1].base", ".sides[1].initial_angle"}};
 	if ((unsigned)side->measure > SCREE_MEASURE_DISTANCE)
 		return refuse(SCREE_ERROR_INVALID, at, members[k][0], "is %d, not a scree_measure", (int)side->measure);
 	TRY(check_pose(at, members[k][1], &side->base));
-	return check_real(at, members[k][2], side->near, -SCREE_HUGE, SCREE_HUGE);
+	return check_real(at, members[k][2], side->initial_angle, -SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE);
 }
 
-scree_status check_gear_ratio(Where at, const char* member, float ratio)
+scree_status check_gear_ratio(ArgumentPlace at, const char* member, float ratio)
 {
 	return check_real(at, member, ratio, -MOST_GEAR_RATIO, MOST_GEAR_RATIO);
 }
 
-scree_status check_joint_coupling(Where at, scree_joint_def* def)
+scree_status check_joint_coupling(ArgumentPlace at, scree_joint_def* def)
 {
 	TRY(check_gear_ratio(at, ".ratio", def->ratio));
 	for (int k = 0; k < 2; ++k)
@@ -96,7 +97,7 @@ scree_status check_joint_coupling(Where at, scree_joint_def* def)
 	return SCREE_OK;
 }
 
-scree_status check_joint_numbers(Where at, const scree_joint_def* def)
+scree_status check_joint_numbers(ArgumentPlace at, const scree_joint_def* def)
 {
 	TRY(check_real(at, ".hertz", def->hertz, 0.0f, MOST_HERTZ));
 	TRY(check_real(at, ".damping_ratio", def->damping_ratio, 0.0f, MOST_RATIO));

@@ -226,7 +226,7 @@ static JointEdit joint_edit(const scree_world* world, int index)
 	edit.flags |= JOINT_THERE;
 	edit.flags |= (moves(a) || moves(b)) && !a->disabled && !b->disabled && !def->disabled ? JOINT_ACTIVE : 0;
 	edit.flags |= def->collide_connected || def->disabled ? JOINT_COLLIDES : 0;
-	edit.flags |= def->breaks ? JOINT_BREAKS : 0;
+	edit.flags |= def->can_break ? JOINT_CAN_BREAK : 0;
 	edit.flags |= modes & acts ? JOINT_ACTS : 0;
 	edit.data = (JointData){.body_a = host->bodies[0],
 	                        .body_b = host->bodies[1],
@@ -234,7 +234,7 @@ static JointEdit joint_edit(const scree_world* world, int index)
 	                        .gear_ratio = joint_couples(def->type) ? def->ratio : 1.0f,
 	                        .frame = {pose_row(def->frame_a), pose_row(def->frame_b)},
 	                        .base = {pose_row(side_a.base), pose_row(side_b.base)},
-	                        .near = {path ? def->path_near : side_a.near, side_b.near},
+	                        .near = {path ? def->initial_along : side_a.initial_angle, side_b.initial_angle},
 	                        .path_first = path ? (float)path->first : 0.0f,
 	                        .path_segments = path ? (float)path->segments : 0.0f,
 	                        .hertz = def->hertz,
@@ -250,13 +250,13 @@ static JointEdit joint_edit(const scree_world* world, int index)
 }
 
 // Whether a step has to look at rare rows because of the joint.
-static bool drives(const JointEdit* edit)
+static bool has_drives(const JointEdit* edit)
 {
 	return (int)edit->data.modes & (JOINT_EXTRAS | JOINT_SPRINGS | JOINT_COUPLED | JOINT_RAILED) ||
 	       edit->data.most_force < FLT_MAX || edit->data.most_torque < FLT_MAX;
 }
 
-static bool is_bare(const scree_world* world, int index)
+static bool is_unlocked(const scree_world* world, int index)
 {
 	const int* bodies = world->host_joints[index].bodies;
 	for (int side = 0; side < 2; ++side)
@@ -291,21 +291,21 @@ scree_status upload_joints(scree_world* world, void* memory)
 		rows[k] = joint_edit(world, p->joints[k]);
 		if (!slots_in_use(&world->joints, p->joints[k])) // its row is empty, and others may be where its bodies were
 			continue;
-		pipeline->drives |= drives(rows + k);
+		pipeline->has_drives |= has_drives(rows + k);
 		pipeline->springs |= ((int)rows[k].data.modes & JOINT_SPRINGS) != 0;
 		pipeline->couplings |= ((int)rows[k].data.modes & JOINT_COUPLED) != 0;
 		pipeline->paths |= ((int)rows[k].data.modes & JOINT_RAILED) != 0;
-		pipeline->breaks |= (rows[k].flags & JOINT_BREAKS) != 0;
-		pipeline->bare |= is_bare(world, p->joints[k]);
+		pipeline->can_break |= (rows[k].flags & JOINT_CAN_BREAK) != 0;
+		pipeline->unlocked |= is_unlocked(world, p->joints[k]);
 		pipeline->tethers |= is_tether(world, p->joints[k]);
 	}
 	TRY(b->f->write(b, POOL_joint_edit, 0, p->joint_count, rows));
 	Step step = {0};
 	Counters* c = &pipeline->counters;
-	Run run = {.stage = STAGE_joint_apply, .end = p->joint_count, .count = NO_COUNT, .argument = c->joints};
+	Run run = {.kernel = KERNEL_joint_apply, .end = p->joint_count, .count = NO_COUNT, .argument = c->joints};
 	TRY(b->f->run(b, &step, &run, 1));
 	int used = p->joints[p->joint_count - 1] + 1;
 	c->joints = used > c->joints ? used : c->joints;
-	pipeline->stirred = true;
+	pipeline->dirty = true;
 	return SCREE_OK;
 }

@@ -113,38 +113,41 @@ static float longest_arm(const scree_world* world, const HostBody* host)
 	return most;
 }
 
-Guarded body_guarded(scree_world* world, int body)
+ContinuousBody continuous_row(scree_world* world, int body)
 {
 	const HostBody* host = world->host_bodies + body;
-	Guarded guarded = {.first = host->first_collidable + 1, .parts = 1, .way = INFINITY};
+	ContinuousBody continuous_body = {.first = host->first_collidable + 1, .parts = 1, .way = INFINITY};
 	int count = 0;
 	for (int k = host->first_collidable; host->type == SCREE_BODY_DYNAMIC && k >= 0;
 	     k = world->host_collidables[k].next)
 	{
 		// guard adds the components of the arm: at most 1.4143 times its length; 0.1 % more for rounding
 		const HostCollidable* collidable = world->host_collidables + k;
-		float way = GUARD_TRAVEL * attribute_thickness(world, collidable->attribute);
+		float way = CONTINUOUS_TRAVEL * attribute_thickness(world, collidable->attribute);
 		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach +
 		                        1.4143f * arm_of(host, collidable->pose.position));
-		guarded.way = way < guarded.way ? way : guarded.way;
-		guarded.reach = reach > guarded.reach ? reach : guarded.reach;
+		continuous_body.way = way < continuous_body.way ? way : continuous_body.way;
+		continuous_body.reach = reach > continuous_body.reach ? reach : continuous_body.reach;
 		++count;
 	}
-	if (count > GUARD_SHARE)
-		guarded.parts = count < GUARD_SHARE * GUARD_PARTS ? count / GUARD_SHARE : GUARD_PARTS;
+	if (count > CONTINUOUS_SHARE)
+		continuous_body.parts =
+		    count < CONTINUOUS_SHARE * CONTINUOUS_PARTS ? count / CONTINUOUS_SHARE : CONTINUOUS_PARTS;
 	Pipeline* pipeline = &world->pipeline;
-	pipeline->guard_way = guarded.way < pipeline->guard_way ? guarded.way : pipeline->guard_way;
-	pipeline->guard_reach = guarded.reach > pipeline->guard_reach ? guarded.reach : pipeline->guard_reach;
-	return guarded;
+	pipeline->continuous_way =
+	    continuous_body.way < pipeline->continuous_way ? continuous_body.way : pipeline->continuous_way;
+	pipeline->continuous_reach =
+	    continuous_body.reach > pipeline->continuous_reach ? continuous_body.reach : pipeline->continuous_reach;
+	return continuous_body;
 }
 
-Command guarded_command(scree_world* world, int body)
+Command continuous_command(scree_world* world, int body)
 {
-	Guarded guarded = body_guarded(world, body);
-	return (Command){.kind = COMMAND_GUARDED,
+	ContinuousBody continuous_body = continuous_row(world, body);
+	return (Command){.kind = COMMAND_CONTINUOUS,
 	                 .index = body,
-	                 .whole = {guarded.first, guarded.parts},
-	                 .value = make_float4(guarded.way, guarded.reach, 0.0f, 0.0f)};
+	                 .whole = {continuous_body.first, continuous_body.parts},
+	                 .value = make_float4(continuous_body.way, continuous_body.reach, 0.0f, 0.0f)};
 }
 
 static void mass_command(scree_world* world, int body)
@@ -188,7 +191,7 @@ void mass_set(scree_world* world, int body, scree_mass mass)
 {
 	mass_forget(world, body);
 	send_mass(world, body, mass);
-	edits_whole(world, guarded_command(world, body));
+	edits_whole(world, continuous_command(world, body));
 }
 
 void mass_forget(scree_world* world, int body)
@@ -206,7 +209,7 @@ void mass_settle(scree_world* world)
 	host->mass.inertia = inertia_of_sums(world, sums);
 	world->edits.commands[sums->command - 1].value.y = mass_inverse_inertia(host);
 	sums->command = 0;
-	edits_whole(world, guarded_command(world, sums->body));
+	edits_whole(world, continuous_command(world, sums->body));
 }
 
 // A dynamic body got more collidables, and nothing else since the last time.
@@ -244,7 +247,7 @@ void masses_update(scree_world* world, const int* bodies, int count, bool gained
 		world->host_bodies[bodies[k]].marked = false;
 		world->host_bodies[bodies[k]].own_mass = (scree_mass){0};
 		if (world->host_bodies[bodies[k]].type != SCREE_BODY_DYNAMIC)
-			edits_whole(world, guarded_command(world, bodies[k])); // its list may begin with another collidable
+			edits_whole(world, continuous_command(world, bodies[k])); // its list may begin with another collidable
 		else if (gained)
 			gain(world, bodies[k]);
 		else

@@ -14,9 +14,9 @@ scree_mass mass_now(const scree_world* world, int body);
 float mass_inverse(const HostBody* host);
 float mass_inverse_inertia(const HostBody* host);
 
-// The row of a body in the pool guarded, and the command that writes it. May lower Pipeline.guard_way and raise guard_reach.
-Guarded body_guarded(scree_world* world, int body);
-Command guarded_command(scree_world* world, int body);
+// The row of a body in the pool guarded, and the command that writes it. May lower Pipeline.continuous_way and raise continuous_reach.
+ContinuousBody continuous_row(scree_world* world, int body);
+Command continuous_command(scree_world* world, int body);
 
 // Notes an anchor of a joint, in the body's frame. The caller has reserved room for a command.
 void mass_anchor(scree_world* world, int body, scree_vec anchor);

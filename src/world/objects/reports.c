@@ -14,12 +14,12 @@
 #include <string.h>
 
 // What a slot of collidables holds now.
-static Departed name_of(const scree_world* world, int index)
+static CollidableName name_of(const scree_world* world, int index)
 {
-	return (Departed){.collidable = collidable_handle(world, index),
-	                  .body = owner_handle(world, index),
-	                  .user = world->host_collidables[index].user,
-	                  .step = world->pipeline.steps};
+	return (CollidableName){.collidable = collidable_handle(world, index),
+	                        .body = owner_handle(world, index),
+	                        .user = world->host_collidables[index].user,
+	                        .step = world->pipeline.steps};
 }
 
 scree_status reports_reserve(scree_world* world, const char* function)
@@ -30,7 +30,7 @@ scree_status reports_reserve(scree_world* world, const char* function)
 		return SCREE_OK;
 	TRY(GROW(function, r->departed, r->departed_capacity, slots));
 	for (int k = old; k < r->departed_capacity; ++k)
-		r->departed[k] = (Departed){.step = -1};
+		r->departed[k] = (CollidableName){.step = -1};
 	return SCREE_OK;
 }
 
@@ -47,7 +47,7 @@ void reports_depart(scree_world* world, int index)
 
 void reports_note(scree_world* world, uint32_t reports)
 {
-	if (reports & SCREE_REPORT_ASKS)
+	if (reports & SCREE_REPORT_APPROVAL)
 		world->pipeline.asks = world->pipeline.rules = true;
 }
 
@@ -81,9 +81,9 @@ static scree_status fetch(scree_world* world)
 	TRY(GROW(function, r->began, r->capacity[EVENT_TOUCH_BEGAN], counts[EVENT_TOUCH_BEGAN]));
 	TRY(GROW(function, r->ended, r->capacity[EVENT_TOUCH_ENDED], counts[EVENT_TOUCH_ENDED]));
 	TRY(GROW(function, r->hits, r->capacity[EVENT_HIT], counts[EVENT_HIT]));
-	TRY(GROW(function, r->asked, r->capacity[EVENT_ASKED], counts[EVENT_ASKED]));
-	if (counts[EVENT_ASKED] > 0)
-		TRY(events_contacts(pipeline, EVENT_ASKED, counts[EVENT_ASKED], r->asked));
+	TRY(GROW(function, r->asked, r->capacity[EVENT_APPROVALS], counts[EVENT_APPROVALS]));
+	if (counts[EVENT_APPROVALS] > 0)
+		TRY(events_contacts(pipeline, EVENT_APPROVALS, counts[EVENT_APPROVALS], r->asked));
 	if (counts[EVENT_TOUCH_BEGAN] > 0)
 		TRY(events_contacts(pipeline, EVENT_TOUCH_BEGAN, counts[EVENT_TOUCH_BEGAN], r->began));
 	if (counts[EVENT_TOUCH_ENDED] > 0)
@@ -102,9 +102,9 @@ scree_status reports_fetch(scree_world* world)
 	return world_note(world, fetch(world));
 }
 
-Departed reports_name(const scree_world* world, int index, bool before, int* destroyed)
+CollidableName reports_name(const scree_world* world, int index, bool before, int* destroyed)
 {
-	const Departed* names = world->reports.departed + 2 * index;
+	const CollidableName* names = world->reports.departed + 2 * index;
 	int64_t steps = world->pipeline.steps;
 	*destroyed = 1;
 	if (before && names[(steps - 1) & 1].step == steps - 1)

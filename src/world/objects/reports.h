@@ -26,7 +26,7 @@ void reports_stepped(scree_world* world);
 scree_status reports_fetch(scree_world* world);
 
 // The name of a collidable that took part in the last step; before: or in the one before, but not in the last.
-Departed reports_name(const scree_world* world, int index, bool before, int* destroyed);
+CollidableName reports_name(const scree_world* world, int index, bool before, int* destroyed);
 
 void reports_close(scree_world* world);
 

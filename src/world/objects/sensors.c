@@ -122,7 +122,7 @@ static scree_status ask(scree_world* world, const char* function, int* count)
 	TRY(list_sensors(world, function));
 	if (s->count == 0)
 		return SCREE_OK;
-	Questions questions = {
+	QueryRequest questions = {
 	    .form = QUERY_SENSORS, .items = s->queries, .count = s->count, .collidables = collidable_names(world)};
 	TRY(queries_list(&world->pipeline, &questions, count));
 	if (*count == 0)

@@ -118,7 +118,7 @@ void shape_fill(scree_shape* shape)
 static scree_status refuse_corner(const char* function, const char* argument, const scree_vec* v, int i,
                                   const char* reason)
 {
-	Where at = {function, argument, i};
+	ArgumentPlace at = {function, argument, i};
 	return refuse(SCREE_ERROR_INVALID, at, "", "(%s, %s) %s", decimal(v[i].x).text, decimal(v[i].y).text, reason);
 }
 
@@ -140,7 +140,7 @@ scree_status check_corners(const char* function, const char* argument, const scr
 	double area = 0.0;
 	for (int i = 2; i < count; ++i)
 		area += vec_cross_from(v[0], v[i - 1], v[i]);
-	double sense = area < 0.0 ? -1.0 : 1.0;
+	double sensor_overlap = area < 0.0 ? -1.0 : 1.0;
 
 	for (int i = 0; i < count; ++i)
 	{
@@ -153,7 +153,7 @@ scree_status check_corners(const char* function, const char* argument, const scr
 	for (int i = 0; i < count; ++i)
 	{
 		scree_vec before = v[(i + count - 1) % count], after = v[(i + 1) % count];
-		double height = sense * vec_cross_from(before, v[i], after) / vec_distance(before, after);
+		double height = sensor_overlap * vec_cross_from(before, v[i], after) / vec_distance(before, after);
 		if (height < -tolerance.flat)
 			return refuse_corner(function, argument, v, i, "is concave: scree_shape_make_hull drops such corners");
 		if (height < tolerance.flat)
@@ -164,7 +164,7 @@ scree_status check_corners(const char* function, const char* argument, const scr
 		for (int k = 0; k < count; ++k)
 		{
 			int next = (i + 1) % count;
-			if (k != i && k != next && sense * vec_cross_from(v[i], v[next], v[k]) <= 0.0)
+			if (k != i && k != next && sensor_overlap * vec_cross_from(v[i], v[next], v[k]) <= 0.0)
 				return refuse_corner(function, argument, v, k, "lies beyond an edge: the outline crosses itself");
 		}
 	}
@@ -174,11 +174,11 @@ scree_status check_corners(const char* function, const char* argument, const scr
 scree_status check_points(const char* function, const char* argument, const scree_vec* v, int count)
 {
 	for (int i = 0; i < count; ++i)
-		TRY(check_vec((Where){function, argument, i}, "", v[i], SCREE_HUGE));
+		TRY(check_vec((ArgumentPlace){function, argument, i}, "", v[i], SCREE_MAX_COORDINATE));
 	return SCREE_OK;
 }
 
-scree_status shape_finish(Where at, scree_shape* shape)
+scree_status shape_finish(ArgumentPlace at, scree_shape* shape)
 {
 	static const struct
 	{
@@ -194,7 +194,7 @@ scree_status shape_finish(Where at, scree_shape* shape)
 		return refuse(SCREE_ERROR_INVALID, at, ".count", "is %d, must be from %d to %d for this kind", shape->count,
 		              counts[shape->kind].low, counts[shape->kind].high);
 	bool round = shape->kind == SCREE_SHAPE_CIRCLE || shape->kind == SCREE_SHAPE_CAPSULE;
-	float most = shape->kind == SCREE_SHAPE_SEGMENT ? 0.0f : SCREE_HUGE;
+	float most = shape->kind == SCREE_SHAPE_SEGMENT ? 0.0f : SCREE_MAX_COORDINATE;
 	TRY(check_real(at, ".radius", shape->radius, round ? SMALLEST_SIZE : 0.0f, most));
 
 	char name[64] = "";

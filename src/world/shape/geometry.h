@@ -20,7 +20,7 @@ Tolerance tolerance_of(const scree_vec* points, int count);
 // Checks a shape of which kind, count, radius and vertices are given, and computes everything else; members beyond count
 // become zero. at.argument names the shape. Thresholds are lower than those of scree_shape_make_polygon, so that a shape
 // which has been rotated and moved stays valid.
-scree_status shape_finish(Where at, scree_shape* shape);
+scree_status shape_finish(ArgumentPlace at, scree_shape* shape);
 
 // The same without checks. A clockwise polygon is reversed.
 void shape_fill(scree_shape* shape);
@@ -29,7 +29,7 @@ void shape_fill(scree_shape* shape);
 scree_status check_corners(const char* function, const char* argument, const scree_vec* v, int count,
                            Tolerance tolerance);
 
-// Refuses coordinates that are not finite or beyond SCREE_HUGE.
+// Refuses coordinates that are not finite or beyond SCREE_MAX_COORDINATE.
 scree_status check_points(const char* function, const char* argument, const scree_vec* v, int count);
 
 static inline double vec_cross_from(scree_vec origin, scree_vec a, scree_vec b)

@@ -23,7 +23,7 @@ static int body_commands(scree_world* world, const BodyRow* row, Command* to)
 	to[3] = (Command){.kind = COMMAND_VELOCITY,
 	                  .whole = {0, row->disabled},
 	                  .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};
-	to[4] = guarded_command(world, row->index);
+	to[4] = continuous_command(world, row->index);
 	for (int k = 0; k < BODY_COMMANDS; ++k)
 		to[k].index = row->index;
 	return BODY_COMMANDS;
@@ -51,7 +51,7 @@ static int collidable_commands(const scree_world* world, int k, Command* to)
 	return count + 1;
 }
 
-static Waiting* command_waiting(scree_world* world, const Command* c)
+static PendingEdits* command_waiting(scree_world* world, const Command* c)
 {
 	if (c->kind >= COMMAND_PLACE)
 		return &world->host_collidables[c->index].waiting;
@@ -75,7 +75,7 @@ typedef struct // commands grouped by item
 } Groups;
 
 // A row without later commands is a group at once. Otherwise its commands are collected, to be grouped with the later ones.
-static void add_row(Groups* g, const Waiting* waiting, int count)
+static void add_row(Groups* g, const PendingEdits* waiting, int count)
 {
 	if (waiting->group > 0)
 	{
@@ -161,6 +161,6 @@ scree_status upload_commands(scree_world* world, int most, char* memory)
 	TRY(b->f->write(b, POOL_command, 0, g.count, g.grouped));
 	TRY(b->f->write(b, POOL_command_group, 0, g.groups + 1, g.begins));
 	Step step = {0};
-	Run run = {.stage = STAGE_command, .end = g.groups, .count = NO_COUNT, .argument = g.groups};
+	Run run = {.kernel = KERNEL_command, .end = g.groups, .count = NO_COUNT, .argument = g.groups};
 	return b->f->run(b, &step, &run, 1);
 }

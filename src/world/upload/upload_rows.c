@@ -44,8 +44,8 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 	case POOL_local_center:
 		*(Float2*)item = make_float2(row->center.x, row->center.y);
 		break;
-	case POOL_guarded:
-		*(Guarded*)item = body_guarded(world, row->index);
+	case POOL_continuous_body:
+		*(ContinuousBody*)item = continuous_row(world, row->index);
 		break;
 	case POOL_stored_velocity:
 		if (row->disabled)
@@ -99,7 +99,7 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 	{
 		size_t bytes = pool_info[pool].bytes;
 		// what is told is only known once somebody has asked
-		if (!is_cleared(pool, PER_BODY) && !(pool == POOL_told_pose && world->pipeline.tells))
+		if (!is_cleared(pool, PER_BODY) && !(pool == POOL_reported_pose && world->pipeline.tells))
 			continue;
 		memset(stage, 0, (size_t)(end - begin) * bytes);
 		for (int k = begin; k < end; ++k)

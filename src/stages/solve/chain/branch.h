@@ -113,7 +113,7 @@ INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
 		}
 		branch_gather(p, branch);
 	}
-	if (pass == PASS_WARM_START || !p->step.drives)
+	if (pass == PASS_WARM_START || !p->step.has_drives)
 		return;
 	for (int k = 0; k < branch->chain.at.count && part_lane() == 0; ++k)
 	{
@@ -228,7 +228,7 @@ INLINE void branch_stiffen(const Joint* u, JointSystem* s)
 }
 
 // Takes node k out, whose own nodes are: what it is to the body above.
-INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int drives)
+INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int has_drives)
 {
 	BranchNode node = BRANCH_NODE(p, branch, k);
 	BranchBody body = branch_body(p, branch, node);
@@ -241,7 +241,7 @@ INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int
 	JointSystem s = joint_system(p, branch->chain.begin + spot, pass == PASS_BIAS, most, &link.u, c);
 	branch_stiffen(&link.u, &s);
 	chain_damp(p, spot, &link, &s);
-	int held = drives ? branch_drives(p, branch->chain.begin + spot, pass == PASS_BIAS, &link, &s) : 0;
+	int held = has_drives ? branch_drives(p, branch->chain.begin + spot, pass == PASS_BIAS, &link, &s) : 0;
 	chain_at(p, holds, spot) = (float)held;
 	float here[3][3], there[3][3], m[6], inverse[6], goal[3], y[3], answer[3][3];
 	branch_rows(c, b, s.locked, here);
@@ -316,13 +316,13 @@ INLINE void branch_down(const Pools* p, const Branch* branch, int k)
 		BRANCH_AT(p, branch, x[q], k) += change[q];
 }
 
-INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int drives)
+INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int has_drives)
 {
 	for (int begin, end = branch->chain.at.count; end > 0; end = begin)
 	{
 		begin = BRANCH_NODE(p, branch, end - 1).begin;
 		BRANCH_SOME(k, begin, end)
-		branch_up(p, branch, k, pass, drives);
+		branch_up(p, branch, k, pass, has_drives);
 		group_meet();
 	}
 	for (int begin = 0, end; begin < branch->chain.at.count; begin = end)
@@ -357,7 +357,7 @@ INLINE int branch_bound(const Pools* p, const Branch* branch)
 INLINE void branch_locks(const Pools* p, const Branch* branch, int pass)
 {
 	// what reached its bound is left out, and the rest is solved anew; in the end the locks alone, which have no bounds
-	int trials = p->step.drives ? BRANCH_TRIALS : 0;
+	int trials = p->step.has_drives ? BRANCH_TRIALS : 0;
 	branch_solve(p, branch, pass, trials > 0);
 	while (trials > 0 && branch_bound(p, branch))
 		branch_solve(p, branch, pass, --trials > 0);
@@ -369,7 +369,7 @@ INLINE void branch_locks(const Pools* p, const Branch* branch, int pass)
 		Real x[3] = {BRANCH_AT(p, branch, r[0], k), BRANCH_AT(p, branch, r[1], k), BRANCH_AT(p, branch, r[2], k)};
 		branch_drive(p, branch->chain.begin + spot, (int)chain_at(p, holds, spot), x, &link);
 		chain_hold(p, spot, x, &link);
-		if (pass == PASS_RELAX && p->step.drives)
+		if (pass == PASS_RELAX && p->step.has_drives)
 			joint_peak(p, branch->chain.begin + spot, &link.u, &link.c);
 		branch_keep(p, branch, k, &link);
 	}
@@ -377,7 +377,7 @@ INLINE void branch_locks(const Pools* p, const Branch* branch, int pass)
 }
 
 // Item i is a branch; argument the pass.
-GROUP_STAGE(branch)
+GROUP_KERNEL(branch)
 {
 	(void)bench;
 	Branch branch = branch_number(p, i);
@@ -389,7 +389,7 @@ GROUP_STAGE(branch)
 }
 
 // The inertias of the step, as those of chains: what the tension of a body's joints makes of its own.
-GROUP_STAGE(branch_begin)
+GROUP_KERNEL(branch_begin)
 {
 	(void)bench;
 	Branch branch = branch_number(p, i);
@@ -430,7 +430,7 @@ GROUP_STAGE(branch_begin)
 	}
 }
 
-GROUP_STAGE(branch_end)
+GROUP_KERNEL(branch_end)
 {
 	(void)bench;
 	Branch branch = branch_number(p, i);

@@ -29,7 +29,7 @@ INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* l
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		float yield = joint_yield(&link->c, k);
-		if (!(modes & JOINT_DRIVES(k)) || !(yield > 0.0f))
+		if (!(modes & JOINT_HAS_DRIVES(k)) || !(yield > 0.0f))
 			continue;
 		JointDrive d = joint_drive_load(p, place, k);
 		int holder = branch_holder(&d, modes, k);
@@ -55,8 +55,8 @@ INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* l
 INLINE float branch_bounded(const JointDrive* d, int holder, float x)
 {
 	if (holder == HELD_BY_MOTOR)
-		return grip_of(hold_of(d->motor_impulse + x), d->motor_most);
-	float now = hold_of(d->limit_impulse + x);
+		return grip_of(bounded_impulse(d->motor_impulse + x), d->motor_most);
+	float now = bounded_impulse(d->limit_impulse + x);
 	return d->limit_impulse > 0.0f ? push_of(now) : -push_of(-now);
 }
 

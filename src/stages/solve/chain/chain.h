@@ -45,11 +45,11 @@ INLINE Int chain_damp(const Pools* p, int spot, const ChainLink* link, JointSyst
 	const JointPose* c = &link->c;
 	Real softness = CHAIN_AT(p, slack, spot), ia = c->a.inv_inertia, ib = c->b.inv_inertia;
 	Int damps = chain_damps(p, spot, &link->u);
-	s->yield[2] = choose(s->yield[2], ia + ib + softness, damps);
-	s->soft[2] = choose(s->soft[2], softness, damps);
-	s->goal[2] = choose(s->goal[2], -(joint_speed(c, JOINT_ANGLE) + softness * link->u.impulse_angle), damps);
-	s->cross[1] = choose(s->cross[1], ia * c->lever_a[0] + ib * c->lever_b[0], damps & s->locked[0]);
-	s->cross[2] = choose(s->cross[2], ia * c->lever_a[1] + ib * c->lever_b[1], damps & s->locked[1]);
+	s->yield[2] = blend(s->yield[2], ia + ib + softness, damps);
+	s->soft[2] = blend(s->soft[2], softness, damps);
+	s->goal[2] = blend(s->goal[2], -(joint_speed(c, JOINT_ANGLE) + softness * link->u.impulse_angle), damps);
+	s->cross[1] = blend(s->cross[1], ia * c->lever_a[0] + ib * c->lever_b[0], damps & s->locked[0]);
+	s->cross[2] = blend(s->cross[2], ia * c->lever_a[1] + ib * c->lever_b[1], damps & s->locked[1]);
 	s->locked[2] = s->locked[2] | damps;
 	return damps;
 }
@@ -72,8 +72,8 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 	{
 		CHAIN_PUT(p, r[k], spot, s.goal[k]);
 		Int locked = joint_has(&link->u, JOINT_LOCKED(k));
-		locks = locks + choose(zero, splat((float)(1 << k)), k == JOINT_ANGLE ? locked | slack : locked);
-		holds = holds + choose(zero, splat((float)(1 << k)), s.locked[k]);
+		locks = locks + blend(zero, splat((float)(1 << k)), k == JOINT_ANGLE ? locked | slack : locked);
+		holds = holds + blend(zero, splat((float)(1 << k)), s.locked[k]);
 	}
 	CHAIN_PUT(p, locks, spot, locks);
 	CHAIN_PUT(p, holds, spot, holds);
@@ -88,7 +88,7 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 	Real zero = splat(0.0f), one = splat(1.0f);
 	Int right = CHAIN_AT(p, side, spot) > zero, right_there = CHAIN_AT(p, other, spot) > zero;
 	Real inverse = CHAIN_AT(p, inv_mass, spot), turning = CHAIN_AT(p, turns, spot);
-	Real sign = choose(splat(-1.0f), one, right == right_there), lever[3], across[3];
+	Real sign = blend(splat(-1.0f), one, right == right_there), lever[3], across[3];
 	Real there[6], locked;
 	chain_near(p->chain_joints->pose, 6, before, there);
 	chain_near(&p->chain_joints->locks, 1, before, &locked);
@@ -100,8 +100,8 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 	other[1] = vec(-other[0].y, other[0].x);
 	for (int k = 0; k < 2; ++k)
 	{
-		lever[k] = choose(CHAIN_AT(p, pose[2 + k], spot), CHAIN_AT(p, pose[4 + k], spot), right);
-		across[k] = choose(there[2 + k], there[4 + k], right_there);
+		lever[k] = blend(CHAIN_AT(p, pose[2 + k], spot), CHAIN_AT(p, pose[4 + k], spot), right);
+		across[k] = blend(there[2 + k], there[4 + k], right_there);
 	}
 	lever[JOINT_ANGLE] = across[JOINT_ANGLE] = one;
 	for (int i = 0; i < 3; ++i)
@@ -110,7 +110,7 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 			Int wanted = (inverse > zero) & ((holds & (1 << i)) != 0) & ((locks & (1 << j)) != 0);
 			Real along = i == JOINT_ANGLE || j == JOINT_ANGLE ? zero : vec_dot(axis[i & 1], other[j & 1]);
 			Real value = sign * (inverse * along + turning * lever[i] * across[j]);
-			CHAIN_PUT(p, l[3 * i + j], spot, choose(zero, value, wanted));
+			CHAIN_PUT(p, l[3 * i + j], spot, blend(zero, value, wanted));
 		}
 }
 
@@ -128,7 +128,7 @@ INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 	chain_load_kept(p, chain, spot, &link);
 	Real x[3] = {CHAIN_AT(p, x[0], spot), CHAIN_AT(p, x[1], spot), CHAIN_AT(p, x[2], spot)};
 	chain_hold(p, spot, x, &link);
-	if (pass == PASS_RELAX && p->step.drives)
+	if (pass == PASS_RELAX && p->step.has_drives)
 		joint_peak(p, chain->begin + spot, &link.u, &link.c);
 	chain_store(p, chain, spot, &link);
 }
@@ -177,7 +177,7 @@ INLINE Chain chain_number(const Pools* p, int i)
 INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 {
 	// even joints, odd joints, even joints: the equations hold velocities after all joints did what is their own
-	int owns = pass != PASS_RELAX || p->step.drives, solves = pass != PASS_WARM_START;
+	int owns = pass != PASS_RELAX || p->step.has_drives, solves = pass != PASS_WARM_START;
 	for (int turn = 0; turn < 3; ++turn)
 	{
 		chain_half(p, &chain, turn & 1, pass, owns && turn < 2, solves && (owns ? turn > 0 : turn < 2));
@@ -188,7 +188,7 @@ INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 }
 
 // Item i is a range of chains, with those in the same blocks; argument the pass.
-GROUP_STAGE(chain)
+GROUP_KERNEL(chain)
 {
 	int first = p->chain[i].item;
 	(void)bench;
@@ -214,7 +214,7 @@ GROUP_STAGE(chain)
 
 // Before any constraint starts the step: one that did so with a link's own inertia would turn it by another angle than the chain,
 // which has the inertia of the step, takes back. That is a kick in every step, and ropes were torn through their pegs.
-GROUP_STAGE(chain_begin)
+GROUP_KERNEL(chain_begin)
 {
 	(void)bench;
 	int first = p->chain[i].item;
@@ -234,7 +234,7 @@ INLINE void chain_restore(const Pools* p, Chain chain)
 		chain_set_inertias(p, chain.begin + k, chain_at(p, own_a, k), chain_at(p, own_b, k));
 }
 
-GROUP_STAGE(chain_end)
+GROUP_KERNEL(chain_end)
 {
 	(void)bench;
 	int first = p->chain[i].item;

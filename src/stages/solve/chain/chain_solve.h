@@ -80,7 +80,7 @@ INLINE Int chain_near_int(const GLOBAL int* member, ChainNear near)
 #define SOLVES(name)                 chains_##name
 #define GET(at)                      load(at, 0)
 #define PUT(at, x)                   store(at, 0, x)
-#define PICK(a, b, c)                choose(a, b, c)
+#define PICK(a, b, c)                blend(a, b, c)
 #define THERE(at)                    ((at).here >= 0)
 #define LOAD(member, count, at, out) chain_near(p->chain_joints->member, count, at, out)
 #include "stages/solve/chain/chain_block.def"

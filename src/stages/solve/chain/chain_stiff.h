@@ -53,17 +53,17 @@ INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* 
 	shared.here_a = bodies->moves_a & ((bodies->a == a) | (bodies->a == b));
 	shared.here_b = bodies->moves_b & ((bodies->b == a) | (bodies->b == b)) & (shared.here_a == 0);
 	shared.there_a = (bodies->moves_a & (bodies->a == a)) | (bodies->moves_b & (bodies->b == a));
-	Real pull = choose(tension[1], tension[0], shared.there_a);
-	bodies->tension_a = choose(bodies->tension_a, bodies->tension_a + pull, shared.here_a);
-	bodies->tension_b = choose(bodies->tension_b, bodies->tension_b + pull, shared.here_b);
+	Real pull = blend(tension[1], tension[0], shared.there_a);
+	bodies->tension_a = blend(bodies->tension_a, bodies->tension_a + pull, shared.here_a);
+	bodies->tension_b = blend(bodies->tension_b, bodies->tension_b + pull, shared.here_b);
 	return shared;
 }
 
 // The inverse inertia of a body with the tension of its joints, where that exceeds its inertia.
 INLINE Real chain_inertia(Real inverse, Real tension)
 {
-	Real zero = splat(0.0f), more = choose(zero, tension - 1.0f / inverse, inverse > zero);
-	return choose(inverse, 1.0f / tension, (more > zero) & (more <= splat(MOST_FLOAT)));
+	Real zero = splat(0.0f), more = blend(zero, tension - 1.0f / inverse, inverse > zero);
+	return blend(inverse, 1.0f / tension, (more > zero) & (more <= splat(MOST_FLOAT)));
 }
 
 // A free angle between two links that move is damped, as much as substeps do not follow the string that the links are. An implicit
@@ -76,7 +76,7 @@ INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
 	Real t = maximum(minimum(CHAIN_AT(p, tension[0], spot), CHAIN_AT(p, tension[1], spot)), zero), more = t * inverse;
 	Real damping = t * more / (splat(CHAIN_SLOW) + more), least = splat(1.0f / CHAIN_SLACKEST);
 	Int damps = bodies->moves_a & bodies->moves_b & (damping * inverse > least) & (damping <= splat(MOST_FLOAT));
-	return choose(zero, splat(1.0f) / damping, damps);
+	return blend(zero, splat(1.0f) / damping, damps);
 }
 
 // The inertias of joints' bodies for the step; and which body they share with the joint before them.
@@ -100,10 +100,10 @@ INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
 	CHAIN_PUT(p, step_a, spot, step_a);
 	CHAIN_PUT(p, step_b, spot, step_b);
 	CHAIN_PUT(p, slack, spot, chain_slack(p, spot, &own));
-	CHAIN_PUT(p, side, spot, choose(zero, one, shared.here_b));
-	CHAIN_PUT(p, other, spot, choose(one, zero, shared.there_a));
-	CHAIN_PUT(p, inv_mass, spot, choose(choose(zero, mass_b, shared.here_b), mass_a, shared.here_a));
-	CHAIN_PUT(p, turns, spot, choose(step_a, step_b, shared.here_b));
+	CHAIN_PUT(p, side, spot, blend(zero, one, shared.here_b));
+	CHAIN_PUT(p, other, spot, blend(one, zero, shared.there_a));
+	CHAIN_PUT(p, inv_mass, spot, blend(blend(zero, mass_b, shared.here_b), mass_a, shared.here_a));
+	CHAIN_PUT(p, turns, spot, blend(step_a, step_b, shared.here_b));
 }
 
 // The inert joints at the end of the row that is left when the others are taken out: nothing else sets their solution.

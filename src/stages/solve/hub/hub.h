@@ -30,7 +30,7 @@
 #define HUB_EACH_OF(k, c, h)  for (int k = (h)->first + c; k < (h)->first + (h)->count; k += HUB_COLUMNS)
 
 // The sum, by halves, of 16 numbers with a stride; only the first ones, used of them, are not zero.
-INLINE float hub_halve(const BENCH float* x, int stride, int used)
+INLINE float hub_halve(const LOCAL float* x, int stride, int used)
 {
 	float sum[16];
 	for (int j = 0; j < 16; ++j)
@@ -43,13 +43,13 @@ INLINE float hub_halve(const BENCH float* x, int stride, int used)
 }
 
 // The reduction of the columns by one worker, by halves.
-INLINE void hub_add_columns(int used, int sums, BENCH float* bench)
+INLINE void hub_add_columns(int used, int sums, LOCAL float* bench)
 {
 	for (int span = HUB_COLUMNS / 2; span > 0; span /= 2)
 	{
 		for (int q = 0; q < sums && span < used; ++q)
 		{
-			BENCH float* column = bench + q * HUB_COLUMNS;
+			LOCAL float* column = bench + q * HUB_COLUMNS;
 			int c = 0;
 			for (; span >= LANES && c < span && c + span < used; c += LANES)
 				store(column + c, 0, load(column + c, 0) + load(column + c, span));
@@ -62,12 +62,12 @@ INLINE void hub_add_columns(int used, int sums, BENCH float* bench)
 
 // Reduces the columns of the bench by halves, for each of so many sums. A group does so in two rounds of 16. There are
 // few barriers, and none depends on a condition: otherwise an OpenCL compiler for CPUs takes many minutes.
-INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench, float sum[HUB_SUMS])
+INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB_SUMS])
 {
 	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, wide = group_width() > LANES;
 	// 17, not 16, against bank conflicts in local memory
 	int stride = wide ? 17 : HUB_COLUMNS;
-	BENCH float *half_way = bench + HUB_SUMS * HUB_COLUMNS, *total = wide ? half_way : bench;
+	LOCAL float *half_way = bench + HUB_SUMS * HUB_COLUMNS, *total = wide ? half_way : bench;
 	for (int round = 0; round < 2; ++round)
 	{
 		bench_meet();
@@ -90,7 +90,7 @@ INLINE void hub_add_up(const Hub* h, int sums, BENCH float* bench, float sum[HUB
 }
 
 // Prepares the problems of all spokes, or warm starts them if warm is set.
-INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, BENCH float* bench)
+INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, LOCAL float* bench)
 {
 	HUB_EACH_COLUMN(c, h)
 	{
@@ -106,7 +106,7 @@ INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, BENCH flo
 }
 
 // Sums the answers of all spokes to the hub's velocity.
-INLINE void hub_ask(const Pools* p, const Hub* h, int what, BENCH float* bench)
+INLINE void hub_ask(const Pools* p, const Hub* h, int what, LOCAL float* bench)
 {
 	HUB_EACH_COLUMN(c, h)
 	{
@@ -203,7 +203,7 @@ INLINE float hub_start(const Step* step, const Hub* h, const float gain[3])
 
 // A block: the impulses of one kind of all spokes, and the velocity that they give the hub. The sums are reduced at one
 // place in the code: each more costs an OpenCL compiler for CPUs minutes.
-INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, BENCH float* bench)
+INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, LOCAL float* bench)
 {
 	float sum[HUB_SUMS] = {0.0f}, d[3];
 	for (int q = 0; q < 3; ++q)
@@ -245,12 +245,12 @@ INLINE int hub_what(const Step* step, int pass, int k)
 {
 	// friction and rolling resistance follow the load, as in pair_relax
 	if (pass == PASS_WARM_START || pass == PASS_RELAX)
-		return k == 0 ? HUB_NORMAL : k == 1 ? HUB_FRICTION : k == 2 && step->rolls ? HUB_ROLL : -1;
+		return k == 0 ? HUB_NORMAL : k == 1 ? HUB_FRICTION : k == 2 && step->has_rolling ? HUB_ROLL : -1;
 	return k > 0 ? -1 : pass == PASS_BIAS ? HUB_SOFT : HUB_BOUNCE;
 }
 
 // A pass over the spokes of a hub whose light ends are known (spoke_begin).
-INLINE void hub_work(const Pools* p, Hub* h, int pass, BENCH float* bench)
+INLINE void hub_work(const Pools* p, Hub* h, int pass, LOCAL float* bench)
 {
 	for (int k = 0, what = 0; what >= 0; ++k)
 	{
@@ -299,17 +299,17 @@ INLINE void spoke_end(const Pools* p, const Hub* h, int i)
 	Real row[4] = {load(&spoke_at(p, vx, m), 0), load(&spoke_at(p, vy, m), 0), load(&spoke_at(p, w, m), 0),
 	               load(&spoke_at(p, inv_mass, m), 0)};
 	Int whole = load(&spoke_at(p, parts, m), 0) == splat(1.0f);
-	scatter_rows4of8((GLOBAL float*)p->body, spoke_light(p, h, i), row, whole & (row[3] > splat(0.0f)));
+	scatter_rows4of8((GLOBAL float*)p->body, spoke_neighbor(p, h, i), row, whole & (row[3] > splat(0.0f)));
 }
 
 // A pass over hub n by a group, with bodies in their pool.
-INLINE void hub_pass(const Pools* p, int n, int pass, BENCH float* bench)
+INLINE void hub_pass(const Pools* p, int n, int pass, LOCAL float* bench)
 {
 	float row[8];
 	read_row8((GLOBAL float*)p->body, hub_span_of(p, n).body, row);
 	Hub h = hub_begin(p, n, row);
 	HUB_EACH_COLUMN(c, &h)
-	HUB_EACH_OF(i, c, &h) spoke_begin(p, &h, i, body_gather(p, spoke_light(p, &h, i)));
+	HUB_EACH_OF(i, c, &h) spoke_begin(p, &h, i, body_gather(p, spoke_neighbor(p, &h, i)));
 	hub_work(p, &h, pass, bench);
 	HUB_EACH_COLUMN(c, &h)
 	HUB_EACH_OF(i, c, &h) spoke_end(p, &h, i);
@@ -328,6 +328,6 @@ INLINE void hub_pass(const Pools* p, int n, int pass, BENCH float* bench)
 }
 
 // Item i of a turn. argument is the pass, plus 256 times the turn.
-GROUP_STAGE(hub) { hub_pass(p, HUB_TURNS * i + (p->argument >> 8), p->argument & 255, bench); }
+GROUP_KERNEL(hub) { hub_pass(p, HUB_COLORS * i + (p->argument >> 8), p->argument & 255, bench); }
 
 #endif

@@ -8,7 +8,7 @@
 #include "stages/color/spoke.h"
 
 // All contacts of a body that became a hub free their colors.
-STAGE(hub_enter)
+KERNEL(hub_enter)
 {
 	int color = p->contact_color[i];
 	Int2 bodies = p->contact_bodies[i];
@@ -17,7 +17,7 @@ STAGE(hub_enter)
 	edge_free_color(p, bodies, color);
 	p->contact_color[i] = COLORS;
 	raise_int(&p->counters->entered, 1);
-	edge_stir(p, CONSTRAINT_CONTACT);
+	edge_mark_dirty(p, CONSTRAINT_CONTACT);
 }
 
 // The number of a hub, -1 for a body that is none.
@@ -46,31 +46,31 @@ INLINE int spoke_hub_of(const Pools* p, int k)
 	return c >= span.first && c < span.first + span.count ? a : contact_row(p, body_b, c);
 }
 
-INLINE int spoke_light_of(const Pools* p, int k)
+INLINE int spoke_neighbor_of(const Pools* p, int k)
 {
 	int c = p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS] + k;
 	return contact_row(p, body_a, c) ^ contact_row(p, body_b, c) ^ spoke_hub_of(p, k);
 }
 
-INLINE int hub_key_spoke(Word64 key) { return (int)(key & (((Word64)1 << HUB_KEY_TURN) - (Word64)1)); }
+INLINE int hub_key_spoke(Word64 key) { return (int)(key & (((Word64)1 << HUB_KEY_COLOR) - (Word64)1)); }
 
 // The key of spoke i: its light end, and the turn of its hub. Ends that cannot move, and padding, are sorted last.
-STAGE(hub_key)
+KERNEL(hub_key)
 {
 	Word64 name = (Word64)0xffffffffu, turn = 0;
 	int c = p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS] + i;
 	if (p->contact_place_slot[c] >= 0)
 	{
-		int hub = spoke_hub_of(p, i), n = hub_number(p, hub), light = spoke_light_of(p, i);
+		int hub = spoke_hub_of(p, i), n = hub_number(p, hub), neighbor = spoke_neighbor_of(p, i);
 		if (hub_span_of(p, n).first == c)
-			p->hub_turns[hub] = 1 << hub_turn(n);
-		if (p->body[light].inv_mass > 0.0f)
+			p->hub_colors[hub] = 1 << hub_color(n);
+		if (p->body[neighbor].inv_mass > 0.0f)
 		{
-			name = (Word64)light;
-			turn = (Word64)hub_turn(n);
+			name = (Word64)neighbor;
+			turn = (Word64)hub_color(n);
 		}
 	}
-	p->key[i] = name << 32 | turn << HUB_KEY_TURN | (Word64)i;
+	p->key[i] = name << 32 | turn << HUB_KEY_COLOR | (Word64)i;
 	spoke_at(p, parts, i) = 1.0f;
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
@@ -78,37 +78,37 @@ STAGE(hub_key)
 // The number of parts of each light end. It has an equal part for each hub of a turn, and that part is split equally
 // among the spokes that it shares with this hub. argument is the number of spokes. The keys are sorted by body, then by
 // turn, then by hub.
-STAGE(hub_order)
+KERNEL(hub_order)
 {
-	Word64 body = p->key[i] >> 32, group = p->key[i] >> HUB_KEY_TURN;
-	int spoke = hub_key_spoke(p->key[i]), turn = (int)(group & (Word64)(HUB_TURNS - 1));
+	Word64 body = p->key[i] >> 32, group = p->key[i] >> HUB_KEY_COLOR;
+	int spoke = hub_key_spoke(p->key[i]), turn = (int)(group & (Word64)(HUB_COLORS - 1));
 	p->spoke_order[i] = -1;
 	if (body == (Word64)0xffffffffu)
 		return;
-	int first = key_bound(p->key, 0, i, group << HUB_KEY_TURN),
-	    end = key_bound(p->key, i + 1, p->argument, (group + (Word64)1) << HUB_KEY_TURN);
-	int own = hub_number(p, (int)body), shares = own >= 0 && hub_turn(own) == turn, hubs = shares, beside = 0;
+	int first = key_bound(p->key, 0, i, group << HUB_KEY_COLOR),
+	    end = key_bound(p->key, i + 1, p->argument, (group + (Word64)1) << HUB_KEY_COLOR);
+	int own = hub_number(p, (int)body), shares = own >= 0 && hub_color(own) == turn, hubs = shares, beside = 0;
 	for (int k = first; k < end; ++hubs)
 	{
 		HubSpan span = hub_span_of(p, hub_number(p, spoke_hub_of(p, hub_key_spoke(p->key[k]))));
 		Word64 behind = (Word64)(spoke_of(p, span.first) + span.count);
-		int next = key_bound(p->key, k + 1, end, group << HUB_KEY_TURN | behind);
+		int next = key_bound(p->key, k + 1, end, group << HUB_KEY_COLOR | behind);
 		if (k <= i && i < next)
 			beside = next - k;
 		k = next;
 	}
 	if (i == first && (i == 0 || p->key[i - 1] >> 32 != body))
 	{
-		int turns = own >= 0 ? 1 << hub_turn(own) : 0;
-		for (int t = 0, k = i; t < HUB_TURNS; ++t)
+		int turns = own >= 0 ? 1 << hub_color(own) : 0;
+		for (int t = 0, k = i; t < HUB_COLORS; ++t)
 		{
-			int next = key_bound(p->key, k, p->argument, (body * HUB_TURNS + (Word64)(t + 1)) << HUB_KEY_TURN);
+			int next = key_bound(p->key, k, p->argument, (body * HUB_COLORS + (Word64)(t + 1)) << HUB_KEY_COLOR);
 			turns |= k < next ? 1 << t : 0;
 			k = next;
 		}
-		p->hub_turns[(int)body] = turns;
+		p->hub_colors[(int)body] = turns;
 	}
-	p->spoke_order[i] = spoke * HUB_TURNS + turn;
+	p->spoke_order[i] = spoke * HUB_COLORS + turn;
 	p->spoke_run[i] = make_int2(first, end);
 	spoke_at(p, parts, spoke) = (float)(hubs * beside);
 	if (hubs * beside == 1)
@@ -121,8 +121,8 @@ STAGE(hub_order)
 // The spoke of sorted end i, if its body is split in a turn and this is the first of its ends; else -1.
 INLINE int hub_merged(const Pools* p, int i, int turn)
 {
-	int order = p->spoke_order[i], spoke = order / HUB_TURNS;
-	if (order < 0 || order % HUB_TURNS != turn || p->spoke_run[i].x != i || spoke_at(p, parts, spoke) == 1.0f)
+	int order = p->spoke_order[i], spoke = order / HUB_COLORS;
+	if (order < 0 || order % HUB_COLORS != turn || p->spoke_run[i].x != i || spoke_at(p, parts, spoke) == 1.0f)
 		return -1;
 	return spoke;
 }
@@ -131,18 +131,18 @@ INLINE int hub_merged(const Pools* p, int i, int turn)
 INLINE int hub_within(const Pools* p, int body, int turn)
 {
 	int n = hub_number(p, body);
-	return n >= 0 && hub_turn(n) == turn ? n : -1;
+	return n >= 0 && hub_color(n) == turn ? n : -1;
 }
 
 // A body that is split gets the changes of its parts, each by its share of the mass. The first of its ends adds them:
 // that of the hub that it may be, then those of the spokes in order. argument is the turn.
-STAGE(hub_merge)
+KERNEL(hub_merge)
 {
 	int spoke = hub_merged(p, i, p->argument);
 	if (spoke < 0)
 		return;
 	Int2 run = p->spoke_run[i];
-	int body = spoke_light_of(p, spoke), n = hub_within(p, body, p->argument);
+	int body = spoke_neighbor_of(p, spoke), n = hub_within(p, body, p->argument);
 	float row[8], x = 0.0f, y = 0.0f, w = 0.0f;
 	read_row8((GLOBAL float*)p->body, body, row);
 	if (n >= 0)
@@ -155,7 +155,7 @@ STAGE(hub_merge)
 	}
 	for (int k = run.x; k < run.y; ++k)
 	{
-		int m = p->spoke_order[k] / HUB_TURNS;
+		int m = p->spoke_order[k] / HUB_COLORS;
 		float parts = spoke_at(p, parts, m);
 		x = x + (spoke_at(p, vx, m) - row[0]) / parts;
 		y = y + (spoke_at(p, vy, m) - row[1]) / parts;

@@ -26,13 +26,13 @@ INLINE SpokeAnswer spoke_push_apart(const Pools* p, int m, Real want1, Real want
 	Real own1 = inverse * single1, own2 = inverse * single2, cross = own1 * (single2 * load(&spoke_at(p, cross, m), 0));
 	Real first = cross * want2 - own1 * want1, second = cross * want1 - own2 * want2;
 	Int good1 = first >= zero, good2 = second >= zero, both = good1 & good2;
-	Real alone1 = choose(maximum(-single1 * want1, zero), zero, good2);
-	Real alone2 = choose(maximum(-single2 * want2, zero), zero, good1);
-	r.impulse[0] = choose(alone1, first, both);
-	r.impulse[1] = choose(alone2, second, both);
-	r.own[0] = choose(choose(zero, single1, alone1 > zero), own1, both);
-	r.own[1] = choose(choose(zero, single2, alone2 > zero), own2, both);
-	r.cross = choose(zero, -cross, both);
+	Real alone1 = blend(maximum(-single1 * want1, zero), zero, good2);
+	Real alone2 = blend(maximum(-single2 * want2, zero), zero, good1);
+	r.impulse[0] = blend(alone1, first, both);
+	r.impulse[1] = blend(alone2, second, both);
+	r.own[0] = blend(blend(zero, single1, alone1 > zero), own1, both);
+	r.own[1] = blend(blend(zero, single2, alone2 > zero), own2, both);
+	r.cross = blend(zero, -cross, both);
 	return r;
 }
 
@@ -47,7 +47,7 @@ INLINE SpokeAnswer spoke_hold(const Pools* p, int m, const Real slope[2], const 
 	{
 		Real wanted = old[k] - inverse[k] * slope[k];
 		r.impulse[k] = minimum(maximum(wanted, -limit[k]), limit[k]);
-		r.own[k] = choose(zero, inverse[k], (wanted == r.impulse[k]) & (limit[k] > zero));
+		r.own[k] = blend(zero, inverse[k], (wanted == r.impulse[k]) & (limit[k] > zero));
 	}
 	r.cross = zero;
 	return r;
@@ -78,7 +78,7 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum
 		Real takes[2] = {load(&spoke_at(p, limit1, m), 0), load(&spoke_at(p, limit2, m), 0)};
 		for (int k = 0; k < 2; ++k)
 		{
-			r.impulse[k] = choose(old[k], r.impulse[k], takes[k] > splat(0.0f));
+			r.impulse[k] = blend(old[k], r.impulse[k], takes[k] > splat(0.0f));
 			r.own[k] = takes[k] * r.own[k];
 		}
 		r.cross = takes[0] * takes[1] * r.cross;
@@ -106,9 +106,9 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum
 	for (int q = 0; q < HUB_SUMS; ++q)
 		adds = adds & spoke_adds(h, add[q]);
 	for (int q = 0; q < HUB_SUMS; ++q)
-		sum[q] += choose(splat(0.0f), add[q], adds);
-	store(&spoke_at(p, new1, m), 0, choose(old[0], r.impulse[0], adds));
-	store(&spoke_at(p, new2, m), 0, choose(old[1], r.impulse[1], adds));
+		sum[q] += blend(splat(0.0f), add[q], adds);
+	store(&spoke_at(p, new1, m), 0, blend(old[0], r.impulse[0], adds));
+	store(&spoke_at(p, new2, m), 0, blend(old[1], r.impulse[1], adds));
 }
 
 // Applies a part of the answer of a spoke. With a part of 1, rounding may leave a rest.

@@ -27,25 +27,25 @@ typedef struct // a hub while it is solved
 
 typedef struct // of a spoke: how unit impulses at its points act
 {
-	Vec n;                 // on the hub along n, on the light end against it
-	Real hub[2], light[2]; // arms
-	Real mass, inertia;    // inverse, of the light end's part
+	Vec n;                    // on the hub along n, on the light end against it
+	Real hub[2], neighbor[2]; // arms
+	Real mass, inertia;       // inverse, of the light end's part
 	Real whole_mass, whole_inertia;
 	Vec v; // of the light end
 	Real w;
 } SpokeArms;
 
-INLINE Body body_choose(Body a, Body b, Int c)
+INLINE Body body_blend(Body a, Body b, Int c)
 {
 	Body r;
-	r.v = vec(choose(a.v.x, b.v.x, c), choose(a.v.y, b.v.y, c));
-	r.w = choose(a.w, b.w, c);
-	r.inv_mass = choose(a.inv_mass, b.inv_mass, c);
-	r.d = vec(choose(a.d.x, b.d.x, c), choose(a.d.y, b.d.y, c));
-	r.da = choose(a.da, b.da, c);
-	r.inv_inertia = choose(a.inv_inertia, b.inv_inertia, c);
-	r.sine = choose(a.sine, b.sine, c);
-	r.versine = choose(a.versine, b.versine, c);
+	r.v = vec(blend(a.v.x, b.v.x, c), blend(a.v.y, b.v.y, c));
+	r.w = blend(a.w, b.w, c);
+	r.inv_mass = blend(a.inv_mass, b.inv_mass, c);
+	r.d = vec(blend(a.d.x, b.d.x, c), blend(a.d.y, b.d.y, c));
+	r.da = blend(a.da, b.da, c);
+	r.inv_inertia = blend(a.inv_inertia, b.inv_inertia, c);
+	r.sine = blend(a.sine, b.sine, c);
+	r.versine = blend(a.versine, b.versine, c);
 	return r;
 }
 
@@ -55,26 +55,26 @@ INLINE Int spoke_turned(const Pools* p, const Hub* h, int i)
 	return (load_int(&contact_row(p, body_b, i), 0) ^ h->body) == 0;
 }
 
-INLINE Int spoke_light(const Pools* p, const Hub* h, int i)
+INLINE Int spoke_neighbor(const Pools* p, const Hub* h, int i)
 {
 	return load_int(&contact_row(p, body_a, i), 0) ^ load_int(&contact_row(p, body_b, i), 0) ^ h->body;
 }
 
 // Stores what the blocks of a pass need of the light end.
-INLINE void spoke_begin(const Pools* p, const Hub* h, int i, Body light)
+INLINE void spoke_begin(const Pools* p, const Hub* h, int i, Body neighbor)
 {
 	Contact u;
 	contact_load(p, i, PASS_BIAS, &u);
 	Int turned = spoke_turned(p, h, i);
-	Body a = body_choose(h->whole, light, turned), b = body_choose(light, h->whole, turned);
+	Body a = body_blend(h->whole, neighbor, turned), b = body_blend(neighbor, h->whole, turned);
 	ContactReady ready;
 	contact_ready(p, PASS_BIAS, i, &a, &b, &u, &ready);
 	int k = spoke_of(p, i);
-	store(&spoke_at(p, vx, k), 0, light.v.x);
-	store(&spoke_at(p, vy, k), 0, light.v.y);
-	store(&spoke_at(p, w, k), 0, light.w);
-	store(&spoke_at(p, inv_mass, k), 0, light.inv_mass);
-	store(&spoke_at(p, inv_inertia, k), 0, light.inv_inertia);
+	store(&spoke_at(p, vx, k), 0, neighbor.v.x);
+	store(&spoke_at(p, vy, k), 0, neighbor.v.y);
+	store(&spoke_at(p, w, k), 0, neighbor.w);
+	store(&spoke_at(p, inv_mass, k), 0, neighbor.inv_mass);
+	store(&spoke_at(p, inv_inertia, k), 0, neighbor.inv_inertia);
 	store(&spoke_at(p, gap1, k), 0, ready.gap[0]);
 	store(&spoke_at(p, gap2, k), 0, ready.gap[1]);
 }
@@ -87,21 +87,21 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 	ContactArms c = pair_of(&u, &h->whole, &h->whole);
 	Int turned = spoke_turned(p, h, i);
 	Vec n = what == HUB_FRICTION ? c.t : c.n;
-	s.n = vec(choose(-n.x, n.x, turned), choose(-n.y, n.y, turned));
+	s.n = vec(blend(-n.x, n.x, turned), blend(-n.y, n.y, turned));
 	for (int k = 0; k < 2; ++k)
 	{
 		Real on_a = -vec_cross(c.ra[k], n), on_b = vec_cross(c.rb[k], n);
-		s.hub[k] = choose(on_a, on_b, turned);
-		s.light[k] = choose(on_b, on_a, turned);
+		s.hub[k] = blend(on_a, on_b, turned);
+		s.neighbor[k] = blend(on_b, on_a, turned);
 	}
 	if (what == HUB_ROLL)
 	{
 		// a torque, at one place
 		s.n = vec(splat(0.0f), splat(0.0f));
-		s.hub[0] = choose(splat(-1.0f), splat(1.0f), turned);
-		s.light[0] = -s.hub[0];
+		s.hub[0] = blend(splat(-1.0f), splat(1.0f), turned);
+		s.neighbor[0] = -s.hub[0];
 		s.hub[1] = splat(0.0f);
-		s.light[1] = splat(0.0f);
+		s.neighbor[1] = splat(0.0f);
 	}
 	int m = spoke_of(p, i);
 	Real parts = load(&spoke_at(p, parts, m), 0);
@@ -128,7 +128,7 @@ INLINE Int spoke_sum(const Hub* h, const SpokeArms* s, const Real impulse[2], Re
 	Int adds = spoke_adds(h, push[0]) & spoke_adds(h, push[1]) & spoke_adds(h, push[2]);
 	for (int k = 0; k < 2; ++k)
 		adds = adds & spoke_adds(h, impulse[k]) &
-		       spoke_adds(h, (s->mass + s->inertia * s->light[k] * s->light[k]) * impulse[k] * impulse[k]);
+		       spoke_adds(h, (s->mass + s->inertia * s->neighbor[k] * s->neighbor[k]) * impulse[k] * impulse[k]);
 	return adds;
 }
 
@@ -139,7 +139,7 @@ INLINE void spoke_push(const Pools* p, int i, SpokeArms s, Real impulse1, Real i
 	Real both = s.mass * (impulse1 + impulse2);
 	store(&spoke_at(p, vx, m), 0, s.v.x - both * s.n.x);
 	store(&spoke_at(p, vy, m), 0, s.v.y - both * s.n.y);
-	store(&spoke_at(p, w, m), 0, s.w + s.inertia * (s.light[0] * impulse1 + s.light[1] * impulse2));
+	store(&spoke_at(p, w, m), 0, s.w + s.inertia * (s.neighbor[0] * impulse1 + s.neighbor[1] * impulse2));
 }
 
 INLINE void spoke_impulses(const Pools* p, int i, int what, Real old[2])
@@ -163,8 +163,8 @@ INLINE void spoke_keep_bounce(const Pools* p, int i, Real impulse1, Real impulse
 	Real zero = splat(0.0f), normal1 = load(&contact_row(p, normal_impulse1, i), 0),
 	     normal2 = load(&contact_row(p, normal_impulse2, i), 0);
 	pair_total(p, i, impulse1, impulse2);
-	store(&contact_row(p, normal_impulse1, i), 0, choose(normal1, zero, load(&spoke_at(p, limit1, m), 0) > zero));
-	store(&contact_row(p, normal_impulse2, i), 0, choose(normal2, zero, load(&spoke_at(p, limit2, m), 0) > zero));
+	store(&contact_row(p, normal_impulse1, i), 0, blend(normal1, zero, load(&spoke_at(p, limit1, m), 0) > zero));
+	store(&contact_row(p, normal_impulse2, i), 0, blend(normal2, zero, load(&spoke_at(p, limit2, m), 0) > zero));
 }
 
 INLINE void spoke_keep(const Pools* p, int i, int what, Real impulse1, Real impulse2)

@@ -56,7 +56,7 @@ INLINE Real spoke_rebound(const Pools* p, int i, int k)
 INLINE Real spoke_resists(const Hub* h, const SpokeArms* s, int k)
 {
 	return h->whole.inv_mass + s->whole_mass + h->whole.inv_inertia * s->hub[k] * s->hub[k] +
-	       s->whole_inertia * s->light[k] * s->light[k];
+	       s->whole_inertia * s->neighbor[k] * s->neighbor[k];
 }
 
 // bias: minus the target velocity of a spoke at point k, m/s. soft: what softness adds to the inverse mass, 1/kg.
@@ -65,7 +65,7 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 {
 	*bias = splat(0.0f);
 	*soft = splat(0.0f);
-	if (what == HUB_FRICTION && p->step.rolls)
+	if (what == HUB_FRICTION && p->step.has_rolling)
 		*bias = load(&contact_rare(p, tangent_speed, i), 0);
 	if (what == HUB_FRICTION || what == HUB_ROLL)
 		return;
@@ -92,9 +92,9 @@ INLINE Real spoke_takes_part(const Pools* p, int i, int what, int k, Real old)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), rebound = spoke_rebound(p, i, k);
 	if (what == HUB_NORMAL)
-		return choose(one, zero, pair_waits(spoke_gap(p, i, k), old, rebound));
+		return blend(one, zero, pair_waits(spoke_gap(p, i, k), old, rebound));
 	Real total = k ? load(&contact_rare(p, total_impulse2, i), 0) : load(&contact_rare(p, total_impulse1, i), 0);
-	return choose(zero, one, (rebound > zero) & (total > zero));
+	return blend(zero, one, (rebound > zero) & (total > zero));
 }
 
 // m/s: the velocities at which the points of a spoke separate
@@ -102,7 +102,7 @@ INLINE void spoke_speeds(const Hub* h, const SpokeArms* s, Real speed[2])
 {
 	for (int k = 0; k < 2; ++k)
 		speed[k] = s->n.x * (h->from[0] - s->v.x) + s->n.y * (h->from[1] - s->v.y) + s->hub[k] * h->from[2] +
-		           s->light[k] * s->w;
+		           s->neighbor[k] * s->w;
 }
 
 typedef struct // the problem of a spoke for one kind of impulse
@@ -128,18 +128,18 @@ INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, Spoke
 	spoke_limits(p, i, what, r->limit);
 	for (int k = 0; k < 2; ++k)
 	{
-		r->limit[k] = choose(zero, r->limit[k], r->well);
-		held[k] = choose(zero, limited ? grip_of(r->old[k], r->limit[k]) : r->old[k], r->well);
+		r->limit[k] = blend(zero, r->limit[k], r->well);
+		held[k] = blend(zero, limited ? grip_of(r->old[k], r->limit[k]) : r->old[k], r->well);
 		beyond[k] = held[k] - r->old[k];
 	}
 	Int adds = spoke_sum(h, s, beyond, push);
 	for (int k = 0; k < 2; ++k)
 	{
-		beyond[k] = choose(zero, beyond[k], adds);
-		r->old[k] = choose(r->old[k], held[k], adds);
+		beyond[k] = blend(zero, beyond[k], adds);
+		r->old[k] = blend(r->old[k], held[k], adds);
 	}
 	for (int q = 0; q < 3; ++q)
-		taken[q] += choose(zero, push[q], adds);
+		taken[q] += blend(zero, push[q], adds);
 	spoke_push(p, i, *s, beyond[0], beyond[1]);
 	s->v = vec(load(&spoke_at(p, vx, m), 0), load(&spoke_at(p, vy, m), 0));
 	s->w = load(&spoke_at(p, w, m), 0);
@@ -149,7 +149,7 @@ INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, Spoke
 INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const SpokeArms* s, SpokeProblem* r)
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), speed[2];
-	Real cross = s->mass + s->inertia * s->light[0] * s->light[1];
+	Real cross = s->mass + s->inertia * s->neighbor[0] * s->neighbor[1];
 	float yield = what == HUB_BOUNCE ? BOUNCE_YIELD : HUB_YIELD;
 	spoke_speeds(h, s, speed);
 	for (int k = 0; k < 2; ++k)
@@ -158,16 +158,16 @@ INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const Sp
 		spoke_wants(p, h, i, what, s, k, &bias, &soft);
 		Real hub_mass = what == HUB_ROLL ? zero : splat(h->inv_mass);
 		// a little more than the mass itself, so that two points at one place have a solution
-		r->mass[k] = 1.0001f * (s->mass + s->inertia * s->light[k] * s->light[k]) +
+		r->mass[k] = 1.0001f * (s->mass + s->inertia * s->neighbor[k] * s->neighbor[k]) +
 		             yield * (hub_mass + h->inv_inertia * s->hub[k] * s->hub[k]) + soft;
 		r->slope[k] = speed[k] + bias + soft * r->old[k];
 		r->well = r->well & (absolute(r->slope[k]) <= most) & (r->mass[k] <= splat(MOST_FLOAT));
 	}
-	r->cross = choose(zero, cross, r->well);
+	r->cross = blend(zero, cross, r->well);
 	for (int k = 0; k < 2; ++k)
 	{
-		r->mass[k] = choose(zero, r->mass[k], r->well);
-		r->slope[k] = choose(zero, r->slope[k], r->well);
+		r->mass[k] = blend(zero, r->mass[k], r->well);
+		r->slope[k] = blend(zero, r->slope[k], r->well);
 	}
 }
 
@@ -179,7 +179,7 @@ INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 	if (spoke_limited(what))
 	{
 		// points side by side resist together: each gets the mass of both
-		Real together = choose(zero, absolute(r->cross), (r->limit[0] > zero) & (r->limit[1] > zero));
+		Real together = blend(zero, absolute(r->cross), (r->limit[0] > zero) & (r->limit[1] > zero));
 		r->mass[0] += together;
 		r->mass[1] += together;
 		store(&spoke_at(p, limit1, m), 0, r->limit[0]);
@@ -193,7 +193,7 @@ INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 		r->cross = takes1 * takes2 * r->cross;
 	}
 	for (int k = 0; k < 2; ++k)
-		r->inverse[k] = choose(zero, 1.0f / r->mass[k], r->mass[k] > splat(LEAST_RESISTS));
+		r->inverse[k] = blend(zero, 1.0f / r->mass[k], r->mass[k] > splat(LEAST_RESISTS));
 }
 
 // Prepares the problem of a spoke for one block. taken is the sum of the impulses on the hub that are taken back.
@@ -233,16 +233,16 @@ INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[
 		for (int k = 0; k < 2; ++k)
 		{
 			Real resists =
-			    h->inv_mass + s.mass + h->inv_inertia * s.hub[k] * s.hub[k] + s.inertia * s.light[k] * s.light[k];
-			old[k] = pair_start(&p->step, old[k], choose(splat(0.0f), 1.0f / resists, resists > splat(0.0f)));
+			    h->inv_mass + s.mass + h->inv_inertia * s.hub[k] * s.hub[k] + s.inertia * s.neighbor[k] * s.neighbor[k];
+			old[k] = pair_start(&p->step, old[k], blend(splat(0.0f), 1.0f / resists, resists > splat(0.0f)));
 		}
 	}
 	Real one[3];
 	Int adds = spoke_sum(h, &s, old, one);
 	for (int k = 0; k < 2; ++k)
-		old[k] = choose(splat(0.0f), old[k], adds);
+		old[k] = blend(splat(0.0f), old[k], adds);
 	for (int q = 0; q < 3; ++q)
-		push[q] += choose(splat(0.0f), one[q], adds);
+		push[q] += blend(splat(0.0f), one[q], adds);
 	spoke_push(p, i, s, old[0], old[1]);
 	spoke_keep(p, i, what, old[0], old[1]);
 }

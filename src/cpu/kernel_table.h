@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: MIT
-// stage_table.h -- the end of each lanesN.c and of scalar_avx2.c: the table of the stages compiled above.
+// kernel_table.h -- the end of each lanesN.c and of scalar_avx2.c: the table of the stages compiled above.
 #include "cpu/lanes.h"
 
 #ifndef TABLE
-#define TABLE STAGE_JOIN(stages, LANES)
+#define TABLE KERNEL_JOIN(kernels, LANES)
 #endif
 
 // SCREE_SMALL: what is compiled twice elsewhere is compiled once, for WebAssembly: wide stages with the one number of lanes, stages of
 // groups, which are the longest, with one lane.
 #if LANES == 1
-#define ENTRY_ONE(name) STAGE_JOIN(name, LANES)
+#define ENTRY_ONE(name) KERNEL_JOIN(name, LANES)
 #else
 #define ENTRY_ONE(name) NULL
 #endif
 #if LANES > 1 || SCREE_LANES & 1
-#define ENTRY_WIDE(name) STAGE_JOIN(name, LANES)
+#define ENTRY_WIDE(name) KERNEL_JOIN(name, LANES)
 #else
 #define ENTRY_WIDE(name) NULL
 #endif
 #ifdef SCREE_SMALL
 #define ENTRY_GROUP(name) ENTRY_ONE(name)
 #else
-#define ENTRY_GROUP(name) STAGE_JOIN(name, LANES)
+#define ENTRY_GROUP(name) KERNEL_JOIN(name, LANES)
 #endif
 #define ENTRY_ALONE(name) ENTRY_ONE(name)
 #define ENTRY_TEAM(name)  ENTRY_ONE(name)
 
 // clang-format off
-const StageFunction TABLE[STAGE_COUNT] = {
+const KernelFunction TABLE[KERNEL_COUNT] = {
 #define X(name, width, box) ENTRY_##width(name),
-#include "stages/stages.def"
+#include "stages/kernels.def"
 #undef X
 };
