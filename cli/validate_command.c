@@ -3,7 +3,7 @@
 #include "commands.h"
 #include "library_error.h"
 #include "simulation.h"
-#include "validate/lab_scree.h"
+#include "validate/engine_scree.h"
 #include "validate/validate.h"
 
 static int list_experiments(void)
@@ -14,13 +14,10 @@ static int list_experiments(void)
 }
 
 // Makes a world with the options, so that an error is printed before any row. Returns an exit code.
-static int try_device(const Options* options)
+static int try_device(const EngineOptions* options)
 {
 	scree_world_def def = scree_world_def_default();
-	def.device = options->device;
-	def.threads = options->threads;
-	def.lanes = options->lanes;
-	def.allow_unequal_bits = options->allow_unequal_bits;
+	engine_set_device(&def, options);
 	scree_world* world;
 	int code = report(scree_world_create(&def, &world));
 	scree_world_destroy(world);
@@ -40,14 +37,17 @@ int validate_command(const Options* options)
 			return EXIT_BAD;
 		}
 	}
-	int code = try_device(options);
-	if (code != EXIT_GOOD)
-		return code;
-	Validation v = {.engine = &scree_lab,
+	Validation v = {.engine = &scree_engine,
 	                .executable = options->executable,
 	                .quick = options->quick,
 	                .out = stdout,
-	                .options = {options->device, options->threads, options->lanes, options->allow_unequal_bits}};
+	                .options = {.device = options->device,
+	                            .threads = options->threads,
+	                            .lanes = options->lanes,
+	                            .allow_unequal_bits = options->allow_unequal_bits}};
+	int code = try_device(&v.options);
+	if (code != EXIT_GOOD)
+		return code;
 	bool good = true;
 	validate_heading(stdout);
 	for (int k = 0; k < (options->argument_count ? options->argument_count : validate_count) && !v.broken; ++k)

@@ -43,11 +43,11 @@ scree_body_def bone_def(int bone, scree_vec feet, int group)
 	return def;
 }
 
-int bone_parts(int bone, int group, LabPart parts[BONE_PARTS])
+int bone_parts(int bone, int group, EnginePart parts[BONE_PARTS])
 {
 	static const scree_vec corners[4] = {{-0.03f, -0.185f}, {0.11f, -0.185f}, {0.11f, -0.16f}, {-0.03f, -0.14f}};
 	const Bone* b = &bones[bone];
-	parts[0] = (LabPart){scree_attribute_def_default(), filter_of(group)};
+	parts[0] = (EnginePart){scree_attribute_def_default(), filter_of(group)};
 	parts[0].surface.friction = 0.2f;
 	// what is refused shows as an empty shape, which engines refuse with a sentence
 	if (scree_shape_make_capsule((scree_vec){0.0f, b->low}, (scree_vec){0.0f, b->high}, b->radius,
@@ -55,7 +55,7 @@ int bone_parts(int bone, int group, LabPart parts[BONE_PARTS])
 		parts[0].surface.shape = (scree_shape){0};
 	if (!b->foot)
 		return 1;
-	parts[1] = (LabPart){scree_attribute_def_default(), filter_of(group)};
+	parts[1] = (EnginePart){scree_attribute_def_default(), filter_of(group)};
 	parts[1].surface.friction = 0.05f;
 	parts[1].filter.mask = 1; // not other ragdolls
 	if (scree_shape_make_polygon(corners, 4, 0.015f, &parts[1].surface.shape))

@@ -11,7 +11,7 @@
 scree_body_def bone_def(int bone, scree_vec feet, int group);
 
 // Writes the collidables of a bone, and returns how many there are.
-int bone_parts(int bone, int group, LabPart parts[BONE_PARTS]);
+int bone_parts(int bone, int group, EnginePart parts[BONE_PARTS]);
 
 // The bone that a joint connects with this one, which comes later; -1: none.
 int bone_parent(int bone);

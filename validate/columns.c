@@ -98,7 +98,7 @@ static int add_card_house(Lab* lab, int levels, double left, double jitter, uint
 	scree_attribute_def card = box_of(thick, half);
 	int last = 0;
 	card.friction = 0.7f;
-	lab->parts[lab->bodies[0].first].surface.friction = 0.7f;
+	lab->bodies[0].parts[0].surface.friction = 0.7f;
 	for (int level = 0; level < levels; ++level)
 	{
 		double x = pitch * level, y = half - 0.02 + (2.0 * half - 0.03) * level;

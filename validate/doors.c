@@ -29,8 +29,8 @@ static void turn(Validation* v, const Door* door, double spin)
 	Lab* lab = lab_open(v, &def);
 	scree_attribute_def wall = box_of(door->frame_width, door->frame_height);
 	int frame = lab_put(lab, SCREE_BODY_STATIC, &wall, 0.0f, 0.0f, 0.0f);
-	LabPart parts[2] = {{box_of(door->half_width, door->half_height), scree_filter_default()},
-	                    {box_of(door->half_height, door->half_width), scree_filter_default()}};
+	EnginePart parts[2] = {{box_of(door->half_width, door->half_height), scree_filter_default()},
+	                       {box_of(door->half_height, door->half_width), scree_filter_default()}};
 	scree_body_def bar = scree_body_def_default();
 	bar.type = SCREE_BODY_DYNAMIC;
 	bar.pose.position.y = (float)-door->arm;

@@ -77,8 +77,8 @@ static void strike(Validation* v, int crates, double speed)
 	int body = add_plate(lab, crates, 1.0, 0.0);
 	lab->bodies[body].def.velocity.linear.y = (float)speed;
 	add_crates(lab, crates, 1.0);
-	double before = 0.5 * (double)lab->bodies[body].mass * speed * speed, most = 0.0, deepest = 0.0;
-	double start = (double)lab->bodies[body].mass * speed, drift = 0.0;
+	double before = 0.5 * (double)lab->masses[body].mass * speed * speed, most = 0.0, deepest = 0.0;
+	double start = (double)lab->masses[body].mass * speed, drift = 0.0;
 	for (int step = 0; step < 60; ++step)
 	{
 		lab_step(lab, 1);
@@ -87,7 +87,7 @@ static void strike(Validation* v, int crates, double speed)
 		for (int k = 0; k < lab->count; ++k)
 		{
 			energy += lab_kinetic(lab, k);
-			momentum += (double)lab->bodies[k].mass * (double)lab->velocities[k].linear.y;
+			momentum += (double)lab->masses[k].mass * (double)lab->velocities[k].linear.y;
 		}
 		most = fmax(most, energy / before);
 		drift = fmax(drift, fabs(momentum / start - 1.0));

@@ -32,7 +32,7 @@ static void against_floor(Validation* v, double friction)
 		scree_velocity velocity = {{(float)(slant * speed), (float)-speed}, (float)random_between(&seed, -5.0, 5.0)};
 		lab_throw(lab, &body, (float)(APART * (k - 0.5 * runs)), (float)random_between(&seed, 1.0, 2.0),
 		          (float)random_between(&seed, -3.0, 3.0), velocity);
-		lab->parts[lab->part_count - 1].filter.group = -1; // they do not collide with each other
+		lab->bodies[lab->count - 1].parts[0].filter.group = -1; // they do not collide with each other
 	}
 	double most = 0.0;
 	for (int step = 0; step < 90; ++step)
@@ -44,7 +44,7 @@ static void against_floor(Validation* v, double friction)
 			scree_velocity start = lab->bodies[k].def.velocity;
 			double vx = (double)start.linear.x, vy = (double)start.linear.y, w = (double)start.angular;
 			double before =
-			    0.5 * ((double)lab->bodies[k].mass * (vx * vx + vy * vy) + (double)lab->bodies[k].inertia * w * w);
+			    0.5 * ((double)lab->masses[k].mass * (vx * vx + vy * vy) + (double)lab->masses[k].inertia * w * w);
 			double share = 100.0 * lab_kinetic(lab, k) / before;
 			if (!(share <= most))
 				where(v, "run %d at %.1f m/s", k - first, -vy);
@@ -56,7 +56,7 @@ static void against_floor(Validation* v, double friction)
 }
 
 // Lets the last body collide only with those of the same run.
-static void isolate(Lab* lab, int run) { lab->parts[lab->part_count - 1].filter = (scree_filter){1, 0, run + 1}; }
+static void isolate(Lab* lab, int run) { lab->bodies[lab->count - 1].parts[0].filter = (scree_filter){1, 0, run + 1}; }
 
 // A heavy circle hits a light one at rest, without friction. The light one must not be faster afterwards than the heavy one was.
 // Runs are isolated: a light circle that flies to the side with 0.5 of the speed, and that the heavy circle of the next run
@@ -165,11 +165,11 @@ static Momentum momentum_of(Lab* lab)
 	{
 		scree_vec c = lab_center(lab, k);
 		scree_velocity v = lab->velocities[k];
-		double m = (double)lab->bodies[k].mass, vx = (double)v.linear.x, vy = (double)v.linear.y;
+		double m = (double)lab->masses[k].mass, vx = (double)v.linear.x, vy = (double)v.linear.y;
 		double turn = m * ((double)c.x * vy - (double)c.y * vx);
 		sum.x += m * vx;
 		sum.y += m * vy;
-		sum.spin += turn + (double)lab->bodies[k].inertia * (double)v.angular;
+		sum.spin += turn + (double)lab->masses[k].inertia * (double)v.angular;
 		sum.size += m * hypot(vx, vy);
 		sum.energy += lab_kinetic(lab, k);
 	}

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// lab.c -- the world of an experiment, and the measurement of its overlaps.
+// lab.c -- the world of an experiment.
 #include "lab.h"
 #include "experiment_support.h"
-#include "lab_scree.h"
 #include <math.h>
 #include <stdlib.h>
-
-#define MOMENT 1.0e-4f // s: too short for bodies to move
 
 static void check(Lab* lab, bool good) { lab->validation->broken = lab->validation->broken || !good; }
 
@@ -20,7 +17,9 @@ Lab* lab_open(Validation* v, const LabDef* def)
 	lab->def = *def;
 	if (!v->broken)
 	{
-		lab->state = v->engine->open(&v->options, def);
+		EngineDef engine = {scree_world_def_default(), def->max_speed, def->contact_hertz};
+		engine.world.gravity = def->gravity;
+		lab->state = v->engine->open(&v->options, &engine);
 		check(lab, lab->state);
 	}
 	return lab;
@@ -32,7 +31,7 @@ static bool ready(Lab* lab)
 	Validation* v = lab->validation;
 	if (!v->broken && lab->created < lab->count)
 	{
-		check(lab, v->engine->create(lab->state, lab, lab->created, lab->count - lab->created));
+		check(lab, v->engine->create(lab->state, lab->bodies + lab->created, lab->count - lab->created));
 		lab->created = lab->count;
 	}
 	for (; !v->broken && lab->joined < lab->joint_count; ++lab->joined)
@@ -62,60 +61,56 @@ void lab_close(Lab* lab)
 	v->lab = NULL;
 	if (lab->state)
 		v->engine->close(lab->state);
+	for (int k = 0; k < lab->count; ++k)
+		free(lab->bodies[k].parts);
 	free(lab->bodies);
-	free(lab->parts);
+	free(lab->masses);
 	free(lab->joints);
 	free(lab->poses);
 	free(lab->velocities);
 	free(lab);
 }
 
-static void grow(Lab* lab, int parts)
+static void grow(Lab* lab)
 {
-	if (lab->count == lab->capacity)
-	{
-		size_t capacity = lab->capacity ? 2 * (size_t)lab->capacity : 64;
-		lab->bodies = require_memory(realloc(lab->bodies, capacity * sizeof *lab->bodies));
-		lab->poses = require_memory(realloc(lab->poses, capacity * sizeof *lab->poses));
-		lab->velocities = require_memory(realloc(lab->velocities, capacity * sizeof *lab->velocities));
-		lab->capacity = (int)capacity;
-	}
-	if (lab->part_count + parts > lab->part_capacity)
-	{
-		lab->part_capacity = 2 * lab->part_capacity + parts;
-		lab->parts = require_memory(realloc(lab->parts, (size_t)lab->part_capacity * sizeof *lab->parts));
-	}
+	if (lab->count < lab->capacity)
+		return;
+	size_t capacity = lab->capacity ? 2 * (size_t)lab->capacity : 64;
+	lab->bodies = require_memory(realloc(lab->bodies, capacity * sizeof *lab->bodies));
+	lab->masses = require_memory(realloc(lab->masses, capacity * sizeof *lab->masses));
+	lab->poses = require_memory(realloc(lab->poses, capacity * sizeof *lab->poses));
+	lab->velocities = require_memory(realloc(lab->velocities, capacity * sizeof *lab->velocities));
+	lab->capacity = (int)capacity;
 }
 
 // Mass and inertia by the parallel axes theorem.
-static void compute_mass(LabBody* body, const LabPart* parts)
+static LabMass mass_of(const EngineBody* body)
 {
 	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
 	for (int k = 0; k < body->count; ++k)
 	{
-		const scree_shape* s = &parts[k].surface.shape;
-		double m = (double)parts[k].surface.density * (double)s->area, cx = (double)s->centroid.x,
-		       cy = (double)s->centroid.y;
+		const scree_attribute_def* surface = &body->parts[k].surface;
+		const scree_shape* s = &surface->shape;
+		double m = (double)surface->density * (double)s->area, cx = (double)s->centroid.x, cy = (double)s->centroid.y;
 		mass += m;
 		x += m * cx;
 		y += m * cy;
-		inertia += (double)parts[k].surface.density * (double)s->inertia + m * (cx * cx + cy * cy);
+		inertia += (double)surface->density * (double)s->inertia + m * (cx * cx + cy * cy);
 	}
 	if (body->def.type != SCREE_BODY_DYNAMIC || mass == 0.0)
-		return;
-	body->mass = (float)mass;
-	body->center = (scree_vec){(float)(x / mass), (float)(y / mass)};
-	body->inertia = (float)(inertia - (x * x + y * y) / mass);
+		return (LabMass){0};
+	return (LabMass){(float)mass, (float)(inertia - (x * x + y * y) / mass), {(float)(x / mass), (float)(y / mass)}};
 }
 
-int lab_add(Lab* lab, const scree_body_def* def, const LabPart* parts, int count)
+int lab_add(Lab* lab, const scree_body_def* def, const EnginePart* parts, int count)
 {
-	grow(lab, count);
-	LabBody* body = &lab->bodies[lab->count];
-	*body = (LabBody){.def = *def, .first = lab->part_count, .count = count};
+	grow(lab);
+	EngineBody* body = &lab->bodies[lab->count];
+	*body = (EngineBody){.index = lab->count, .def = *def, .count = count};
+	body->parts = require_memory(malloc(((size_t)count + 1) * sizeof *parts));
 	for (int k = 0; k < count; ++k)
-		lab->parts[lab->part_count++] = parts[k];
-	compute_mass(body, parts);
+		body->parts[k] = parts[k];
+	lab->masses[lab->count] = mass_of(body);
 	lab->poses[lab->count] = def->pose;
 	lab->velocities[lab->count] = def->velocity;
 	return lab->count++;
@@ -123,7 +118,7 @@ int lab_add(Lab* lab, const scree_body_def* def, const LabPart* parts, int count
 
 int lab_put(Lab* lab, scree_body_type type, const scree_attribute_def* surface, float x, float y, float angle)
 {
-	LabPart part = {*surface, scree_filter_default()};
+	EnginePart part = {*surface, scree_filter_default()};
 	scree_body_def def = scree_body_def_default();
 	def.type = type;
 	def.pose = (scree_pose){{x, y}, scree_rot_make(angle)};
@@ -134,7 +129,7 @@ int lab_throw(Lab* lab, const scree_attribute_def* surface, float x, float y, fl
 {
 	int body = lab_put(lab, SCREE_BODY_DYNAMIC, surface, x, y, angle);
 	lab->bodies[body].def.velocity = lab->velocities[body] = velocity;
-	lab->bodies[body].thrown = true;
+	lab->bodies[body].bullet = lab->def.bullets;
 	return body;
 }
 
@@ -145,14 +140,15 @@ void lab_join(Lab* lab, const scree_joint_def* def, int a, int b)
 		lab->joint_capacity = lab->joint_capacity ? 2 * lab->joint_capacity : 16;
 		lab->joints = require_memory(realloc(lab->joints, (size_t)lab->joint_capacity * sizeof *lab->joints));
 	}
-	lab->joints[lab->joint_count++] = (LabJoint){*def, a, b};
+	lab->joints[lab->joint_count++] = (EngineJoint){*def, a, b};
 }
 
 bool lab_try(Lab* lab)
 {
-	const Validation* v = lab->validation;
+	const Engine* engine = lab->validation->engine;
 	++lab->validation->steps;
-	return ready(lab) && v->engine->step(lab->state, lab->def.dt, lab->def.substeps, &lab->frozen);
+	return ready(lab) && engine->step(lab->state, lab->def.dt, lab->def.substeps) &&
+	       engine->frozen(lab->state, &lab->frozen);
 }
 
 void lab_step(Lab* lab, int steps)
@@ -164,7 +160,7 @@ void lab_step(Lab* lab, int steps)
 void lab_read(Lab* lab)
 {
 	if (ready(lab) && lab->count > 0)
-		check(lab, lab->validation->engine->read(lab->state, lab->poses, lab->velocities));
+		check(lab, lab->validation->engine->read(lab->state, NULL, lab->count, lab->poses, lab->velocities));
 }
 
 void lab_wait(Lab* lab)
@@ -195,9 +191,15 @@ void lab_replace(Lab* lab, const int* bodies, const scree_pose* poses, int count
 {
 	if (!ready(lab))
 		return;
+	const Engine* engine = lab->validation->engine;
+	EngineBody* replaced = require_memory(malloc(((size_t)count + 1) * sizeof *replaced));
 	for (int k = 0; k < count; ++k)
+	{
 		lab->bodies[bodies[k]].def.pose = poses[k];
-	check(lab, lab->validation->engine->replace(lab->state, lab, bodies, count));
+		replaced[k] = lab->bodies[bodies[k]];
+	}
+	check(lab, engine->destroy(lab->state, bodies, count) && engine->create(lab->state, replaced, count));
+	free(replaced);
 }
 
 double lab_bytes(Lab* lab) { return ready(lab) ? lab->validation->engine->bytes(lab->state) : 0.0; }
@@ -210,13 +212,13 @@ double lab_speed(const Lab* lab, int body)
 double lab_kinetic(const Lab* lab, int body)
 {
 	double v = lab_speed(lab, body), w = (double)lab->velocities[body].angular;
-	return 0.5 * ((double)lab->bodies[body].mass * v * v + (double)lab->bodies[body].inertia * w * w);
+	return 0.5 * ((double)lab->masses[body].mass * v * v + (double)lab->masses[body].inertia * w * w);
 }
 
 scree_vec lab_center(const Lab* lab, int body)
 {
 	scree_pose p = lab->poses[body];
-	scree_vec c = lab->bodies[body].center;
+	scree_vec c = lab->masses[body].center;
 	return (scree_vec){p.position.x + p.rotation.c * c.x - p.rotation.s * c.y,
 	                   p.position.y + p.rotation.s * c.x + p.rotation.c * c.y};
 }
@@ -234,60 +236,4 @@ double lab_fastest(const Lab* lab, int* body)
 			*body = k;
 	}
 	return most;
-}
-
-static bool measure(const Lab* lab, void* state, scree_counters* counters)
-{
-	int frozen = 0;
-	return scree_lab.create(state, lab, 0, lab->count) && scree_lab.step(state, MOMENT, 1, &frozen) &&
-	       scree_lab_counters(state, counters);
-}
-
-// Where an anchor is in the world. Poses are those of bodies, not of their centers.
-static void anchor_of(const Lab* lab, int body, scree_vec anchor, double at[2])
-{
-	scree_pose pose = lab->poses[body];
-	double x = (double)anchor.x, y = (double)anchor.y, c = (double)pose.rotation.c, s = (double)pose.rotation.s;
-	at[0] = (double)pose.position.x + (c * x - s * y);
-	at[1] = (double)pose.position.y + (s * x + c * y);
-}
-
-double lab_gap(const Lab* lab)
-{
-	double most = 0.0;
-	for (int k = 0; k < lab->joint_count; ++k)
-	{
-		double a[2], b[2];
-		anchor_of(lab, lab->joints[k].a, lab->joints[k].def.frame_a.position, a);
-		anchor_of(lab, lab->joints[k].b, lab->joints[k].def.frame_b.position, b);
-		most = fmax(most, hypot(b[0] - a[0], b[1] - a[1]));
-	}
-	return most;
-}
-
-double lab_overlap(Lab* lab, int* touches)
-{
-	lab_read(lab);
-	if (lab->validation->broken)
-		return 0.0;
-	// the same bodies at their present poses
-	Lab still = *lab;
-	still.def.gravity = (scree_vec){0.0f, 0.0f};
-	still.bodies = require_memory(malloc(((size_t)lab->count + 1) * sizeof(LabBody)));
-	for (int k = 0; k < lab->count; ++k)
-	{
-		still.bodies[k] = lab->bodies[k];
-		still.bodies[k].def.pose = lab->poses[k];
-		still.bodies[k].def.velocity = (scree_velocity){{0.0f, 0.0f}, 0.0f};
-	}
-	LabOptions options = {.device = "cpu", .threads = 1};
-	void* state = scree_lab.open(&options, &still.def);
-	scree_counters counters = {0};
-	check(lab, state && measure(&still, state, &counters));
-	for (int k = 0; touches && k < lab->count; ++k)
-		touches[k] = lab->validation->broken ? 0 : scree_lab_touches(state, k);
-	if (state)
-		scree_lab.close(state);
-	free(still.bodies);
-	return (double)counters.penetration;
 }

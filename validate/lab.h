@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lab.h -- the world of an experiment, and the measurement of its overlaps.
+// lab.h -- the world of an experiment.
 #ifndef LAB_H
 #define LAB_H
 #include "validation.h"
@@ -11,7 +11,7 @@ Lab* lab_open(Validation* validation, const LabDef* def);
 void lab_close(Lab* lab);
 
 // Adds a body and returns its index. The engine creates it before the next step.
-int lab_add(Lab* lab, const scree_body_def* def, const LabPart* parts, int count);
+int lab_add(Lab* lab, const scree_body_def* def, const EnginePart* parts, int count);
 int lab_put(Lab* lab, scree_body_type type, const scree_attribute_def* surface, float x, float y, float angle);
 int lab_throw(Lab* lab, const scree_attribute_def* surface, float x, float y, float angle, scree_velocity velocity);
 
@@ -34,12 +34,6 @@ double lab_kinetic(const Lab* lab, int body); // J, 0 unless dynamic
 double lab_speed(const Lab* lab, int body);   // m/s
 scree_vec lab_center(const Lab* lab, int body);
 double lab_fastest(const Lab* lab, int* body); // m/s, of dynamic bodies; body may be null
-double lab_gap(const Lab* lab);                // m, the largest distance between the two anchors of a joint
-
-// Measures the deepest overlap of all bodies, m, and how many others each body overlaps (touches has a place for each, or is null). All
-// poses are copied into a new Scree world, at rest and without gravity, which takes one very short step. So the measurement is the same
-// for all engines and does not depend on earlier ones.
-double lab_overlap(Lab* lab, int* touches);
 
 // A hash of the end states of all labs of the case, with the present state of the open lab.
 uint64_t lab_case_hash(Validation* validation);

@@ -5,67 +5,22 @@
 #include "scene/build.h"
 #include "scene/find.h"
 #include "scene/load.h"
+#include "scree_world.h"
 #include <stdlib.h>
-
-static bool report(scree_status status)
-{
-	if (status != SCREE_OK)
-		fprintf(stderr, "scree validate: %s\n", scree_error());
-	return status == SCREE_OK;
-}
-
-static bool read_part(const scree_world* model, scree_collidable collidable, LabPart* part)
-{
-	scree_attribute attribute;
-	scree_pose pose;
-	scree_shape shape;
-	if (!report(scree_collidable_get_attribute(model, collidable, &attribute)) ||
-	    !report(scree_attribute_get_def(model, attribute, &part->surface)) ||
-	    !report(scree_collidable_get_local_pose(model, collidable, &pose)) ||
-	    !report(scree_collidable_get_filter(model, collidable, &part->filter)) ||
-	    !report(scree_shape_transform(&part->surface.shape, pose, &shape)))
-		return false;
-	part->surface.shape = shape;
-	return true;
-}
-
-static bool read_def(scree_world* model, scree_body body, scree_body_def* def)
-{
-	*def = scree_body_def_default();
-	return report(scree_body_get_type(model, body, &def->type)) &&
-	       report(scree_body_get_pose(model, body, &def->pose)) &&
-	       report(scree_body_get_velocity(model, body, &def->velocity)) &&
-	       report(scree_body_get_damping(model, body, &def->linear_damping, &def->angular_damping)) &&
-	       report(scree_body_get_gravity_scale(model, body, &def->gravity_scale)) &&
-	       report(scree_body_get_locks(model, body, &def->locks));
-}
-
-static bool add_body(Lab* lab, scree_world* model, scree_body body)
-{
-	scree_body_def def;
-	int count = 0;
-	if (!read_def(model, body, &def) || !report(scree_body_get_collidables(model, body, NULL, 0, &count)))
-		return false;
-	scree_collidable* collidables = require_memory(malloc(((size_t)count + 1) * sizeof *collidables));
-	LabPart* parts = require_memory(malloc(((size_t)count + 1) * sizeof *parts));
-	bool good = report(scree_body_get_collidables(model, body, collidables, count, &count));
-	for (int k = 0; k < count && good; ++k)
-		good = read_part(model, collidables[k], &parts[k]);
-	if (good)
-		lab_add(lab, &def, parts, count);
-	free(collidables);
-	free(parts);
-	return good;
-}
 
 static bool add_bodies(Lab* lab, scree_world* model)
 {
 	int count = 0;
-	scree_world_get_bodies(model, NULL, 0, &count);
-	scree_body* bodies = require_memory(malloc(((size_t)count + 1) * sizeof *bodies));
-	bool good = report(scree_world_get_bodies(model, bodies, count, &count));
+	scree_body* bodies = require_memory(list_bodies(model, &count));
+	bool good = true;
 	for (int k = 0; k < count && good; ++k)
-		good = add_body(lab, model, bodies[k]);
+	{
+		EngineBody body;
+		good = read_body(model, bodies[k], &body);
+		if (good)
+			lab_add(lab, &body.def, body.parts, body.count);
+		free(body.parts);
+	}
 	free(bodies);
 	return good;
 }
@@ -85,7 +40,7 @@ Lab* lab_scene(Validation* v, const char* name, const SceneSetting* setting)
 		scree_world_def flat = scene->world;
 		flat.device = "cpu";
 		flat.threads = 1;
-		if (!report(scree_world_create(&flat, &model)) || !report(scene_build(scene, model)))
+		if (!report_status(scree_world_create(&flat, &model)) || !report_status(scene_build(scene, model)))
 			v->broken = true;
 	}
 	v->broken = v->broken || !scene;

@@ -17,7 +17,7 @@ static void hang(Validation* v, int size, int steps, double most)
 		int column = k / size, line = k % size;
 		bool held = line == 0 && column >= size / 2 - HELD && column <= size / 2 + HELD;
 		lab_put(lab, held ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC, &circle, (float)column, (float)-line, 0.0f);
-		lab->parts[lab->part_count - 1].filter.group = -1;
+		lab->bodies[lab->count - 1].parts[0].filter.group = -1;
 		scree_joint_def joint = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
 		joint.frame_a.position = (scree_vec){0.0f, -0.5f};
 		joint.frame_b.position = (scree_vec){0.0f, 0.5f};

@@ -39,11 +39,11 @@ static scree_vec on_circle(double radius, double angle)
 }
 
 // The part of a ring from one angle to another, solid from inside.
-static LabPart part_of(const Ring* ring, double from, double to)
+static EnginePart part_of(const Ring* ring, double from, double to)
 {
 	scree_vec corners[4] = {on_circle(RADIUS, from), on_circle(RADIUS, to), on_circle(RADIUS + THICK, to),
 	                        on_circle(RADIUS + THICK, from)};
-	LabPart part = {.filter = scree_filter_default()};
+	EnginePart part = {.filter = scree_filter_default()};
 	part.surface = scree_attribute_def_default();
 	if (ring->thick)
 		part.surface = polygon_of(corners, 4);
@@ -55,7 +55,7 @@ static LabPart part_of(const Ring* ring, double from, double to)
 
 static void add_ring(Lab* lab, const Ring* ring)
 {
-	LabPart parts[64];
+	EnginePart parts[64];
 	scree_body_def def = scree_body_def_default();
 	def.type = ring->moves ? SCREE_BODY_KINEMATIC : SCREE_BODY_STATIC;
 	for (int k = 0; k < ring->sides; ++k)

@@ -48,7 +48,7 @@ static Lab* open_press(Validation* v)
 // m: how far a body reaches along a direction, from the origin
 static double reach(Lab* lab, int body, double x, double y)
 {
-	const scree_shape* shape = &lab->parts[lab->bodies[body].first].surface.shape;
+	const scree_shape* shape = &lab->bodies[body].parts[0].surface.shape;
 	scree_pose pose = lab->poses[body];
 	double most = -1e30;
 	for (int k = 0; k < shape->count; ++k)

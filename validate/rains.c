@@ -19,7 +19,7 @@ static void add_ragdoll(Lab* lab, scree_vec feet, int group)
 	int first = lab->count;
 	for (int k = 0; k < BONES; ++k)
 	{
-		LabPart parts[BONE_PARTS];
+		EnginePart parts[BONE_PARTS];
 		scree_body_def def = bone_def(k, feet, group);
 		lab_add(lab, &def, parts, bone_parts(k, group, parts));
 		if (bone_parent(k) < 0)
@@ -34,11 +34,11 @@ static void add_tiles(Lab* lab, double span, double height)
 	int tiles = (int)(span / TILE) + 1;
 	scree_body_def def = scree_body_def_default();
 	def.type = SCREE_BODY_STATIC;
-	LabPart* parts = require_memory(malloc((size_t)tiles * sizeof *parts));
+	EnginePart* parts = require_memory(malloc((size_t)tiles * sizeof *parts));
 	for (int k = 0; k < tiles; ++k)
 	{
 		scree_pose at = {{(float)(TILE * k - 0.5 * span), (float)height}, {1.0f, 0.0f}};
-		parts[k] = (LabPart){box_of(0.5 * TILE, 0.5 * TILE), scree_filter_default()};
+		parts[k] = (EnginePart){box_of(0.5 * TILE, 0.5 * TILE), scree_filter_default()};
 		lab->validation->broken |=
 		    scree_shape_transform(&parts[k].surface.shape, at, &parts[k].surface.shape) != SCREE_OK;
 	}

@@ -101,7 +101,7 @@ static Calm calm_of(Lab* lab, int first)
 
 static void point_at(const Lab* lab, int body)
 {
-	const scree_shape* shape = &lab->parts[lab->bodies[body].first].surface.shape;
+	const scree_shape* shape = &lab->bodies[body].parts[0].surface.shape;
 	static const char* const kinds[] = {"circle", "capsule", "segment", "polygon"};
 	where(lab->validation, "%s of %d corners at %.2f %.2f", kinds[shape->kind], shape->count,
 	      (double)lab->poses[body].position.x, (double)lab->poses[body].position.y);
@@ -131,7 +131,7 @@ static void creep(Validation* v, Lab* lab, int first, int steps)
 	lab_overlap(lab, touches);
 	for (int k = first; k < lab->count; ++k)
 	{
-		const scree_shape* shape = &lab->parts[lab->bodies[k].first].surface.shape;
+		const scree_shape* shape = &lab->bodies[k].parts[0].surface.shape;
 		double moved = hypot((double)(lab->poses[k].position.x - before[k].position.x),
 		                     (double)(lab->poses[k].position.y - before[k].position.y));
 		double crept = touches[k] == 1 ? moved - rolled(shape, before[k], lab->poses[k]) : moved;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // scenery.c -- random shapes, thin and thick, large and small, and probes that meet, graze and miss them.
 #include "scenery.h"
+#include "engine_scree.h"
 #include "experiment_support.h"
-#include "lab_scree.h"
 #include <math.h>
 #include <string.h>
 
@@ -63,7 +63,8 @@ scree_shape scenery_small(uint64_t* seed)
 Scenery scenery_empty(Validation* v, double place)
 {
 	Scenery s = {.validation = v, .place = place, .rounding = 4e-7 * place};
-	scree_world_def def = scree_lab_world_def(&v->options);
+	scree_world_def def = scree_world_def_default();
+	engine_set_device(&def, &v->options);
 	scenery_ok(&s, scree_world_create(&def, &s.world));
 	return s;
 }

@@ -47,7 +47,7 @@ static int add_wheel(Lab* lab, const Wheel* wheel, double x, double y)
 		inertia += own + mass * pow(wheel->radius + 1.0 + 2.0 * k, 2.0);
 	hub.density = (float)(wheel->spokes * inertia / wheel->ratio / (TURN / 4.0 * pow(wheel->radius, 4.0)));
 	int first = lab_put(lab, SCREE_BODY_DYNAMIC, &hub, (float)x, (float)y, 0.0f);
-	lab->parts[lab->part_count - 1].filter.group = -1;
+	lab->bodies[lab->count - 1].parts[0].filter.group = -1;
 	for (int k = 0; k < wheel->spokes; ++k)
 	{
 		double angle = TURN * k / wheel->spokes, c = cos(angle), s = sin(angle);
@@ -56,7 +56,7 @@ static int add_wheel(Lab* lab, const Wheel* wheel, double x, double y)
 			double from = wheel->radius + 2.0 * n;
 			int body = lab_put(lab, SCREE_BODY_DYNAMIC, &part, (float)(x + (from + 1.0) * c),
 			                   (float)(y + (from + 1.0) * s), (float)angle);
-			lab->parts[lab->part_count - 1].filter.group = -1;
+			lab->bodies[lab->count - 1].parts[0].filter.group = -1;
 			join_softly(lab, wheel->hinged, wheel->hertz, above, body, x + from * c, y + from * s);
 			above = body;
 		}
@@ -100,7 +100,7 @@ static void hang(Validation* v, const Wheel* wheel, bool axle, int substeps, dou
 	Lab* lab = lab_open(v, &def);
 	scree_attribute_def post = circle_of(0.05);
 	int ground = lab_put(lab, SCREE_BODY_STATIC, &post, 0.0f, 0.0f, 0.0f);
-	lab->parts[lab->part_count - 1].filter.group = -1;
+	lab->bodies[lab->count - 1].parts[0].filter.group = -1;
 	int hub = add_wheel(lab, wheel, 0.0, 0.0);
 	if (axle)
 		join(lab, true, ground, hub, 0.0, 0.0);
@@ -139,7 +139,7 @@ static void row_of_wheels(Validation* v, int count, int substeps)
 	Wheel wheel = {.spokes = 6, .parts = 1, .ratio = 100.0, .radius = 0.5};
 	scree_attribute_def post = circle_of(0.05);
 	int ground = lab_put(lab, SCREE_BODY_STATIC, &post, 0.0f, 0.0f, 0.0f), last = ground;
-	lab->parts[lab->part_count - 1].filter.group = -1;
+	lab->bodies[lab->count - 1].parts[0].filter.group = -1;
 	for (int k = 0; k < count; ++k)
 	{
 		int hub = add_wheel(lab, &wheel, k, 0.0);

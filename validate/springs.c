@@ -87,7 +87,7 @@ static Swing swing(Validation* v, const Kind* kind, double hertz, double ratio)
 	float x0 = far ? 2.0f : kind->arm;
 	scree_velocity push = {{turns ? 0.0f : SPEED, turns ? kind->arm * SPEED : 0.0f}, turns ? SPEED : 0.0f};
 	int wall = lab_add(lab, &ground, NULL, 0), body = lab_throw(lab, &bar, x0, -kind->aside, 0.0f, push);
-	double m = (double)lab->bodies[body].mass, inertia = (double)lab->bodies[body].inertia;
+	double m = (double)lab->masses[body].mass, inertia = (double)lab->masses[body].inertia;
 	// the frequency is that of the coordinate alone; other coordinates of the joint make the body heavier, or lighter
 	double share = inertia / (inertia + m * (double)(kind->arm * kind->arm));
 	share *= inertia / (inertia + m * (double)(kind->aside * kind->aside));
@@ -198,7 +198,7 @@ static void tear(Validation* v, int count, double hertz)
 	for (int k = 0; k < count; ++k)
 	{
 		int body = lab_put(lab, SCREE_BODY_DYNAMIC, &box, (float)k, 0.0f, 0.0f);
-		lab->parts[lab->part_count - 1].filter.group = -1;
+		lab->bodies[lab->count - 1].parts[0].filter.group = -1;
 		scree_joint_def weld = scree_joint_def_make(SCREE_JOINT_WELD);
 		weld.frame_a.position.x = k > 0 ? 0.5f : 0.0f;
 		weld.frame_b.position.x = -0.5f;

@@ -3,7 +3,7 @@
 #ifndef VALIDATE_H
 #define VALIDATE_H
 #include "experiment_support.h"
-#include "lab.h"
+#include "lab_overlap.h"
 
 typedef struct // run makes it with the engine of the validation
 {

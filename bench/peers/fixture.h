@@ -4,54 +4,54 @@
 #define FIXTURE_H
 #include "scree/scree.h"
 
-#define RIG_PARAMETERS 4
+#define FIXTURE_PARAMETERS 4
 
 typedef struct
 {
 	const char* name; // null: none
 	double value;     // unless --set gives another
-} RigParameter;
+} FixtureParameter;
 
 typedef struct // a world that is being built
 {
 	scree_world* world;
 	const double* values; // of the parameters
 	bool good;            // false after the first failure, which was printed; then nothing more is added
-} RigBuild;
+} FixtureBuild;
 
 typedef struct
 {
 	const char* name;
 	int steps; // of a trial
-	RigParameter parameters[RIG_PARAMETERS];
-	void (*build)(RigBuild* build);
-	void (*change)(RigBuild* build, int64_t step); // before a step; may be null
-} Rig;
+	FixtureParameter parameters[FIXTURE_PARAMETERS];
+	void (*build)(FixtureBuild* build);
+	void (*change)(FixtureBuild* build, int64_t step); // before a step; may be null
+} Fixture;
 
-// The rig of this name, or null.
-const Rig* rig_find(const char* name);
+// The fixture of this name, or null.
+const Fixture* fixture_find(const char* name);
 
 // Sets the parameter of this name. Returns false after printing a sentence.
-bool rig_set(const Rig* rig, double values[RIG_PARAMETERS], const char* name, const char* value);
+bool fixture_set(const Fixture* fixture, double values[FIXTURE_PARAMETERS], const char* name, const char* value);
 
 // Surfaces with the usual values. Lengths in m.
-scree_attribute_def rig_box(RigBuild* build, float half_width, float half_height);
-scree_attribute_def rig_circle(RigBuild* build, float radius);
-scree_attribute_def rig_capsule(RigBuild* build, scree_vec a, scree_vec b, float radius);
-scree_attribute_def rig_polygon(RigBuild* build, const scree_vec* corners, int count, float radius);
+scree_attribute_def fixture_box(FixtureBuild* build, float half_width, float half_height);
+scree_attribute_def fixture_circle(FixtureBuild* build, float radius);
+scree_attribute_def fixture_capsule(FixtureBuild* build, scree_vec a, scree_vec b, float radius);
+scree_attribute_def fixture_polygon(FixtureBuild* build, const scree_vec* corners, int count, float radius);
 
 // A definition of a body at a place, not rotated.
-scree_body_def rig_body(scree_body_type type, float x, float y);
+scree_body_def fixture_body(scree_body_type type, float x, float y);
 
-scree_body rig_add(RigBuild* build, const scree_body_def* def);
+scree_body fixture_add(FixtureBuild* build, const scree_body_def* def);
 // The same with one collidable, whose filter is that of the definition.
-scree_body rig_put(RigBuild* build, scree_body_def def, const scree_attribute_def* surface);
-void rig_attach(RigBuild* build, scree_body body, const scree_attribute_def* surface, scree_vec at,
-                scree_filter filter);
+scree_body fixture_put(FixtureBuild* build, scree_body_def def, const scree_attribute_def* surface);
+void fixture_attach(FixtureBuild* build, scree_body body, const scree_attribute_def* surface, scree_vec at,
+                    scree_filter filter);
 
-void rig_join(RigBuild* build, const scree_joint_def* def);
+void fixture_join(FixtureBuild* build, const scree_joint_def* def);
 // A definition of a joint between two points, each in its body's frame; a null body is the world.
-scree_joint_def rig_joint(scree_joint_type type, scree_body a, scree_vec at_a, scree_body b, scree_vec at_b);
-void rig_pin(RigBuild* build, scree_body a, scree_vec at_a, scree_body b, scree_vec at_b); // revolute
+scree_joint_def fixture_joint(scree_joint_type type, scree_body a, scree_vec at_a, scree_body b, scree_vec at_b);
+void fixture_pin(FixtureBuild* build, scree_body a, scree_vec at_a, scree_body b, scree_vec at_b); // revolute
 
 #endif

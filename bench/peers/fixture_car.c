@@ -23,29 +23,29 @@ static float height_of(int k)
 	return (float)(word & 0xffff) / 32767.5f - 1.0f;
 }
 
-static void add_ground(RigBuild* build, float roughness)
+static void add_ground(FixtureBuild* build, float roughness)
 {
 	for (int k = FIRST; k < GROUND + FIRST; ++k)
 	{
 		float left = k < 5 ? 0.0f : roughness * height_of(k), right = k < 4 ? 0.0f : roughness * height_of(k + 1);
 		scree_vec corners[4] = {{0.0f, -2.0f}, {1.0f, -2.0f}, {1.0f, right}, {0.0f, left}};
-		scree_attribute_def part = rig_polygon(build, corners, 4, 0.0f);
+		scree_attribute_def part = fixture_polygon(build, corners, 4, 0.0f);
 		part.friction = 0.9f;
-		rig_put(build, rig_body(SCREE_BODY_STATIC, (float)k, 0.0f), &part);
+		fixture_put(build, fixture_body(SCREE_BODY_STATIC, (float)k, 0.0f), &part);
 	}
 }
 
-static void add_wheel(RigBuild* build, scree_body chassis, float x, float speed)
+static void add_wheel(FixtureBuild* build, scree_body chassis, float x, float speed)
 {
-	scree_attribute_def tire = rig_circle(build, WHEEL);
+	scree_attribute_def tire = fixture_circle(build, WHEEL);
 	tire.density = 2.0f;
 	tire.friction = 1.5f;
-	scree_body_def def = rig_body(SCREE_BODY_DYNAMIC, x, WHEEL);
+	scree_body_def def = fixture_body(SCREE_BODY_DYNAMIC, x, WHEEL);
 	def.velocity = (scree_velocity){{speed, 0.0f}, -speed / WHEEL};
-	scree_body wheel = rig_put(build, def, &tire);
+	scree_body wheel = fixture_put(build, def, &tire);
 
 	scree_joint_def joint =
-	    rig_joint(SCREE_JOINT_WHEEL, chassis, (scree_vec){x, WHEEL - 1.0f}, wheel, (scree_vec){0.0f, 0.0f});
+	    fixture_joint(SCREE_JOINT_WHEEL, chassis, (scree_vec){x, WHEEL - 1.0f}, wheel, (scree_vec){0.0f, 0.0f});
 	joint.frame_a.rotation = (scree_rot){0.0f, 1.0f};
 	scree_joint_coordinate *along = &joint.coordinates[SCREE_ALONG], *angle = &joint.coordinates[SCREE_ANGLE];
 	along->spring_hertz = 5.0f;
@@ -56,21 +56,21 @@ static void add_wheel(RigBuild* build, scree_body chassis, float x, float speed)
 	angle->motor = true;
 	angle->motor_speed = -speed / WHEEL;
 	angle->motor_max = 5.0f;
-	rig_join(build, &joint);
+	fixture_join(build, &joint);
 }
 
-static void build_car(RigBuild* build)
+static void build_car(FixtureBuild* build)
 {
 	float speed = (float)build->values[SPEED];
 	add_ground(build, (float)build->values[ROUGHNESS]);
-	scree_attribute_def body = rig_box(build, 1.4f, 0.3f);
+	scree_attribute_def body = fixture_box(build, 1.4f, 0.3f);
 	body.density = 4.0f;
-	scree_body_def def = rig_body(SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
+	scree_body_def def = fixture_body(SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
 	def.velocity.linear.x = speed;
 	def.locks = SCREE_LOCK_ROTATION; // at this speed it would fall over sooner or later, in both engines
-	scree_body chassis = rig_put(build, def, &body);
+	scree_body chassis = fixture_put(build, def, &body);
 	add_wheel(build, chassis, -1.0f, speed);
 	add_wheel(build, chassis, 1.0f, speed);
 }
 
-const Rig car_rig = {"car", 600, {{"speed", 60}, {"roughness", 0.02}}, build_car, NULL};
+const Fixture car_fixture = {"car", 600, {{"speed", 60}, {"roughness", 0.02}}, build_car, NULL};

@@ -12,28 +12,28 @@ enum
 	SIZE
 };
 
-static void build_grid(RigBuild* build)
+static void build_grid(FixtureBuild* build)
 {
 	int size = (int)build->values[SIZE];
-	scree_attribute_def circle = rig_circle(build, 0.4f);
+	scree_attribute_def circle = fixture_circle(build, 0.4f);
 	scree_body* bodies = malloc((size_t)size * (size_t)size * sizeof(scree_body));
 	build->good = build->good && bodies;
 	for (int k = 0; k < size * size && build->good; ++k)
 	{
 		int column = k / size, row = k % size;
 		bool fixed = row == 0 && abs(column - size / 2) <= 3;
-		scree_body_def def = rig_body(fixed ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC, (float)column, -(float)row);
+		scree_body_def def = fixture_body(fixed ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC, (float)column, -(float)row);
 		def.filter = apart;
-		bodies[k] = rig_put(build, def, &circle);
+		bodies[k] = fixture_put(build, def, &circle);
 		if (row > 0)
-			rig_pin(build, bodies[k - 1], (scree_vec){0.0f, -0.5f}, bodies[k], (scree_vec){0.0f, 0.5f});
+			fixture_pin(build, bodies[k - 1], (scree_vec){0.0f, -0.5f}, bodies[k], (scree_vec){0.0f, 0.5f});
 		if (column > 0)
-			rig_pin(build, bodies[k - size], (scree_vec){0.5f, 0.0f}, bodies[k], (scree_vec){-0.5f, 0.0f});
+			fixture_pin(build, bodies[k - size], (scree_vec){0.5f, 0.0f}, bodies[k], (scree_vec){-0.5f, 0.0f});
 	}
 	free(bodies);
 }
 
-const Rig joint_grid_rig = {"joint_grid", 500, {{"size", 100}}, build_grid, NULL};
+const Fixture joint_grid_fixture = {"joint_grid", 500, {{"size", 100}}, build_grid, NULL};
 
 enum
 {
@@ -46,12 +46,12 @@ enum
 #define LINK 0.25f // m: half its length; a link has 1 kg
 
 // A rope from the world at x, hanging or level.
-static void add_rope(RigBuild* build, float x)
+static void add_rope(FixtureBuild* build, float x)
 {
 	int links = (int)build->values[LINKS];
 	bool level = build->values[LEVEL] != 0.0;
 	scree_vec along = level ? (scree_vec){1.0f, 0.0f} : (scree_vec){0.0f, -1.0f};
-	scree_attribute_def link = rig_box(build, LINK, 0.05f), load = rig_circle(build, 0.5f);
+	scree_attribute_def link = fixture_box(build, LINK, 0.05f), load = fixture_circle(build, 0.5f);
 	link.density = 1.0f / (4.0f * LINK * 0.05f);
 	load.density = (float)build->values[LOAD] / (PI * 0.25f);
 	scree_body last = SCREE_NULL_BODY;
@@ -59,24 +59,25 @@ static void add_rope(RigBuild* build, float x)
 	for (int k = 0; k <= links; ++k)
 	{
 		float reach = k < links ? LINK * (float)(2 * k + 1) : LINK * (float)(2 * links);
-		scree_body_def def = rig_body(SCREE_BODY_DYNAMIC, x + reach * along.x, reach * along.y);
+		scree_body_def def = fixture_body(SCREE_BODY_DYNAMIC, x + reach * along.x, reach * along.y);
 		def.filter = apart;
 		if (!level)
 			def.pose.rotation = (scree_rot){0.0f, -1.0f};
-		scree_body body = rig_put(build, def, k < links ? &link : &load);
-		rig_pin(build, last, end, body, (scree_vec){k < links ? -LINK : 0.0f, 0.0f});
+		scree_body body = fixture_put(build, def, k < links ? &link : &load);
+		fixture_pin(build, last, end, body, (scree_vec){k < links ? -LINK : 0.0f, 0.0f});
 		last = body;
 		end = (scree_vec){LINK, 0.0f};
 	}
 }
 
-static void build_ropes(RigBuild* build)
+static void build_ropes(FixtureBuild* build)
 {
 	for (int k = 0; k < (int)build->values[COUNT]; ++k)
 		add_rope(build, 2.0f * (float)k);
 }
 
-const Rig ropes_rig = {"ropes", 500, {{"count", 100}, {"links", 40}, {"load", 100}, {"level", 0}}, build_ropes, NULL};
+const Fixture ropes_fixture = {
+    "ropes", 500, {{"count", 100}, {"links", 40}, {"load", 100}, {"level", 0}}, build_ropes, NULL};
 
 enum
 {
@@ -87,51 +88,53 @@ enum
 };
 
 // A bridge of planks of 1 m, between two points of the world, with boxes on it that are so many times as heavy as a plank.
-static void add_bridge(RigBuild* build, float y)
+static void add_bridge(FixtureBuild* build, float y)
 {
 	int planks = (int)build->values[PLANKS], loads = (int)build->values[LOADS];
 	float width = (float)planks;
-	scree_attribute_def plank = rig_box(build, 0.5f, 0.125f), load = rig_box(build, 0.5f, 0.5f);
+	scree_attribute_def plank = fixture_box(build, 0.5f, 0.125f), load = fixture_box(build, 0.5f, 0.5f);
 	load.density = 0.25f * (float)build->values[MASS];
 	scree_body last = SCREE_NULL_BODY;
 	scree_vec end = {-0.5f * width, y};
 	for (int k = 0; k < planks; ++k)
 	{
-		scree_body body = rig_put(build, rig_body(SCREE_BODY_DYNAMIC, (float)k + 0.5f - 0.5f * width, y), &plank);
-		rig_pin(build, last, end, body, (scree_vec){-0.5f, 0.0f});
+		scree_body body =
+		    fixture_put(build, fixture_body(SCREE_BODY_DYNAMIC, (float)k + 0.5f - 0.5f * width, y), &plank);
+		fixture_pin(build, last, end, body, (scree_vec){-0.5f, 0.0f});
 		last = body;
 		end = (scree_vec){0.5f, 0.0f};
 	}
-	rig_pin(build, last, end, SCREE_NULL_BODY, (scree_vec){0.5f * width, y});
+	fixture_pin(build, last, end, SCREE_NULL_BODY, (scree_vec){0.5f * width, y});
 	for (int k = 0; k < loads; ++k)
-		rig_put(build, rig_body(SCREE_BODY_DYNAMIC, width * (((float)k + 0.5f) / (float)loads - 0.5f), y + 0.625f),
-		        &load);
+		fixture_put(build,
+		            fixture_body(SCREE_BODY_DYNAMIC, width * (((float)k + 0.5f) / (float)loads - 0.5f), y + 0.625f),
+		            &load);
 }
 
-static void build_bridges(RigBuild* build)
+static void build_bridges(FixtureBuild* build)
 {
 	for (int k = 0; k < (int)build->values[BRIDGES]; ++k)
 		add_bridge(build, -200.0f * (float)k);
 }
 
-const Rig bridges_rig = {
+const Fixture bridges_fixture = {
     "bridges", 500, {{"count", 20}, {"planks", 100}, {"loads", 10}, {"mass", 4}}, build_bridges, NULL};
 
 // A level beam of boxes of 1 m by 0.5 m, welded to each other and to the world.
-static void build_beam(RigBuild* build)
+static void build_beam(FixtureBuild* build)
 {
-	scree_attribute_def box = rig_box(build, 0.5f, 0.25f);
+	scree_attribute_def box = fixture_box(build, 0.5f, 0.25f);
 	scree_body last = SCREE_NULL_BODY;
 	for (int k = 0; k < (int)build->values[SIZE]; ++k)
 	{
-		scree_body_def def = rig_body(SCREE_BODY_DYNAMIC, (float)k + 0.5f, 0.0f);
+		scree_body_def def = fixture_body(SCREE_BODY_DYNAMIC, (float)k + 0.5f, 0.0f);
 		def.filter = apart;
-		scree_body body = rig_put(build, def, &box);
-		scree_joint_def joint =
-		    rig_joint(SCREE_JOINT_WELD, last, (scree_vec){k > 0 ? 0.5f : 0.0f, 0.0f}, body, (scree_vec){-0.5f, 0.0f});
-		rig_join(build, &joint);
+		scree_body body = fixture_put(build, def, &box);
+		scree_joint_def joint = fixture_joint(SCREE_JOINT_WELD, last, (scree_vec){k > 0 ? 0.5f : 0.0f, 0.0f}, body,
+		                                      (scree_vec){-0.5f, 0.0f});
+		fixture_join(build, &joint);
 		last = body;
 	}
 }
 
-const Rig beam_rig = {"beam", 600, {{"size", 10}}, build_beam, NULL};
+const Fixture beam_fixture = {"beam", 600, {{"size", 10}}, build_beam, NULL};

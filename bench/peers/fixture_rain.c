@@ -2,7 +2,7 @@
 // fixture_rain.c -- ragdolls that fall on five floors, the oldest of which leave for new ones, and some that come to rest.
 #include "fixtures.h"
 #include "ragdoll.h"
-#include "scree_world.h"
+#include "validate/scree_world.h"
 #include <stdlib.h>
 
 #define ROWS       5
@@ -18,25 +18,25 @@ enum
 	COLUMNS
 };
 
-static float span_of(const RigBuild* build) { return COLUMN * (float)build->values[COLUMNS]; }
+static float span_of(const FixtureBuild* build) { return COLUMN * (float)build->values[COLUMNS]; }
 
-static void build_rain(RigBuild* build)
+static void build_rain(FixtureBuild* build)
 {
-	scree_body_def def = rig_body(SCREE_BODY_STATIC, 0.0f, 0.0f);
-	scree_body ground = rig_add(build, &def);
-	scree_attribute_def tile = rig_box(build, 0.5f * TILE, 0.5f * TILE);
+	scree_body_def def = fixture_body(SCREE_BODY_STATIC, 0.0f, 0.0f);
+	scree_body ground = fixture_add(build, &def);
+	scree_attribute_def tile = fixture_box(build, 0.5f * TILE, 0.5f * TILE);
 	float span = span_of(build);
 	int tiles = (int)(span / TILE);
 	for (int row = 0; row < ROWS; ++row)
 	{
 		for (int k = 0; k <= tiles; ++k)
-			rig_attach(build, ground, &tile, (scree_vec){TILE * (float)k - 0.5f * span, ROW_HEIGHT * (float)row},
-			           scree_filter_default());
+			fixture_attach(build, ground, &tile, (scree_vec){TILE * (float)k - 0.5f * span, ROW_HEIGHT * (float)row},
+			               scree_filter_default());
 	}
 }
 
 // Destroys the ragdolls of a column, whose bodies have this user data.
-static void destroy_column(RigBuild* build, uint64_t user)
+static void destroy_column(FixtureBuild* build, uint64_t user)
 {
 	int count, chosen = 0;
 	scree_body* bodies = list_bodies(build->world, &count);
@@ -44,15 +44,15 @@ static void destroy_column(RigBuild* build, uint64_t user)
 	for (int k = 0; k < count && build->good; ++k)
 	{
 		uint64_t word;
-		build->good = report(scree_body_get_user(build->world, bodies[k], &word));
+		build->good = report_status(scree_body_get_user(build->world, bodies[k], &word));
 		if (word == user)
 			bodies[chosen++] = bodies[k];
 	}
-	build->good = build->good && report(scree_bodies_destroy(build->world, bodies, chosen));
+	build->good = build->good && report_status(scree_bodies_destroy(build->world, bodies, chosen));
 	free(bodies);
 }
 
-static void change_rain(RigBuild* build, int64_t step)
+static void change_rain(FixtureBuild* build, int64_t step)
 {
 	int columns = (int)build->values[COLUMNS], every = LIFE / columns;
 	if (step % every != 0)
@@ -64,27 +64,27 @@ static void change_rain(RigBuild* build, int64_t step)
 	for (int row = 0; row < ROWS; ++row)
 	{
 		for (int k = 0; k < GROUP; ++k)
-			human_add(build,
-			          (scree_vec){COLUMN * ((float)column + 0.5f) - 0.5f * span_of(build) + 0.5f * (float)k,
-			                      DROP + ROW_HEIGHT * (float)row},
-			          k + 1, user);
+			ragdoll_add(build,
+			            (scree_vec){COLUMN * ((float)column + 0.5f) - 0.5f * span_of(build) + 0.5f * (float)k,
+			                        DROP + ROW_HEIGHT * (float)row},
+			            k + 1, user);
 	}
 }
 
-const Rig rain_rig = {"rain", 1000, {{"columns", 40}}, build_rain, change_rain};
+const Fixture rain_fixture = {"rain", 1000, {{"columns", 40}}, build_rain, change_rain};
 
 enum
 {
 	COUNT
 };
 
-static void build_humans(RigBuild* build)
+static void build_ragdolls(FixtureBuild* build)
 {
 	int count = (int)build->values[COUNT];
-	scree_attribute_def floor = rig_box(build, 2.0f * (float)count + 10.0f, 0.5f);
-	rig_put(build, rig_body(SCREE_BODY_STATIC, 2.0f * (float)count, -0.5f), &floor);
+	scree_attribute_def floor = fixture_box(build, 2.0f * (float)count + 10.0f, 0.5f);
+	fixture_put(build, fixture_body(SCREE_BODY_STATIC, 2.0f * (float)count, -0.5f), &floor);
 	for (int k = 0; k < count; ++k)
-		human_add(build, (scree_vec){4.0f * (float)k, 0.5f}, k + 1, 0);
+		ragdoll_add(build, (scree_vec){4.0f * (float)k, 0.5f}, k + 1, 0);
 }
 
-const Rig humans_rig = {"humans", 3600, {{"count", 10}}, build_humans, NULL};
+const Fixture ragdolls_fixture = {"humans", 3600, {{"count", 10}}, build_ragdolls, NULL};

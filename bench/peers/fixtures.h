@@ -6,15 +6,15 @@
 
 // Box2D's benchmarks with joints. Sizes, counts and frequencies are those of shared/benchmarks.c and shared/human.c in
 // Erin Catto's Box2D v3, MIT licence.
-extern const Rig joint_grid_rig; // a net of circles
-extern const Rig rain_rig;       // ragdolls
-extern const Rig spinner_rig;    // a motor turns a bar among small bodies
-extern const Rig drum_rig;       // a motor turns a box full of boxes
+extern const Fixture joint_grid_fixture; // a net of circles
+extern const Fixture rain_fixture;       // ragdolls
+extern const Fixture spinner_fixture;    // a motor turns a bar among small bodies
+extern const Fixture drum_fixture;       // a motor turns a box full of boxes
 
-extern const Rig ropes_rig;   // ropes with a load
-extern const Rig bridges_rig; // planks with loads
-extern const Rig beam_rig;    // welded boxes
-extern const Rig humans_rig;  // ragdolls that come to rest
-extern const Rig car_rig;     // wheels on rough ground
+extern const Fixture ropes_fixture;    // ropes with a load
+extern const Fixture bridges_fixture;  // planks with loads
+extern const Fixture beam_fixture;     // welded boxes
+extern const Fixture ragdolls_fixture; // ragdolls that come to rest
+extern const Fixture car_fixture;      // wheels on rough ground
 
 #endif

@@ -4,130 +4,131 @@
 // Engines define separation differently: Box2D does not compute a manifold in every step. So the poses are copied into a Scree
 // world, at rest and without gravity, which takes one very short step and then has the overlaps.
 #include "measure.h"
-#include "scree_world.h"
+#include "validate/scree_world.h"
 #include <math.h>
 #include <stdlib.h>
 
 #define MOMENT 1.0e-4f // s: too short for bodies to move
 
-static bool find_locks(Ruler* ruler)
+static bool find_locks(Measure* measure)
 {
-	for (int k = 0; k < ruler->joint_count; ++k)
+	for (int k = 0; k < measure->joint_count; ++k)
 	{
 		scree_joint_def def;
-		if (!report(scree_joint_get_def(ruler->world, ruler->joints[k], &def)))
+		if (!report_status(scree_joint_get_def(measure->world, measure->joints[k], &def)))
 			return false;
 		for (int c = SCREE_ALONG; c <= SCREE_ACROSS; ++c)
 		{
-			ruler->locks[k].locked[c] = def.coordinates[c].locked;
-			ruler->locks[k].target[c] = def.coordinates[c].target;
+			measure->locks[k].locked[c] = def.coordinates[c].locked;
+			measure->locks[k].target[c] = def.coordinates[c].target;
 		}
 	}
 	return true;
 }
 
 // Lists what the world has.
-static bool list(Ruler* ruler)
+static bool list(Measure* measure)
 {
-	free(ruler->bodies);
-	free(ruler->still);
-	free(ruler->poses);
-	free(ruler->joints);
-	free(ruler->states);
-	free(ruler->locks);
-	ruler->bodies = list_bodies(ruler->world, &ruler->count);
-	ruler->joints = list_joints(ruler->world, &ruler->joint_count);
-	size_t count = (size_t)ruler->count + 1, joints = (size_t)ruler->joint_count + 1;
-	ruler->still = calloc(count, sizeof(scree_velocity));
-	ruler->poses = calloc(count, sizeof(scree_pose));
-	ruler->states = calloc(joints, sizeof(scree_joint_state));
-	ruler->locks = calloc(joints, sizeof(RulerLock));
-	return ruler->bodies && ruler->joints && ruler->still && ruler->poses && ruler->states && ruler->locks &&
-	       find_locks(ruler);
+	free(measure->bodies);
+	free(measure->still);
+	free(measure->poses);
+	free(measure->joints);
+	free(measure->states);
+	free(measure->locks);
+	measure->bodies = list_bodies(measure->world, &measure->count);
+	measure->joints = list_joints(measure->world, &measure->joint_count);
+	size_t count = (size_t)measure->count + 1, joints = (size_t)measure->joint_count + 1;
+	measure->still = calloc(count, sizeof(scree_velocity));
+	measure->poses = calloc(count, sizeof(scree_pose));
+	measure->states = calloc(joints, sizeof(scree_joint_state));
+	measure->locks = calloc(joints, sizeof(MeasureLock));
+	return measure->bodies && measure->joints && measure->still && measure->poses && measure->states &&
+	       measure->locks && find_locks(measure);
 }
 
-bool ruler_open(Ruler* ruler, const Setup* setup)
+bool measure_open(Measure* measure, const Setup* setup)
 {
-	*ruler = (Ruler){.world = setup_open(setup, "cpu", 0)};
-	return ruler->world && list(ruler) && report(scree_world_set_gravity(ruler->world, (scree_vec){0.0f, 0.0f}));
+	*measure = (Measure){.world = setup_open(setup, 0)};
+	return measure->world && list(measure) &&
+	       report_status(scree_world_set_gravity(measure->world, (scree_vec){0.0f, 0.0f}));
 }
 
 // Bodies that a scene in a file replaces keep their place in the list.
-bool ruler_change(Ruler* ruler, const Setup* setup, int64_t step)
+bool measure_change(Measure* measure, const Setup* setup, int64_t step)
 {
-	return setup->scene || !setup->rig->change || (setup_change(setup, ruler->world, step) && list(ruler));
+	return setup->scene || !setup->fixture->change || (setup_change(setup, measure->world, step) && list(measure));
 }
 
-static bool measure_heights(Ruler* ruler)
+static bool measure_heights(Measure* measure)
 {
-	bool first = !ruler->height;
+	bool first = !measure->height;
 	if (first)
 	{
-		ruler->heights = ruler->count;
-		ruler->height = calloc((size_t)ruler->count + 1, sizeof(float));
+		measure->heights = measure->count;
+		measure->height = calloc((size_t)measure->count + 1, sizeof(float));
 	}
-	if (!ruler->height)
+	if (!measure->height)
 		return false;
-	ruler->sunk = 0.0f;
-	for (int k = 0; k < ruler->heights; ++k)
+	measure->sunk = 0.0f;
+	for (int k = 0; k < measure->heights; ++k)
 	{
-		float height = ruler->poses[k].position.y;
+		float height = measure->poses[k].position.y;
 		if (first)
-			ruler->height[k] = height;
-		if (ruler->height[k] - height > ruler->sunk)
-			ruler->sunk = ruler->height[k] - height;
+			measure->height[k] = height;
+		if (measure->height[k] - height > measure->sunk)
+			measure->sunk = measure->height[k] - height;
 	}
 	return true;
 }
 
-static bool measure_joints(Ruler* ruler)
+static bool measure_joints(Measure* measure)
 {
-	if (!report(scree_joints_get_states(ruler->world, ruler->joints, ruler->states, ruler->joint_count)))
+	if (!report_status(scree_joints_get_states(measure->world, measure->joints, measure->states, measure->joint_count)))
 		return false;
-	for (int k = 0; k < ruler->joint_count; ++k)
+	for (int k = 0; k < measure->joint_count; ++k)
 	{
-		const float* values = ruler->states[k].values;
-		const RulerLock* lock = &ruler->locks[k];
+		const float* values = measure->states[k].values;
+		const MeasureLock* lock = &measure->locks[k];
 		float error[2];
 		if (!lock->locked[SCREE_ALONG] && !lock->locked[SCREE_ACROSS])
 			continue;
 		for (int c = SCREE_ALONG; c <= SCREE_ACROSS; ++c)
 			error[c] = lock->locked[c] ? values[c] - lock->target[c] : 0.0f;
 		float gap = hypotf(error[SCREE_ALONG], error[SCREE_ACROSS]);
-		ruler->separation = gap > ruler->separation ? gap : ruler->separation;
-		ruler->gaps += (double)gap;
-		ruler->gauged += 1.0;
+		measure->separation = gap > measure->separation ? gap : measure->separation;
+		measure->gaps += (double)gap;
+		measure->gauged += 1.0;
 	}
 	return true;
 }
 
-double ruler_gap(const Ruler* ruler) { return ruler->gauged > 0.0 ? ruler->gaps / ruler->gauged : 0.0; }
+double measure_gap(const Measure* measure) { return measure->gauged > 0.0 ? measure->gaps / measure->gauged : 0.0; }
 
-bool ruler_measure(Ruler* ruler)
+bool measure_take(Measure* measure)
 {
 	scree_counters counters;
-	if (!measure_heights(ruler) ||
-	    !report(scree_bodies_set_poses(ruler->world, ruler->bodies, ruler->poses, ruler->count)) ||
-	    !report(scree_bodies_set_velocities(ruler->world, ruler->bodies, ruler->still, ruler->count)) ||
-	    !measure_joints(ruler) || !report(scree_world_step(ruler->world, MOMENT, 1)) ||
-	    !report(scree_world_get_counters(ruler->world, &counters)))
+	if (!measure_heights(measure) ||
+	    !report_status(scree_bodies_set_poses(measure->world, measure->bodies, measure->poses, measure->count)) ||
+	    !report_status(scree_bodies_set_velocities(measure->world, measure->bodies, measure->still, measure->count)) ||
+	    !measure_joints(measure) || !report_status(scree_world_step(measure->world, MOMENT, 1)) ||
+	    !report_status(scree_world_get_counters(measure->world, &counters)))
 		return false;
-	if (counters.penetration > ruler->penetration)
-		ruler->penetration = counters.penetration;
-	ruler->depths += (double)counters.penetration;
-	ruler->contacts += counters.touching;
-	++ruler->measured;
+	if (counters.penetration > measure->penetration)
+		measure->penetration = counters.penetration;
+	measure->depths += (double)counters.penetration;
+	measure->contacts += counters.touching;
+	++measure->measured;
 	return true;
 }
 
-void ruler_close(Ruler* ruler)
+void measure_close(Measure* measure)
 {
-	scree_world_destroy(ruler->world);
-	free(ruler->bodies);
-	free(ruler->still);
-	free(ruler->poses);
-	free(ruler->height);
-	free(ruler->joints);
-	free(ruler->states);
-	free(ruler->locks);
+	scree_world_destroy(measure->world);
+	free(measure->bodies);
+	free(measure->still);
+	free(measure->poses);
+	free(measure->height);
+	free(measure->joints);
+	free(measure->states);
+	free(measure->locks);
 }

@@ -8,7 +8,7 @@ typedef struct // what a joint holds, by scree_coordinate
 {
 	bool locked[2];
 	float target[2]; // m
-} RulerLock;
+} MeasureLock;
 
 typedef struct
 {
@@ -28,17 +28,17 @@ typedef struct
 
 	scree_joint* joints;
 	scree_joint_state* states; // at the last measurement
-	RulerLock* locks;
+	MeasureLock* locks;
 	int joint_count;
 	float separation;    // largest distance of an anchor from where it is held, so far, m
 	double gaps, gauged; // sum of all these distances, m; number of them
-} Ruler;
+} Measure;
 
-// These return false after printing a sentence. The caller closes the ruler also then.
-bool ruler_open(Ruler* ruler, const Setup* setup);
-bool ruler_change(Ruler* ruler, const Setup* setup, int64_t step); // follows bodies that come and go
-bool ruler_measure(Ruler* ruler);
-double ruler_gap(const Ruler* ruler); // the mean of these distances, m
-void ruler_close(Ruler* ruler);
+// These return false after printing a sentence. The caller closes the measure also then.
+bool measure_open(Measure* measure, const Setup* setup);
+bool measure_change(Measure* measure, const Setup* setup, int64_t step); // follows bodies that come and go
+bool measure_take(Measure* measure);
+double measure_gap(const Measure* measure); // the mean of these distances, m
+void measure_close(Measure* measure);
 
 #endif

@@ -4,8 +4,10 @@
 // Bodies of five kinds of shapes lie in a square without touching, one in five of them static. Both worlds make one step without
 // gravity, so that their trees are what a game would have. Then the engines take turns; Scree is asked in one call, and one by one.
 #include "peer_queries.h"
-#include "box2d_shape.h"
+#include "engine_box2d.h"
 #include "platform/processor.h"
+#include "validate/engine_scree.h"
+#include "validate/scree_world.h"
 #include <getopt.h>
 #include <math.h>
 #include <stdio.h>
@@ -42,11 +44,13 @@ typedef enum
 
 static const char* const names[KINDS] = {"closest ray 20 m", "closest ray 200 m", "circle cast 10 m",
                                          "box cast 10 m",    "circle overlap",    "box overlap"};
+static const Engine* const engines[2] = {&scree_engine, &box2d_engine};
 static const float lengths[KINDS] = {20.0f, 200.0f, 10.0f, 10.0f, 0.0f, 0.0f};
 
 typedef struct
 {
-	scree_world* scree;
+	void* states[2];    // of the engines; null before they are open
+	scree_world* scree; // their worlds
 	b2WorldId box2d;
 	int bodies, queries, repeats;
 	float side; // m
@@ -81,66 +85,61 @@ static bool make_shape(Contest* c, int kind, scree_shape* shape)
 	switch (kind)
 	{
 	case 0:
-		return scree_shape_make_circle((scree_vec){0.0f, 0.0f}, random_between(c, 0.3f, 1.0f), shape) == SCREE_OK;
+		return report_status(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, random_between(c, 0.3f, 1.0f), shape));
 	case 1:
-		return scree_shape_make_capsule((scree_vec){-0.6f, 0.0f}, (scree_vec){0.6f, 0.0f}, 0.3f, shape) == SCREE_OK;
+		return report_status(scree_shape_make_capsule((scree_vec){-0.6f, 0.0f}, (scree_vec){0.6f, 0.0f}, 0.3f, shape));
 	case 2:
-		return scree_shape_make_box(random_between(c, 0.3f, 0.8f), random_between(c, 0.3f, 0.8f), shape) == SCREE_OK;
+		return report_status(scree_shape_make_box(random_between(c, 0.3f, 0.8f), random_between(c, 0.3f, 0.8f), shape));
 	case 3:
-		return scree_shape_make_hull(corners, 6, 0.0f, shape) == SCREE_OK;
+		return report_status(scree_shape_make_hull(corners, 6, 0.0f, shape));
 	default:
-		return scree_shape_make_hull(corners, 6, 0.1f, shape) == SCREE_OK;
+		return report_status(scree_shape_make_hull(corners, 6, 0.1f, shape));
 	}
 }
 
 static bool add(Contest* c, int k, int row)
 {
-	scree_attribute_def surface = scree_attribute_def_default();
-	scree_body_def def = scree_body_def_default();
-	if (!make_shape(c, k % 5, &surface.shape) || scree_attribute_create(c->scree, &surface, &def.attribute) != SCREE_OK)
+	EnginePart part = {scree_attribute_def_default(), scree_filter_default()};
+	EngineBody body = {.index = k, .def = scree_body_def_default(), .parts = &part, .count = 1};
+	if (!make_shape(c, k % 5, &part.surface.shape))
 		return false;
-	def.type = random_between(c, 0.0f, 1.0f) < 0.2f ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC;
-	def.pose.position = (scree_vec){SPACING * (float)(k % row) + random_between(c, -0.4f, 0.4f),
-	                                SPACING * (float)(k / row) + random_between(c, -0.4f, 0.4f)};
-	def.pose.rotation = scree_rot_make(random_between(c, -3.0f, 3.0f));
-	if (scree_body_create(c->scree, &def, NULL) != SCREE_OK)
-		return false;
-	b2BodyDef other = b2DefaultBodyDef();
-	other.type = def.type == SCREE_BODY_STATIC ? b2_staticBody : b2_dynamicBody;
-	other.position = (b2Pos){def.pose.position.x, def.pose.position.y};
-	other.rotation = (b2Rot){def.pose.rotation.c, def.pose.rotation.s};
-	b2BodyId body = b2CreateBody(c->box2d, &other);
-	bool added = box2d_add_shape(body, &surface, &surface.shape, scree_filter_default());
-	b2Body_ApplyMassFromShapes(body);
-	return added;
+	body.def.type = random_between(c, 0.0f, 1.0f) < 0.2f ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC;
+	body.def.pose.position = (scree_vec){SPACING * (float)(k % row) + random_between(c, -0.4f, 0.4f),
+	                                     SPACING * (float)(k / row) + random_between(c, -0.4f, 0.4f)};
+	body.def.pose.rotation = scree_rot_make(random_between(c, -3.0f, 3.0f));
+	return scree_engine.create(c->states[0], &body, 1) && box2d_engine.create(c->states[1], &body, 1);
 }
 
 static bool open(Contest* c)
 {
-	scree_world_def def = scree_world_def_default();
-	def.device = "cpu";
-	def.threads = 1;
-	def.gravity = (scree_vec){0.0f, 0.0f};
-	if (scree_world_create(&def, &c->scree) != SCREE_OK)
-		return false;
-	b2WorldDef other = b2DefaultWorldDef();
-	other.gravity = (b2Vec2){0.0f, 0.0f};
-	other.enableSleep = false;
-	other.workerCount = 1;
-	c->box2d = b2CreateWorld(&other);
+	EngineOptions options = {.device = "cpu", .threads = 1, .continuous = true};
+	EngineDef def = {.world = scree_world_def_default()};
+	def.world.gravity = (scree_vec){0.0f, 0.0f};
+	for (int side = 0; side < 2; ++side)
+	{
+		c->states[side] = engines[side]->open(&options, &def);
+		if (!c->states[side])
+			return false;
+	}
+	c->scree = scree_engine.world(c->states[0]);
+	c->box2d = box2d_world(c->states[1]);
 	int row = (int)ceil(sqrt(c->bodies));
 	c->side = SPACING * (float)row;
 	for (int k = 0; k < c->bodies; ++k)
 		if (!add(c, k, row))
 			return false;
-	b2World_Step(c->box2d, 1.0f / 60.0f, 4);
+	for (int side = 0; side < 2; ++side)
+		if (!engines[side]->step(c->states[side], 1.0f / 60.0f, 4))
+			return false;
 	b2World_RebuildStaticTree(c->box2d);
 	c->rays = calloc((size_t)c->queries, sizeof *c->rays);
 	c->probes = calloc((size_t)c->queries, sizeof *c->probes);
 	c->found = calloc((size_t)c->queries, sizeof *c->found);
-	return c->rays && c->probes && c->found && scree_world_step(c->scree, 1.0f / 60.0f, 4) == SCREE_OK &&
-	       scree_shape_make_circle((scree_vec){0.0f, 0.0f}, 0.5f, &c->circle) == SCREE_OK &&
-	       scree_shape_make_box(0.7f, 0.4f, &c->box) == SCREE_OK;
+	if (!c->rays || !c->probes || !c->found)
+		fprintf(stderr, "scree_peers: no memory for %d queries\n", c->queries);
+	return c->rays && c->probes && c->found &&
+	       report_status(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, 0.5f, &c->circle)) &&
+	       report_status(scree_shape_make_box(0.7f, 0.4f, &c->box));
 }
 
 static void make_queries(Contest* c, Kind kind)
@@ -295,17 +294,14 @@ int queries_peers(int count, char** arguments)
 		}
 	}
 	if (!open(&c))
-	{
-		fprintf(stderr, "scree_peers: %s\n", scree_error());
 		return 1;
-	}
 	printf("query,bodies,queries,us_scree,us_scree_alone,us_box2d,ratio,ratio_alone,hits_scree,hits_box2d,sum_scree,"
 	       "sum_box2d\n");
 	bool good = true;
 	for (int kind = 0; kind < KINDS && good; ++kind)
 		good = compare(&c, (Kind)kind);
-	scree_world_destroy(c.scree);
-	b2DestroyWorld(c.box2d);
+	for (int side = 0; side < 2; ++side)
+		engines[side]->close(c.states[side]);
 	free(c.rays);
 	free(c.probes);
 	free(c.found);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // peer_validate.c -- scree_peers validate: the experiments of scree validate, made with both engines.
 #include "peer_validate.h"
-#include "engine.h"
-#include "lab_box2d.h"
-#include "validate/lab_scree.h"
+#include "engine_box2d.h"
+#include "process.h"
+#include "validate/engine_scree.h"
 #include "validate/validate.h"
 #include <getopt.h>
 #include <stdlib.h>
@@ -27,15 +27,15 @@ static const struct option words_known[] = {
     {"help", no_argument, NULL, 'h'},          {0},
 };
 
-static const LabEngine* const engines[2] = {&scree_lab, &box2d_lab};
+static const Engine* const engines[2] = {&scree_engine, &box2d_engine};
 
 static bool read_option(int letter, Validation* v, bool* left_out)
 {
 	switch (letter)
 	{
 	case 'e':
-		left_out[0] = strcmp(optarg, scree_lab.name) != 0;
-		left_out[1] = strcmp(optarg, box2d_lab.name) != 0;
+		left_out[0] = strcmp(optarg, scree_engine.name) != 0;
+		left_out[1] = strcmp(optarg, box2d_engine.name) != 0;
 		if (left_out[0] && left_out[1])
 			fprintf(stderr, "scree_peers validate: --engine %s: must be scree or box2d\n", optarg);
 		return !(left_out[0] && left_out[1]);
@@ -60,7 +60,8 @@ static bool read_option(int letter, Validation* v, bool* left_out)
 
 int validate_peers(int count, char** words, const char* executable)
 {
-	Validation v = {.executable = executable, .out = stdout, .options = {.device = "cpu", .threads = 1}};
+	Validation v = {
+	    .executable = executable, .out = stdout, .options = {.device = "cpu", .threads = 1, .continuous = true}};
 	bool left_out[2] = {false, false};
 	for (int letter; (letter = getopt_long(count, words, "e:qt:d:h", words_known, NULL)) != -1;)
 	{

@@ -5,12 +5,12 @@
 // because the speed of a machine changes: each ratio is that of two consecutive trials, and their median is printed.
 // Overlaps, contacts and final states come from trials that are not timed. A timed trial must end in the same state.
 #include "engine_box2d.h"
-#include "engine_scree.h"
 #include "peer_queries.h"
 #include "peer_validate.h"
 #include "process.h"
 #include "stiffness.h"
 #include "trial.h"
+#include "validate/engine_scree.h"
 #include <getopt.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -26,7 +26,7 @@ typedef struct
 {
 	const char* executable;
 	const Engine* engine; // of a trial; null in the process that starts the trials
-	bool ruled;
+	bool measured;
 	EngineOptions options;
 	int threads[MAX_THREADS], thread_count;
 	int steps, repeats; // steps 0: as many as the scene says
@@ -124,7 +124,7 @@ static bool read_option(Options* options, int letter)
 	case 'e':
 		return read_engine(options, optarg);
 	case 'R':
-		options->ruled = true;
+		options->measured = true;
 		return true;
 	case 'h':
 		printf("%s", help);
@@ -153,7 +153,7 @@ static int try_engine(const Options* options, const char* name)
 	Setup setup;
 	if (!load(options, name, &setup))
 		return EXIT_BAD;
-	Trial trial = {&setup, options->steps > 0 ? options->steps : setup.steps, options->ruled, options->options};
+	Trial trial = {&setup, options->steps > 0 ? options->steps : setup.steps, options->measured, options->options};
 	Result result;
 	bool good = trial_run(options->engine, &trial, &result);
 	if (good)
@@ -163,7 +163,7 @@ static int try_engine(const Options* options, const char* name)
 }
 
 // Starts one trial in a new process.
-static bool start_trial(const Options* options, const char* name, const Engine* engine, int threads, bool ruled,
+static bool start_trial(const Options* options, const char* name, const Engine* engine, int threads, bool measured,
                         Result* result)
 {
 	char count[16], steps[16], line[256];
@@ -177,7 +177,7 @@ static bool start_trial(const Options* options, const char* name, const Engine* 
 		list[n++] = "--steps";
 		list[n++] = steps;
 	}
-	if (ruled)
+	if (measured)
 		list[n++] = "--ruled";
 	if (options->options.continuous)
 		list[n++] = "--continuous";
@@ -213,7 +213,7 @@ typedef enum
 
 static const Engine* const engines[ENGINES] = {&scree_engine, &box2d_engine};
 
-static bool compare(const Options* options, const char* name, int steps, int threads, const Result ruled[ENGINES])
+static bool compare(const Options* options, const char* name, int steps, int threads, const Result measured[ENGINES])
 {
 	double mean[ENGINES][MAX_REPEATS], median[ENGINES][MAX_REPEATS], first[ENGINES][MAX_REPEATS];
 	double ratio[MAX_REPEATS], first_ratio[MAX_REPEATS];
@@ -228,7 +228,7 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 			mean[side][k] = result.mean;
 			median[side][k] = result.median;
 			first[side][k] = result.first;
-			same = same && result.hash == ruled[side].hash;
+			same = same && result.hash == measured[side].hash;
 		}
 		ratio[k] = mean[BOX2D][k] / mean[SCREE][k];
 		first_ratio[k] = first[BOX2D][k] / first[SCREE][k];
@@ -240,7 +240,7 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 	printf(",%.4f,%.4f,%.3f", middle(first[SCREE], options->repeats), middle(first[BOX2D], options->repeats),
 	       middle(first_ratio, options->repeats));
 	printf(",%.4f,%.4f", middle(median[SCREE], options->repeats), middle(median[BOX2D], options->repeats));
-	const Result *a = &ruled[SCREE], *b = &ruled[BOX2D];
+	const Result *a = &measured[SCREE], *b = &measured[BOX2D];
 	printf(",%.5f,%.5f,%.5f,%.5f", (double)a->penetration, (double)b->penetration, (double)a->depth, (double)b->depth);
 	printf(",%.0f,%.0f,%.5f,%.5f", (double)a->contacts, (double)b->contacts, (double)a->sunk, (double)b->sunk);
 	printf(",%.5f,%.5f,%.7f,%.7f", (double)a->separation, (double)b->separation, (double)a->gap, (double)b->gap);
@@ -252,13 +252,13 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 static bool compare_all(const Options* options, const char* name, int steps)
 {
 	// the final state of both engines does not depend on threads, so that one trial each is measured for all
-	Result ruled[ENGINES];
+	Result measured[ENGINES];
 	bool good = true;
 	int threads = options->threads[options->thread_count - 1];
 	for (int side = SCREE; side < ENGINES && good; ++side)
-		good = start_trial(options, name, engines[side], threads, true, &ruled[side]);
+		good = start_trial(options, name, engines[side], threads, true, &measured[side]);
 	for (int k = 0; k < options->thread_count && good; ++k)
-		good = compare(options, name, steps, options->threads[k], ruled);
+		good = compare(options, name, steps, options->threads[k], measured);
 	return good;
 }
 

@@ -6,6 +6,6 @@
 
 // Adds a ragdoll that stands at a place. Parts of one group (1 or more) do not touch each other. user is the user data of its
 // bodies.
-void human_add(RigBuild* build, scree_vec at, int group, uint64_t user);
+void ragdoll_add(FixtureBuild* build, scree_vec at, int group, uint64_t user);
 
 #endif

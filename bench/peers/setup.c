@@ -5,29 +5,29 @@
 #include "scene/churn.h"
 #include "scene/find.h"
 #include "scene/load.h"
-#include "scree_world.h"
+#include "validate/scree_world.h"
 
-static bool load_rig(Setup* setup, const SceneSetting* settings, int count)
+static bool load_fixture(Setup* setup, const SceneSetting* settings, int count)
 {
-	for (int k = 0; k < RIG_PARAMETERS; ++k)
-		setup->values[k] = setup->rig->parameters[k].value;
+	for (int k = 0; k < FIXTURE_PARAMETERS; ++k)
+		setup->values[k] = setup->fixture->parameters[k].value;
 	for (int k = 0; k < count; ++k)
 	{
-		if (!rig_set(setup->rig, setup->values, settings[k].name, settings[k].value))
+		if (!fixture_set(setup->fixture, setup->values, settings[k].name, settings[k].value))
 			return false;
 	}
 	setup->dt = 1.0f / 60.0f;
 	setup->substeps = 4;
-	setup->steps = setup->rig->steps;
+	setup->steps = setup->fixture->steps;
 	return true;
 }
 
 bool setup_load(Setup* setup, const char* name, const char* executable, const SceneSetting* settings, int count)
 {
 	char path[SCENE_PATH], sentence[SCENE_SENTENCE];
-	*setup = (Setup){.rig = rig_find(name)};
-	if (setup->rig)
-		return load_rig(setup, settings, count);
+	*setup = (Setup){.fixture = fixture_find(name)};
+	if (setup->fixture)
+		return load_fixture(setup, settings, count);
 	if (scene_find(name, executable, path, sentence))
 		setup->scene = scene_load(path, settings, count, sentence);
 	if (!setup->scene)
@@ -48,33 +48,43 @@ bool setup_load(Setup* setup, const char* name, const char* executable, const Sc
 
 void setup_free(Setup* setup) { scene_free(setup->scene); }
 
-static bool fill(const Setup* setup, scree_world* world)
+bool setup_fill(const Setup* setup, scree_world* world)
 {
 	if (setup->scene)
-		return report(scene_build(setup->scene, world));
-	RigBuild build = {world, setup->values, true};
-	setup->rig->build(&build);
+		return report_status(scene_build(setup->scene, world));
+	FixtureBuild build = {world, setup->values, true};
+	setup->fixture->build(&build);
 	return build.good;
 }
 
-scree_world* setup_open(const Setup* setup, const char* device, int threads)
+scree_world_def setup_world(const Setup* setup)
 {
-	scree_world_def def = setup->scene ? setup->scene->world : scree_world_def_default();
-	def.device = device;
+	return setup->scene ? setup->scene->world : scree_world_def_default();
+}
+
+scree_world* setup_open(const Setup* setup, int threads)
+{
+	scree_world_def def = setup_world(setup);
+	def.device = "cpu";
 	def.threads = threads;
 	scree_world* world = NULL;
-	if (report(scree_world_create(&def, &world)) && fill(setup, world))
+	if (report_status(scree_world_create(&def, &world)) && setup_fill(setup, world))
 		return world;
 	scree_world_destroy(world);
 	return NULL;
 }
 
+bool setup_changes(const Setup* setup)
+{
+	return setup->scene ? scene_churns(setup->scene) : setup->fixture->change != NULL;
+}
+
 bool setup_change(const Setup* setup, scree_world* world, int64_t step)
 {
 	if (setup->scene)
-		return report(scene_churn(setup->scene, world, step));
-	RigBuild build = {world, setup->values, true};
-	if (setup->rig->change)
-		setup->rig->change(&build, step);
+		return report_status(scene_churn(setup->scene, world, step));
+	FixtureBuild build = {world, setup->values, true};
+	if (setup->fixture->change)
+		setup->fixture->change(&build, step);
 	return build.good;
 }

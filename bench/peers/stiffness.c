@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // stiffness.c -- scree_peers stiffness: how far joints give way, with both engines.
 //
-// Each row is a scene at 60 Hz with 4 substeps. After every step the ruler takes one quantity from the poses; the table has
+// Each row is a scene at 60 Hz with 4 substeps. After every step one quantity is taken from the poses; the table has
 // its largest value, its mean and its last value, from a time on at which the bodies have left their unloaded start.
 #include "stiffness.h"
 #include "engine_box2d.h"
-#include "engine_scree.h"
 #include "measure.h"
+#include "mirror.h"
+#include "process.h"
+#include "validate/engine_scree.h"
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,7 +45,7 @@ static const char* const quantities[QUANTITIES] = {
 
 typedef struct
 {
-	const char *name, *rig;
+	const char *name, *fixture;
 	SceneSetting settings[SETTINGS]; // ended by a null name
 	Quantity quantity;
 	float length;      // m: of what stretches
@@ -79,48 +81,47 @@ typedef struct
 	double most, mean, last;
 } Values;
 
-static double speeds(const Ruler* ruler, const scree_pose* before, float dt)
+static double speeds(const Measure* measure, const scree_pose* before, float dt)
 {
 	double sum = 0.0;
-	for (int k = 0; k < ruler->count; ++k)
+	for (int k = 0; k < measure->count; ++k)
 	{
-		double x = (double)(ruler->poses[k].position.x - before[k].position.x) / (double)dt,
-		       y = (double)(ruler->poses[k].position.y - before[k].position.y) / (double)dt;
+		double x = (double)(measure->poses[k].position.x - before[k].position.x) / (double)dt,
+		       y = (double)(measure->poses[k].position.y - before[k].position.y) / (double)dt;
 		sum += x * x + y * y;
 	}
-	return sum / ruler->count;
+	return sum / measure->count;
 }
 
-static double value_of(const Row* row, const Ruler* ruler, const scree_pose* before, float dt)
+static double value_of(const Row* row, const Measure* measure, const scree_pose* before, float dt)
 {
 	switch (row->quantity)
 	{
 	case STRETCH:
-		return 100.0 * ruler->gaps / (double)row->length;
+		return 100.0 * measure->gaps / (double)row->length;
 	case SAG:
-		return (double)ruler->sunk;
+		return (double)measure->sunk;
 	case SEPARATION:
-		return (double)ruler->separation;
+		return (double)measure->separation;
 	default:
-		return speeds(ruler, before, dt);
+		return speeds(measure, before, dt);
 	}
 }
 
-static bool take_steps(const Row* row, const Setup* setup, const Engine* engine, void* state, Ruler* ruler,
-                       scree_pose* before, Values* values)
+static bool take_steps(const Row* row, Mirror* mirror, Measure* measure, scree_pose* before, Values* values)
 {
 	int counted = 0;
-	bool good = engine->poses(state, ruler->poses, ruler->count) && ruler_measure(ruler);
-	for (int k = 0; (float)k * setup->dt < row->until && good; ++k)
+	float dt = mirror->setup->dt;
+	bool good = mirror_poses(mirror, measure->poses) && measure_take(measure);
+	for (int k = 0; (float)k * dt < row->until && good; ++k)
 	{
-		memcpy(before, ruler->poses, (size_t)ruler->count * sizeof *before);
-		ruler->separation = 0.0f;
-		ruler->gaps = ruler->gauged = 0.0;
-		good = engine->step(state, setup->dt, setup->substeps) && engine->poses(state, ruler->poses, ruler->count) &&
-		       ruler_measure(ruler);
-		if ((float)k * setup->dt < row->from)
+		memcpy(before, measure->poses, (size_t)measure->count * sizeof *before);
+		measure->separation = 0.0f;
+		measure->gaps = measure->gauged = 0.0;
+		good = mirror_step(mirror) && mirror_poses(mirror, measure->poses) && measure_take(measure);
+		if ((float)k * dt < row->from)
 			continue;
-		values->last = value_of(row, ruler, before, setup->dt);
+		values->last = value_of(row, measure, before, dt);
 		values->most = values->last > values->most ? values->last : values->most;
 		values->mean += values->last;
 		++counted;
@@ -129,25 +130,24 @@ static bool take_steps(const Row* row, const Setup* setup, const Engine* engine,
 	return good;
 }
 
-static bool measure(const Row* row, const Engine* engine, const EngineOptions* options, const char* executable,
+static bool run_row(const Row* row, const Engine* engine, const EngineOptions* options, const char* executable,
                     Values* values)
 {
 	Setup setup;
-	Ruler ruler = {0};
+	Mirror mirror;
+	Measure measure = {0};
 	int count = 0;
 	while (count < SETTINGS && row->settings[count].name)
 		++count;
-	if (!setup_load(&setup, row->rig, executable, row->settings, count))
+	if (!setup_load(&setup, row->fixture, executable, row->settings, count))
 		return false;
 	*values = (Values){0};
-	void* state = engine->open(&setup, options);
-	bool good = state && ruler_open(&ruler, &setup);
-	scree_pose* before = good ? malloc((size_t)ruler.count * sizeof *before) : NULL;
-	good = before && take_steps(row, &setup, engine, state, &ruler, before, values);
+	bool good = mirror_open(&mirror, &setup, engine, options) && measure_open(&measure, &setup);
+	scree_pose* before = good ? malloc((size_t)measure.count * sizeof *before) : NULL;
+	good = before && take_steps(row, &mirror, &measure, before, values);
 	free(before);
-	ruler_close(&ruler);
-	if (state)
-		engine->close(state);
+	measure_close(&measure);
+	mirror_close(&mirror);
 	setup_free(&setup);
 	return good;
 }
@@ -179,8 +179,8 @@ int stiffness_peers(int count, char** words, const char* executable)
 		Values a, b;
 		if (!chosen(&rows[k], words + optind, count - optind))
 			continue;
-		if (!measure(&rows[k], &scree_engine, &options, executable, &a) ||
-		    !measure(&rows[k], &box2d_engine, &options, executable, &b))
+		if (!run_row(&rows[k], &scree_engine, &options, executable, &a) ||
+		    !run_row(&rows[k], &box2d_engine, &options, executable, &b))
 			return EXIT_FAILED;
 		printf("%s,%s,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g\n", rows[k].name, quantities[rows[k].quantity], a.most, b.most,
 		       a.mean, b.mean, a.last, b.last);

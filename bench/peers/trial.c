@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// trial.c -- one engine, one scene, one process: timed, or measured with the ruler.
+// trial.c -- one engine, one scene, one process: timed or measured.
 #include "trial.h"
 #include "measure.h"
+#include "mirror.h"
 #include <inttypes.h>
 #include <stdlib.h>
 #include <time.h>
@@ -22,7 +23,7 @@ static int rising(const void* a, const void* b)
 	return (x > y) - (x < y);
 }
 
-static bool run_timed(const Engine* engine, void* state, const Trial* trial, Result* result)
+static bool run_timed(Mirror* mirror, const Trial* trial, Result* result)
 {
 	double* times = malloc((size_t)trial->steps * sizeof(double));
 	if (!times)
@@ -36,9 +37,9 @@ static bool run_timed(const Engine* engine, void* state, const Trial* trial, Res
 	bool good = true;
 	for (int k = 0; k < trial->steps && good; ++k)
 	{
-		good = engine->change(state, k) && engine->step(state, trial->setup->dt, trial->setup->substeps);
+		good = mirror_change(mirror, k) && mirror_step(mirror);
 		if (k == warm - 1 || k == first - 1)
-			good = good && engine->wait(state);
+			good = good && mirror->engine->wait(mirror->state);
 		double now = milliseconds();
 		times[k] = now - mark;
 		mark = now;
@@ -47,7 +48,7 @@ static bool run_timed(const Engine* engine, void* state, const Trial* trial, Res
 		if (k == first - 1)
 			result->first = (now - begin) / (first - warm);
 	}
-	good = good && engine->wait(state);
+	good = good && mirror->engine->wait(mirror->state);
 	result->mean = (milliseconds() - begin) / counted;
 	qsort(times + warm, (size_t)counted, sizeof(double), rising);
 	result->median = times[warm + counted / 2];
@@ -55,37 +56,34 @@ static bool run_timed(const Engine* engine, void* state, const Trial* trial, Res
 	return good;
 }
 
-static bool run_ruled(const Engine* engine, void* state, const Trial* trial, Result* result)
+static bool run_measured(Mirror* mirror, const Trial* trial, Result* result)
 {
-	Ruler ruler;
-	bool good =
-	    ruler_open(&ruler, trial->setup) && engine->poses(state, ruler.poses, ruler.count) && ruler_measure(&ruler);
+	Measure measure;
+	bool good = measure_open(&measure, trial->setup) && mirror_poses(mirror, measure.poses) && measure_take(&measure);
 	for (int k = 0; k < trial->steps && good; ++k)
-		good = engine->change(state, k) && engine->step(state, trial->setup->dt, trial->setup->substeps) &&
-		       ruler_change(&ruler, trial->setup, k) && engine->poses(state, ruler.poses, ruler.count) &&
-		       ruler_measure(&ruler);
-	result->penetration = ruler.penetration;
-	result->sunk = ruler.sunk;
-	result->separation = ruler.separation;
-	result->gap = (float)ruler_gap(&ruler);
-	if (ruler.measured > 0)
+		good = mirror_change(mirror, k) && mirror_step(mirror) && measure_change(&measure, trial->setup, k) &&
+		       mirror_poses(mirror, measure.poses) && measure_take(&measure);
+	result->penetration = measure.penetration;
+	result->sunk = measure.sunk;
+	result->separation = measure.separation;
+	result->gap = (float)measure_gap(&measure);
+	if (measure.measured > 0)
 	{
-		result->depth = (float)(ruler.depths / ruler.measured);
-		result->contacts = (float)(ruler.contacts / ruler.measured);
+		result->depth = (float)(measure.depths / measure.measured);
+		result->contacts = (float)(measure.contacts / measure.measured);
 	}
-	ruler_close(&ruler);
+	measure_close(&measure);
 	return good;
 }
 
 bool trial_run(const Engine* engine, const Trial* trial, Result* result)
 {
 	*result = (Result){0};
-	void* state = engine->open(trial->setup, &trial->options);
-	if (!state)
-		return false;
-	bool good = (trial->ruled ? run_ruled : run_timed)(engine, state, trial, result);
-	good = good && engine->hash(state, &result->hash);
-	engine->close(state);
+	Mirror mirror;
+	bool good = mirror_open(&mirror, trial->setup, engine, &trial->options) &&
+	            (trial->measured ? run_measured : run_timed)(&mirror, trial, result) &&
+	            engine->hash(mirror.state, &result->hash);
+	mirror_close(&mirror);
 	return good;
 }
 

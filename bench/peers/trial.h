@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// trial.h -- one engine, one scene, one process: timed, or measured with the ruler.
+// trial.h -- one engine, one scene, one process: timed or measured.
 #ifndef TRIAL_H
 #define TRIAL_H
-#include "engine.h"
+#include "setup.h"
+#include "validate/engine.h"
 
 #define FIRST_STEPS 150
 
@@ -10,15 +11,15 @@ typedef struct
 {
 	const Setup* setup;
 	int steps;
-	bool ruled; // every step is measured with the ruler and not timed
+	bool measured; // every step is measured and not timed
 	EngineOptions options;
 } Trial;
 
 typedef struct
 {
-	double mean, median; // ms a step, the first steps left out; zeros when ruled
+	double mean, median; // ms a step, the first steps left out; zeros when measured
 	double first;        // the same mean, up to step FIRST_STEPS: while bodies still fall
-	float penetration;   // deepest of all steps, m; zero unless ruled, as the next five
+	float penetration;   // deepest of all steps, m; zero unless measured, as the next five
 	float depth;         // mean of the deepest of each step, m
 	float contacts;      // touching ones, mean of all steps
 	float sunk;          // largest distance that a body sank, m
