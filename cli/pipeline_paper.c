@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// pipeline_paper.c -- the pipeline of the paper, reference/paper.h.
+// pipeline_paper.c -- the pipeline of the paper, tools/paper/paper.h.
 #include "pipeline_paper.h"
 #include "library_error.h"
-#include "reference/paper.h"
 #include "scene/churn.h"
+#include "tools/paper/paper.h"
 #include <stdlib.h>
 
 typedef struct

@@ -1,6 +1,6 @@
 # program.cmake -- scree_embed(target entry name): compiles an OpenCL program into a target, as the array of chars `name`.
-file(GLOB_RECURSE SCREE_KERNEL_FILES CONFIGURE_DEPENDS src/*.h src/*.cl src/*.def reference/*.h reference/*.cl
-	reference/*.def)
+file(GLOB_RECURSE SCREE_KERNEL_FILES CONFIGURE_DEPENDS src/*.h src/*.cl src/*.def tools/paper/*.h
+	tools/paper/*.cl)
 
 function(scree_embed target entry name)
 	set(out ${PROJECT_BINARY_DIR}/${name}.c)

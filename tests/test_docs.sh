@@ -14,7 +14,7 @@ for document in README.md ARCHITECTURE.md STYLE.md docs/*.md; do
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -o '`[^` ]*`' | tr -d '`' |
-		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|reference|scene|scenes|src|tests|tools|validate|view)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
+		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|scene|scenes|src|tests|tools|validate|view)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
 	folder=$([[ $document = */* ]] && echo "${document%/*}" || echo .)
 	while read -r path; do
 		[ -e "$folder/$path" ] || complain "$document: the link to $path leads nowhere"
@@ -53,7 +53,7 @@ asks=$(grep -rlE "__OPENCL|__GNUC__|__clang__" src/stages src/constraints src/po
 # every file says what it is
 while read -r file; do
 	complain "$file: does not begin with its licence and what it is"
-done < <(find include src cli scene reference validate view tests examples \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 awk '
+done < <(find include src cli scene tools validate view tests examples \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 awk '
 	FNR == 1 { if (last && !good) print last; last = FILENAME; first = $0; good = 0 }
 	FNR == 2 { name = FILENAME; sub(".*/", "", name); good = first $0 ~ "^// SPDX-License-Identifier: MIT// " name " -- " }
 	END { if (last && !good) print last }')

@@ -38,7 +38,7 @@ api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover'
 
 # folders beside the library; of these only circles are looked for
-beside='cli scene reference validate view'
+beside='cli scene tools validate view'
 
 # folders of src/ whose headers are not checked for definitions: the stages and what they are written in have their functions
 # in headers, and headers of the backends declare those of several files
@@ -148,7 +148,7 @@ fi
 # the check sees what it is for: a change of one file, and the complaint that it causes
 mkdir "$work/tree"
 # shellcheck disable=SC2086
-cp -r --parents src $beside bench/peers tools tests "$work/tree"
+cp -r --parents src $beside bench/peers tests "$work/tree"
 cd "$work/tree"
 expect()
 {

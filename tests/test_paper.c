@@ -7,8 +7,8 @@
 
 #include <cmocka.h>
 
-#include "reference/all_pairs.h"
-#include "reference/paper.h"
+#include "tools/paper/all_pairs.h"
+#include "tools/paper/paper.h"
 #include <math.h>
 #include <string.h>
 

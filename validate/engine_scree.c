@@ -202,7 +202,7 @@ static bool frozen(void* context, int* frozen)
 	scree_counters counters;
 	if (!report_status(scree_world_get_counters(state->world, &counters)))
 		return false;
-	*frozen += counters.nonfinite;
+	*frozen += counters.frozen_bodies;
 	return true;
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// stages.h -- the three stages of the paper's pipeline that run on the device.
+// paper_stages.h -- the three stages of the paper's pipeline that run on the device.
 //
 // This work is based on: Falco Girgis and Earl Wells, GPGPU Acceleration for Video Game Physics Engines, section III.
 // PAPER_STAGE(name) begins a function for item i of the pools p. The file that includes this one runs it for all items.
-#ifndef REFERENCE_STAGES_H
-#define REFERENCE_STAGES_H
+#ifndef PAPER_STAGES_H
+#define PAPER_STAGES_H
 #include "constraints/solver_body.h"
-#include "reference/pools.h"
 #include "stages/geometry/filter.h"
 #include "stages/geometry/manifold.h"
+#include "tools/paper/paper_pools.h"
 
 // Integrates forces to velocity and velocity to position: semi-implicit Euler. Then clears the accumulators and applies damping.
 PAPER_STAGE(integrate)

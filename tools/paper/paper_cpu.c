@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cpu.c -- the first three stages on the CPU: one thread, one item after the other.
-#include "reference/cpu.h"
+// paper_cpu.c -- the first three stages on the CPU: one thread, one item after the other.
+#include "tools/paper/paper_cpu.h"
 #include "platform/processor.h"
 
 #define PAPER_STAGE(name)                                \
@@ -12,7 +12,7 @@
 	}                                                    \
 	INLINE void name##_item(const PaperPools* p, int i)
 
-#include "reference/stages.h"
+#include "tools/paper/paper_stages.h"
 
 scree_status paper_cpu_run(Paper* paper)
 {

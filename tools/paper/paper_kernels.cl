@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// kernels.cl -- the OpenCL program of the paper's pipeline: a kernel a stage, a work-item an item.
-#include "reference/pools.h"
+// paper_kernels.cl -- the OpenCL program of the paper's pipeline: a kernel a stage, a work-item an item.
+#include "tools/paper/paper_pools.h"
 
 #define ARGUMENT(type, name, items) __global type* name,
 #define NAME(type, name, items) name,
@@ -15,4 +15,4 @@
 	}                                                                      \
 	INLINE void name##_item(const PaperPools* p, int i)
 
-#include "reference/stages.h"
+#include "tools/paper/paper_stages.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// counters.h -- counters and times of the last step of the paper's pipeline.
-#ifndef REFERENCE_COUNTERS_H
-#define REFERENCE_COUNTERS_H
+// paper_counters.h -- counters and times of the last step of the paper's pipeline.
+#ifndef PAPER_COUNTERS_H
+#define PAPER_COUNTERS_H
 #include <stdint.h>
 
 typedef struct

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// state.h -- the state of the paper's pipeline, which its files share.
-#ifndef REFERENCE_STATE_H
-#define REFERENCE_STATE_H
-#include "reference/counters.h"
-#include "reference/pools.h"
+// paper_state.h -- the state of the paper's pipeline, which its files share.
+#ifndef PAPER_STATE_H
+#define PAPER_STATE_H
 #include "scree/scree.h"
+#include "tools/paper/paper_counters.h"
+#include "tools/paper/paper_pools.h"
 #include <stddef.h>
 
 typedef enum

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // paper.c -- the paper's pipeline: creates it, takes steps, reads its state.
-#include "reference/paper.h"
+#include "tools/paper/paper.h"
 #include "platform/processor.h"
-#include "reference/cpu.h"
-#include "reference/import.h"
-#include "reference/opencl.h"
-#include "reference/resolve.h"
+#include "tools/paper/import.h"
+#include "tools/paper/paper_cpu.h"
+#include "tools/paper/paper_opencl.h"
+#include "tools/paper/resolve.h"
 #include "world/check.h"
 #include <stdio.h>
 #include <string.h>

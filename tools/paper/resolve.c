@@ -7,7 +7,7 @@
 //
 // This work is based on: Girgis and Wells, GPGPU Acceleration for Video Game Physics Engines, section III; for the
 // impulses: Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996.
-#include "reference/resolve.h"
+#include "tools/paper/resolve.h"
 #include "constraints/solver_body.h"
 #include "platform/error.h"
 #include <stdlib.h>

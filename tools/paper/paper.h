@@ -7,8 +7,8 @@
 // ignored here.
 #ifndef PAPER_H
 #define PAPER_H
-#include "reference/counters.h"
 #include "scree/scree.h"
+#include "tools/paper/paper_counters.h"
 
 typedef struct Paper Paper;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// opencl.c -- the first three stages through OpenCL: each step copies the pools to the device and back.
-#include "reference/opencl.h"
+// paper_opencl.c -- the first three stages through OpenCL: each step copies the pools to the device and back.
+#include "tools/paper/paper_opencl.h"
 #include "backend/backend.h"
 #include "opencl/compile.h"
 #include "platform/error.h"

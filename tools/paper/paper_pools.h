@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// pools.h -- the pools of the paper's pipeline, for C and OpenCL C alike: one array of structs each, as in its Figure 1.
+// paper_pools.h -- the pools of the paper's pipeline, for C and OpenCL C alike: one array of structs each, as in its Figure 1.
 //
 // The paper has mass in the attributes. Here it is in the body, because it is the sum of the body's collidables.
-#ifndef REFERENCE_POOLS_H
-#define REFERENCE_POOLS_H
+#ifndef PAPER_POOLS_H
+#define PAPER_POOLS_H
 #include "pools/pools.h"
 
 typedef struct // 224 bytes

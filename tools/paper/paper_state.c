@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// state.c -- the state of the paper's pipeline, which its files share.
-#include "reference/state.h"
+// paper_state.c -- the state of the paper's pipeline, which its files share.
+#include "tools/paper/paper_state.h"
 #include "platform/error.h"
 
 _Static_assert(sizeof(PaperCollidable) == 224 && sizeof(PaperBody) == 80 && sizeof(PaperContact) == 64,

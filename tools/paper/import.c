@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // import.c -- fills the pools of the paper's pipeline from a world.
-#include "reference/import.h"
+#include "tools/paper/import.h"
 #include "dialect/vec.h"
 #include "world/objects/attributes.h"
 #include "world/world.h"

@@ -1,0 +1,16 @@
+# paper.cmake -- the pipeline of the paper that Scree began with.
+set(paper ${PROJECT_SOURCE_DIR}/tools/paper)
+set(pipeline_sources ${paper}/all_pairs.c ${paper}/import.c ${paper}/paper.c ${paper}/paper_cpu.c ${paper}/paper_state.c
+	${paper}/resolve.c)
+if(opencl)
+	list(APPEND pipeline_sources ${paper}/paper_opencl.c)
+endif()
+add_library(scree_paper_pipeline STATIC ${pipeline_sources})
+scree_flags(scree_paper_pipeline)
+target_link_libraries(scree_paper_pipeline PUBLIC scree_internals)
+if(opencl)
+	scree_embed(scree_paper_pipeline tools/paper/paper_kernels.cl paper_program)
+	target_include_directories(scree_paper_pipeline SYSTEM PRIVATE ${SCREE_CL_INCLUDE_DIR})
+else()
+	target_compile_definitions(scree_paper_pipeline PRIVATE SCREE_NO_OPENCL)
+endif()

@@ -1,0 +1,28 @@
+# comments.awk -- comments that are not plain English, by their first word or by a phrase: file:line: why: text.
+#
+# STYLE.md has the rule. A comment is all lines that follow each other and begin with //; one behind code stands alone.
+function check(text, first)
+{
+	gsub(/`[^`]*`|"[^"]*"/, "CODE", text)
+	first = tolower(text)
+	sub(/^[^a-z]*/, "", first)
+	if (match(first, /^(of|what|where|how|so many|so much|whose|whether what)[^a-z_]/))
+		report("begins with " substr(first, 1, RLENGTH - 1))
+	if (match(first, /(^|[^a-z])(so many|so much|anew|as ever|is none any more|any more|no more|it knows|knows|know|asks|asked|tells|told|wants|wanted|want of|who)([^a-z_]|$)/))
+		report("says" substr(first, RSTART, RLENGTH))
+}
+function report(why) { printf "%s:%d: %s: %s\n", FILENAME, start, why, shown }
+function flush() { if (comment != "") { shown = substr(comment, 1, 100); check(comment) } comment = "" }
+FNR == 1 { flush() }
+{
+	line = $0
+	at = match(line, /(^|[ \t;,{})])\/\/ /)
+	if (!at) { flush(); next }
+	before = substr(line, 1, RSTART)
+	text = substr(line, RSTART + RLENGTH)
+	if (before ~ /[^ \t\/]/) { flush(); start = FNR; comment = text; flush(); next }
+	if (comment == "") start = FNR
+	comment = comment (comment == "" ? "" : " ") text
+	if (FNR == 2) sub(/^[^ ]+ -- /, "", comment)
+}
+END { flush() }
