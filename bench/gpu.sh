@@ -139,7 +139,7 @@ if [ "${CURVES:-no}" = yes ]; then
 fi
 if [ "${FIGURES:-no}" = yes ]; then
 	for figure in figure5 figure6; do
-		(cd "$folder" && timeout 300 "$OLDPWD/$scree" bench $figure --device "opencl:$device") || differ=1
+		(cd "$folder" && timeout 300 "$OLDPWD/${scree}_paper" $figure --device "opencl:$device") || differ=1
 	done
 fi
 exit $differ

@@ -4,8 +4,8 @@
 // Nothing is read back between the steps, and the clock stops when the device has finished the last one. Each run should
 // be a process of its own (--repeats 1), because a process starts a driver only once.
 #include "bench_whole.h"
-#include "library_error.h"
-#include "simulation.h"
+#include "cli/common/library_error.h"
+#include "cli/common/open_scene.h"
 #include <inttypes.h>
 
 static scree_status take_steps(Simulation* simulation, int steps)
@@ -23,7 +23,7 @@ static int measure_once(const Options* options, const Scene* scene)
 {
 	Simulation simulation;
 	int steps = options_steps(options, scene);
-	int code = simulation_open(options, scene, false, &simulation);
+	int code = open_simulation(options, scene, false, &simulation);
 	if (code != EXIT_GOOD)
 		return code;
 	scree_counters counters;
@@ -32,9 +32,9 @@ static int measure_once(const Options* options, const Scene* scene)
 	scree_status status = take_steps(&simulation, steps);
 	double taken = seconds_now() - begin;
 	if (status == SCREE_OK)
-		status = simulation.pipeline->counters(&simulation, &counters);
+		status = scree_world_get_counters(simulation.world, &counters);
 	if (status == SCREE_OK)
-		status = simulation.pipeline->hash(&simulation, &hash);
+		status = scree_world_get_hash(simulation.world, &hash);
 	if (status == SCREE_OK)
 		printf("%s,%s,%s,%d,%d,%.1f,%.1f,%.1f,%.1f,%.5f,%016" PRIx64 "\n", scene->name, options->device,
 		       scree_world_get_device(simulation.world), counters.bodies, steps, 1e3 * simulation.opening,

@@ -2,7 +2,7 @@
 // commands.h -- the commands of scree; each returns an exit code.
 #ifndef COMMANDS_H
 #define COMMANDS_H
-#include "options.h"
+#include "cli/common/options.h"
 
 int run_command(const Options* options);
 int hash_command(const Options* options);
@@ -11,8 +11,6 @@ int devices_command(const Options* options);
 int bench_command(const Options* options);
 int frames_command(const Options* options);  // bench frames
 int queries_command(const Options* options); // bench queries
-int figure5_command(const Options* options); // bench figure5
-int figure6_command(const Options* options);
 int view_command(const Options* options);
 int validate_command(const Options* options);
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // frames_command.c -- scree bench frames: measures steps that are drawn, with rows shared with OpenGL and with rows copied.
+#include "cli/common/library_error.h"
+#include "cli/common/open_scene.h"
+#include "cli/common/step_record.h"
 #include "commands.h"
-#include "library_error.h"
 #include "scene/load.h"
-#include "step_record.h"
 #include <inttypes.h>
 
 #ifdef SCREE_HAVE_VIEW
-#include "csv.h"
+#include "cli/common/csv.h"
 #include "view/offscreen.h"
 #include "view/renderer.h"
 #include "view/shader.h"
@@ -63,7 +64,7 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 	Simulation simulation;
 	Renderer renderer;
 	char sentence[SENTENCE] = "out of memory for the picture";
-	int code = simulation_open(options, scene, false, &simulation);
+	int code = open_simulation(options, scene, false, &simulation);
 	if (code != EXIT_GOOD)
 		return code;
 	bool opened = renderer_open(&renderer, sentence);

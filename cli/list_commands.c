@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // list_commands.c -- scree scenes and scree devices: the lists of scenes and devices.
+#include "cli/common/library_error.h"
 #include "commands.h"
-#include "library_error.h"
 #include "scene/find.h"
 #include "scene/load.h"
-#include "simulation.h"
 #include <stdlib.h>
 
 int scenes_command(const Options* options)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // queries_command.c -- scree bench queries: measures batches of rays, moving circles, overlaps and nearest points at the end of a run.
+#include "cli/common/csv.h"
+#include "cli/common/library_error.h"
+#include "cli/common/open_scene.h"
+#include "cli/common/step_record.h"
 #include "commands.h"
-#include "csv.h"
-#include "library_error.h"
 #include "scene/load.h"
-#include "simulation.h"
-#include "step_record.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
@@ -147,7 +147,7 @@ int queries_command(const Options* options)
 	Simulation simulation;
 	if (!scene)
 		return EXIT_BAD;
-	int code = simulation_open(options, scene, true, &simulation);
+	int code = open_simulation(options, scene, true, &simulation);
 	if (code != EXIT_GOOD)
 	{
 		scene_free(scene);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // validate_command.c -- scree validate: experiments that check physical behavior against limits.
+#include "cli/common/library_error.h"
 #include "commands.h"
-#include "library_error.h"
-#include "simulation.h"
 #include "validate/engine_scree.h"
 #include "validate/validate.h"
 

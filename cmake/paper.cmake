@@ -1,10 +1,12 @@
-# paper.cmake -- the pipeline of the paper that Scree began with.
-set(paper ${PROJECT_SOURCE_DIR}/tools/paper)
-set(pipeline_sources ${paper}/all_pairs.c ${paper}/import.c ${paper}/paper.c ${paper}/paper_cpu.c ${paper}/paper_state.c
-	${paper}/resolve.c)
-if(opencl)
-	list(APPEND pipeline_sources ${paper}/paper_opencl.c)
+# paper.cmake -- the pipeline of the paper that Scree began with, which tests link as well, and scree_paper, its command line.
+file(GLOB paper_sources CONFIGURE_DEPENDS tools/paper/*.c)
+set(pipeline_sources ${paper_sources})
+list(FILTER pipeline_sources INCLUDE REGEX "/(all_pairs|import|paper|paper_cpu|paper_opencl|paper_state|resolve)\\.c$")
+list(REMOVE_ITEM paper_sources ${pipeline_sources})
+if(NOT opencl)
+	list(FILTER pipeline_sources EXCLUDE REGEX "/paper_opencl\\.c$")
 endif()
+
 add_library(scree_paper_pipeline STATIC ${pipeline_sources})
 scree_flags(scree_paper_pipeline)
 target_link_libraries(scree_paper_pipeline PUBLIC scree_internals)
@@ -13,4 +15,12 @@ if(opencl)
 	target_include_directories(scree_paper_pipeline SYSTEM PRIVATE ${SCREE_CL_INCLUDE_DIR})
 else()
 	target_compile_definitions(scree_paper_pipeline PRIVATE SCREE_NO_OPENCL)
+endif()
+
+# not installed: it repeats measurements, and no user of the library needs it
+if(TARGET scree_cli_common)
+	add_executable(scree_paper ${paper_sources})
+	scree_flags(scree_paper)
+	set_target_properties(scree_paper PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+	target_link_libraries(scree_paper PRIVATE scree_cli_common scree_paper_pipeline)
 endif()

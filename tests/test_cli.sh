@@ -3,36 +3,8 @@
 # test_cli.sh -- the command line: what each command prints, and the exit codes and sentences of what cannot be done.
 set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
-[ -x "$scree" ] || { echo "no command line was built"; exit 77; }
-scratch=$(mktemp -d "${SCREE_BUILD:?}/test_cli.XXXXXX")
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-failures=0
-
-fail()
-{
-	echo "FAILED: $*"
-	sed 's/^/    | /' out err
-	failures=$((failures + 1))
-}
-
-# expect CODE TEXT words...: the words end with the code, and the text is in what they print
-expect()
-{
-	local code=$1 text=$2 got
-	shift 2
-	"$scree" "$@" >out 2>err </dev/null
-	got=$?
-	[ "$got" = "$code" ] || fail "scree $*: exit code $got instead of $code"
-	grep -qF -- "$text" out err || fail "scree $*: does not say \"$text\""
-}
-
-# refuse CODE TEXT words...: the same, and nothing stands on standard output
-refuse()
-{
-	expect "$@"
-	[ -s out ] && fail "scree ${*:3}: prints results in spite of the error"
-}
+. "${SCREE_SOURCE:?}/tests/cli_support.sh"
+begin "$scree"
 
 small=(--device cpu --threads 1 --steps 5 --set rows=6)
 
@@ -41,8 +13,7 @@ expect 0 'scree run SCENE|FILE' help
 expect 0 '--allow-unequal-bits' run --help
 expect 0 'scree hash SCENE|FILE' hash --help
 grep -q -- '--picture' out && fail "hash --help: lists options of other commands"
-expect 0 'bench figure5|figure6' bench figure5 --help
-for command in run view hash scenes devices bench 'bench frames' 'bench queries' 'bench figure5' validate; do
+for command in run view hash scenes devices bench 'bench frames' 'bench queries' validate; do
 	read -ra words <<<"$command"
 	expect 0 '-h, --help' "${words[@]}" --help
 	cp out help_by_option
@@ -65,7 +36,6 @@ refuse 2 '--steps -3' run pile --steps -3
 refuse 2 '--steps 3x' run pile --steps 3x
 refuse 2 '--threads 65: must be' run pile --threads 65
 refuse 2 '--lanes 3: must be 1, 4, 8 or 16' run pile --lanes 3
-refuse 2 '--pipeline rough: must be one of soft paper' run pile --pipeline rough
 refuse 2 '--set rows: must be NAME=VALUE' run pyramid --set rows
 refuse 2 '--size 10: must be WxH' run pile --size 10
 refuse 2 '--picture a.jpg: must end in .png' run pile --picture a.jpg
@@ -75,12 +45,8 @@ refuse 2 '--zoom 1,2,3: must be LEFT,BOTTOM,RIGHT,TOP' run pile --video a.mp4 --
 refuse 2 '--zoom has no effect: there is no --picture or --video' run pile --zoom 0,0,1,1
 refuse 2 '--paint has no effect: there is no --picture or --video' run pile --paint speed
 refuse 2 '--threads has no effect: the device is not the CPU' run pile --device opencl --threads 2
-refuse 2 '--lanes has no effect' run pile --pipeline paper --lanes 4
-refuse 2 '--threads has no effect: the pipeline paper' run pile --pipeline paper --threads 2
-refuse 2 'bridge has joints, which the pipeline paper does not know' run bridge --pipeline paper --steps 1
 refuse 2 '--known has no effect' bench pile --whole --known x.csv
 refuse 2 '--quick has no effect' validate --names --quick
-refuse 2 '--limit has no effect: --draw measures nothing' bench figure5 --draw x.csv --limit 9
 refuse 2 '0 arguments, takes one scene' run
 refuse 2 '2 arguments, takes one scene' run pile pile
 refuse 2 'gpu' run pyramid --steps 1 --device gpu
@@ -148,7 +114,6 @@ expect 0 "$answers" run "${few[@]}" --threads 2
 expect 0 "$("$scree" hash "${few[@]}")" run "${few[@]}"
 expect 0 ',180,' bench "${few[@]}" --repeats 1
 grep -q ",$answers,0" out || fail "bench: another hash of rays"
-refuse 2 'lidar casts rays, which the pipeline paper cannot' run lidar --pipeline paper --steps 1
 expect 0 'robots=1000 rays=1000' scenes
 "$scree" run pyramid "${small[@]}" | grep -q rays && fail "run: rays of a scene that casts none"
 
@@ -158,20 +123,6 @@ grep -qxE '[0-9a-f]{16}' out || fail "hash: not 16 digits alone"
 [ "$(wc -l <out)" = 1 ] || fail "hash: not one line"
 hash=$(cat out)
 expect 0 "$hash" hash pyramid "${small[@]}" --threads 2 --lanes 1
-expect 0 "$hash" run pyramid "${small[@]}"
-
-# the paper's pipeline
-expect 0 '' hash pyramid "${small[@]}" --pipeline paper
-paper=$(cat out)
-[ "$paper" != "$hash" ] || fail "hash --pipeline paper: the other pipeline's"
-expect 0 "$paper" run pyramid "${small[@]}" --pipeline paper --csv rows.csv
-for line in to_device integrate transform detect from_device resolve; do
-	grep -qE "^ *$line " out || fail "run --pipeline paper: no line for $line"
-done
-head -n 1 rows.csv | grep -q ',ms_resolve$' || fail "run --pipeline paper --csv: another heading"
-# in the paper's pipeline this pile sinks deeper than its limit
-expect 1 "$paper" bench pyramid "${small[@]}" --pipeline paper --repeats 1
-grep -q "pyramid is invalid: its deepest overlap" err || fail "bench --pipeline paper: stacks stand"
 expect 0 "$hash" run pyramid "${small[@]}"
 
 # run and its files
@@ -255,81 +206,8 @@ refuse 2 'scree validate: takes no --steps' validate --steps 3
 refuse 2 'scree bench: takes no --quick' bench --quick
 refuse 2 'gpu' validate --quick --device gpu motion
 
-# the paper's figures: both pipelines on one thread and on OpenCL, ours on all threads as well
-expect 0 'figure5|figure6' bench --help
-columns=scene,settings,pipeline,device,threads,bodies,contacts,contacts_a_body,steps,repeats,ms_step,ms_least,ms_most
-stages=,ms_to_device,ms_from_device,ms_integrate,ms_transform,ms_detect,ms_resolve
-stages+=,ms_broad_phase,ms_narrow_phase,ms_color,ms_solve,ms_finalize
-tiny=(--steps 3 --repeats 1 --threads 2)
-devices=$("$scree" devices | grep -cE '^(cpu$|opencl:)')
-[ "$devices" = 1 ] || devices=2
-curves=$((2 * devices + 1))
-expect 0 '' bench figure5 "${tiny[@]}" --limit 50
-[ "$(head -n 1 figure5.csv)" = "$columns,penetration,hash" ] || fail "bench figure5: another heading"
-[ "$(grep -cE '^drift,.*,[0-9a-f]{16}$' figure5.csv)" = $((2 * curves)) ] || fail "bench figure5: not a row a curve and size"
-awk -F, 'NF != 15 { bad = 1 } END { exit bad }' figure5.csv || fail "bench figure5: not a column for each name"
-grep -q "figure5.csv: $((4 * curves)) rows in" err || fail "bench figure5: does not say how many rows"
-awk -F, '/^pyramids/ && !($8 > 1 && $8 < 3 && $7 / $6 - $8 < 0.01) { bad = 1 } END { exit bad }' figure5.csv ||
-	fail "bench figure5: contacts a body that cannot be"
-if [ "$devices" = 1 ]; then
-	grep -q 'no curves of OpenCL' err || fail "bench figure5: does not say what is missing"
-	grep -qE "crossover|faster" out && fail "bench figure5: a crossover of one device"
-else
-	crossover='(no crossover of OpenCL and [12] threads? of the CPU|OpenCL is faster than [12] threads? of the CPU from [0-9]+ bodies on)'
-	[ "$(grep -cE ": $crossover\$" out)" = 6 ] || fail "bench figure5: not a crossover of each curve, or none"
-fi
-# what was timed had been simulated for a second: the hash is that of any run of so many steps
-expect 0 '' hash drift --set boxes=46 --steps 63 --device cpu
-[ "$(grep -cE "^drift,boxes=46,scree,.*,$(cat out)\$" figure5.csv)" = $((devices + 1)) ] ||
-	fail "bench figure5: not the hash after a second and three steps"
-expect 0 '' bench figure5 "${tiny[@]}" --limit 25 --device cpu
-[ "$(grep -c '^drift,' figure5.csv)" = 3 ] || fail "bench figure5 --device cpu: other curves"
-grep -qE "crossover|faster" out && fail "bench figure5 --device cpu: a crossover"
-expect 0 '' bench figure5 "${tiny[@]}" --limit 25 --device cpu --threads 1
-[ "$(grep -c '^drift,' figure5.csv)" = 2 ] || fail "bench figure5 --threads 1: other curves"
-expect 0 '' bench figure6 "${tiny[@]}" --limit 100
-[ "$(head -n 1 figure6.csv)" = "$columns$stages,penetration,hash" ] || fail "bench figure6: another heading"
-grep -qE "crossover|faster" out && fail "bench figure6: a crossover"
-if command -v gnuplot >/dev/null; then
-	for figure in figure5 figure6; do
-		grep -q '</svg>' $figure.svg || fail "bench $figure: no SVG"
-		[ "$(head -c 4 $figure.png | tail -c 3)" = PNG ] || fail "bench $figure: not a PNG"
-		grep -q -E 'Scree, (CPU, )?1 thread' $figure.svg || fail "bench $figure: no legend"
-	done
-	grep -q 'broad phase' figure6.svg || fail "bench figure6: names that are no words"
-fi
-mkdir empty
-env PATH="$scratch/empty" "$scree" bench figure6 --draw figure6.csv >out 2>err || fail "bench --draw without gnuplot: a failure"
-grep -q 'figure6.csv is not drawn.*gnuplot-nox' err || fail "bench --draw without gnuplot: no remedy"
-
-# drawn from rows alone: costs of 1 and 4 ms at 100 bodies, 4 and 1 at 400, cross half way on a logarithmic axis; so do 2 and
-# 4, 2 and 1
-{
-	echo "$columns,penetration,hash"
-	for row in cpu,1,100,3,0.03,9,1,1 cpu,8,100,3,0.03,9,1,2 'opencl:A_GPU,0,100,3,0.03,9,1,4' \
-		cpu,1,400,3,0.03,9,1,4 cpu,8,400,3,0.03,9,1,2 'opencl:A_GPU,0,400,3,0.03,9,1,1'; do
-		echo "drift,,scree,$row,1,1,0,0123456789abcdef"
-	done
-} >cross.csv
-expect 0 'drift, scree: OpenCL is faster than 1 thread of the CPU from 200 bodies on' bench figure5 --draw cross.csv
-grep -qx 'drift, scree: OpenCL is faster than 8 threads of the CPU from 200 bodies on' out ||
-	fail "bench --draw: no crossover of more threads"
-if command -v gnuplot >/dev/null; then
-	grep -q 'Scree, A GPU' cross.svg || fail "bench --draw: a name that is no word"
-fi
-[ "$(wc -l <out)" -le 3 ] || fail "bench --draw: crossovers of curves that are not there"
-refuse 2 'cannot read nothing.csv' bench figure5 --draw nothing.csv
-printf 'scene,steps\nmoon,3\n' >cross.csv
-refuse 2 'cross.csv: line 2 is not a row of a figure' bench figure5 --draw cross.csv
-refuse 2 'scree bench figure5: takes no --set' bench figure5 --set rows=3
-refuse 2 'scree bench figure6: takes no --pipeline' bench figure6 --pipeline paper
-refuse 2 '--limit 0: must be' bench figure5 --limit 0
-refuse 2 'scree bench: takes no --draw' bench pyramid --draw figure5.csv
 refuse 2 'scree bench: takes no --size' bench pyramid --size 320x200
 refuse 2 'scree bench frames: takes no --repeats' bench frames pyramid --repeats 2
 refuse 2 'takes one scene' bench frames
-rm figure5.csv && mkdir figure5.csv
-refuse 1 'cannot write figure5.csv' bench figure5 "${tiny[@]}" --limit 25
 
-echo "$failures failures"
-[ "$failures" = 0 ]
+end

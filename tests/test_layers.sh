@@ -165,7 +165,7 @@ expect src/step/pipeline_state.h '#include "step/tree_maintenance.h"' 'src/step/
 expect src/world/memory.c '#include "world/upload/upload.h"' 'src/world/memory is part of a circle'
 expect src/world/objects/handles.h 'void world_missing(void);' 'handles.h declares world_missing, which src/world/objects/handles.c does not define'
 expect src/world/objects/handles.h 'scree_status world_upload(scree_world* world);' 'handles.h declares world_upload, which'
-expect cli/options.h '#include "csv.h"' '^cli/options is part of a circle'
+expect cli/common/options.h '#include "csv.h"' '^cli/common/options is part of a circle'
 
 # and a file in the wrong room, as the files that include it find it there
 misplace()

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// command_options.c -- the options of scree, and the commands that take them.
+#include "command_options.h"
+#include "cli/common/option_values.h"
+#include <string.h>
+
+#define WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | VALIDATE | QUERIES) // commands that make worlds
+#define ALL    (WORLDS | SCENES | DEVICES)
+
+static bool read_renderer(Options* options, const Option* option, char* text)
+{
+	options->renderer = text;
+	if (strcmp(text, "gl") == 0 || strcmp(text, "cairo") == 0)
+		return true;
+	fprintf(stderr, "scree %s: --%s %s: must be cairo or gl\n", options->name, option->name, text);
+	return false;
+}
+
+static bool read_theme(Options* options, const Option* option, char* text)
+{
+	options->dark = strcmp(text, "dark") == 0;
+	if (options->dark || strcmp(text, "light") == 0)
+		return true;
+	fprintf(stderr, "scree %s: --%s %s: must be light or dark\n", options->name, option->name, text);
+	return false;
+}
+
+static bool read_scale(Options* options, const Option* option, char* text)
+{
+	char extra;
+	if (sscanf(text, "%f%c", &options->scale, &extra) == 1 && options->scale >= 0.5f && options->scale <= 4.0f)
+		return true;
+	fprintf(stderr, "scree %s: --%s %s: must be a number from 0.5 to 4\n", options->name, option->name, text);
+	return false;
+}
+
+static const Option device = {"device", 'd', "NAME", "auto, cpu, opencl, or opencl:NAME with part of a device's name",
+                              TEXT(Options, device)};
+static const Option renderer = {"renderer", 'R', "NAME",
+                                "of pictures and video: cairo, or gl, which draws on a GPU; cairo without it",
+                                OTHER(read_renderer)};
+static const Option paint = {"paint", 'a', "NAME",
+                             "with gl: color bodies by attribute, speed, graph (colors of the solver), force, start or "
+                             "type",
+                             TEXT(Options, paint)};
+static const Option theme = {"theme", 'T', "NAME", "with gl: light or dark; light without it", OTHER(read_theme)};
+static const Option scale = {"scale", 'z', "N",
+                             "size of the panel and its letters, 0.5 to 4; without it as the display says",
+                             OTHER(read_scale)};
+static const Option layers = {
+    "layers", 'L', "NAME,...",
+    "with gl: boxes, contacts, normals, impulses, velocities, sensors, rays, visits, touches, "
+    "hits, breaks, joints, centers, fields",
+    TEXT(Options, layers)};
+static const Option script = {"script", 'x', "FILE", "a file of user actions, one a line: docs/view.md",
+                              TEXT(Options, script)};
+static const Option queries = {"queries", 'Q', "N", "of each kind, a million without it",
+                               NUMBER(Options, queries, 16000000)};
+static const Option repeats = {"repeats", 'r', "N", "runs of each scene or kind of query, 3 without it",
+                               NUMBER(Options, repeats, 1000)};
+static const Option whole = {"whole", 'w', NULL,
+                             "time whole runs, the opening of the device included; see docs/auto.md",
+                             SWITCH(Options, whole)};
+static const Option names = {"names", 'N', NULL, "names alone, one a line", SWITCH(Options, names)};
+static const Option quick = {"quick", 'q', NULL, "fewer and shorter runs: seconds, not minutes",
+                             SWITCH(Options, quick)};
+
+static const OptionRow rows[] = {
+    {&option_steps, RUN | HASH | BENCH | FRAMES | QUERIES},
+    {&device, WORLDS},
+    {&option_threads, WORLDS},
+    {&option_lanes, WORLDS},
+    {&option_allow_unequal_bits, WORLDS},
+    {&option_set, WORLDS & ~VALIDATE},
+    {&option_picture, RUN},
+    {&option_video, RUN},
+    {&option_size, RUN | FRAMES | VIEW},
+    {&option_view, RUN},
+    {&option_zoom, RUN},
+    {&renderer, RUN},
+    {&paint, RUN | VIEW},
+    {&theme, RUN | VIEW},
+    {&scale, VIEW},
+    {&layers, RUN | VIEW},
+    {&script, VIEW},
+    {&option_csv, RUN},
+    {&queries, QUERIES},
+    {&repeats, BENCH | QUERIES},
+    {&whole, BENCH},
+    {&option_known, BENCH},
+    {&names, SCENES | VALIDATE},
+    {&quick, VALIDATE},
+    {&option_help, ALL},
+};
+#define ROW_COUNT (int)(sizeof rows / sizeof rows[0])
+_Static_assert(ROW_COUNT <= MAX_OPTIONS, "a bit of an unsigned for each option that was given");
+
+static bool have_effect(const OptionTable* table, const Options* options, unsigned given)
+{
+	bool other = options->command == VALIDATE || options->command == VIEW;
+	if (options->command == RUN && !options->picture && !options->video &&
+	    options_no_effect(table, options, given, "SRaLTVZ", "there is no --picture or --video"))
+		return false;
+	if (!other && strncmp(options->device, "opencl", 6) == 0 &&
+	    options_no_effect(table, options, given, "tl", "the device is not the CPU"))
+		return false;
+	if (options->command == VALIDATE && options->names &&
+	    options_no_effect(table, options, given, "dtluq", "--names runs nothing"))
+		return false;
+	return !options->whole || !options_no_effect(table, options, given, "k", "--whole compares no hashes");
+}
+
+const OptionTable command_options = {rows, ROW_COUNT, have_effect};

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// bench_scenes.h -- measures scenes: repeats each, checks that the work was done, prints a row of CSV.
+#ifndef BENCH_SCENES_H
+#define BENCH_SCENES_H
+#include "measurement.h"
+#include "open_scene.h"
+
+// Runs the scene of a measurement once. timings: time each stage. Returns an exit code after printing a sentence.
+typedef int RunScene(const Options* options, bool timings, Measurement* m);
+
+// Measures the scenes of a list. stages: names of the columns of Record.stages. Returns an exit code.
+int bench_scenes(const Options* options, const SceneList* list, const char* const* stages, RunScene* run);
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// command_line.h -- the command line of a program: runs the command that its words name, and prints help.
+#ifndef COMMAND_LINE_H
+#define COMMAND_LINE_H
+#include "options.h"
+
+typedef struct
+{
+	int bit; // in OptionRow.commands
+	const char *name, *usage,
+	    *help;       // name: one word, or two of which the first may be a command too, as "bench frames"
+	int least, most; // number of arguments
+	int (*run)(const Options* options); // returns an exit code
+	void (*print_more)(FILE* file);     // prints more help behind the options; null for none
+} Command;
+
+typedef struct
+{
+	const char *name, *title;
+	const Command* commands;
+	int command_count;
+	OptionTable options;
+} CommandLine;
+
+// Runs a command. options: with their defaults, of the type that the rows of the table set. Returns the exit code.
+int command_line_run(const CommandLine* line, Options* options, int count, char** words);
+
+#endif

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// library_error.c -- errors of the library on the command line.
+#include "library_error.h"
+
+int report(scree_status status)
+{
+	if (status != SCREE_OK)
+		fprintf(stderr, "%s: %s\n", program_name, scree_error());
+	return status == SCREE_OK ? EXIT_GOOD : status == SCREE_ERROR_INVALID ? EXIT_BAD : EXIT_FAILED;
+}

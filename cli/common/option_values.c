@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// option_values.c -- options that several programs have, and the reading of their values.
+#include "option_values.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool read_switch(Options* options, const Option* option, char* text)
+{
+	(void)text;
+	*(bool*)((char*)options + option->offset) = true;
+	return true;
+}
+
+bool read_text(Options* options, const Option* option, char* text)
+{
+	*(const char**)((char*)options + option->offset) = text;
+	return true;
+}
+
+bool read_number(Options* options, const Option* option, char* text)
+{
+	char* end;
+	long value = strtol(text, &end, 10);
+	if (isdigit((unsigned char)*text) && !*end && value >= 1 && value <= option->most)
+	{
+		*(int*)((char*)options + option->offset) = (int)value;
+		return true;
+	}
+	fprintf(stderr, "%s %s: --%s %s: must be a whole number from 1 to %d\n", program_name, options->name, option->name,
+	        text, option->most);
+	return false;
+}
+
+static bool read_lanes(Options* options, const Option* option, char* text)
+{
+	static const char* const widths[] = {"1", "4", "8", "16"};
+	for (int k = 0; k < 4; ++k)
+	{
+		if (strcmp(text, widths[k]) == 0)
+		{
+			options->lanes = atoi(text);
+			return true;
+		}
+	}
+	fprintf(stderr, "%s %s: --%s %s: must be 1, 4, 8 or 16\n", program_name, options->name, option->name, text);
+	return false;
+}
+
+static bool read_setting(Options* options, const Option* option, char* text)
+{
+	char* equals = strchr(text, '=');
+	if (!equals || equals == text || !equals[1])
+	{
+		fprintf(stderr, "%s %s: --%s %s: must be NAME=VALUE\n", program_name, options->name, option->name, text);
+		return false;
+	}
+	if (options->setting_count == MAX_SETTINGS)
+	{
+		fprintf(stderr, "%s %s: --%s may be repeated %d times\n", program_name, options->name, option->name,
+		        MAX_SETTINGS);
+		return false;
+	}
+	*equals = 0;
+	options->settings[options->setting_count++] = (SceneSetting){text, equals + 1};
+	return true;
+}
+
+static bool read_size(Options* options, const Option* option, char* text)
+{
+	char extra;
+	if (sscanf(text, "%5dx%5d%c", &options->width, &options->height, &extra) == 2 && options->width >= 64 &&
+	    options->height >= 64 && options->width <= 16384 && options->height <= 16384)
+		return true;
+	fprintf(stderr, "%s %s: --%s %s: must be WxH, each 64 to 16384\n", program_name, options->name, option->name, text);
+	return false;
+}
+
+static bool read_box(const Options* options, const Option* option, const char* text, bool* there, scree_box* box)
+{
+	char extra;
+	scree_vec *low = &box->lower, *high = &box->upper;
+	*there = sscanf(text, "%f,%f,%f,%f%c", &low->x, &low->y, &high->x, &high->y, &extra) == 4 && low->x < high->x &&
+	         low->y < high->y && low->x >= -SCREE_HUGE && low->y >= -SCREE_HUGE && high->x <= SCREE_HUGE &&
+	         high->y <= SCREE_HUGE;
+	if (!*there)
+		fprintf(stderr, "%s %s: --%s %s: must be LEFT,BOTTOM,RIGHT,TOP in metres, LEFT below RIGHT, BOTTOM below TOP\n",
+		        program_name, options->name, option->name, text);
+	return *there;
+}
+
+static bool read_view(Options* options, const Option* option, char* text)
+{
+	return read_box(options, option, text, &options->has_view, &options->view);
+}
+
+static bool read_zoom(Options* options, const Option* option, char* text)
+{
+	return read_box(options, option, text, &options->has_zoom, &options->zoom);
+}
+
+static bool read_picture(Options* options, const Option* option, char* text)
+{
+	size_t length = strlen(text);
+	options->picture = text;
+	if (length > 4 && strcmp(text + length - 4, ".png") == 0)
+		return true;
+	fprintf(stderr, "%s %s: --%s %s: must end in .png\n", program_name, options->name, option->name, text);
+	return false;
+}
+
+const Option option_steps = {"steps", 'n', "N", "steps to take; without it as many as the scene says",
+                             NUMBER(Options, steps, 1000000000)};
+const Option option_threads = {"threads", 't', "N", "CPU threads, 1 to 64; without it one a core",
+                               NUMBER(Options, threads, 64)};
+const Option option_lanes = {"lanes", 'l', "N", "CPU SIMD lanes: 1, 4, 8 or 16; without it the widest there is",
+                             OTHER(read_lanes)};
+const Option option_allow_unequal_bits = {"allow-unequal-bits", 'u', NULL,
+                                          "use a device that cannot keep the promise of equal bits",
+                                          SWITCH(Options, allow_unequal_bits)};
+const Option option_set = {"set", 's', "NAME=VALUE", "give a parameter of the scene another value; may be repeated",
+                           OTHER(read_setting)};
+const Option option_picture = {"picture", 'p', "FILE.png", "draw the end state", OTHER(read_picture)};
+const Option option_video = {"video", 'v', "FILE.mp4", "60 frames a second of the world's time, through ffmpeg",
+                             TEXT(Options, video)};
+const Option option_size = {"size", 'S', "WxH", "width and height in pixels, 1600x900 without it", OTHER(read_size)};
+const Option option_view = {
+    "view", 'V', "L,B,R,T",
+    "what picture and video show: left, bottom, right, top in metres; as the scene says without it", OTHER(read_view)};
+const Option option_zoom = {"zoom", 'Z', "L,B,R,T", "during the run the view moves to this one", OTHER(read_zoom)};
+const Option option_csv = {"csv", 'c', "FILE.csv", "one row a step: counters and milliseconds", TEXT(Options, csv)};
+const Option option_known = {"known", 'k', "FILE.csv", "rows of an earlier bench; the hashes must be the same",
+                             TEXT(Options, known)};
+const Option option_help = {"help", 'h', NULL, "this text", SWITCH(Options, help)};

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// run_report.h -- the progress bar of a run, and the table of its results.
+#ifndef RUN_REPORT_H
+#define RUN_REPORT_H
+#include "step_record.h"
+
+typedef struct // of all steps
+{
+	Record last;
+	double seconds; // of the steps
+	double stages[STAGE_COLUMNS];
+	double scans; // s: of the rays of the scene
+	float penetration, joint_gap;
+	int nonfinite;
+} Totals;
+
+void totals_add(Totals* totals, const Record* record);
+
+typedef struct
+{
+	bool visible; // standard output and error are terminals
+	double shown; // s, by seconds_now: the last change
+} ProgressBar;
+
+ProgressBar progress_bar(void);
+void progress_show(ProgressBar* bar, int step, int steps);
+
+// Prints the results of a run. stages: the names of those in the totals.
+void print_results(const Simulation* simulation, const Totals* totals, const char* const* stages, int steps,
+                   uint64_t hash);
+
+#endif

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// step_record.c -- counters and milliseconds of each step, and their medians.
+#include "step_record.h"
+#include <stdlib.h>
+#include <string.h>
+
+#define SOLVE 4 // place in step_stages of the stage whose traffic is counted
+const char* const step_stages[STAGE_COLUMNS] = {"transform", "broad_phase", "narrow_phase",
+                                                "color",     "solve",       "finalize"};
+
+static scree_status read_timings(scree_world* world, float stages[STAGE_COLUMNS])
+{
+	scree_timings t = {0};
+	scree_status status = scree_world_get_timings(world, &t);
+	const float all[STAGE_COLUMNS] = {t.transform, t.broad_phase, t.narrow_phase, t.color, t.solve, t.finalize};
+	memcpy(stages, all, sizeof all);
+	return status;
+}
+
+scree_status record_step(Simulation* simulation, Record* record)
+{
+	*record = (Record){0};
+	// the clock leaves out the changes that a user makes between steps, but not their upload to the device
+	scree_status status = simulation_change(simulation);
+	double start = seconds_now();
+	if (status == SCREE_OK)
+		status = simulation_advance(simulation);
+	// reading the counters waits for the device, so that its work is timed
+	if (status == SCREE_OK)
+		status = scree_world_get_counters(simulation->world, &record->counters);
+	record->milliseconds = (float)(1000 * (seconds_now() - start));
+	if (status == SCREE_OK)
+		status = read_timings(simulation->world, record->stages);
+	if (status == SCREE_OK)
+		status = scree_world_get_traffic(simulation->world, &record->traffic);
+	if (record->stages[SOLVE] > 0)
+		record->solve_rate = 1e3 * (double)(record->traffic.constraint_bytes + record->traffic.body_bytes) /
+		                     (double)record->stages[SOLVE];
+	int64_t hits = simulation->answered.hits;
+	if (status == SCREE_OK)
+		status = simulation_scan(simulation, &record->scan);
+	record->rays = simulation->scan.count;
+	record->hits = simulation->answered.hits - hits;
+	return status;
+}
+
+float deepest(const Record* records, int count)
+{
+	float depth = 0;
+	for (int k = 0; k < count; ++k)
+		depth = records[k].counters.penetration > depth ? records[k].counters.penetration : depth;
+	return depth;
+}
+
+static int compare_doubles(const void* a, const void* b)
+{
+	double x = *(const double*)a, y = *(const double*)b;
+	return (x > y) - (x < y);
+}
+
+double median_of(double* values, int count)
+{
+	qsort(values, (size_t)count, sizeof(double), compare_doubles);
+	return (values[(count - 1) / 2] + values[count / 2]) / 2;
+}
+
+double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument)
+{
+	double* values = malloc((size_t)count * sizeof(double));
+	if (!values || count == 0)
+	{
+		free(values);
+		return 0;
+	}
+	for (int k = 0; k < count; ++k)
+		values[k] = value(&records[k], argument);
+	double middle = median_of(values, count);
+	free(values);
+	return middle;
+}
+
+double step_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->milliseconds;
+}
+
+double stage_of(const Record* record, int stage) { return record->stages[stage]; }
+
+double scan_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->scan;
+}
+
+double hits_of(const Record* record, int unused)
+{
+	(void)unused;
+	return (double)record->hits;
+}
+
+double contacts_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->counters.contacts;
+}
+
+double touching_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->counters.touching;
+}
+
+double colors_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->counters.colors;
+}
+
+double constraint_bytes_of(const Record* record, int unused)
+{
+	(void)unused;
+	return (double)record->traffic.constraint_bytes;
+}
+
+double body_bytes_of(const Record* record, int unused)
+{
+	(void)unused;
+	return (double)record->traffic.body_bytes;
+}
+
+double solve_rate_of(const Record* record, int unused)
+{
+	(void)unused;
+	return record->solve_rate;
+}

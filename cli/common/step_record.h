@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// step_record.h -- counters and milliseconds of each step, and their medians.
+#ifndef STEP_RECORD_H
+#define STEP_RECORD_H
+#include "simulation.h"
+
+#define STAGE_COLUMNS 6
+
+extern const char* const step_stages[STAGE_COLUMNS]; // of a step of Scree, in their order
+
+typedef struct
+{
+	scree_counters counters;
+	float stages[STAGE_COLUMNS]; // milliseconds, in the order of step_stages, or of the stages of another pipeline
+	float milliseconds;          // of the step, by the clock of the host
+	float scan;                  // milliseconds, by the same clock, of the rays of the scene
+	int rays;                    // of this step
+	int64_t hits;
+	scree_traffic traffic;
+	double solve_rate; // bytes/s of the solve stage; 0 if it was not timed
+} Record;
+
+// Takes one step and records it.
+scree_status record_step(Simulation* simulation, Record* record);
+
+// The deepest overlap of all records, m.
+float deepest(const Record* records, int count);
+
+// The median of at least one value. Sorts the values.
+double median_of(double* values, int count);
+
+// The median of a value over records.
+double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument);
+
+// values of a record, for median
+double step_of(const Record* record, int unused);
+double stage_of(const Record* record, int stage);
+double scan_of(const Record* record, int unused);
+double hits_of(const Record* record, int unused);
+double contacts_of(const Record* record, int unused);
+double touching_of(const Record* record, int unused);
+double colors_of(const Record* record, int unused);
+double constraint_bytes_of(const Record* record, int unused);
+double body_bytes_of(const Record* record, int unused);
+double solve_rate_of(const Record* record, int unused);
+
+#endif

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+# cli_support.sh -- checks of a command line, for the scripts that test one.
+
+# begin PROGRAM: goes to a scratch folder; skips the test if there is no such program
+begin()
+{
+	program=$1
+	[ -x "$program" ] || { echo "no command line was built"; exit 77; }
+	scratch=$(mktemp -d "${SCREE_BUILD:?}/cli.XXXXXX")
+	trap 'rm -rf "$scratch"' EXIT
+	cd "$scratch" || exit 1
+	failures=0
+}
+
+fail()
+{
+	echo "FAILED: $*"
+	sed 's/^/    | /' out err
+	failures=$((failures + 1))
+}
+
+# expect CODE TEXT words...: the words end with the code, and the text is in what they print
+expect()
+{
+	local code=$1 text=$2 got
+	shift 2
+	"$program" "$@" >out 2>err </dev/null
+	got=$?
+	[ "$got" = "$code" ] || fail "${program##*/} $*: exit code $got instead of $code"
+	grep -qF -- "$text" out err || fail "${program##*/} $*: does not say \"$text\""
+}
+
+# refuse CODE TEXT words...: the same, and nothing stands on standard output
+refuse()
+{
+	expect "$@"
+	[ -s out ] && fail "${program##*/} ${*:3}: prints results in spite of the error"
+}
+
+# ends the test
+end()
+{
+	echo "$failures failures"
+	[ "$failures" = 0 ]
+}
