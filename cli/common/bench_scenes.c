@@ -13,7 +13,7 @@ typedef struct
 	RunScene* run;
 	Known known;
 	char settings[256];
-	double bandwidth; // of the device, bytes a second; 0 until it has been measured
+	double bandwidth; // bytes a second that the device copies; 0 until it has been measured
 	bool invalid;     // any row is
 } Bench;
 

@@ -6,10 +6,10 @@
 
 typedef struct
 {
-	int bit; // in OptionRow.commands
-	const char *name, *usage,
-	    *help;       // name: one word, or two of which the first may be a command too, as "bench frames"
-	int least, most; // number of arguments
+	int bit;          // in OptionRow.commands
+	const char* name; // one word, or two, as "bench frames"; the first of two may be a command too
+	const char *usage, *help;
+	int least, most;                    // number of arguments
 	int (*run)(const Options* options); // returns an exit code
 	void (*print_more)(FILE* file);     // prints more help behind the options; null for none
 } Command;

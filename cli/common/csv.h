@@ -5,7 +5,7 @@
 #include "options.h"
 
 #define CSV_LINE  2048 // bytes of the longest line
-#define CSV_CELLS 64   // of the longest row
+#define CSV_CELLS 64   // cells of the longest row
 
 // Splits a line at its commas and returns the number of cells. The remaining entries of cells are empty texts.
 int csv_cut(char* line, char* cells[CSV_CELLS]);

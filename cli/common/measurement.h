@@ -8,17 +8,17 @@
 typedef struct
 {
 	const Scene* scene;
-	int steps;       // of a run
-	Record* records; // of the timed steps of all runs
+	int steps;       // steps of each run
+	Record* records; // the timed steps of all runs
 	int count;
 	int runs, begin;                 // finished runs; the first record of the next one
 	int staged;                      // records of the last run, which have milliseconds by stage
 	double least, most;              // median step of the fastest and of the slowest repeat, ms
 	float penetration;               // deepest of all steps, m
-	uint64_t hash, other;            // of the first run, and of a later run if it differs
-	uint64_t answers, other_answers; // the same of the rays of the scene
+	uint64_t hash, other;            // the first run's, and that of a later run if it differs
+	uint64_t answers, other_answers; // the same for the rays of the scene
 	int nonfinite;                   // steps that froze a body
-	double bandwidth;                // of the device, bytes a second; 0 until it has been measured
+	double bandwidth;                // bytes a second that the device copies; 0 until it has been measured
 	char device[160];
 	int threads, lanes;
 } Measurement;

@@ -19,7 +19,7 @@ typedef struct
 {
 	const char* executable;
 	int command;      // a bit of OptionRow.commands
-	const char* name; // of the command, as the user wrote it
+	const char* name; // the command's, as the user wrote it
 	int steps;        // 0: as the scene says
 	const char* device;
 	int threads, lanes; // 0: as many as there are
@@ -28,7 +28,7 @@ typedef struct
 	const char *picture, *video, *csv;     // null: none
 	const char *renderer, *paint, *layers; // null: the default
 	bool dark;                             // theme
-	float scale;                           // of the panel; 0: as the display says
+	float scale;                           // size of the panel; 0: as the display says
 	const char* script;                    // null: none
 	int width, height;                     // px
 	bool has_view, has_zoom;               // else as the scene says, and for the whole run
@@ -37,7 +37,7 @@ typedef struct
 	int queries;       // 0: a million
 	const char* known; // CSV of expected hashes; null: none
 	bool names, whole, quick;
-	bool help; // of the command; the other options were not all read
+	bool help; // print the help of the command; the other options were not all read
 	SceneSetting settings[MAX_SETTINGS];
 	int setting_count;
 	char** arguments; // words that are no options
@@ -51,8 +51,8 @@ typedef struct Option
 	const char* value; // null for a switch
 	const char* help;
 	bool (*read)(Options* options, const struct Option* option, char* value); // false after printing a sentence
-	size_t offset; // of the member that a switch, a text or a number sets
-	int most;      // of a number; the least is 1
+	size_t offset; // place of the member that a switch, a text or a number sets
+	int most;      // greatest number; the least is 1
 } Option;
 
 typedef struct

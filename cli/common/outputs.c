@@ -72,7 +72,7 @@ int outputs_open(Outputs* outputs, const Simulation* simulation, const char* con
 	return EXIT_GOOD;
 }
 
-// Where the camera is on its way: slow at the start and at the end.
+// Moves the camera on its way, slowly at the start and at the end.
 static void aim(const Outputs* outputs, const Scene* scene, long long step)
 {
 	const Options* options = outputs->options;

@@ -19,7 +19,7 @@ typedef struct // the state that a picture shows
 {
 	const scree_counters* counters;
 	uint64_t hash;
-	const scree_pose* poses; // of all bodies, in the order of scree_world_get_bodies; null: those that the world has
+	const scree_pose* poses; // all bodies, in the order of scree_world_get_bodies; null: as the world has them
 } Snapshot;
 
 // Opens the renderer. *drawn: the options with its OpenGL context, which the world needs when it is made. Returns an exit

@@ -11,7 +11,7 @@
 struct PictureRenderer
 {
 	int width, height;
-	Picture* picture; // of Cairo; null when OpenGL draws
+	Picture* picture; // drawn by Cairo; null when OpenGL draws
 	scree_pose* poses;
 	scree_body* bodies;
 #ifdef SCREE_HAVE_VIEW

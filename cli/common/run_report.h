@@ -4,12 +4,12 @@
 #define RUN_REPORT_H
 #include "step_record.h"
 
-typedef struct // of all steps
+typedef struct // sums over all steps
 {
 	Record last;
-	double seconds; // of the steps
+	double seconds; // time of the steps
 	double stages[STAGE_COLUMNS];
-	double scans; // s: of the rays of the scene
+	double scans; // s, for the rays of the scene
 	float penetration, joint_gap;
 	int nonfinite;
 } Totals;

@@ -11,8 +11,8 @@ typedef struct
 	scree_world* world;
 	double opening, building; // s: that making the world took, and then making its bodies
 	int64_t steps;            // so far
-	Scan scan;                // of the rays of the scene
-	ScanSum answered;         // by them so far
+	Scan scan;                // rays of the scene
+	ScanSum answered;         // sums of their answers so far
 	Walkers walkers;          // its characters
 } Simulation;
 

@@ -6,15 +6,15 @@
 
 #define STAGE_COLUMNS 6
 
-extern const char* const step_stages[STAGE_COLUMNS]; // of a step of Scree, in their order
+extern const char* const step_stages[STAGE_COLUMNS]; // stages of a step of Scree, in their order
 
 typedef struct
 {
 	scree_counters counters;
 	float stages[STAGE_COLUMNS]; // milliseconds, in the order of step_stages, or of the stages of another pipeline
-	float milliseconds;          // of the step, by the clock of the host
+	float milliseconds;          // time of the step by the clock of the host
 	float scan;                  // milliseconds, by the same clock, of the rays of the scene
-	int rays;                    // of this step
+	int rays;                    // rays of this step
 	int64_t hits;
 	scree_traffic traffic;
 	double solve_rate; // bytes/s of the solve stage; 0 if it was not timed

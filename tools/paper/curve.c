@@ -21,7 +21,7 @@
 
 typedef struct
 {
-	Record* records; // of measured steps, repeat after repeat
+	Record* records; // the measured steps, repeat after repeat
 	int count, repeats;
 	double least, most; // median step of the fastest and of the slowest repeat, ms
 	uint64_t hash;      // after the first measured step

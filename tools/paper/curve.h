@@ -12,9 +12,9 @@ typedef struct // a pipeline on a device, from size to size
 	FigurePlace place;
 	const char* device; // as for --device
 	int threads;        // as for --threads
-	char label[160];    // of the device, in the CSV
+	char label[160];    // the device, as in the CSV
 	int threads_used;
-	double bodies, ms; // of the last row
+	double bodies, ms; // size and time of a step in the last row
 	bool ended;        // larger sizes would take too long
 } Curve;
 
@@ -30,7 +30,7 @@ typedef struct
 	FILE* csv;
 	int number; // 5 or 6
 	int scene;
-	char settings[64]; // of the scene, as in the CSV
+	char settings[64]; // those of the scene, as in the CSV
 	const char* gpu;   // as for --device; null for none
 	double begin;      // s
 	int rows;

@@ -38,7 +38,7 @@ typedef enum
 extern const char* const figure_scenes[FIGURE_SCENES];       // drift, pyramids
 extern const char* const figure_pipelines[FIGURE_PIPELINES]; // paper, scree
 
-typedef enum // where a pipeline runs
+typedef enum // the device on which a pipeline runs
 {
 	ON_ONE_THREAD,
 	ON_THREADS, // more than one; the paper's pipeline has no such curve

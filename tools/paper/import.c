@@ -5,12 +5,12 @@
 #include "world/objects/attributes.h"
 #include "world/world.h"
 
-typedef struct // what scree_world_get_bodies and scree_body_get_collidables return
+typedef struct // the results of scree_world_get_bodies and scree_body_get_collidables
 {
 	scree_body* bodies;
 	scree_pose* poses;
 	scree_velocity* velocities;
-	scree_collidable* collidables; // of one body, or those without one
+	scree_collidable* collidables; // those of one body, or those without a body
 	int body_count;
 } WorldCopy;
 

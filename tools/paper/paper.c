@@ -137,7 +137,7 @@ scree_status paper_poses(const Paper* paper, scree_pose* poses, int count)
 	TRY(check_read("paper_poses", paper, "poses", poses, count));
 	for (int i = 0; i < count; ++i)
 	{
-		// of the origin, which lies where the center of mass is not
+		// the pose of the origin, which is not the center of mass
 		const PaperBody* body = &paper->pools.body[i];
 		float c = body->pose.z, s = body->pose.w, x = body->local_center.x, y = body->local_center.y;
 		poses[i] = (scree_pose){{body->pose.x - (c * x - s * y), body->pose.y - (s * x + c * y)}, {c, s}};

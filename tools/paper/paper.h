@@ -30,6 +30,6 @@ scree_status paper_velocities(const Paper* paper, scree_velocity* velocities, in
 PaperCounters paper_counters(const Paper* paper);
 PaperTimings paper_timings(const Paper* paper);
 const char* paper_device(const Paper* paper); // "cpu", "opencl:NVIDIA H200"; owned by paper
-uint64_t paper_hash(const Paper* paper);      // of the bodies and the last step's contacts
+uint64_t paper_hash(const Paper* paper);      // covers the bodies and the last step's contacts
 
 #endif

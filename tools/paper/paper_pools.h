@@ -24,7 +24,7 @@ typedef struct // 80 bytes, none of them padding: the hash covers all
 	float inv_mass;    // 1/kg, zero for static and kinematic bodies
 	float inv_inertia; // 1/(kg m^2)
 	int unused;
-	Float2 local_center; // of mass in the body's frame, m
+	Float2 local_center; // center of mass in the body's frame, m
 } PaperBody;
 
 typedef struct // 64 bytes, none of them padding

@@ -3,7 +3,7 @@
 #include "tools/paper/plot_bars.h"
 #include "tools/paper/plot_text.h"
 
-// of stages: light and dark take turns in a bar, so that it can be read without colors
+// colors of stages: light and dark take turns in a bar, so that it can be read without colors
 #define STAGE_COLORS                                                                                              \
 	"array color[11] = ['#d9d9d9', '#636363', '#e3c59a', '#4d8a1c', '#f0a35e', '#8c1d5a', '#f2c84b', '#5a4fa0', " \
 	"'#a9d3f0', '#1b7f5f', '#fccde5']\n"

@@ -98,7 +98,7 @@ static bool adjacent(const ActiveContact* c, const ActiveContact* other)
 	return c->a == other->a || c->a == other->b || c->b == other->a || c->b == other->b;
 }
 
-// Of equally severe contacts the one of the lower pair comes first.
+// Resolves the most severe contact again and again. Equally severe ones are resolved in the order of their pairs.
 static void resolve_all(Resolution* r, float (*severity)(const Resolution*, const ActiveContact*),
                         void (*resolve)(Resolution*, ActiveContact*), float tolerance)
 {

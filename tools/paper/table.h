@@ -12,7 +12,7 @@ typedef struct
 {
 	int scene, pipeline;
 	FigurePlace place;
-	double bodies, ms; // of a step
+	double bodies, ms; // size of the world, time of a step
 	bool run;          // else ms is an estimate
 	double stages[FIGURE_STAGE_COUNT];
 	char device[64]; // as in the figures: "1 thread", "NVIDIA H200"
