@@ -82,7 +82,7 @@ static inline void get(Backend* b, PoolId pool, int count, void* items) { OK(b->
 
 static inline void run_one(Backend* b, const Step* step, int stage, int end, int count, int argument)
 {
-	Run run = {.kernel = stage, .end = end, .count = count, .argument = argument};
+	Run run = {.kernel_id = stage, .end = end, .count = count, .argument = argument};
 	OK(b->f->run(b, step, &run, 1));
 }
 

@@ -11,7 +11,7 @@ void measurement_add(Measurement* m, const Record* record, int step)
 {
 	if (deepest(record, 1) > m->penetration)
 		m->penetration = deepest(record, 1);
-	m->nonfinite += record->counters.nonfinite > 0;
+	m->nonfinite += record->counters.frozen_bodies > 0;
 	if (step >= WARM_UP || m->steps <= WARM_UP)
 		m->records[m->count++] = *record;
 }

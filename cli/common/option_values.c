@@ -81,8 +81,8 @@ static bool read_box(const Options* options, const Option* option, const char* t
 	char extra;
 	scree_vec *low = &box->lower, *high = &box->upper;
 	*there = sscanf(text, "%f,%f,%f,%f%c", &low->x, &low->y, &high->x, &high->y, &extra) == 4 && low->x < high->x &&
-	         low->y < high->y && low->x >= -SCREE_HUGE && low->y >= -SCREE_HUGE && high->x <= SCREE_HUGE &&
-	         high->y <= SCREE_HUGE;
+	         low->y < high->y && low->x >= -SCREE_MAX_COORDINATE && low->y >= -SCREE_MAX_COORDINATE &&
+	         high->x <= SCREE_MAX_COORDINATE && high->y <= SCREE_MAX_COORDINATE;
 	if (!*there)
 		fprintf(stderr, "%s %s: --%s %s: must be LEFT,BOTTOM,RIGHT,TOP in metres, LEFT below RIGHT, BOTTOM below TOP\n",
 		        program_name, options->name, option->name, text);

@@ -19,7 +19,7 @@ void totals_add(Totals* totals, const Record* record)
 		totals->penetration = record->counters.penetration;
 	if (record->counters.joint_gap > totals->joint_gap)
 		totals->joint_gap = record->counters.joint_gap;
-	totals->nonfinite += record->counters.nonfinite;
+	totals->nonfinite += record->counters.frozen_bodies;
 }
 
 ProgressBar progress_bar(void) { return (ProgressBar){isatty(STDOUT_FILENO) && isatty(STDERR_FILENO), 0}; }

@@ -23,7 +23,7 @@ void runs_add(RunList* list, int kernel, int begin, int end, int count, int argu
 {
 	ASSERT(list->count < list->capacity);
 	list->runs[list->count++] =
-	    (Run){.kernel = kernel, .begin = begin, .end = end, .count = count, .argument = argument};
+	    (Run){.kernel_id = kernel, .begin = begin, .end = end, .count = count, .argument = argument};
 }
 
 void runs_add_single(RunList* list, int kernel) { runs_add(list, kernel, 0, 1, NO_COUNT, 0); }

@@ -26,7 +26,7 @@ static scree_status cpu_run(Backend* b, const Step* step, const Run* runs, int c
 	Cpu* cpu = b->state;
 	bool detects = false;
 	for (int k = 0; k < count; ++k)
-		detects = detects || runs[k].kernel == KERNEL_narrow_phase;
+		detects = detects || runs[k].kernel_id == KERNEL_narrow_phase;
 	set_step(cpu, step);
 	cpu_work(cpu, runs, count, cpu->shares || cpu->detected > WAKE_ITEMS ? GRAIN : ALONE_GRAIN);
 	if (detects)
@@ -43,7 +43,7 @@ static scree_status cpu_solve(Backend* b, const Step* step, const Solve* solve, 
 	for (int k = 0; k < list->count; ++k)
 	{
 		items += list->runs[k].end - list->runs[k].begin;
-		chains += list->runs[k].kernel == KERNEL_chain && solve->chains > 1 ? CHAIN_ITEM * solve->chain_places : 0;
+		chains += list->runs[k].kernel_id == KERNEL_chain && solve->chains > 1 ? CHAIN_ITEM * solve->chain_places : 0;
 	}
 	if (threads_workers(cpu->threads) > 1 && items > 0)
 		cpu_work_solve(cpu, list->runs, list->count, items, chains);

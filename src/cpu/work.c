@@ -95,7 +95,7 @@ static void do_chunks(Cpu* cpu, KernelFunction function, int chunk)
 static void do_block(void* context, int block, int blocks)
 {
 	Cpu* cpu = context;
-	int kernel = cpu->runs[cpu->at].kernel, items = cpu->end - cpu->begin;
+	int kernel = cpu->runs[cpu->at].kernel_id, items = cpu->end - cpu->begin;
 	KernelFunction function = cpu->functions[kernel];
 	const ActiveBlocks* active = active_blocks(cpu, kernel);
 	if (active && cpu->end > 1) // a single item is bookkeeping
@@ -139,8 +139,8 @@ static void count_time(Cpu* cpu, const Run* run)
 {
 	if (!cpu->timed)
 		return;
-	if (run->kernel < KERNEL_COUNT)
-		cpu->stage = kernel_stages[run->kernel];
+	if (run->kernel_id < KERNEL_COUNT)
+		cpu->stage = kernel_stages[run->kernel_id];
 	double time = processor_milliseconds();
 	cpu->milliseconds[cpu->stage] += time - cpu->mark;
 	cpu->mark = time;
@@ -178,17 +178,17 @@ static int begin_run(Cpu* cpu, const Run* run)
 	if (cpu->begin >= cpu->end)
 		return 0;
 	cpu->pools.argument = run->argument;
-	if (run->kernel < KERNEL_COUNT)
+	if (run->kernel_id < KERNEL_COUNT)
 	{
 		// rounding up adds inert items, for which the pools have room
-		int lanes = cpu->lanes[run->kernel];
+		int lanes = cpu->lanes[run->kernel_id];
 		cpu->end = (cpu->end + lanes - 1) / lanes * lanes;
 	}
-	const ActiveBlocks* active = active_blocks(cpu, run->kernel);
+	const ActiveBlocks* active = active_blocks(cpu, run->kernel_id);
 	int items = cpu->end - cpu->begin, left = active ? active->count * ACTIVE_ITEMS : items;
 	items = left < items ? left : items;
 	cpu->items += items;
-	return count_blocks(cpu, run->kernel, items, active);
+	return count_blocks(cpu, run->kernel_id, items, active);
 }
 
 void cpu_work(Cpu* cpu, const Run* runs, int count, int grain)
@@ -209,10 +209,10 @@ void cpu_work(Cpu* cpu, const Run* runs, int count, int grain)
 			threads_begin(cpu->threads);
 			shared = true;
 		}
-		if (run->kernel == PRIMITIVE_SORT)
+		if (run->kernel_id == PRIMITIVE_SORT)
 			sort_keys(&cpu->shared, cpu->threads, blocks, cpu->pools.key, cpu->pools.key_other, cpu->end,
 			          run->argument & 255, run->argument >> 8);
-		else if (run->kernel == PRIMITIVE_SCAN)
+		else if (run->kernel_id == PRIMITIVE_SCAN)
 			scan_values(&cpu->shared, cpu->threads, blocks, cpu->pools.scan, cpu->end);
 		else
 		{

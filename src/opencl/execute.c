@@ -10,7 +10,7 @@ static scree_status one_run(OpenCl* d, const Run* run)
 {
 	if (run->begin >= run->end)
 		return SCREE_OK;
-	return run->kernel < KERNEL_COUNT ? kernel_run(d, run) : primitive_run(d, run);
+	return run->kernel_id < KERNEL_COUNT ? kernel_run(d, run) : primitive_run(d, run);
 }
 
 scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count)
@@ -20,8 +20,8 @@ scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count
 	// commands may change the mass of a body; after a new order of the leaves, new tiles are better
 	for (int i = 0; i < count; ++i)
 	{
-		d->tiles.stale |= runs[i].kernel == KERNEL_command || runs[i].kernel == KERNEL_tree_order;
-		d->tiles.pushed |= runs[i].kernel == KERNEL_field_body;
+		d->tiles.stale |= runs[i].kernel_id == KERNEL_command || runs[i].kernel_id == KERNEL_tree_order;
+		d->tiles.pushed |= runs[i].kernel_id == KERNEL_field_body;
 	}
 	for (int i = 0; i < count;)
 	{

@@ -82,7 +82,7 @@ scree_status opencl_render(Backend* b, const Run* run)
 {
 	OpenCl* d = b->state;
 	const Shared* shared = &d->shared[SHARED_ROWS];
-	const Kernel* kernel = &d->kernels[run->kernel];
+	const Kernel* kernel = &d->kernels[run->kernel_id];
 	TRY(acquire(d, shared));
 	TRY(CALL(SetKernelArg, kernel->kernel, (cl_uint)d->argument[PER_RENDER_ROW], sizeof(cl_mem), &shared->memory));
 	TRY(kernel_run(d, run));

@@ -84,14 +84,14 @@ static Kernel* kernel_function(OpenCl* d, int kernel)
 
 scree_status kernel_run(OpenCl* d, const Run* run)
 {
-	size_t group = kernel_function(d, run->kernel)->group;
-	return kernel_run_within(d, run, kernel_widths[run->kernel] >= WIDTH_GROUP ? 1 : group, GROUPS_A_UNIT);
+	size_t group = kernel_function(d, run->kernel_id)->group;
+	return kernel_run_within(d, run, kernel_widths[run->kernel_id] >= WIDTH_GROUP ? 1 : group, GROUPS_A_UNIT);
 }
 
 scree_status kernel_run_within(OpenCl* d, const Run* run, size_t items_a_group, size_t groups_a_unit)
 {
-	Kernel* kernel = kernel_function(d, run->kernel);
-	d->timing.stage = kernel_stages[run->kernel];
+	Kernel* kernel = kernel_function(d, run->kernel_id);
+	d->timing.stage = kernel_stages[run->kernel_id];
 	TRY(kernel_step(d, kernel));
 	TRY(CALL(SetKernelArg, kernel->kernel, ARGUMENT_FIRST, sizeof *run, run));
 	size_t items = (size_t)(run->end - run->begin);

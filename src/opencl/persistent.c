@@ -122,7 +122,7 @@ static int item_count(const Run* run) { return run->end - run->begin; }
 // whether the persistent kernel does without the stage
 static bool is_left_out(const Run* run)
 {
-	return run->kernel < KERNEL_COUNT && kernel_widths[run->kernel] >= WIDTH_ALONE;
+	return run->kernel_id < KERNEL_COUNT && kernel_widths[run->kernel_id] >= WIDTH_ALONE;
 }
 
 // how many items a run will have if the counters do not change
@@ -140,7 +140,7 @@ static int likely_items(const OpenCl* d, const Run* run)
 // the time of a primitive counts to the stage of the run before it
 static Stage stage_of(const Run* run, Stage before)
 {
-	return run->kernel < KERNEL_COUNT ? kernel_stages[run->kernel] : before;
+	return run->kernel_id < KERNEL_COUNT ? kernel_stages[run->kernel_id] : before;
 }
 
 int persistent_length(const OpenCl* d, const Run* runs, int count)

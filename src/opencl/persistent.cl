@@ -158,7 +158,7 @@ INLINE int run_end(Run run, const Pools* p)
 // Whether the first work-group alone is faster than all with a device-wide barrier.
 INLINE bool takes_one_group(Run run, int end)
 {
-	int most = run.kernel == PRIMITIVE_SORT ? SORT_GRAIN : run.kernel < KERNEL_COUNT && run.kernel >= 0 ? PERSISTENT_GROUP : 0;
+	int most = run.kernel_id == PRIMITIVE_SORT ? SORT_GRAIN : run.kernel_id < KERNEL_COUNT && run.kernel_id >= 0 ? PERSISTENT_GROUP : 0;
 	return end - run.begin <= most;
 }
 
@@ -192,11 +192,11 @@ INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile 
 INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __global int* probes, LOCAL SortMemory* bench,
                           DeviceBarrier* b, bool alone)
 {
-	if (run.kernel == PRIMITIVE_SORT)
+	if (run.kernel_id == PRIMITIVE_SORT)
 		return persistent_sort(p, run, table, bench, b, alone);
-	if (run.kernel == PRIMITIVE_SCAN)
+	if (run.kernel_id == PRIMITIVE_SCAN)
 		return persistent_scan(p, run, table, bench->sum, b);
-	if (run.kernel == PERSISTENT_PROBE)
+	if (run.kernel_id == PERSISTENT_PROBE)
 		probe(probes, b->fault, run.argument);
 	return true;
 }
@@ -250,7 +250,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		++next;
 		int from = alone ? lane : begin, by = alone ? (int)get_local_size(0) : stride;
 		pools.argument = run.argument;
-		switch (run.kernel)
+		switch (run.kernel_id)
 		{
 #define X(name, width, box) CASE_##width(name, &pools)
 #include "stages/kernels.def"

@@ -123,5 +123,5 @@ static scree_status scan_run(OpenCl* d, const Run* run)
 
 scree_status primitive_run(OpenCl* d, const Run* run)
 {
-	return run->kernel == PRIMITIVE_SORT ? sort_run(d, run) : scan_run(d, run);
+	return run->kernel_id == PRIMITIVE_SORT ? sort_run(d, run) : scan_run(d, run);
 }

@@ -735,7 +735,7 @@ typedef struct
 
 typedef struct // one entry of a list that a backend executes in order
 {
-	int kernel;     // KERNEL_*, or PRIMITIVE_*
+	int kernel_id;  // KERNEL_*, or PRIMITIVE_*
 	int begin, end; // items
 	int count;      // position in Counters of an upper bound of end, or -1
 	int argument;   // of the stage

@@ -70,7 +70,7 @@ static scree_status command(Pipeline* pipeline, const Step* step, const StepComm
 	TRY(pipeline_reserve(pipeline, PER_COMMAND, all->count + 1));
 	TRY(b->f->write(b, POOL_command, 0, all->count, commands));
 	TRY(b->f->write(b, POOL_command_group, 0, all->count + 1, all->groups));
-	Run run = {.kernel = KERNEL_command, .end = all->count, .count = NO_COUNT, .argument = all->count};
+	Run run = {.kernel_id = KERNEL_command, .end = all->count, .count = NO_COUNT, .argument = all->count};
 	return b->f->run(b, step, &run, 1);
 }
 
@@ -197,11 +197,11 @@ scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint
 	Backend* b = pipeline->backend;
 	Step step = {0};
 	Run runs[2 + CONSTRAINT_KINDS] = {
-	    {.kernel = KERNEL_hash_bodies, .end = HASH_SUMS, .count = NO_COUNT, .argument = bodies},
-	    {.kernel = KERNEL_hash_collidables, .end = HASH_SUMS, .count = NO_COUNT, .argument = collidables},
+	    {.kernel_id = KERNEL_hash_bodies, .end = HASH_SUMS, .count = NO_COUNT, .argument = bodies},
+	    {.kernel_id = KERNEL_hash_collidables, .end = HASH_SUMS, .count = NO_COUNT, .argument = collidables},
 	};
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		runs[2 + kind] = (Run){.kernel = kind_info[kind].hash, .end = HASH_SUMS, .count = NO_COUNT};
+		runs[2 + kind] = (Run){.kernel_id = kind_info[kind].hash, .end = HASH_SUMS, .count = NO_COUNT};
 	uint64_t sums[HASH_SUMS];
 	scree_status status = b->f->run(b, &step, runs, 2 + CONSTRAINT_KINDS);
 	if (!status)
@@ -217,7 +217,7 @@ scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint
 scree_status pipeline_render(Pipeline* pipeline, int collidables, bool shared)
 {
 	Backend* b = pipeline->backend;
-	Run run = {.kernel = KERNEL_render_row, .end = collidables, .count = NO_COUNT};
+	Run run = {.kernel_id = KERNEL_render_row, .end = collidables, .count = NO_COUNT};
 	if (shared)
 		return b->f->render(b, &run);
 	TRY(pipeline_reserve(pipeline, PER_RENDER_ROW, run.end));
@@ -227,7 +227,7 @@ scree_status pipeline_render(Pipeline* pipeline, int collidables, bool shared)
 scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count)
 {
 	Backend* b = pipeline->backend;
-	Run run = {.kernel = KERNEL_joint_report, .begin = first, .end = first + count, .count = NO_COUNT};
+	Run run = {.kernel_id = KERNEL_joint_report, .begin = first, .end = first + count, .count = NO_COUNT};
 	Step step = pipeline->step;
 	step.has_drives = pipeline->has_drives;
 	step.springs = pipeline->springs;
@@ -242,14 +242,14 @@ scree_status pipeline_list_contacts(Pipeline* pipeline, int body, bool details, 
 	Step step = pipeline->step; // of the last step that took time, if there was one
 	step.details = details;
 	int slots = pipeline->counters.contacts;
-	Run mark[] = {{.kernel = KERNEL_contact_mark, .end = slots + 1, .count = NO_COUNT, .argument = body},
-	              {.kernel = PRIMITIVE_SCAN, .end = slots + 1, .count = NO_COUNT}};
+	Run mark[] = {{.kernel_id = KERNEL_contact_mark, .end = slots + 1, .count = NO_COUNT, .argument = body},
+	              {.kernel_id = PRIMITIVE_SCAN, .end = slots + 1, .count = NO_COUNT}};
 	TRY(b->f->run(b, &step, mark, 2));
 	TRY(b->f->read(b, POOL_scan, slots, 1, count));
 	if (*count == 0)
 		return SCREE_OK;
 	TRY(pipeline_reserve(pipeline, PER_CONTACT_REPORT, *count));
-	Run list = {.kernel = KERNEL_contact_list, .end = slots, .count = NO_COUNT, .argument = *count};
+	Run list = {.kernel_id = KERNEL_contact_list, .end = slots, .count = NO_COUNT, .argument = *count};
 	return b->f->run(b, &step, &list, 1);
 }
 

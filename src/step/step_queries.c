@@ -115,7 +115,7 @@ static Run search_of(const Pipeline* pipeline, const QueryRequest* q, int mode)
 	    [QUERY_NEAREST] = KERNEL_query_nearest,
 	    [QUERY_SENSORS] = KERNEL_sensor_overlap,
 	};
-	Run run = {.kernel = stages[q->form], .end = q->count, .count = NO_COUNT, .argument = mode};
+	Run run = {.kernel_id = stages[q->form], .end = q->count, .count = NO_COUNT, .argument = mode};
 	if (q->form == QUERY_SENSORS)
 	{
 		// work-items share the leaves where there are more of them than sensors

@@ -257,7 +257,10 @@ static scree_status solve_emulated(const Solve* solve)
 // the persistent kernel
 // ---------------------------------------------------------------------------------------------------------------
 
-static bool left_out(const Run* run) { return run->kernel < KERNEL_COUNT && kernel_widths[run->kernel] >= WIDTH_ALONE; }
+static bool left_out(const Run* run)
+{
+	return run->kernel_id < KERNEL_COUNT && kernel_widths[run->kernel_id] >= WIDTH_ALONE;
+}
 
 // As persistent_run of src/opencl/persistent.c. The header of the list stays from launch to launch.
 static scree_status run_list(const Run* runs, int count)
@@ -300,7 +303,7 @@ static scree_status run_persistent(Backend* b, const Step* step, const Run* runs
 		const Run* run = runs + first;
 		if (end > first)
 			TRY(run_list(run, end - first));
-		else if (end++, kernel_widths[run->kernel] == WIDTH_ALONE)
+		else if (end++, kernel_widths[run->kernel_id] == WIDTH_ALONE)
 			TRY(cpu->run(b, step, run, 1));
 		else if (run->end > run->begin)
 			TRY(run_groups(run));
@@ -314,8 +317,8 @@ static scree_status form_run(Backend* b, const Step* step, const Run* runs, int 
 		return run_persistent(b, step, runs, count);
 	for (const Run* run = runs; run < runs + count; ++run)
 	{
-		stale |= run->kernel == KERNEL_command || run->kernel == KERNEL_tree_order;
-		pushed |= run->kernel == KERNEL_field_body;
+		stale |= run->kernel_id == KERNEL_command || run->kernel_id == KERNEL_tree_order;
+		pushed |= run->kernel_id == KERNEL_field_body;
 	}
 	return cpu->run(b, step, runs, count);
 }
@@ -335,8 +338,8 @@ static scree_status form_solve(Backend* b, const Step* step, const Solve* solve,
 	take_pools(b, step);
 	TRY(solve_emulated(solve));
 	Run ends[2] = {
-	    {.kernel = KERNEL_continuous, .end = solve->collidables, .count = COUNT(continuous_items)},
-	    {.kernel = KERNEL_joint_finalize, .end = layout[CONSTRAINT_JOINT].begin[COLORS + 1], .count = solve->bound}};
+	    {.kernel_id = KERNEL_continuous, .end = solve->collidables, .count = COUNT(continuous_items)},
+	    {.kernel_id = KERNEL_joint_finalize, .end = layout[CONSTRAINT_JOINT].begin[COLORS + 1], .count = solve->bound}};
 	return cpu->run(b, step, ends, solve->rare[CONSTRAINT_JOINT] && ends[1].end > 0 ? 2 : 1);
 }
 

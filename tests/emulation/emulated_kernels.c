@@ -33,7 +33,7 @@ static void group_stage(const Pools* given, Step step, Run run)
 	Pools pools = {POOL_NAMES step, run.argument};
 	int end = run_end(run, &pools);
 	for (int i = run.begin + items_group(); i < end; i += items_groups())
-		switch (run.kernel)
+		switch (run.kernel_id)
 		{
 #define X(name, width, box) GROUP_##width(name)
 #include "stages/kernels.def"

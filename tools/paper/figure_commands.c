@@ -77,10 +77,10 @@ static int curves_of(Figure* figure, Curve curves[FIGURE_PIPELINES * FIGURE_PLAC
 		{
 			bool opencl = strncmp(devices[k].name, "opencl", 6) == 0;
 			far = far || opencl;
-			cores = opencl ? cores : devices[k].units;
+			cores = opencl ? cores : devices[k].compute_units;
 		}
 	if (!far && !alone)
-		fprintf(stderr, "scree_paper: no curves of OpenCL: %s\n", scree_opencl_remedy());
+		fprintf(stderr, "scree_paper: no curves of OpenCL: %s\n", scree_opencl_hint());
 	figure->gpu = !far || alone ? NULL : named ? options->device : "opencl";
 	int count = 0, threads = options->threads > 0 ? options->threads : cores;
 	for (FigurePipeline pipeline = PAPER_PIPELINE; pipeline < FIGURE_PIPELINES; ++pipeline)

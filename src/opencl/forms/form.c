@@ -62,7 +62,7 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 {
 	cl_kernel kernel = d->solve_end.kernel;
 	cl_int passes = schedule_passes(solve->substeps, solve->bounces);
-	Run continuous = {.kernel = KERNEL_continuous, .end = solve->collidables, .count = COUNT(continuous_items)};
+	Run continuous = {.kernel_id = KERNEL_continuous, .end = solve->collidables, .count = COUNT(continuous_items)};
 	TRY(kernel_step(d, &d->solve_end));
 	TRY(CALL(SetKernelArg, kernel, END_BODIES, sizeof(cl_int), &solve->bodies));
 	TRY(CALL(SetKernelArg, kernel, END_SUBSTEPS, sizeof(cl_int), &solve->substeps));
@@ -73,7 +73,7 @@ static scree_status solve_end(OpenCl* d, const Solve* solve)
 	TRY(launch(d, kernel, groups_of(solve->bodies, group) * group, group));
 	TRY(kernel_run_within(d, &continuous, 1, CONTINUOUS_GROUPS));
 	int joints = solve->counters->layout[CONSTRAINT_JOINT].begin[COLORS + 1];
-	Run joint = {.kernel = KERNEL_joint_finalize, .end = joints, .count = solve->bound};
+	Run joint = {.kernel_id = KERNEL_joint_finalize, .end = joints, .count = solve->bound};
 	return solve->rare[CONSTRAINT_JOINT] && joints > 0 ? kernel_run(d, &joint) : SCREE_OK;
 }
 

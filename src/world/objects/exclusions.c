@@ -111,7 +111,7 @@ scree_status upload_exclusions(scree_world* world)
 		keys[k] = k < e->slots.used && slots_in_use(&e->slots, k) ? key_of(e->rows + k) : NO_PAIR;
 	TRY(b->f->write(b, POOL_excluded, 0, rows, keys));
 	Step step = {0};
-	Run run = {.kernel = KERNEL_excluded_changed, .end = 1, .count = NO_COUNT};
+	Run run = {.kernel_id = KERNEL_excluded_changed, .end = 1, .count = NO_COUNT};
 	TRY(b->f->run(b, &step, &run, 1));
 	pipeline->excluded = rows;
 	pipeline->dirty = true;

@@ -302,7 +302,7 @@ scree_status upload_joints(scree_world* world, void* memory)
 	TRY(b->f->write(b, POOL_joint_edit, 0, p->joint_count, rows));
 	Step step = {0};
 	Counters* c = &pipeline->counters;
-	Run run = {.kernel = KERNEL_joint_apply, .end = p->joint_count, .count = NO_COUNT, .argument = c->joints};
+	Run run = {.kernel_id = KERNEL_joint_apply, .end = p->joint_count, .count = NO_COUNT, .argument = c->joints};
 	TRY(b->f->run(b, &step, &run, 1));
 	int used = p->joints[p->joint_count - 1] + 1;
 	c->joints = used > c->joints ? used : c->joints;

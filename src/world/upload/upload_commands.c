@@ -161,6 +161,6 @@ scree_status upload_commands(scree_world* world, int most, char* memory)
 	TRY(b->f->write(b, POOL_command, 0, g.count, g.grouped));
 	TRY(b->f->write(b, POOL_command_group, 0, g.groups + 1, g.begins));
 	Step step = {0};
-	Run run = {.kernel = KERNEL_command, .end = g.groups, .count = NO_COUNT, .argument = g.groups};
+	Run run = {.kernel_id = KERNEL_command, .end = g.groups, .count = NO_COUNT, .argument = g.groups};
 	return b->f->run(b, &step, &run, 1);
 }
