@@ -1,6 +1,9 @@
 #!/bin/sh
-# packages.sh -- packages.sh PACKAGE...: installs the Debian packages that are missing, and nothing when none is.
+# packages.sh -- installs the Debian packages that are missing, and nothing when none is.
+#
+# usage: tools/packages.sh PACKAGE...
 set -eu
+. "$(dirname "$0")/usage.sh"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
 	# not Debian: the user has what is needed, or CMake says what it misses

@@ -1,10 +1,12 @@
 #!/bin/sh
-# source.sh -- source.sh PACKAGE FOLDER: unpacks the upstream sources of a Debian source package into a folder that does not exist.
+# source.sh -- unpacks the upstream sources of a Debian source package; a folder that exists is left as it is.
 #
-# What is not built for WebAssembly by Debian is compiled from there. apt fetches and checks it, with lists of its own, so
-# that the system's stay as they are and no root is needed.
+# usage: tools/source.sh PACKAGE FOLDER
+# Debian does not build its packages for WebAssembly, so they are compiled from these sources. apt fetches and checks them, with
+# lists of its own, so that the system's stay as they are and no root is needed.
 set -eu
-package=$1 folder=$2
+. "$(dirname "$0")/usage.sh"
+package=${1:?is the name of the source package} folder=${2:?is the folder for the sources}
 [ ! -d "$folder" ] || exit 0
 if ! command -v apt-get >/dev/null 2>&1; then
 	echo "scree: this is not Debian, so unpack the sources of $package into $folder, then try again" >&2

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 # usage.sh -- for scripts to source: prints the comment at the head of the script for --help, and refuses other options.
-case ${1:-} in
--h | --help)
-	sed -n '/^# [a-z]*\.sh -- /,/^[^#]/s/^# \{0,1\}//p' "$0"
-	exit 0
-	;;
--*)
-	echo "${0##*/}: unknown option $1; --help lists the arguments" >&2
-	exit 2
-	;;
-esac
+for argument in "$@"; do
+	case $argument in
+	-h | --help)
+		sed -n '/^# [a-z]*\.sh -- /,/^[^#]/s/^# \{0,1\}//p' "$0"
+		exit 0
+		;;
+	-*)
+		echo "${0##*/}: unknown option $argument; --help lists the arguments" >&2
+		exit 2
+		;;
+	esac
+done

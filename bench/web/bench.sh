@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
-# bench.sh -- bench/web/bench.sh [ENGINE ...]: times steps under node beside engines of npm, into bench/results/web/steps.csv.
+# bench.sh -- times steps under node beside engines of npm, into bench/results/web/steps.csv.
 #
-# make web comes first. The other engines go to build/web-bench; nothing of Scree depends on them. Engines take turns, three times; of each
-# engine and scene the run with the middle step counts. native is build/scree with one thread, native-4 with four lanes too: their steps are
-# means of processor time, from step 101 on.
+# usage: bench/web/bench.sh [ENGINE...]
+#   ENGINE  scree, scree-scalar, native, native-4, box2d3-wasm, rapier2d-simd, matter-js or planck; default all
+# make web comes first. The other engines go to build/web-bench; nothing of Scree depends on them. Engines take turns, three times;
+# the run with the middle step counts, for each engine and scene. native is build/scree with one thread, native-4 with four lanes
+# too: their steps are means of processor time, from step 101 on.
 set -euo pipefail
+. "$(dirname "$0")/../../tools/usage.sh"
 cd "$(dirname "$0")/../.."
 work=build/web-bench
 mkdir -p $work bench/results/web

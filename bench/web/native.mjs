@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // native.mjs -- native.mjs SCENE FILE: writes a scene of scenes.mjs as a file for the command line of Scree.
+import "./usage.mjs";
 import {writeFileSync} from "node:fs";
 import {scenes} from "./scenes.mjs";
 

@@ -3,6 +3,7 @@
 //
 // Processor time of the process, so that others who use the machine count less. The last two thirds of the steps count. Depths are those
 // that Scree finds between the shapes at the poses of the end.
+import "./usage.mjs";
 import {performance} from "node:perf_hooks";
 import {engines} from "./engines.mjs";
 import {scenes} from "./scenes.mjs";

@@ -5,6 +5,7 @@
 // of the command line with one thread and vectors as wide; and by the clock, as the page shows them. Medians of the rounds. Then
 // three seconds of each scene drawn in 320 x 200 pixels with bodies as points, because a Chromium without a graphics card draws
 // on the same cores. Linux only: CPU times are read from /proc.
+import './usage.mjs';
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
