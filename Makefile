@@ -1,6 +1,6 @@
 # Makefile -- the front door. Each target installs what it lacks (Debian packages), then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run view clip gallery web test test-full bench build packages format check clean
+.PHONY: help run view clip gallery web test test-full bench build packages format check release clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
@@ -73,6 +73,9 @@ format: ## put every C file into the house style
 
 check: packages build ## the tests that need seconds: documents, format, units; no scenes, no other presets
 	@ctest --preset release --label-exclude parity --parallel $(cores)
+
+release: ## sources, page and npm package of this version as tarballs in build/release, with SHA256SUMS
+	@tools/release.sh
 
 clean: ## remove build/
 	@rm -rf build
