@@ -49,7 +49,7 @@ extern "C" {
 #endif
 
 #define SCREE_VERSION_MAJOR 0
-#define SCREE_VERSION_MINOR 1
+#define SCREE_VERSION_MINOR 2
 #define SCREE_VERSION_PATCH 0
 
 // Maximum vertices of a convex polygon. The narrow phase clips in registers; a larger limit would slow down every pair.
@@ -81,7 +81,7 @@ SCREE_API const char* scree_error(void);
 // The name of a status, "ok", "invalid", ...; never null.
 SCREE_API const char* scree_status_name(scree_status status);
 
-// "0.1.0"
+// "0.2.0": major, minor and patch
 SCREE_API const char* scree_version(void);
 
 typedef enum scree_log_level
