@@ -10,7 +10,7 @@ complain()
 }
 
 # whatever stands in back quotes and looks like a path of this repository is there; a * may stand for files of one kind
-for document in README.md ARCHITECTURE.md STYLE.md docs/*.md; do
+for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md docs/*.md; do
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -o '`[^` ]*`' | tr -d '`' |
