@@ -37,7 +37,7 @@ cp "$tree/build/sources/jansson/LICENSE" "$tree/build/web/LICENSE.jansson"
 # pack FOLDER PREFIX FILE: neither the order nor the owner, the time or the mode of a file depends on the machine
 pack()
 {
-	tar --sort=name --format=ustar --mtime="@$(git log -1 --format=%ct)" --owner=0 --group=0 --numeric-owner \
+	tar --sort=name --format=ustar --mtime="@$(git log -1 --format=%ct "$commit")" --owner=0 --group=0 --numeric-owner \
 		--mode=u=rwX,go=rX --exclude=./package --transform="s,^\.,$2," -C "$1" -cf - . | gzip -9n >"$folder/$3"
 }
 pack "$tree/build/web" "scree-page-$version" "scree-page-$version.tar.gz"
