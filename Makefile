@@ -17,7 +17,7 @@ help: ## this list
 
 build: ## the library and the command line: build/libscree.a, build/libscree.so, build/scree
 	@tools/packages.sh $(build_packages)
-	@cmake --preset release --log-level=NOTICE
+	@cmake --preset release --log-level=NOTICE $(build_options)
 	@cmake --build --preset release
 
 run: build ## drop a pile of mixed shapes and make a picture of where they rest
