@@ -10,7 +10,7 @@ complain()
 }
 
 # whatever stands in back quotes and looks like a path of this repository is there; a * may stand for files of one kind
-for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md docs/*.md; do
+for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md CONTRIBUTING.md SECURITY.md .github/*.md docs/*.md; do
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -o '`[^` ]*`' | tr -d '`' |
@@ -19,6 +19,13 @@ for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md docs/*.md; do
 	while read -r path; do
 		[ -e "$folder/$path" ] || complain "$document: the link to $path leads nowhere"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -oE '\]\([^)#]+' | cut -c 3- | grep -v '^https\?:' | sort -u)
+done
+
+# the index has each page once, because a page has one reader
+for page in docs/*.md; do
+	page=${page#docs/}
+	[ "$page" = README.md ] || [ "$(grep -c "^| \[$page\]($page) |" docs/README.md)" = 1 ] ||
+		complain "docs/README.md: $page must have one row"
 done
 
 # the README shows the first program as it is
