@@ -20,6 +20,8 @@ function(scree_flags target)
 		${PROJECT_SOURCE_DIR})
 	target_compile_options(${target} PRIVATE ${SCREE_FLOAT_FLAGS} -Wall -Wextra -Wshadow
 		$<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes>)
+	# assertions name files by their path in the sources, so that no byte depends on the folder of the build
+	target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 	# vectors are passed only between functions of one file
 	target_compile_options(${target} PRIVATE -Wno-psabi)
 	if(NOT WIN32 AND NOT EMSCRIPTEN)

@@ -5,7 +5,7 @@
 # usage: tools/release.sh
 # The version is that of include/scree/scree.h. Refuses a tree with changes that are not committed, a version that CHANGELOG.md has
 # no section for, and a tag of that version on another commit. Page and package are built from the unpacked sources, so that nothing
-# of an older build gets into them. The same commit and tools give the same bytes. Prints the command for the tag and sets none.
+# of an older build gets into them. Prints the command for the tag and sets none.
 set -euo pipefail
 . "$(dirname "$0")/usage.sh"
 cd "$(dirname "$0")/.."
