@@ -94,9 +94,9 @@ ${Object.keys(plurals).map((plural) => `\treadonly ${plural}: ${title(plural)};`
 	/** What a renderer needs: eight numbers for each collidable, from 8 * (collidable.index - 1) on. A view, as poses(). */
 	rows(): Float32Array;
 	/** All collidables that overlap a shape at a pose. */
-	overlapShape(shape: PartialShape | null, pose: PartialPose): FoundList;
+	overlapShape(shape: PartialShape | null, pose: PartialPose): QueryResults;
 	/** All collidables that overlap a point. */
-	overlapPoint(point: PartialVec): FoundList;
+	overlapPoint(point: PartialVec): QueryResults;
 	/** Collidables without a body. */
 	getFreeCollidables(): Collidable[];
 ${lists.World.join("\n")}

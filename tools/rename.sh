@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# rename.sh -- ports programs that use Scree to the names of docs/names.md: C, C++ and JavaScript files, in place.
+#
+# usage: tools/rename.sh FILE...
+# Names of functions, types and constants are changed as whole words, members of structs where the struct is certain. Other members
+# of such names are left to you, and reported as FILE:LINE: NAME may be NEW instead. If one of the files cannot be read or written,
+# none is changed. Exit 2 then, and on wrong arguments.
+set -euo pipefail
+. "$(dirname "$0")/usage.sh"
+tools=$(cd "$(dirname "$0")" && pwd)
+names=$tools/../docs/names.md
+refuse()
+{
+	echo "rename.sh: $*" >&2
+	exit 2
+}
+
+# language FILE: c or js, by the end of its name
+language()
+{
+	case $1 in
+	*.c | *.h | *.cc | *.cpp | *.cxx | *.hh | *.hpp | *.hxx | *.inl | *.m | *.mm) echo c ;;
+	*.js | *.mjs | *.cjs | *.jsx | *.ts | *.mts | *.tsx) echo js ;;
+	esac
+}
+
+[ $# -gt 0 ] || refuse "names no file; --help lists the arguments"
+[ -r "$names" ] || refuse "cannot read the table of names, $names"
+for file in "$@"; do
+	[[ $file != -* ]] || refuse "unknown option $file; --help lists the arguments"
+	[ -e "$file" ] || refuse "there is no file $file"
+	[ -f "$file" ] || refuse "$file is not a file"
+	[ -r "$file" ] || refuse "cannot read $file"
+	[ -w "$file" ] || refuse "cannot write $file"
+	[ -n "$(language "$file")" ] || refuse "$file is not called like a file of C, C++ or JavaScript"
+	[ "$(tr -d '\000' <"$file" | wc -c)" = "$(wc -c <"$file")" ] || refuse "$file is not text"
+done
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+k=0
+for file in "$@"; do
+	k=$((k + 1))
+	: >"$work/$k.report"
+	# awk takes a path with = in it for a variable, unless it begins with a folder
+	path=$([[ $file = /* ]] && echo "$file" || echo "./$file")
+	LC_ALL=C awk -v language="$(language "$file")" -v file="$file" -v report="$work/$k.report" \
+		-v open_end="$([ -z "$(tail -c 1 "$file")" ] && echo 0 || echo 1)" -f "$tools/rename.awk" "$names" "$path" >"$work/$k" ||
+		refuse "could not read $file"
+done
+
+k=0 changed=0
+for file in "$@"; do
+	k=$((k + 1))
+	cat "$work/$k.report"
+	cmp -s "$file" "$work/$k" && continue
+	lines=$({ diff "$file" "$work/$k" || true; } | grep -c '^>')
+	cat "$work/$k" >"$file"
+	echo "$file: changed on $lines lines"
+	changed=$((changed + 1))
+done
+echo "rename.sh: changed $changed of $# files; $(cat "$work"/*.report | wc -l) names are left to you"
