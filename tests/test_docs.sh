@@ -14,7 +14,7 @@ for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md CONTRIBUTING.md 
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
 	done < <(sed '/^```/,/^```/d' "$document" | grep -o '`[^` ]*`' | tr -d '`' |
-		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|scene|scenes|src|tests|tools|validate|view)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
+		grep -E '^(\.ci|\.github|bench|cli|cmake|docs|examples|include|scene|scenes|src|tests|tools|validate|view|web)/|^[A-Za-z_]+\.(md|json|txt)$|^(Makefile|LICENSE)$' | sort -u)
 	folder=$([[ $document = */* ]] && echo "${document%/*}" || echo .)
 	while read -r path; do
 		[ -e "$folder/$path" ] || complain "$document: the link to $path leads nowhere"
@@ -31,6 +31,22 @@ done
 # the README shows the first program as it is
 sed -n '/^```c$/,/^```$/p' README.md | sed '1d;$d' | diff -u examples/hello.c - ||
 	complain "README.md: its program is not examples/hello.c"
+
+# Succeeds if a path is there, relative to the root, to src/ or to a folder.
+exists()
+{
+	compgen -G "${1%/}" >/dev/null || compgen -G "src/${1%/}" >/dev/null || compgen -G "$2/${1%/}" >/dev/null
+}
+
+# each folder that has a table of what to change where has it in its README, whose paths are there
+for folder in bench cli scene tests view web src/*/; do
+	document=${folder%/}/README.md
+	[ -e "$document" ] || { complain "$document: does not exist"; continue; }
+	while read -r path; do
+		exists "$path" "${folder%/}" || complain "$document: \`$path\` does not exist"
+	done < <(grep -o '`[^` ]*`' "$document" | tr -d '`' |
+		grep -E '\.(awk|c|cl|cmake|cpp|def|frag|glsl|h|html|js|json|md|mjs|sh|txt|vert)$|/$' | sort -u)
+done
 
 # every kernel has its line in docs/step.md, those of a kind of constraint for each kind
 steps=$(<docs/step.md)
@@ -52,6 +68,42 @@ done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9
 while read -r key; do
 	grep -qE "^\|.*\`$key\`.*\|" docs/view.md || complain "docs/view.md: the key $key is missing"
 done < <(sed -nE 's/^X\([a-z]+, [A-Z0-9]+, "([^"]+)".*/\1/p' view/window/keys.def)
+
+# Comments are plain English, as far as their first words and some phrases show it: the rule is in STYLE.md.
+sources=(-name '*.c' -o -name '*.h' -o -name '*.cl' -o -name '*.cpp' -o -name '*.def' -o -name '*.js' -o -name '*.mjs'
+	-o -name '*.vert' -o -name '*.frag' -o -name '*.glsl')
+scripts=(-name '*.sh' -o -name '*.awk' -o -name '*.cmake' -o -name CMakeLists.txt)
+folders=(bench cli examples include scene src tests tools validate view web)
+while read -r line; do
+	complain "$line"
+done < <(find "${folders[@]}" \( "${sources[@]}" \) -print0 | sort -z | xargs -0 awk -f tests/comments.awk)
+
+# Paths in comments are there: those with a folder relative to the root, to src/, to include/ or to the folder of the file; a name
+# alone is that of some file. NAME.c and the like stand for any name.
+others=' shared/human.c shared/benchmarks.c ' # files of Box2D
+files=$(find . -path ./build -prune -o -type f -printf '/%f\n' | sort -u)
+while read -r place path; do
+	folder=${place%:*}
+	folder=${folder%/*}
+	if [[ $path != */* ]]; then
+		[[ $files$'\n' = */"$path"$'\n'* ]] || complain "$place: the comment names $path, which does not exist"
+	elif [[ $others != *" $path "* ]]; then
+		exists "$path" "$folder" || [ -e "include/$path" ] || complain "$place: the comment names $path, which does not exist"
+	fi
+done < <(find cmake "${folders[@]}" \( "${sources[@]}" -o "${scripts[@]}" \) -print0 | sort -z | xargs -0 awk '
+	FNR == 1 { script = FILENAME ~ /\.(sh|awk|cmake|txt)$/ }
+	script { if ($0 !~ /^[ \t]*#/) next; text = $0 }
+	!script { if (!match($0, /(^|[ \t;,{})])\/\/ /)) next; text = substr($0, RSTART) }
+	{
+		while (match(text, /[A-Za-z0-9_.\/-]*[A-Za-z0-9_]\.(c|h|cl|cpp|def|md|sh|json|mjs|js|cmake|vert|frag|glsl|awk)($|[^A-Za-z0-9_])/))
+		{
+			path = substr(text, RSTART, RLENGTH)
+			text = substr(text, RSTART + RLENGTH)
+			sub(/[^A-Za-z0-9_]$/, "", path)
+			if (path ~ /^[^A-Z]+$/ && (path ~ /\// || (!script && path ~ /\.(c|h|cl|def)$/ && FILENAME !~ /js$/)))
+				print FILENAME ":" FNR " " path
+		}
+	}')
 
 # only one file of the stages asks which compiler is reading it
 asks=$(grep -rlE "__OPENCL|__GNUC__|__clang__" src/stages src/constraints src/pools | tr '\n' ' ' || true)
