@@ -1,6 +1,6 @@
 # Makefile -- the front door. Each target installs what it lacks (Debian packages), then calls CMake.
 .DEFAULT_GOAL := help
-.PHONY: help run view clip gallery web test test-full bench build packages format check release clean
+.PHONY: help run view clip gallery web test test-full bench build packages lists format check release clean
 
 cores := $(shell nproc 2>/dev/null || echo 2)
 
@@ -66,6 +66,12 @@ test-full: packages ## the full set, also with clang, sanitizers, one lane, WebA
 bench: build ## measure on the CPU, and the GPU if any, for some minutes, into bench/results/NAME (NAME=local)
 	@tools/packages.sh gnuplot-nox
 	@bench/bench.sh $(NAME)
+
+lists: ## the schema and the tables of keys of scene files, from scene/format.def
+	@tools/packages.sh $(build_packages)
+	@cmake --preset release --log-level=NOTICE
+	@cmake --build --preset release --target scene_lists
+	@tools/lists.sh build/tests
 
 format: ## put every C file into the house style
 	@tools/packages.sh git clang-format-14

@@ -3,7 +3,7 @@
 #include "cli/common/library_error.h"
 #include "commands.h"
 #include "scene/find.h"
-#include "scene/load.h"
+#include "scene/heading.h"
 #include <stdlib.h>
 
 int scenes_command(const Options* options)

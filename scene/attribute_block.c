@@ -1,59 +1,24 @@
 // SPDX-License-Identifier: MIT
 // attribute_block.c -- the attributes of a scene: shapes and surfaces by name.
 #include "scene/attribute_block.h"
+#include "scene/format.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define MAX_HULL_POINTS 64
-
-static const char* const shape_keys[] = {"box", "circle", "capsule", "segment", "polygon", "hull", NULL};
-
-static const struct
-{
-	const char* key;
-	size_t offset;
-	Range range;
-} surface_keys[] = {
-    {"density", offsetof(scree_attribute_def, density), {0, 1e9, false, false}},
-    {"friction", offsetof(scree_attribute_def, friction), {0, 1e6, false, false}},
-    {"restitution", offsetof(scree_attribute_def, restitution), {0, 100, false, false}},
-    {"rolling_resistance", offsetof(scree_attribute_def, rolling_resistance), {0, 1e6, false, false}},
-    {"tangent_speed", offsetof(scree_attribute_def, tangent_speed), {-1e6, 1e6, false, false}},
-};
-#define SURFACE_COUNT (sizeof surface_keys / sizeof surface_keys[0])
-
-static const char* const attribute_keys[] = {"box",
-                                             "circle",
-                                             "capsule",
-                                             "segment",
-                                             "polygon",
-                                             "hull",
-                                             "radius",
-                                             "density",
-                                             "friction",
-                                             "restitution",
-                                             "rolling_resistance",
-                                             "tangent_speed",
-                                             "one_way",
-                                             "material",
-                                             "description",
-                                             NULL};
-
-// Reads a list of low to high points.
-static bool read_points(Reader* reader, const Location* location, const json_t* value, int low, int high,
-                        scree_vec* points, int* count)
+// Reads a list of points, and their count in a range.
+static bool read_points(Reader* reader, const Location* location, const json_t* value, Range range, scree_vec* points,
+                        int* count)
 {
 	if (!json_is_array(value))
 		return reader_fail_value(reader, location, value, "must be a list of points, [[x, y], ...]");
-	size_t size = json_array_size(value);
-	if (size < (size_t)low || size > (size_t)high)
+	*count = (int)json_array_size(value);
+	if (*count < range.low || *count > range.high)
 	{
-		if (low == high)
-			return reader_fail(reader, location, "%zu points, must be %d", size, low);
-		return reader_fail(reader, location, "%zu corners, must be %d to %d", size, low, high);
+		if (range.low == range.high)
+			return reader_fail(reader, location, "%d points, must be %.9g", *count, range.low);
+		return reader_fail(reader, location, "%d corners, must be %.9g to %.9g", *count, range.low, range.high);
 	}
-	*count = (int)size;
 	for (int k = 0; k < *count; ++k)
 	{
 		if (!reader_vec(reader, ELEMENT(location, k), json_array_get(value, (size_t)k), any_coordinate, &points[k]))
@@ -78,19 +43,32 @@ static bool make_box(scree_vec half, float radius, scree_shape* shape)
 	return scree_shape_make_polygon(corners, 4, radius, shape) == SCREE_OK;
 }
 
+// Finds the one key of a shape.
+static bool find_shape(Reader* reader, const Location* location, const json_t* value, const FormatKey** shape)
+{
+	char list[80] = "";
+	*shape = NULL;
+	for (const FormatKey* key = format_keys(OBJECT_attribute); key->object == OBJECT_attribute; ++key)
+	{
+		if (key->need != NEED_EITHER)
+			continue;
+		snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", *list ? ", " : "", key->name);
+		if (!json_object_get(value, key->name))
+			continue;
+		if (*shape)
+			return reader_fail(reader, location, "both %s and %s; an attribute has one shape", (*shape)->name,
+			                   key->name);
+		*shape = key;
+	}
+	return *shape || reader_fail(reader, location, "no shape; one of %s is needed", list);
+}
+
 static bool read_shape(Reader* reader, const Location* location, const json_t* value, scree_shape* shape)
 {
-	const char* key = NULL;
-	for (const char* const* k = shape_keys; *k; ++k)
-	{
-		if (!json_object_get(value, *k))
-			continue;
-		if (key)
-			return reader_fail(reader, location, "both %s and %s; an attribute has one shape", key, *k);
-		key = *k;
-	}
-	if (!key)
-		return reader_fail(reader, location, "no shape; one of box, circle, capsule, segment, polygon, hull is needed");
+	const FormatKey* found;
+	if (!find_shape(reader, location, value, &found))
+		return false;
+	const char* key = found->name;
 	const json_t* geometry = json_object_get(value, key);
 	const Location* at = KEY(location, key);
 
@@ -101,7 +79,7 @@ static bool read_shape(Reader* reader, const Location* location, const json_t* v
 		return reader_fail(reader, location, "a %s takes no radius beside it", key);
 	if (capsule && !rounding)
 		return reader_fail(reader, location, "a capsule needs a radius");
-	Range radius_range = capsule ? any_size : (Range){0, SCREE_MAX_COORDINATE, false, false};
+	Range radius_range = format_range(OBJECT_attribute, capsule ? "circle" : "radius");
 	if (rounding && !reader_constant(reader, KEY(location, "radius"), rounding, radius_range, &radius))
 		return false;
 
@@ -110,19 +88,19 @@ static bool read_shape(Reader* reader, const Location* location, const json_t* v
 	scree_status status;
 	if (strcmp(key, "circle") == 0)
 	{
-		if (!reader_constant(reader, at, geometry, any_size, &radius))
+		if (!reader_constant(reader, at, geometry, found->range, &radius))
 			return false;
 		status = scree_shape_make_circle((scree_vec){0, 0}, (float)radius, shape);
 	}
 	else if (strcmp(key, "box") == 0)
 	{
-		if (!reader_vec(reader, at, geometry, any_size, points))
+		if (!reader_vec(reader, at, geometry, found->range, points))
 			return false;
 		return make_box(points[0], (float)radius, shape) || shape_fail(reader, at);
 	}
 	else if (capsule || strcmp(key, "segment") == 0)
 	{
-		if (!read_points(reader, at, geometry, 2, 2, points, &count))
+		if (!read_points(reader, at, geometry, found->range, points, &count))
 			return false;
 		status = capsule ? scree_shape_make_capsule(points[0], points[1], (float)radius, shape)
 		                 : scree_shape_make_segment(points[0], points[1], shape);
@@ -130,7 +108,7 @@ static bool read_shape(Reader* reader, const Location* location, const json_t* v
 	else
 	{
 		bool hull = strcmp(key, "hull") == 0;
-		if (!read_points(reader, at, geometry, 3, hull ? MAX_HULL_POINTS : SCREE_MAX_VERTICES, points, &count))
+		if (!read_points(reader, at, geometry, found->range, points, &count))
 			return false;
 		status = hull ? scree_shape_make_hull(points, count, (float)radius, shape)
 		              : scree_shape_make_polygon(points, count, (float)radius, shape);
@@ -154,27 +132,11 @@ bool attributes_read(Reader* reader, const Location* location, const json_t* val
 		if (strlen(name) >= NAME_SIZE || !*name)
 			return reader_fail(reader, at, "a name has 1 to %d characters", NAME_SIZE - 1);
 		Attribute* attribute = &scene->attributes[scene->attribute_count];
-		attribute->def = scree_attribute_def_default();
+		format_default(OBJECT_attribute, &attribute->def);
 		strcpy(attribute->name, name);
-		if (!reader_object(reader, at, entry, attribute_keys) || !read_shape(reader, at, entry, &attribute->def.shape))
-			return false;
-		for (size_t k = 0; k < SURFACE_COUNT; ++k)
-		{
-			const json_t* surface = json_object_get(entry, surface_keys[k].key);
-			double number;
-			if (!surface)
-				continue;
-			if (!reader_constant(reader, KEY(at, surface_keys[k].key), surface, surface_keys[k].range, &number))
-				return false;
-			*(float*)((char*)&attribute->def + surface_keys[k].offset) = (float)number;
-		}
-		const json_t* way = json_object_get(entry, "one_way");
-		const json_t* material = json_object_get(entry, "material");
-		double number = 0;
-		if (material && !reader_constant(reader, KEY(at, "material"), material, (Range){0, 255, true, false}, &number))
-			return false;
-		attribute->def.material = (int)number;
-		if (way && !reader_vec(reader, KEY(at, "one_way"), way, any_coordinate, &attribute->def.one_way))
+		if (!format_check(reader, at, entry, OBJECT_attribute) ||
+		    !read_shape(reader, at, entry, &attribute->def.shape) ||
+		    !format_read(reader, at, entry, OBJECT_attribute, &attribute->def, 0, NULL))
 			return false;
 		++scene->attribute_count;
 	}

@@ -56,25 +56,24 @@ bool items_value(const Items* items, const Number* number, double* value)
 	return true;
 }
 
-bool items_float(const Items* items, const Number* number, float* value)
-{
-	double number_value;
-	bool good = items_value(items, number, &number_value);
-	*value = (float)number_value;
-	return good;
-}
-
 bool items_vec(const Items* items, const Number pair[2], scree_vec* vec)
 {
-	return items_float(items, &pair[0], &vec->x) && items_float(items, &pair[1], &vec->y);
+	double x, y;
+	if (!items_value(items, &pair[0], &x) || !items_value(items, &pair[1], &y))
+		return false;
+	*vec = (scree_vec){(float)x, (float)y};
+	return true;
 }
 
-bool items_pose(const Items* items, const Number position[2], const Number* angle, scree_pose* pose)
+bool items_store(const Items* items, const FormatNumbers* numbers, void* item)
 {
-	float radians;
-	if (!items_vec(items, position, &pose->position) || !items_float(items, angle, &radians))
-		return false;
-	pose->rotation = radians == 0 ? (scree_rot){1, 0} : scree_rot_make(radians);
+	for (int k = 0; k < numbers->count; ++k)
+	{
+		double value;
+		if (!items_value(items, &numbers->list[k].number, &value))
+			return false;
+		format_store(item, numbers->list[k].offset, numbers->list[k].store, value);
+	}
 	return true;
 }
 

@@ -2,6 +2,7 @@
 // block_items.h -- the items of a block: runs its loops, and computes the numbers of each item.
 #ifndef BLOCK_ITEMS_H
 #define BLOCK_ITEMS_H
+#include "scene/format.h"
 #include "scene/loop.h"
 
 typedef struct Items // of a block, one after the other
@@ -24,9 +25,10 @@ bool items_run(Reader* reader, const Loops* loops, bool (*each)(Items* items, vo
 
 // Compute numbers of the present item. Each fails when a number is out of its range.
 bool items_value(const Items* items, const Number* number, double* value);
-bool items_float(const Items* items, const Number* number, float* value);
 bool items_vec(const Items* items, const Number pair[2], scree_vec* vec);
-bool items_pose(const Items* items, const Number position[2], const Number* angle, scree_pose* pose);
+
+// Writes the numbers that differ between items into the struct of the present item.
+bool items_store(const Items* items, const FormatNumbers* numbers, void* item);
 
 // Writes "FILE: PATH: TEXT, at i = 1" as the sentence and returns false.
 bool items_fail(const Items* items, const char* path, const char* text);

@@ -2,58 +2,45 @@
 // controls.c -- what bodies of a scene do while the user holds keys down in the viewer.
 #include "scene/controls.h"
 #include "scene/block.h"
+#include "scene/format.h"
 #include <stdlib.h>
-#include <string.h>
-
-static const char* const control_keys[] = {"key", "body", "index", "force", "torque", "turns", "description", NULL};
-static const Range any_push = {-1e15, 1e15, false, false};
 
 static bool read_bodies(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                         Control* control)
 {
-	const char* name;
+	const Location* at = KEY(location, "body");
 	const json_t* index = json_object_get(value, "index");
-	if (!reader_string(reader, KEY(location, "body"), json_object_get(value, "body"), &name))
+	if (!block_read_name(reader, at, json_object_get(value, "body"), scene, &control->block))
 		return false;
-	control->block = block_find(scene, name);
-	if (control->block < 0)
-		return reader_fail(reader, KEY(location, "body"), "\"%.60s\" is not the name of bodies", name);
-	if (scene->blocks[control->block].type != SCREE_BODY_DYNAMIC)
-		return reader_fail(reader, KEY(location, "body"), "%.60s is not dynamic: forces do not move it", name);
-	int64_t count = scene->blocks[control->block].count;
+	const Block* block = &scene->blocks[control->block];
+	if (block->def.type != SCREE_BODY_DYNAMIC)
+		return reader_fail(reader, at, "%.60s is not dynamic: forces do not move it", block->name);
 	double first = 0;
 	if (index && !reader_constant(reader, KEY(location, "index"), index,
-	                              (Range){0, count > 0 ? (double)count - 1 : 0, true, false}, &first))
+	                              (Range){0, block->count > 0 ? (double)block->count - 1 : 0, true, false}, &first))
 		return false;
 	control->first = (int)first;
-	control->count = index && count > 0 ? 1 : (int)count;
+	control->count = index && block->count > 0 ? 1 : (int)block->count;
 	return true;
 }
 
 static bool read_control(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                          Control* control)
 {
-	double torque = 0;
-	if (!reader_object(reader, location, value, control_keys) ||
-	    !scene_key_read(reader, KEY(location, "key"), json_object_get(value, "key"), &control->key) ||
-	    !read_bodies(reader, location, value, scene, control))
-		return false;
-	const json_t *force = json_object_get(value, "force"), *turning = json_object_get(value, "torque");
-	if (!force && !turning)
-		return reader_fail(reader, location, "needs force or torque");
-	if ((force && !reader_vec(reader, KEY(location, "force"), force, any_push, &control->force)) ||
-	    (turning && !reader_constant(reader, KEY(location, "torque"), turning, any_push, &torque)))
-		return false;
-	control->torque = (float)torque;
-	return reader_boolean(reader, KEY(location, "turns"), json_object_get(value, "turns"), &control->turns);
+	format_default(OBJECT_control, control);
+	return format_check(reader, location, value, OBJECT_control) &&
+	       read_bodies(reader, location, value, scene, control) &&
+	       format_read(reader, location, value, OBJECT_control, control, 0, NULL) &&
+	       (json_object_get(value, "force") || json_object_get(value, "torque") ||
+	        reader_fail(reader, location, "needs force or torque"));
 }
 
 bool controls_read(Reader* reader, const json_t* root, Scene* scene)
 {
 	const json_t* list = json_object_get(root, "keys");
 	const Location* location = KEY(NULL, "keys");
-	if (list && !json_is_array(list))
-		return reader_fail_value(reader, location, list, "must be a list, [ ... ]");
+	if (!reader_list(reader, location, list))
+		return false;
 	scene->controls = calloc(json_array_size(list) + 1, sizeof *scene->controls);
 	if (!scene->controls)
 		return reader_fail(reader, location, "out of memory");

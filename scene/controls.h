@@ -2,18 +2,8 @@
 // controls.h -- what bodies of a scene do while the user holds keys down in the viewer.
 #ifndef CONTROLS_H
 #define CONTROLS_H
+#include "scene/reader.h"
 #include "scene/scene.h"
-#include "scene/scene_keys.h"
-
-struct Control
-{
-	SceneKey key;
-	int block;        // position in Scene.blocks
-	int first, count; // bodies of the block
-	scree_vec force;  // N, at the center of mass, in each step that begins with the key down
-	float torque;     // N m
-	bool turns;       // the force turns with the body
-};
 
 // Reads the member "keys" of a scene whose blocks have been read.
 bool controls_read(Reader* reader, const json_t* root, Scene* scene);

@@ -37,22 +37,18 @@ static double measure(scree_pose body, scree_pose frame, const scree_joint_side*
 	return scree_rot_get_angle((scree_rot){(float)(bc * fc + bs * fs), (float)(bc * fs - bs * fc)});
 }
 
-static bool couple(const Items* items, const Scene* scene, const JointBlock* block, const JointEnds* ends,
-                   scree_joint_def* def)
+static void couple(const Scene* scene, const JointBlock* block, const JointEnds* ends, scree_joint_def* def)
 {
 	const scree_pose frames[2] = {def->frame_a, def->frame_b};
 	int indices[2] = {ends->a, ends->b};
 	double measures[2];
 	for (int k = 0; k < 2; ++k)
 	{
-		if (!items_pose(items, block->base_positions[k], &block->base_angles[k], &def->sides[k].base))
-			return false;
 		measures[k] = measure(pose_of(scene, block, k, indices[k]), frames[k], def->sides + k);
 		def->sides[k].initial_angle = def->sides[k].measure == SCREE_MEASURE_ANGLE ? (float)measures[k] : 0.0f;
 	}
 	if (block->measured)
 		def->coordinates[SCREE_ALONG].target = (float)(measures[1] + (double)def->ratio * measures[0]);
-	return true;
 }
 
 static bool place(const Items* items, const Scene* scene, const JointBlock* block, const JointEnds* ends,
@@ -61,10 +57,11 @@ static bool place(const Items* items, const Scene* scene, const JointBlock* bloc
 	double anchors[2][2];
 	int indices[2] = {ends->a, ends->b};
 	scree_pose* frames[2] = {&def->frame_a, &def->frame_b};
-	float radians;
-	if (!items_float(items, &block->axis, &radians))
+	double radians;
+	scree_rot axis;
+	if (!items_value(items, &block->axis, &radians))
 		return false;
-	scree_rot axis = radians == 0 ? (scree_rot){1, 0} : scree_rot_make(radians);
+	format_store(&axis, 0, STORE_ROTATION, radians);
 	for (int k = 0; k < 2; ++k)
 	{
 		scree_pose body = pose_of(scene, block, k, indices[k]);
@@ -97,12 +94,8 @@ static bool joint_of(const Items* items, const Scene* scene, const JointBlock* b
 	static const char* const names[] = {"along", "across", "angle"};
 	char text[80];
 	*def = block->def;
-	for (int k = 0; k < block->number_count; ++k)
-	{
-		const JointNumber* n = &block->numbers[k];
-		if (!items_float(items, &n->number, (float*)((char*)def + n->offset)))
-			return false;
-	}
+	if (!items_store(items, &block->numbers, def))
+		return false;
 	for (int k = 0; k < 3; ++k)
 	{
 		const scree_joint_coordinate* c = &def->coordinates[k];
@@ -111,10 +104,11 @@ static bool joint_of(const Items* items, const Scene* scene, const JointBlock* b
 		snprintf(text, sizeof text, "%s.limits: %.9g is above %.9g", names[k], c->lower, c->upper);
 		return items_fail(items, block->path, text);
 	}
-	bool good = block->placed ? place(items, scene, block, ends, def)
-	                          : items_pose(items, block->positions[0], &block->angles[0], &def->frame_a) &&
-	                                items_pose(items, block->positions[1], &block->angles[1], &def->frame_b);
-	return good && (!block->coupled || couple(items, scene, block, ends, def));
+	if (block->placed && !place(items, scene, block, ends, def))
+		return false;
+	if (block->coupled)
+		couple(scene, block, ends, def);
+	return true;
 }
 
 static bool flush(JointBatch* batch)

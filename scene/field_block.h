@@ -11,12 +11,6 @@ struct SceneField
 	int block, index;    // of the body on which it lies: position in Scene.blocks, -1 for none; number in its block
 };
 
-struct SceneBlast
-{
-	int64_t step; // before which it goes off
-	scree_blast_def def;
-};
-
 // Reads the members "fields" and "blasts", if the scene has them. The blocks of bodies have been read.
 bool fields_read(Reader* reader, const json_t* root, Scene* scene);
 bool blasts_read(Reader* reader, const json_t* root, Scene* scene);

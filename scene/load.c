@@ -8,6 +8,7 @@
 #include "scene/evaluate.h"
 #include "scene/evaluate_joints.h"
 #include "scene/field_block.h"
+#include "scene/format.h"
 #include "scene/lidar.h"
 #include "scene/material_block.h"
 #include "scene/parameter_block.h"
@@ -15,70 +16,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char* const scene_keys[] = {
-    "$schema", "name",      "title",  "description", "seed",   "parameters",  "constants",  "world",
-    "steps",   "view",      "detail", "attributes",  "bodies", "collidables", "joints",     "penetration_limit",
-    "paths",   "materials", "fields", "blasts",      "rays",   "keys",        "characters", NULL};
-
-static const struct
-{
-	const char* key;
-	size_t offset;
-	Range range;
-} world_numbers[] = {
-    {"contact_hertz", offsetof(scree_world_def, contact_hertz), {0.001, 1e6, false, false}},
-    {"contact_damping_ratio", offsetof(scree_world_def, contact_damping_ratio), {0, 1e6, false, false}},
-    {"contact_push_speed", offsetof(scree_world_def, contact_push_speed), {0, 1e6, false, false}},
-    {"restitution_threshold", offsetof(scree_world_def, restitution_threshold), {0, 1e6, false, false}},
-    {"max_speed", offsetof(scree_world_def, max_speed), {0.001, 1e6, false, false}},
-};
-static const char* const world_keys[] = {"gravity",
-                                         "dt",
-                                         "substeps",
-                                         "contact_hertz",
-                                         "contact_damping_ratio",
-                                         "contact_push_speed",
-                                         "restitution_threshold",
-                                         "max_speed",
-                                         "contact_details",
-                                         NULL};
-
-static bool read_optional(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
-                          double* number)
-{
-	const json_t* value = json_object_get(object, key);
-	return !value || reader_constant(reader, KEY(location, key), value, range, number);
-}
-
 static bool read_world(Reader* reader, const json_t* root, Scene* scene)
 {
 	const json_t* world = json_object_get(root, "world");
 	const Location* location = KEY(NULL, "world");
-	double dt = 1.0 / 60, substeps = 4;
-	if (!world)
-		return true;
-	if (!reader_object(reader, location, world, world_keys))
-		return false;
-	const json_t* gravity = json_object_get(world, "gravity");
-	if (gravity && !reader_vec(reader, KEY(location, "gravity"), gravity, any_speed, &scene->world.gravity))
-		return false;
-	if (!read_optional(reader, location, world, "dt", (Range){1e-5, 1, false, false}, &dt) ||
-	    !read_optional(reader, location, world, "substeps", (Range){1, 64, true, false}, &substeps))
-		return false;
-	if (!reader_boolean(reader, KEY(location, "contact_details"), json_object_get(world, "contact_details"),
-	                    &scene->world.contact_details))
-		return false;
-	scene->dt = (float)dt;
-	scene->substeps = (int)substeps;
-	for (size_t k = 0; k < sizeof world_numbers / sizeof world_numbers[0]; ++k)
-	{
-		float* member = (float*)((char*)&scene->world + world_numbers[k].offset);
-		double number = *member;
-		if (!read_optional(reader, location, world, world_numbers[k].key, world_numbers[k].range, &number))
-			return false;
-		*member = (float)number;
-	}
-	return true;
+	return !world || (format_check(reader, location, world, OBJECT_world) &&
+	                  format_read(reader, location, world, OBJECT_world, scene, 0, NULL));
 }
 
 // Reads a member that is the box of a picture, if there is one.
@@ -118,7 +61,7 @@ static bool read_heading(Reader* reader, const json_t* root, Scene* scene)
 {
 	const char* name;
 	const char* title;
-	if (!reader_object(reader, NULL, root, scene_keys) ||
+	if (!format_check(reader, NULL, root, OBJECT_scene) ||
 	    !reader_string(reader, KEY(NULL, "name"), json_object_get(root, "name"), &name) ||
 	    !reader_string(reader, KEY(NULL, "title"), json_object_get(root, "title"), &title))
 		return false;
@@ -129,15 +72,9 @@ static bool read_heading(Reader* reader, const json_t* root, Scene* scene)
 
 static bool read_numbers(Reader* reader, const json_t* root, Scene* scene)
 {
-	double seed = 1, steps = 300, limit = 0.05;
-	if (!read_optional(reader, NULL, root, "seed", (Range){0, 1e9, true, false}, &seed) ||
-	    !read_optional(reader, NULL, root, "steps", (Range){1, 1e9, true, false}, &steps) ||
-	    !read_optional(reader, NULL, root, "penetration_limit", (Range){0, 1e6, false, false}, &limit))
-		return false;
-	reader->seed = scene->seed = (uint64_t)seed;
-	scene->steps = (int)steps;
-	scene->penetration_limit = (float)limit;
-	return true;
+	bool good = format_read(reader, NULL, root, OBJECT_scene, scene, 0, NULL);
+	reader->seed = scene->seed;
+	return good;
 }
 
 typedef struct // where the next items of a block go; null: they are not kept
@@ -182,23 +119,14 @@ static bool check_items(Reader* reader, const Location* location, Block* block)
 	return evaluate_block(reader, block, keep_items, &kept);
 }
 
-// The elements of a list of blocks, which may be missing; false when it is no list.
-static bool count_blocks(Reader* reader, const json_t* root, const char* key, int* count)
-{
-	const json_t* list = json_object_get(root, key);
-	*count = (int)json_array_size(list);
-	return !list || json_is_array(list) || reader_fail_value(reader, KEY(NULL, key), list, "must be a list, [ ... ]");
-}
-
 // Reads, counts and evaluates one list of blocks.
 static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* scene)
 {
 	const char* key = bodies ? "bodies" : "collidables";
 	const json_t* list = json_object_get(root, key);
-	int count;
-	if (!count_blocks(reader, root, key, &count))
+	if (!reader_list(reader, KEY(NULL, key), list))
 		return false;
-	for (int k = 0; k < count; ++k)
+	for (int k = 0; k < (int)json_array_size(list); ++k)
 	{
 		const Location* at = ELEMENT(KEY(NULL, key), k);
 		Block* block = &scene->blocks[scene->block_count++];
@@ -222,13 +150,12 @@ static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* 
 static bool read_joints(Reader* reader, const json_t* root, Scene* scene)
 {
 	const json_t* list = json_object_get(root, "joints");
-	int count;
-	if (!count_blocks(reader, root, "joints", &count))
+	if (!reader_list(reader, KEY(NULL, "joints"), list))
 		return false;
-	scene->joint_blocks = calloc((size_t)count + 1, sizeof(JointBlock));
+	scene->joint_blocks = calloc(json_array_size(list) + 1, sizeof(JointBlock));
 	if (!scene->joint_blocks)
 		return reader_fail(reader, NULL, "out of memory");
-	for (int k = 0; k < count; ++k)
+	for (int k = 0; k < (int)json_array_size(list); ++k)
 	{
 		const Location* at = ELEMENT(KEY(NULL, "joints"), k);
 		JointBlock* block = &scene->joint_blocks[scene->joint_block_count++];
@@ -263,23 +190,9 @@ static bool read_scene(Reader* reader, const json_t* root, const SceneSetting* s
 	return scene->block_count > 0 || reader_fail(reader, NULL, "no bodies and no collidables");
 }
 
-static json_t* load_json(const char* path, char* sentence)
-{
-	json_error_t error;
-	json_t* root = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
-	if (root)
-		return root;
-	if (error.line > 0)
-		snprintf(sentence, SCENE_SENTENCE, "%.200s: line %d, column %d: %.200s", path, error.line, error.column,
-		         error.text);
-	else
-		snprintf(sentence, SCENE_SENTENCE, "%.200s: %.200s", path, error.text);
-	return NULL;
-}
-
 Scene* scene_load(const char* path, const SceneSetting* settings, int count, char* sentence)
 {
-	json_t* root = load_json(path, sentence);
+	json_t* root = reader_load(path, sentence);
 	if (!root)
 		return NULL;
 	Scene* scene = calloc(1, sizeof(Scene));
@@ -290,9 +203,7 @@ Scene* scene_load(const char* path, const SceneSetting* settings, int count, cha
 	{
 		reader->file = path;
 		reader->sentence = sentence;
-		scene->world = scree_world_def_default();
-		scene->dt = 1.0f / 60.0f;
-		scene->substeps = 4;
+		format_default(OBJECT_scene, scene);
 		good = read_scene(reader, root, settings, count, scene);
 	}
 	if (good)
@@ -329,68 +240,4 @@ void scene_free(Scene* scene)
 	free(scene->blocks);
 	free(scene->attributes);
 	free(scene);
-}
-
-// Copies an expression without its blanks, because blanks separate parameters.
-static void append_tight(char* text, size_t size, const char* expression)
-{
-	for (; *expression && size > 1; ++expression)
-		if (*expression != ' ' && *expression != '\t')
-		{
-			*text++ = *expression;
-			--size;
-		}
-	*text = 0;
-}
-
-bool scene_heading(const char* path, char* title, size_t title_size, char* parameters, size_t parameters_size,
-                   char* sentence)
-{
-	json_t* root = load_json(path, sentence);
-	if (!root)
-		return false;
-	const char* text = json_string_value(json_object_get(root, "title"));
-	snprintf(title, title_size, "%s", text ? text : "");
-	parameters[0] = 0;
-	json_t* entry;
-	json_object_foreach(json_object_get(root, "parameters"), text, entry)
-	{
-		size_t length = strlen(parameters);
-		const json_t* value = json_object_get(entry, "default");
-		snprintf(parameters + length, parameters_size - length, "%s%s=", length ? " " : "", text);
-		length = strlen(parameters);
-		if (json_is_string(value))
-			append_tight(parameters + length, parameters_size - length, json_string_value(value));
-		else
-			snprintf(parameters + length, parameters_size - length, "%.9g", json_number_value(value));
-	}
-	json_decref(root);
-	return true;
-}
-
-// A bound may be an expression.
-static void write_bound(const json_t* bound, const char* without, char text[32])
-{
-	if (json_is_string(bound))
-		snprintf(text, 32, "%s", json_string_value(bound));
-	else if (json_is_number(bound))
-		snprintf(text, 32, "%.6g", json_number_value(bound));
-	else
-		snprintf(text, 32, "%s", without);
-}
-
-bool scene_parameter_help(const char* path, const char* name, char* help, size_t size, char* sentence)
-{
-	json_t* root = load_json(path, sentence);
-	if (!root)
-		return false;
-	const json_t* entry = json_object_get(json_object_get(root, "parameters"), name);
-	const char* text = json_string_value(json_object_get(entry, "description"));
-	char least[32], most[32];
-	write_bound(json_object_get(entry, "min"), "any", least);
-	write_bound(json_object_get(entry, "max"), "any", most);
-	snprintf(help, size, "%s%s%s to %s%s", text ? text : "", text ? ": " : "", least, most,
-	         json_is_true(json_object_get(entry, "integer")) ? ", whole numbers" : "");
-	json_decref(root);
-	return true;
 }

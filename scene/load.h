@@ -9,11 +9,4 @@
 Scene* scene_load(const char* path, const SceneSetting* settings, int count, char* sentence);
 void scene_free(Scene* scene);
 
-// Reads the title and the parameters with their defaults ("rows=100 columns=20") of a file. False writes a sentence.
-bool scene_heading(const char* path, char* title, size_t title_size, char* parameters, size_t parameters_size,
-                   char* sentence);
-
-// Writes what a parameter means, with its bounds. False writes a sentence.
-bool scene_parameter_help(const char* path, const char* name, char* help, size_t size, char* sentence);
-
 #endif

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // loop.c -- the repeat loops of a block: an index that runs over a range of whole numbers.
 #include "scene/loop.h"
+#include "scene/format.h"
 #include <string.h>
-
-static const Range any_index = {-1e9, 1e9, true, false};
-static const char* const loop_keys[] = {"index", "from", "to", NULL};
 
 bool loop_read(Reader* reader, const Location* location, const json_t* value, Loop* loop)
 {
 	const char* index;
-	if (!reader_object(reader, location, value, loop_keys))
+	if (!format_check(reader, location, value, OBJECT_loop))
 		return false;
 	if (!json_object_get(value, "to"))
 		return reader_fail(reader, location, "to is missing");
@@ -18,8 +16,8 @@ bool loop_read(Reader* reader, const Location* location, const json_t* value, Lo
 	if (!name_is_allowed(index) || scope_find(&reader->scope, index))
 		return reader_fail(reader, KEY(location, "index"), "\"%.40s\" is taken or is no name in small letters", index);
 	strcpy(loop->index, index);
-	return reader_member(reader, location, value, "from", any_index, 0, &loop->first) &&
-	       reader_member(reader, location, value, "to", any_index, 0, &loop->end);
+	return reader_member(reader, location, value, "from", format_range(OBJECT_loop, "from"), 0, &loop->first) &&
+	       reader_member(reader, location, value, "to", format_range(OBJECT_loop, "to"), 0, &loop->end);
 }
 
 bool loop_add_index(Reader* reader, const Location* location, const Loop* loop, int slot, double value)

@@ -1,27 +1,13 @@
 // SPDX-License-Identifier: MIT
 // material_block.c -- what pairs of materials of a scene do.
 #include "scene/material_block.h"
+#include "scene/format.h"
 #include <stdlib.h>
-
-static const char* const keys[] = {"between", "friction", "restitution", "tangent_speed", "ignored", NULL};
-
-static bool read_optional(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
-                          float* number)
-{
-	const json_t* value = json_object_get(object, key);
-	double read = 0;
-	if (!value)
-		return true;
-	if (!reader_constant(reader, KEY(location, key), value, range, &read))
-		return false;
-	*number = (float)read;
-	return true;
-}
 
 static bool read_pair(Reader* reader, const Location* at, const json_t* entry, struct SceneMaterials* made)
 {
-	made->pair = scree_material_pair_default();
-	if (!reader_object(reader, at, entry, keys))
+	format_default(OBJECT_material, &made->pair);
+	if (!format_check(reader, at, entry, OBJECT_material))
 		return false;
 	const json_t* between = json_object_get(entry, "between");
 	const Location* place = KEY(at, "between");
@@ -30,14 +16,11 @@ static bool read_pair(Reader* reader, const Location* at, const json_t* entry, s
 	double materials[2] = {0, 0};
 	for (int k = 0; k < 2; ++k)
 		if (!reader_constant(reader, ELEMENT(place, k), json_array_get(between, (size_t)k),
-		                     (Range){0, 255, true, false}, materials + k))
+		                     format_range(OBJECT_material, "between"), materials + k))
 			return false;
 	made->a = (int)materials[0];
 	made->b = (int)materials[1];
-	return read_optional(reader, at, entry, "friction", (Range){0, 1e6, false, false}, &made->pair.friction) &&
-	       read_optional(reader, at, entry, "restitution", (Range){0, 100, false, false}, &made->pair.restitution) &&
-	       read_optional(reader, at, entry, "tangent_speed", any_coordinate, &made->pair.tangent_speed) &&
-	       reader_boolean(reader, KEY(at, "ignored"), json_object_get(entry, "ignored"), &made->pair.ignored);
+	return format_read(reader, at, entry, OBJECT_material, &made->pair, 0, NULL);
 }
 
 bool materials_read(Reader* reader, const json_t* root, Scene* scene)

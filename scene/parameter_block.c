@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // parameter_block.c -- the parameters and constants of a scene: names that its expressions use.
 #include "scene/parameter_block.h"
+#include "scene/format.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const char* const parameter_keys[] = {"default", "min", "max", "integer", "description", NULL};
 
 static bool add_name(Reader* reader, const Location* location, const char* text, double value)
 {
@@ -51,15 +50,15 @@ bool parameters_read(Reader* reader, const json_t* root, const SceneSetting* set
 	json_object_foreach((json_t*)parameters, text, entry)
 	{
 		const Location* at = KEY(location, text);
-		Range range = {-1e9, 1e9, json_is_true(json_object_get(entry, "integer")), false};
+		Range range = format_range(OBJECT_parameter, "default");
+		bool integer = false;
 		const json_t* low = json_object_get(entry, "min");
 		const json_t* high = json_object_get(entry, "max");
 		double value;
-		if (!reader_object(reader, at, entry, parameter_keys))
+		if (!format_check(reader, at, entry, OBJECT_parameter) ||
+		    !reader_boolean(reader, KEY(at, "integer"), json_object_get(entry, "integer"), &integer))
 			return false;
-		if (json_object_get(entry, "integer") && !json_is_boolean(json_object_get(entry, "integer")))
-			return reader_fail_value(reader, KEY(at, "integer"), json_object_get(entry, "integer"),
-			                         "must be true or false");
+		range.whole = integer;
 		if (low && !reader_constant(reader, KEY(at, "min"), low, range, &range.low))
 			return false;
 		if (high && !reader_constant(reader, KEY(at, "max"), high, range, &range.high))

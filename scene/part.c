@@ -6,21 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char* const part_keys[] = {"attribute", "choose",  "position", "angle",  "category", "mask",
-                                        "group",     "reports", "sensor",   "repeat", NULL};
-
-static bool read_filter(Reader* reader, const Location* location, const json_t* object, Part* part)
-{
-	part->filter = scree_filter_default();
-	const Range bits = {0, SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS | SCREE_REPORT_APPROVAL, true, false};
-	const Range sees = {0, SCREE_SENSOR_MOVING | SCREE_SENSOR_STATIC | SCREE_SENSOR_SENSORS, true, false};
-	return reader_member(reader, location, object, "group", (Range){-1e9, 1e9, true, false}, 0, &part->group) &&
-	       reader_member(reader, location, object, "reports", bits, 0, &part->reports) &&
-	       reader_member(reader, location, object, "sensor", sees, 0, &part->sensor) &&
-	       reader_bits(reader, location, object, "category", &part->filter.category) &&
-	       reader_bits(reader, location, object, "mask", &part->filter.mask);
-}
-
 static bool read_attribute_name(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                                 int* found)
 {
@@ -62,12 +47,13 @@ static bool read_choice(Reader* reader, const Location* location, const json_t* 
 	return reader_member(reader, location, object, "choose", range, 0, &choice->choose);
 }
 
-static bool read_part(Reader* reader, const Location* location, const json_t* value, const Scene* scene, Part* part)
+// Reads a part as an object of the format: one of several of a body, or a collidable without a body.
+static bool read_part(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
+                      FormatObject object, Part* part)
 {
+	format_default(object, &part->def);
 	return read_choice(reader, location, value, scene, &part->choice) &&
-	       reader_pair(reader, location, value, "position", any_coordinate, part->position) &&
-	       reader_member(reader, location, value, "angle", any_angle, 0, &part->angle) &&
-	       read_filter(reader, location, value, part);
+	       format_read(reader, location, value, object, &part->def, 0, &part->numbers);
 }
 
 // Adds parts and returns the first of them.
@@ -87,7 +73,7 @@ static Part* add_parts(Parts* parts, int count)
 static bool read_part_entry(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                             Parts* parts)
 {
-	if (!reader_object(reader, location, value, part_keys))
+	if (!format_check(reader, location, value, OBJECT_part))
 		return false;
 	const json_t* repeat = json_object_get(value, "repeat");
 	Loop loop = {0};
@@ -116,7 +102,7 @@ static bool read_part_entry(Reader* reader, const Location* location, const json
 		int names = reader->scope.count;
 		if (repeat && !loop_add_index(reader, location, &loop, -1, first + k))
 			return false;
-		if (!read_part(reader, location, value, scene, &part[k]))
+		if (!read_part(reader, location, value, scene, OBJECT_part, &part[k]))
 			return false;
 		reader->scope.count = names;
 	}
@@ -126,8 +112,6 @@ static bool read_part_entry(Reader* reader, const Location* location, const json
 bool parts_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, bool bodies,
                 Parts* parts)
 {
-	static const char* const of_parts[] = {"attribute", "choose",  "category", "mask",
-	                                       "group",     "reports", "sensor",   NULL};
 	const json_t* list = json_object_get(value, "collidables");
 	parts->simple = !list;
 	if (!list)
@@ -135,17 +119,16 @@ bool parts_read(Reader* reader, const Location* location, const json_t* value, c
 		Part* part = add_parts(parts, 1);
 		if (!part)
 			return reader_fail(reader, location, "out of memory");
-		if (!read_choice(reader, location, value, scene, &part->choice) || !read_filter(reader, location, value, part))
-			return false;
-		return bodies || (reader_pair(reader, location, value, "position", any_coordinate, part->position) &&
-		                  reader_member(reader, location, value, "angle", any_angle, 0, &part->angle));
+		return bodies ? read_choice(reader, location, value, scene, &part->choice)
+		              : read_part(reader, location, value, scene, OBJECT_collidable, part);
 	}
-	if (!json_is_array(list))
-		return reader_fail_value(reader, KEY(location, "collidables"), list, "must be a list, [ ... ]");
-	for (const char* const* key = of_parts; *key; ++key)
+	if (!reader_list(reader, KEY(location, "collidables"), list))
+		return false;
+	for (const FormatKey* key = format_keys(OBJECT_body); key->object == OBJECT_body; ++key)
 	{
-		if (json_object_get(value, *key))
-			return reader_fail(reader, location, "%s belongs into each of the collidables", *key);
+		bool each = key->need == NEED_ALONE || strcmp(key->name, "attribute") == 0;
+		if (each && json_object_get(value, key->name))
+			return reader_fail(reader, location, "%s belongs into each of the collidables", key->name);
 	}
 	for (int k = 0; k < (int)json_array_size(list); ++k)
 	{
@@ -163,12 +146,7 @@ void parts_free(Parts* parts)
 		Part* part = &parts->list[k];
 		free(part->choice.attributes);
 		number_free(&part->choice.choose);
-		number_free(&part->position[0]);
-		number_free(&part->position[1]);
-		number_free(&part->angle);
-		number_free(&part->group);
-		number_free(&part->reports);
-		number_free(&part->sensor);
+		format_free(&part->numbers);
 	}
 	free(parts->list);
 }

@@ -2,8 +2,7 @@
 // part.h -- the collidables of a block's items: attribute, pose in the body, filter.
 #ifndef PART_H
 #define PART_H
-#include "scene/reader.h"
-#include "scene/scene.h"
+#include "scene/format.h"
 
 #define MAX_PARTS 65536 // collidables of one body
 
@@ -17,11 +16,8 @@ typedef struct // one of a list of attributes
 typedef struct // one collidable of each item
 {
 	Choice choice;
-	Number position[2], angle;
-	scree_filter filter; // but for its group
-	Number group;
-	Number reports; // SCREE_REPORT_* bits
-	Number sensor;  // SCREE_SENSOR_* bits
+	scree_collidable_def def; // what those of all items have in common
+	FormatNumbers numbers;
 } Part;
 
 typedef struct // all collidables of each item

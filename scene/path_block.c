@@ -2,13 +2,11 @@
 // path_block.c -- the paths of a scene: points by name, single ones and rows of them.
 #include "scene/path_block.h"
 #include "scene/block_items.h"
+#include "scene/format.h"
 #include <stdlib.h>
 #include <string.h>
 
 #define MOST_POINTS 65536 // of a path, as scree.h has it
-
-static const char* const path_keys[] = {"points", "closed", "description", NULL};
-static const char* const row_keys[] = {"position", "repeat", NULL};
 
 static bool add_point(Reader* reader, const Location* location, ScenePath* path, scree_vec point)
 {
@@ -45,8 +43,8 @@ static bool read_row(Reader* reader, const Location* location, const json_t* val
 	int64_t count;
 	Loops loops = {0};
 	Row row = {.path = path, .location = location};
-	bool good = reader_object(reader, location, value, row_keys) && loops_read(reader, location, value, &loops) &&
-	            reader_pair(reader, location, value, "position", any_coordinate, row.position) &&
+	bool good = format_check(reader, location, value, OBJECT_row) && loops_read(reader, location, value, &loops) &&
+	            reader_pair(reader, location, value, "position", format_range(OBJECT_row, "position"), row.position) &&
 	            items_count(reader, location, &loops, MOST_POINTS, &count) && items_run(reader, &loops, add_item, &row);
 	reader->scope.count = names;
 	loops_free(&loops);
@@ -85,8 +83,9 @@ static bool check_path(Reader* reader, const Location* location, const ScenePath
 static bool read_path(Reader* reader, const Location* location, const json_t* value, scree_world* world,
                       ScenePath* path)
 {
-	return reader_object(reader, location, value, path_keys) &&
-	       reader_boolean(reader, KEY(location, "closed"), json_object_get(value, "closed"), &path->closed) &&
+	format_default(OBJECT_path, &path->def);
+	return format_check(reader, location, value, OBJECT_path) &&
+	       format_read(reader, location, value, OBJECT_path, &path->def, 0, NULL) &&
 	       read_points(reader, KEY(location, "points"), json_object_get(value, "points"), path) &&
 	       check_path(reader, location, path, world);
 }
@@ -144,10 +143,9 @@ int paths_find(const Scene* scene, const char* name)
 
 scree_status path_build(const ScenePath* path, scree_world* world, scree_path* made)
 {
-	scree_path_def def = scree_path_def_default();
+	scree_path_def def = path->def;
 	def.points = path->points;
 	def.count = path->count;
-	def.closed = path->closed;
 	if (!def.points)
 		def.points = &(scree_vec){0.0f, 0.0f}; // without points their number is what is wrong
 	return scree_path_create(world, &def, made);

@@ -8,8 +8,8 @@
 struct ScenePath
 {
 	char name[NAME_SIZE];
-	bool closed;
-	scree_vec* points; // m
+	scree_path_def def; // without its points
+	scree_vec* points;  // m
 	int count, capacity;
 };
 

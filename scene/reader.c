@@ -9,6 +9,20 @@
 
 #define SHOWN 48 // characters of a wrong value in an error
 
+json_t* reader_load(const char* path, char* sentence)
+{
+	json_error_t error;
+	json_t* root = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
+	if (root)
+		return root;
+	if (error.line > 0)
+		snprintf(sentence, SENTENCE_SIZE, "%.200s: line %d, column %d: %.200s", path, error.line, error.column,
+		         error.text);
+	else
+		snprintf(sentence, SENTENCE_SIZE, "%.200s: %.200s", path, error.text);
+	return NULL;
+}
+
 void location_text(const Location* location, char* text, size_t size)
 {
 	text[0] = 0;
@@ -70,25 +84,9 @@ const char* range_fault(Range range, double value, char* text, size_t size)
 	return text;
 }
 
-bool reader_object(Reader* reader, const Location* location, const json_t* value, const char* const* keys)
+bool reader_list(Reader* reader, const Location* location, const json_t* value)
 {
-	if (!json_is_object(value))
-		return reader_fail_value(reader, location, value, "must be an object, { ... }");
-	for (void* at = json_object_iter((json_t*)value); at; at = json_object_iter_next((json_t*)value, at))
-	{
-		const char* key = json_object_iter_key(at);
-		const char* const* known = keys;
-		while (*known && strcmp(*known, key) != 0)
-			++known;
-		if (*known)
-			continue;
-
-		char list[360] = "";
-		for (known = keys; *known; ++known)
-			snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", known == keys ? "" : ", ", *known);
-		return reader_fail(reader, location, "unknown key \"%.40s\"; known are %s", key, list);
-	}
-	return true;
+	return !value || json_is_array(value) || reader_fail_value(reader, location, value, "must be a list, [ ... ]");
 }
 
 bool reader_number(Reader* reader, const Location* location, const json_t* value, Range range, Number* number)
@@ -196,20 +194,56 @@ bool reader_boolean(Reader* reader, const Location* location, const json_t* valu
 	return json_is_boolean(value) || reader_fail_value(reader, location, value, "must be true or false");
 }
 
-bool reader_bits(Reader* reader, const Location* location, const json_t* object, const char* key, uint64_t* bits)
+static void join(const char* begin, const char* const* names, char* text, size_t size)
 {
-	const json_t* value = json_object_get(object, key);
-	if (!value)
+	size_t length = (size_t)snprintf(text, size, "%s ", begin);
+	for (int k = 0; names[k] && length < size; ++k)
+		length += (size_t)snprintf(text + length, size - length, "%s%s", k > 0 ? ", " : "", names[k]);
+}
+
+bool reader_name(Reader* reader, const Location* location, const json_t* value, const char* const* names,
+                 uint32_t* position)
+{
+	char must[160];
+	for (uint32_t k = 0; json_is_string(value) && names[k]; ++k)
+	{
+		if (strcmp(json_string_value(value), names[k]) != 0)
+			continue;
+		*position = k;
 		return true;
-	const Location* at = KEY(location, key);
+	}
+	join("must be one of", names, must, sizeof must);
+	return value ? reader_fail_value(reader, location, value, must)
+	             : reader_fail(reader, location, "is missing, %s", must);
+}
+
+bool reader_names(Reader* reader, const Location* location, const json_t* value, const char* const* names,
+                  uint32_t* bits)
+{
+	char must[160];
+	uint32_t position = 0;
+	*bits = 0;
+	for (int k = 0; k < (int)json_array_size(value); ++k)
+	{
+		if (!reader_name(reader, ELEMENT(location, k), json_array_get(value, (size_t)k), names, &position))
+			return false;
+		*bits |= (uint32_t)1 << position;
+	}
+	join("must be a list of", names, must, sizeof must);
+	return json_is_array(value) ||
+	       (value ? reader_fail_value(reader, location, value, must) : reader_fail(reader, location, "%s", must));
+}
+
+bool reader_bits(Reader* reader, const Location* location, const json_t* value, uint64_t* bits)
+{
 	if (!json_is_array(value))
-		return reader_fail_value(reader, at, value, "must be a list of bits, 0 to 63");
+		return reader_fail_value(reader, location, value, "must be a list of bits, 0 to 63");
 	*bits = 0;
 	for (int k = 0; k < (int)json_array_size(value); ++k)
 	{
 		double bit;
-		if (!reader_constant(reader, ELEMENT(at, k), json_array_get(value, (size_t)k), (Range){0, 63, true, false},
-		                     &bit))
+		if (!reader_constant(reader, ELEMENT(location, k), json_array_get(value, (size_t)k),
+		                     (Range){0, 63, true, false}, &bit))
 			return false;
 		*bits |= (uint64_t)1 << (int)bit;
 	}

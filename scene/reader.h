@@ -35,12 +35,7 @@ typedef struct
 	bool floored; // only the whole part is used
 } Range;
 
-// ranges that several keys share; sizes and coordinates as include/scree/scree.h has them
-static const Range any_coordinate = {-SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE, false, false};
-static const Range any_size = {0.001, SCREE_MAX_COORDINATE, false, false};
-static const Range any_speed = {-1e6, 1e6, false, false};
-static const Range not_negative = {0, 1e6, false, false};
-static const Range any_angle = {-1e6, 1e6, false, false};
+static const Range any_coordinate = {-SCREE_HUGE, SCREE_HUGE, false, false};
 
 typedef struct // a number that may differ between items
 {
@@ -57,6 +52,9 @@ typedef struct // a number that may differ between items
 #define READER_FORMAT(a, b)
 #endif
 
+// The JSON of a file, which the caller releases; null after writing a sentence of SENTENCE_SIZE characters.
+json_t* reader_load(const char* path, char* sentence);
+
 // Writes "FILE: PLACE: ..." as the sentence and returns false.
 bool reader_fail(Reader* reader, const Location* location, const char* format, ...) READER_FORMAT(3, 4);
 
@@ -69,8 +67,8 @@ const char* range_fault(Range range, double value, char* text, size_t size);
 // Writes a location as "bodies[3].position[0]".
 void location_text(const Location* location, char* text, size_t size);
 
-// Checks that value is an object whose keys are all in the list, which ends with null.
-bool reader_object(Reader* reader, const Location* location, const json_t* value, const char* const* keys);
+// Checks that a value is a list, or missing.
+bool reader_list(Reader* reader, const Location* location, const json_t* value);
 
 // Each reads one value. Numbers may be JSON numbers or strings with expressions.
 bool reader_number(Reader* reader, const Location* location, const json_t* value, Range range, Number* number);
@@ -80,14 +78,20 @@ bool reader_string(Reader* reader, const Location* location, const json_t* value
 bool reader_boolean(Reader* reader, const Location* location, const json_t* value,
                     bool* boolean); // stays as it is without a value
 
+// Read the position of a name in a list that ends with null, and a list of such names as bits.
+bool reader_name(Reader* reader, const Location* location, const json_t* value, const char* const* names,
+                 uint32_t* position);
+bool reader_names(Reader* reader, const Location* location, const json_t* value, const char* const* names,
+                  uint32_t* bits);
+
+// Reads a list of bit numbers, because a JSON number cannot hold 64 bits.
+bool reader_bits(Reader* reader, const Location* location, const json_t* value, uint64_t* bits);
+
 // Read a member of an object: a number, which is missing without the member, or a list of two numbers, which are 0 then.
 bool reader_member(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
                    double missing, Number* number);
 bool reader_pair(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
                  Number pair[2]);
-
-// Reads a member that is a list of bit numbers, because a JSON number cannot hold 64 bits. Without it bits stay as they are.
-bool reader_bits(Reader* reader, const Location* location, const json_t* object, const char* key, uint64_t* bits);
 
 void number_free(Number* number);
 

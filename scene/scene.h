@@ -2,12 +2,16 @@
 // scene.h -- a scene that was read from a file. scenes/scene.schema.json describes the format of files.
 #ifndef SCENE_H
 #define SCENE_H
+#include "scene/scene_keys.h"
 #include "scree/scree.h"
 #include <stdio.h>
 
 #define SCENE_MAX_BODIES 20000000 // and collidables, and joints
+#define SCENE_MAX_RAYS   20000000 // after a step: 64 bytes each
 #define SCENE_SENTENCE   512      // characters of an error message
 #define SCENE_PATH       1024     // characters of a path
+#define MAX_HULL_POINTS  64
+#define FULL_TURN        6.283185307f // rad
 
 typedef struct Block Block;                   // scene/block.h
 typedef struct JointBlock JointBlock;         // scene/joint_block.h
@@ -15,10 +19,54 @@ typedef struct Attribute Attribute;           // scene/attribute_block.h
 typedef struct ScenePath ScenePath;           // scene/path_block.h
 typedef struct SceneMaterials SceneMaterials; // scene/material_block.h
 typedef struct SceneField SceneField;         // scene/field_block.h
-typedef struct SceneBlast SceneBlast;
-typedef struct Fan Fan;             // scene/lidar.h
-typedef struct Control Control;     // scene/controls.h
-typedef struct Character Character; // scene/character.h
+typedef struct Cue Cue;                       // scene/character.h
+
+typedef struct // changes of bodies of a block before every step
+{
+	int moved, replaced; // bodies a step: moved to another place, destroyed and created again there
+	scree_pose pose;     // without numbers that differ
+	scree_velocity velocity;
+	scree_body_def* items; // all bodies of the block as created first; attributes: positions in Scene.attributes
+} Churn;
+
+typedef struct // an explosion
+{
+	int64_t step; // before which it goes off
+	scree_blast_def def;
+} SceneBlast;
+
+typedef struct // rays of each body of a block
+{
+	int block;          // position in Scene.blocks of the bodies that cast; -1: the world
+	int count;          // rays of each body
+	scree_vec position; // m: of the eye, in the body's frame
+	float angle;        // rad: of the middle of the fan, in the body's frame
+	float spread;       // rad: from the first ray to the last; FULL_TURN: all around, the last is next to the first
+	float length;       // m
+	float radius;       // m: of the circle that moves along each ray
+	scree_query_def def;
+} Fan;
+
+typedef struct // a force while the user holds a key
+{
+	SceneKey key;
+	int block;        // position in Scene.blocks
+	int first, count; // bodies of the block
+	scree_vec force;  // N, at the center of mass, in each step that begins with the key down
+	float torque;     // N m
+	bool turns;       // the force turns with the body
+} Control;
+
+typedef struct // a mover, the body that shows it, and its script
+{
+	int block; // position in Scene.blocks of its body, the first one of a kinematic entry
+	int takes; // that of the bodies with sensors that it takes when it comes into them; -1: nothing
+	scree_mover_def def;
+	float speed; // m/s: at a walk
+	float jump;  // m/s: up, when it begins to jump
+	Cue* cues;   // by rising steps
+	int cue_count;
+} Character;
 
 typedef struct
 {

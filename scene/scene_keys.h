@@ -2,7 +2,6 @@
 // scene_keys.h -- keys that a scene may ask for, and their names in scene files.
 #ifndef SCENE_KEYS_H
 #define SCENE_KEYS_H
-#include "scene/reader.h"
 
 typedef enum
 {
@@ -12,9 +11,6 @@ typedef enum
 	SCENE_KEYS, // at most 32
 } SceneKey;
 
-extern const char* const scene_key_names[SCENE_KEYS];
-
-// Reads the name of a key.
-bool scene_key_read(Reader* reader, const Location* location, const json_t* value, SceneKey* key);
+extern const char* const scene_key_names[SCENE_KEYS + 1]; // ends with null
 
 #endif

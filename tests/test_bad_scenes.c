@@ -70,9 +70,10 @@ static void test_bad_keys(void** state)
 	    {BODY("\"attribute\": \"a\", \"position\": [3]"), "bodies[1].position: [3] must be a list of 2 numbers"},
 	    {BODY("\"attribute\": \"a\", \"position\": [3, null]"), "bodies[1].position[1]: null must be a number"},
 	    {BODY("\"attribute\": \"a\", \"angle\": true"), "bodies[1].angle: true must be a number"},
-	    {BODY("\"attribute\": \"a\", \"type\": \"solid\""), "bodies[1].type: \"solid\" must be \"static\""},
+	    {BODY("\"attribute\": \"a\", \"type\": \"solid\""),
+	     "bodies[1].type: \"solid\" must be one of static, kinematic, dynamic"},
 	    {BODY("\"attribute\": \"a\", \"disabled\": 3"), "bodies[1].disabled: 3 must be true or false"},
-	    {BODY("\"attribute\": \"a\", \"locks\": [\"z\"]"), "bodies[1].locks[0]: \"z\" must be \"x\""},
+	    {BODY("\"attribute\": \"a\", \"locks\": [\"z\"]"), "bodies[1].locks[0]: \"z\" must be one of x, y, rotation"},
 	    {BODY("\"attribute\": \"a\", \"category\": [64]"), "bodies[1].category[0]: 64 must be at most 63"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
@@ -133,7 +134,8 @@ static void test_bad_rays(void** state)
 	    {RAYS("\"count\": 1, \"length\": 1, \"from\": \"ear\""), "rays[0].from: \"ear\" is not the name of bodies"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"from\": 3"), "rays[0].from: 3 must be a string"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"sees\": \"static\""), "rays[0].sees: \"static\" must be a list of"},
-	    {RAYS("\"count\": 1, \"length\": 1, \"sees\": [\"all\"]"), "rays[0].sees[0]: \"all\" must be \"static\""},
+	    {RAYS("\"count\": 1, \"length\": 1, \"sees\": [\"all\"]"),
+	     "rays[0].sees[0]: \"all\" must be one of static, kinematic,"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"mask\": [64]"), "rays[0].mask[0]: 64 must be at most 63"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"skip_inside\": 1"), "rays[0].skip_inside: 1 must be true or false"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"any\": true"), "rays[0]: unknown key \"any\""},
@@ -339,7 +341,7 @@ static void test_bad_coordinates(void** state)
 	const BadScene cases[] = {
 	    {REVOLUTE("\"angle\": 1"), "joints[0].angle: 1 must be an object"},
 	    {REVOLUTE("\"angle\": {\"limit\": 1}"),
-	     "joints[0].angle: unknown key \"limit\"; known are locked, target, limits"},
+	     "joints[0].angle: unknown key \"limit\"; known are locked, limits, target"},
 	    {REVOLUTE("\"angle\": {\"locked\": 1}"), "joints[0].angle.locked: 1 must be true or false"},
 	    {REVOLUTE("\"along\": {\"limits\": [0, 1]}"),
 	     "joints[0].along: a locked coordinate has no limits; \"locked\": false frees it"},
@@ -457,7 +459,7 @@ static void test_bad_fields(void** state)
 	const BadScene cases[] = {
 	    {HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"attribute\": \"a\"}], \"fields\": {}}",
 	     "fields: {} must be a list, [ ... ]"},
-	    {FIELD(""), "fields[0]: type is missing, must be one of uniform, radial, vortex, drag, wind, buoyancy"},
+	    {FIELD(""), "fields[0].type: is missing, must be one of uniform, radial, vortex, drag, wind, buoyancy"},
 	    {FIELD("\"type\": \"water\""), "fields[0].type: \"water\" must be one of uniform, radial,"},
 	    {FIELD("\"type\": \"radial\", \"falloff\": 2"),
 	     "fields[0].falloff: 2 must be one of constant, linear, inverse,"},

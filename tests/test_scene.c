@@ -11,6 +11,7 @@
 #include "scene/churn.h"
 #include "scene/controls.h"
 #include "scene/find.h"
+#include "scene/heading.h"
 #include "scene/load.h"
 #include "scene_text.h"
 #include <float.h>

@@ -5,6 +5,7 @@
 #include "scene/churn.h"
 #include "scene/controls.h"
 #include "scene/find.h"
+#include "scene/heading.h"
 #include "scene/load.h"
 #include "view/shader.h"
 #include <math.h>

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// heading.h -- the title and the parameters of a scene file.
+#ifndef HEADING_H
+#define HEADING_H
+#include <stdbool.h>
+#include <stddef.h>
+
+// Reads the title and the parameters with their defaults ("rows=100 columns=20") of a file. False writes a sentence.
+bool scene_heading(const char* path, char* title, size_t title_size, char* parameters, size_t parameters_size,
+                   char* sentence);
+
+// Writes what a parameter means, with its bounds. False writes a sentence.
+bool scene_parameter_help(const char* path, const char* name, char* help, size_t size, char* sentence);
+
+#endif

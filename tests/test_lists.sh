@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# test_lists.sh -- the files that come from lists of the sources are as make lists writes them.
+set -euo pipefail
+[ -x "$SCREE_BUILD/tests/scene_lists" ] || { echo "skipped: scenes need Jansson"; exit 77; }
+folder=$(mktemp -d "$SCREE_BUILD/test_lists.XXXXXX")
+trap 'rm -rf "$folder"' EXIT
+bash "$SCREE_SOURCE/tools/lists.sh" "$SCREE_BUILD/tests" "$folder"
+for file in scenes/scene.schema.json docs/scenes.md; do
+	diff -u "$SCREE_SOURCE/$file" "$folder/$file" || { echo "$file: make lists writes it"; exit 1; }
+done

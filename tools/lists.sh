@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# lists.sh -- writes the files that come from lists of the sources.
+#
+# lists.sh TESTS [FOLDER]: writes scenes/scene.schema.json and the tables of docs/scenes.md in FOLDER, by default the sources. TESTS is
+# the folder of the test programs, where scene_lists is.
+set -euo pipefail
+. "${BASH_SOURCE[0]%/*}/usage.sh"
+source=${BASH_SOURCE[0]%/*}/..
+program=${1:?is the folder of the test programs}/scene_lists
+folder=${2:-$source}
+
+mkdir -p "$folder/scenes" "$folder/docs"
+schema=$("$program" schema)
+document=$(
+	sed '/^<!-- tables by make lists -->$/q' "$source/docs/scenes.md"
+	"$program" tables
+	sed -n '/^<!-- end of tables -->$/,$p' "$source/docs/scenes.md"
+)
+echo "$schema" >"$folder/scenes/scene.schema.json"
+echo "$document" >"$folder/docs/scenes.md"
