@@ -88,6 +88,8 @@ static bool run_loops(Run* run, int depth)
 	}
 	const Loop* loop = &items->loops->list[depth];
 	double first, end;
+	// the number of the next item, so that random() in a range draws the same while items are counted and while they are made
+	items->item.number = (uint64_t)run->count;
 	if (!items_value(items, &loop->first, &first) || !items_value(items, &loop->end, &end))
 		return false;
 	if (!run->each && depth == items->loops->count - 1)

@@ -200,6 +200,23 @@ static void test_build(void** state)
 	scene_free(scene);
 }
 
+// A range that random() bounds gives as many bodies as were counted: 12 to 36 for these 12 rounds.
+static void test_random_ranges(void** state)
+{
+	(void)state;
+	const char* text = HEAD GOOD_ATTRIBUTES
+	    "\"bodies\": [{\"name\": \"n\", \"attribute\": \"a\", \"repeat\": [{\"index\": \"i\", \"to\": 12},"
+	    " {\"index\": \"j\", \"to\": \"floor(random(1, 4))\"}]}]}";
+	Scene* scene;
+	scree_world* world = open_text(text, &scene);
+	int count = 0;
+	assert_int_equal(scree_world_get_bodies(world, NULL, 0, &count), SCREE_OK);
+	assert_int_equal(count, scene->body_count);
+	assert_true(count > 12 && count < 36);
+	scree_world_destroy(world);
+	scene_free(scene);
+}
+
 // Bodies in the order of their joints, which have the numbers that the scene says, the type's where it says none.
 static void test_joints(void** state)
 {
@@ -494,7 +511,7 @@ int main(void)
 	    cmocka_unit_test(test_joints),  cmocka_unit_test(test_missing_file), cmocka_unit_test(test_settings),
 	    cmocka_unit_test(test_shipped), cmocka_unit_test(test_ten_million),  cmocka_unit_test(test_build),
 	    cmocka_unit_test(test_churn),   cmocka_unit_test(test_disabled),     cmocka_unit_test(test_contact_details),
-	    cmocka_unit_test(test_fields),  cmocka_unit_test(test_keys),
+	    cmocka_unit_test(test_fields),  cmocka_unit_test(test_keys),         cmocka_unit_test(test_random_ranges),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }
