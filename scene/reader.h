@@ -35,7 +35,7 @@ typedef struct
 	bool floored; // only the whole part is used
 } Range;
 
-static const Range any_coordinate = {-SCREE_HUGE, SCREE_HUGE, false, false};
+static const Range any_coordinate = {-SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE, false, false};
 
 typedef struct // a number that may differ between items
 {

@@ -229,7 +229,7 @@ static void test_bad_joints(void** state)
 	    {REVOLUTE("\"frame_a\": {\"angle\": []}"), "joints[0].frame_a.angle: [] must be a number"},
 	    {REVOLUTE("\"hertz\": -1"), "joints[0].hertz: -1 must not be negative"},
 	    {REVOLUTE("\"force_threshold\": -1"), "joints[0].force_threshold: -1 must not be negative"},
-	    {REVOLUTE("\"breaks\": 1"), "joints[0].breaks: 1 must be true or false"},
+	    {REVOLUTE("\"can_break\": 1"), "joints[0].can_break: 1 must be true or false"},
 	    {REVOLUTE("\"collide_connected\": \"no\""), "joints[0].collide_connected: \"no\" must be true or false"},
 	    {REVOLUTE("\"repeat\": {\"index\": \"i\", \"to\": 30000000}"), "joints[0]: 30000000 or more items"},
 	    {JOINT("\"type\": \"distance\", \"a\": null, \"b\": {\"body\": \"one\"}, \"at\": [0, 0]"),
@@ -301,12 +301,12 @@ static void test_bad_paths(void** state)
 	     "paths.rail: unknown key \"bends\"; known are points, closed, description"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"path\""), "joints[0].path: is missing"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"road\""), "joints[0].path: \"road\" is not among the paths"},
-	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"rail\", \"near\": 1e6"),
-	     "joints[0].near: 1000000.0 must be at most 100000"},
+	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"rail\", \"initial_along\": 1e6"),
+	     "joints[0].initial_along: 1000000.0 must be at most 100000"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"rail\", \"at\": [0, 0], \"to\": [1, 0]"),
 	     "joints[0]: to: a path joint has one anchor, that of b"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"weld\", \"path\": \"rail\""), "joints[0].path: only a path joint has it"},
-	    {RAIL(GOOD_RAIL, "\"type\": \"weld\", \"near\": 1"), "joints[0].near: only a path joint has it"},
+	    {RAIL(GOOD_RAIL, "\"type\": \"weld\", \"initial_along\": 1"), "joints[0].initial_along: only a path joint has it"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
