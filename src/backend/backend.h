@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// backend.h -- the functions of a device: they hold the pools, execute lists of runs, and solve. The caller orders the stages.
+// backend.h -- the functions of a device, which stores the pools, executes lists of runs, and solves; the caller
+// defines the order of the stages.
 #ifndef BACKEND_H
 #define BACKEND_H
 #include "backend/run_list.h"
@@ -13,33 +14,33 @@
 
 typedef struct
 {
-	const char* device; // part of a name, or null for the first that fits
+	const char* device; // part of a name, or null for the first suitable device
 	int threads, lanes; // 0 for as many as there are
 	bool allow_unequal_bits, timings;
-	bool gpu;                   // OpenCL: only a GPU will do, else SCREE_ERROR_NO_DEVICE
-	const scree_opengl* opengl; // or null
+	bool gpu;                   // OpenCL: only a GPU is accepted, otherwise SCREE_ERROR_NO_DEVICE
+	const scree_opengl* opengl; // context for sharing, or null
 } BackendOptions;
 
 #define READ_ASYNC_BYTES ((size_t)4096)
 _Static_assert(sizeof(Counters) <= READ_ASYNC_BYTES, "the counters are read in halves");
 
-typedef struct // memory that OpenGL draws from; the caller owns it
+typedef struct // memory from which OpenGL draws; the caller owns it
 {
 	scree_sharing how; // not SCREE_SHARING_COPIED
-	int file;          // SCREE_SHARING_MEMORY: descriptor, the device's own once it has taken it
+	int file;          // SCREE_SHARING_MEMORY: file descriptor, which belongs to the device after it accepted it
 	uint32_t buffer;   // SCREE_SHARING_OPENGL: name of a buffer object
 	size_t bytes;
 } SharedMemory;
 
-typedef enum // of shared memory
+typedef enum // uses of shared memory
 {
-	SHARED_ROWS,    // for drawing
-	SHARED_QUERIES, // and their answers
+	SHARED_ROWS,    // render rows
+	SHARED_QUERIES, // queries and their answers
 	SHARED_USES
 } SharedUse;
 
-// Blocks of so many bodies, or collidables, that a step may change. A backend may leave out the others in stages over all of
-// them: these would write what is there already.
+// Blocks of ACTIVE_ITEMS bodies, or collidables, that a step may change. In kernels over all of them, a backend may
+// skip the other blocks, because the kernels would write the values that are already there.
 #define ACTIVE_ITEMS (8 * MAX_LANES)
 enum
 {
@@ -49,69 +50,74 @@ enum
 };
 typedef struct
 {
-	const int* blocks; // numbers, ascending; null: all of them
+	const int* blocks; // block numbers, ascending; null: all of them
 	int count;
 } ActiveBlocks;
 
-// Items that take long, the longest first, are dealt to workers like cards, back and forth: the place of a worker in a round, and
-// the worker of a place. The work of workers is similar then, and each has the same items in every pass.
+// Distribution of long items to workers, the longest first, in boustrophedon order: forward in even rounds, backward in
+// odd ones. Thus all workers have similar amounts of work, and each has the same items in every pass. dealt returns the
+// position of a worker in a round, or the worker at a position.
 static inline int dealt(int round, int place, int workers) { return round & 1 ? workers - 1 - place : place; }
 
-typedef struct // many items to a device, a stage over each, and an answer for each back
+typedef struct // upload of many items, a kernel over each, and readback of an answer for each
 {
-	PoolId asked; // of the items
+	PoolId asked; // pool of the items
 	const void* items;
-	Run run; // from 0 on
+	Run run; // run, which begins at item 0
 	PoolId answered;
 	void* answers; // in the order of the items
-	// of items begin to end - 1, by any thread while the device works. No answer is written before all items are good; the stage
-	// ends whatever they are. Null for none.
+	// Checks items begin to end - 1, in any thread while the device works; null for no check. No answer is written
+	// before all items are valid. The kernel ends whatever the items contain.
 	scree_status (*check)(const void* context, int begin, int end);
-	const void* context; // of check
+	const void* context; // argument of check
 } Batch;
 
 typedef struct Backend Backend;
-typedef struct // every function that returns a status has set the error's sentence (fail, src/platform/error.h)
+typedef struct // every function that returns a status sets the error's sentence on failure (fail, src/platform/error.h)
 {
-	// closes the backend, waiting for what runs; called also after a failed open
+	// closes the backend after its current work; also called after a failed open
 	void (*close)(Backend* b);
-	// gives the pools of one kind room for capacity items, keeping what they hold of these; new items are zero
+	// sets the capacity of the pools of one kind, and keeps their items; new items are zero
 	scree_status (*resize)(Backend* b, Per per, int capacity);
-	// works through runs in order, each complete before the next begins; may return before the device is done
+	// executes runs in order, each complete before the next begins; may return before the device has finished
 	scree_status (*run)(Backend* b, const Step* step, const Run* runs, int count);
-	// A solve, to the final poses: as solve_list lists it, or in another form with the same result. list is empty, and has
-	// room for that.
+	// executes a solve, to the final poses, as listed by solve_list, or in another form with the same result. list is
+	// empty, and has the capacity for that list
 	scree_status (*solve)(Backend* b, const Step* step, const Solve* solve, RunList* list);
-	// copies items first to first + count - 1 to and from the device, in order with the runs; read waits
+	// copy items first to first + count - 1 to and from the device, in order with the runs; read returns after the copy
 	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
 	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);
-	// read in two halves: what is copied is what the runs before read_begin left, and read_end waits for the copy
-	// alone, not for the runs after it. One copy at a time, of READ_ASYNC_BYTES at most.
+	// read in two halves: read_begin copies the results of the runs before it, and read_end returns after that copy,
+	// but does not wait for later runs. One copy at a time, of at most READ_ASYNC_BYTES
 	scree_status (*read_begin)(Backend* b, PoolId pool, int first, int count);
 	scree_status (*read_end)(Backend* b, void* items);
-	// write, run and read, which may overlap
+	// combines write, run and read, which may overlap
 	scree_status (*batch)(Backend* b, const Step* step, const Batch* batch);
 	scree_status (*wait)(Backend* b);
-	// milliseconds spent in each stage since the last call, and clears them; zeros unless BackendOptions.timings. Waits.
+	// returns the milliseconds spent in each stage since the last call, and clears them; zeros without
+	// BackendOptions.timings. Waits until all work is complete.
 	scree_status (*timings)(Backend* b, double milliseconds[STAGE_COUNT]);
-	// Takes memory for a use, instead of what it had, or null for none; on failure it keeps what it had. Waits.
+	// replaces the memory of a use, null for none; on failure keeps the previous memory. Waits until all work is
+	// complete.
 	scree_status (*share)(Backend* b, SharedUse use, const SharedMemory* memory);
-	// runs a stage with the pool shown in that memory, and waits until OpenGL may read it
+	// runs a kernel with the pool render_row in that memory, and returns when OpenGL may read it
 	scree_status (*render)(Backend* b, const Run* run);
-	// copies the first items of a pool from the memory for queries at an offset, in order with the runs; or to it, and waits until
-	// others may read it
+	// copy the first items of a pool, in order with the runs. download: from the memory for queries, at an offset, into
+	// the pool. upload: from the pool into that memory; returns when others may read it
 	scree_status (*download)(Backend* b, PoolId pool, int count, size_t offset);
 	scree_status (*upload)(Backend* b, PoolId pool, int count, size_t offset);
-	// where a pool lies in the host's memory, until the next resize. Null where no pool does.
+	// returns the address of a pool in the host's memory, valid until the next resize. Null if pools are not in host
+	// memory.
 	void* (*address)(Backend* b, PoolId pool);
-	// frees a core for other work of this process, or uses it again, between two lists of runs. Null where the backend
+	// frees a core for other work of this process, or uses it again, between two lists of runs. Null if the backend
 	// uses no cores.
 	void (*spare)(Backend* b, bool core);
-	// allocates and releases two blocks of so many bytes beside the pools, to measure the speed of copies; release also
-	// works without blocks
+	// allocate and release two blocks beside the pools, to measure the speed of copies; release also works without
+	// blocks
 	scree_status (*copy_reserve)(Backend* b, size_t bytes);
 	void (*copy_release)(Backend* b);
-	// copies one block to the other so many times with all cores or units of the device; waits
+	// copies one block to the other the given number of times, with all cores or units of the device; returns after the
+	// copies
 	scree_status (*copy)(Backend* b, int times);
 } BackendFunctions;
 
@@ -120,26 +126,27 @@ struct Backend
 	const BackendFunctions* f;
 	char name[160];      // "cpu", "opencl:NVIDIA H200"
 	int threads, lanes;  // 0 on OpenCL
-	int traversal_items; // work-items among which the rest of a long walk is split, at least 1
-	int traversal_nodes; // nodes over leaves in a short walk; one that visits more is long
-	int chain_lanes;     // chains that are solved side by side, at least 1
+	int traversal_items; // work-items among which the rest of a long traversal is split, at least 1
+	int traversal_nodes; // nodes over leaves in a short traversal; a traversal that visits more is long
+	int chain_lanes;     // chains that are interleaved, at least 1
 	int groups;          // work-groups that run at the same time, at least 1
 	bool distant;        // a read takes as long as many runs
-	bool skips;          // it leaves out what is not in active
-	scree_sharing
-	    sharing; // what share accepts; SCREE_SHARING_COPIED for nothing, then share, show, take and give are null
-	int capacity[PER_COUNT];           // items that each kind of pool has room for
+	bool skips;          // the backend skips blocks that are not in active
+	// Memory that share accepts. With SCREE_SHARING_COPIED it accepts none, and share, render, download and upload are
+	// null.
+	scree_sharing sharing;
+	int capacity[PER_COUNT];           // capacity of the pools of each kind
 	ActiveBlocks active[ACTIVE_KINDS]; // the caller sets them before a step
 	uint64_t bytes;                    // memory of the pools
-	uint64_t memory;                   // bytes of the device for them; 0 for the host's memory
-	void* state;                       // the backend's own
+	uint64_t memory;                   // device memory for them, bytes; 0 for the host's memory
+	void* state;                       // state of the backend's implementation
 };
 
-// Open a device into *backend (allocated with scree_allocate, src/platform/error.h). On failure *backend is null.
+// Open a device into *backend, allocated with scree_allocate (src/platform/error.h). On failure *backend is null.
 scree_status cpu_open(const BackendOptions* options, Backend** backend);
 scree_status opencl_open(const BackendOptions* options, Backend** backend);
 
-// Fill entries for scree_devices_get; return how many devices there are.
+// Fill entries for scree_devices_get, and return the number of devices.
 int cpu_devices(scree_device* devices, int capacity);
 int opencl_devices(scree_device* devices, int capacity);
 const char* opencl_hint(void);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// batch.c -- many items to a device, a stage over each, and an answer for each back.
+// batch.c -- a batch: the upload of many items, a kernel over each, and the readback of an answer for each.
 #include "backend/batch.h"
 #include "platform/error.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// batch.h -- many items to a device, a stage over each, and an answer for each back.
+// batch.h -- a batch: the upload of many items, a kernel over each, and the readback of an answer for each.
 #ifndef BATCH_H
 #define BATCH_H
 #include "backend/backend.h"
 
-// In turns: all items, the stage, all answers.
+// Executes a batch in sequence: uploads all items, runs the kernel, reads all answers.
 scree_status batch_whole(Backend* b, const Step* step, const Batch* batch);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_list.c -- lists of runs: what a backend works through, one stage after the other.
+// run_list.c -- lists of runs: the kernels that a backend executes in order.
 #include "backend/run_list.h"
 #include "backend/tables.h"
 #include "platform/error.h"

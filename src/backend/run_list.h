@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_list.h -- lists of runs: what a backend works through, one stage after the other.
+// run_list.h -- lists of runs: the kernels that a backend executes in order.
 #ifndef RUN_LIST_H
 #define RUN_LIST_H
 #include "pools/pools.h"
@@ -11,20 +11,20 @@ typedef struct // a list under construction
 	int count, capacity;
 } RunList;
 
-// Empties a list and makes room for so many runs, so that adding them cannot fail.
+// Empties a list, and makes its capacity large enough, so that adding runs cannot fail.
 scree_status runs_reserve(RunList* list, int capacity);
 void runs_close(RunList* list);
 
-// items begin to end, of which a counter may bound the end (COUNT, NO_COUNT)
+// Adds a run over items begin to end - 1; a counter may bound the end (COUNT, NO_COUNT).
 void runs_add(RunList* list, int kernel, int begin, int end, int count, int argument);
 
-// one item, for bookkeeping among the counters
+// Adds a run of one item, for updates of the counters.
 void runs_add_single(RunList* list, int kernel);
 
-// bits of the indices below count, as a sort key holds them: at least 1
+// Returns the bits of the indices below count in a sort key, at least 1.
 int index_bits(int count);
 
-// sorts items 0 to end by the bits from low up to, not including, high
+// Adds a sort of items 0 to end by the bits from low up to, not including, high.
 void runs_add_sort(RunList* list, int end, int count, int low, int high);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// solve_runs.c -- a whole solve as a list of runs: a run a color, in every pass.
+// solve_runs.c -- a whole solve as a list of runs: one run per color in every pass.
 #include "backend/solve_runs.h"
 #include "backend/tables.h"
 #include "constraints/schedule.h"
@@ -10,14 +10,16 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 
 int solve_runs_most(int substeps)
 {
-	// a run a color and kind, two a turn of hubs, two of chains, branches, and one over the bodies in a pass; before and after them a few
+	// per pass: a run for each color and kind, two for each hub color, two of chains, branches, overflow, and one over
+	// the bodies; a few before and after
 	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_COLORS + 5) + 2 * CONSTRAINT_KINDS +
 	       COLORS + 14;
 }
 
-// A pass over the hubs, then the colors, then chains and branches. Chains that light ends carry give back what pulled their frames together
-// before contacts of these ends relax: those would stop the ends from it with impulses that stay, and a cart that lands would be thrown
-// up again. Whether any body is split is known on the host only when nothing changed.
+// Adds a pass over the hubs, then the colors, then chains and branches. Heavy chains between light bodies relax before
+// the colors. Thus they remove the velocity with which the bias pass pulled their frames together, before the contacts
+// of the light bodies relax. Otherwise these contacts would stop that motion with impulses that remain, and a cart that
+// lands would be thrown up again. On the host, Counters.split is up to date only if nothing changed.
 static void add_pass(RunList* list, const Solve* solve, int pass)
 {
 	const Counters* c = solve->counters;

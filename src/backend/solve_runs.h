@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// solve_runs.h -- a whole solve, from velocities and constraints to final poses: what it goes over, and the same as a list of runs.
+// solve_runs.h -- a whole solve, from velocities and constraints to final poses: its data, and its list of runs.
 //
-// The pipeline gives a backend a solve as one thing, and the backend chooses the form: run by run, or in fewer launches. The
-// order is that of constraints/schedule.h in every form.
+// The pipeline passes a solve to a backend as a whole, and the backend chooses the form: run by run, or in fewer
+// launches. Every form has the order of constraints/schedule.h.
 #ifndef SOLVE_RUNS_H
 #define SOLVE_RUNS_H
 #include "backend/run_list.h"
@@ -14,22 +14,23 @@ typedef struct
 	int substeps;
 	bool rare[CONSTRAINT_KINDS]; // the kind uses its rare rows
 	bool bounces;                // as in Step
-	bool unlocked;               // some body with joints may have no collidables, and so no leaf in a tree
-	int chains, chain_places;    // rows of joints that are solved together, and places in them
-	int carried;                 // the first row that is heavy between light ends: from there on, to the last
-	int branches;                // trees of joints that are solved together, behind the chains
-	bool taut;                   // joints with a color may pull so hard that bodies get other inertias for the step
-	const Counters* counters;    // with the layout of the constraints
-	int bound; // counter that is 0 when that is not the layout after all, or NO_COUNT; then nothing may be done
+	bool unlocked;               // some body with joints may have no collidables, and therefore no leaf in a tree
+	int chains, chain_places;    // items of a pass over chains; spots of chains and branches
+	int carried;                 // first of these items with a heavy chain between light bodies; all items after it
+	                             // have such chains too
+	int branches;                // items of a pass over branches, which follow the chains
+	bool taut;                   // colored joints may pull so hard that bodies need other inertias for the step
+	const Counters* counters;    // counters, with the layout of the constraints
+	int bound; // counter that is 0 if that layout is out of date, or NO_COUNT; if it is 0, nothing may be done
 } Solve;
 
-// places of spokes, padding included
+// Returns the number of places of spokes, including padding.
 static inline int layout_spokes(const Counters* c)
 {
 	return c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1] - c->layout[CONSTRAINT_CONTACT].begin[COLORS];
 }
 
-// the first constraint of a color, in the order of colors and kinds, padding included
+// Returns the number of constraints before a color, in the order of colors and kinds, including padding.
 static inline int solve_first(const Solve* solve, int color)
 {
 	int sum = 0;
@@ -38,20 +39,21 @@ static inline int solve_first(const Solve* solve, int color)
 	return sum;
 }
 
-// constraints of all kinds, padding included
+// Returns the number of constraints of all kinds, including padding.
 static inline int solve_constraints(const Solve* solve) { return solve_first(solve, COLORS + 1); }
 
-// items of a stage over bodies: whole blocks of lanes
+// Returns the items of a kernel over bodies, rounded up to whole blocks of lanes.
 int solve_bodies(const Solve* solve);
 
-// most runs that a solve of so many substeps has
+// Returns the most runs of a solve with this number of substeps.
 int solve_runs_most(int substeps);
 
-// Adds the runs that set the inertias of a step in which joints are taut. solve_begin and solve_slack come before and after.
+// Add the runs that set the inertias for a step in which joints are taut, and those that restore them. solve_begin runs
+// before the first; solve_slack comes after the passes.
 void solve_taut(const Solve* solve, RunList* list);
 void solve_slack(const Solve* solve, RunList* list);
 
-// Adds the runs of a solve to a list that has room for them.
+// Adds the runs of a solve to a list that has capacity for them.
 void solve_list(const Solve* solve, RunList* list);
 
 #endif

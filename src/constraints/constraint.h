@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// constraint.h -- kinds of constraints: lists of rows, from which all code that handles rows is generated.
+// constraint.h -- kinds of constraints: each has a list of rows, from which all code that handles rows is generated.
 //
 // A kind lists its rows as X(name, gate, life, inert, read, written):
 //
-//     gate           flag of Step without which the row is not used; always for none
-//     life           PLACED: as long as the layout stands; PREPARED: within a step; KEPT: from step to step, an impulse
-//     inert          its value where there is no constraint
-//     read, written  IN_ the passes that read and write it
+//     gate           flag of Step without which the row is not used; always: in every step
+//     life           PLACED: valid as long as the layout; PREPARED: within a step; KEPT: from step to step, an impulse
+//     inert          value of the row where there is no constraint
+//     read, written  IN_* bits of the passes that read and write it
 //
 // Every kind has two more rows, body_a and body_b.
 #ifndef CONSTRAINT_H
@@ -21,7 +21,7 @@
 #define IN_BOUNCE     (1 << PASS_BOUNCE)
 #define IN_PASSES     ((1 << PASS_KINDS) - 1)
 
-// beside the passes
+// Stages beside the passes.
 #define PREPARE           PASS_KINDS
 #define PREPARE_BOUNCE    (PASS_KINDS + 1) // prepared only in a world with restitution
 #define IN_PREPARE        (1 << PREPARE)
@@ -31,18 +31,18 @@
 #define ROW_IF_KEPT_PREPARED(x)
 #define ROW_IF_KEPT_KEPT(x) x
 
-// of a block of MAX_LANES constraints
+// Members for a block of MAX_LANES constraints.
 #define CONSTRAINT_ENDS                                    int body_a[MAX_LANES], body_b[MAX_LANES];
 #define ROW_MEMBER(name, gate, life, inert, read, written) float name[MAX_LANES];
-// of a constraint in registers, or of LANES
+// Members for a constraint in registers, or for LANES constraints.
 #define ROW_REGISTER(name, gate, life, inert, read, written) Real name;
-// of what outlives the layout, one constraint
+// Members for the values of one constraint that outlive the layout.
 #define ROW_KEPT_MEMBER(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(float name;)
 
 // Kept rows are copied whole, 16 bytes at a time.
 #define KEPT_ALIGNED __attribute__((aligned(16)))
 
-// The macros below work on constraint `lane` of the block `rows`, and on registers `u` or kept values `kept`.
+// The macros below process constraint `lane` of the block `rows`, and registers `u` or kept values `kept`.
 #define ROW_PAD(name, gate, life, inert, read, written) rows->name[lane] = inert;
 #define ROW_LOAD(name, gate, life, inert, read, written) \
 	if ((read) >> pass & 1)                              \
@@ -63,7 +63,7 @@
 #define ROW_UNLESS_PREPARED_PREPARED(x)
 #define ROW_UNLESS_PREPARED_KEPT(x) x
 
-// Raises a counter, the bits of a float that is not negative, to the values of some lanes.
+// Raises a counter, the float bits of a value that is not negative, to the values of some lanes.
 INLINE void raise_lanes(GLOBAL int* counter, Real value, Word lanes)
 {
 	for (int k = 0; lanes >> k != 0; ++k)

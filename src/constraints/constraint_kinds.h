@@ -6,7 +6,7 @@
 #include "constraints/joint_pass.h"
 #include "dialect/hash_word.h"
 
-// Does ROW (constraint.h) for each row of constraint i, or for each rare row.
+// Expands ROW (constraint.h) for each row of constraint i, or for each rare row.
 #define EACH_ROW(kind, Kind, KIND, ROW)                           \
 	{                                                             \
 		GLOBAL Kind##Rows* rows = p->kind##_rows + i / MAX_LANES; \
@@ -22,22 +22,22 @@
 		KIND##_RARE_ROWS(ROW)                                              \
 	}
 
-// The rows of constraint i that a pass reads, and writes.
+// Loads the rows of constraint i that a pass reads, and stores those that it writes.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                       \
 	INLINE void kind##_load(const Pools* p, int i, int pass, Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_LOAD); } \
 	INLINE void kind##_store(const Pools* p, int i, int pass, const Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_STORE); }
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// For forms of the solve that keep constraints in registers over a step: rows that passes read and that are not prepared, and at
-// the end the kept ones that passes write.
+// Load and store for forms of the solve that keep constraints in registers over a step: load_all loads the rows that
+// passes read and that are not prepared; store_kept stores the kept rows that passes write.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                     \
 	INLINE void kind##_load_all(const Pools* p, int i, Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_LOAD_ALL); } \
 	INLINE void kind##_store_kept(const Pools* p, int i, const Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_STORE_KEPT); }
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// Padding: place i gets an inert constraint between the ground and itself.
+// Writes padding: place i gets an inert constraint between the ground and itself.
 #define CONSTRAINT_KIND(kind, Kind, KIND)         \
 	INLINE void kind##_pad(const Pools* p, int i) \
 	{                                             \
@@ -50,53 +50,52 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// While constraints are laid out, their kept rows are copied from the old place to a slot, and from there to the new
-// place.
-#define CONSTRAINT_KIND(kind, Kind, KIND)                                \
-	INLINE void kind##_keep(const Pools* p, int slot, int i)             \
-	{                                                                    \
-		{                                                                \
-			Kind##Kept kept;                                             \
-			EACH_ROW(kind, Kind, KIND, ROW_KEEP);                        \
-			p->kind##_kept[slot] = kept;                                 \
-		}                                                                \
-		{                                                                \
-			Kind##RareKept kept;                                         \
-			EACH_RARE_ROW(kind, Kind, KIND, ROW_KEEP);                   \
-			p->kind##_rare_kept[slot] = kept;                            \
-		}                                                                \
-	}                                                                    \
-	INLINE void kind##_put_back(const Pools* p, int slot, int i)         \
-	{                                                                    \
-		{                                                                \
-			Kind##Kept kept = p->kind##_kept[slot];                      \
-			EACH_ROW(kind, Kind, KIND, ROW_PUT_BACK);                    \
-		}                                                                \
-		{                                                                \
-			Kind##RareKept kept = p->kind##_rare_kept[slot];             \
-			EACH_RARE_ROW(kind, Kind, KIND, ROW_PUT_BACK);               \
-		}                                                                \
-	}                                                                    \
-	/* A constraint that ended has nothing to keep. */                   \
-	INLINE void kind##_forget(const Pools* p, int slot)                  \
-	{                                                                    \
-		const Kind##Kept none = {0};                                     \
-		const Kind##RareKept rare_none = {0};                            \
-		p->kind##_kept[slot] = none;                                     \
-		p->kind##_rare_kept[slot] = rare_none;                           \
-	}                                                                    \
-	/* What is kept of place i is fetched from memory. */                \
-	INLINE void kind##_fetch_kept(const Pools* p, int i)                 \
-	{                                                                    \
-		EACH_ROW(kind, Kind, KIND, ROW_FETCH);                           \
-		EACH_RARE_ROW(kind, Kind, KIND, ROW_FETCH);                      \
-	}                                                                    \
-	/* The hash of what is kept of place i, in the order of the rows. */ \
-	INLINE Word64 kind##_hash_kept(Word64 h, const Pools* p, int i)      \
-	{                                                                    \
-		EACH_ROW(kind, Kind, KIND, ROW_HASH);                            \
-		EACH_RARE_ROW(kind, Kind, KIND, ROW_HASH);                       \
-		return h;                                                        \
+// Copies the kept rows from the old place to the slot, and from there to the new place, while constraints are laid out.
+#define CONSTRAINT_KIND(kind, Kind, KIND)                              \
+	INLINE void kind##_keep(const Pools* p, int slot, int i)           \
+	{                                                                  \
+		{                                                              \
+			Kind##Kept kept;                                           \
+			EACH_ROW(kind, Kind, KIND, ROW_KEEP);                      \
+			p->kind##_kept[slot] = kept;                               \
+		}                                                              \
+		{                                                              \
+			Kind##RareKept kept;                                       \
+			EACH_RARE_ROW(kind, Kind, KIND, ROW_KEEP);                 \
+			p->kind##_rare_kept[slot] = kept;                          \
+		}                                                              \
+	}                                                                  \
+	INLINE void kind##_put_back(const Pools* p, int slot, int i)       \
+	{                                                                  \
+		{                                                              \
+			Kind##Kept kept = p->kind##_kept[slot];                    \
+			EACH_ROW(kind, Kind, KIND, ROW_PUT_BACK);                  \
+		}                                                              \
+		{                                                              \
+			Kind##RareKept kept = p->kind##_rare_kept[slot];           \
+			EACH_RARE_ROW(kind, Kind, KIND, ROW_PUT_BACK);             \
+		}                                                              \
+	}                                                                  \
+	/* Clears the kept values of a constraint that ended. */           \
+	INLINE void kind##_forget(const Pools* p, int slot)                \
+	{                                                                  \
+		const Kind##Kept none = {0};                                   \
+		const Kind##RareKept rare_none = {0};                          \
+		p->kind##_kept[slot] = none;                                   \
+		p->kind##_rare_kept[slot] = rare_none;                         \
+	}                                                                  \
+	/* Prefetches the kept values of place i. */                       \
+	INLINE void kind##_fetch_kept(const Pools* p, int i)               \
+	{                                                                  \
+		EACH_ROW(kind, Kind, KIND, ROW_FETCH);                         \
+		EACH_RARE_ROW(kind, Kind, KIND, ROW_FETCH);                    \
+	}                                                                  \
+	/* Hashes the kept values of place i, in the order of the rows. */ \
+	INLINE Word64 kind##_hash_kept(Word64 h, const Pools* p, int i)    \
+	{                                                                  \
+		EACH_ROW(kind, Kind, KIND, ROW_HASH);                          \
+		EACH_RARE_ROW(kind, Kind, KIND, ROW_HASH);                     \
+		return h;                                                      \
 	}
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND

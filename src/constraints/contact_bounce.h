@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// contact_bounce.h -- rare rows of contacts that are prepared: rebound speeds by restitution, approach speeds.
+// contact_bounce.h -- prepared rare rows of contacts: rebound speeds by restitution, and approach speeds.
 #ifndef CONTACT_BOUNCE_H
 #define CONTACT_BOUNCE_H
 #include "constraints/contact_constraint.h"
 
-// A body at the start of the step, with its speed within the limits.
+// Returns a body at the start of the step, with its speed within the limits.
 INLINE Body prepare_body(const Pools* p, Int index)
 {
 	Body b = body_gather(p, index);
@@ -32,8 +32,8 @@ INLINE Approach prepare_velocities(const Pools* p, int i, const Contact* u)
 	return at;
 }
 
-// m/s^2: of a body by gravity and the user's forces. A body that is slower than gravity would make it in one step, and that
-// touches something else, is assumed to be supported: 0.
+// m/s^2: Returns the acceleration of a body by gravity and the user's forces. A body that touches something else and is
+// slower than the speed that gravity adds in one step is assumed to be supported: 0.
 INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 {
 	Real row[8], zero = splat(0.0f);
@@ -46,9 +46,10 @@ INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 	return vec_blend(fall, vec(zero, zero), supported);
 }
 
-// Newton's law of impact, m/s: the speed with which a point leaves that approaches with a normal velocity (negative) and is a
-// gap away. Semi-implicit Euler puts a falling body on a parabola on which its velocity is that of the middle of a substep. So
-// half of a substep's acceleration is added before the impact and subtracted after it (bounce_speed), which conserves energy.
+// m/s: Returns the speed at which a point leaves, by Newton's law of impact. It approaches with a normal velocity
+// (negative) and is a gap away. Semi-implicit Euler puts a falling body on a parabola on which its velocity is that of
+// the middle of a substep. Therefore half of a substep's acceleration is added before the impact and subtracted after
+// it (bounce_speed), which conserves energy.
 INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, Real fall, Real gap)
 {
 	Real before = velocity + 0.5f * step->h * fall, zero = splat(0.0f);
@@ -57,7 +58,7 @@ INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, R
 	return blend(zero, restitution * root(blend(splat(1.0f), square, bounces)), bounces);
 }
 
-// J: with which two bodies meet, and what they fall until then.
+// J: Returns the relative kinetic energy of two bodies at impact, including the fall until then.
 INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Real rebound1, Real rebound2)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), safe = blend(one, e, e > zero);
@@ -69,10 +70,10 @@ INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Re
 	return blend(splat(MOST_FLOAT), energy, energy <= splat(MOST_FLOAT));
 }
 
-// m/s^2: with the largest gap and step the square of a speed is still finite
+// m/s^2: with the largest gap and step, the square of a speed is still finite
 #define MOST_FALL 1.0e18f
 
-// Rebound speeds of the points that may bounce within the step. Points that hardly move are left out.
+// Computes the rebound speeds of the points that may bounce within the step, except those that hardly move.
 INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 {
 	Real e = load(&contact_rare(p, restitution, i), 0), zero = splat(0.0f), fall = zero, rebound1 = zero,
@@ -98,7 +99,7 @@ INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 	store(&contact_rare(p, rebound2, i), 0, rebound2);
 }
 
-// m/s: approach speeds of the points at the start of the step.
+// m/s: Computes the approach speeds of the points at the start of the step.
 INLINE void prepare_approach(const Pools* p, int i, const Contact* u)
 {
 	Approach at = prepare_velocities(p, i, u);
@@ -107,7 +108,7 @@ INLINE void prepare_approach(const Pools* p, int i, const Contact* u)
 	store(&contact_rare(p, approach2, i), 0, blend(zero, speed2, (speed2 > zero) & (speed2 <= splat(MOST_FLOAT))));
 }
 
-// The rare rows that are prepared. Those of padding stay 0.
+// Computes the prepared rare rows. Those of padding stay 0.
 INLINE void contact_setup_rare(const Pools* p, int i, const Contact* u)
 {
 	store(&contact_rare(p, total_impulse1, i), 0, splat(0.0f));

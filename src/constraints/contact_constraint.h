@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// contact_constraint.h -- a contact as a constraint: two points that push along the normal, and friction, rolling resistance, restitution.
+// contact_constraint.h -- a contact as a constraint: normal impulses at two points, friction, rolling resistance and
+// restitution.
 //
 // This work is based on:
-// Erin Catto, Soft Constraints, GDC 2011: bias rate, mass and impulse scale of a constraint with a frequency.
+// Erin Catto, Soft Constraints, GDC 2011: bias rate, mass scale and impulse scale of a constraint with a frequency.
 // Miles Macklin et al., Small Steps in Physics Simulation, 2019: substeps instead of iterations.
 // Erin Catto, Solver2D, 2024: a biased and a relaxing pass per substep ("soft step").
 #ifndef CONTACT_CONSTRAINT_H
@@ -15,54 +16,54 @@
 #define IN_GAPS     (IN_BIAS | IN_RELAX | IN_BOUNCE)
 #define IN_TANGENTS (IN_WARM_START | IN_RELAX)
 
-// what every pass streams
+// Rows that every pass streams.
 #define CONTACT_ROWS(X)                                                                 \
-	/* from a to b */                                                                   \
+	/* unit normal from a to b */                                                       \
 	X(normal_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
 	X(normal_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
-	/* m: center of a minus center of b: an anchor on b is that on a plus this */       \
+	/* m: center of a minus center of b; added to an anchor on a, it gives that on b */ \
 	X(offset_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
 	X(offset_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
-	/* m: points 1 and 2 from the center of a */                                        \
+	/* m: points 1 and 2, from the center of a */                                       \
 	X(anchor1_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
 	X(anchor1_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
 	X(anchor2_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
 	X(anchor2_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
-	/* m, at the start of the step; NO_POINT where there is none */                     \
+	/* m: at the start of the step; NO_POINT for a missing point */                     \
 	X(separation1, always, PREPARED, NO_POINT, IN_GAPS | IN_PREPARE_BOUNCE, IN_PREPARE) \
 	X(separation2, always, PREPARED, NO_POINT, IN_GAPS | IN_PREPARE_BOUNCE, IN_PREPARE) \
-	/* N s */                                                                           \
+	/* impulses, N s */                                                                 \
 	X(normal_impulse1, always, KEPT, 0.0f, IN_PASSES, IN_PASSES)                        \
 	X(normal_impulse2, always, KEPT, 0.0f, IN_PASSES, IN_PASSES)                        \
 	X(tangent_impulse1, always, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                      \
 	X(tangent_impulse2, always, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                      \
 	X(friction, always, PLACED, 0.0f, IN_RELAX, IN_NONE)
 
-// what only some worlds need
+// Rows that only some worlds need.
 #define CONTACT_RARE_ROWS(X)                                                                         \
-	/* 1, m, m/s */                                                                                  \
+	/* units of these rows: 1, m, m/s */                                                             \
 	X(restitution, bounces, PLACED, 0.0f, IN_PREPARE_BOUNCE, IN_NONE)                                \
 	X(rolling, has_rolling, PLACED, 0.0f, IN_RELAX, IN_NONE)                                         \
 	X(tangent_speed, has_rolling, PLACED, 0.0f, IN_RELAX, IN_NONE)                                   \
-	/* N m s */                                                                                      \
+	/* impulse, N m s */                                                                             \
 	X(rolling_impulse, has_rolling, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                               \
 	/* m/s^2: normal acceleration by gravity and forces */                                           \
 	X(fall, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                   \
-	/* J: with which the two bodies meet, and what they fall until then */                           \
+	/* J: relative kinetic energy at impact, including the fall until then */                        \
 	X(energy, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                 \
-	/* m/s: speed at which a point leaves the surface, 0: it does not bounce */                      \
+	/* m/s: speed at which a point leaves the surface, 0 if it does not bounce */                    \
 	X(rebound1, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                 \
 	X(rebound2, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                 \
 	/* N s: normal impulses of all substeps */                                                       \
 	X(total_impulse1, rare, PREPARED, 0.0f, IN_RELAX | IN_BOUNCE, IN_PREPARE | IN_RELAX | IN_BOUNCE) \
 	X(total_impulse2, rare, PREPARED, 0.0f, IN_RELAX | IN_BOUNCE, IN_PREPARE | IN_RELAX | IN_BOUNCE) \
-	/* m/s: at which the points drew near when the step began */                                     \
+	/* m/s: approach speeds of the points at the start of the step */                                \
 	X(approach1, details, PREPARED, 0.0f, IN_NONE, IN_PREPARE)                                       \
 	X(approach2, details, PREPARED, 0.0f, IN_NONE, IN_PREPARE)
 
-// Columns of the stream (src/opencl/forms/registers.cl), for forms of the solve that do not hold contacts in registers:
-// QUAD(k, four numbers), the first number of column 0 not being the contact's own; PAIR(k, passes that read it, passes that
-// write it, two numbers). The last pass of a step writes to the rows instead.
+// Columns of the stream (src/opencl/forms/registers.cl), for forms of the solve that do not keep contacts in registers:
+// QUAD(k, four numbers), where the first number of column 0 does not belong to the contact; PAIR(k, passes that read
+// it, passes that write it, two numbers). The last pass of a step writes to the rows instead.
 #define CONTACT_STREAM(QUAD, PAIR)                                      \
 	QUAD(0, name, u->friction, u->normal_x, u->normal_y)                \
 	QUAD(1, u->anchor1_x, u->anchor1_y, u->anchor2_x, u->anchor2_y)     \
@@ -72,13 +73,13 @@
 	PAIR(2, IN_PASSES, IN_GAPS, u->normal_impulse1, u->normal_impulse2) \
 	PAIR(3, IN_TANGENTS | IN_BOUNCE, IN_RELAX, u->tangent_impulse1, u->tangent_impulse2)
 
-// Bytes that prepare gathers for a contact: collidables, world shapes, manifold, flags if there are round shapes; then of its
-// bodies, in a world with restitution.
+// Bytes that prepare gathers for a contact: collidables, world shapes, manifold, and flags if there are round shapes;
+// then bytes that it gathers for its bodies in a world with restitution.
 #define CONTACT_GATHERS(step) \
 	(sizeof(Int2) + 2 * sizeof(WorldShape) + sizeof(LocalManifold) + ((step)->round ? sizeof(Word) : 0))
 #define CONTACT_BOUNCE_GATHERS (2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64)))
 
-// whether a step uses the rare rows
+// Returns whether a step uses the rare rows.
 #define CONTACT_RARE(step) STEP_RARE(*(step))
 
 struct ContactRows
@@ -99,22 +100,22 @@ struct ContactRareKept
 	CONTACT_RARE_ROWS(ROW_KEPT_MEMBER)
 };
 
-// a component of contact i of the pools p
+// A component of contact i of the pools p.
 #define contact_row(p, name, i)  ((p)->contact_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 #define contact_rare(p, name, i) ((p)->contact_rare_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 
 typedef struct // a contact in registers
 {
 	CONTACT_ROWS(ROW_REGISTER)
-	Real normal_mass1, normal_mass2, tangent_mass1, tangent_mass2; // kg: within a step
+	Real normal_mass1, normal_mass2, tangent_mass1, tangent_mass2; // kg: effective masses, constant within a step
 } Contact;
 
-typedef struct // the part of a pass that depends on where the bodies are, and not on their velocities
+typedef struct // the part of a pass that depends on the positions of the bodies, and not on their velocities
 {
-	Real gap[2]; // m: of the points
+	Real gap[2]; // m: gaps of the points
 } ContactReady;
 
-typedef struct // its bodies, and the lever arms of its points
+typedef struct // the bodies of a contact, and the lever arms of its points
 {
 	Body a, b;
 	Vec n, t;         // normal from a to b; tangent
@@ -136,13 +137,13 @@ INLINE ContactArms pair_of(const Contact* u, const Body* a, const Body* b)
 	return c;
 }
 
-// normal velocity at point k
+// Returns the normal velocity at point k.
 INLINE Real pair_approach(ContactArms c, int k, Vec n)
 {
 	return vec_dot(vec_sub(body_velocity_at(c.b, c.rb[k]), body_velocity_at(c.a, c.ra[k])), n);
 }
 
-// m: the separation of point k now
+// m: Returns the current separation of point k.
 INLINE Real pair_gap(const ContactArms* c, int k, Real separation)
 {
 	Vec moved = vec_sub(body_shift(c->b, c->rb[k]), body_shift(c->a, c->ra[k]));
@@ -154,19 +155,20 @@ INLINE Real pair_mass(const ContactArms* c, int k, Vec n)
 	return body_effective_mass(c->a, c->ra[k], c->b, c->rb[k], n);
 }
 
-typedef struct // the goal of a point's impulse: a velocity bias, m/s, and its softness
+typedef struct // the goal of a point's impulse: a velocity bias, m/s, and softness
 {
 	Real bias, mass_scale, impulse_scale;
 } PairGoal;
 
-// The goal of a point with separation s. Without soft, in the relaxing pass, the overlap is ignored, which removes the velocity
-// that the biased pass added to push the bodies apart. Contacts with an immovable body (fixed) are firmer, so that nothing
-// sinks into the ground. exact: other constraints of the bodies are solved with this one, so it is firm at any depth.
+// Returns the goal of a point with separation s. Without soft, in the relaxing pass, the overlap is ignored, which
+// removes the velocity that the biased pass added to push the bodies apart. Contacts with an immovable body (fixed) are
+// firmer, so that nothing sinks into the ground. exact: the contact is solved together with the other constraints of
+// its bodies, so it is firm at any depth.
 INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exact)
 {
 	Int apart = s > splat(0.0f);
 
-	// speculative: no push before the gap closes within the substep
+	// speculative contact: no push before the gap closes within the substep
 	PairGoal goal;
 	goal.bias = blend(splat(0.0f), s * step->inv_h, apart);
 	goal.mass_scale = splat(1.0f);
@@ -174,8 +176,8 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 	if (!soft)
 		return goal;
 
-	// A limited push needs more time, but ends at the force of the whole spring: otherwise deep bodies would cluster, because
-	// more overlap would not push harder. So impulses leak more slowly by the same factor.
+	// A limited push needs more time, but ends at the force of the whole spring. Otherwise deep bodies would cluster,
+	// because more overlap would not push harder. Therefore impulses leak more slowly by the same factor.
 	Real rate = blend(splat(step->pair.mass_scale * step->pair.bias_rate),
 	                  splat(step->fixed.mass_scale * step->fixed.bias_rate), fixed);
 	Real firm = blend(splat(step->pair.firm), splat(step->fixed.firm), fixed);
@@ -183,7 +185,7 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 	Real push = rate * (s + firm * (exact ? s : maximum(s, -depth))), most = splat(-step->push_speed);
 	Real leak = blend(splat(step->pair.impulse_scale), splat(step->fixed.impulse_scale), fixed);
 	Int limited = push < most;
-	if (lane_bits(limited)) // few are: it saves a division
+	if (lane_bits(limited)) // few lanes are, so this saves a division
 		leak = leak * blend(splat(1.0f), most / push, limited);
 	Real mass_scale = blend(splat(step->pair.mass_scale), splat(step->fixed.mass_scale), fixed);
 	goal.bias = blend(maximum(push, most), goal.bias, apart);
@@ -192,32 +194,33 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 	return goal;
 }
 
-// Whether a point that will bounce has not touched yet.
+// Returns whether a point that will bounce has not touched yet.
 INLINE Int pair_waits(Real s, Real old, Real rebound)
 {
 	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
 }
 
-// Points that have less than this share of a mass to themselves nearly coincide, and are not solved together.
+// Points whose own share of the effective mass is smaller than this nearly coincide, and are not solved together.
 #define PAIR_OWN 0.001f
 
-// 1/kg: the normal velocity that a unit impulse at one point causes at the other
+// 1/kg: Returns the normal velocity that a unit impulse at one point causes at the other.
 INLINE Real pair_cross(const ContactArms* c)
 {
 	return c->a.inv_mass + c->b.inv_mass + c->a.inv_inertia * vec_cross(c->ra[0], c->n) * vec_cross(c->ra[1], c->n) +
 	       c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
 }
 
-// The normal impulses of both points, solved together, never negative: a linear complementarity problem with two unknowns. Point by
-// point, a box would turn by each pass, and a push that is taken back would leave a part of itself. gap: separations, m; mass:
-// effective masses, kg. A point that will bounce (rebound > 0) and has not touched within this substep gets none in the relaxing
-// pass. Otherwise it would bounce too early, or not at all.
+// Solves the normal impulses of both points together; they are never negative. This is a linear complementarity problem
+// with two unknowns. Solved point by point, each pass would turn a box, and a push that is taken back would leave a
+// part of itself. gap: separations, m; mass: effective masses, kg. In the relaxing pass, a point that will bounce
+// (rebound > 0) and has not touched in this substep gets no impulse. Otherwise it would bounce too early, or not at
+// all.
 INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], const Step* step, int soft,
                          const Real rebound[2], Real impulse[2])
 {
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
 	Real zero = splat(0.0f), lever_a[2], lever_b[2];
-	Real change[2], yield[2]; // N s: change of a point's impulse by that point alone; kg: its response to a velocity
+	Real change[2], yield[2]; // N s: change of a point's impulse if solved alone; kg: its response to a velocity
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
@@ -238,7 +241,7 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 	Real cross = pair_cross(c);
 	Real by1 = yield[0] * cross, by0 = yield[1] * cross, own = 1.0f - by0 * by1;
 
-	// both push, unless the second would pull; then the first alone, and the second again with what the first did
+	// both points push, unless the second would pull; then the first is solved alone, and the second again after it
 	Real second = blend(zero, (change[1] - by0 * change[0]) / own, own > splat(PAIR_OWN));
 	Real first = push_of(impulse[0] + (change[0] - by1 * maximum(second, -impulse[1]))) - impulse[0];
 	second = push_of(impulse[1] + (change[1] - by0 * first)) - impulse[1];
@@ -251,7 +254,7 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 	c->b.w = c->b.w + c->b.inv_inertia * (lever_b[0] * first + lever_b[1] * second);
 }
 
-// One point's friction: Coulomb's cone with the normal impulse of the relaxing pass.
+// Solves the friction of one point: Coulomb's cone with the normal impulse of the relaxing pass.
 INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limit, Real old)
 {
 	Real impulse = grip_of(old - mass * (pair_approach(*c, k, c->t) + speed), limit);
@@ -259,8 +262,8 @@ INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limi
 	return impulse;
 }
 
-// Rolling resistance: a torque against the relative spin, at most the load times a lever. The load is that of the relaxing
-// pass: with its bias it varies within a step, and a fast roller would stop too early.
+// Solves rolling resistance: a torque against the relative spin, at most the load times a lever. The load is that of
+// the relaxing pass; the load of the biased pass varies within a step, so a fast roller would stop too early.
 INLINE void pair_roll(const Pools* p, int i, ContactArms* c, Real weight)
 {
 	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
@@ -273,14 +276,14 @@ INLINE void pair_roll(const Pools* p, int i, ContactArms* c, Real weight)
 	store(&contact_rare(p, rolling_impulse, i), 0, impulse);
 }
 
-// the impulses of all substeps
+// Adds up the impulses of all substeps.
 INLINE void pair_total(const Pools* p, int i, Real normal1, Real normal2)
 {
 	store(&contact_rare(p, total_impulse1, i), 0, load(&contact_rare(p, total_impulse1, i), 0) + normal1);
 	store(&contact_rare(p, total_impulse2, i), 0, load(&contact_rare(p, total_impulse2, i), 0) + normal2);
 }
 
-// all impulses at once
+// Applies all impulses at once.
 INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real normal2, Real tangent1, Real tangent2)
 {
 	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_add(vec_scale(normal1, c->n), vec_scale(tangent1, c->t)));
@@ -293,7 +296,7 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 	}
 }
 
-// Solves both points at once: the impulses that add lack1 and lack2 (m/s) to their normal velocities. If the
+// Solves both points at once: computes the impulses that add lack1 and lack2 (m/s) to their normal velocities. If the
 // points nearly coincide, the first takes the whole impulse.
 INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1,
                        Real* impulse2)
@@ -305,8 +308,8 @@ INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1,
 	*impulse2 = blend(mass2 * (lack2 - cross * mass1 * lack1) / share, splat(0.0f), one);
 }
 
-// Stops two points that will bounce at once. Solved one after the other, they would rotate a body that lands flat, and friction
-// would turn that rotation into a velocity along the surface.
+// Stops two points that will bounce at the same time. Solved one after the other, they would rotate a body that lands
+// flat, and friction would turn that rotation into a velocity along the surface.
 INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
                       Real* normal1, Real* normal2)
 {
@@ -317,7 +320,7 @@ INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap
 	Int meet = (load(&contact_rare(p, rebound1, i), 0) > zero) & (load(&contact_rare(p, rebound2, i), 0) > zero);
 	Real new1 = *normal1 + delta1, new2 = *normal2 + delta2;
 
-	// if only one of them pushes, sequential impulses are correct
+	// sequential impulses are correct if only one of the points pushes
 	meet = meet & ((new1 < zero) == (new2 < zero));
 	new1 = blend(*normal1, push_of(new1), meet);
 	new2 = blend(*normal2, push_of(new2), meet);
@@ -327,14 +330,14 @@ INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap
 	*normal2 = new2;
 }
 
-// m/s: the speed, at height gap, of a point that left the surface with the speed rebound
+// m/s: Returns the speed, at height gap, of a point that left the surface with the speed rebound.
 INLINE Real bounce_speed(const Step* step, Real rebound, Real fall, Real gap)
 {
 	return root(maximum(rebound * rebound + 2.0f * fall * gap, splat(0.0f))) - 0.5f * step->h * fall;
 }
 
-// J: of the motion of two bodies relative to each other. A body that cannot move is at rest: what it does to the other one is no
-// matter of energy. Uniform gravity does not change it where both move.
+// J: Returns the kinetic energy of the relative motion of two bodies. It is measured in the frame of a body that cannot
+// move, because that body's motion is prescribed. Uniform gravity does not change the energy if both can move.
 INLINE Real pair_energy(const ContactArms* c)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), mass = c->a.inv_mass + c->b.inv_mass;
@@ -348,15 +351,16 @@ INLINE Real pair_energy(const ContactArms* c)
 	return 0.5f * energy;
 }
 
-// J: at most gained by both points, of whose speeds the squares grew by so much
+// J: Returns a bound of the energy that both points gain if the squares of their speeds grow by more1 and more2.
 INLINE Real pair_gained(const ContactArms* c, Real more1, Real more2)
 {
 	Real zero = splat(0.0f), mass = c->a.inv_mass + c->b.inv_mass;
 	return 0.5f * maximum(maximum(more1, more2), zero) / blend(splat(1.0f), mass, mass > zero);
 }
 
-// Which part of two bounces may act so that two bodies have no more energy than before they met (most). Contacts of a body that
-// bounce in one step are solved one after the other, so later ones may have to push harder than the bodies came.
+// Returns the share of two bounces with which the energy of the bodies does not exceed that before they met (most).
+// Contacts of a body that bounce in one step are solved one after the other, so later ones may have to push harder than
+// the bodies approached.
 INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], const Real mass[2], Real impulse1,
                        Real impulse2)
 {
@@ -372,8 +376,8 @@ INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], con
 	return blend(one, minimum(maximum(part, zero), one), more);
 }
 
-// Restitution of the points that got an impulse. A point that bounces separates, so the next step must not be warm started
-// with its impulse.
+// Applies restitution to the points that got an impulse. A point that bounces separates, so its impulse must not warm
+// start the next step.
 INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
                         Real* normal1, Real* normal2)
 {
@@ -392,7 +396,7 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	impulse1 = blend(alone1, push_of(impulse1), hit1 & hit2 & push2);
 	impulse2 = blend(alone2, push_of(impulse2), hit1 & hit2 & push1);
 
-	// gravity adds to speeds in half a substep, which is no gain
+	// gravity adds to the speeds in half a substep, which is not a gain of energy
 	Real more1 = blend(zero, leave1 * leave1 - rebound1 * rebound1, hit1),
 	     more2 = blend(zero, leave2 * leave2 - rebound2 * rebound2, hit2);
 	Real most = load(&contact_rare(p, energy, i), 0) + pair_gained(c, more1, more2);
@@ -407,9 +411,9 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	*normal2 = blend(*normal2, zero, hit2);
 }
 
-// The velocity that a warm starting impulse may give a point, as a share of max_speed. In a jam between immovable bodies
-// impulses add up from step to step, and a body that gets free would leave with all of them. 300 bodies at one point, 20 runs,
-// max_speed 400 m/s: the fastest leaves with 104, 92 and 95 m/s for shares of 0.25, 0.2 and 0.15.
+// Bound of the velocity that a warm starting impulse gives a point, as a share of max_speed. In a jam between immovable
+// bodies impulses add up from step to step, and a body that gets free would leave with all of them. With 300 bodies at
+// one point, 20 runs, max_speed 400 m/s, the fastest leaves with 104, 92 and 95 m/s for shares of 0.25, 0.2 and 0.15.
 #define START_SHARE 0.2f
 
 INLINE Real pair_start(const Step* step, Real impulse, Real mass)
@@ -428,8 +432,8 @@ INLINE void pair_bias(const Pools* p, int i, const ContactReady* ready, ContactA
 	u->normal_impulse2 = impulse[1];
 }
 
-// Masses and separations that are not held are derived where they are used. Deriving all of them first needs more registers
-// than a CPU has; the pass then takes 5 % longer.
+// Masses and separations that the caller does not hold are derived immediately before use. Deriving all of them first
+// needs more registers than a CPU has; the pass then takes 5 % longer.
 INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactArms* c, Contact* u)
 {
 	Real speed = splat(0.0f), rebound[2] = {splat(0.0f), splat(0.0f)};
@@ -450,7 +454,8 @@ INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactA
 	u->normal_impulse1 = impulse[0];
 	u->normal_impulse2 = impulse[1];
 
-	// friction after the load: the biased pass pushes overlap out as well, and friction is not due to that
+	// friction follows the load, because the impulses of the biased pass also push overlap out, which causes no
+	// friction
 	Real mass = held ? u->tangent_mass1 : pair_mass(c, 0, c->t);
 	u->tangent_impulse1 = pair_tangent(c, 0, mass, speed, u->friction * u->normal_impulse1, u->tangent_impulse1);
 	mass = held ? u->tangent_mass2 : pair_mass(c, 1, c->t);
@@ -462,10 +467,10 @@ INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactA
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// what every kind of constraint has
+// functions that every kind of constraint has
 // ---------------------------------------------------------------------------------------------------------------
 
-// Derives the effective masses that some passes need; they are constant within a step.
+// Derives the effective masses that the given passes need; they are constant within a step.
 INLINE void contact_derive(int passes, const Body* a, const Body* b, Contact* u)
 {
 	ContactArms c = pair_of(u, a, b);
@@ -478,14 +483,14 @@ INLINE void contact_derive(int passes, const Body* a, const Body* b, Contact* u)
 	}
 }
 
-// Limits the impulses of the last step, with which this one is warm started.
+// Limits the impulses of the last step, which warm start this one.
 INLINE void contact_start(const Step* step, Contact* u)
 {
 	u->normal_impulse1 = pair_start(step, u->normal_impulse1, u->normal_mass1);
 	u->normal_impulse2 = pair_start(step, u->normal_impulse2, u->normal_mass2);
 }
 
-// Derives the separations from the positions of the bodies. Their velocities need not be known yet.
+// Derives the separations from the positions of the bodies. It does not read their velocities.
 INLINE void contact_ready(const Pools* p, int pass, int i, const Body* a, const Body* b, const Contact* u,
                           ContactReady* ready)
 {
@@ -497,8 +502,8 @@ INLINE void contact_ready(const Pools* p, int pass, int i, const Body* a, const 
 	ready->gap[1] = pair_gap(&c, 1, u->separation2);
 }
 
-// A pass of constraint i. If the caller holds u in registers over a step, it has called contact_derive, and contact_ready for
-// this pass, and gives what that found; otherwise (held is 0) the pass derives what it needs.
+// Executes a pass of constraint i. A caller that holds u in registers over a step has called contact_derive, and
+// contact_ready for this pass, and passes the result as held. If held is 0, the pass derives these values itself.
 INLINE void contact_pass(const Pools* p, int pass, int i, const ContactReady* held, Contact* u, Body* a, Body* b)
 {
 	ContactArms c = pair_of(u, a, b);

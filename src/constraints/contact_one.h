@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// contact_one.h -- what takes one contact at a time: rows that the layout sets.
+// contact_one.h -- functions for single contacts: rows that the layout sets.
 #ifndef CONTACT_ONE_H
 #define CONTACT_ONE_H
 #include "constraints/contact_constraint.h"
 
-// Whether a slot holds a contact.
+// Returns whether a slot holds a contact.
 INLINE int contact_in_use(const Pools* p, int slot) { return p->pair[slot].x >= 0; }
 
-// Counts a contact with these flags at its bodies, or, with by = -1, no more. Body 0 is that of what has none.
+// Counts a contact with these flags at its bodies, or removes it from the count if by is -1. A collidable without a
+// body has body 0.
 INLINE void contact_count(const Pools* p, Int2 bodies, Word flags, int by)
 {
 	GLOBAL int* count = flags & CONTACT_FIXED ? p->fixed_contacts : p->other_contacts;
@@ -18,7 +19,7 @@ INLINE void contact_count(const Pools* p, Int2 bodies, Word flags, int by)
 		atomic_add_int(count + bodies.y, by);
 }
 
-// Rows that come from the surfaces of the two collidables.
+// Sets the rows that depend on the surfaces of the two collidables.
 INLINE void contact_set_surface(const Pools* p, int i, Float4 surface)
 {
 	contact_row(p, friction, i) = surface.x;
@@ -27,7 +28,7 @@ INLINE void contact_set_surface(const Pools* p, int i, Float4 surface)
 	contact_rare(p, tangent_speed, i) = surface.w;
 }
 
-// Rows that are valid until the next layout.
+// Sets the rows that are valid until the next layout.
 INLINE void contact_set_place(const Pools* p, int slot, int i)
 {
 	p->contact_place_pair[i] = p->pair[slot];

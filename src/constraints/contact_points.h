@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
-// contact_points.h -- normal, arms and gaps of a contact for the step, from a manifold that is held as it was found.
+// contact_points.h -- normal, arms and gaps of a contact for the step, from a held manifold, which stays as it was
+// found.
 //
-// A held manifold keeps its normal and its arms in the world while bodies turn and shift; only the gap follows them. So
-// the forces of a column that leans a little still go straight down through it, and it does not buckle. A contact yields
-// like a spring: with arms that follow the bodies, a column of more than 28 boxes would buckle (A. G. Greenhill,
-// Determination of the greatest height consistent with stability that a vertical pole or mast can be made, 1881).
+// A held manifold keeps its normal and its arms in the world while bodies turn and shift; only the gap follows them.
+// Therefore the forces of a column that leans a little still act straight down through it, and it does not buckle. A
+// contact yields like a spring: with arms that follow the bodies, a column of more than 28 boxes would buckle (A. G.
+// Greenhill, Determination of the greatest height consistent with stability that a vertical pole or mast can be made,
+// 1881).
 #ifndef CONTACT_POINTS_H
 #define CONTACT_POINTS_H
 #include "constraints/angle.h"
 #include "dialect/vec.h"
 #include "pools/pools.h"
 
-typedef struct // world axes
+typedef struct // the points of a contact, along world axes
 {
-	Vec normal;         // from a to b
-	Vec point[2];       // halfway between the surfaces, from the origin of collidable a, m
-	Vec anchor[2];      // from the center of mass of a, m
-	Vec offset;         // m: difference of an anchor from the center of mass of b
+	Vec normal;         // normal from a to b
+	Vec point[2];       // points halfway between the surfaces, from the origin of collidable a, m
+	Vec anchor[2];      // anchors from the center of mass of a, m
+	Vec offset;         // m: offset from the center of mass of b to that of a, added to an anchor
 	Real separation[2]; // m
 } ContactPoints;
 
-// b where c is set, else a
+// Returns b in the lanes where c is set, else a.
 INLINE ContactPoints contact_points_blend(ContactPoints a, ContactPoints b, Int c)
 {
 	a.normal = vec_blend(a.normal, b.normal, c);
@@ -34,18 +36,19 @@ INLINE ContactPoints contact_points_blend(ContactPoints a, ContactPoints b, Int 
 	return a;
 }
 
-// The part of the motion of an arm that is still to come, for a body that will turn so far, by an angle, and has the arm then: how
-// the solver moves the arm (body_shift), less how it will move.
+// Returns the difference between two motions of an arm within the rest of the step: the solver's (body_shift) minus the
+// real one. The body turns by an angle (turn: its cos, sin), and has the arm at the end.
 INLINE Vec contact_points_predicted(Vec turn, Real angle, Vec arm)
 {
 	return vec_sub(vec_spin(angle, arm), vec_sub(arm, vec_turn_back(turn, arm)));
 }
 
-// From rows of the pools world_shape and contact_manifold; manifold has both rows of the contact, one behind the other.
+// Computes the points from rows of the pools world_shape and contact_manifold; manifold contains both rows of the
+// contact, one after the other.
 //
 // The two places of a point coincided when it was found. Their distance along the normal since then is added to the
-// separation. The solver turns arms by the turns of bodies within the step; for poses in the future, that motion is
-// subtracted from the separation.
+// separation. The solver turns arms by the turns of bodies within the step. For a predicted manifold, whose poses are
+// in the future, that motion is subtracted from the separation.
 INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const Real manifold[16])
 {
 	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), from_a = vec(b[0] - a[0], b[1] - a[1]);
@@ -55,7 +58,7 @@ INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const
 	Vec turned_a = vec_turn_back(axes_a, then_a), turned_b = vec_turn_back(axes_b, then_b);
 	Vec center_a = vec_turn(turned_a, vec(a[4], a[5])), center_b = vec_turn(turned_b, vec(b[4], b[5]));
 	Int ahead = manifold[15] < splat(0.0f);
-	// before the loop: with them in it, gcc unrolls it too late to keep the points in registers
+	// computed before the loop: inside it, gcc unrolls the loop too late to keep the points in registers
 	Real angle_a = splat(0.0f), angle_b = angle_a;
 	if (lane_bits(ahead))
 	{

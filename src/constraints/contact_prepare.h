@@ -5,14 +5,15 @@
 #include "constraints/contact_constraint.h"
 #include "constraints/rolling.h"
 
-// the deepest overlap seen, for the user's counters
+// Updates the deepest overlap, a counter for the user.
 INLINE void prepare_depth(const Pools* p, Real separation)
 {
 	Word deeper = lane_bits(separation < splat(-bits_float(read_shared(&p->counters->penetration))));
 	raise_lanes(&p->counters->penetration, -separation, deeper);
 }
 
-// Whether something is deep in static and in kinematic bodies. What does not move is the second collidable of a pair.
+// Marks whether some body is deep in a static body, and in a kinematic one. The second collidable of a pair is the one
+// that cannot move.
 INLINE void prepare_press(const Pools* p, int i, Real separation)
 {
 	Word deep = p->step.presses ? lane_bits(separation < splat(-PRESS_FROM)) : 0;
@@ -25,7 +26,7 @@ INLINE void prepare_press(const Pools* p, int i, Real separation)
 	}
 }
 
-// What the passes need of the points of constraint i. Padding, which has no slot, stays inert.
+// Computes the points of constraint i for the passes. Padding, which has no slot, stays inert.
 INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 {
 	Int there = slot >= 0, ia, ib;
@@ -68,7 +69,7 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 	return points;
 }
 
-// so many constraints before they are prepared, what they gather is fetched
+// Distance, in constraints, at which data is prefetched before it is prepared.
 #define PREPARE_SOON 32
 
 INLINE void contact_prepare_fetch(const Pools* p, int i)
@@ -84,7 +85,7 @@ INLINE void contact_prepare_fetch(const Pools* p, int i)
 	}
 }
 
-// All rows of constraint i that are prepared, but for the rare ones. slot is -1 for padding.
+// Computes all prepared rows of constraint i, except the rare ones. slot is -1 for padding.
 INLINE void contact_setup(const Pools* p, int i, Int slot, Contact* u)
 {
 	contact_prepare_fetch(p, i);

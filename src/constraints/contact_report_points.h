@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// contact_report_points.h -- the points of a contact at the start of the last step, as they are reported to the user.
+// contact_report_points.h -- the points of a contact at the start of the last step, as reported to the user.
 #ifndef CONTACT_REPORT_POINTS_H
 #define CONTACT_REPORT_POINTS_H
 #include "constraints/rolling.h"
 
-// From the rows that rolling.h needs; all is relative to the origin of collidable a.
+// Computes the points from the rows that rolling.h needs, relative to the origin of collidable a.
 INLINE ContactPoints contact_report_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
                                            const Real manifold[16], Word flags, Int2 features)
 {
@@ -17,7 +17,7 @@ INLINE ContactPoints contact_report_points(const GLOBAL Attribute* shapes, const
 	return contact_points_held(a, b, manifold);
 }
 
-// Writes them to a row; x, y: m, the origin of collidable a.
+// Writes the points to a row; x, y: the origin of collidable a, m.
 INLINE void contact_report_place(ContactReport* row, const ContactPoints* at, Real x, Real y)
 {
 	row->normal_x = at->normal.x;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// coupling.h -- gears and pulleys: joints whose one coordinate is a sum of what is measured of each body in the world.
+// coupling.h -- gears and pulleys: joints with one coordinate, a sum of measures of the two bodies in the world.
 //
 //     along = measure of b + ratio * measure of a
 //
-// A measure is of a frame of the body in its base, a frame of the world that does not move: the angle over all turns, the
-// translation of the anchor along the base's x axis, or the distance of the anchor from the base. Locks, limits, springs and
-// motors act on the coordinate as they do on that of other joints.
+// A side measures a frame of its body in its base, a frame of the world that does not move: the angle over all turns,
+// the translation of the anchor along the base's x axis, or the distance of the anchor from the base. Locks, limits,
+// springs and motors act on the coordinate as on that of other joints.
 //
 // This work is based on:
 // Erin Catto, Iterative Dynamics with Temporal Coherence, GDC 2005: constraints as Jacobians, one body at a time.
@@ -13,13 +13,14 @@
 #define COUPLING_H
 #include "constraints/joint_constraint.h"
 
-typedef struct // one side: how its measure changes with the body's translation and rotation, and what it adds
+typedef struct // one side: derivatives of its measure by the body's translation and rotation, and its change in the
+               // step
 {
 	Vec direction; // 0 for an angle
 	Real lever, value;
 } CouplingSide;
 
-// arm is that at the start of the step; line as in the rows.
+// Computes a side. arm: arm at the start of the step; line: as in the rows.
 INLINE CouplingSide coupling_side(const Joint* u, int side, Vec line, Vec arm, const Body* body)
 {
 	CouplingSide s;
@@ -34,7 +35,7 @@ INLINE CouplingSide coupling_side(const Joint* u, int side, Vec line, Vec arm, c
 	return s;
 }
 
-// Replaces the coordinate along where lanes have a coupling.
+// Replaces the coordinate along in lanes with a coupling.
 OUT_OF_LINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	if (!p->step.couplings)
@@ -50,7 +51,7 @@ OUT_OF_LINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose*
 	CouplingSide b = coupling_side(u, 1, line_b, vec(u->arm_b_x, u->arm_b_y), &c->b);
 	Real value = load(&joint_rare(p, coupled, i), 0) + (b.value + ratio * a.value);
 
-	// a body whose state is not finite must not take the other one with it
+	// a body whose state is not finite must not affect the other one
 	Int sound = c->coupled & (absolute(value + (a.lever + b.lever)) <= splat(MOST_FLOAT));
 	Vec none = vec(zero, zero);
 	c->axis_a = vec_blend(none, vec_scale(-ratio, a.direction), sound);
@@ -61,7 +62,7 @@ OUT_OF_LINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose*
 	c->given_a = vec(load(&joint_rare(p, given_a_x, i), 0), load(&joint_rare(p, given_a_y, i), 0));
 }
 
-// Stores what the pass gave to a.
+// Stores the impulse that the pass applied to a.
 INLINE void coupling_store(const Pools* p, int i, const JointPose* c)
 {
 	if (!c->couples)
@@ -70,7 +71,7 @@ INLINE void coupling_store(const Pools* p, int i, const JointPose* c)
 	store(&joint_rare(p, given_a_y, i), 0, c->given_a.y);
 }
 
-// What an impulse along a coupling is: a torque's where it measures an angle of b.
+// Returns whether an impulse along a coupling is that of a torque: the coupling measures an angle of b.
 INLINE Int coupling_turns(const Joint* u) { return joint_has(u, JOINT_COUPLED) & (joint_has(u, JOINT_LINEAR(1)) == 0); }
 
 #endif

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
-// coupling_one.h -- gears and pulleys, one at a time: what they measure of their bodies.
+// coupling_one.h -- functions for single gears and pulleys: the measures of their bodies.
 //
-// Angles are counted over all turns. A sum of two large angles would be coarse, so what a step adds to the sum is added to it:
-// the ratio of a gear can change while it turns, and nothing jumps.
+// Angles are counted over all turns. A sum of two large angles would be coarse, so the change in a step is added to the
+// sum. Therefore the ratio of a gear can change while it turns, and nothing jumps.
 #ifndef COUPLING_ONE_H
 #define COUPLING_ONE_H
 #include "constraints/joint_prepare.h"
 
 #define TURN_REST (-1.7484556e-7f) // 2 pi - TURN
 
-typedef struct // what was counted last
+typedef struct // the last counts
 {
-	float angle[2], turns[2]; // rad; of a and b
+	float angle[2], turns[2]; // for a and b, rad
 	float geared;             // rad
 } CouplingCount;
 
 typedef struct // one side of a coupling in the world
 {
-	Vec line;           // m, from the base to the anchor; the direction of a translation; 0 for an angle
-	Vec arm;            // m, from the center of mass to the anchor
-	float value, added; // m, rad: its measure; rad: since it was counted last
+	Vec line;           // m: from the base to the anchor; the direction of a translation; 0 for an angle
+	Vec arm;            // m: from the center of mass to the anchor
+	float value, added; // m, rad: its measure; rad: change since the last count
 } CouplingMeasure;
 
-// Nothing has been counted of a new joint.
+// Returns the counts of a new joint.
 INLINE CouplingCount coupling_count_new(const Pools* p, int slot)
 {
 	const GLOBAL JointData* data = p->joint_data + slot;
@@ -83,7 +83,7 @@ INLINE CouplingMeasure coupling_measure(const Pools* p, int slot, int side, Coup
 typedef struct // a coupling in the world
 {
 	CouplingMeasure sides[2];
-	float value; // its coordinate, without distances
+	float value; // coordinate along, without distances
 } CouplingState;
 
 INLINE CouplingState coupling_state(const Pools* p, int slot, CouplingCount* count)
@@ -100,7 +100,7 @@ INLINE CouplingState coupling_state(const Pools* p, int slot, CouplingCount* cou
 	return now;
 }
 
-// The rows of joint i for the step, where it is a coupling.
+// Writes the rows of joint i, a coupling, for the step.
 INLINE void coupling_setup(const Pools* p, int i)
 {
 	int slot = p->joint_place_slot[i];

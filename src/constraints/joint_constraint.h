@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// joint_constraint.h -- a joint as a constraint: three coordinates of a frame of body b in a frame of body a, some of them locked.
+// joint_constraint.h -- a joint as a constraint: three coordinates of a frame of body b in a frame of body a, some of
+// them locked.
 //
 //     d = anchor of b - anchor of a      u = axis      w = left of u
 //     along = u . d      across = w . d      angle = angle of b - angle of a
 //
-// The locked coordinates are solved together, as a symmetric 3 x 3 system. Limits, springs and motors (joint_drive.h) come
-// before it, so that the locks have the last word.
+// The locked coordinates are solved together, as a symmetric 3 x 3 system. Limits, springs and motors (joint_drive.h)
+// are solved before it, because locks have priority.
 //
-// Warm starting. Arms turn within a step, so the same impulses do not change velocities by the same amount in each substep,
-// as integrate.h assumes. A joint therefore stores what its impulses have given its two bodies, and in its biased pass first
-// gives the difference to what they are worth at the current arms.
+// Warm starting. Arms turn within a step, so the same impulses do not change velocities by the same amount in each
+// substep, as integrate.h assumes. Therefore a joint stores the impulses that it applied to its two bodies. In its
+// biased pass it first applies the difference between these and the effect of its impulses at the current arms.
 //
 // This work is based on:
 // Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024: a biased and a relaxing pass per substep.
@@ -22,20 +23,20 @@
 #define IN_POSED (IN_WARM_START | IN_BIAS | IN_RELAX)
 #define IN_TURNS (IN_BIAS | IN_RELAX)
 
-// what every pass streams
+// Rows that every pass streams.
 #define JOINT_ROWS(X)                                                                \
-	/* at the start of the step: axis; m: anchors from the centers of mass */        \
+	/* axis and, in m, anchors from the centers of mass, at the start of the step */ \
 	X(axis_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)      \
 	X(axis_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)      \
 	X(arm_a_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
 	X(arm_a_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
 	X(arm_b_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
 	X(arm_b_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)     \
-	/* m: from anchor to anchor; of a radial joint: what its lock holds */           \
+	/* m: gap from anchor to anchor; target of the lock of a radial joint */         \
 	X(gap_x, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)       \
 	X(gap_y, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)       \
 	X(length, always, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)                          \
-	/* rad: the angle, less that at which it is locked */                            \
+	/* rad: the angle minus the target of its lock */                                \
 	X(angle, always, PREPARED, 0.0f, IN_POSED | IN_PREPARE_BOUNCE, IN_PREPARE)       \
 	/* rad: the angle over all turns */                                              \
 	X(turned, always, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                            \
@@ -47,20 +48,20 @@
 	X(soft_along, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE)  \
 	X(soft_across, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE) \
 	X(soft_angle, always, PREPARED, 0.0f, IN_TURNS | IN_PREPARE_BOUNCE, IN_PREPARE)  \
-	/* N s, N m s */                                                                 \
+	/* N s, N m s: impulses of the locks */                                          \
 	X(impulse_along, always, KEPT, 0.0f, IN_POSED, IN_POSED)                         \
 	X(impulse_across, always, KEPT, 0.0f, IN_POSED, IN_POSED)                        \
 	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                         \
-	/* how many times START_SHARE the impulses at the start were worth */            \
+	/* velocity change by the warm start, in units of START_SHARE */                 \
 	X(carried, always, KEPT, 0.0f, IN_WARM_START, IN_WARM_START)                     \
-	/* N s, N m s: given to b, its opposite to a; angular ones of a and b */         \
+	/* N s: applied to b, the opposite to a; N m s: angular, applied to a, to b */   \
 	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
-// A limit, a spring and a motor along one coordinate, in m or rad, 1/s, N s or N m s. spring_relaxes of a soft lock is
-// its softness in the relaxing pass.
+// Rows of a limit, a spring and a motor along one coordinate, in m or rad, 1/s, N s or N m s. For a soft lock,
+// spring_relaxes is its softness in the relaxing pass.
 #define JOINT_DRIVE_ROWS(X, of)                                              \
 	X(of##_lower, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
 	X(of##_upper, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
@@ -79,51 +80,51 @@
 	X(of##_spring_impulse, has_drives, KEPT, 0.0f, IN_POSED, IN_POSED)       \
 	X(of##_motor_impulse, has_drives, KEPT, 0.0f, IN_POSED, IN_POSED)
 
-// of gears and pulleys (coupling.h)
-#define JOINT_COUPLING_ROWS(X)                                                                                    \
-	X(gear_ratio, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                \
-	/* m, rad: the coordinate at the start of the step, without distances */                                      \
-	X(coupled, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                   \
-	/* of a and b: m, from the base to the anchor; or the direction of a translation */                           \
-	X(line_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
-	X(line_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
-	X(line_b_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
-	X(line_b_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
-	/* rad: the last angles, how often each turned round since, and the part of the coordinate that angles are */ \
-	X(angle_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
-	X(angle_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
-	X(turns_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
-	X(turns_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                     \
-	X(geared, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                                      \
-	/* N s: given to a, its opposite */                                                                           \
-	X(given_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)                                      \
+// Rows of gears and pulleys (coupling.h).
+#define JOINT_COUPLING_ROWS(X)                                                                     \
+	X(gear_ratio, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                 \
+	/* m, rad: the coordinate at the start of the step, without distances */                       \
+	X(coupled, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                    \
+	/* for a, for b: m, line from the base to the anchor; or the direction of a translation */     \
+	X(line_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                   \
+	X(line_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                   \
+	X(line_b_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                   \
+	X(line_b_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                   \
+	/* rad: last angles, their turns since the start, and the share of angles in the coordinate */ \
+	X(angle_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                      \
+	X(angle_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                      \
+	X(turns_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                      \
+	X(turns_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                      \
+	X(geared, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                       \
+	/* N s: the opposite of this was applied to a */                                               \
+	X(given_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)                       \
 	X(given_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
-// of joints on a path (path_constraint.h)
-#define JOINT_PATH_ROWS(X)                                                                                \
-	/* m: in frame A, the point of the path that is nearest to anchor b; cos, sin: the tangent there */   \
-	X(foot_x, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                              \
-	X(foot_y, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                              \
-	X(foot_cos, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                            \
-	X(foot_sin, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                            \
-	/* m: of that point, from the start of the path, over all laps */                                     \
-	X(foot_along, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                          \
-	/* 1/m, 1/m^2: curvature there, and its change along the path; m: at which across is locked */        \
-	X(bend, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
-	X(sway, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                  \
-	X(beside, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                \
-	/* where it was last: number of the sample before it, laps, and how the next search begins, PATH_* */ \
-	X(path_segment, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                            \
-	X(path_laps, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                               \
+// Rows of joints on a path (path_constraint.h).
+#define JOINT_PATH_ROWS(X)                                                                               \
+	/* m: in frame A, the foot, the point of the path nearest to anchor b; cos, sin of its tangent */    \
+	X(foot_x, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                             \
+	X(foot_y, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                             \
+	X(foot_cos, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                           \
+	X(foot_sin, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                           \
+	/* m: arc length of the foot from the start of the path, over all laps */                            \
+	X(foot_along, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                         \
+	/* 1/m, 1/m^2: curvature at the foot, and its change along the path; m: target of the lock across */ \
+	X(bend, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                 \
+	X(sway, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                                 \
+	X(beside, paths, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                               \
+	/* last position: number of the sample before it, laps, and start of the next search, PATH_* */      \
+	X(path_segment, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                           \
+	X(path_laps, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                              \
 	X(path_seeks, paths, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)
 
 #define JOINT_RARE_ROWS(X)                                                      \
 	JOINT_DRIVE_ROWS(X, along)                                                  \
 	JOINT_DRIVE_ROWS(X, across)                                                 \
 	JOINT_DRIVE_ROWS(X, angle)                                                  \
-	/* 1: it has springs, and its bodies have no other constraints */           \
+	/* 1 if it has springs, and its bodies have no other constraints */         \
 	X(springs_alone, has_drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)           \
-	/* N s, N m s: the largest of all substeps */                               \
+	/* N s, N m s: largest of all substeps */                                   \
 	X(peak_force, has_drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)  \
 	X(peak_torque, has_drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX) \
 	JOINT_COUPLING_ROWS(X)                                                      \
@@ -140,7 +141,7 @@
 	PAIR(3, IN_POSED, IN_POSED, u->given_y, u->given_a)                  \
 	PAIR(4, IN_PASSES, IN_POSED, u->given_b, u->carried)
 
-// Bytes that prepare gathers for a joint: its data, the poses and centers of its bodies.
+// Bytes that prepare gathers for a joint: its data, and the poses and centers of its bodies.
 #define JOINT_GATHERS(step)  (sizeof(JointData) + 2 * (sizeof(Float4) + 2 * sizeof(Float2)))
 #define JOINT_BOUNCE_GATHERS 0
 
@@ -164,17 +165,17 @@ struct JointRareKept
 	JOINT_RARE_ROWS(ROW_KEPT_MEMBER)
 };
 
-// a component of joint i of the pools p
+// A component of joint i of the pools p.
 #define joint_row(p, name, i)  ((p)->joint_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 #define joint_rare(p, name, i) ((p)->joint_rare_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 
-// The drives of the three coordinates are the first rare rows, in the same order each.
+// The drives of the three coordinates are the first rare rows, each in the same order.
 #define DRIVE_NUMBER(name, gate, life, inert, read, written) name,
 enum
 {
 	JOINT_DRIVE_ROWS(DRIVE_NUMBER, DRIVE) DRIVE_ROW_COUNT
 };
-// a component of the drive of coordinate k
+// A component of the drive of coordinate k.
 #define joint_drive_row(p, k, name, i)       \
 	(((GLOBAL float*)((p)->joint_rare_rows + \
 	                  (i) / MAX_LANES))[((k)*DRIVE_ROW_COUNT + DRIVE_##name) * MAX_LANES + (i) % MAX_LANES])
@@ -184,36 +185,36 @@ typedef struct // a joint in registers
 	JOINT_ROWS(ROW_REGISTER)
 } Joint;
 
-typedef struct // its bodies and its coordinates now
+typedef struct // the bodies and the current coordinates of a joint
 {
 	Body a, b;
 	Vec axis[2];                         // along, across
-	Vec arm_a, arm_b;                    // from the centers of mass to the anchor of b
-	Real lever_a[2], lever_b[2];         // of a unit impulse along the axes
-	Real mass, value[JOINT_COORDINATES]; // 1/kg: sum; m, m, rad
-	// of lanes with a coupling: what its coordinate along is on the side of a, and what was given there
+	Vec arm_a, arm_b;                    // arms from the centers of mass to the anchor of b
+	Real lever_a[2], lever_b[2];         // levers of a unit impulse along the axes
+	Real mass, value[JOINT_COORDINATES]; // 1/kg: sum of the inverse masses; m, m, rad
+	// Lanes with a coupling: axis of the coordinate along on the side of a, and impulse applied to a.
 	Word couples;
 	Int coupled;
-	Int torn; // springs hold both translations, and are so far off that the arm of a is shortened
+	Int torn; // springs hold both translations, and are stretched so far that the arm of a is shortened
 	Vec axis_a, given_a;
-	// of lanes on a path: its curvature here, 1/m
+	// Lanes on a path: curvature at the current point, 1/m.
 	Word rails;
 	Int railed;
 	Real bend;
 } JointPose;
 
-// Whether some lanes have one of these modes.
+// Returns the lanes that have one of these modes.
 INLINE Int joint_has(const Joint* u, int mode) { return (whole(u->modes) & mode) != 0; }
 
-// Whether the axes of a joint are those of the world: where both translations are rigid any axes will do, and impulses of the
-// world last longer than those of a body.
+// Returns whether the axes of a joint are those of the world. If both translations are rigid, any axes are suitable,
+// and impulses along axes of the world stay valid longer than those along axes of a body.
 INLINE Int joint_upright(const Joint* u)
 {
 	return joint_has(u, JOINT_LOCKED(JOINT_ALONG)) & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) &
 	       (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS) | JOINT_RAILED) == 0);
 }
 
-// The axis of a radial joint: along the line between its anchors, d, or as it is where they coincide.
+// Returns the axis of a radial joint: along the line d between its anchors, or unchanged if they coincide.
 INLINE Vec joint_line(Vec axis, Vec d, Int radial)
 {
 	Real square = vec_dot(d, d);
@@ -221,7 +222,7 @@ INLINE Vec joint_line(Vec axis, Vec d, Int radial)
 	return vec_blend(axis, vec_scale(1.0f / root(blend(splat(1.0f), square, apart)), d), apart);
 }
 
-// No lane has a coupling or a path, until coupling.h or path_constraint.h finds one.
+// Marks all lanes as having no coupling and no path, before coupling.h and path_constraint.h find any.
 INLINE void joint_alone(JointPose* c)
 {
 	c->couples = c->rails = 0;
@@ -230,11 +231,12 @@ INLINE void joint_alone(JointPose* c)
 	c->axis_a = c->given_a = vec(splat(0.0f), splat(0.0f));
 }
 
-// times the radius of gyration of body a: how far off locks may be that make its arm longer
+// Error of locks that makes the arm of body a too long, in units of the radius of gyration of a.
 #define JOINT_FAR 2.0f
 
-// Whether springs hold both translations, and d is so far off. Then the axes are those of the world, and the impulses keep their direction
-// there: the arm of a is shortened, so that a cannot take the torque of a force that turns with it, and would spin b ever faster.
+// Returns whether springs hold both translations, and d is that far off. Then the axes are those of the world, and the
+// impulses keep their direction there. Because the arm of a is shortened, a cannot take the torque of a force that
+// turns with it; such a force would spin b ever faster.
 INLINE Int joint_torn(const Pools* p, const Joint* u, const Body* a, Vec d)
 {
 	if (!p->step.springs)
@@ -244,7 +246,7 @@ INLINE Int joint_torn(const Pools* p, const Joint* u, const Body* a, Vec d)
 	return springs & (a->inv_inertia * vec_dot(d, d) > splat(JOINT_FAR * JOINT_FAR) * a->inv_mass);
 }
 
-// How far a translation is beyond its limits, m.
+// m: Returns the distance of a translation beyond its limits.
 INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real value)
 {
 	Real zero = splat(0.0f);
@@ -255,9 +257,9 @@ INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real valu
 	return blend(zero, value - minimum(maximum(value, lower), upper), limited);
 }
 
-// The arm of body a ends at the anchor of b, so that no impulse of the joint changes the angular momentum. Where rigid locks, or a pair
-// of soft ones, are so far off that the arm would turn a rather than pull, it ends nearer to a's own anchor: impulses at the end of a long
-// arm hardly pull b back, and turn a with a force that other joints of a cannot hold.
+// Shortens the arm of body a. It ends at the anchor of b, so that no impulse of the joint changes the angular momentum.
+// If rigid locks, or a pair of soft ones, are so far off that impulses on the arm would turn a rather than pull b back,
+// the arm ends nearer to a's own anchor. Otherwise they would turn a with a force that other joints of a cannot hold.
 INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), off[2], square = zero;
@@ -277,13 +279,13 @@ INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* 
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
-		// choose, because others of a block must not see this: zeros have signs
+		// blend, because the other joints of a block must not be affected: zeros have signs
 		c->arm_a = vec_blend(c->arm_a, vec_sub(c->arm_a, vec_scale(less * off[k], c->axis[k])), far);
 		c->lever_a[k] = blend(c->lever_a[k], c->lever_a[k] + less * (k == 0 ? off[1] : -off[0]), far);
 	}
 }
 
-// The pose of a joint whose bodies are set.
+// Computes the pose of a joint whose bodies are set.
 OUT_OF_LINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	const Body *a = &c->a, *b = &c->b;
@@ -292,7 +294,7 @@ OUT_OF_LINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	Vec d = vec_add(vec(u->gap_x, u->gap_y), vec_add(vec_sub(b->d, a->d), vec_sub(swing_b, swing_a)));
 	Real angle = u->angle + (b->da - a->da);
 
-	// a body whose state is not finite must not take the other one with it
+	// a body whose state is not finite must not affect the other one
 	Int sound = absolute(((d.x + d.y) + (swing_a.x + swing_b.x)) + angle) <= splat(MOST_FLOAT);
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	d = vec_blend(zero, d, sound);
@@ -324,7 +326,7 @@ OUT_OF_LINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	joint_shorten_arm(p, i, u, c);
 }
 
-// m/s: the speed along or across, k is a constant
+// m/s: Returns the speed along or across; k is a constant.
 INLINE Real joint_speed_linear(const JointPose* c, int k)
 {
 	Real spin = c->lever_b[k] * c->b.w - c->lever_a[k] * c->a.w;
@@ -334,7 +336,7 @@ INLINE Real joint_speed_linear(const JointPose* c, int k)
 	return blend(speed, (vec_dot(c->b.v, c->axis[0]) - vec_dot(c->a.v, c->axis_a)) + spin, c->coupled);
 }
 
-// m/s, rad/s: the speed of coordinate k, a constant. The angle to a path changes as its tangent turns.
+// m/s, rad/s: Returns the speed of coordinate k, a constant. The angle to a path changes as its tangent turns.
 INLINE Real joint_speed(const JointPose* c, int k)
 {
 	if (k != JOINT_ANGLE)
@@ -353,13 +355,14 @@ INLINE Real joint_yield_linear(const JointPose* c, int k)
 	return mass + c->a.inv_inertia * c->lever_a[k] * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
 }
 
-// 1/(kg m): the speed of an angle of no path by a unit impulse along or across
+// 1/(kg m): Returns the speed of the angle, without a path, by a unit impulse along or across.
 INLINE Real joint_yield_turning(const JointPose* c, int k)
 {
 	return c->a.inv_inertia * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k];
 }
 
-// 1/kg, 1/(kg m^2): the speed of coordinate k by a unit impulse along it
+// 1/kg, 1/(kg m^2): Returns the yield of coordinate k, its speed by a unit impulse along it (the inverse effective
+// mass).
 INLINE Real joint_yield(const JointPose* c, int k)
 {
 	if (k != JOINT_ANGLE)
@@ -389,7 +392,7 @@ INLINE JointImpulse joint_impulse(const JointPose* c, Real along, Real across, R
 	return j;
 }
 
-// Applies impulses, and adds them to what the joint has given.
+// Applies impulses, and adds them to the applied impulses of the joint.
 INLINE void joint_give(Joint* u, JointPose* c, JointImpulse j)
 {
 	c->a.v = vec_sub(c->a.v, vec_scale(c->a.inv_mass, j.push_a));
@@ -404,7 +407,7 @@ INLINE void joint_give(Joint* u, JointPose* c, JointImpulse j)
 		c->given_a = vec_add(c->given_a, j.push_a);
 }
 
-// The same for the joints where wanted is set.
+// Applies impulses only to the joints that a mask selects.
 INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
 {
 	Joint now = *u;
@@ -421,7 +424,7 @@ INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
 	c->given_a = vec_blend(c->given_a, then.given_a, wanted);
 }
 
-// An impulse of either sign; none in place of NaN, and of one that is beyond all bounds.
+// Returns an impulse of either sign; 0 in place of NaN, and of one that exceeds all bounds.
 INLINE Real bounded_impulse(Real x) { return blend(splat(0.0f), x, absolute(x) <= splat(MOST_IMPULSE)); }
 
 #endif

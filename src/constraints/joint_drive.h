@@ -4,9 +4,9 @@
 #define JOINT_DRIVE_H
 #include "constraints/joint_spring.h"
 
-// rad/s: locks and limits correct angles at most so fast outside of chains. Sliders in a row that a mouse tore apart by 200 m stay so
-// with 10: what holds a body back at an arm turns it faster than its angle comes back. A limit of any speed lets a body turn by half
-// a turn in a step, whose turns cannot be counted.
+// rad/s: greatest speed at which locks and limits correct angles outside of chains. With 10, sliders in a row that a
+// mouse tore apart by 200 m stay apart: the force that holds a body back at an arm turns it faster than its angle
+// returns. A limit without this bound lets a body turn by half a turn in a step, and such turns cannot be counted.
 #define JOINT_TURNING 30.0f
 
 typedef struct // the rows of one coordinate
@@ -46,23 +46,24 @@ INLINE void joint_drive_store(const Pools* p, int i, int k, const JointDrive* d)
 	store(&joint_drive_row(p, k, motor_impulse, i), 0, d->motor_impulse);
 }
 
-// Whether some lane has a limit, a spring or a motor along coordinate k.
+// Returns the lanes that have a limit, a spring or a motor along coordinate k.
 INLINE Word joint_drives(const Pools* p, const Joint* u, int k)
 {
 	return p->step.has_drives ? lane_bits(joint_has(u, JOINT_HAS_DRIVES(k))) : 0u;
 }
 
-// The impulses along coordinate k.
+// Returns the impulses along coordinate k.
 INLINE Real joint_drive_sum(const JointDrive* d) { return d->spring_impulse + d->motor_impulse + d->limit_impulse; }
 
-// The impulse of a spring (joint_spring.h).
+// Returns the impulse of a spring in the biased pass (joint_spring.h).
 INLINE Real joint_spring(const JointDrive* d, Real yield, Real speed, Real error)
 {
 	Real change = -(d->spring_answer * speed + d->spring_rate * error) / yield - d->spring_keeps * d->spring_impulse;
 	return bounded_impulse(d->spring_impulse + change);
 }
 
-// The same in the relaxing pass. A spring at its bound stays there: how far it would go beyond is known in the biased pass only.
+// Returns the impulse of a spring in the relaxing pass. A spring at its bound stays there, because its excess over the
+// bound is known only in the biased pass.
 INLINE Real joint_spring_relaxed(const JointDrive* d, Real yield, Real speed, Int full)
 {
 	Real old = d->spring_impulse;
@@ -75,30 +76,31 @@ INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
 	return minimum(d->spring_most, maximum(d->spring_least, impulse));
 }
 
-// The part of a spring's impulse that is left where the motor and the limit of its coordinate work against it.
+// Returns the part of a spring's impulse that is left after the opposite impulses of the motor and the limit of its
+// coordinate.
 INLINE Real joint_spring_left(const JointDrive* d)
 {
 	Real zero = splat(0.0f), whole = d->spring_impulse, left = joint_drive_sum(d);
 	return minimum(maximum(left, minimum(whole, zero)), maximum(whole, zero));
 }
 
-// The part of a limit's impulse under which it gives way: what holds the spring of its joint is known, and not soft. sign: of the
-// limit's impulses, whose size is given.
+// Returns the part of a limit's impulse under which it gives way. The part that opposes the spring of the same joint is
+// not soft, because it is already computed. sign: direction of the limit's impulses; impulse: their size.
 INLINE Real joint_limit_load(const JointDrive* d, Real sign, Real impulse)
 {
 	Real zero = splat(0.0f);
 	return maximum(impulse - maximum(-(sign * d->spring_impulse), zero), zero);
 }
 
-// The speed at which a coordinate may go to a limit that is so far ahead, or must come back from behind it.
+// Returns the speed at which a coordinate may approach a limit at the distance ahead, or must return from behind it.
 INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, int k, Real ahead, int soft)
 {
 	Real zero = splat(0.0f), most = splat(k == JOINT_ANGLE ? JOINT_TURNING : p->step.max_speed);
 	return blend(soft ? maximum(d->limit_rate * ahead, -most) : zero, p->step.inv_h * ahead, ahead > zero);
 }
 
-// The impulse of a limit: the nearer one, from which it pushes away. It ends an approach just there (s > 0), and is as soft
-// as a lock behind it.
+// Returns the impulse of a limit, the nearer one of the two, which pushes away from it. It ends an approach exactly at
+// the limit (s > 0), and behind the limit it is as soft as a lock.
 INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, Real speed, Real value, int soft)
 {
 	Real zero = splat(0.0f), below = value - d->lower, above = d->upper - value;
@@ -110,8 +112,9 @@ INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, 
 	return sign * push_of(old - back / (yield + yields * yield));
 }
 
-// The speed that a motor wants: that of the user, but not through the nearer limit. Impulses of a motor and of a limit that work against each
-// other would both grow up to the maximum of the motor, under which the limit, a spring, gives way: a slider of 1 kg by 29 m at 1e8 N.
+// Returns the speed to which a motor drives: that of the user, but not through the nearer limit. Opposite impulses of a
+// motor and a limit would both grow up to the maximum of the motor, under which the limit, a spring, gives way: a
+// slider of 1 kg moves by 29 m at 1e8 N.
 INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, int k, Real value, Int limit, int soft)
 {
 	Real below = value - d->lower, above = d->upper - value;
@@ -121,8 +124,8 @@ INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, int k, Real v
 	return blend(d->speed, sign * maximum(sign * d->speed, least), limit);
 }
 
-// Solves the spring, the motor and the limit of coordinate k, one after the other. full: springs that are bounded together are at
-// their bound.
+// Solves the spring, the motor and the limit of coordinate k, one after the other. full: lanes whose springs have a
+// common bound and have reached it.
 INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint* u, JointPose* c)
 {
 	JointDrive d = joint_drive_load(p, i, k), old = d;
@@ -155,7 +158,7 @@ INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint*
 	joint_give_where(u, c, j, joint_has(u, JOINT_HAS_DRIVES(k)));
 }
 
-// An impulse as a share of a bound, but no more than would have a finite square.
+// Returns an impulse as a share of a bound, limited to values with a finite square.
 INLINE Real joint_share(Real impulse, Real most)
 {
 	Int there = most > splat(0.0f);
@@ -174,8 +177,8 @@ INLINE void joint_shorten(Real* x, Real* y, Real most_x, Real most_y)
 	*y = blend(zero, blend(*y, back * share_y * most_y, beyond), most_y > zero);
 }
 
-// Bounds springs and motors along and across together, where the joint wants it: each by itself, a friction of F in any
-// direction would be 1.41 F on the diagonal, and turn aside what slides aslant.
+// Bounds springs and motors along and across together, for joints with that mode. Bounded separately, a friction of F
+// in any direction would be 1.41 F on the diagonal, and would deflect bodies that slide obliquely.
 INLINE void joint_drive_together(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	JointDrive x = joint_drive_load(p, i, JOINT_ALONG), y = joint_drive_load(p, i, JOINT_ACROSS);
@@ -195,10 +198,10 @@ INLINE void joint_drive_together(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_give_where(u, c, j, together);
 }
 
-// square of the share of an ellipse from which on it is reached, but for rounding
+// Square of the share of an ellipse that counts as reaching it, despite rounding.
 #define JOINT_FULL 0.9999f
 
-// Whether the springs along and across, bounded together, are at their bound.
+// Returns whether the springs along and across, which have a common bound, have reached it.
 INLINE Int joint_springs_full(const Pools* p, int i)
 {
 	JointDrive x = joint_drive_load(p, i, JOINT_ALONG), y = joint_drive_load(p, i, JOINT_ACROSS);
@@ -216,7 +219,7 @@ OUT_OF_LINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, Join
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
-		// before the angle, whose motor would hold against impulses that are taken back
+		// bounded before the angle is solved, whose motor would hold against impulses that are taken back
 		if (k == JOINT_ANGLE && p->step.has_drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 			joint_drive_together(p, i, u, c);
 		if (joint_drives(p, u, k))
@@ -224,7 +227,7 @@ OUT_OF_LINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, Join
 	}
 }
 
-// The impulses along all coordinates, of locks too.
+// Sums the impulses along all coordinates, including those of locks.
 OUT_OF_LINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOINT_COORDINATES])
 {
 	sum[JOINT_ALONG] = u->impulse_along;
@@ -236,12 +239,12 @@ OUT_OF_LINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOIN
 		if (!joint_drives(p, u, k))
 			continue;
 		JointDrive d = joint_drive_load(p, i, k);
-		// a joint without drives must not take part, though others of its block do: zeros have signs
+		// blend, because joints without drives in the same block must not be affected: zeros have signs
 		sum[k] = blend(sum[k], sum[k] + joint_drive_sum(&d), joint_has(u, JOINT_HAS_DRIVES(k)));
 	}
 }
 
-// Scales all impulses of the last step, which are too large to start this one with.
+// Scales all impulses of the last step with which this one starts.
 OUT_OF_LINE void joint_scale(const Pools* p, int i, Joint* u, Real part)
 {
 	u->impulse_along = part * u->impulse_along;

@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
-// joint_locks.h -- the locks of a joint, which are solved together: a symmetric system of up to three equations.
+// joint_locks.h -- the locks of a joint, solved together: a symmetric system of up to three equations.
 #ifndef JOINT_LOCKS_H
 #define JOINT_LOCKS_H
 #include "constraints/joint_drive.h"
 
-// share of a coordinate's own yield that remains, at least, when others are held: below it is rounding
+// Least share of a coordinate's own yield that remains while the others are held; smaller values are rounding errors.
 #define JOINT_LEAST_YIELD 1.0e-6f
 
-// m/s, rad/s: errors are corrected at most so fast in a chain. Frames that are far apart, because a body was
-// teleported or a contact held it back, come together without a blow. Other joints correct distances at up to START_SHARE of
-// max_speed: in the corner of a large net, which holds it all, a joint must follow its error.
+// m/s, rad/s: greatest speed at which errors are corrected in a chain. With it, frames that are far apart, because a
+// body was teleported or a contact held it back, come together without a blow. Other joints correct distances at up to
+// START_SHARE of max_speed: in the corner of a large net, where a joint carries the whole net, it must follow its
+// error.
 #define JOINT_CORRECTION 10.0f
 
 typedef struct // equations of the locks: yield x = goal
 {
-	Real yield[3], cross[3];     // diagonal; 01, 02, 12
-	Real soft[3], soft_cross[3]; // their softness, which is a part of yield and cross
-	Real softness[3];            // as a share of a coordinate's own yield
-	Real toward[3];              // m/s, rad/s: at which errors are corrected
-	Real back[3];                // m/s, rad/s: by which locks give way to their impulses
+	Real yield[3], cross[3];     // diagonal; elements 01, 02, 12
+	Real soft[3], soft_cross[3]; // softness, which is included in yield and cross
+	Real softness[3];            // softness as a share of a coordinate's own yield
+	Real toward[3];              // m/s, rad/s: speeds at which errors are corrected
+	Real back[3];                // m/s, rad/s: speeds at which locks give way to their impulses
 	Real goal[3];
 	Int locked[3];
 } JointSystem;
 
-// How much softer a lock becomes that yields by own. One as soft as nothing must not overflow, and so spoil the others.
+// Softness of a nearly free lock, as a multiple of its own yield. It must not overflow, because it would spoil the
+// other locks.
 #define JOINT_NOTHING 1.0e12f
 
 INLINE Real joint_softer(Real softness, Real own)
@@ -32,14 +34,16 @@ INLINE Real joint_softer(Real softness, Real own)
 	return blend(softer, splat(JOINT_NOTHING) * own, softer > splat(1.0e30f));
 }
 
-// By which share of itself the yield between two coordinates grows. Rigid locks are soft together, whatever their axes: each by
-// itself, two that pull at a long arm aslant of both axes would give way along the arm by the yield of the lever.
+// Returns the share by which softness increases the yield between two coordinates. Rigid locks are soft together,
+// whatever their axes. If each were soft on its own, two that pull at a long arm oblique to both axes would give way
+// along the arm by the yield of the lever.
 INLINE Real joint_soft_pair(const Joint* u, const Real softness[3], int i, int j)
 {
 	return blend(minimum(softness[i], softness[j]), splat(0.0f), joint_has(u, JOINT_SOFT(i) | JOINT_SOFT(j)));
 }
 
-// How soft locks are. In the relaxing pass those are rigid that are no springs; springs damp (joint_spring.h).
+// Computes the softness of the locks. In the relaxing pass, locks that are not springs are rigid; springs damp
+// (joint_spring.h).
 INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Real softness[3])
 {
 	Real zero = splat(0.0f);
@@ -53,18 +57,19 @@ INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Re
 		softness[k] = blend(zero, load(&joint_drive_row(p, k, spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(k)));
 }
 
-// Whether a joint has springs, and no other constraint holds its bodies.
+// Returns whether a joint has springs, and no other constraint holds its bodies.
 INLINE Int joint_springs_alone(const Pools* p, int i)
 {
 	return load(&joint_rare(p, springs_alone, i), 0) > splat(0.0f);
 }
 
-// Rigid locks beside springs. The springs' pull on the locks is known, so the locks hold against it as if they did not yield:
-// otherwise a spring on an arm would swing more slowly, and be damped by the locks. Only the rest of their impulses is soft:
+// Replaces the equations of rigid locks beside springs. The pull of the springs on the locks is already computed, so
+// the locks hold against it as if they did not yield. Otherwise a spring on an arm would swing more slowly, and the
+// locks would damp it. Only the rest of their impulses is soft:
 //
 //     K x = -(s + b C) / (1 + g) - g / (1 + g) K P      P: impulses of locks and springs
 //
-// Only where no other constraint holds the bodies: two such joints of a body would take turns in adding energy.
+// This holds only if no other constraint holds the bodies: two such joints of a body would alternately add energy.
 INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const JointPose* c, const Real speed[3],
                                JointSystem* s)
 {
@@ -97,9 +102,9 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 	s->cross[2] = blend(s->cross[2], blend(zero, cross[2], s->locked[1] & s->locked[2]), rigid[1] | rigid[2]);
 }
 
-// The equations of the locks without their goals: all that does not depend on velocities. A coordinate that is not locked has a row of
-// the identity. Only rigid locks correct errors at a bounded speed: a spring pulls as it should. chained: other joints are solved
-// together with this one.
+// Computes the equations of the locks without their goals: the part that does not depend on velocities. A coordinate
+// that is not locked has a row of the identity. Only rigid locks correct errors at a bounded speed; springs pull with
+// their full force. chained: other joints are solved together with this one.
 OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chained, float fastest, const Joint* u,
                                      const JointPose* c)
 {
@@ -137,7 +142,7 @@ OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chaine
 	return s;
 }
 
-// Their goals, by the velocities.
+// Computes the goals of the locks from the velocities.
 INLINE void joint_goals(int soft, const JointPose* c, JointSystem* s, Real speed[3])
 {
 	UNROLL
@@ -150,7 +155,7 @@ INLINE void joint_goals(int soft, const JointPose* c, JointSystem* s, Real speed
 	}
 }
 
-// The equations of a joint of a chain.
+// Computes the equations of a joint of a chain.
 INLINE JointSystem joint_system(const Pools* p, int i, int soft, float fastest, const Joint* u, const JointPose* c)
 {
 	JointSystem s = joint_yields(p, i, soft, 1, fastest, u, c);
@@ -164,7 +169,7 @@ typedef struct // the equations as L D L^T
 	Real first, l01, l02, d1, l12, d2;
 } JointFactors;
 
-// mass: in exact arithmetic two translations yield no less than the masses alone.
+// Factors the equations. mass: in exact arithmetic, two translations yield no less than the masses alone, 1/kg.
 INLINE JointFactors joint_factor(const JointSystem* s, Real mass)
 {
 	JointFactors f;

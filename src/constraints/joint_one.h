@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// joint_one.h -- what takes one joint at a time: turns, couplings and paths, as they were counted last.
+// joint_one.h -- functions for single joints: the stored counts of turns, couplings and paths.
 #ifndef JOINT_ONE_H
 #define JOINT_ONE_H
 #include "constraints/coupling_one.h"
 #include "constraints/path_one.h"
 
-// What is counted of turns: of a joint that is at no place, because it rests, at its slot.
+// Returns the counted turns: at the place of the joint, or at its slot if the joint rests and has no place.
 INLINE float joint_turned_last(const Pools* p, int slot)
 {
 	int place = p->joint_place[slot];
@@ -26,7 +26,7 @@ INLINE CouplingCount coupling_count_last(const Pools* p, int slot)
 	return count;
 }
 
-// Stores what was counted, at a place, or at the slot of a joint that is at none.
+// Stores the counts at a place, or at the slot of a joint without a place.
 INLINE void coupling_count_store(const Pools* p, int slot, int place, const CouplingCount* count)
 {
 	GLOBAL JointRareKept* kept = p->joint_rare_kept + slot;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// joint_pass.h -- a pass over a joint: what comes before velocities, and after; and what every kind of constraint has.
+// joint_pass.h -- a pass over a joint: the parts before and after its velocities, and the functions that every kind of
+// constraint has.
 #ifndef JOINT_PASS_H
 #define JOINT_PASS_H
 #include "constraints/contact_constraint.h"
@@ -7,14 +8,16 @@
 #include "constraints/joint_locks.h"
 #include "constraints/path_constraint.h"
 
-// By what factor the bound of the impulses with which a joint starts a step may grow from step to step.
+// Factor by which the bound of a joint's warm start may grow from step to step.
 #define JOINT_CARRIES 1.5f
 
-// Times START_SHARE: the least that this bound is, all of max_speed and max_spin. The limbs of a ragdoll that lands are held by impulses
-// that are balanced, but would each alone spin a hand by more than a fifth; with less of them a joint opens again after the blow.
+// Lower limit of that bound, in units of START_SHARE: all of max_speed and max_spin. The limbs of a ragdoll that lands
+// are held by impulses that balance each other, but each alone would spin a hand by more than a fifth of max_spin. With
+// less, a joint opens again after the impact.
 #define JOINT_BLOW 5.0f
 
-// Adds a solution to the impulses of the locks. What is not locked has none; turns: where the angle has one.
+// Adds a solution to the impulses of the locks. Coordinates that are not locked have none; turns: lanes whose angle has
+// one.
 INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
 {
 	Real zero = splat(0.0f), old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
@@ -25,12 +28,12 @@ INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
 	           joint_impulse(c, u->impulse_along - old[0], u->impulse_across - old[1], u->impulse_angle - old[2]));
 }
 
-typedef struct // kg m^2: what the pull of a joint adds to the inertia of its bodies in an implicit integration
+typedef struct // kg m^2: inertia that the pull of a joint adds to its bodies in an implicit integration
 {
 	Real a, b;
 } JointPull;
 
-// Only of joints that hold both translations as rigid ones.
+// Returns the pull of a joint; 0 unless it holds both translations with rigid locks.
 INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, Vec push)
 {
 	Real zero = splat(0.0f);
@@ -41,7 +44,8 @@ INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, 
 	return pull;
 }
 
-// From this share of its own inertia on, the pull of one joint lets the sums be computed (taut.h). A body has few joints.
+// Share of a body's own inertia from which on the pull of a single joint causes the sums to be computed (taut.h). A
+// body has few joints.
 #define JOINT_TAUT 0.25f
 
 INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Vec push)
@@ -52,13 +56,13 @@ INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Ve
 		raise_int(&p->counters->taut, 1);
 }
 
-// Starts the step with the impulses of the last one, unless these alone would make the bodies faster than a share of max_speed: a
-// blow is not given again. But what a joint has carried for some steps is a load, which the other joints of its bodies hold too: the
-// corner of a net carries the weight of all its knots.
+// Starts the step with the impulses of the last one, unless these alone would make the bodies faster than a share of
+// max_speed, because an impact must not be repeated. But an impulse that a joint has carried for some steps is a load
+// that the other joints of its bodies hold too: the corner of a net carries the weight of all its knots.
 INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
-	if (p->step.h_ratio != 1.0f) // the same forces
+	if (p->step.h_ratio != 1.0f) // scales the impulses, so that forces stay the same
 		joint_scale(p, i, u, splat(p->step.h_ratio));
 	joint_sums(p, i, u, sum);
 	JointImpulse j = joint_impulse(c, sum[0], sum[1], sum[2]);
@@ -87,11 +91,11 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_give(u, c, j);
 }
 
-// The change of the impulses' worth by the turn of the arms since the last substep.
+// Returns the change of the effect of a joint's impulses, by the turn of the arms since the last substep.
 INLINE JointImpulse joint_turn_impulse(const Pools* p, int i, Joint* u, const JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
-	// the axes of the last pass may have been others
+	// the axes of the last pass may have been different
 	if (p->step.springs)
 	{
 		Vec given = vec(u->given_x, u->given_y);
@@ -107,14 +111,14 @@ INLINE JointImpulse joint_turn_impulse(const Pools* p, int i, Joint* u, const Jo
 	return j;
 }
 
-// Gives it to the bodies.
+// Applies that change to the bodies.
 INLINE void joint_turn(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	JointImpulse j = joint_turn_impulse(p, i, u, c);
 	joint_give(u, c, j);
 }
 
-// The largest force and torque of all substeps, for thresholds and the user.
+// Updates the largest force and torque of all substeps, for thresholds and the user.
 INLINE void joint_peak(const Pools* p, int i, const Joint* u, const JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
@@ -133,7 +137,7 @@ INLINE void joint_peak(const Pools* p, int i, const Joint* u, const JointPose* c
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// what every kind of constraint has
+// functions that every kind of constraint has
 // ---------------------------------------------------------------------------------------------------------------
 
 INLINE void joint_derive(int passes, const Body* a, const Body* b, Joint* u)
@@ -150,12 +154,14 @@ INLINE void joint_start(const Step* step, Joint* u)
 	(void)u;
 }
 
-// m/s: a correction across a path up to so many times what the path's bend needs in a substep is none of a body placed elsewhere
+// Bound of an ordinary correction across a path, as a multiple of that which the bend of the path requires in a
+// substep. Larger corrections pull back a body that was placed elsewhere.
 #define JOINT_BENDS 8.0f
 
-// A bead that is pulled back to its path from afar turns around the path's center, and would get faster as its circle shrinks. Where
-// it is pulled faster than by a bend, its speed along stays: the axis along turns by bend h along in the substep, and takes with it
-// so much of the speed across. The impulse is given once, and not as a part of those that are warm started.
+// Keeps the speed along of a bead that is pulled back to its path from afar. The bead turns around the center of the
+// path's circle, and would get faster as its circle shrinks. If it is pulled faster than the bend requires, an impulse
+// keeps its speed along. Without it, the axis along, which turns by bend h along in the substep, would turn that share
+// of the speed across into speed along. The impulse is applied once, and is not warm started.
 INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), along = joint_speed_linear(c, JOINT_ALONG), across = joint_speed_linear(c, JOINT_ACROSS);
@@ -166,7 +172,7 @@ INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 	joint_give_where(u, c, joint_impulse(c, blend(zero, impulse, pulled), zero, zero), pulled);
 }
 
-typedef struct // the part of a pass that depends on where the bodies are, and not on their velocities
+typedef struct // the part of a pass that depends on the positions of the bodies, and not on their velocities
 {
 	JointPose c; // without velocities
 	JointImpulse turned;
@@ -189,7 +195,7 @@ INLINE void joint_ready_locks(const Pools* p, int pass, int i, const Joint* u, c
 	ready->factors = joint_factor(&ready->system, c->mass);
 }
 
-// On a GPU this runs while the velocities come from other constraints: it is most of a pass.
+// Computes this part. It is most of a pass; on a GPU it runs while other constraints compute the velocities.
 INLINE void joint_ready(const Pools* p, int pass, int i, const Body* a, const Body* b, Joint* u, JointReady* ready)
 {
 	if (pass == PASS_BOUNCE)
@@ -201,7 +207,7 @@ INLINE void joint_ready(const Pools* p, int pass, int i, const Body* a, const Bo
 		joint_ready_locks(p, pass, i, u, &ready->c, ready);
 }
 
-// The impulses of the locks, after all others.
+// Solves the impulses of the locks, after all others.
 INLINE void joint_locks(const Pools* p, int pass, int i, JointReady* ready, Joint* u, JointPose* c)
 {
 	Real speed[JOINT_COORDINATES], x[JOINT_COORDINATES];
@@ -215,7 +221,8 @@ INLINE void joint_locks(const Pools* p, int pass, int i, JointReady* ready, Join
 	joint_hold(u, c, x, joint_has(u, JOINT_LOCKED(JOINT_ANGLE)));
 }
 
-// held: what joint_ready found for this pass. Without it (0), all is derived where it is used: it needs fewer registers.
+// Executes a pass of joint i. held: the result of joint_ready for this pass. Without it (0), all values are derived
+// immediately before use, which needs fewer registers.
 INLINE void joint_pass(const Pools* p, int pass, int i, const JointReady* held, Joint* u, Body* a, Body* b)
 {
 	if (pass == PASS_BOUNCE)

@@ -5,34 +5,34 @@
 #include "constraints/angle.h"
 #include "constraints/joint_spring.h"
 
-// Four numbers of joint `slot`, at a place in JointData.
+// Reads four numbers of joint `slot`, at an offset in JointData.
 INLINE void joint_quad(const Pools* p, Int slot, int place, Real out[4])
 {
 	gather_rows4((GLOBAL float*)p->joint_data, slot * JOINT_QUADS + place, out);
 }
 
-// The nearest whole number of a number below 2^22.
+// Returns the nearest whole number of a number below 2^22.
 INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(12582912.0f); }
 
-// Softness of a rigid lock or a limit of so many hertz with a damping ratio, whose velocity is removed in the relaxing pass: Catto,
-// Soft Constraints, GDC 2011. rate is 1/s.
-// of 1 / a2, which may be infinite
+// Bound of 1 / a2, which may be infinite.
 #define JOINT_SOFTEST 1.0e30f
-// Joints of a chain are solved exactly, and can be so many times as stiff. Their errors are corrected at the rate of other
-// joints: faster, a chain whose end is moved at once whips.
+// Stiffness of joints in a chain relative to other joints; it can be higher because chains are solved exactly. Their
+// errors are corrected at the rate of other joints, because at a higher rate a chain whose end is suddenly moved whips.
 #define JOINT_CHAIN_STIFFER 4.0f
 
+// Computes the softness of a rigid lock or a limit with a frequency in hertz and a damping ratio, whose velocity is
+// removed in the relaxing pass: Catto, Soft Constraints, GDC 2011. rate is 1/s.
 INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer, Real* rate, Real* soft)
 {
 	Real omega = splat(TURN) * (stiffer * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h)));
 	Real a1 = 2.0f * ratio + p->step.h * omega, a2 = p->step.h * omega * a1;
 
-	// what is next to nothing is soft, and no lock: only 0 Hz is rigid
+	// a frequency next to 0 is soft, and does not lock; only 0 Hz is rigid
 	*rate = blend(splat(0.0f), omega / a1, a2 > splat(0.0f));
 	*soft = blend(splat(0.0f), minimum(1.0f / a2, splat(JOINT_SOFTEST)), hertz > splat(0.0f));
 }
 
-// The softness of the lock of coordinate k. That of a soft lock is set with the rare rows.
+// Computes the softness of the lock of coordinate k. That of a soft lock is set with the rare rows.
 INLINE void joint_lock(const Pools* p, const Real joint[4], int k, Int chained, Real* rate, Real* soft)
 {
 	Real chain_rate, chain_soft;
@@ -40,19 +40,19 @@ INLINE void joint_lock(const Pools* p, const Real joint[4], int k, Int chained, 
 	joint_softness(p, joint[0], joint[1], splat(JOINT_CHAIN_STIFFER), &chain_rate, &chain_soft);
 	*soft = blend(*soft, chain_soft, chained);
 
-	// Angles of a chain need not yield at all: a welded beam does not sag. Translations must: the pull of a bridge of planks
-	// without slack has no limit otherwise.
+	// Angles of a chain need not yield: a welded beam does not sag. Translations must yield, because otherwise the pull
+	// of a bridge of planks without slack has no limit.
 	if (k == JOINT_ANGLE)
 		*soft = blend(*soft, splat(0.0f), chained);
 }
 
-typedef struct // where a frame is in the world
+typedef struct // pose of a frame in the world
 {
-	Vec arm, turn;      // from the center of mass; cos, sin
-	Vec position, rest; // of the center of mass, and what rounding it left over
+	Vec arm, turn;      // arm from the center of mass; cos, sin
+	Vec position, rest; // position of the center of mass, and its rounding error
 } JointFrame;
 
-// The frame at a place of JointData, moved by an offset in the frame.
+// Computes the frame at an offset in JointData (place), moved by an offset in the frame.
 OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body, Vec offset)
 {
 	JointFrame end;
@@ -62,7 +62,8 @@ OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body
 	const GLOBAL float *center = (const GLOBAL float*)p->local_center, *low = (const GLOBAL float*)p->pose_low;
 	Vec own = vec(placed[0], placed[1]), frame = vec(placed[2], placed[3]), turn = vec(pose[2], pose[3]);
 	own = vec_add(vec_sub(own, vec(gather(center, body * 2), gather(center, body * 2 + 1))), vec_turn(frame, offset));
-	// a point of the world far from its origin is exact as a position, but not as an arm, of which another is taken
+	// a point of the world far from the origin is exact as a position, but not as an arm from which another is
+	// subtracted
 	Int world = body == 0;
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	end.arm = vec_blend(vec_turn(turn, own), zero, world);
@@ -72,20 +73,21 @@ OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body
 	return end;
 }
 
-// From the anchor of a to that of b.
+// Returns the vector from the anchor of a to that of b.
 INLINE Vec joint_gap(const JointFrame* a, const JointFrame* b)
 {
 	return vec_add(vec_add(vec_sub(b->position, a->position), vec_sub(b->rest, a->rest)), vec_sub(b->arm, a->arm));
 }
 
-// The angle from a to b over all turns: the one that is nearest to the last angle.
+// Returns the angle from a to b over all turns, the one nearest to the last angle.
 INLINE Real joint_turned(const JointFrame* a, const JointFrame* b, Real last)
 {
 	Real angle = vec_angle(vec_turn_back(a->turn, b->turn));
 	return angle + splat(TURN) * joint_round((last - angle) * splat(1.0f / TURN));
 }
 
-// Frame A of a joint on a path lies at the point of it that joint_follow found, along the tangent. Locks do not move it.
+// Returns frame A. If the joint is on a path, it lies at the point of the path that joint_follow found, along the
+// tangent. Locks do not move it.
 INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, Vec offset, Int railed)
 {
 	Vec foot = vec(load(&joint_rare(p, foot_x, i), 0), load(&joint_rare(p, foot_y, i), 0));
@@ -95,7 +97,8 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 	return a;
 }
 
-// The widest gap seen, for the user's counters: what rigid locks of distances are off. gap is from anchor to anchor.
+// Updates the widest gap, a counter for the user: the error of rigid locks of translations. gap is from anchor to
+// anchor.
 INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 {
 	Vec axis = joint_line(vec(u->axis_x, u->axis_y), gap, joint_has(u, JOINT_RADIAL));
@@ -115,7 +118,7 @@ INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 		raise_lanes(&p->counters->joint_gap, root(square), wider);
 }
 
-// Whether some joint drags what cannot follow to what cannot move.
+// Marks whether some joint drags a body that cannot follow to a body that cannot move.
 INLINE void joint_press(const Pools* p, int i, const Joint* u, Int there, Vec gap)
 {
 	Int pulls = there & (joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) == 0);
@@ -126,7 +129,7 @@ INLINE void joint_press(const Pools* p, int i, const Joint* u, Int there, Vec ga
 			raise_int(&p->counters->press[1], 1);
 }
 
-// All rows of joint i that are prepared, but for the rare ones. slot is -1 for padding.
+// Computes all prepared rows of joint i, except the rare ones. slot is -1 for padding.
 INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), target[JOINT_COORDINATES];
@@ -146,7 +149,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	}
 	u->length = blend(zero, target[JOINT_ALONG], radial);
 
-	// a lock that holds another value than 0 moves the frame
+	// a lock with a target other than 0 moves the frame
 	Vec offset = vec(blend(target[JOINT_ALONG], zero, radial), target[JOINT_ACROSS]);
 	Int railed = joint_has(u, JOINT_RAILED);
 	Word rails = p->step.paths ? lane_bits(railed) : 0u;
@@ -181,7 +184,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	u->given_a = zero;
 	u->given_b = zero;
 
-	// forms that hold joints in registers store what passes write only
+	// forms of the solve that keep joints in registers store only the rows that passes write
 	store(&joint_row(p, turned, i), 0, u->turned);
 }
 

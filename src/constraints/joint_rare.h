@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_rare.h -- the rare rows of a joint for the step: its limits, springs and motors, and soft locks.
+// joint_rare.h -- the rare rows of a joint for the step: its limits, springs, motors, and soft locks.
 #ifndef JOINT_RARE_H
 #define JOINT_RARE_H
 #include "constraints/coupling.h"
@@ -20,10 +20,11 @@ INLINE JointDriven joint_driven(const Pools* p, Int slot, int k)
 	return d;
 }
 
-// The impulse of a force within a substep.
+// Returns the impulse of a force within a substep.
 INLINE Real joint_most(const Pools* p, Real force) { return minimum(splat(MOST_IMPULSE), force * p->step.h); }
 
-// m: along a path counts from the foot within a step: far along it a float has few digits left for what a substep moves
+// m: Returns the arc length that is subtracted from the coordinate along a path, so that it counts from the foot within
+// a step. Far along a path, a float has few digits left for the motion of a substep.
 INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 {
 	Real zero = splat(0.0f);
@@ -33,13 +34,14 @@ INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 	return blend(zero, load(&joint_rare(p, foot_along, i), 0), railed);
 }
 
-// The impulse of a drive of the last step. What the user took from the coordinate since then loses it: whether a pass looks at a coordinate
-// without drives depends on the joints beside it.
+// Keeps the impulse of a drive from the last step, or clears it if the user has removed the drive since. Otherwise the
+// result would depend on the joints beside it, because they decide whether a pass processes a coordinate without
+// drives.
 #define JOINT_DRIVE_KEPT(k, name, mode)       \
 	store(&joint_drive_row(p, k, name, i), 0, \
 	      blend(splat(0.0f), load(&joint_drive_row(p, k, name, i), 0), joint_has(u, mode)))
 
-// The rows of one coordinate but for its spring. rate, soft: of its limits.
+// Writes the rows of one coordinate, except those of its spring. rate, soft: softness of its limits.
 INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Joint* u, Real rate, Real soft)
 {
 	JointDriven from = joint_driven(p, slot, k);
@@ -59,16 +61,18 @@ INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Join
 	JOINT_DRIVE_KEPT(k, motor_impulse, JOINT_MOTOR(k));
 }
 
-// The place of coordinate k, a translation, with locks and springs at their targets, m. A lock moves the frame to its target.
+// m: Returns the value of coordinate k, a translation, with locks and springs at their targets. A lock moves the frame
+// to its target.
 INLINE Real joint_aim(const Joint* u, const JointPose* c, int k, Real target)
 {
 	Real aim = blend(c->value[k], target, joint_has(u, JOINT_SPRING(k)));
 	return blend(aim, splat(0.0f), joint_has(u, JOINT_LOCKED(k)));
 }
 
-// How much stiffer a spring of coordinate k is than one of the same frequency with arms as they are now: the root of a ratio of
-// yields. The stiffness is that of arms where locks and springs are at their targets. The arm of body a ends at the anchor of b:
-// a spring whose stiffness followed its length would pull the less the longer it is, and lose its load.
+// Returns the stiffness of a spring of coordinate k relative to one of the same frequency with the current arms: the
+// root of a ratio of yields. The stiffness is that of the arms with locks and springs at their targets. The arm of body
+// a ends at the anchor of b: a spring whose stiffness followed its length would pull less the longer it is, and lose
+// its load.
 INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const JointPose* c, int k)
 {
 	Real one = splat(1.0f), zero = splat(0.0f), lock[4];
@@ -84,8 +88,8 @@ INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const Join
 	return root(blend(one, ratio, sound));
 }
 
-// The rows of the spring of coordinate k, or of its soft lock, if some lane has one: a coordinate has one of them at most. Frequency and ratio
-// are meant for the stiffness that it has at its target. rate, hold: of the lock.
+// Writes the rows of the spring of coordinate k, or of its soft lock, if some lane has one; a coordinate has at most
+// one of them. Frequency and ratio are defined for the stiffness at the target. rate, hold: softness of the lock.
 INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joint* u, const JointPose* c, Real beside,
                                Real alone, Real* rate, Real* hold)
 {
@@ -108,7 +112,7 @@ INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joi
 	*hold = blend(*hold, share * (one - answer) / answer, softens);
 }
 
-// Constraints of the body of joint i that has the most, contacts too, without those of what cannot move; at least 1.
+// Returns the largest number of constraints, including contacts, of a body of joint i that can move; at least 1.
 INLINE Real joint_most_beside(const Pools* p, int i, const JointPose* c)
 {
 	Real zero = splat(0.0f);
@@ -127,7 +131,8 @@ INLINE Real joint_springs_of(const Joint* u)
 	return sum;
 }
 
-// Springs and soft locks: their coefficients follow from how much the coordinate yields at the poses of the step's start.
+// Computes springs and soft locks. Their coefficients depend on the yield of the coordinate at the poses at the start
+// of the step.
 INLINE void joint_setup_springs(const Pools* p, int i, Int slot, Joint* u)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
@@ -163,7 +168,7 @@ INLINE void joint_setup_springs(const Pools* p, int i, Int slot, Joint* u)
 	store(&joint_row(p, soft_angle, i), 0, u->soft_angle);
 }
 
-// m: where the lock across a path holds
+// m: Writes the target of the lock across a path.
 INLINE void joint_setup_path(const Pools* p, int i, Int slot, const Joint* u)
 {
 	Real lock[4];
@@ -171,7 +176,7 @@ INLINE void joint_setup_path(const Pools* p, int i, Int slot, const Joint* u)
 	store(&joint_rare(p, beside, i), 0, blend(splat(0.0f), lock[0], joint_has(u, JOINT_LOCKED(JOINT_ACROSS))));
 }
 
-// All rare rows of joint i that are prepared, but for those that joint_follow wrote.
+// Computes all prepared rare rows of joint i, except those that joint_follow wrote.
 INLINE void joint_setup_rare(const Pools* p, int i, Joint* u)
 {
 	Real zero = splat(0.0f), joint[4], rate, soft;

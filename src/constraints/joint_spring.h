@@ -1,42 +1,46 @@
 // SPDX-License-Identifier: MIT
-// joint_spring.h -- springs and soft locks of a joint: coefficients with which substeps move as the differential equation does.
+// joint_spring.h -- springs and soft locks of a joint: coefficients with which substeps follow the differential
+// equation exactly.
 //
-// A coordinate C with the speed v, a frequency o (rad/s) and a damping ratio z obeys C" + 2 z o C' + o^2 C = 0. Within h it turns
-// by the eigenvalues e^(h l), l^2 + 2 z o l + o^2 = 0, whose product D and sum T are known. A substep is
+// A coordinate C with the speed v, a frequency o (rad/s) and a damping ratio z obeys C" + 2 z o C' + o^2 C = 0. Within
+// h it changes by the eigenvalues e^(h l), l^2 + 2 z o l + o^2 = 0, whose product D and sum T are known. A substep is
 //
 //     biased pass     v2 = keeps v - A C / h
 //     motion          C := C + h v2
 //     relaxing pass   v := (1 - relaxes) v2
 //
-// Its eigenvalues are those of the equation if A = 1 - T + D and keeps (1 - relaxes) = D. keeps = A / (h o)^2 lets a load F rest
-// at F / (m o^2), as on the spring itself. So an undamped spring swings for ever, and an overdamped one creeps as it should.
+// Its eigenvalues are those of the equation if A = 1 - T + D and keeps (1 - relaxes) = D. With keeps = A / (h o)^2, a
+// load F rests at F / (m o^2), as on the spring itself. Thus an undamped spring swings for ever, and an overdamped one
+// creeps correctly.
 #ifndef JOINT_SPRING_H
 #define JOINT_SPRING_H
 #include "constraints/joint_constraint.h"
 
 #define TURN 6.28318531f
 
-// The stiffest spring, as a share of the substep rate. A stiffer one would shake.
+// Frequency of the stiffest spring, as a share of the substep rate. A stiffer one would shake.
 #define JOINT_STIFFEST 0.25f
-// Squares of the angle per substep, o h, up to which springs have the damping that they are given: a twelfth of the substep rate; or
-// so much that all constraints of a body together, were they such springs, turn by less than a body's motion within a substep can
-// follow, the square of 2. Stiffer springs are damped by at least SPRING_CALMS times the rest: without it 2 springs at a quarter of
-// the substep rate between the same bodies would add energy, or 15 at a twelfth.
+// Bounds of the square of the angle per substep, o h, up to which springs have exactly the damping that they are given:
+// SPRING_FREE, a twelfth of the substep rate; or, if that is less, SPRING_SHARED divided by the number of constraints.
+// If all constraints of a body were such springs, their sum would then stay below 2^2, the limit of stability of a
+// body's motion in substeps. Stiffer springs are damped by at least SPRING_CALMS times the excess. Without it, 2
+// springs at a quarter of the substep rate between the same bodies would add energy, or 15 at a twelfth.
 #define SPRING_FREE   0.274155678f
 #define SPRING_SHARED 3.2f
 #define SPRING_CALMS  0.75f
-// Springs of a joint whose bodies have other constraints have a damping ratio of at least so much times the cube of their angle per
-// substep: 0.06 at 20 Hz and 4 substeps, 0.0009 at 5 Hz. The rigid locks of the other joints answer them only in the next pass,
-// which adds energy: arms in a row, welded with 20 Hz, gained 17 % in a second without this.
+// Least damping ratio of springs of a joint whose bodies have other constraints, as a factor of the cube of their angle
+// per substep: 0.06 at 20 Hz and 4 substeps, 0.0009 at 5 Hz. The rigid locks of the other joints answer these springs
+// only in the next pass, which adds energy: arms in a row, welded with 20 Hz, gained 17 % in a second without this.
 #define SPRING_AMONG 0.4f
-// square of the angle per substep of a spring that does next to nothing, and is taken as none
+// Square of the angle per substep below which a spring does next to nothing, and counts as absent.
 #define SPRING_LEAST 1.0e-20f
-// share of its own yield to which the rigid locks of a joint may reduce that of a coordinate: below it is rounding
+// Least share of its own yield to which the rigid locks of a joint reduce that of a coordinate; smaller values are
+// rounding errors.
 #define SPRING_LEAST_YIELD 1.0e-6f
-// least share of a velocity that a soft lock answers: the equations of locks divide by it
+// Least share of a velocity that a soft lock answers, because the equations of locks divide by it.
 #define SPRING_LEAST_ANSWER 1.0e-6f
 
-// 1 - e^-x of x >= 0, by the series at x / 256. Beyond 64 it is 1.
+// Returns 1 - e^-x for x >= 0, by the series at x / 256. Beyond 64 it is 1.
 INLINE Real spring_lost(Real x)
 {
 	Real y = minimum(x, splat(64.0f)) * splat(1.0f / 256.0f), one = splat(1.0f);
@@ -49,7 +53,7 @@ INLINE Real spring_lost(Real x)
 	return lost;
 }
 
-// 2 - 2 cos(root of q), of q from 0 to (pi / 2)^2, by its series.
+// Returns 2 - 2 cos(sqrt(q)) for q from 0 to (pi / 2)^2, by its series.
 INLINE Real spring_versine(Real q)
 {
 	Real one = splat(1.0f);
@@ -60,12 +64,13 @@ INLINE Real spring_versine(Real q)
 
 typedef struct
 {
-	Real keeps, pull, relaxes; // pull: A
+	Real keeps, pull, relaxes; // coefficients; pull: A
 } JointSpring;
 
-// The spring with a frequency in hertz and a damping ratio. share: the yield of the coordinate while the rigid locks of its joint hold, as a share of
-// its own. Frequency and ratio are meant for the latter. beside: constraints of the body of the joint that has the most, times
-// springs of the joint; alone: whether these bodies have no other constraints.
+// Returns the spring with a frequency in hertz and a damping ratio. share: yield of the coordinate while the rigid
+// locks of its joint hold, as a share of its own yield. Frequency and ratio are defined for the latter. beside: largest
+// number of constraints of a body of the joint, times the springs of the joint; alone: lanes in which these bodies have
+// no other constraints.
 INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real share, Real beside, Real alone)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
@@ -82,7 +87,7 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 	// underdamped: e^-decay, and a circular angle
 	Real lost = spring_lost(decay), left = one - lost;
 	Real circular = lost * lost + left * spring_versine(blend(rest, zero, over));
-	// overdamped: two decays, of which the slow one would vanish beside the fast one
+	// overdamped: two decays, of which the slow one would be lost beside the fast one
 	Real fast = decay + root(blend(zero, -rest, over));
 	Real slow = square / blend(one, fast, over);
 	Real pull = blend(circular, spring_lost(slow) * spring_lost(fast), over);
@@ -95,7 +100,7 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 	return s;
 }
 
-// 1/kg, 1/(kg m), 1/(kg m^2): the speed of a coordinate by a unit impulse along another: 01, 02, 12
+// 1/kg, 1/(kg m), 1/(kg m^2): Computes the speed of a coordinate by a unit impulse along another: 01, 02, 12.
 INLINE void joint_crosses(const JointPose* c, Real cross[3])
 {
 	Real ia = c->a.inv_inertia, ib = c->b.inv_inertia;
@@ -108,13 +113,13 @@ INLINE void joint_crosses(const JointPose* c, Real cross[3])
 	cross[2] = blend(cross[2], cross[2] - c->bend * cross[0], c->railed);
 }
 
-// Whether the lock of coordinate k is rigid, and holds anything.
+// Returns whether the lock of coordinate k is rigid, and its coordinate can move.
 INLINE Int joint_rigid(const Joint* u, const JointPose* c, int k)
 {
 	return joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k)) == 0) & (joint_yield(c, k) > splat(0.0f));
 }
 
-// The yield of coordinate k while the rigid locks of its joint hold, as a share of its own: that of a Schur complement.
+// Returns the yield of coordinate k while the rigid locks of its joint hold, as a share of its own: a Schur complement.
 INLINE Real joint_share_free(const Joint* u, const JointPose* c, int k)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), cross[3];

@@ -1,30 +1,32 @@
 // SPDX-License-Identifier: MIT
 // path_constraint.h -- joints on a path: within a step the path is a circle whose curvature changes along it.
 //
-//     d = (x, y) in tangent and normal of the foot, the point of the path where the step began; k = curvature there, l = its change
+//     d = (x, y) in tangent and normal of the foot, the point of the path at the start of the step
+//     k = curvature there, l = its change
 //     c = 1 - k y      s = k x      r = sqrt(c^2 + s^2)      cos = c / r      sin = s / r
 //     along = x / r * asin(sin) / sin      across = (1 - r) / k = (2 y - k (x^2 + y^2)) / (1 + r)      turn = k along
 //
-// The change of curvature adds l along^2 / 2 to the turn of the tangent, and takes l along^3 / 6 from across.
+// The change of curvature adds l along^2 / 2 to the turn of the tangent, and subtracts l along^3 / 6 from across.
 //
-// So the axes follow the path in each substep, and the bodies lose no energy to a tangent that is a step old. The angle counts
-// from the tangent, which turns with the speed along: its row is that of the angle less k times that of along.
+// Therefore the axes follow the path in each substep, and the bodies lose no energy to a tangent that is a step old.
+// The angle is measured from the tangent, which turns with the speed along: its row is that of the angle minus k times
+// that of along.
 #ifndef PATH_CONSTRAINT_H
 #define PATH_CONSTRAINT_H
 #include "constraints/angle.h"
 #include "constraints/joint_constraint.h"
 
-// square of the sine up to which the series of asin is exact to a float
+// Square of the sine up to which the series of asin is exact to a float.
 #define PATH_SERIES 0.01f
-// rad: most turn of the tangent within a step by the change of the curvature; its sine and cosine are series
+// rad: largest turn of the tangent within a step by the change of the curvature; its sine and cosine are series
 #define PATH_MOST_SWAY 0.5f
-// least c^2 + s^2: nearer to the center of the circle the normal has no direction
+// Least c^2 + s^2. Nearer to the center of the circle the normal has no direction.
 #define PATH_CENTER 1.0e-4f
 
 typedef struct // a point of the circle
 {
-	Vec turn;        // cos, sin: of the tangent
-	Real along, out; // m; r
+	Vec turn;        // cos, sin of the tangent
+	Real along, out; // along, m; r of the formulas above
 } PathArc;
 
 INLINE PathArc path_arc(Real bend, Real x, Real y)
@@ -42,7 +44,7 @@ INLINE PathArc path_arc(Real bend, Real x, Real y)
 	return arc;
 }
 
-// Replaces axes and coordinates where lanes are on a path.
+// Replaces axes and coordinates in lanes on a path.
 OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	if (!p->step.paths)
@@ -60,7 +62,7 @@ OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	Real angle = c->value[JOINT_ANGLE] - (bend * arc.along + more);
 	across = across - (more * arc.along * (1.0f / 3.0f) + load(&joint_rare(p, beside, i), 0));
 
-	// a body whose state is not finite must not take the other one with it
+	// a body whose state is not finite must not affect the other one
 	Int sound = c->railed & (absolute((across + arc.along) + (angle + (turn.x + turn.y))) <= splat(MOST_FLOAT));
 	turn = vec_blend(vec(one, zero), turn, sound);
 	c->bend = blend(zero, (bend + sway * arc.along) / maximum(arc.out, splat(0.1f)), sound);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// path_curve.h -- a curve of samples: its points and tangents, and which of them is nearest to a point. For one item at a time, and
-// for the host.
+// path_curve.h -- a curve of samples: its points and tangents, and the search for the point nearest to another; for one
+// item at a time, and for the host.
 //
-// Between two samples the curve is the cubic of Charles Hermite with their points and tangents. The samples are so dense that
-// its speed is nearly constant, so that the parameter is a share of the arc length.
+// Between two samples the curve is the cubic of Charles Hermite with their points and tangents. The samples are so
+// dense that its speed is nearly constant, so the parameter is a share of the arc length.
 #ifndef PATH_CURVE_H
 #define PATH_CURVE_H
 #include "dialect/vec.h"
@@ -12,7 +12,7 @@
 typedef struct
 {
 	const GLOBAL PathSample* samples;
-	int segments; // samples but the last
+	int segments; // number of samples minus 1
 	int closed;
 	float length; // m
 } PathCurve;
@@ -36,13 +36,15 @@ INLINE PathCurve path_curve(const GLOBAL PathSample* samples, int segments)
 INLINE Vec path_point(const PathCurve* c, int k) { return vec(c->samples[k].x, c->samples[k].y); }
 INLINE Vec path_tangent(const PathCurve* c, int k) { return vec(c->samples[k].tangent_x, c->samples[k].tangent_y); }
 
-// m: how far a point is ahead of sample k. It is nearer to what comes next where this is above 0.
+// m: Returns the distance by which a point is ahead of sample k. If it is above 0, the point is nearer to the next
+// segment.
 INLINE float path_ahead(const PathCurve* c, int k, Vec point)
 {
 	return vec_dot(vec_sub(point, path_point(c, k)), path_tangent(c, k));
 }
 
-// The segment in which the distance to a point no longer decreases, from a segment on; counts the laps of a closed curve.
+// Finds the segment in which the distance to a point no longer decreases, starting at a segment; counts the laps of a
+// closed curve.
 INLINE int path_descend(const PathCurve* c, Vec point, int segment, float* laps)
 {
 	int last = c->segments - 1, forward = path_ahead(c, segment + 1, point) > 0.0f;
@@ -59,10 +61,10 @@ INLINE int path_descend(const PathCurve* c, Vec point, int segment, float* laps)
 	return segment;
 }
 
-// A number from 0 to 1; 0 in place of NaN.
+// Returns a number from 0 to 1; 0 in place of NaN.
 INLINE float path_share(float t) { return t > 0.0f ? (t < 1.0f ? t : 1.0f) : 0.0f; }
 
-// The segment whose chord is nearest to a point; the first one of several.
+// Finds the segment whose chord is nearest to a point; the first one of several.
 INLINE int path_nearest(const PathCurve* c, Vec point)
 {
 	int nearest = 0;
@@ -80,7 +82,7 @@ INLINE int path_nearest(const PathCurve* c, Vec point)
 	return nearest;
 }
 
-// The segment in which an arc length lies.
+// Returns the segment in which an arc length lies.
 INLINE int path_segment(const PathCurve* c, float along)
 {
 	int low = 0, high = c->segments;
@@ -95,7 +97,7 @@ INLINE int path_segment(const PathCurve* c, float along)
 	return low;
 }
 
-typedef struct // the cubic of a segment, from its first sample: m0 t + m2 t^2 + m3 t^3
+typedef struct // the cubic of a segment, relative to its first sample: m0 t + m2 t^2 + m3 t^3
 {
 	Vec m0, m2, m3;
 } PathCubic;
@@ -121,7 +123,7 @@ INLINE Vec path_cubic_speed(const PathCubic* m, float t)
 	return vec_add(m->m0, vec_scale(t, vec_add(vec_add(m->m2, m->m2), vec_scale(3.0f * t, m->m3))));
 }
 
-// The point of a segment at a share of its length.
+// Returns the point of a segment at a share of its length.
 INLINE PathFoot path_foot_at(const PathCurve* c, int segment, float t)
 {
 	const GLOBAL PathSample *from = c->samples + segment, *to = from + 1;
@@ -137,8 +139,9 @@ INLINE PathFoot path_foot_at(const PathCurve* c, int segment, float t)
 	return foot;
 }
 
-// The point of a segment that is nearest to a point: where its distance is at right angles to the curve, by a secant and two
-// steps of Newton. What is left is along the curve, where it does no harm. Beyond its ends an open curve is straight.
+// Finds the point of a segment that is nearest to a point, where the vector between them is perpendicular to the curve,
+// by a secant and two steps of Newton. The remaining error is along the curve, where it has no effect. Beyond its ends
+// an open curve is straight.
 INLINE PathFoot path_foot(const PathCurve* c, int segment, Vec point)
 {
 	float before = path_ahead(c, segment, point), behind = path_ahead(c, segment + 1, point);
@@ -158,7 +161,7 @@ INLINE PathFoot path_foot(const PathCurve* c, int segment, Vec point)
 	return foot;
 }
 
-// m: from a point of a curve to another point
+// m: Returns the distance from a point of a curve to another point.
 INLINE float path_distance(const PathFoot* foot, Vec point)
 {
 	Vec d = vec_sub(point, foot->point);

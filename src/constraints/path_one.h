@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: MIT
-// path_one.h -- joints on a path, one at a time: where on its path a joint is at the start of a step.
+// path_one.h -- functions for single joints on a path: the position of a joint on its path at the start of a step.
 //
-// From step to step a joint goes on from where it was, downhill in the distance to its anchor b. So it keeps to its branch of a path
-// that crosses itself. The whole path is searched only when the joint begins, or the user placed a body or a frame.
+// From step to step the search continues at the last position, downhill in the distance to the joint's anchor b. Thus a
+// joint stays on its branch of a path that crosses itself. The whole path is searched only when the joint begins, or
+// the user placed a body or a frame.
 #ifndef PATH_ONE_H
 #define PATH_ONE_H
 #include "constraints/joint_prepare.h"
 #include "constraints/path_curve.h"
 
-// how the next search begins: where the last one ended; the same, but another part of the path may be nearer; at near
+// Start of the next search: at the last position; at the last position, but another part of the path may be nearer; at
+// near.
 #define PATH_GOES_ON 0.0f
 #define PATH_SEEKS   1.0f
 #define PATH_NEW     2.0f
 
-// Another part of the path counts where it is so many times nearer. Near a crossing, a smaller factor would change branches.
+// Factor by which another part of the path must be nearer to replace the current one. Near a crossing, a smaller factor
+// would change branches.
 #define PATH_NEARER 2.0f
 
-// Of the distance of two samples: a joint that begins so close before the seam of a closed path begins at the seam.
+// Distance from the seam of a closed path at which a joint begins at the seam, as a share of the distance of two
+// samples.
 #define PATH_SEAM 0.0625f
 
-typedef struct // where a joint was last
+typedef struct // last position of a joint
 {
 	float segment, laps, seeks;
 } PathCount;
@@ -44,17 +48,17 @@ INLINE void path_count_put(const Pools* p, int place, const PathCount* count)
 	joint_rare(p, path_seeks, place) = count->seeks;
 }
 
-// The lap of a closed path in which an arc length lies.
+// Returns the lap of a closed path in which an arc length lies.
 INLINE float path_lap(const PathCurve* curve, float along)
 {
 	float laps = curve->closed ? (float)(int)(along / curve->length) : 0.0f;
 	return curve->closed && along < laps * curve->length ? laps - 1.0f : laps;
 }
 
-// m: about the distance of two samples
+// m: Returns the approximate distance of two samples.
 INLINE float path_spacing(const PathCurve* curve) { return curve->length / (float)curve->segments; }
 
-// The lap of a new joint: that of near, unless near is at the start of the path and the joint just behind it.
+// Returns the lap of a new joint: that of near, unless the seam is between near and the joint.
 INLINE float path_first_lap(const PathCurve* curve, float near, float along)
 {
 	float laps = path_lap(curve, near), ahead = (along + laps * curve->length) - near;
@@ -62,7 +66,7 @@ INLINE float path_first_lap(const PathCurve* curve, float near, float along)
 	return curve->closed ? laps + (ahead > lap ? -1.0f : ahead < -lap ? 1.0f : 0.0f) : laps;
 }
 
-// The point of the path of joint slot that counts now; its arc length is over all laps.
+// Finds the point of the path to which joint slot belongs now; its arc length is over all laps.
 INLINE PathFoot path_follow(const Pools* p, int slot, PathCount* count)
 {
 	const GLOBAL JointData* data = p->joint_data + slot;
@@ -81,7 +85,7 @@ INLINE PathFoot path_follow(const Pools* p, int slot, PathCount* count)
 		PathFoot nearest = path_foot(&curve, other, anchor);
 		if (path_distance(&foot, anchor) > PATH_NEARER * path_distance(&nearest, anchor) + path_spacing(&curve))
 		{
-			// along it is as near to where the joint was as whole laps allow
+			// arc length as close to that of the last position as whole laps allow
 			float back = (curve.samples[begin].along - nearest.along) / curve.length;
 			count->laps = count->laps + (curve.closed ? joint_round(back) : 0.0f);
 			segment = other;

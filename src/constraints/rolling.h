@@ -1,42 +1,44 @@
 // SPDX-License-Identifier: MIT
 // rolling.h -- normal, arms and gaps of a round contact, which follow the bodies.
 //
-// A point is at a corner of one core and on an edge, or at a corner, of the other. With the poses of the bodies that is
-// the complete state, so no place on a surface lags behind a roller.
+// A point lies at a corner of one core, and on an edge or at a corner of the other. Together with the poses of the
+// bodies this is the complete state, so no point on a surface lags behind a roller.
 //
-// The forces of a step act along its normal while the bodies move on. Take a roller with a stiffness k of its geometry,
-// which is load over mass and radius. A step of N substeps has the determinant 1 + ((N - 1) / (2 N) - s) k dt^2 if the
-// normal is that at the share s of the step: at s = 0 it gains energy, at s = 1 it loses some. So the poses of the end
-// of the step are used. Where k dt^2 is too large for that, as for a small body under a heap, the contact follows by its
-// share only, and is held for the rest (contact_points.h).
+// The forces of a step act along the normal while the bodies move on. Consider a roller whose geometry has the
+// stiffness k, which is load divided by mass and radius. A step of N substeps has the determinant 1 + ((N - 1) / (2 N)
+// - s) k dt^2 if the normal is that at the share s of the step: at s = 0 the roller gains energy, at s = 1 it loses
+// some. Therefore the poses at the end of the step are used. If k dt^2 is too large for that, as for a small body under
+// a heap, the contact follows only by a share, and is held for the rest (contact_points.h).
 #ifndef ROLLING_H
 #define ROLLING_H
 #include "constraints/contact_points.h"
 #include "constraints/sweep_closing.h"
 
-// largest k dt^2 with which a contact follows fully; bodies have several contacts, and so have their neighbors
+// Largest k dt^2 with which a contact follows fully. It is small because bodies and their neighbors have several
+// contacts.
 #define ROLLING_STIFFNESS 0.3f
 
-// Rolling resistance: the load acts at most so far ahead of the center, in reaches. That is a coefficient of 1e-4, a
-// tenth of that of steel. Below this, the resistance takes this share of a turn per step; otherwise bodies would creep
-// down slopes too slight for rolling.
+// Rolling resistance: the load acts at most this far ahead of the center, in units of the reach. This is a coefficient
+// of 1e-4, a tenth of that of steel. Below this limit, the resistance takes the share ROLLING_TURN of the turn per
+// step; otherwise bodies would creep down slopes that are too slight for rolling.
 #define ROLLING_LEVER 1.0e-4f
 #define ROLLING_TURN  0.3f
-#define ROLLING_LIGHT 0.003f // k dt^2: a body with less load is braked no harder
+#define ROLLING_LIGHT 0.003f // k dt^2: bodies with less load are not braked harder than at this value
 
-// A stiff contact is held in part and found anew at times, which would keep it swinging. There the lever may be longer.
+// A stiff contact is partly held, and its manifold is sometimes recomputed, which would keep it swinging. Therefore its
+// lever may be longer.
 #define ROLLING_STIFF_LEVER 0.05f
 
-typedef struct // of a body until the end of the step, from the origin of collidable a
+typedef struct // motion of a body until the end of the step, from the origin of collidable a
 {
-	Vec center, then; // center of mass, now and then, m
+	Vec center, then; // center of mass, now and at the end, m
 	Vec turn;         // cos, sin
 	Real angle;       // rad
-	Vec axes;         // of its collidable, now
-	Vec origin;       // of its collidable, now, m
+	Vec axes;         // rotation of its collidable now
+	Vec origin;       // origin of its collidable now, m
 } Rolling;
 
-// world_shape: a row of the pool world_shape
+// Computes the motion of a body; world_shape is a row of the pool world_shape.
 INLINE Rolling rolling_of(Vec origin, const Real world_shape[8], Advance advance)
 {
 	Rolling r;
@@ -49,16 +51,17 @@ INLINE Rolling rolling_of(Vec origin, const Real world_shape[8], Advance advance
 	return r;
 }
 
-// from the center of mass to a place of the collidable, at the end of the step
+// Returns the arm from the center of mass to a point of the collidable, at the end of the step.
 INLINE Vec rolling_arm(Rolling r, Vec place)
 {
 	return vec_turn(r.turn, vec_add(vec_sub(r.origin, r.center), vec_turn(r.axes, place)));
 }
 
-// displacement of the place that the solver takes to be at an arm
+// Returns the displacement that the solver assigns to the point at an arm.
 INLINE Vec rolling_moves(Rolling r, Vec arm) { return vec_add(vec_sub(r.then, r.center), vec_spin(r.angle, arm)); }
 
-// The corner of a core that a feature names: more exact than the point that was found. Not every feature is a corner.
+// Returns the corner of a core that a feature identifies, which is more exact than the stored point. Not every feature
+// is a corner.
 INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, Vec point, Int wanted)
 {
 	Int vertex = shape * (int)(sizeof(Attribute) / sizeof(float)) + 2 * (name & (MAX_CORNERS - 1));
@@ -66,7 +69,8 @@ INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, V
 	return vec_blend(point, vec(gather(vertices, vertex), gather(vertices, vertex + 1)), wanted & (name < MAX_CORNERS));
 }
 
-// a, b, manifold, flags and feature are those of contact_points.h, from the pools of these names.
+// Computes the points of a round contact. a, b, manifold, flags and feature are those of contact_points.h, from the
+// pools of these names.
 INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
                                     const Real manifold[16], Int flags, const Int feature[2], Advance advance_a,
                                     Advance advance_b)
@@ -79,7 +83,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	    turn = vec(manifold[10], manifold[11]);
 	Int corners = (flags & (int)MANIFOLD_CORNERS) != 0, turns_b = (flags & (int)MANIFOLD_TURNS_B) != 0;
 	ContactPoints points;
-	Vec now = vec_turn(ra.axes, normal); // with which that from corner to corner is compared, however fast both spin
+	Vec now = vec_turn(ra.axes, normal); // reference for the normal from corner to corner, however fast both spin
 	points.normal =
 	    vec_blend(vec_turn(ra.turn, now), vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal))), turns_b);
 	points.offset = vec_sub(ra.then, rb.then);
@@ -87,7 +91,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	{
 		Int corner_a = (flags & (int)(k ? MANIFOLD_CORNER2 : MANIFOLD_CORNER1)) != 0, by_a = corner_a | corners;
 		Int missing = manifold[2 + k] == splat(NO_POINT);
-		Real above = 0.5f * manifold[2 + k]; // the surface, m
+		Real above = 0.5f * manifold[2 + k]; // height of the middle above the surface, m
 		Vec place = vec(manifold[4 + 2 * k], manifold[5 + 2 * k]);
 		Vec core_a = vec_sub(place, vec_scale(radius_a + above, normal));
 		Vec core_b = vec_turn_back(turn, vec_sub(vec_add(place, vec_scale(radius_b + above, normal)), shift));
@@ -97,14 +101,15 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 		Vec between = vec_sub(vec_sub(arm_b, arm_a), points.offset);
 		if (k == 0)
 		{
-			// corners at the same place have no direction
+			// corners at the same position have no direction
 			Vec direction = vec_scale(1.0f / root(vec_dot(between, between)), between);
 			direction = vec_blend(now, direction, vec_dot(direction, now) > splat(0.5f));
 			points.normal = vec_blend(points.normal, direction, corners);
 		}
 		Real gap = vec_dot(points.normal, between) - radius_a - radius_b;
 
-		// from the center of the body that has the corner: the other may be large, with its center far away
+		// anchors start at the center of the body that has the corner, because the other body may be large, with its
+		// center far away
 		Vec from_a = vec_add(arm_a, vec_scale(radius_a + 0.5f * gap, points.normal));
 		Vec from_b = vec_sub(vec_sub(arm_b, vec_scale(radius_b + 0.5f * gap, points.normal)), points.offset);
 		arm_a = vec_blend(from_b, from_a, by_a);
@@ -121,7 +126,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 
 INLINE Vec rolling_between(Vec a, Vec b, Real share) { return vec_add(a, vec_scale(share, vec_sub(b, a))); }
 
-// The points of a contact for the step; load1 and load2 are its normal impulses of a substep, N s.
+// Computes the points of a contact for the step; load1 and load2 are its normal impulses of a substep, N s.
 INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[8], const Real manifold[16], Int flags,
                                   const Int feature[2], Real load1, Real load2)
 {
@@ -146,7 +151,7 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	Real follows = ROLLING_STIFFNESS / stiffness;
 	share = blend(share, share * follows, stiff);
 
-	// a lever against the relative turn, along the tangent; limited so that the load does not reverse the turn
+	// lever against the relative turn, along the tangent; limited so that the load does not reverse the turn
 	Real rate = ROLLING_TURN / maximum(stiffness, splat(ROLLING_LIGHT));
 	Real turn = (advance_b.turn - advance_a.turn) * rate;
 	Real most = blend(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // schedule.h -- the order of a solve: its passes over the constraints, and the motion of bodies between them.
 //
-//     warm start; in each substep accelerate, bias, move, relax; then bounce, if anything may
+//     warm start; in each substep accelerate, bias, move, relax; then bounce, if something can bounce
 //
 // Passes are numbered from 0. The CPU, launches by color, the relay, the tiles and the count of memory traffic use this
 // file.
@@ -9,37 +9,37 @@
 #define SCHEDULE_H
 #include "dialect/dialect.h"
 
-// kinds of passes
-#define PASS_WARM_START 0 // the impulses of the last step
+// Kinds of passes.
+#define PASS_WARM_START 0 // applies the impulses of the last step
 #define PASS_BIAS       1 // pushes overlaps apart
-#define PASS_RELAX      2 // removes the velocity that this added
+#define PASS_RELAX      2 // removes the velocity that the bias pass added
 #define PASS_BOUNCE     3 // restitution
 #define PASS_KINDS      4
 
-// what a body does before a pass
+// Motion of a body before a pass.
 #define BODY_STAYS       0
 #define BODY_ACCELERATES 1
 #define BODY_MOVES       2
 
-// passes of a solve
+// Returns the number of passes of a solve.
 INLINE int schedule_passes(int substeps, int bounces) { return 1 + 2 * substeps + (bounces != 0); }
 
-// the kind of pass q
+// Returns the kind of pass q.
 INLINE int schedule_pass(int substeps, int q)
 {
 	return q == 0 ? PASS_WARM_START : q > 2 * substeps ? PASS_BOUNCE : q & 1 ? PASS_BIAS : PASS_RELAX;
 }
 
-// what a body does before pass q
+// Returns the motion of a body before pass q.
 INLINE int schedule_before(int substeps, int q)
 {
 	return q == 0 || q > 2 * substeps ? BODY_STAYS : q & 1 ? BODY_ACCELERATES : BODY_MOVES;
 }
 
-// whether bodies accelerate before pass q for the first time
+// Returns whether bodies accelerate before pass q for the first time.
 INLINE int schedule_first(int q) { return q == 1; }
 
-// the last pass up to q before which bodies moved; 0 for none
+// Returns the last pass up to q before which bodies moved; 0 for none.
 INLINE int schedule_moved(int q) { return q & ~1; }
 
 #endif

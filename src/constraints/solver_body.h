@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// solver_body.h -- bodies in the solver: gathered for a constraint, or LANES in a row.
+// solver_body.h -- bodies in the solver: gathered for a constraint, or LANES consecutive ones.
 #ifndef SOLVER_BODY_H
 #define SOLVER_BODY_H
 #include "dialect/vec.h"
@@ -9,13 +9,13 @@ typedef struct
 {
 	Vec v;
 	Real w, inv_mass;
-	Vec d; // moved since the step began
+	Vec d; // motion since the start of the step
 	Real da, inv_inertia;
-	Real sine, versine; // of da: sine, and cosine less one
+	Real sine, versine; // sine of da, and cosine minus 1
 } Body;
 
-// Sine and cosine less one of the turn within a step, by their series to the fifth and sixth power: off by 2e-4 at half
-// a radian's seven-fold, and never far from a rotation up to pi, which is the most that max_spin allows.
+// Computes sine, and cosine minus 1, of the turn within a step, by their series to the fifth and sixth power. The error
+// is 2e-4 at 1 rad, and 0.53 at most at pi, the largest turn that max_spin allows.
 INLINE void body_turn(Body* b)
 {
 	Real square = b->da * b->da;
@@ -38,7 +38,7 @@ INLINE Body body_gather(const Pools* p, Int index)
 	return b;
 }
 
-// Writes velocities back. A body that cannot move is shared by many constraints of one color and is never written.
+// Writes velocities back. Many constraints of one color share a body that cannot move; such a body is never written.
 INLINE void body_scatter(const Pools* p, Int index, Body b)
 {
 	Real row[4];
@@ -49,14 +49,15 @@ INLINE void body_scatter(const Pools* p, Int index, Body b)
 	scatter_rows4of8((GLOBAL float*)p->body, index, row, b.inv_mass > splat(0.0f));
 }
 
-// displacement of the point at r from the center of mass since the step began
+// Returns the displacement since the start of the step of the point at r from the center of mass.
 INLINE Vec body_displacement(Body b, Vec r)
 {
 	return vec(b.d.x + (b.versine * r.x - b.sine * r.y), b.d.y + (b.sine * r.x + b.versine * r.y));
 }
 
-// The same without the second order of the turn, as contacts take it: the surface of a wheel does not leave the ground when the
-// wheel turns, though the point that touched does. Rows of contacts are prepared so that gaps are exact at the end of the step.
+// Returns the displacement without the second order of the turn, as contacts need it: the surface of a wheel does not
+// leave the ground when the wheel turns, though the point that touched does. Rows of contacts are prepared so that gaps
+// are exact at the end of the step.
 INLINE Vec body_shift(Body b, Vec r) { return vec_add(b.d, vec_spin(b.da, r)); }
 
 INLINE Vec body_velocity_at(Body b, Vec r) { return vec_add(b.v, vec_spin(b.w, r)); }
@@ -70,7 +71,7 @@ INLINE void body_push(Body* a, Vec ra, Body* b, Vec rb, Vec j)
 	b->w = b->w + b->inv_inertia * vec_cross(rb, j);
 }
 
-// The effective mass of two bodies against an impulse along n; 0 if neither can move.
+// Returns the effective mass of two bodies for an impulse along n; 0 if neither can move.
 INLINE Real body_effective_mass(Body a, Vec ra, Body b, Vec rb, Vec n)
 {
 	Real na = vec_cross(ra, n), nb = vec_cross(rb, n);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sweep_closing.h -- how two collidables approach each other within the step, from their velocities.
+// sweep_closing.h -- the approach of two collidables within the step, from their velocities.
 //
 // Time is a share of the step, from 0 to 1, so velocities are in metres and radians per step.
 #ifndef SWEEP_CLOSING_H
@@ -7,7 +7,7 @@
 #include "dialect/finite.h"
 #include "pools/pools.h"
 
-// m per step: a slower motion or approach counts as rest
+// m per step: slower motions and approaches count as rest
 #define SWEEP_REST (0.03f * LINEAR_SLOP)
 
 // m per step: a loaded pair that approaches more slowly keeps its manifold
@@ -17,32 +17,33 @@
 // turned with it. Arms that lag behind cost angular momentum, and let bodies that turn with a drum overlap.
 #define SWEEP_LAG (0.3f * LINEAR_SLOP)
 
-typedef struct // of a body until the end of the step
+typedef struct // motion of a body until the end of the step
 {
 	Vec path;  // m
 	Real turn; // rad
 } Advance;
 
-typedef struct // of a collidable and its body
+typedef struct // motion of a collidable with its body
 {
-	Vec path;   // of the center of mass, m
-	Vec center; // from the collidable to the center of mass, now, m
+	Vec path;   // path of the center of mass, m
+	Vec center; // current offset from the collidable to the center of mass, m
 	Real turn;  // rad
 	Real reach; // m: farthest point of the core from the center of mass
 } Sweep;
 
-typedef struct // of b against a
+typedef struct // motion of b relative to a
 {
 	Sweep a, b;
-	Vec near;    // m: velocity of the center of the smaller one against the larger one, with which it turns
-	Vec bend;    // m: how that changes
-	Real swing;  // m: how much faster another point of it may be
-	Real most;   // m: how far any two points of the pair may draw near
+	Vec near;    // m: velocity of the center of the smaller one, in a frame that turns with the larger one
+	Vec bend;    // m: change of that velocity
+	Real swing;  // m: bound by which other points of the smaller one may be faster
+	Real most;   // m: bound of the approach of any two points of the pair
 	Real grain;  // factor of the tolerances of the pair
-	Real within; // m: the separation from which on it has points
+	Real within; // m: separation from which on the pair has points
 } Closing;
 
-// The factor of the tolerances of a pair, from the MOVED_* bits of both sides, in a world with small bodies.
+// Returns the factor of the tolerances of a pair, from the COLLIDABLE_* bits of both sides, in a world with small
+// bodies.
 RARE Real sweep_halves(Int moved)
 {
 	Real grain = splat(1.0f);
@@ -51,14 +52,14 @@ RARE Real sweep_halves(Int moved)
 	return grain;
 }
 
-// The factor of the tolerances of a pair, from the MOVED_* bits of both sides.
+// Returns the factor of the tolerances of a pair, from the COLLIDABLE_* bits of both sides.
 INLINE Real sweep_grain(const Step* step, Int moved) { return step->small ? sweep_halves(moved) : splat(1.0f); }
 
-// The same of the distance from which on a pair has points.
+// Returns the factor of the distance from which on a pair has points.
 INLINE Real sweep_room(const Step* step, Int moved) { return sweep_grain(step, moved >> GRAIN_LEVELS); }
 
-// m: the separation from which on a pair has points: the speculative distance, less for small bodies, but never less than gravity closes
-// in a step.
+// m: Returns the separation from which on a pair has points: the speculative distance, smaller for small bodies, but at
+// least the distance that gravity closes in a step.
 INLINE Real sweep_within(const Step* step, Int moved)
 {
 	if (!step->small)
@@ -66,16 +67,16 @@ INLINE Real sweep_within(const Step* step, Int moved)
 	return maximum(SPECULATIVE_DISTANCE * sweep_room(step, moved), splat(step->fall));
 }
 
-// a member of the attributes with these indices; member is that of attribute 0
+// Returns a member of the attributes with these indices; member points to that of attribute 0.
 INLINE Real sweep_shape(const GLOBAL float* member, Int shape)
 {
 	return gather(member, shape * (int)(sizeof(Attribute) / sizeof(float)));
 }
 
-// time of the last relaxing pass: a substep after the step; dt may be 0
+// Returns the time of the last relaxing pass, a substep after the end of the step; dt may be 0.
 INLINE float sweep_end(const Step* step) { return step->dt > 0.0f ? 1.0f + step->h / step->dt : 1.0f; }
 
-// A velocity limited to max_speed; one that is not finite becomes 0, because its body will be frozen.
+// Returns a velocity limited to max_speed. One that is not finite becomes 0, because its body will be frozen.
 INLINE Vec sweep_velocity(const Step* step, Vec v)
 {
 	if (!lane_bits((vec_dot(v, v) <= splat(step->max_speed * step->max_speed)) == 0))
@@ -84,7 +85,7 @@ INLINE Vec sweep_velocity(const Step* step, Vec v)
 	return vec(number_of(v.x), number_of(v.y));
 }
 
-// From the velocities at the beginning of the step.
+// Computes the motion from the velocities at the start of the step.
 INLINE Advance sweep_advance_of(const Step* step, Vec v, Real w)
 {
 	Advance advance;
@@ -93,7 +94,7 @@ INLINE Advance sweep_advance_of(const Step* step, Vec v, Real w)
 	return advance;
 }
 
-// core: farthest point of the core from the origin of the collidable, m.
+// Computes a sweep. core: distance of the farthest point of the core from the origin of the collidable, m.
 INLINE Sweep sweep_with(Advance advance, Vec center, Real core)
 {
 	Sweep s;
@@ -104,7 +105,7 @@ INLINE Sweep sweep_with(Advance advance, Vec center, Real core)
 	return s;
 }
 
-// between: from the origin of a to that of b, m.
+// Computes the closing of a pair. between: from the origin of a to that of b, m.
 INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 {
 	Vec arm = vec(between.x + (sb.center.x - sa.center.x), between.y + (sb.center.y - sa.center.y));
@@ -122,8 +123,8 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 	return c;
 }
 
-// Sets the tolerances of a closing to those of its pair. What stops one of two fast bodies within the step may make them meet, though they do
-// not approach: so they have points as far apart as they move.
+// Sets the tolerances of a closing to those of its pair. If something stops one of two fast bodies within the step,
+// they may meet although they do not approach. Therefore they have points up to the distance that they move.
 INLINE void sweep_fine(const Step* step, Closing* c, Int moved)
 {
 	if (!step->small)

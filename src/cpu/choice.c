@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// choice.c -- whether the workers share a solve, or one worker does it alone; measured.
+// choice.c -- the measured choice whether the workers share a solve, or one worker executes it alone.
 #include "cpu/cpu.h"
 #include "platform/processor.h"
 #include <limits.h>
 
-// A solve with more items per run than this is always shared.
+// A solve with more items per run is always shared.
 #define ALWAYS_SHARED 2048
-// The slower way is measured again after so many solves, times the square of the ratio of the times.
+// Solves until the slower method is measured again, times the square of the ratio of the times.
 #define REST 64
-// limit of that ratio, because a busy machine can make one way seem slow
+// Limit of that ratio, because a busy machine can make one method seem slow.
 #define MOST_SLOWER 4.0
-// Solves in a row by a way that is measured. The fastest one but the first counts: any may be interrupted, and in the first one other
-// workers may have to wake.
+// Consecutive solves in a measurement of a method. The fastest one except the first counts: any may be interrupted, and
+// in the first one other workers may have to wake up.
 #define TURN 4
-// turns in which the two ways alternate at first
+// Initial measurements, in which the two methods alternate.
 #define FIRST_TURNS 4
 
-// Counts what a solve cost that was done as the choice says, and decides about the next one. A cost higher than the last may be due to an
-// interruption, so it is averaged in with a weight of a quarter. The other way is measured again at times, less often the slower it was.
+// Counts the cost of a solve by the chosen method, and decides about the next one. A cost that is higher than the last
+// may be due to an interruption, so it is averaged in with a weight of a quarter. The other method is measured again at
+// times, less often if it was slower.
 static void count_cost(Choice* c, double cost)
 {
 	bool first = c->turns < FIRST_TURNS, measures = first || c->tries;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cpu.c -- the CPU backend: pools in host memory, stages split over threads.
+// cpu.c -- the CPU backend: pools in host memory, kernels split over threads.
 #include "cpu/cpu.h"
 #include "backend/batch.h"
 #include "platform/error.h"
@@ -8,10 +8,10 @@
 #include <stdio.h>
 #include <string.h>
 
-// A walk of more nodes than this, about 5 us, is cut into so many parts per worker.
+// Nodes of a traversal, about 5 us, beyond which its rest is split, and number of its parts per worker.
 #define TRAVERSAL_NODES 128
 #define TRAVERSAL_ITEMS 4
-// A joint of a chain takes as long as so many constraints of a color.
+// Number of colored constraints that take as long as a joint of a chain.
 #define CHAIN_ITEM 8
 
 static void set_step(Cpu* cpu, const Step* step)
@@ -55,7 +55,7 @@ static scree_status cpu_solve(Backend* b, const Step* step, const Solve* solve, 
 
 static scree_status cpu_wait(Backend* b)
 {
-	(void)b; // run returns when all is done
+	(void)b; // run returns after all work is done
 	return SCREE_OK;
 }
 
@@ -67,8 +67,8 @@ static scree_status cpu_timings(Backend* b, double milliseconds[STAGE_COUNT])
 	return SCREE_OK;
 }
 
-// There are a hundred jobs in a step. A worker whose core is busy with something else delays the others where it has claimed a block, so
-// one worker fewer is faster.
+// Frees a core by using one worker fewer. A step has a hundred jobs, and a worker whose core is busy with other work
+// delays the others whenever it has claimed a block.
 static void cpu_spare(Backend* b, bool core)
 {
 	Cpu* cpu = b->state;
@@ -108,7 +108,8 @@ static const BackendFunctions functions = {
     .copy = cpu_copy,
 };
 
-// SCREE_LANES is the sum of the numbers of lanes that this build has stages for.
+// Selects the functions of all kernels. SCREE_LANES is the sum of the numbers of lanes for which this build has
+// kernels.
 static void choose_kernels(Cpu* cpu, int lanes)
 {
 	const KernelFunction *wide = kernels_lanes1, *one = kernels_lanes1;

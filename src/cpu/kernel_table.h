@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// kernel_table.h -- the end of each lanesN.c and of scalar_avx2.c: the table of the stages compiled above.
+// kernel_table.h -- the end of each lanesN.c and of scalar_avx2.c: the table of the kernels compiled above.
 #include "cpu/lanes.h"
 
 #ifndef TABLE
 #define TABLE KERNEL_JOIN(kernels, LANES)
 #endif
 
-// SCREE_SMALL: what is compiled twice elsewhere is compiled once, for WebAssembly: wide stages with the one number of lanes, stages of
-// groups, which are the longest, with one lane.
+// With SCREE_SMALL, for WebAssembly, kernels that are otherwise compiled twice are compiled once: wide kernels with the
+// only number of lanes, group kernels, which are the longest, with one lane.
 #if LANES == 1
 #define ENTRY_ONE(name) KERNEL_JOIN(name, LANES)
 #else

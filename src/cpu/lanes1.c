@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lanes1.c -- all stages, one item a call.
+// lanes1.c -- all kernels, one item per call.
 #define LANES 1
 #include "stages/all_stages.h"
 

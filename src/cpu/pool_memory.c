@@ -10,7 +10,7 @@ static const size_t pool_offsets[POOL_COUNT] = {
 #undef X
 };
 
-// Items that a pool has room for: wide stages round up.
+// Returns the allocated items of a pool: wide kernels round up.
 static size_t padded(int capacity) { return ((size_t)capacity + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
 
 static char* pool_memory(const Cpu* cpu, PoolId pool)
@@ -36,7 +36,7 @@ scree_status cpu_resize(Backend* b, Per per, int capacity)
 		if (!memory && capacity > b->capacity[per])
 			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d items of pool %s (%zu bytes each)", capacity,
 			            pool_info[pool].name, bytes);
-		// where shrinking failed, or growing the next pool fails, a pool has more room than capacity says
+		// if shrinking fails, or growing the next pool, this pool has more space than capacity
 		if (memory)
 			memcpy((char*)&cpu->pools + pool_offsets[pool], &memory, sizeof(memory));
 		added += ((uint64_t)items - old_items) * bytes; // size_t would wrap at 4 GB in WebAssembly

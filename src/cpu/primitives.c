@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// primitives.c -- sort and scan, each in jobs whose blocks are shares of the items.
+// primitives.c -- sort and scan, as jobs whose blocks are shares of the items.
 #include "cpu/primitives.h"
 #include <string.h>
 
-// keys that are inserted rather than sorted by digits: with 64, both take about as long
+// Most keys that are sorted by insertion rather than by digits; with 64, both take about as long.
 #define FEW_KEYS 64
 
 static void count_digits(int counts[RADIX], const uint64_t* keys, int begin, int end, int shift, uint64_t mask)
@@ -13,8 +13,9 @@ static void count_digits(int counts[RADIX], const uint64_t* keys, int begin, int
 		++counts[keys[i] >> shift & mask];
 }
 
-// The place of a block's first key of each digit: behind all smaller digits, and behind the equal digits of the blocks
-// before it, so the sort is stable. False if all keys have the same digit, so that nothing has to move.
+// Computes the position of a block's first key of each digit: behind all smaller digits, and behind the equal digits of
+// the blocks before it, so the sort is stable. Returns false if all keys have the same digit, so that nothing has to
+// move.
 static bool place_digits(int place[RADIX], const Shared* shared, int block, int blocks, int count)
 {
 	int sum = 0;
@@ -33,7 +34,7 @@ static bool place_digits(int place[RADIX], const Shared* shared, int block, int 
 	return true;
 }
 
-// Insertion sort: of few keys, a look at every digit takes longer than all comparisons.
+// Sorts by insertion: for few keys, counting every digit takes longer than all comparisons.
 static void insert_keys(uint64_t* keys, int count, int low, int high)
 {
 	uint64_t mask = ((uint64_t)2 << (high - low - 1)) - 1;
@@ -72,8 +73,8 @@ static void copy_block(void* context, int block, int blocks)
 	memcpy(s->to + begin, s->from + begin, (size_t)(end - begin) * sizeof(uint64_t));
 }
 
-// Radix sort from the lowest digit up. Peter McIlroy, Keith Bostic, Doug McIlroy, Engineering Radix Sort, 1993; in blocks as in
-// Marco Zagha, Guy Blelloch, Radix Sort for Vector Multiprocessors, 1991.
+// Radix sort from the lowest digit up. Peter McIlroy, Keith Bostic, Doug McIlroy, Engineering Radix Sort, 1993; in
+// blocks as in Marco Zagha, Guy Blelloch, Radix Sort for Vector Multiprocessors, 1991.
 void sort_keys(Shared* s, Threads* threads, int blocks, uint64_t* keys, uint64_t* other, int count, int low, int high)
 {
 	if (blocks == 1 && count <= FEW_KEYS)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// primitives.h -- sort and scan, each in jobs whose blocks are shares of the items.
+// primitives.h -- sort and scan, as jobs whose blocks are shares of the items.
 #ifndef PRIMITIVES_H
 #define PRIMITIVES_H
 #include "platform/threads.h"
@@ -15,10 +15,10 @@ typedef struct
 	int sums[MAX_WORKERS];
 	uint64_t *from, *to, mask;
 	int *values, count, shift;
-	bool moves; // the keys of this digit
+	bool moves; // the keys are not all equal in this digit, so they move
 } Shared;
 
-// Each is done in so many blocks, at most as many as workers.
+// Sort and scan are split into `blocks` blocks, at most as many as workers.
 
 // Sorts keys[0] to keys[count - 1] by their bits from low up to, not including, high; stable. other is scratch.
 void sort_keys(Shared* shared, Threads* threads, int blocks, uint64_t* keys, uint64_t* other, int count, int low,
@@ -27,7 +27,7 @@ void sort_keys(Shared* shared, Threads* threads, int blocks, uint64_t* keys, uin
 // Replaces each of count values by the sum of the values before it.
 void scan_values(Shared* shared, Threads* threads, int blocks, int* values, int count);
 
-// The first item of a part when count items are split evenly into parts.
+// Returns the first item of a part when count items are split evenly into parts.
 static inline int split(int count, int part, int parts) { return (int)((int64_t)count * part / parts); }
 
 #endif

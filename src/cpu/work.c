@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: MIT
-// work.c -- lists of runs on the CPU: each run in blocks by several workers, or by one.
+// work.c -- lists of runs on the CPU: each run is executed in blocks by several workers, or by one.
 //
-// Worker 0 goes through a list: it reads the bound of a run, does a small one by itself, and shares others as jobs of several
-// blocks. So a bound is read once, by one worker, while no worker writes it, and a small world never wakes a thread.
+// Worker 0 processes a list: it reads the bound of a run, executes a small run itself, and shares others as jobs of
+// several blocks. Thus a bound is read once, by one worker, while no worker writes it, and a small world never wakes a
+// thread.
 #include "cpu/cpu.h"
 #include "platform/processor.h"
 #include <limits.h>
 
-// A run whose items take long is worth sharing from fewer items on: an item of a stage in chunks counts as so many.
+// Number of items for which an item of a kernel in chunks counts, because runs with long items are worth sharing from
+// fewer items on.
 #define CHUNK_ITEM 8
-// instead of the items per chunk: items are dealt (src/backend/backend.h)
+// Value instead of the items per chunk: items are distributed by dealt (src/backend/backend.h).
 #define DEALT (-1)
-// fewest items for which a sort and a scan are shared
+// Fewest items for which a sort and a scan are shared.
 #define SORT_GRAIN 8192
 #define SCAN_GRAIN 16384
-// blocks of a run that is just worth sharing
+// Blocks of a run that is just worth sharing.
 #define BLOCKS_A_GRAIN 2
 
-// Items per chunk. A stage whose items take long, and unequal times, is handed out in chunks to workers that are free. The
-// other stages are split evenly and in order, so that a worker has the same bodies and constraints in every pass.
+// Items per chunk. Chunks of a kernel whose items take long, and unequal times, are given to workers that are free.
+// Other kernels are split evenly and in order, so that a worker has the same bodies and constraints in every pass.
 static const int chunks[KERNEL_COUNT] = {
     [KERNEL_broad_phase] = CHUNK_ITEMS,
     [KERNEL_broad_phase_rest] = 1,
@@ -41,7 +43,7 @@ static const int chunks[KERNEL_COUNT] = {
 #undef CONSTRAINT_KIND
 };
 
-// Stages over all bodies, or all collidables: 1 + the kind of blocks that may be left out.
+// Kernels over all bodies, or all collidables: 1 + the kind of blocks that may be skipped.
 static const int kinds[KERNEL_COUNT] = {
     [KERNEL_transform] = 1 + ACTIVE_COLLIDABLES,     [KERNEL_solve_begin] = 1 + ACTIVE_BODIES,
     [KERNEL_integrate_velocity] = 1 + ACTIVE_BODIES, [KERNEL_integrate_position] = 1 + ACTIVE_BODIES,
@@ -50,7 +52,7 @@ static const int kinds[KERNEL_COUNT] = {
     [KERNEL_body_slack] = 1 + ACTIVE_BODIES,
 };
 
-// The blocks that a run of a stage is limited to, or null.
+// Returns the blocks to which a run of a kernel is limited, or null.
 static const ActiveBlocks* active_blocks(const Cpu* cpu, int kernel)
 {
 	int kind = kernel < KERNEL_COUNT ? kinds[kernel] : 0;
@@ -58,7 +60,7 @@ static const ActiveBlocks* active_blocks(const Cpu* cpu, int kernel)
 	return active && active->blocks ? active : NULL;
 }
 
-// A share of the active blocks, those in a row in one call.
+// Executes a share of the active blocks; consecutive ones in one call.
 static void do_active(Cpu* cpu, KernelFunction function, const ActiveBlocks* active, int block, int blocks)
 {
 	int end = split(active->count, block + 1, blocks);
@@ -83,7 +85,7 @@ static void do_dealt(Cpu* cpu, KernelFunction function, int block, int blocks)
 	}
 }
 
-// What is left of a run in chunks, a chunk after the other.
+// Executes the rest of a run in chunks, one chunk after the other.
 static void do_chunks(Cpu* cpu, KernelFunction function, int chunk)
 {
 	int items = cpu->end - cpu->begin, begin;
@@ -91,14 +93,14 @@ static void do_chunks(Cpu* cpu, KernelFunction function, int chunk)
 		function(&cpu->pools, cpu->begin + begin, cpu->begin + (items - begin < chunk ? items : begin + chunk));
 }
 
-// A block of the current run of a stage.
+// Executes a block of the current run of a kernel.
 static void do_block(void* context, int block, int blocks)
 {
 	Cpu* cpu = context;
 	int kernel = cpu->runs[cpu->at].kernel_id, items = cpu->end - cpu->begin;
 	KernelFunction function = cpu->functions[kernel];
 	const ActiveBlocks* active = active_blocks(cpu, kernel);
-	if (active && cpu->end > 1) // a single item is bookkeeping
+	if (active && cpu->end > 1) // a single item updates counters
 		do_active(cpu, function, active, block, blocks);
 	else if (chunks[kernel] == DEALT)
 		do_dealt(cpu, function, block, blocks);
@@ -106,7 +108,7 @@ static void do_block(void* context, int block, int blocks)
 		do_chunks(cpu, function, chunks[kernel]);
 	else
 	{
-		// shares consist of whole rows of MAX_LANES items, so that no two workers write to one
+		// shares consist of whole rows of MAX_LANES items, so that no two workers write to one row
 		int rows = (items + MAX_LANES - 1) / MAX_LANES;
 		int begin = split(rows, block, blocks) * MAX_LANES, end = split(rows, block + 1, blocks) * MAX_LANES;
 		end = end > items ? items : end;
@@ -123,10 +125,10 @@ static int smallest_shared(const Cpu* cpu, int kernel)
 		return SORT_GRAIN;
 	case PRIMITIVE_SCAN:
 		return SCAN_GRAIN;
-	case KERNEL_broad_phase_rest: // an item is a part of a long walk: worth sharing while the workers are awake
+	case KERNEL_broad_phase_rest: // an item is a part of a long traversal: worth sharing while the workers are awake
 		return cpu->grain == GRAIN ? 2 : INT_MAX;
 	default:
-		// a hub takes as long as many items: two are shared wherever anything is
+		// a hub takes as long as many items: two are shared whenever anything is
 		if (kernel_widths[kernel] >= WIDTH_GROUP)
 			return cpu->grain < ALONE_GRAIN ? 2 : INT_MAX;
 		if (!chunks[kernel])
@@ -146,7 +148,7 @@ static void count_time(Cpu* cpu, const Run* run)
 	cpu->mark = time;
 }
 
-// The number of blocks of a run: one that is not worth sharing has one.
+// Returns the number of blocks of a run: 1 if it is not worth sharing.
 static int count_blocks(const Cpu* cpu, int kernel, int items, const ActiveBlocks* active)
 {
 	int workers = threads_workers(cpu->threads), least = smallest_shared(cpu, kernel), most = workers;
@@ -180,7 +182,7 @@ static int begin_run(Cpu* cpu, const Run* run)
 	cpu->pools.argument = run->argument;
 	if (run->kernel_id < KERNEL_COUNT)
 	{
-		// rounding up adds inert items, for which the pools have room
+		// rounding up adds inert items, for which the pools have space
 		int lanes = cpu->lanes[run->kernel_id];
 		cpu->end = (cpu->end + lanes - 1) / lanes * lanes;
 	}

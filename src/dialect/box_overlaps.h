@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// box_overlaps.h -- one box against eight, at rest or moving, with AVX2 or in WebAssembly; a part of dialect.h, whose words it uses.
+// box_overlaps.h -- tests of one box, at rest or moving, against eight, with AVX2 or in WebAssembly; a part of
+// dialect.h, whose names it uses.
 #ifndef BOX_OVERLAPS_H
 #define BOX_OVERLAPS_H
 #ifdef __wasm_simd128__
@@ -22,10 +23,10 @@ static inline Word overlaps8(const Float4* boxes, Float4 box)
 #else
 #include <immintrin.h>
 
-// one bound of eight packed boxes
+// Loads one bound of eight packed boxes.
 static inline __m256 bound8_wide(const Float4* boxes, int which) { return _mm256_load_ps(&boxes[2 * which].x); }
 
-// Called, rather than inlined, in the walks of the broad phase, it cost storm 2 % more instructions.
+// Always inlined: as a call in the traversals of the broad phase, it cost scene storm 2 % more instructions.
 static inline __attribute__((always_inline)) Word overlaps8(const Float4* boxes, Float4 box)
 {
 	__m256 x = _mm256_and_ps(_mm256_cmp_ps(bound8_wide(boxes, 0), _mm256_set1_ps(box.z), _CMP_LE_OQ),

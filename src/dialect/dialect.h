@@ -1,49 +1,53 @@
 // SPDX-License-Identifier: MIT
-// dialect.h -- the words that C and OpenCL C do not share. The only file of the stages that tests which compiler reads it.
+// dialect.h -- the types, macros and functions that hide the differences between C and OpenCL C; no other file of the
+// kernels tests the compiler.
 //
-// A wide stage computes in Real and Int. On the GPU they are float and int. On the CPU they are LANES floats and LANES
-// ints, so that one call computes one block. A stage that branches on an item is compiled with LANES 1; a branch on a
-// vector does not compile, so this mistake cannot go unnoticed.
+// A wide kernel computes in Real and Int. On a GPU they are float and int. On a CPU they are LANES floats and LANES
+// ints, so that one call computes one block. A kernel that branches on an item is compiled with LANES 1; a branch on a
+// vector does not compile, so such a mistake is always noticed.
 //
-// docs/dialect.md has the table of words.
+// docs/dialect.md has the table of all names.
 #ifndef DIALECT_H
 #define DIALECT_H
 
-// Wide passes are always inlined: calls that clang left in them cost 18 to 36 % at 8 and 16 lanes. With one lane, always
-// inlining made the code of gcc half as fast again, for want of registers. On a GPU, one call that is left in a kernel keeps the
-// pools on the stack of every work-item: a step of 93,000 bodies of ragdolls took 0.08 ms longer on an H200. CALLS is defined for
-// OpenCL on a CPU, where PoCL takes over 40 % longer to build what is always inlined.
+// Functions of wide passes are always inlined: calls that clang left in them cost 18 to 36 % at 8 and 16 lanes. With
+// one lane, always inlining made the code of gcc half as fast again, for lack of registers. On a GPU, one call that is
+// left in a kernel keeps the pools on the stack of every work-item: a step of 93,000 bodies of ragdolls took 0.08 ms
+// longer on an H200. CALLS is defined for OpenCL on a CPU, where PoCL takes over 40 % longer to build functions that
+// are always inlined.
 #if (defined(LANES) && LANES > 1) || (defined(__OPENCL_C_VERSION__) && !defined(CALLS))
 #define INLINE static inline __attribute__((always_inline))
 #else
 #define INLINE static inline
 #endif
 
-// Parts of hot stages of one lane that gcc would not inline, as they are long; a call writes what it returns to memory.
+// Inlines parts of hot kernels with one lane that gcc would not inline, because they are long; a call writes its result
+// to memory.
 #ifdef CALLS
 #define INLINE_LONG INLINE
 #else
 #define INLINE_LONG static inline __attribute__((always_inline))
 #endif
 
-// Large parts of large kernels, without barriers. Where CALLS is defined they are calls: PoCL makes three copies of a kernel, and in
-// each of them three of what is between barriers that not all work-items reach. In WebAssembly, which a page downloads, they are calls,
-// too.
+// Marks large parts of large kernels, without barriers. If CALLS is defined they are calls: PoCL makes three copies of
+// a kernel, and in each of them three copies of the code between barriers that not all work-items reach. They are calls
+// in WebAssembly too, because a page downloads the code.
 #if defined(CALLS) || defined(__EMSCRIPTEN__)
 #define OUT_OF_LINE static __attribute__((noinline))
 #else
 #define OUT_OF_LINE INLINE
 #endif
 
-// Code that few items need: inlined, it would use registers of all items. On a GPU a call uses them as well.
+// Marks code that few items need: inlined, it would use registers of all items. On a GPU a call uses them as well.
 #ifdef __OPENCL_C_VERSION__
 #define RARE INLINE
 #else
 #define RARE static __attribute__((noinline))
 #endif
 
-// Before a loop of two or three turns over what arrays hold: it is unrolled even if it is long, and the arrays stay in registers. Without
-// it an H200 needed 185 registers for joint_bias, with it 89. A page downloads the code, so WebAssembly does without.
+// Unrolls a loop of two or three iterations over arrays, even if it is long, so that the arrays stay in registers.
+// Without it, joint_bias needed 185 registers on an H200, with it 89. WebAssembly does not unroll, because a page
+// downloads the code.
 #if defined(__OPENCL_C_VERSION__) || (defined(__clang__) && !defined(__EMSCRIPTEN__))
 #define UNROLL _Pragma("unroll")
 #elif defined(__GNUC__) && !defined(__clang__)
@@ -52,8 +56,8 @@
 #define UNROLL
 #endif
 
-// Stages between these two are made small for WebAssembly, which a page downloads: most worlds do not run them. It saves 1.5 kB,
-// compressed.
+// Kernels between these two are compiled for small size in WebAssembly, because a page downloads the code, and most
+// worlds do not run them. This saves 1.5 kB, compressed.
 #ifdef __EMSCRIPTEN__
 #define SMALL_BEGIN _Pragma("clang attribute push(__attribute__((minsize)), apply_to = function)")
 #define SMALL_END   _Pragma("clang attribute pop")
@@ -62,17 +66,18 @@
 #define SMALL_END
 #endif
 
-// The macros of the stages, which opencl_words.h and c_words.h define:
+// Macros of kernels, which opencl_words.h and c_words.h define:
 //
-// STAGE(name) { ... }: the code for item i of the pools p. WIDE_KERNEL(name): for items i to i + LANES - 1.
+// KERNEL(name) { ... }: the code for item i of the pools p. WIDE_KERNEL(name): the code for items i to i + LANES - 1.
 //
-// LIST_KERNEL(name, list, length) { ... }: a stage that appends the items for which it returns 1 to a list of the pools, in any
-// order. A CPU worker counts CHUNK_ITEMS of them at once: with 16 workers, one atomic counter per item took half of a step.
+// LIST_KERNEL(name, list, length) { ... }: a kernel that appends the items for which it returns 1 to a list of the
+// pools, in any order. A CPU worker counts CHUNK_ITEMS of them at once: with 16 workers, one atomic counter per item
+// took half of a step.
 //
-// GROUP_KERNEL(name) { ... }: the code that a work-group executes together for item i, with GROUP_FLOATS floats of shared memory,
-// bench. The parts of the item are split among the work-items: group_lane() is the first index of one, group_width() its
-// stride. On a CPU one worker is the whole group, with LANES parts at a time; part_lane() and part_width() are for what it
-// does one part at a time.
+// GROUP_KERNEL(name) { ... }: the code that a work-group executes together for item i, with GROUP_FLOATS floats of
+// local memory, bench. The parts of the item are split among the work-items: group_lane() is the first index of one,
+// group_width() its stride. On a CPU one worker is the whole group, and processes LANES parts at a time; part_lane()
+// and part_width() are for code that it executes one part at a time.
 #define GROUP_FLOATS 3072
 
 #ifdef __OPENCL_C_VERSION__
@@ -84,7 +89,7 @@
 #endif
 #endif
 
-// Atomic maximum, preceded by a plain read: most items find the maximum there already.
+// Computes an atomic maximum, preceded by a plain read, because most items find the maximum there already.
 INLINE void raise_int(GLOBAL int* place, int x)
 {
 	if (read_shared(place) < x)
@@ -102,41 +107,42 @@ typedef int Int;
 #define store(array, i, x)     ((array)[i] = (x))
 #define store_int(array, i, x) ((array)[i] = (x))
 #define real_bits(x)           float_bits(x)
-// b where c is set, else a
+// Returns b if c is set, else a.
 INLINE Real blend(Real a, Real b, Int c) { return c ? b : a; }
 INLINE Int blend_int(Int a, Int b, Int c) { return c ? b : a; }
-// for values from 0 to below 2^31
+// Conversions of values from 0 to below 2^31.
 #define whole(x)   ((Int)(x))
 #define real_of(x) ((Real)(x))
-// shifts left, also into the sign bit
+// Shifts left, also into the sign bit.
 #define shifted(x, bits) ((Int)((Word)(x) << (bits)))
-// 64-bit keys, from their upper and lower halves
+// Writes 64-bit keys from their upper and lower halves.
 #define store_keys(array, i, high, low) ((array)[i] = (Word64)(Word)(high) << 32 | (Word64)(Word)(low))
 #define root(x)                         square_root(x)
 
-// the items behind those of a, where b follows; the items before those of b, where a precedes
+// following: the items after those of a, where b follows. preceding: the items before those of b, where a precedes.
 #define following(a, b)     (b)
 #define preceding(a, b)     (a)
 #define following_int(a, b) (b)
 #define preceding_int(a, b) (a)
 
-// the numbers i to i + LANES - 1; items of an array by index; the members of rows of two integers
+// indices: the numbers i to i + LANES - 1. gather: items of an array by index. load_int2: the members of rows of two
+// integers.
 #define indices(i)                  (i)
 #define gather(array, index)        ((array)[index])
 #define gather_int(array, index)    ((array)[index])
 #define load_int2(array, i, x0, y0) (*(x0) = (array)[i].x, *(y0) = (array)[i].y)
-// a bit mask of the lanes where c is set; the value of a lane
+// lane_bits: a bit mask of the lanes where c is set. lane: the value of a lane.
 #define lane_bits(c)                   ((Word)((c) != 0))
 #define lane(x, k)                     (x)
 #define load_rows8(base, first, out)   gather_rows8(base, first, out)
 #define gather_rows4(base, index, out) load_rows4(base, index, out)
-// one row, whatever the number of lanes
+// Reads one row, whatever the number of lanes.
 #define read_row8(base, index, out) gather_rows8(base, index, out)
 #else
 #include "dialect/wide.h"
 #endif
 
-// Defined results for NaN and -0 on every target: b is taken only where the comparison holds.
+// Returns defined results for NaN and -0 on every target: b is taken only if the comparison holds.
 #ifndef WIDE_EXTREMES
 INLINE Real maximum(Real a, Real b) { return blend(a, b, a < b); }
 INLINE Real minimum(Real a, Real b) { return blend(a, b, b < a); }

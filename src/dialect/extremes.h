@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// extremes.h -- minimum and maximum of vectors by one instruction, where it is defined as the dialect has it; a part of wide.h.
+// extremes.h -- minimum and maximum of vectors by one instruction, if its results are those of the dialect; a part of
+// wide.h.
 //
-// That of x86 gives its second operand unless the first one is larger, or smaller: also for NaN, and for two zeros.
+// The instruction of x86 returns its second operand unless the first is larger, or smaller: also for NaN, and for two
+// zeros.
 #ifndef EXTREMES_H
 #define EXTREMES_H
 

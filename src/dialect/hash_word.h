@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// hash_word.h -- the hash of an item, for the stages and for data that only the host has.
+// hash_word.h -- the hash of an item, for kernels and for data of the host.
 #ifndef HASH_WORD_H
 #define HASH_WORD_H
 #include "dialect/dialect.h"
 
-// the finalizer of MurmurHash3 (Austin Appleby, 2011): every bit of the input changes half of the output's bits
+// Mixes bits with the finalizer of MurmurHash3 (Austin Appleby, 2011): every bit of the input changes half of the
+// output's bits.
 INLINE Word64 hash_mix(Word64 h)
 {
 	h ^= h >> 33;
@@ -21,7 +22,7 @@ INLINE Word64 hash_float4(Word64 h, Float4 v)
 {
 	return hash_float(hash_float(hash_float(hash_float(h, v.x), v.y), v.z), v.w);
 }
-// The tag tells items of different kinds apart that have the same index.
+// Tags that distinguish items of different kinds with the same index.
 #define HASH_BODY                1
 #define HASH_COLLIDABLE          2
 #define HASH_TARGET              4

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// opencl_words.h -- the words of the dialect in OpenCL C. dialect.h includes it.
+// opencl_words.h -- the dialect in OpenCL C. dialect.h includes it.
 #ifndef OPENCL_WORDS_H
 #define OPENCL_WORDS_H
 
@@ -22,7 +22,7 @@ typedef int2 Int2;
 #define lowest_bit(x)           (63 - leading_zeros((x) & (~(x) + (ulong)1)))
 #define square_root(x)          sqrt(x)
 
-// Integer atomics count and build sets; what they collect is sorted before it is read in order.
+// Integer atomics count, and build sets, which are sorted before they are read in order.
 #define atomic_add_int(place, x)  atomic_add(place, x)
 #define atomic_max_int(place, x)  atomic_max(place, x)
 #define atomic_min_int(place, x)  atomic_min(place, x)
@@ -30,14 +30,15 @@ typedef int2 Int2;
 #define atomic_and_word64(place, x)                                 \
 	((void)atomic_and((volatile __global uint*)(place), (uint)(x)), \
 	 (void)atomic_and((volatile __global uint*)(place) + 1, (uint)((x) >> 32)))
-// Orders this work-item's memory accesses for the whole device, not for its group alone, and invalidates its first-level
-// cache. OpenCL C 1.2 has no such fence. Where no other is known, mem_fence is used; persistent.cl tests that it suffices.
+// Orders the memory accesses of this work-item for the whole device, not only for its group, and invalidates its
+// first-level cache. OpenCL C 1.2 has no such fence. On other compilers mem_fence is used; persistent.cl tests whether
+// it suffices.
 #ifdef __NV_CL_C_VERSION
 #define DEVICE_FENCE() asm volatile("membar.gl;" ::: "memory")
 #else
 #define DEVICE_FENCE() mem_fence(CLK_GLOBAL_MEM_FENCE | CLK_LOCAL_MEM_FENCE)
 #endif
-// Atomic increment; returns the old value. The last item to arrive sees all writes of the others.
+// Increments atomically; returns the old value. The last item to arrive reads all writes of the others.
 INLINE int arrive_int(GLOBAL int* place)
 {
 	DEVICE_FENCE();
@@ -55,8 +56,8 @@ INLINE int arrive_int(GLOBAL int* place)
 #define FETCHES           0
 #define fetch_soon(place) ((void)0)
 
-// Rows of 8 and 4 floats. They are read past the first-level cache, which in a kernel of several passes may hold what
-// another compute unit has changed since.
+// Rows of 8 and 4 floats. Reads bypass the first-level cache, which in a kernel of several passes may contain values
+// that another compute unit has changed since.
 #define ROW volatile __global float4*
 INLINE void row_parts(float4 low, float4 high, float out[8])
 {
@@ -73,7 +74,7 @@ INLINE void gather_rows8(__global float* base, int index, float out[8])
 {
 	row_parts(((ROW)base)[2 * index], ((ROW)base)[2 * index + 1], out);
 }
-// Rows that no work-item changes during the kernel: read through any cache.
+// Reads rows that no work-item changes during the kernel, through any cache.
 INLINE void gather_fixed_rows8(const __global float* base, int index, float out[8])
 {
 	const __global float4* row = (const __global float4*)base + 2 * index;
@@ -102,7 +103,7 @@ INLINE void scatter_rows4of8(__global float* base, int index, const float in[4],
 		((ROW)base)[2 * index] = (float4)(in[0], in[1], in[2], in[3]);
 }
 
-// One bound of eight packed boxes, read four at a time.
+// one bound of eight packed boxes, read four at a time
 typedef struct
 {
 	float of[8];
@@ -120,13 +121,14 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 #define group_width() ((int)get_local_size(0))
 #define part_lane()   group_lane()
 #define part_width()  group_width()
-// work-group barrier for bench and pools
+// Executes a work-group barrier for bench and pools.
 #define group_meet() barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE)
-// work-group barrier for bench alone
+// Executes a work-group barrier for bench only.
 #define bench_meet() barrier(CLK_LOCAL_MEM_FENCE)
 
-// A kernel of a stage, of which specialize may set members of pools.step to constants. One in spread(items) work-items works, so that
-// few long items do not wait for each other. The name of a kernel is in parentheses, because a macro may have the same name (store).
+// Defines an OpenCL kernel; specialize may set members of pools.step to constants. Only one in spread(items) work-items
+// executes items, so that few long items do not wait for each other. The name of a kernel is in parentheses, because a
+// macro may have the same name (store).
 #define KERNEL_FUNCTION(kernel_name, name, specialize, spread)                                        \
 	__kernel void(kernel_name)(POOL_ARGUMENTS Step step, Run run)                                     \
 	{                                                                                                 \

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// transpose.h -- between LANES items of 4 or 8 floats each in memory and one Real per component.
+// transpose.h -- transfer between LANES items of 4 or 8 floats in memory and one Real per component; a part of wide.h,
+// for LANES 4, 8 and 16.
 //
-// A part of wide.h, for LANES 4, 8 and 16.
-//
-// Items are moved in quads of 16 bytes. Real j of four holds the quads of items j, j + 4, j + 8, ... side by side, so a
-// 4 by 4 transposition inside each quad puts component j of all items into Real j, in order. For a gather of eight
+// Items are moved in quads of 16 bytes. Real j of four contains the quads of items j, j + 4, j + 8, ... side by side,
+// so a 4 by 4 transposition inside each quad puts component j of all items into Real j, in order. For a gather of eight
 // floats on AVX2 that is 8 loads, 8 loads with insert, and 16 shuffles. Loading whole rows of 32 bytes would need 24
 // shuffles, and the shuffle port is the bottleneck.
 #ifndef TRANSPOSE_H
 #define TRANSPOSE_H
 #define ALL_LANES ((1u << LANES) - 1)
 
-// Every solver pass uses this. Called, rather than inlined, it would pass its vectors through memory.
+// Always inlined, because every solver pass uses these functions, and a call would pass its vectors through memory.
 #define WIDE_INLINE static inline __attribute__((always_inline))
 
 typedef float Quad __attribute__((vector_size(16)));
@@ -21,7 +20,7 @@ WIDE_INLINE Quad quad_load(const float* from) { return *(const Quad*)from; }
 WIDE_INLINE void quad_store(float* to, Quad q) { *(Quad*)to = q; }
 
 #define FOUR_LANES(f, k) f(k), f(k + 1), f(k + 2), f(k + 3)
-// every second number of two quads, and of all lanes of two vectors
+// Every second number of two quads, and of all lanes of two vectors.
 #define TWO_QUADS(k) k, k + 2, k + 4, k + 6
 #if LANES == 4
 #define EACH_QUAD(a, b, c, d) a, b, c, d
@@ -38,7 +37,7 @@ WIDE_INLINE void quad_store(float* to, Quad q) { *(Quad*)to = q; }
 #define EACH_LANE(f)    FOUR_LANES(f, 0), FOUR_LANES(f, 4), FOUR_LANES(f, 8), FOUR_LANES(f, 12)
 #endif
 
-// i, i + 1, ...
+// Returns i, i + 1, ...
 WIDE_INLINE Int indices(int i)
 {
 	Int k = {EACH_QUAD(0, 1, 2, 3)};
@@ -52,7 +51,7 @@ WIDE_INLINE Real gather(const float* array, Int index) { return (Real){EACH_LANE
 WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE(NAMED)}; }
 #undef NAMED
 
-// inside each quad, components of a as 0 to 3 and of b as LANES to LANES + 3
+// Shuffles inside each quad: components of a are 0 to 3, those of b LANES to LANES + 3.
 #if defined(__clang__) || __GNUC__ >= 12
 #define SHUFFLE_ALL(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
@@ -60,7 +59,8 @@ WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE
 #endif
 #define SHUFFLE(a, b, ...) SHUFFLE_ALL(a, b, EACH_QUAD(__VA_ARGS__))
 
-// the items behind those of a: the last one is the first of b; the items before those of b: the first one is the last of a
+// following: the items after those of a; the last one is the first of b. preceding: the items before those of b; the
+// first one is the last of a.
 #define NEXT(k) k + 1
 #define LAST(k) k + LANES - 1
 WIDE_INLINE Real following(Real a, Real b) { return SHUFFLE_ALL(a, b, EACH_LANE(NEXT)); }
@@ -70,7 +70,7 @@ WIDE_INLINE Int preceding_int(Int a, Int b) { return SHUFFLE_ALL(a, b, EACH_LANE
 #undef NEXT
 #undef LAST
 
-// the members of rows i to i + LANES - 1 of two integers
+// Loads the members of rows i to i + LANES - 1 of two integers.
 WIDE_INLINE void load_int2(const Int2* array, int i, Int* x, Int* y)
 {
 	Int low, high;
@@ -80,7 +80,7 @@ WIDE_INLINE void load_int2(const Int2* array, int i, Int* x, Int* y)
 	*y = SHUFFLE_ALL(low, high, EVERY_SECOND(1));
 }
 
-// side by side: the quads at base + at[j], base + at[j + 4], ...
+// Loads the quads at base + at[j], base + at[j + 4], ... side by side.
 WIDE_INLINE Real quads_load(const float* base, Words at, int j)
 {
 	Quad first = quad_load(base + at[j]);
@@ -102,7 +102,7 @@ WIDE_INLINE Real quads_load(const float* base, Words at, int j)
 #endif
 }
 
-// quad k of those side by side
+// Returns quad k of those side by side.
 WIDE_INLINE Quad quads_get(Real r, int k)
 {
 #if LANES == 4
@@ -129,7 +129,7 @@ WIDE_INLINE Quad quads_get(Real r, int k)
 #endif
 }
 
-// transposes each 4 by 4 block of a, b, c, d into out
+// Transposes each 4 by 4 block of a, b, c, d into out.
 WIDE_INLINE void transpose(Real a, Real b, Real c, Real d, Real out[4])
 {
 	Real ab01 = SHUFFLE(a, b, 0, LANES, 1, LANES + 1);
@@ -142,13 +142,13 @@ WIDE_INLINE void transpose(Real a, Real b, Real c, Real d, Real out[4])
 	out[3] = SHUFFLE(ab23, cd23, 2, 3, LANES + 2, LANES + 3);
 }
 
-// out[j], lane k, is float j of the four at base + at[k]
+// Gathers quads: out[j], lane k, is float j of the four at base + at[k].
 WIDE_INLINE void quads_gather(const float* base, Words at, Real out[4])
 {
 	transpose(quads_load(base, at, 0), quads_load(base, at, 1), quads_load(base, at, 2), quads_load(base, at, 3), out);
 }
 
-// the reverse: the quads of r to base + at[j], base + at[j + 4], ..., where bits j, j + 4, ... of wanted are set
+// Stores the quads of r to base + at[j], base + at[j + 4], ..., if bits j, j + 4, ... of the mask are set.
 WIDE_INLINE void quads_store(float* base, Words at, int j, Real r, Word wanted)
 {
 	if (wanted >> j & 1)
@@ -175,14 +175,14 @@ WIDE_INLINE void quads_scatter(float* base, Words at, const Real in[4], Word wan
 	quads_store(base, at, 3, r[3], wanted);
 }
 
-// offsets of the rows of LANES neighbors, in floats
+// Returns the offsets of the rows of LANES neighbors, in floats.
 WIDE_INLINE Words neighbors(Word floats)
 {
 	Words k = {EACH_QUAD(0, 1, 2, 3)};
 	return k * floats;
 }
 
-// Items of eight floats, aligned to 32 bytes: out[j], lane k, is float j of item index[k].
+// Gathers items of eight floats, aligned to 32 bytes: out[j], lane k, is float j of item index[k].
 WIDE_INLINE void gather_rows8(const float* base, Int index, Real out[8])
 {
 	Words at = (Words)index * 8u;
@@ -190,7 +190,7 @@ WIDE_INLINE void gather_rows8(const float* base, Int index, Real out[8])
 	quads_gather(base + 4, at, out + 4);
 }
 
-// The same for items first to first + LANES - 1.
+// Loads items first to first + LANES - 1 of eight floats.
 WIDE_INLINE void load_rows8(const float* base, int first, Real out[8])
 {
 	const float* rows = base + 8 * (size_t)first;
@@ -205,10 +205,10 @@ WIDE_INLINE void store_rows8(float* base, int first, const Real in[8])
 	quads_scatter(rows + 4, neighbors(8), in + 4, ALL_LANES);
 }
 
-// Items of four floats, aligned to 16 bytes: out[j], lane k, is float j of item index[k].
+// Gathers items of four floats, aligned to 16 bytes: out[j], lane k, is float j of item index[k].
 WIDE_INLINE void gather_rows4(const float* base, Int index, Real out[4]) { quads_gather(base, (Words)index * 4u, out); }
 
-// The same for items first to first + LANES - 1.
+// Loads items first to first + LANES - 1 of four floats.
 WIDE_INLINE void load_rows4(const float* base, int first, Real out[4])
 {
 	quads_gather(base + 4 * (size_t)first, neighbors(4), out);
@@ -219,7 +219,7 @@ WIDE_INLINE void store_rows4(float* base, int first, const Real in[4])
 	quads_scatter(base + 4 * (size_t)first, neighbors(4), in, ALL_LANES);
 }
 
-// a bit mask of the lanes that are not zero
+// Returns a bit mask of the lanes that are not zero.
 WIDE_INLINE Word lane_bits(Int lanes)
 {
 #if LANES == 16 && defined(__AVX512F__)
@@ -238,11 +238,11 @@ WIDE_INLINE Word lane_bits(Int lanes)
 #endif
 }
 
-// a square root of each lane
+// Returns the square root of each lane.
 WIDE_INLINE Real root(Real x)
 {
 #if LANES == 4 && defined(__wasm_simd128__)
-	return (Real)wasm_f32x4_sqrt((v128_t)x); // clang keeps the loop below, through memory
+	return (Real)wasm_f32x4_sqrt((v128_t)x); // clang compiles the loop below through memory
 #else
 	for (int k = 0; k < LANES; ++k)
 		x[k] = __builtin_sqrtf(x[k]);
@@ -250,14 +250,14 @@ WIDE_INLINE Real root(Real x)
 #endif
 }
 
-// Writes the first four floats of item index[k], of eight, for each lane k whose wanted[k] is not zero. Wanted items
-// must be different; the others may be equal.
+// Writes the first four floats of item index[k], of eight, for each lane k whose mask is not zero. These items must be
+// different; the others may be equal.
 WIDE_INLINE void scatter_rows4of8(float* base, Int index, const Real in[4], Int wanted)
 {
 	Words at = (Words)index * 8u;
 	Word bits = lane_bits(wanted);
 	if (bits == ALL_LANES)
-		quads_scatter(base, at, in, ALL_LANES); // without a test for each
+		quads_scatter(base, at, in, ALL_LANES); // skips the test of each lane
 	else
 		quads_scatter(base, at, in, bits);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// wide.h -- the words of the dialect in C for 4, 8 and 16 lanes: vectors of gcc and clang. dialect.h includes it.
+// wide.h -- the dialect in C for 4, 8 and 16 lanes: vectors of gcc and clang. dialect.h includes it.
 #ifndef WIDE_H
 #define WIDE_H
 #if defined(__SSE2__)

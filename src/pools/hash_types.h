@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hash_types.h -- hashes of the types of hashed pools.
+// hash_types.h -- hash functions for the types of hashed pools.
 #ifndef HASH_TYPES_H
 #define HASH_TYPES_H
 #include "dialect/hash_word.h"
@@ -17,7 +17,7 @@ INLINE Word64 hash_Filter(Word64 h, Filter v)
 	h = hash_int(h, v.group);
 	return v.reports ? hash_word(h, v.reports) : h;
 }
-// not the motion within the step
+// Leaves out the motion within the step.
 INLINE Word64 hash_BodyState(Word64 h, BodyState v)
 {
 	h = hash_float(hash_float(hash_float(h, v.vx), v.vy), v.w);
@@ -28,7 +28,7 @@ INLINE Word64 hash_Motion(Word64 h, Motion v)
 	h = hash_float(hash_float(hash_float(hash_float(h, v.fx), v.fy), v.torque), v.gravity_scale);
 	return hash_float(hash_float(hash_float(hash_float(h, v.linear_damping), v.angular_damping), v.free_x), v.free_y);
 }
-// a body that is enabled has none
+// Adds nothing for an enabled body.
 INLINE Word64 hash_StoredVelocity(Word64 h, StoredVelocity v)
 {
 	return v.stored != 0.0f ? hash_float4(h, make_float4(v.vx, v.vy, v.w, v.stored)) : h;

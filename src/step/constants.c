@@ -4,36 +4,41 @@
 #include "step/contact_capacity.h"
 #include <math.h>
 
-// Small bodies have contacts from this many times the distance that gravity moves them in a step.
+// Distance from which on small bodies have contacts, as a multiple of the distance g dt^2 that gravity moves them in a
+// step.
 #define FALL_SHARE 0.5f
-// m: with one substep a body falls twice as far
+// m: bound of that distance for Step.calm; with one substep a body falls twice as far
 #define CALM_FALL (0.125f * SPECULATIVE_DISTANCE)
 
-// Stiffness of contacts, as a share of the substep rate, at most. A light body that carries a heavy one passes its load on by
-// impulses that add up over the passes: together they hold like a spring of 2 m / h^2, with m the light mass and h the substep. Only
-// what is softer than that is damped: at this share a contact has 0.55 of it. A pyramid of ten rows under a box of 100 times a
-// box's weight is thrown apart at 0.22, and so are a cart of 500 kg on wheels of 1.6 kg and balls that are pressed together.
+// Largest frequency of contacts, as a share of the substep rate. A light body that carries a heavy one passes its load
+// on by impulses that add up over the passes: together they hold like a spring of 2 m / h^2, with m the light mass and
+// h the substep. Only softer springs are damped; at this share a contact has 0.55 of that stiffness. At 0.22, a pyramid
+// of ten rows under a box of 100 times a box's weight is thrown apart, and so are a cart of 500 kg on wheels of 1.6 kg
+// and balls that are pressed together.
 #define CONTACT_STIFFEST (1.0f / 6.0f)
 
-// Light loads need no such limit. Up to the overlap under so many times a body's own weight a contact is firmer, by these factors of
-// its frequency: between bodies that can move, and with one that cannot. So stacks sink less, and what is heavier rests on the soft
-// part of the spring. The damping is that of the firm part, so that impacts do not get deeper. The factors are those of 52 and
-// 104 Hz at 240 substeps a second: with firmer ones a pyramid of base 100 does not come to rest.
+// Light loads need no such limit. Up to the overlap under FIRM_WEIGHTS times a body's own weight a contact is firmer,
+// by these factors of its frequency: between bodies that can move, and with one that cannot. Thus stacks sink less, and
+// heavier loads rest on the soft part of the spring. The damping is that of the firm part, so that impacts do not get
+// deeper. The factors correspond to 52 and 104 Hz at 240 substeps per second: with firmer ones a pyramid of base 100
+// does not come to rest.
 #define FIRM_WEIGHTS 20.0f
 #define FIRM_PAIR    1.3f
 #define FIRM_FIXED   2.6f
-#define FIRM_GRAVITY 9.8f // m/s^2: at least, so that contacts are as firm without gravity
+#define FIRM_GRAVITY 9.8f // m/s^2: lower limit, so that contacts are as firm without gravity
 
-// Stiffness of the soft part, times the firm part's share of the substep rate, where the next limit allows it: not at 60 Hz and 4 or more
-// substeps. With more, boxes that a heavy one crushes get deeper: 183 mm with 1 (scene smash, 120 Hz), 191 with 1.05, 199 with 1.1.
+// Frequency of the soft part, as a multiple of contact_hertz limited by CONTACT_STIFFEST, if the next limit allows it;
+// at 60 Hz and 4 or more substeps it does not. With larger values, boxes that a heavy one crushes get deeper: 183 mm
+// with 1 (scene smash, 120 Hz), 191 with 1.05, 199 with 1.1.
 #define CONTACT_SOFT 1.03f
 
-// Stiffness of deep contacts, as a share of the step rate, at most. Normals of round shapes follow the bodies once a step. Under a load
-// N two of them with the distance r push each other aside by N / r per distance: a spring that is too stiff for a step. 625 disks that
-// are pressed into 0.66 of their area never rest with 60 Hz and 8 substeps.
+// Largest frequency of deep contacts, as a share of the step rate. Normals of round shapes follow the bodies once a
+// step. Under a load N, two such shapes at the distance r push each other aside by N / r per distance: a spring that is
+// too stiff for a step. 625 disks that are pressed into 0.66 of their area never rest with 60 Hz and 8 substeps.
 #define CONTACT_DEEP (2.0f / 3.0f)
 
-// The softness with a frequency and a damping ratio, in substeps of h, with a firm part: Catto, Soft Constraints, GDC 2011.
+// Returns the softness for a frequency and a damping ratio, in substeps of h, with a firm part: Catto, Soft
+// Constraints, GDC 2011.
 static Softness softness(float hertz, float ratio, float h, float firm, float gravity)
 {
 	float omega = 6.28318531f * hertz, stiffer = firm * firm;
@@ -56,7 +61,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	const scree_tuning* tuning = &request->tuning;
 	const Backend* b = pipeline->backend;
 	int collidables = request->collidables;
-	// a step with dt 0 only detects contacts: nothing divides by dt
+	// a step with dt 0 only detects contacts, so nothing may divide by dt
 	bool moves = request->dt > 0.0f;
 	float dt = request->dt, h = dt / (float)request->substeps, rate = moves ? 1.0f / h : 0.0f;
 
@@ -72,7 +77,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 
 	bool calm = pipeline->counters.joints == 0 && request->fields == 0 && fall < CALM_FALL;
 
-	// a rotation above pi per step, or pi / 4 per substep, cannot be told from one in the other direction
+	// a rotation above pi per step, or pi / 4 per substep, cannot be distinguished from one in the other direction
 	float turn = 0.785398163f * (float)request->substeps;
 	Step step = {
 	    .dt = dt,

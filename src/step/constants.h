@@ -4,10 +4,10 @@
 #define CONSTANTS_H
 #include "step/pipeline_state.h"
 
-// From what the step is asked for, the capacities of the pools, and the bounds that the pipeline keeps.
+// Computes the constants from the request, the capacities of the pools, and the bounds that the pipeline keeps.
 Step step_constants(const Pipeline* pipeline, const StepRequest* request);
 
-// How many constraints of each kind there is room for; asked again when a pool has grown.
+// Sets the capacities of the constraints of each kind; called again when a pool has grown.
 void step_places(Step* step, const Backend* b);
 
 #endif

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// contact_capacity.c -- the limit of contacts, and the error for a place with too many.
+// contact_capacity.c -- the contact limit, and the error for a place with too many contacts.
 //
-// The number of pairs at one point is quadratic in the number of bodies: 22,000 boxes that were created at one point by mistake
-// are 242 million pairs, and a contact takes about 300 bytes.
+// The number of pairs at one point is quadratic in the number of bodies: 22,000 boxes that were created at one point by
+// mistake are 242 million pairs, and a contact takes about 300 bytes.
 #include "step/contact_capacity.h"
 #include "platform/error.h"
 #include <stdio.h>
 #include <stdlib.h>
 
-// The default limit: so many contacts per collidable (heaps have 3, dense heaps of long bodies 20), but at least LEAST_LIMIT,
-// 600 MB, which is enough for 2,000 bodies that begin at one point.
+// The default limit is this many contacts per collidable (heaps have 3, dense heaps of long bodies 20), but at least
+// LEAST_LIMIT, 600 MB, which is enough for 2,000 bodies that begin at one point.
 #define CONTACTS_A_COLLIDABLE 32
 #define LEAST_LIMIT           2000000
 
@@ -30,7 +30,7 @@ static int compare_words(const void* a, const void* b)
 
 static bool is_empty(Float4 box) { return !(box.x <= box.z); }
 
-// the cell of a coordinate, clamped to the first and the last cell
+// Returns the cell of a coordinate, clamped to the first and the last cell.
 static uint64_t cell_of(float x, float cell)
 {
 	double at = (double)x / (double)cell;
@@ -43,7 +43,7 @@ static uint64_t key_of(Float4 box, float cell)
 	return cell_of(0.5f * (box.x + box.z), cell) << 32 | cell_of(0.5f * (box.y + box.w), cell);
 }
 
-// The median of width + height over the boxes, m. words has room for count.
+// m: Returns the median of width + height over the boxes. The capacity of words is count.
 static float usual_size(const Float4* boxes, int count, uint64_t* words)
 {
 	int found = 0;
@@ -51,13 +51,13 @@ static float usual_size(const Float4* boxes, int count, uint64_t* words)
 	{
 		float size = boxes[k].z - boxes[k].x + (boxes[k].w - boxes[k].y);
 		if (!is_empty(boxes[k]) && size < 1e30f)
-			words[found++] = float_word(size); // floats that are not negative are ordered by their bits
+			words[found++] = float_word(size); // floats that are not negative have the order of their bits
 	}
 	qsort(words, (size_t)found, sizeof *words, compare_words);
 	return found > 0 ? bits_float((int)words[found / 2]) : 1.0f;
 }
 
-// The mean center of the boxes in the fullest cell of a grid. Returns the number of boxes that contain it.
+// Finds the mean center of the boxes in the fullest cell of a grid. Returns the number of boxes that contain it.
 static int fullest_place(const Float4* boxes, int count, uint64_t* keys, scree_vec* place)
 {
 	float cell = usual_size(boxes, count, keys);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // detect.c -- the first half of a step: from the changed bodies to colored contacts.
 //
-//     transform -> broad phase -> narrow phase -> color -> (one small read-back)
+//     transform -> broad phase -> narrow phase -> color -> (one small readback)
 #include "step/detect.h"
 #include "backend/solve_runs.h"
 #include "platform/error.h"
@@ -11,14 +11,15 @@
 #include "step/reserve.h"
 #include "step/tree_maintenance.h"
 
-// coloring rounds beyond those that the last step needed, before the host looks whether any contact is left
+// Coloring rounds in excess of those that the last step needed, before the host checks whether uncolored contacts are
+// left.
 #define SPARE_ROUNDS 2
 
 // ---------------------------------------------------------------------------------------------------------------
 // lists of runs
 // ---------------------------------------------------------------------------------------------------------------
 
-// looks up the boxes of a tree again: always (NO_COUNT), or when a counter says so
+// Recomputes the boxes of a tree: always (NO_COUNT), or if a counter is not 0.
 static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 {
 	if (tree->leaves == 0)
@@ -28,7 +29,7 @@ static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 		runs_add(list, KERNEL_tree_node, 0, tree_padded(tree->count[level]), count, t | level << 1);
 }
 
-// puts the leaves of a tree in order: always, or when a counter says so
+// Sorts the leaves of a tree: always, or if a counter is not 0.
 static void tree_order(RunList* list, const Tree* tree, int t, int count)
 {
 	tree_refit(list, tree, t, count);
@@ -38,8 +39,8 @@ static void tree_order(RunList* list, const Tree* tree, int t, int count)
 	runs_add(list, KERNEL_tree_order, 0, tree->leaves, count, t);
 }
 
-// Boxes that jumped widen the nodes above them. When the walks of this step would take longer than ordering all leaves, the
-// leaves are put in order; the device decides, since it knows the boxes.
+// Sorts the leaves if the traversals of this step would take longer than sorting, because boxes that jumped widen the
+// nodes above them. The device decides, because it has the boxes.
 static void tree_refit_all(RunList* list, const Tree* tree, int t)
 {
 	if (tree->leaves <= ARITY)
@@ -49,7 +50,7 @@ static void tree_refit_all(RunList* list, const Tree* tree, int t)
 	tree_order(list, tree, t, COUNT(order) + t);
 }
 
-// computes world boxes from the bodies, and the trees from the boxes
+// Computes world boxes from the bodies, and the trees from the boxes.
 static scree_status transform(Pipeline* pipeline, const Step* step)
 {
 	RunList* list = &pipeline->list;
@@ -77,7 +78,7 @@ static scree_status transform(Pipeline* pipeline, const Step* step)
 			return status;
 		state->touched = true;
 	}
-	// the static tree changes only when the user moved something in it, or when the device put its leaves in order
+	// the static tree changes only if the user moved something in it, or the device sorted its leaves
 	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched ? NO_COUNT : COUNT(refit));
 	if (pipeline->trees[1].touched || pipeline->jumps)
 		tree_refit(list, &pipeline->trees[1].tree, 1, pipeline->trees[1].touched ? NO_COUNT : COUNT(order) + 1);
@@ -99,7 +100,7 @@ static void broad_phase(RunList* list, const Step* step)
 	runs_add(list, KERNEL_contact_create, 0, contacts, COUNT(created), 0);
 }
 
-// The pairs of bodies that joints or the user keep apart, sorted by two indices of bodies.
+// Collects the pairs of bodies that joints or the user keep apart, sorted by two indices of bodies.
 static void join(RunList* list, int joints, int excluded, int bodies)
 {
 	int bits = index_bits(bodies), count = COUNT(joints_dirty), pairs = joints + excluded;
@@ -110,7 +111,8 @@ static void join(RunList* list, int joints, int excluded, int bodies)
 	runs_add(list, KERNEL_joint_pair, 0, pairs, count, pairs);
 }
 
-// The user is asked about contacts that begin. What they refused, and what one-way platforms let through, is sorted for guard.
+// Lists the contacts that need approval, and sorts refused pairs, and pairs that one-way platforms let through, for
+// continuous collision.
 static void ask(RunList* list, const Step* step, int bodies, bool platforms)
 {
 	int contacts = step->contact_capacity;
@@ -137,21 +139,22 @@ static void narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 	runs_add(list, KERNEL_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
 }
 
-// Constraints of joints begin and end.
+// Lets constraints of joints begin and end.
 static void update_joints(RunList* list, int joints)
 {
 	runs_add(list, KERNEL_joint_update, 0, joints, COUNT(joints_dirty), 0);
 	runs_add(list, KERNEL_joint_updated, 0, 1, COUNT(joints_dirty), 0);
 }
 
-// Where joints are on their paths, and what couplings measure: after each layout, which may move their rows.
+// Computes the positions of joints on their paths, and the measures of couplings. It runs after each layout, which may
+// move their rows.
 static void follow_joints(Pipeline* pipeline)
 {
 	if (pipeline->paths || pipeline->couplings)
 		runs_add(&pipeline->list, KERNEL_joint_follow, 0, pipeline->counters.joints, NO_COUNT, 0);
 }
 
-// bits of the sort key of contacts: the color, and with hubs also an index of a body
+// Returns the bits of the sort key of contacts: the color, and with hubs also an index of a body.
 static int color_bits(const Pipeline* pipeline, int bodies)
 {
 	int bits = COLOR_BITS;
@@ -161,7 +164,7 @@ static int color_bits(const Pipeline* pipeline, int bodies)
 	return bits;
 }
 
-// The constraints of a kind by color, if some began or ended; keys have so many bits.
+// Lays out the constraints of a kind by color, if some began or ended. bits: size of the keys.
 static void lay_out(RunList* list, const Backend* b, int kind, int bits)
 {
 	const KindInfo* info = &kind_info[kind];
@@ -177,7 +180,8 @@ static void lay_out(RunList* list, const Backend* b, int kind, int bits)
 	runs_add(list, info->layout, 0, items, count, bits);
 }
 
-// Coloring rounds from one to the other, then the layout of the constraints if none is left. Keys of contacts have so many bits.
+// Runs coloring rounds from one to another, then lays out the constraints if all have colors. bits: size of the keys of
+// contacts.
 static void color(RunList* list, const Backend* b, const Counters* c, int from, int to, int bits)
 {
 	int edges = b->capacity[PER_EDGE];
@@ -202,7 +206,7 @@ static void color(RunList* list, const Backend* b, const Counters* c, int from, 
 // the search
 // ---------------------------------------------------------------------------------------------------------------
 
-// Runs what has been listed and reads the counters: the only time in a step that the host waits for the device.
+// Executes the listed runs and reads the counters. This is the only time in a step that the host waits for the device.
 static scree_status read_back(Pipeline* pipeline, const Step* step)
 {
 	TRY(pipeline_run(pipeline, step));
@@ -210,8 +214,9 @@ static scree_status read_back(Pipeline* pipeline, const Step* step)
 	return b->f->read(b, POOL_counters, 0, 1, &pipeline->counters);
 }
 
-// The same when the layout of the constraints will probably not change: the solve is started before the host knows, and the
-// counters are read while it runs. The device clears the counter that bounds the solve when the layout has changed.
+// Executes the listed runs, and starts the solve before the host has the counters, which are read while it runs. This
+// is used if the layout of the constraints will probably not change. If it has changed, the device clears the counter
+// that bounds the solve.
 static scree_status solve_ahead(Pipeline* pipeline, const Step* step, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
@@ -221,7 +226,8 @@ static scree_status solve_ahead(Pipeline* pipeline, const Step* step, const Step
 	return b->f->read_end(b, &pipeline->counters);
 }
 
-// Ends a search for pairs that cannot be completed: restores the boxes, and with them the world, as before the step.
+// Ends a search for pairs that cannot be completed: restores the boxes, and thereby the world, to the state before the
+// step.
 static scree_status break_off(Pipeline* pipeline, const Step* step, scree_status why)
 {
 	runs_add(&pipeline->list, KERNEL_transform_undo, 0, step->collidables, NO_COUNT, 0);
@@ -248,7 +254,8 @@ static scree_status kind_reserve(Pipeline* pipeline, Step* step)
 	return SCREE_OK;
 }
 
-// Boxes to contacts, and so many rounds of colors. Where a pool was too small the search for pairs runs again.
+// Executes the stages from boxes to contacts, and the given number of coloring rounds. If a pool was too small, the
+// search for pairs runs again.
 static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* request, int rounds, bool* solved)
 {
 	const Backend* b = pipeline->backend;
@@ -285,8 +292,9 @@ static scree_status search(Pipeline* pipeline, Step* step, const StepRequest* re
 	}
 }
 
-// Completes the layout of the constraints where the listed runs were not enough: after a burst of new contacts that needs more
-// coloring rounds, at the first hubs, or when the pools are too small for the constraints. Counts the rounds.
+// Completes the layout of the constraints if the listed runs were not enough: after a burst of new contacts that needs
+// more coloring rounds, when the first hubs appear, or if the pools are too small for the constraints. Counts the
+// rounds.
 static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, int* rounds)
 {
 	const Backend* b = pipeline->backend;
@@ -308,7 +316,7 @@ static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, in
 	return SCREE_OK;
 }
 
-// rounds that had contacts left to color; the next step runs SPARE_ROUNDS more
+// Returns the number of rounds that left contacts without a color; the next step runs SPARE_ROUNDS more.
 static int needed_rounds(const Counters* c, int rounds)
 {
 	int needed = 0;

@@ -6,7 +6,7 @@
 
 #define DETECT_RUNS_MOST (4 * MAX_ROUNDS + 8 * CONSTRAINT_KINDS + 128) // runs in the longest list
 
-// Boxes to colored contacts. Sets *solved when the rest of the step has been run as well.
+// Executes the stages from boxes to colored contacts. Sets *solved if the rest of the step was executed as well.
 scree_status pipeline_detect(Pipeline* pipeline, Step* step, const StepRequest* request, bool* solved);
 
 #endif

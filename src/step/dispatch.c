@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// dispatch.c -- passes lists of runs and the solve to the backend.
+// dispatch.c -- passes lists of runs, and the solve, to the backend.
 #include "step/dispatch.h"
 #include "backend/solve_runs.h"
 #include "constraints/constraint_kinds.h"
@@ -22,7 +22,7 @@ scree_status pipeline_split(Pipeline* pipeline, const Step* step, int bodies)
 	TRY(pipeline_reserve(pipeline, PER_SPOKE, spokes));
 	TRY(pipeline_reserve(pipeline, PER_SPOKE_BLOCK, spokes / MAX_LANES));
 
-	// the name of what cannot move has all bits set, which no body has
+	// bodies that cannot move have a key with all bits set, which no body index has
 	int body_bits = index_bits(bodies + 1);
 	RunList* list = &pipeline->list;
 	runs_add(list, KERNEL_hub_key, 0, spokes, NO_COUNT, 0);
@@ -32,7 +32,7 @@ scree_status pipeline_split(Pipeline* pipeline, const Step* step, int bodies)
 	return pipeline_run(pipeline, step);
 }
 
-// Forces of the fields, on poses and velocities of the start of the step.
+// Computes the forces of fields from poses and velocities at the start of the step.
 static scree_status push(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound)
 {
 	RunList* list = &pipeline->list;
@@ -46,8 +46,8 @@ static scree_status push(Pipeline* pipeline, const Step* step, const StepRequest
 	return pipeline_run(pipeline, step);
 }
 
-// Contacts by which a press goes on in a step. With one, a press of 1 m/s moves a row of 5 capsules 2.01 cm into a wall before the wall
-// holds them.
+// Contacts by which a press propagates in a step. With one, a press of 1 m/s moves a row of 5 capsules 2.01 cm into a
+// wall before the wall stops them.
 #define PRESS_ROUNDS 2
 
 void press_list(RunList* list, const Counters* c, int bodies, bool may_wait)
@@ -69,7 +69,7 @@ scree_status pipeline_solve(Pipeline* pipeline, const Step* step, const StepRequ
 	const Counters* c = &pipeline->counters;
 	if (c->hubs > 0 && !pipeline->split)
 		TRY(pipeline_split(pipeline, step, request->bodies));
-	// a solve that may be in vain comes behind runs that have them already
+	// a solve with a bound, which may do nothing, follows runs that already include the presses
 	if (step->presses && bound == NO_COUNT)
 	{
 		press_list(&pipeline->list, c, request->bodies, false);

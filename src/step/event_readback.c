@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// event_readback.c -- the events of a step: what the device lists of them, and reading that.
+// event_readback.c -- the events of a step: their lists on the device, and the readback of these.
 #include "step/event_readback.h"
 #include "platform/error.h"
 #include "step/dispatch.h"
@@ -45,7 +45,7 @@ scree_status events_count(Pipeline* pipeline, int counts[EVENT_LISTS])
 	return SCREE_OK;
 }
 
-// Writes the sorted keys of a list, and for contacts their rows.
+// Sorts the keys of a list, and for contacts writes their rows.
 static scree_status sort(Pipeline* pipeline, int which, int count, int bits)
 {
 	Backend* b = pipeline->backend;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // pipeline.c -- the order of the step.
 //
-//     detect (detect.c): transform -> broad phase -> narrow phase -> color -> (one small read-back)
+//     detect (detect.c): transform -> broad phase -> narrow phase -> color -> (one small readback)
 //     solve (dispatch.c): solve -> finalize
 //
-// integrate runs inside solve, once per substep.
+// The kernels integrate_velocity and integrate_position run inside solve, once per substep.
 #include "step/pipeline.h"
 #include "backend/solve_runs.h"
 #include "platform/error.h"
@@ -74,7 +74,7 @@ static scree_status command(Pipeline* pipeline, const Step* step, const StepComm
 	return b->f->run(b, step, &run, 1);
 }
 
-// Sends the kinematic bodies if they are few, and others than before.
+// Sends the kinematic bodies if there are few, and they differ from those sent last.
 static scree_status kinematics_upload(Pipeline* pipeline, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
@@ -88,7 +88,7 @@ static scree_status kinematics_upload(Pipeline* pipeline, const StepRequest* req
 	return SCREE_OK;
 }
 
-// Some collidable has another attribute: recomputes the surfaces of all contacts.
+// Recomputes the surfaces of all contacts, after some collidable got another attribute.
 static scree_status mix(Pipeline* pipeline, const Step* step)
 {
 	runs_add(&pipeline->list, KERNEL_contact_mix, 0, pipeline->counters.contacts, NO_COUNT, 0);
@@ -96,15 +96,15 @@ static scree_status mix(Pipeline* pipeline, const Step* step)
 	return pipeline_run(pipeline, step);
 }
 
-// The end of a step with dt 0, instead of the solve: measures how deep bodies overlap, for the user's counters. Spokes are split
-// in the step that lays them out, since the next one reads back whether any is.
+// Ends a step with dt 0, instead of the solve: measures how deep bodies overlap, for the user's counters. Spokes are
+// split in the step that lays them out, because the next step reads back whether any body is split.
 static scree_status look(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
 	const Counters* c = &pipeline->counters;
 	if (c->hubs > 0 && !pipeline->split)
 		TRY(pipeline_split(pipeline, step, bodies));
-	runs_add_single(list, KERNEL_solve_begin); // its first item clears what the last finalize counted
+	runs_add_single(list, KERNEL_solve_begin); // its first item clears the counts of the last finalize
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
 		int constraints = c->layout[kind].begin[COLORS + 1];
@@ -115,7 +115,7 @@ static scree_status look(Pipeline* pipeline, const Step* step, int bodies)
 	return pipeline_run(pipeline, step);
 }
 
-// Bodies that wait for an answer go back to where they met.
+// Moves bodies with pending contacts back to where they met.
 static scree_status hold(Pipeline* pipeline, const Step* step, int bodies)
 {
 	runs_add(&pipeline->list, KERNEL_approval_find, 0, step->contact_capacity, COUNT(waiting), 0);
@@ -123,7 +123,7 @@ static scree_status hold(Pipeline* pipeline, const Step* step, int bodies)
 	return pipeline_run(pipeline, step);
 }
 
-// From the boxes to the final poses.
+// Executes the stages from the boxes to the final poses.
 static scree_status work(Pipeline* pipeline, Step* step, const StepRequest* request)
 {
 	bool moves = request->dt > 0.0f, solved = false;
@@ -135,7 +135,7 @@ static scree_status work(Pipeline* pipeline, Step* step, const StepRequest* requ
 		TRY(look(pipeline, step, request->bodies));
 	else if (!solved)
 		TRY(pipeline_solve(pipeline, step, request, NO_COUNT));
-	// one step late: where the solve begins before the host has read the counters, it knows those of the last step only
+	// one step late: a solve that starts before the host has read the counters depends on those of the last step
 	pipeline->taut = moves ? taut : pipeline->taut;
 	if (moves && pipeline->asks)
 		TRY(hold(pipeline, step, request->bodies));
@@ -154,7 +154,7 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	pipeline->started = false;
 	pipeline->trees[0].seen = false;
 
-	// reserves the longest list before the step begins, so that a lack of memory cannot break it off
+	// the longest list is reserved before the step begins, so that lack of memory cannot interrupt the step
 	TRY(runs_reserve(&pipeline->list, solve_most > DETECT_RUNS_MOST ? solve_most : DETECT_RUNS_MOST));
 	TRY(tree_upload(pipeline));
 	TRY(kinematics_upload(pipeline, request));
@@ -239,7 +239,7 @@ scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count)
 scree_status pipeline_list_contacts(Pipeline* pipeline, int body, bool details, int* count)
 {
 	Backend* b = pipeline->backend;
-	Step step = pipeline->step; // of the last step that took time, if there was one
+	Step step = pipeline->step; // constants of the last step that took time, if there was one
 	step.details = details;
 	int slots = pipeline->counters.contacts;
 	Run mark[] = {{.kernel_id = KERNEL_contact_mark, .end = slots + 1, .count = NO_COUNT, .argument = body},
@@ -258,14 +258,14 @@ void pipeline_move(Pipeline* pipeline, Backend* backend)
 	pipeline->backend = backend;
 	for (int t = 0; t < 2; ++t)
 	{
-		// -1: differs from every tree, so the next upload sends it
+		// -1 differs from every tree, so the next upload sends the tree
 		TreeState* state = &pipeline->trees[t];
 		memset(&state->sent, -1, sizeof state->sent);
 		state->touched = true;
 		state->seen = false;
 	}
 	pipeline->named = pipeline->named_bodies = 0;
-	pipeline->split = false; // the pools of spokes are scratch, not copied
+	pipeline->split = false; // pools of spokes are derived, and were not copied
 }
 
 void pipeline_close(Pipeline* pipeline)

@@ -5,21 +5,23 @@
 #include "platform/error.h"
 #include "step/tree_maintenance.h"
 
-// A pool shrinks to twice its use when for IDLE_STEPS steps, 2 s at 60 Hz, at most an eighth of it was used. So a burst that
-// repeats within that time needs no growth, and use must grow at least fourfold before the pool is as large as before.
+// A pool shrinks to twice its use if at most an eighth of it was used for IDLE_STEPS steps, 2 s at 60 Hz. Thus a burst
+// that repeats within that time needs no growth, and the use must grow at least fourfold before the pool has its old
+// size.
 #define IDLE_STEPS 120
-#define IDLE_SHARE 4 // of capacity, against twice the use
+#define IDLE_SHARE 4 // share of the capacity that is compared with twice the use
 
-// Contacts are packed when for SPARSE_STEPS steps fewer than a quarter of the slots were in use: each step visits all slots,
-// and a pool cannot shrink below the last contact. Packing changes the indices of contacts and so the bits of the world: it may
-// depend only on counts that are equal on every device. Worlds of few slots are not packed: they would gain nothing.
+// Contacts are packed if fewer than a quarter of the slots were used for SPARSE_STEPS steps, because each step visits
+// all slots, and a pool cannot shrink below the last contact. Packing changes the indices of contacts and thereby the
+// bits of the world, so it may depend only on counts that are equal on every device. Worlds with few slots are not
+// packed, because they would gain nothing.
 #define SPARSE_STEPS 60
 #define SPARSE_SHARE 4
 #define SPARSE_SLOTS 4096
 
 static int64_t rounded(int64_t capacity) { return (capacity + LEAST_CAPACITY - 1) / LEAST_CAPACITY * LEAST_CAPACITY; }
 
-// constraints for so many contacts: every color may need padding
+// Returns the places for the constraints of a number of contacts: every color may need padding.
 static int64_t constraints_of(int64_t contacts) { return contacts + (COLORS + 1) * COLOR_PADDING; }
 
 static int larger(int a, int b) { return a > b ? a : b; }
@@ -45,7 +47,7 @@ static int edges(const Backend* b)
 	return sum;
 }
 
-// What follows the items of a kind of constraint, or its places.
+// Reserves the pools that depend on the items of a kind of constraint, or on its places.
 static scree_status reserve_kind(Pipeline* pipeline, const KindInfo* kind, Per per, int64_t wanted)
 {
 	const Backend* b = pipeline->backend;
@@ -101,8 +103,8 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 // shrinking
 // ---------------------------------------------------------------------------------------------------------------
 
-// Shrinks a kind of pool to twice its use, if that is much less than its capacity. Returns whether it shrank: when there is no
-// memory for the smaller copy, the pool keeps its size.
+// Shrinks the pools of a kind to twice their use, if that is much less than their capacity. Returns whether they
+// shrank: without memory for the smaller copy, the pools keep their size.
 static bool shrink(Pipeline* pipeline, Per per, int least)
 {
 	Backend* b = pipeline->backend;

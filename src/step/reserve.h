@@ -4,16 +4,16 @@
 #define RESERVE_H
 #include "step/pipeline_state.h"
 
-#define LEAST_CAPACITY 64 // items: a pool has a multiple of it
+#define LEAST_CAPACITY 64 // items: the capacity of a pool is a multiple of it
 
-// Gives a kind of pool and those that follow it (constraints with contacts, leaves and nodes with collidables, ...)
-// room for at least capacity items; grows by half at least.
+// Reserves capacity items, and at least half more than before if that is not enough, for the pools of a kind and those
+// that depend on it (constraints with contacts, leaves and nodes with collidables, ...).
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);
 
-// After a step: shrinks pools that have long been much too large.
+// Shrinks pools that have been much too large for a long time. Called after a step.
 void pipeline_trim(Pipeline* pipeline);
 
-// Counts the step. Returns whether for long few of the contact slots have been in use.
+// Counts the step. Returns whether few of the contact slots have been used for a long time.
 bool pipeline_sparse(Pipeline* pipeline);
 
 #endif

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// step_queries.c -- queries of the user on the world as it is now: trees of the poses, searches, answers in order.
+// step_queries.c -- queries of the user on the current world: trees of the current poses, searches, sorted answers.
 #include "step/step_queries.h"
 #include "platform/error.h"
 #include "step/dispatch.h"
 #include "step/reserve.h"
 #include "step/tree_maintenance.h"
 
-// Room for the answers of a list, at first.
+// Initial capacity of a list of answers.
 #define FIRST_ANSWERS 256
-// Leaves are put in order when more than one in so many was appended to the others.
+// Leaves are sorted if the appended share is larger than 1 / APPENDED_SHARE.
 #define APPENDED_SHARE 8
 
-// most runs that a refit lists: twice the levels of both trees, and an order of each
+// Most runs of a refit: twice the levels of both trees, and one sort of each.
 #define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4))
 
-// ways: the stage_times are those of the way in the last step.
+// Lists the runs that refit tree t. ways: the boxes cover the paths in the last step.
 static void list_refit(Pipeline* pipeline, int t, bool ways)
 {
 	RunList* list = &pipeline->list;
@@ -25,7 +25,7 @@ static void list_refit(Pipeline* pipeline, int t, bool ways)
 		runs_add(list, KERNEL_query_node, 0, tree_padded(tree->count[level]), NO_COUNT, t | level << 1);
 }
 
-// A tree of a world that never made a step has its leaves in the order of their creation.
+// Sorts the leaves of a tree. A tree of a world that never made a step has its leaves in the order of creation.
 static scree_status order(Pipeline* pipeline, int t)
 {
 	RunList* list = &pipeline->list;
@@ -36,11 +36,11 @@ static scree_status order(Pipeline* pipeline, int t)
 	runs_add_sort(list, tree->leaves, NO_COUNT, 32, 64);
 	runs_add(list, KERNEL_tree_order, 0, tree->leaves, NO_COUNT, t);
 	TRY(pipeline_run(pipeline, &pipeline->step));
-	pipeline->trees[t].touched = true; // the step's stage_times are those of other leaves now
+	pipeline->trees[t].touched = true; // the boxes of the step belong to other leaves now
 	return tree_ordered(pipeline, t);
 }
 
-// Trees of the poses now, where they are not known.
+// Refits the trees to the current poses, unless they are up to date.
 static scree_status refit(Pipeline* pipeline, bool ways)
 {
 	Backend* b = pipeline->backend;
@@ -51,7 +51,7 @@ static scree_status refit(Pipeline* pipeline, bool ways)
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
-		bool moves = ways && t == 0; // static stage_times do not
+		bool moves = ways && t == 0; // static boxes do not move
 		if ((state->seen && !moves) || state->tree.leaves == 0)
 			continue;
 		if (state->tree.leaves > ARITY && state->appended > state->tree.leaves / APPENDED_SHARE)
@@ -63,7 +63,7 @@ static scree_status refit(Pipeline* pipeline, bool ways)
 	return SCREE_OK;
 }
 
-// The time of the device since the last call.
+// Reads the device time since the last call.
 static scree_status lap(Pipeline* pipeline, const QueryRequest* q)
 {
 	double stage_times[STAGE_COUNT];
@@ -76,7 +76,7 @@ static scree_status lap(Pipeline* pipeline, const QueryRequest* q)
 	return SCREE_OK;
 }
 
-// Sends names unless the device has this version of them.
+// Sends generations unless the device has this version of them.
 static scree_status send_names(Backend* b, PoolId pool, const Names* names, uint64_t* sent)
 {
 	if (*sent == names->version || names->count == 0)
@@ -86,14 +86,14 @@ static scree_status send_names(Backend* b, PoolId pool, const Names* names, uint
 	return SCREE_OK;
 }
 
-// Trees and pools for so many queries.
+// Prepares trees and pools for the queries of a request.
 static scree_status prepare(Pipeline* pipeline, const QueryRequest* q)
 {
 	Backend* b = pipeline->backend;
 	TRY(lap(pipeline, q));
 	TRY(refit(pipeline, q->form == QUERY_SENSORS));
 	TRY(send_names(b, POOL_generation, &q->collidables, &pipeline->named));
-	if (q->form != QUERY_SENSORS) // which ignore no body
+	if (q->form != QUERY_SENSORS) // sensors ignore no body
 		TRY(send_names(b, POOL_body_generation, &q->bodies, &pipeline->named_bodies));
 	return pipeline_reserve(pipeline, PER_QUERY, q->count);
 }
@@ -118,7 +118,7 @@ static Run search_of(const Pipeline* pipeline, const QueryRequest* q, int mode)
 	Run run = {.kernel_id = stages[q->form], .end = q->count, .count = NO_COUNT, .argument = mode};
 	if (q->form == QUERY_SENSORS)
 	{
-		// work-items share the leaves where there are more of them than sensors
+		// several work-items share the leaves if there are more work-items than sensors
 		int parts = pipeline->backend->traversal_items / q->count, blocks = (q->collidables.count + ARITY - 1) / ARITY;
 		run.argument = parts < 1 ? 1 : parts < blocks ? parts : blocks;
 		run.end = q->count * run.argument;
@@ -213,7 +213,7 @@ scree_status moved_count(Pipeline* pipeline, int bodies, int* count)
 	pipeline->tells = true;
 	TRY(runs_reserve(list, 2));
 	runs_add_single(list, KERNEL_moved_begin);
-	runs_add(list, KERNEL_moved_mark, 1, bodies, NO_COUNT, 0); // the first one is the ground
+	runs_add(list, KERNEL_moved_mark, 1, bodies, NO_COUNT, 0); // body 0 is the ground
 	TRY(pipeline_run(pipeline, &pipeline->step));
 	TRY(b->f->read(b, POOL_counters, 0, 1, &pipeline->counters));
 	*count = pipeline->counters.moved_bodies;

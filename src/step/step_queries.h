@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// step_queries.h -- queries of the user on the world as it is now: trees of the poses, searches, answers in order.
+// step_queries.h -- queries of the user on the current world: trees of the current poses, searches, sorted answers.
 #ifndef STEP_QUERIES_H
 #define STEP_QUERIES_H
 #include "step/pipeline_state.h"
@@ -7,41 +7,43 @@
 typedef struct // generations of the handles of slots
 {
 	const uint32_t* generation;
-	int count;        // of slots
-	uint64_t version; // another one when some generation changed
+	int count;        // number of slots
+	uint64_t version; // changes whenever some generation changes
 } Names;
 
-typedef struct // what is asked
+typedef struct // a call of queries
 {
 	int form;          // QUERY_RAYS, ...
-	bool any;          // only whether there is an answer
+	bool any;          // only whether some answer exists
 	QueryPlan plan;    // without room, found and bodies
-	const void* items; // of the layout of Query; null for those in the memory shared for queries, from an offset
-	size_t items_at, found_at; // and the offset of their answers there
+	const void* items; // in the layout of Query; null for queries in the memory shared for queries, from an offset on
+	size_t items_at, found_at; // that offset, and the offset of the answers there
 	int count;
 	Names collidables, bodies;
 	bool timings;
-	// of items begin to end - 1, by any thread while the device works: an answer is read only if all are good. Searches end whatever
-	// the items are
+	// Checks items begin to end - 1, in any thread while the device works. Answers are read only if all items are
+	// valid. Searches end whatever the items contain.
 	scree_status (*check)(const void* context, int begin, int end);
-	const void* context; // of check
+	const void* context; // argument of check
 } QueryRequest;
 
-// The answer of each query; found is null for those whose items are. The user's changes are on the device.
+// Computes the answer of each query. found is null if the items are in shared memory. The user's changes must be on the
+// device.
 scree_status queries_answer(Pipeline* pipeline, const QueryRequest* questions, QueryResult* found);
 
-// All answers: sets *count to their number, and lists them in the pools found_row and found_row_query, by their queries, then by
-// their fractions, then by their collidables; or, when there are at most FEW_ANSWERS, in found and found_query, in no order.
+// Computes all answers, and sets *count to their number. Lists them in the pools found_row and found_row_query, sorted
+// by query, then by fraction, then by collidable; or, if there are at most FEW_ANSWERS, in found and found_query,
+// unordered.
 #define FEW_ANSWERS 64
 scree_status queries_list(Pipeline* pipeline, const QueryRequest* questions, int* count);
 
-// Reads so many answers from there, and the query of each.
+// Reads count answers from these pools, and the query of each.
 scree_status queries_read(Pipeline* pipeline, int count, QueryResult* found, int* queries);
 
-// Counts the bodies, of so many slots, at other poses than the user was told last.
+// Counts the bodies whose pose differs from the last one that the user read; bodies is the number of slots.
 scree_status moved_count(Pipeline* pipeline, int bodies, int* count);
 
-// Lists those that were just counted in the pool moved_row, by index. From then on the user has been told.
+// Lists the bodies that were just counted in the pool moved_row, by index. Their poses then count as read.
 scree_status moved_list(Pipeline* pipeline, int bodies, int count);
 
 #endif

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
-// traffic.c -- the bytes that the solve stage moves, counted by its algorithm.
+// traffic.c -- the bytes that the solve stage moves, counted from its algorithm.
 //
-// Bytes are counted as the passes request them, from a cache or from memory: a component of a constraint once when it is read
-// and once when it is written, each body of a constraint once per pass for both, a row of a body once in each pass over
-// bodies. So the count depends neither on the device nor on its caches. It leaves out padding, counters, and the sorting and
-// summing of spokes. A static body counts as written, though it is not.
+// Bytes are counted as the passes request them, from a cache or from memory: a component of a constraint once per read
+// and once per write, each body of a constraint once per pass for both, a row of a body once in each pass over bodies.
+// So the count depends neither on the device nor on its caches. It leaves out padding, counters, and the sorting and
+// summing of spokes. A static body counts as written, although it is not.
 #include "step/traffic.h"
 #include "constraints/constraint_kinds.h"
 #include <stddef.h>
 
-// bytes of one row of a constraint, and of the indices of its two bodies
+// Bytes of one row of a constraint, and of the indices of its two bodies.
 #define ROW_BYTES  sizeof(float)
 #define ENDS_BYTES (2 * sizeof(int))
 
-// bytes of a row of the pool body that a constraint, or the start of a step, writes
+// Bytes of a row of the pool body that a constraint, or the start of a step, writes.
 #define VELOCITY     (offsetof(BodyState, dx))
 #define DISPLACEMENT (offsetof(BodyState, inv_inertia) - offsetof(BodyState, dx))
 
-typedef struct // of one constraint in a step
+typedef struct // bytes of one constraint in a step
 {
 	size_t rows, bodies;
 } Bytes;
 
-// Bytes that a pass reads and writes of a row whose gate is open.
+// Adds the bytes that a pass reads and writes for a row whose gate is open.
 #define COUNT_ROW(name, gate, life, inert, read, written) \
 	bytes += on.gate ? (((read) >> pass & 1) + ((written) >> pass & 1)) * ROW_BYTES : 0;
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                  \
@@ -44,7 +44,7 @@ typedef struct // of one constraint in a step
 	}                                                                                      \
 	static Bytes kind##_bytes(int substeps, const Step* step)                              \
 	{                                                                                      \
-		/* its slot, once more for rare rows; what setup gathers */                        \
+		/* its slot, once more for rare rows; data that setup gathers */                   \
 		Bytes count = {(KIND##_RARE(step) ? 2 : 1) * sizeof(int), 0};                      \
 		count.rows += KIND##_GATHERS(step);                                                \
 		count.rows += kind##_pass_bytes(PREPARE, step);                                    \
@@ -76,7 +76,7 @@ static size_t body_bytes(int substeps, int bounces)
 	return bytes;
 }
 
-// Adds so many constraints of a kind.
+// Adds the constraints of a kind.
 static void count_kind(scree_traffic* traffic, const KindLayout* layout, Bytes bytes)
 {
 	int constraints = 0;

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// tree_maintenance.c -- the host's part of the broad phase's trees: their leaves, and when they are put in order.
+// tree_maintenance.c -- the host's part of the broad phase's trees: their leaves, and the decision when to sort them.
 #include "step/tree_maintenance.h"
 #include "platform/error.h"
 #include <string.h>
 
-// The device looks at all boxes and decides whether they jump so far that the leaves must be put in order. After such a
-// decision the next steps order the leaves without that look; one step in CHURN_STEPS looks again.
+// The device measures all boxes, and decides whether they jump so far that the leaves must be sorted. After such a
+// decision the next steps sort the leaves without measuring; one step in CHURN_STEPS measures again.
 #define CHURN_STEPS 4
 
-// a member is prefetched so many collidables before it is read
+// Distance, in collidables, at which a member is prefetched before it is read.
 #define LEFT_SOON 24
 
-// Pipeline.member: a leaf lies in tree t; the collidable is there and belongs to tree t
+// Bits of Pipeline.member: tree t has a leaf of the collidable; the collidable exists and belongs to tree t.
 #define HAS_LEAF(t) (1 << (t))
 #define BELONGS(t)  (4 << (t))
 
-// The user changed something in a tree.
+// Marks a tree that the user changed.
 static void touch(TreeState* state)
 {
 	state->touched = true;
@@ -35,7 +35,7 @@ int tree_nodes(int leaves)
 	return nodes + ARITY; // the root, behind the highest level
 }
 
-// computes where the tree lies in the pools, and its levels; uploads them if they changed
+// Computes the position of a tree in the pools, and its levels; uploads them if they changed.
 static scree_status tree_layout(Pipeline* pipeline, int t)
 {
 	Backend* b = pipeline->backend;
@@ -56,7 +56,7 @@ static scree_status tree_layout(Pipeline* pipeline, int t)
 	if (memcmp(tree, &state->sent, sizeof *tree) == 0)
 		return SCREE_OK;
 	state->sent = *tree;
-	state->touched = true; // the nodes of more or fewer leaves lie elsewhere
+	state->touched = true; // with another number of leaves, the nodes have other positions
 	return b->f->write(b, POOL_tree, t, 1, tree);
 }
 
@@ -97,7 +97,7 @@ scree_status tree_insert(Pipeline* pipeline, int t, int collidable)
 
 void tree_withdraw(Pipeline* pipeline, int collidable)
 {
-	// the insertion may have failed before there was room for it
+	// the insertion may have failed before member had this capacity
 	if (collidable >= pipeline->member_capacity)
 		return;
 	for (int t = 0; t < 2; ++t)
@@ -120,7 +120,7 @@ void tree_leave(Pipeline* pipeline, int t, int collidable)
 	pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
 	if (state->left_count == state->left_capacity && !state->shrunk)
 	{
-		// a list as long as member is not faster than a look at all slots
+		// a list as long as member is not faster than a visit of all slots
 		int capacity = 2 * state->left_capacity + 64;
 		int* left = capacity <= pipeline->member_capacity
 		                ? scree_reallocate(state->left, sizeof(int) * (size_t)state->left_capacity,
@@ -159,13 +159,13 @@ scree_status tree_upload(Pipeline* pipeline)
 	return SCREE_OK;
 }
 
-// The leaves are put in order when walks have visited as many nodes in vain as ordering costs: about ORDER_VISITS per leaf, or
-// one visit of every box. So the cost stays within twice the minimum.
+// Returns whether the leaves must be sorted: the wasted node visits have reached the cost of sorting, about
+// ORDER_VISITS per leaf, or one visit of every box. Thus the total cost stays within twice the minimum.
 //
 // A box changes when it has moved by its margin, an eighth of its size, and disorder grows evenly: after c changes of
-// every box a walk visits about 2 c nodes more, which add up to c * c a leaf. That is four changes of every box where
-// nothing jumps; neighbors on the curve are still near each other then. Eight won another 3 % of broad phase in scenes
-// that tumble, and would lose more where bodies fly.
+// every box a traversal visits about 2 c more nodes, which add up to c * c per leaf. Without jumps, that is four
+// changes of every box; neighbors on the curve are then still near each other. Eight changes made the broad phase 3 %
+// faster in scenes that tumble, but would lose more in scenes where bodies fly.
 bool tree_wants_order(const TreeState* state)
 {
 	double leaves = state->tree.leaves, changes = (double)state->unsorted / leaves;
@@ -182,7 +182,7 @@ void tree_count(TreeState* state, const Counters* counters, int t)
 	state->churned = counters->order[t] || state->ordered ? state->churned + 1 : 0;
 }
 
-// Takes the leaf of collidable k out of tree t, if it has one and does not belong there any more.
+// Removes the leaf of collidable k from tree t, if it has one that no longer belongs there.
 static void drop(Pipeline* pipeline, int t, int k)
 {
 	if ((pipeline->member[k] & (HAS_LEAF(t) | BELONGS(t))) != HAS_LEAF(t))

@@ -1,41 +1,42 @@
 // SPDX-License-Identifier: MIT
-// tree_maintenance.h -- the host's part of the broad phase's trees: their leaves, and when they are put in order.
+// tree_maintenance.h -- the host's part of the broad phase's trees: their leaves, and the decision when to sort them.
 #ifndef TREE_MAINTENANCE_H
 #define TREE_MAINTENANCE_H
 #include "step/pipeline_state.h"
 
-// So many leaves or nodes of a level, rounded up to whole groups of siblings.
+// Returns a number of leaves or nodes of a level, rounded up to whole groups of siblings.
 int tree_padded(int count);
 
-// nodes of all levels of a tree of so many leaves, padding included
+// Returns the number of nodes of all levels of a tree with this number of leaves, including padding.
 int tree_nodes(int leaves);
 
-// Inserts a leaf for a collidable into tree t (0: moving, 1: static), unless it has one. The row of the collidable must be
-// written before the next step.
+// Inserts a leaf for a collidable into tree t (0: moving, 1: static), unless it has one. The row of the collidable must
+// be written before the next step.
 scree_status tree_insert(Pipeline* pipeline, int t, int collidable);
-// Undoes the last tree_insert of a collidable whose slot is freed again.
+// Reverts the last tree_insert of a collidable whose slot is freed again.
 void tree_withdraw(Pipeline* pipeline, int collidable);
-// The user changed the box of some collidable of tree t.
+// Marks tree t as changed: the user changed the box of some collidable.
 void tree_touch(Pipeline* pipeline, int t);
-// A collidable of tree t was destroyed, or moved to the other tree.
+// Removes a collidable that was destroyed, or moved to the other tree, from tree t.
 void tree_leave(Pipeline* pipeline, int t, int collidable);
 
-// sends new leaves to the device
+// Sends new leaves to the device.
 scree_status tree_upload(Pipeline* pipeline);
 
-// whether the leaves of a tree are so far out of order that sorting them pays
+// Returns whether sorting the leaves of a tree costs less than their disorder.
 bool tree_wants_order(const TreeState* state);
 
-// whether boxes that jump in this step will disorder them that far
+// Returns whether boxes that jump in this step will cause that much disorder.
 bool tree_churns(const TreeState* state);
 
-// after a step: counts the nodes that its walks visited in vain
+// Counts the wasted node visits of the traversals, after a step.
 void tree_count(TreeState* state, const Counters* counters, int t);
 
-// after the leaves were sorted: dead ones, which are last, are dropped
+// Drops dead leaves, which are the last ones after the leaves were sorted.
 scree_status tree_ordered(Pipeline* pipeline, int t);
 
-// The leaves move when the pools grow: save reads them before, restore writes them after. leaves is scree_allocate'd by tree_save.
+// Keep the leaves when they move because the pools grow: tree_save reads them before, tree_restore writes them after.
+// tree_save allocates leaves with scree_allocate.
 scree_status tree_save(Pipeline* pipeline, int** leaves);
 scree_status tree_restore(Pipeline* pipeline, int* leaves);
 
