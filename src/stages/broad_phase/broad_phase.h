@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// broad_phase.h -- moved boxes against the trees: the set of new pairs.
+// broad_phase.h -- finds the set of new pairs: moved boxes against the trees.
 //
 // A contact exists exactly as long as the enlarged boxes of its collidables overlap. So a pair is new if its boxes
 // overlap now and did not overlap before this step's transform; no table of known pairs is needed. If both collidables
-// moved, the walk of the lower index finds the pair.
+// moved, the traversal of the lower index finds the pair.
 //
-// Walks visit leaves in rising order, so a walk can stop at any leaf and continue elsewhere.
+// Traversals visit leaves in rising order, so one can stop at any leaf and continue elsewhere.
 #ifndef BROAD_PHASE_H
 #define BROAD_PHASE_H
 #include "stages/rules/apart.h"
 #include "stages/tree/tree.h"
 #include "stages/tree/tree_packet.h"
 
-// The leaves among eight, from first on, that did not overlap collidable i before. Most did. Where nothing else hides
-// the latency of memory, the eight are loaded at once.
+// Clears the bits of the leaves, from first on, that overlapped collidable i before: most did. With prefetching
+// (FETCHES) the caller tests them one by one. Without it nothing else hides the latency of memory, so the eight old
+// boxes are loaded together.
 INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 {
 	int leaf[ARITY];
@@ -30,10 +31,11 @@ INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 	return leaves;
 }
 
-// Adds pair i, j if it is new. Returns whether the walk may continue: not if there are more pairs than a world may have.
+// Adds pair i, j if it is new. Returns 0 if the traversal must stop, because the world has reached its limit of
+// contacts.
 INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 {
-	// most neighbors are known pairs
+	// early exit: most neighbors are known pairs
 	if (box_overlap(p->old_box[i], p->old_box[j]) || i == j || ((p->collidable_flags[j] & COLLIDABLE_NEW_BOX) && j < i))
 		return 1;
 	if (apart_by(p, i, j, APART_PAIR))
@@ -45,12 +47,13 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 	return place < p->step.contact_limit;
 }
 
-// Visits the leaves of tree t that overlap the box of collidable i: from leaf from up to, not including, end, or all for
-// end 0. Returns the leaf at which the walk has to continue after so many nodes over leaves, or 0 if it is complete.
+// Visits the leaves of tree t that overlap the box of collidable i: from (included) to end (excluded), or all if end is
+// 0. nodes: limit of visited nodes over leaves. Returns the leaf at which the traversal must continue, 0 if it is
+// complete.
 INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end, int nodes)
 {
 	const GLOBAL Tree* tree = p->tree + t;
-	// once there are too many pairs, the others need not be found
+	// beyond the limit the step is refused, so the other pairs are not needed
 	if (tree->leaves == 0 || read_shared(&p->counters->pairs) > p->step.contact_limit)
 		return 0;
 	Float4 box = p->box[i];
@@ -69,7 +72,7 @@ INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end,
 	}
 }
 
-// The search again, after a buffer grew.
+// Starts the search; runs again after a buffer grew.
 KERNEL(broad_phase_begin)
 {
 	p->counters->pairs = 0;
@@ -80,14 +83,15 @@ KERNEL(broad_phase_begin)
 	(void)i;
 }
 
-// static collidables have no pairs in the tree of static collidables, and sensors have none at all
+// Returns the number of trees to traverse: static collidables have no pairs in the static tree, sensors have no pairs
+// at all.
 INLINE int broad_phase_trees(int kind)
 {
 	return kind & KIND_SENSOR ? 0 : kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1;
 }
 
-// A box that overlaps thousands of leaves would keep one work-item busy after all others are done. What such a walk
-// leaves undone is listed.
+// Traverses tree t for one collidable, up to a limit of nodes, and lists the rest. A box over thousands of leaves would
+// keep one work-item busy after all others have finished.
 INLINE void broad_phase_alone(const Pools* p, int k, int t)
 {
 	int next = broad_phase_traverse(p, k, t, 0, 0, p->step.traversal_nodes);
@@ -97,8 +101,8 @@ INLINE void broad_phase_alone(const Pools* p, int k, int t)
 	raise_int(&p->counters->rest, 0x7fffffff);
 }
 
-// The leaves of tree t that overlap the boxes of these walks, without the walks that go alone. kinematic, alone: a bit for each walk. Returns
-// whether the search may continue.
+// Processes the leaves of tree t that overlap the boxes of a packet, except those of the traversals in alone.
+// kinematic, alone: a bit per traversal. Returns 0 if the search must stop.
 INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* collidables, const Float4* boxes,
                               Word kinematic, Word alone, const PacketFront* front)
 {
@@ -130,7 +134,7 @@ INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int
 	return 1;
 }
 
-// Walks i and up, together, through tree t.
+// Runs the traversals of collidables i and up of the updated list, as one packet, through tree t.
 INLINE void broad_phase_packet(const Pools* p, int i, int t)
 {
 	const GLOBAL Tree* tree = p->tree + t;
@@ -164,7 +168,8 @@ INLINE void broad_phase_packet(const Pools* p, int i, int t)
 			broad_phase_alone(p, collidables[k], t);
 }
 
-// On a CPU, chunks begin at a multiple of PACKET_TRAVERSALS walks, which go together.
+// Item: an updated collidable. On a CPU, the first item of each PACKET_TRAVERSALS runs a packet; chunks begin at a
+// multiple of it.
 KERNEL(broad_phase)
 {
 	if (FETCHES)
@@ -178,8 +183,8 @@ KERNEL(broad_phase)
 		broad_phase_alone(p, k, t);
 }
 
-// The rests of the long walks. Each is cut by its leaves into as many parts as there are work-items for it. If there are
-// more walks than work-items, an item takes several.
+// Item: a work-item for the rests of long traversals. Each traversal is split by its leaves into equal parts, one per
+// work-item that is available to it. If there are more traversals than work-items, an item takes several.
 KERNEL(broad_phase_rest)
 {
 	int traversals = p->counters->traversals,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// contact_slots.h -- new pairs into slots of the contact pool: in the order of their keys, lowest free slots first.
+// contact_slots.h -- puts new pairs into slots of the contact pool: in the order of their keys, lowest free slots
+// first.
 //
-// Slots identify contacts where an order is needed (priorities of colors, read-back), so they must not depend on the
+// Slots identify contacts where an order is needed (priorities of colors, readback), so they must not depend on the
 // device.
 #ifndef CONTACT_SLOTS_H
 #define CONTACT_SLOTS_H
@@ -11,8 +12,8 @@
 #include "stages/edit/pool_item.h"
 #include "stages/rules/apart.h"
 
-// Whether there is room for the pairs found, and whether a world may have so many. The latter depends on no capacity,
-// and so on no device.
+// Checks two limits: that of the contacts of the world, which is the same on all devices, and the capacity for new
+// pairs, which is not.
 KERNEL(contact_admit)
 {
 	GLOBAL Counters* c = p->counters;
@@ -28,21 +29,21 @@ KERNEL(contact_admit)
 
 KERNEL(contact_mark_free) { p->scan[i] = i < p->counters->contacts && p->pair[i].x < 0; }
 
-// After the scan: slot i is free, and the scan holds how many free slots are before it.
+// Lists the free slots after the scan: for a free slot i, scan[i] is the number of free slots before it.
 KERNEL(contact_list_free)
 {
 	if (i < p->counters->contacts && p->pair[i].x < 0)
 		p->free_slot[p->scan[i]] = i;
 }
 
-// Whether there is room for the contacts, and how many there are then.
+// Checks the capacity for contacts and updates their number.
 KERNEL(contact_reserve)
 {
 	GLOBAL Counters* c = p->counters;
 	c->dead = c->search > 0 ? p->scan[c->search - 1] : 0;
 	int beyond = c->sort_pairs > c->dead ? c->sort_pairs - c->dead : 0;
 	c->needed = c->contacts + beyond;
-	// one slot stays free for the end of the scan
+	// + 1: a free slot for the end of the scan
 	if (c->needed + 1 > p->step.contact_capacity)
 	{
 		c->stalled = 1;
@@ -56,8 +57,8 @@ KERNEL(contact_reserve)
 	(void)i;
 }
 
-// Moves contacts in slots from alive on into the free slots before alive, the first into the lowest, so that the first
-// slots hold all contacts. Sources and destinations have no slot in common.
+// Moves contacts in slots from alive on to the free slots below alive, the first one to the lowest slot, so that the
+// first slots hold all contacts. No slot is both a source and a destination.
 KERNEL(contact_pack)
 {
 	const GLOBAL Counters* c = p->counters;
@@ -79,10 +80,10 @@ KERNEL(contact_pack_end)
 
 INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
 
-// Of a pair: friction, restitution, rolling lever, tangent speed; the same for either order.
+// Returns friction, restitution, rolling lever and tangent speed of a pair; the order of the two does not matter.
 //
-// Friction is the geometric mean, so that ice stays slippery on anything. Restitution is the larger one. The lever of
-// rolling resistance uses the larger radius. Speeds of belts that run against each other add up.
+// Friction is the geometric mean, so ice stays slippery on anything. Restitution is the larger one. The lever of
+// rolling resistance uses the larger radius. Speeds of opposed belts add up.
 INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attribute* sb)
 {
 	float lever =
@@ -92,7 +93,8 @@ INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attrib
 	                   surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
 }
 
-// The bits of a contact that say whether its bodies respond to each other, as long as the user changes no joint and no pair.
+// Returns CONTACT_DETECTED or CONTACT_JOINED if the bodies of a pair do not respond to each other. This holds until the
+// user changes a joint or an excluded pair.
 INLINE Word contact_parts(const Pools* p, Int2 pair)
 {
 	int apart = apart_by(p, pair.x, pair.y, APART_DETECTED | APART_JOINED);
@@ -103,7 +105,7 @@ KERNEL(contact_create)
 {
 	Word64 key = p->key[i];
 	int a = (int)(key >> p->step.key_bits), b = (int)(key & (((Word64)1 << p->step.key_bits) - (Word64)1));
-	// the last contact for which no slot was free is the last of all
+	// contacts beyond the free slots take the last slots of the pool
 	int slot = i < p->counters->dead ? p->free_slot[i] : p->counters->contacts - p->counters->created + i;
 	Int2 pair = apart_pair(p, a, b);
 	a = pair.x;
@@ -118,7 +120,7 @@ KERNEL(contact_create)
 	p->contact_bodies[slot] = bodies;
 	p->contact_flags[slot] = flags;
 	contact_count(p, bodies, flags, 1);
-	if (flags & CONTACT_STATIC) // any of several; only that of a body with one is read
+	if (flags & CONTACT_STATIC) // any one of several; only that of a body with a single static contact is read
 		write_shared_word((GLOBAL Word*)p->static_contact + bodies.x, (Word)slot);
 	p->contact_color[slot] = COLOR_NONE;
 	p->contact_feature[slot] = make_int2(-1, -1);
@@ -127,7 +129,7 @@ KERNEL(contact_create)
 	    contact_surface_of(p->attribute + p->collidable_attribute[a], p->attribute + p->collidable_attribute[b]);
 }
 
-// Pairs changed: contact i ends or begins.
+// Ends or restarts contact i after joints or excluded pairs changed.
 KERNEL(contact_join)
 {
 	Word flags = p->contact_flags[i];
@@ -136,14 +138,14 @@ KERNEL(contact_join)
 	if (flags & CONTACT_DETECTED)
 		return;
 	Word joined = contact_parts(p, p->pair[i]);
-	// a contact that parted is released by the narrow phase, but not one that is fresh
+	// the narrow phase releases a contact whose boxes parted, unless it is fresh
 	if ((flags & CONTACT_JOINED) == joined || box_parted(p, p->pair[i]))
 		return;
 	contact_anew(p, i, flags, joined | (flags & CONTACT_REPORTS));
 }
 
-// Some collidable got another attribute, or reports other events: what contacts take from their collidables is computed again, also
-// where the layout stands.
+// Recomputes the surface and the report bits that contact i takes from its collidables, also in rows that are already
+// laid out. Runs when a collidable got another attribute or reports other events.
 KERNEL(contact_mix)
 {
 	Int2 pair = p->pair[i];

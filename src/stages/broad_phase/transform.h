@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// transform.h -- world poses and boxes of collidables; the enlarged box is updated when the tight one leaves it.
+// transform.h -- world poses and boxes of collidables; an enlarged box is renewed when the tight box leaves it.
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
 #include "dialect/vec.h"
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
 
-// The share of a reach that counts as thickness.
+// fraction of the reach that is compared with GRAIN_SIZE, as the thickness is
 #define REACH_SHARE 0.125f
 
-// Clears the counters of one step.
+// Clears the counters of the step.
 KERNEL(step_begin)
 {
 	GLOBAL Counters* c = p->counters;
@@ -67,7 +67,7 @@ KERNEL(step_begin)
 	(void)i;
 }
 
-// The world pose of collidable i. Without a body its local pose is its world pose.
+// Returns the world pose of collidable i. The pose of a collidable without a body is already in the world.
 INLINE WorldShape collidable_place(const Pools* p, int i)
 {
 	WorldShape world_shape;
@@ -95,14 +95,14 @@ INLINE WorldShape collidable_place(const Pools* p, int i)
 	return world_shape;
 }
 
-// World vertex k of a shape.
+// Returns vertex k of a shape in the world.
 INLINE Vec world_vertex(WorldShape world_shape, const GLOBAL Attribute* attribute, int k)
 {
 	Vec vertex = vec(attribute->vertices[k].x, attribute->vertices[k].y);
 	return vec_add(vec(world_shape.x, world_shape.y), vec_turn(vec(world_shape.c, world_shape.s), vertex));
 }
 
-// The box of a shape, enlarged by extra metres.
+// Returns the box of a shape, enlarged by extra, m.
 INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribute, float extra)
 {
 	Float4 box = box_empty();
@@ -114,7 +114,8 @@ INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribut
 	return box_grow(box, attribute->radius + extra);
 }
 
-// Bits for a length of half a collidable, m: from the first one on.
+// Returns a bit for each level at which 2^level times length is below half of GRAIN_SIZE; first: bit of level 0.
+// length, m: half of a size of the collidable.
 INLINE int transform_bits(float length, int first)
 {
 	int bits = 0;
@@ -123,8 +124,9 @@ INLINE int transform_bits(float length, int first)
 	return bits;
 }
 
-// The COLLIDABLE_GRAIN and COLLIDABLE_REACH bits of a dynamic collidable whose nearest side is so far from its centroid, m. What has no thickness
-// is a segment: others come to rest on it, it does not.
+// Returns the COLLIDABLE_GRAIN and COLLIDABLE_REACH bits of a dynamic collidable. thickness, m: distance of its nearest
+// side from its centroid. A collidable without thickness is a segment and gets none: others come to rest on it, it does
+// not rest on others.
 INLINE int transform_grains(float thickness, float reach)
 {
 	if (!(thickness < 0.5f * GRAIN_SIZE) || thickness == 0.0f)
@@ -132,27 +134,27 @@ INLINE int transform_grains(float thickness, float reach)
 	return transform_bits(thickness, COLLIDABLE_GRAIN) | transform_bits(REACH_SHARE * reach, COLLIDABLE_REACH);
 }
 
-// Lists collidables that left their box or were placed.
+// Updates world poses and boxes; lists the collidables that left their box or were placed.
 LIST_KERNEL(transform, updated_list, updated_boxes)
 {
 	Float4 box = p->box[i];
 	int moved = p->collidable_flags[i];
 	if (p->collidable_kind[i] == KIND_DEAD)
 	{
-		// its contacts see an empty box, and end; the box of a new row that died at once is empty already
+		// an empty box ends its contacts; a new row that was destroyed at once has an empty box already
 		p->collidable_flags[i] = COLLIDABLE_NEW_BOX;
 		p->box[i] = box_empty();
 		return 0;
 	}
 
-	// a collidable without a body moves as little as body 0, the ground
+	// treats a collidable without a body as one of body 0, the motionless ground
 	WorldShape world_shape = collidable_place(p, i);
 	int moves = world_shape.body >= 0;
 	world_shape.body = moves ? world_shape.body : 0;
 	p->world_shape[i] = world_shape;
 	const GLOBAL Attribute* attribute = p->attribute + world_shape.attribute;
 
-	// contacts begin at the speculative distance, so half of it on either side is part of the tight box
+	// half of the speculative distance on either side, because contacts begin at that distance
 	Float4 tight = world_box(world_shape, attribute, 0.5f * SPECULATIVE_DISTANCE);
 	float margin = attribute->margin;
 	int how = p->step.small && p->collidable_kind[i] == KIND_DYNAMIC
@@ -169,8 +171,8 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 			how |= COLLIDABLE_MOVING;
 		if (travel > 0.5f * within)
 		{
-			// the pose at the end of the step is part of the tight box too; a collidable that leaves its box in every
-			// step needs no margin
+			// covers the pose at the end of the step too. A collidable that leaves its box in every step needs no
+			// margin
 			Float4 then = make_float4(tight.x + path.x, tight.y + path.y, tight.z + path.x, tight.w + path.y);
 			tight = box_grow(box_union(tight, then), swing);
 			margin = travel < margin ? margin : 0.0f;
@@ -190,13 +192,14 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	p->box[i] = grown;
 	p->collidable_flags[i] = COLLIDABLE_NEW_BOX | how;
 	raise_int(&p->counters->refit, 0x7fffffff);
-	// the path of the step is part of the box, so a collidable that moves by itself never parts from its old place
+	// separate boxes mean that the user placed the collidable: a box covers the motion of its step, so motion alone
+	// never separates the old box from the new one
 	if (!box_overlap(box, grown))
 		raise_int(&p->counters->jumped, 0x7fffffff);
 	return 1;
 }
 
-// After a step that stopped before it found all contacts: restores the boxes, so that the next step finds the same
+// Restores the boxes after a step that stopped before it found all contacts, so that the next step finds the same
 // pairs.
 KERNEL(transform_undo)
 {
@@ -206,7 +209,8 @@ KERNEL(transform_undo)
 	p->collidable_flags[i] = 0;
 }
 
-// The pose of a collidable now. The pool world_shape has the pose at which the contacts of the last step were found.
+// Writes the current pose of a collidable. The pool world_shape has the pose at which the contacts of the last step
+// were found.
 KERNEL(render_row)
 {
 	WorldShape world_shape = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};

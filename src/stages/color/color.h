@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// color.h -- colors for the constraints that began, and the layout of each kind by color.
+// color.h -- colors of the constraints that began, and the layout of each kind by color.
 //
 // This work is based on:
 // Mark T. Jones, Paul E. Plassmann, A Parallel Graph Coloring Heuristic, 1993.
 //
 // Graph coloring. Each contact has a unique priority. In each round a contact with the highest priority on both of its
-// bodies takes the lowest color that is free on both. The result is that of a sequential greedy coloring in the order of
-// falling priority, for any number of threads. Colors are kept while contacts touch, so only contacts that begin to
+// bodies takes the lowest color that is free on both. The result is that of a sequential greedy coloring in the order
+// of falling priority, for any number of threads. Colors are kept while contacts touch, so only contacts that begin to
 // touch are colored in a step, usually a few.
 //
-// Contacts with bodies that cannot move take the highest free color: they are solved last, so their result stands. The last colors
-// are for contacts with static bodies: of two immovable bodies that press a third one, the static one holds. The
-// contacts of hubs (spoke.h) take no color and no part in the rounds; every other contact finds a free color. So a body
-// with thousands of new contacts costs no rounds.
+// Contacts with bodies that cannot move take the highest free color: they are solved last, so later contacts do not
+// undo their result. The last colors are for contacts with static bodies: of two immovable bodies that press a third
+// one, the static one prevails. The contacts of hubs (spoke.h) take no color and do not take part in the rounds; every
+// other contact finds a free color. So a body with thousands of new contacts costs no rounds.
 #ifndef COLOR_H
 #define COLOR_H
 #include "constraints/contact_one.h"
@@ -20,8 +20,9 @@
 #include "stages/color/edge.h"
 #include "stages/color/spoke.h"
 
-// A bijection of the 32-bit numbers without visible order. (Odd multipliers and xor-shifts are invertible, so no two
-// edges share a priority.) Without it a row of contacts in rising slots would be colored one per round.
+// Returns the priority of an edge, by a bijection of the 32-bit numbers without visible order. (Odd multipliers and
+// xor-shifts are invertible, so no two edges share a priority.) With priorities in the order of slots, a row of
+// contacts would be colored at one contact per round.
 INLINE Word color_priority(int edge)
 {
 	Word x = (Word)edge + 0x9e3779b9u;
@@ -33,13 +34,14 @@ INLINE Word color_priority(int edge)
 	return x;
 }
 
-// Edge i of those without a color after a round. Work-items write components of one vector as scalars.
+// Returns the entry of edge i among those without a color after a round. Work-items write components of one vector as
+// scalars.
 INLINE GLOBAL int* color_left(const Pools* p, int round, int i)
 {
 	return (GLOBAL int*)p->uncolored + 2 * i + (round & 1);
 }
 
-// Edge i of a round.
+// Returns edge i of a round.
 INLINE int color_source(const Pools* p, int i)
 {
 	if (p->argument == 0)
@@ -47,14 +49,14 @@ INLINE int color_source(const Pools* p, int i)
 	return *color_left(p, p->argument + 1, i);
 }
 
-// Whether an edge becomes a spoke; only contacts do.
+// Returns whether an edge becomes a spoke; only contacts do.
 INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
 {
 	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
 }
 
-// Whether a joint gets no color, because it is in a chain or because its bodies have none in common. Contacts always have
-// one: they become spokes before. argument is the round, here and in color_claim and color_assign.
+// Returns whether a joint gets no color, because it is in a chain or because its bodies have no free color in common.
+// Contacts always have one: they become spokes before. argument, here and in color_claim and color_assign: the round.
 INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 {
 	if (edge_kind(edge) == CONSTRAINT_CONTACT)
@@ -66,12 +68,13 @@ INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 	return (mask_a | mask_b) == (Word64)COLOR_MASK;
 }
 
-// The last colors of a body, which other constraints take only if no other color is free. A body that is pressed by something
-// kinematic against something static cannot obey both: the one that is solved last holds. Four collidables of a level that meet in
-// a corner have their own color each.
+// Number of last colors of a body, which other constraints take only if no other color is free. A body that something
+// kinematic presses against something static cannot obey both: the constraint that is solved last prevails. Each
+// of four collidables of a level that meet in a corner gets a color of its own.
 #define STATIC_COLORS 8
 
-// Whether an edge is a contact with a static body. What does not move is the second collidable of a pair.
+// Returns whether an edge is a contact with a static body. The collidable that does not move is the second one of a
+// pair.
 INLINE int color_holds(const Pools* p, int edge)
 {
 	return edge_kind(edge) == CONSTRAINT_CONTACT && p->collidable_kind[p->pair[edge_slot(edge)].y] == KIND_STATIC;
@@ -118,7 +121,7 @@ KERNEL(color_assign)
 	Word64 free = ~(mask_a | mask_b) & (Word64)COLOR_MASK;
 	if ((moves_a && claim[bodies.x] != priority) || (moves_b && claim[bodies.y] != priority))
 	{
-		// a claim of two rounds ago would outbid the claims of the next round
+		// a claim of two rounds ago would win over the claims of the next round
 		if (moves_a)
 			write_shared_word(&next_claim[bodies.x], 0);
 		if (moves_b)
@@ -138,7 +141,7 @@ KERNEL(color_assign)
 		write_shared_word64(&p->color_mask[bodies.y], mask_b | bit);
 }
 
-// After MAX_ROUNDS rounds the counts start again.
+// Restarts the counts after MAX_ROUNDS rounds.
 KERNEL(color_wrap)
 {
 	GLOBAL Counters* c = p->counters;
@@ -148,7 +151,7 @@ KERNEL(color_wrap)
 	(void)i;
 }
 
-// Claims are zero between steps.
+// Clears the claims on the bodies of an edge that began, because claims are zero between steps.
 KERNEL(color_reset)
 {
 	Int2 bodies = edge_bodies(p, p->began[i]);
@@ -162,8 +165,8 @@ KERNEL(color_reset)
 // layout: the constraints of a kind by color
 // ---------------------------------------------------------------------------------------------------------------
 
-// The bits of a key that are sorted by: its color; for a spoke, COLORS and the body of its hub. All bits are set where
-// there is no constraint. argument is the number of bits.
+// Sort key of a constraint: its color; for a spoke, COLORS plus the body of its hub. All bits are set where there is no
+// constraint. argument: the number of bits.
 
 INLINE Word64 color_none(int bits) { return ((Word64)1 << bits) - (Word64)1; }
 
@@ -173,9 +176,9 @@ INLINE int color_of_key(Word64 key, int bits)
 	return name == color_none(bits) ? COLORS + 1 : name < (Word64)COLORS ? (int)name : COLORS;
 }
 
-// Some constraint began or ended: which kinds are laid out again? Only if all have their color, and if keys have bits
-// for hubs where there are any. argument is the place in uncolored of the rest of the last round, and the bits of
-// contacts' keys times 256.
+// Selects the kinds to lay out after a constraint began or ended. A layout needs a color for every constraint, and keys
+// with bits for hubs if there are hubs. argument: index in uncolored of the number of edges left after the last round,
+// plus 256 times the number of bits of contacts' keys.
 KERNEL(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
@@ -197,14 +200,14 @@ KERNEL(color_arrange)
 	(void)i;
 }
 
-// What the constraints without a color are sorted by: contacts by their hub; joints in chains come before the others.
+// Sort order of constraints without a color: contacts by their hub; joints of chains before the others.
 INLINE int contact_group(const Pools* p, int i) { return hub_owner(p, p->contact_bodies[i]); }
 INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 
-// Edges between the one whose key is made and the one whose kept row is fetched.
+// prefetch distance, in edges
 #define KEY_SOON 12
 
-// The color of each slot, to be sorted by. What is kept of a constraint lies with its rows, and is copied by slot.
+// Writes the sort key of each slot, and copies the kept values of a constraint from its rows to its slot.
 #define COLOR_KEY(kind, KIND)                                                    \
 	if (FETCHES && i + KEY_SOON < p->counters->arrange[CONSTRAINT_##KIND])       \
 	{                                                                            \
@@ -220,7 +223,7 @@ INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 	if (place >= 0)                                                              \
 		kind##_keep(p, i, place);
 
-// Where each color, and each hub, begins and ends among the sorted keys. scan is 1 where a hub begins, so that the scan
+// Writes the first and last sorted keys of each color and each hub. scan is 1 where a hub begins, so that the scan
 // counts hubs.
 INLINE void color_edge(const Pools* p, int kind, int i)
 {
@@ -246,7 +249,8 @@ INLINE void color_edge(const Pools* p, int kind, int i)
 		return;
 	}
 	p->scan[i] = begins;
-	// two work-items write the two halves, and an OpenCL compiler may write a whole vector for one component
+	// two scalars, because two work-items write the two halves, and an OpenCL compiler may write a whole vector for one
+	// component
 	GLOBAL int* keys = (GLOBAL int*)&p->hub_keys[(int)name - COLORS];
 	if (begins)
 		keys[0] = i;
@@ -254,15 +258,15 @@ INLINE void color_edge(const Pools* p, int kind, int i)
 		keys[1] = i + 1;
 }
 
-// The number of the hub of sorted key i, a spoke.
+// Returns the number of the hub of a spoke; i: its sorted key.
 INLINE int color_hub(const Pools* p, int i)
 {
 	int begins = i == 0 || p->key[i - 1] >> 32 != p->key[i] >> 32;
 	return p->scan[i] - !begins;
 }
 
-// Where each color of a kind begins among its places. Without room for all, the host grows the pools and runs this
-// again.
+// Computes the first place of each color of a kind. If the capacity is too small, the host grows the pools and runs
+// this again.
 INLINE void color_range(const Pools* p, int kind)
 {
 	GLOBAL Counters* c = p->counters;
@@ -283,7 +287,7 @@ INLINE void color_range(const Pools* p, int kind)
 		touching += count;
 		if (spokes && k == COLORS && count > 0)
 		{
-			// the room that hub_first leaves
+			// places that hub_first reserves
 			c->hubs = color_hub(p, layout->last[k] - 1) + 1;
 			count += MAX_LANES * (c->hubs + 1);
 		}
@@ -301,7 +305,7 @@ INLINE void color_range(const Pools* p, int kind)
 	}
 }
 
-// A spoke's place; the last spoke of a hub pads the rest of the hub's places.
+// Returns the place of a spoke; the last spoke of a hub fills the rest of the hub's places with padding.
 INLINE int contact_place_rest(const Pools* p, int i)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_CONTACT];
@@ -320,7 +324,7 @@ INLINE int contact_place_rest(const Pools* p, int i)
 	return place;
 }
 
-// The place of a joint of a chain, or of one without a chain behind all chains.
+// Returns the place of a joint in a chain or, behind all chains, of another joint without a color.
 INLINE int joint_place_rest(const Pools* p, int i)
 {
 	int slot = (int)(p->key[i] & (Word64)0xffffffffu), spot = p->joint_spot[slot];
@@ -328,8 +332,8 @@ INLINE int joint_place_rest(const Pools* p, int i)
 	return begin + (spot >= 0 ? spot : p->step.chain_places + (i - p->counters->overflow_first));
 }
 
-// Places of joints without a color are inert, until a joint is laid out there. They may be many more than the joints, whose
-// number is that of the items.
+// Makes the places of joints without a color inert, before joints are laid out there. There may be many more places
+// than joints, and the number of items is that of joints.
 KERNEL(chain_pad)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];
@@ -338,7 +342,7 @@ KERNEL(chain_pad)
 		joint_pad(p, place);
 }
 
-// What does not change while the layout stands.
+// Writes the values of a row that stay constant until the next layout.
 #define COLOR_PLACE(kind, KIND)                                                                                \
 	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu);           \
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                                 \

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// edge.h -- edges: the view of a constraint that coloring, the relay and the tiles have, for every kind.
+// edge.h -- edges: a constraint of any kind in the form that coloring uses, and the relay and tiles forms of the
+// solver.
 #ifndef EDGE_H
 #define EDGE_H
 #include "constraints/constraint_kinds.h"
@@ -20,14 +21,15 @@ INLINE Int2 edge_bodies(const Pools* p, int edge)
 	return make_int2(0, 0);
 }
 
-// A constraint of a kind began or ended: the kind has to be laid out again.
+// Marks a kind for a new layout after a constraint of it began or ended.
 INLINE void edge_mark_dirty(const Pools* p, int kind)
 {
 	raise_int(&p->counters->changed, 1);
 	raise_int(&p->counters->dirty[kind], 1);
 }
 
-// The share of a contact in the pool belts at its bodies, by its tangent speed. Seen from either body, a belt runs the same way.
+// Returns the value that a contact adds to the pool belts for each of its bodies, by its tangent speed. Relative to
+// either body, a belt runs the same way.
 INLINE int edge_belt(float speed) { return speed > 0.0f ? 1 : speed < 0.0f ? BELT_BACK : 0; }
 
 INLINE int edge_belt_of(const Pools* p, int kind, int slot)
@@ -43,9 +45,9 @@ INLINE void edge_add_belt(const Pools* p, Int2 bodies, int belt)
 	atomic_add_int(&p->belts[bodies.y], belt);
 }
 
-// Counts a constraint that begins at a body. Where a body may have too many now, or lies on belts that run against each other, and some
-// of them have colors, hubs are searched for (spoke.h). Every constraint that begins requests that itself. Others begin and end meanwhile,
-// so that more may request it than need it, and then nothing is found.
+// Counts a constraint that begins at a body. If the body may now have too many constraints, or is on opposed belts, and
+// some of its contacts have colors, requests the search for hubs (spoke.h). Each constraint that begins tests this
+// itself while others begin and end, so the search may be requested without need; then it finds no hub.
 INLINE void edge_count(const Pools* p, int body, int belt)
 {
 	int over_limit = atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS;
@@ -105,7 +107,7 @@ INLINE void edge_set_color(const Pools* p, int edge, int color)
 #undef CONSTRAINT_KIND
 }
 
-// The edge at a place of a kind, -1 for padding.
+// Returns the edge at a place of a kind, -1 for padding.
 INLINE int edge_slot_at(const Pools* p, int kind, int place)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
@@ -126,7 +128,7 @@ INLINE int edge_color(const Pools* p, int kind, int slot)
 	return COLOR_NONE;
 }
 
-// The bodies of the constraint at a place, which is not padding.
+// Returns the bodies of the constraint at a place that is not padding.
 INLINE Int2 edge_bodies_at(const Pools* p, int kind, int place)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
@@ -138,7 +140,7 @@ INLINE Int2 edge_bodies_at(const Pools* p, int kind, int place)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// tasks: the places of all kinds in the order of a pass, by color and then by kind
+// tasks: the places of all kinds in the order of a pass, by color, then by kind
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct

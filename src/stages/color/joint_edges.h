@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// joint_edges.h -- joints that the user made or changed: their rows, their beginning and end, and the pairs that they keep apart.
+// joint_edges.h -- joints that the user created or changed: their rows, their begin and end, and the pairs of bodies
+// that they keep apart.
 #ifndef JOINT_EDGES_H
 #define JOINT_EDGES_H
 #include "constraints/joint_one.h"
@@ -8,7 +9,8 @@
 #include "stages/color/touch.h"
 #include "stages/geometry/box.h"
 
-// An angle that gets a limit, a spring or a lock, and had none of them, counts on in the turn that is nearest to these.
+// Moves the counted angle of a joint by whole turns to the one nearest to its limits or its target, if the angle gets a
+// limit, a spring or a lock and had none of them.
 INLINE void joint_count_turns(const Pools* p, int slot, const JointData* changed)
 {
 	int k = JOINT_ANGLE, users = JOINT_LOCKED(k) | JOINT_LIMITED(k) | JOINT_SPRING(k), place = p->joint_place[slot];
@@ -25,7 +27,7 @@ INLINE void joint_count_turns(const Pools* p, int slot, const JointData* changed
 		joint_row(p, turned, place) = turned;
 }
 
-// The user placed a body of a joint on a path, or a frame: the next step looks for the nearest part of all.
+// Requests a search of the whole path in the next step, after the user placed a body or a frame of a joint on a path.
 INLINE void joint_seek(const Pools* p, int slot)
 {
 	PathCount count = path_count_last(p, slot);
@@ -33,8 +35,8 @@ INLINE void joint_seek(const Pools* p, int slot)
 	path_count_store(p, slot, p->joint_place[slot], &count);
 }
 
-// Item i of what the user made or changed since the last step. argument is the number of slots that were in use before. A
-// joint that broke stays broken.
+// Item: a joint that the user created or changed since the last step. argument: number of slots that were in use
+// before. A joint that broke stays broken.
 KERNEL(joint_apply)
 {
 	JointEdit edit = p->joint_edit[i];
@@ -62,7 +64,7 @@ KERNEL(joint_apply)
 	raise_int(&p->counters->joints_dirty, 0x7fffffff);
 }
 
-// The constraint of joint i ends. Where the same joint begins again, it goes on counting turns.
+// Ends the constraint of joint i. Stores its count of turns, which continues if the same joint begins again.
 INLINE void joint_rest(const Pools* p, int i)
 {
 	float turned = joint_turned_last(p, i);
@@ -76,7 +78,7 @@ INLINE void joint_rest(const Pools* p, int i)
 	path_count_store(p, i, -1, &path);
 }
 
-// Constraints of joints begin and end.
+// Begins or ends the constraint of joint i.
 KERNEL(joint_update)
 {
 	int flags = p->joint_flags[i], wanted = JOINT_THERE | JOINT_ACTIVE | JOINT_ACTS;
@@ -94,8 +96,9 @@ KERNEL(joint_update)
 	edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
 }
 
-// Joint i, where it follows a path: the point of the path that is nearest to its anchor b, for the rows of the step. Where it is a coupling:
-// what it measures of its bodies. It comes after the layout, and finds the same when it runs again.
+// Item: a joint. For a joint on a path, finds the point of the path that is nearest to anchor b, for the rows of the
+// step. For a coupling, computes the measures of its bodies. Runs after the layout, and gives the same result when it
+// runs again.
 KERNEL(joint_follow)
 {
 	int place = p->joint_place[i], modes = (int)p->joint_data[i].modes;
@@ -126,7 +129,7 @@ INLINE Word64 joint_pair_of(int a, int b)
 	return (Word64)low << 32 | (Word64)high;
 }
 
-// The pair of joint i, to be sorted.
+// Writes the key of the pair of joint i, for sorting.
 KERNEL(joint_pair_key)
 {
 	int flags = p->joint_flags[i], apart = JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN;
@@ -134,7 +137,7 @@ KERNEL(joint_pair_key)
 	    (flags & apart) == JOINT_THERE ? joint_pair_of(p->joint_data[i].body_a, p->joint_data[i].body_b) : NO_PAIR;
 }
 
-// A pair that the user set, behind those of the joints, of which there are argument.
+// Writes the key of a pair that the user excluded, behind those of the joints. argument: number of joints.
 KERNEL(excluded_key) { p->key[p->argument + i] = p->excluded[i]; }
 
 KERNEL(excluded_changed)
@@ -143,7 +146,7 @@ KERNEL(excluded_changed)
 	(void)i;
 }
 
-// The sorted pairs. argument is their number, with those that are none.
+// Item: a sorted key. argument: number of keys, including those that are NO_PAIR.
 KERNEL(joint_pair)
 {
 	Word64 key = p->key[i];
@@ -154,7 +157,7 @@ KERNEL(joint_pair)
 		p->counters->joined = 0;
 }
 
-// Whether a joint or the user keeps two bodies from touching.
+// Returns whether a joint or the user keeps two bodies from touching.
 INLINE int joint_parts(const Pools* p, Int2 bodies)
 {
 	Word64 key = joint_pair_of(bodies.x, bodies.y);
@@ -163,11 +166,12 @@ INLINE int joint_parts(const Pools* p, Int2 bodies)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// the end of a step: turns of couplings, thresholds
+// end of a step: turns of couplings, thresholds
 // ---------------------------------------------------------------------------------------------------------------
 
-// The joint at place i: reports, and breaks, when its force or its torque exceeded its threshold. What the sides of a coupling turned
-// in the step is counted with the ratio of the step: the user may set another one before the next.
+// Item: a place of joints. Reports the joint, and breaks it, if its force or torque exceeded its threshold. Counts the
+// rotation of the sides of a coupling in the step with the ratio of this step, because the user may set another one
+// before the next.
 KERNEL(joint_finalize)
 {
 	int slot = p->joint_place_slot[i];
@@ -182,7 +186,8 @@ KERNEL(joint_finalize)
 	}
 	JointEvent event;
 	event.slot = slot;
-	// the largest float is no threshold: nothing exceeds it, or the step would depend on whether other joints have one
+	// the largest float is no threshold: nothing may exceed it, or the step would depend on whether other joints have
+	// one
 	event.force = finite_or_most(joint_rare(p, peak_force, i) * p->step.inv_h);
 	event.torque = finite_or_most(joint_rare(p, peak_torque, i) * p->step.inv_h);
 	event.broken = (p->joint_flags[slot] & JOINT_CAN_BREAK) != 0;

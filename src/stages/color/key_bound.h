@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// key_bound.h -- where a key lies among sorted ones.
+// key_bound.h -- binary search in sorted keys.
 #ifndef KEY_BOUND_H
 #define KEY_BOUND_H
 #include "dialect/dialect.h"
 
-// The first of the sorted keys from low up to high that is not less than key.
+// Returns the index of the first key, between low and high, that is not less than key; high if there is none.
 INLINE int key_bound(const GLOBAL Word64* keys, int low, int high, Word64 key)
 {
 	while (low < high)

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// touch.h -- touches: contacts whose surfaces met, until they part; and hits, for the user.
+// touch.h -- events for the user: touches, from the meeting of two surfaces until they part, and hits.
 //
-// A contact has points before its surfaces meet, so that it is in place when they do. Its touch begins in the step in which the
-// surfaces met: they pushed each other, or overlapped. It ends when the contact has no points any more, or is no more. So a body that
-// rests or rolls does not touch anew, however its impulses vary.
+// A contact has points before its surfaces meet, so that it is in place when they do. Its touch begins in the step in
+// which the surfaces meet: they push each other or overlap. It ends when the contact loses its points or is destroyed.
+// So a body that rests or rolls does not begin another touch, however its impulses vary.
 #ifndef TOUCH_H
 #define TOUCH_H
 #include "constraints/constraint_kinds.h"
 #include "stages/color/edge.h"
 #include "stages/geometry/box.h"
 
-// The bits of a contact for what its collidables report.
+// Returns the report bits of a contact from those of its collidables.
 INLINE Word touch_reports(const Pools* p, Int2 pair)
 {
 	if (!p->step.reports)
@@ -18,14 +18,15 @@ INLINE Word touch_reports(const Pools* p, Int2 pair)
 	return ((p->filter[pair.x].reports | p->filter[pair.y].reports) << CONTACT_REPORT) & CONTACT_REPORTS;
 }
 
-// A contact with these flags has no points any more, or will be no more.
+// Lists the end of a touch, for a contact that lost its points or is being destroyed. flags: those of the contact.
 INLINE void touch_end(const Pools* p, Int2 pair, Word flags)
 {
 	if (flags & CONTACT_TOUCHED)
 		p->touch_ended[atomic_add_int(&p->counters->touches_ended, 1)] = (Word64)pair.x << 32 | (Word64)pair.y;
 }
 
-// Ends contact i, as if its boxes met for the first time. flags: those that it had; kept: those that it has from now on.
+// Ends contact i and restarts it, as if its boxes met for the first time. flags: its old flags; kept: flags that it
+// keeps.
 RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 {
 	contact_end(p, i);
@@ -34,8 +35,8 @@ RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 	p->contact_feature[i] = make_int2(-1, -1);
 }
 
-// Before the narrow phase, which will release contact i if its boxes parted. A kernel of its own, because with these lines the narrow
-// phase was slower by a fifth on an H200, in worlds without events.
+// Lists the end of the touch of a contact that the narrow phase is about to release, because its boxes parted. This is
+// a kernel of its own: with these lines the narrow phase was slower by a fifth on an H200, in worlds without events.
 KERNEL(touch_part)
 {
 	Word flags = p->contact_flags[i];
@@ -45,7 +46,7 @@ KERNEL(touch_part)
 	p->contact_flags[i] = flags & ~CONTACT_TOUCHED;
 }
 
-// Contact i, after the solve.
+// Item: a contact, after the solve. Lists its touch when it begins or ends, and its hit.
 KERNEL(touch)
 {
 	Word flags = p->contact_flags[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// command.h -- the user's changes since the last step; those of one item in the order in which they were made.
+// command.h -- applies the user's changes since the last step; those of one item in the order of the calls.
 #ifndef COMMAND_H
 #define COMMAND_H
 #include "constraints/angle.h"
@@ -33,8 +33,8 @@ INLINE void command_push(const Pools* p, int body, Vec impulse)
 	command_velocity(p, body, vec_add(vec(state.vx, state.vy), vec_scale(state.inv_mass, impulse)));
 }
 
-// The moment about the center of mass of a force or impulse at a point of the world. Where both products overflow, their difference would be
-// NaN: it is that of a force 2^64 times smaller.
+// Returns the moment about the center of mass of a force or impulse at a world point. If both products overflow, their
+// difference is NaN; then the moment is computed from a force 2^64 times smaller and scaled back.
 OUT_OF_LINE float command_moment(const Pools* p, int body, Vec force, float x, float y)
 {
 	Float4 pose = p->pose[body];
@@ -45,7 +45,8 @@ OUT_OF_LINE float command_moment(const Pools* p, int body, Vec force, float x, f
 	return finite_or_most(1.8446744e19f * vec_cross(arm, vec_scale(5.4210109e-20f, force)));
 }
 
-// Moves the center of mass within the body. The velocity is that of the same motion of the rigid body.
+// Sets mass, inertia and center of mass of a body. The rigid body keeps its motion; the stored velocity becomes that of
+// the new center.
 INLINE void command_mass(const Pools* p, int i, Float4 value)
 {
 	Float2 old = p->local_center[i];
@@ -53,7 +54,7 @@ INLINE void command_mass(const Pools* p, int i, Float4 value)
 	BodyState state = p->body[i];
 	Vec v = vec_add(vec(state.vx, state.vy), vec_spin(state.w, shift));
 	p->local_center[i] = make_float2(value.z, value.w);
-	// a coordinate of -0 stays
+	// keeps coordinates of -0
 	if (shift.x != 0.0f || shift.y != 0.0f)
 		pose_move(p, i, shift, turn);
 	p->body[i].inv_mass = value.x;
@@ -61,7 +62,7 @@ INLINE void command_mass(const Pools* p, int i, Float4 value)
 	command_velocity(p, i, v);
 }
 
-// locks has the bits of scree_body_def.locks: 1 for x, 2 for y, 4 for rotation
+// Sets damping, gravity scale and locks. locks: bits of scree_body_def.locks: 1 x, 2 y, 4 rotation.
 INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 {
 	GLOBAL Motion* motion = p->motion + i;
@@ -75,7 +76,7 @@ INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 		p->body[i].w = 0.0f;
 }
 
-// Disables a body: its velocity is stored in a pool of its own, and neither forces nor gravity act on it.
+// Disables a body: stores its velocity in the pool stored_velocity, and clears forces and gravity.
 INLINE void command_rest(const Pools* p, int i)
 {
 	BodyState state = p->body[i];
@@ -91,7 +92,7 @@ INLINE void command_rest(const Pools* p, int i)
 	motion->gravity_scale = 0.0f;
 }
 
-// Restores the velocity of a disabled body, while a command is applied or for good.
+// Restores the velocity of a disabled body, to apply a command or to enable the body.
 INLINE void command_wake(const Pools* p, int i)
 {
 	StoredVelocity stored = p->stored_velocity[i];
@@ -100,7 +101,7 @@ INLINE void command_wake(const Pools* p, int i)
 	p->body[i].w = stored.w;
 }
 
-// The center of mass of a body whose origin is at a pose.
+// Returns the center of mass of a body whose origin is at a pose.
 INLINE Vec command_center(const Pools* p, int i, Float4 pose)
 {
 	Float2 center = p->local_center[i];
@@ -135,7 +136,8 @@ INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 	p->body[i].w = 0.0f;
 }
 
-// A new row: at rest, without mass, forces or locks. The host computes the pose of its center of mass, as for rows that are written at once.
+// Initializes a new body: at rest, without mass, forces or locks. pose: that of the center of mass, computed by the
+// host as for rows that it uploads directly.
 INLINE void command_body(const Pools* p, int i, Float4 pose, Float2 center)
 {
 	item_clear(p, PER_BODY, i);
@@ -146,7 +148,7 @@ INLINE void command_body(const Pools* p, int i, Float4 pose, Float2 center)
 	p->motion[i].free_y = 1.0f;
 }
 
-// A new row. Its box is empty, so that its pairs are found as new ones.
+// Initializes a new collidable. Its box is empty, so the broad phase finds all of its pairs as new.
 INLINE void command_collidable(const Pools* p, int i, Float4 pose, int attribute, int body)
 {
 	item_clear(p, PER_COLLIDABLE, i);
@@ -159,7 +161,7 @@ INLINE void command_collidable(const Pools* p, int i, Float4 pose, int attribute
 
 INLINE Word64 command_word64(float low, float high) { return (Word64)float_word(high) << 32 | (Word64)float_word(low); }
 
-// Commands that set the pose or properties of a body.
+// Applies a command that sets the pose or a property of a body.
 INLINE void command_body_change(const Pools* p, Command c)
 {
 	int i = c.index;
@@ -206,7 +208,7 @@ INLINE void command_body_change(const Pools* p, Command c)
 	}
 }
 
-// Commands of a collidable.
+// Applies a command of a collidable.
 INLINE void command_collidable_change(const Pools* p, Command c)
 {
 	int i = c.index;
@@ -293,10 +295,10 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_rest(p, c.index);
 }
 
-// Groups between the one that is applied and the one whose rows are fetched.
+// distance between the group that is applied and the group whose rows are prefetched
 #define COMMAND_SOON 6
 
-// Item i is a group: the commands of one body or one collidable. argument is the number of groups.
+// Item: a group, the commands of one body or one collidable. argument: number of groups.
 KERNEL(command)
 {
 	if (FETCHES && i + COMMAND_SOON < p->argument)

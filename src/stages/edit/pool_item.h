@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// pool_item.h -- what is done to an item in all its pools at once, by their roles: hashed, cleared, moved, fetched.
+// pool_item.h -- operations on an item in all its pools at once, selected by the roles of the pools: hash, clear, move,
+// fetch.
 #ifndef POOL_ITEM_H
 #define POOL_ITEM_H
 #include "constraints/constraint_kinds.h"
@@ -12,7 +13,7 @@
 #define HASH_DERIVED(x)
 #define HASH_SCRATCH(x)
 
-// In all functions below per is a constant, so that the lines of other pools vanish.
+// per is a constant in all functions below, so the compiler removes the lines of other pools.
 
 INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h)
 {
@@ -22,7 +23,8 @@ INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h)
 	return h;
 }
 
-// A new item: its maker writes what is not zero. {0} is no vector in OpenCL C, so the zero is what follows an explicit one.
+// Clears a new item; the caller then writes the values that are not zero. OpenCL C does not accept {0} for a vector, so
+// the zero is the implicit second member of a struct.
 INLINE void item_clear(const Pools* p, Per per, int i)
 {
 #define X(type, name, of, role)           \
@@ -39,7 +41,7 @@ INLINE void item_clear(const Pools* p, Per per, int i)
 #undef X
 }
 
-// All that outlives a step.
+// Copies every pool that outlives a step.
 INLINE void item_move(const Pools* p, Per per, int to, int from)
 {
 #define X(type, name, of, role)              \
@@ -49,7 +51,7 @@ INLINE void item_move(const Pools* p, Per per, int to, int from)
 #undef X
 }
 
-// Fetches what item_clear writes.
+// Prefetches the pools that item_clear writes.
 INLINE void item_fetch(const Pools* p, Per per, int i)
 {
 #define X(type, name, of, role)           \

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// field_area.h -- the area and the centroid of the part of a shape that is in a fluid.
+// field_area.h -- area and centroid of the part of a shape that is in a fluid.
 //
-// The outline of a shape is a row of edges and arcs. In axes that lie on the surface, x along it and y = 0 on it, the integrals of
-// x dy, x^2 / 2 dy and x y dy around a part are its area and its first moments. They are 0 along the surface itself, so the sum over
-// what lies below it is all: no outline of the part is needed, and a part of any shape is exact.
-// A shape that several edges of a region cut is clipped by them one after the other, with its arcs replaced by corners: that is exact
-// without arcs.
+// The outline of a shape is a sequence of edges and arcs. The axes lie on the surface of the fluid: x along it, y = 0
+// on it. The integrals of x dy, x^2 / 2 dy and x y dy around the immersed part are its area and its first moments. They
+// are 0 along the surface itself, so it is enough to sum over the outline below it. The result is exact for every
+// shape.
+// A shape that several edges of a region cut is clipped by one edge after the other, with its arcs replaced by corners.
+// This is exact for shapes without arcs.
 //
 // This work is based on:
 // George Green, An Essay on the Application of Mathematical Analysis, 1828: areas from integrals along outlines.
@@ -15,20 +16,20 @@
 #include "constraints/angle.h"
 #include "pools/pools.h"
 
-#define FIELD_CORNERS (3 * MAX_CORNERS + MAX_CORNERS) // of a clipped outline: three for each arc, and one for each cut
+#define FIELD_CORNERS (3 * MAX_CORNERS + MAX_CORNERS) // corners of a clipped outline: 3 per arc, 1 per cut
 
-typedef struct // an area, and its first moments: m^2, m^3
+typedef struct // m^2, m^3: area and its first moments
 {
 	float area, x, y;
 } FieldArea;
 
-typedef struct // an edge of a region: what is in the fluid has a negative distance from it
+typedef struct // edge of a region; points in the fluid have a negative distance from it
 {
 	Vec normal;
-	float offset; // m: distance of the origin of the shape
+	float offset; // m: signed distance of the shape's origin from the edge
 } FieldEdge;
 
-// The part of the edge from a to b that is below y = 0.
+// Adds the part of the edge from a to b that is below y = 0.
 INLINE void field_area_edge(FieldArea* sum, Vec a, Vec b)
 {
 	if (a.y > 0.0f && b.y > 0.0f)
@@ -47,11 +48,11 @@ INLINE void field_area_edge(FieldArea* sum, Vec a, Vec b)
 	sum->y = sum->y + (a.x * (2.0f * a.y + b.y) + b.x * (a.y + 2.0f * b.y)) * (1.0f / 6.0f) * rise;
 }
 
-// An arc of up to half a turn around a center, from direction a to b.
+// Adds an arc of up to half a turn around a center, from direction a to direction b.
 INLINE void field_area_piece(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 {
 	float angle = vec_angle(vec_turn_back(a, b)), rise = b.y - a.y;
-	angle = angle < -1.0f ? angle + 6.28318531f : angle; // half a turn is as good as minus half a turn
+	angle = angle < -1.0f ? angle + 6.28318531f : angle; // half a turn may come out as minus half a turn
 	float squares = 0.5f * (angle + (b.x * b.y - a.x * a.y));
 	float cubes = rise - (b.y * b.y * b.y - a.y * a.y * a.y) * (1.0f / 3.0f);
 	float mixed = 0.5f * (b.y * b.y - a.y * a.y), mixed2 = (a.x * a.x * a.x - b.x * b.x * b.x) * (1.0f / 3.0f);
@@ -61,10 +62,11 @@ INLINE void field_area_piece(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 	sum->y = sum->y + r * (center.y * width + r * (center.x * mixed + r * mixed2));
 }
 
-// The part of an arc that is below y = 0. With both ends below, it leaves the fluid if the top of the circle is on it.
+// Adds the part of an arc that is below y = 0. An arc whose ends are both below still leaves the fluid if it contains
+// the top of the circle.
 INLINE void field_area_arc(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 {
-	float sine = -center.y / r; // of the directions in which the circle meets the surface
+	float sine = -center.y / r; // sine of the directions in which the circle crosses the surface
 	if (sine <= -1.0f)
 		return;
 	if (sine >= 1.0f)
@@ -88,12 +90,13 @@ INLINE void field_area_arc(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 		field_area_piece(sum, center, r, enter, leave);
 }
 
-// The part of a shape, turned, that is below an edge. x and y are relative to the origin of the shape, in the world.
+// Returns the part of a rotated shape that is below an edge. x and y are relative to the shape's origin, in world axes.
 INLINE FieldArea field_area_below(const GLOBAL Attribute* shape, Vec turn, FieldEdge edge)
 {
 	FieldArea sum = {0.0f, 0.0f, 0.0f};
 	float r = shape->radius;
-	Vec axes = vec_turn_back(vec(edge.normal.y, -edge.normal.x), turn); // of the shape, in the axes of the surface
+	// axes of the shape, relative to those of the surface
+	Vec axes = vec_turn_back(vec(edge.normal.y, -edge.normal.x), turn);
 	int last = shape->count - 1;
 	Vec before = vec_turn(axes, vec(shape->normals[last].x, shape->normals[last].y));
 	for (int k = 0; k < shape->count; ++k)
@@ -122,8 +125,8 @@ INLINE FieldArea field_area_below(const GLOBAL Attribute* shape, Vec turn, Field
 	return part;
 }
 
-// The outline of a shape, turned, with corners for its arcs that keep its area: eight for a circle, five for the end of a capsule, three
-// for an arc of a polygon. Returns the number of corners.
+// Writes the corners of the outline of a rotated shape and returns their number. Corners replace arcs of the same area:
+// 8 for a circle, 5 for the end of a capsule, 3 for an arc of a polygon.
 INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 {
 	int count = 0, last = shape->count - 1;
@@ -158,10 +161,11 @@ INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 		}
 		else if (shape->radius > 0.0f)
 		{
-			// an arc of the angle a has the area of its corners if the middle one is a / 2 / sin(a / 2) times as far; here by a series
+			// corners enclose the same area as an arc of angle a if the middle one is at (a / 2) / sin(a / 2) times the
+			// radius, here as a series in sin^2(a / 2)
 			Vec bisector = vec_add(before, normal);
 			float square = vec_dot(bisector, bisector),
-			      sine = maximum(1.0f - 0.25f * square, 0.0f); // squares of 2 cos(a / 2), of sin(a / 2)
+			      sine = maximum(1.0f - 0.25f * square, 0.0f); // squares of 2 cos(a / 2) and of sin(a / 2)
 			float far = shape->radius * (1.0f + sine * (1.0f / 6.0f) + sine * sine * (1.0f / 9.0f));
 			out[count++] = vec_add(at, vec_scale(far / square_root(square), bisector));
 		}
@@ -171,7 +175,7 @@ INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 	return count;
 }
 
-// The part of a shape that is below all edges of cuts, bits of a region.
+// Returns the part of a shape that is below all edges whose bits are set in cuts.
 RARE FieldArea field_area_clipped(const GLOBAL Attribute* shape, Vec turn, const FieldEdge* edges, int cuts)
 {
 	Vec corners[FIELD_CORNERS], next[FIELD_CORNERS];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // field_forces.h -- forces of fields on bodies, once per step, before the solve.
 //
-// Each body gathers what the fields do: first the sum of each of its collidables, in the order of its list, then the fields that act on
-// bodies, by index. So no two items write to one place, and the order of a sum depends on nothing but the user's calls. The result goes
-// where the user's forces are, which integrate adds in each substep and finalize clears.
+// Each body sums the forces on it: first the sums of its collidables, in the order of its list, then the fields that
+// act on bodies, by index. So no two items write to one place, and the order of a sum depends only on the user's calls.
+// The result is added to the user's forces, which integrate applies in each substep and finalize clears.
 //
 // This work is based on:
 // Henry Crozier Plummer, On the Problem of Distribution in Globular Star Clusters, 1911: soft centers.
@@ -12,7 +12,7 @@
 #include "stages/edit/command.h"
 #include "stages/field/field_shape.h"
 
-// Where fields are. argument is their number; items beyond it are padding.
+// Computes the pose and the box of each field. argument: number of fields; items beyond it are padding.
 KERNEL(field_place)
 {
 	Float4 box = box_empty();
@@ -22,7 +22,7 @@ KERNEL(field_place)
 		FieldSample spot = field_sample_of(p, field);
 		p->field_sample[i] = spot;
 		if (field->shape.count == 0)
-			box = make_float4(EMPTY_HIGH, EMPTY_HIGH, EMPTY_LOW, EMPTY_LOW); // holds all
+			box = make_float4(EMPTY_HIGH, EMPTY_HIGH, EMPTY_LOW, EMPTY_LOW); // contains every point
 		for (int k = 0; k < field->shape.count; ++k)
 		{
 			Vec corner = field_turn(&spot, field->shape.vertices[k].x, field->shape.vertices[k].y);
@@ -33,7 +33,7 @@ KERNEL(field_place)
 	box_pack(p->field_box, i, box);
 }
 
-// Boxes around ARITY boxes each. argument is the number of boxes; items beyond them are padding.
+// Computes boxes around ARITY boxes each. argument: number of boxes; boxes beyond it are padding.
 KERNEL(field_gather)
 {
 	Float4 box = box_empty();
@@ -42,8 +42,9 @@ KERNEL(field_gather)
 	box_pack(p->field_group, i, box);
 }
 
-// The acceleration towards a center at some way, over that way, 1/s^2. Within a step it may not carry a body past the center: so a field
-// that is too strong for the step has a soft middle, and throws nothing out.
+// Returns the acceleration toward a center divided by the distance to it, 1/s^2. way: vector to the center. The
+// acceleration is limited so that no step carries a body past the center: a field that is too strong for the step has a
+// soft center and ejects nothing.
 INLINE float field_pull(const Pools* p, const GLOBAL Field* field, Vec way)
 {
 	float r = square_root(vec_dot(way, way) + field->softening * field->softening), share = 1.0f;
@@ -59,7 +60,7 @@ INLINE float field_pull(const Pools* p, const GLOBAL Field* field, Vec way)
 	return within(field->strength * share / r, most);
 }
 
-// Whether a field acts on some collidable of a body, or on a body without any.
+// Returns whether a field acts on some collidable of a body, or on a body without collidables.
 INLINE int field_sees_body(const Pools* p, const GLOBAL Field* field, int body)
 {
 	if (field->all)
@@ -101,7 +102,7 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 	}
 }
 
-// Items are bodies. argument is twice the number of fields, plus 1 if some act on shapes.
+// Item: a body. argument: twice the number of fields, plus 1 if some act on shapes.
 KERNEL(field_body)
 {
 	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f)

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// field_shape.h -- fields that act on shapes: wind on the outline, buoyancy on the part that is in the fluid.
+// field_shape.h -- fields that act on shapes: wind on the outline, buoyancy on the immersed part.
 //
 // This work is based on:
-// Archimedes, On Floating Bodies: the force of a fluid is the weight of what is displaced, and acts at its centroid.
-// Ludwig Prandtl, Oskar Tietjens, Fundamentals of Hydro- and Aeromechanics, 1934: drag and lift by the square of the speed.
+// Archimedes, On Floating Bodies: the force of a fluid is the weight of the displaced fluid, and acts at its centroid.
+// Ludwig Prandtl, Oskar Tietjens, Fundamentals of Hydro- and Aeromechanics, 1934: drag and lift grow with the square of
+// the speed.
 #ifndef FIELD_SHAPE_H
 #define FIELD_SHAPE_H
 #include "stages/field/field_area.h"
 #include "stages/field/field_sum.h"
 
-typedef struct // a shape, where fields act on it
+typedef struct // shape on which fields act
 {
 	const GLOBAL Attribute* shape;
-	Vec at, turn, arm; // pose of its origin in the world; arm from the center of mass
+	Vec at, turn, arm; // position and rotation of its origin in the world; arm from the center of mass to the origin
 	Vec v;             // velocity of the center of mass
 	float w;
 } FieldTarget;
 
-// The velocity at which a medium passes a point of the shape, given from the center of mass.
+// Returns the velocity of the medium relative to a point of the shape; arm: from the center of mass to the point.
 INLINE Vec field_passing(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, Vec arm)
 {
 	Vec at = vec_add(t->at, vec_sub(arm, t->arm));
@@ -32,8 +33,8 @@ INLINE Vec field_middle(const GLOBAL Attribute* shape)
 	return vec_scale(1.0f / (float)shape->count, sum);
 }
 
-// Drag and lift of each edge that faces the wind, at its middle, by the width that it turns to the wind; a rounded shape is wider by
-// twice its radius, at the middle of its corners.
+// Adds drag and lift of each edge that faces the wind, at its middle, in proportion to its width across the wind. A
+// rounded shape is wider by twice its radius; the drag of this width acts at the mean of its corners.
 INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, FieldForce* sum)
 {
 	const GLOBAL Attribute* shape = t->shape;
@@ -64,7 +65,7 @@ INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const
 	}
 }
 
-// An edge of a region, or the surface of a fluid that is everywhere below it.
+// Returns edge k of a region; for a field without a shape, the surface of a fluid that fills everything below it.
 INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSample* spot, int k, const FieldTarget* t)
 {
 	FieldEdge edge;
@@ -80,7 +81,8 @@ INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSample* spot, 
 	return edge;
 }
 
-// The highest point of a shape above an edge, and the lowest with a sign of -1.
+// Returns the height of the highest point of a shape above an edge; with sign -1, the depth of its lowest point below
+// the edge.
 INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 {
 	Vec normal = vec_turn_back(t->turn, vec_scale(sign, edge.normal));
@@ -90,7 +92,7 @@ INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 	return sign * edge.offset + most + t->shape->radius;
 }
 
-// The part of a shape in a fluid. depth gets the shortest way on which all of it leaves the fluid, m.
+// Returns the immersed part of a shape. *depth, m: shortest distance by which the whole shape leaves the fluid.
 INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, float* depth)
 {
 	FieldArea none = {0.0f, 0.0f, 0.0f};
@@ -117,9 +119,10 @@ INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* sp
 	return field_area_below(t->shape, t->turn, line);
 }
 
-// A limit of the force of a fluid on a point of a body, N. A body that is much lighter than the fluid would be thrown out of it: the force
-// of a step may not give the point more speed than takes it out in a step, nor more than twice sqrt(g width), about that of a ball that is
-// let go under water. What holds it down may still weigh dozens of times as much.
+// Returns the limit of the force of a fluid at a point of a body, N. A body that is much lighter than the fluid would
+// be thrown out of it. So the force of a step may not give the point more speed than takes the shape out of the fluid
+// within a step, nor more than 2 sqrt(g width), about the speed of a ball that is released under water. The body still
+// carries a load of dozens of times its weight.
 INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, float weight, float depth, float width)
 {
 	BodyState state = p->body[body];
@@ -129,8 +132,8 @@ INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, flo
 	return (weight + most) / easy;
 }
 
-// The weight of the fluid that a shape displaces, at the centroid of that; and the drag of the fluid there: by the area, and by the
-// square of the speed as of a disc of the same area.
+// Adds buoyancy and drag at the centroid of the displaced fluid: the weight of that fluid, drag by the area, and drag
+// by the square of the speed as for a disc of the same area.
 INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSample* spot, int body,
                         const FieldTarget* t, FieldForce* sum)
 {
@@ -153,7 +156,7 @@ INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSa
 	    field->linear_drag * part.area + 0.5f * field->density * field->drag * width * square_root(vec_dot(e, e));
 	field_brake(sum, arm, rate, vec_scale(rate, e));
 
-	// turning about that point, as a rod from there to the farthest corner on both sides
+	// drag of rotation about that point, as of a rod that reaches to the farthest corner on both sides
 	Vec middle = field_middle(t->shape);
 	float most = 0.0f;
 	for (int k = 0; k < t->shape->count; ++k)
@@ -177,7 +180,7 @@ INLINE void field_act_shape(const Pools* p, int collidable, int body, int index,
 		field_float(p, field, &spot, body, t, sum);
 }
 
-// Items are collidables. argument is the number of fields; their boxes are padded to a multiple of ARITY.
+// Item: a collidable. argument: number of fields; their boxes are padded to a multiple of ARITY.
 KERNEL(field_shape)
 {
 	if (p->collidable_kind[i] != KIND_DYNAMIC)

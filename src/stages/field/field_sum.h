@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// field_sum.h -- where fields and bodies are in a step, and the sum of what fields do to a body.
+// field_sum.h -- poses of fields and bodies in a step, and the sum of the forces of fields on a body.
 //
-// Fields act once per step. A substep adds the force to the velocity and then the velocity to the position, so with n substeps of h the
-// force of a step moves a body by (n + 1) / 2 h^2 n times its acceleration. That is a drift, a kick and a drift if the force is the one
-// at the pose that the body reaches after (n - 1) / 2 h on its own: then the motion in a conservative field keeps its energy. From the
-// pose at the start of the step orbits would grow.
+// Fields act once per step. A substep adds the force to the velocity, then the velocity to the position. So with n
+// substeps of h s a constant force moves a body by n (n + 1) / 2 h^2 times its acceleration in a step. If the force is
+// evaluated at the pose that the body reaches by itself after (n - 1) / 2 h, the step is equivalent to a drift, a kick
+// and a drift, and motion in a conservative field keeps its energy. With the pose at the start of the step, orbits
+// would grow.
 //
 // This work is based on:
-// Ernst Hairer, Christian Lubich, Gerhard Wanner, Geometric Numerical Integration, 2006, I.1.4: the scheme of Stoermer and Verlet.
+// Ernst Hairer, Christian Lubich, Gerhard Wanner, Geometric Numerical Integration, 2006, I.1.4: the scheme of Stoermer
+// and Verlet.
 #ifndef FIELD_SUM_H
 #define FIELD_SUM_H
 #include "pools/pools.h"
@@ -16,10 +18,10 @@
 // N, N m: limit of the force of all fields on a body
 #define FIELD_MOST 1.0e35f
 
-// s: from the start of a step to the poses at which fields act
+// s: time from the start of a step to the poses at which fields act
 INLINE float field_ahead(const Pools* p) { return 0.5f * (p->step.dt - p->step.h); }
 
-// The pose of the center of mass of a body then.
+// Returns the predicted pose of a body's center of mass at that time.
 INLINE Float4 field_body_pose(const Pools* p, int body)
 {
 	BodyState state = p->body[body];
@@ -29,7 +31,7 @@ INLINE Float4 field_body_pose(const Pools* p, int body)
 	return make_float4(pose.x + ahead * state.vx, pose.y + ahead * state.vy, turn.x, turn.y);
 }
 
-// A pose in the frame of a body, in the world. *arm gets the way from the center of mass.
+// Transforms a pose from the frame of a body to the world. *arm: vector from the center of mass to it.
 INLINE Float4 field_body_point(const Pools* p, int body, Float4 own, Vec* arm)
 {
 	Float4 pose = field_body_pose(p, body);
@@ -55,13 +57,13 @@ INLINE FieldSample field_sample_of(const Pools* p, const GLOBAL Field* field)
 	return spot;
 }
 
-// A vector of a field, in the world.
+// Rotates a vector from the frame of a field to the world.
 INLINE Vec field_turn(const FieldSample* spot, float x, float y)
 {
 	return vec_turn(vec(spot->pose.z, spot->pose.w), vec(x, y));
 }
 
-// The velocity of the medium at a point.
+// Returns the velocity of the medium at a point.
 INLINE Vec field_flow(const GLOBAL Field* field, const FieldSample* spot, Vec at)
 {
 	Vec arm = vec((at.x - spot->pose.x) - spot->center_x, (at.y - spot->pose.y) - spot->center_y);
@@ -69,7 +71,7 @@ INLINE Vec field_flow(const GLOBAL Field* field, const FieldSample* spot, Vec at
 	return vec_add(own, field_turn(spot, field->velocity_x, field->velocity_y));
 }
 
-// Whether a point is in the region of a field.
+// Returns whether a point is in the region of a field.
 INLINE int field_holds(const GLOBAL Field* field, const FieldSample* spot, Vec at)
 {
 	const GLOBAL Attribute* shape = &field->shape;
@@ -95,12 +97,12 @@ INLINE int field_sees(const GLOBAL Field* field, const GLOBAL Filter* filter)
 	return (field->mask & filter->category) != 0 && (filter->mask & field->category) != 0;
 }
 
-typedef struct // a walk over the fields whose boxes overlap one, in rising order
+typedef struct // traversal of the fields whose boxes overlap a box, by rising index
 {
 	Float4 box;
-	int count;        // fields
-	int next;         // item behind those that were looked at: a block of boxes, or a block of groups
-	int group, first; // of the present hits: blocks of boxes, boxes
+	int count;        // number of fields
+	int next;         // next item to test: a block of boxes, or a block of groups
+	int group, first; // first box of the current block of groups, and of the current block of boxes
 	Word groups, hits;
 } FieldTraversal;
 
@@ -110,7 +112,7 @@ INLINE FieldTraversal field_traverse(int count, Float4 box)
 	return traversal;
 }
 
-// Takes the lowest bit of a set that is not empty.
+// Removes and returns the lowest bit of a non-empty set.
 INLINE int field_take(Word* bits)
 {
 	int k = 0;
@@ -120,7 +122,7 @@ INLINE int field_take(Word* bits)
 	return k;
 }
 
-// The next field, -1 at the end.
+// Returns the next field, -1 at the end.
 INLINE int field_next(const Pools* p, FieldTraversal* w)
 {
 	int few = w->count <= FIELD_FEW, step = few ? ARITY : ARITY * ARITY;
@@ -147,7 +149,7 @@ INLINE FieldForce field_nothing(void)
 	return sum;
 }
 
-// A force at a point, from the center of mass.
+// Adds a force at a point; arm: from the center of mass to the point.
 INLINE void field_push(FieldForce* sum, Vec arm, Vec force)
 {
 	sum->fx = sum->fx + force.x;
@@ -155,7 +157,7 @@ INLINE void field_push(FieldForce* sum, Vec arm, Vec force)
 	sum->torque = sum->torque + vec_cross(arm, force);
 }
 
-// The force of a medium at a point; rate is the force over the speed at which the medium passes, kg/s.
+// Adds the drag of a medium at a point. rate, kg/s: force over the speed of the medium relative to the point.
 INLINE void field_brake(FieldForce* sum, Vec arm, float rate, Vec force)
 {
 	sum->drag_x = sum->drag_x + force.x;
@@ -167,7 +169,7 @@ INLINE void field_brake(FieldForce* sum, Vec arm, float rate, Vec force)
 	sum->rate_w = sum->rate_w + rate * vec_dot(arm, arm);
 }
 
-// The torque of a medium that turns faster than the body by a spin; rate in kg m^2/s.
+// Adds the torque of a medium that rotates faster than the body by spin, rad/s. rate: kg m^2/s.
 INLINE void field_brake_spin(FieldForce* sum, float rate, float spin)
 {
 	sum->drag_torque = sum->drag_torque + rate * spin;
@@ -188,9 +190,9 @@ INLINE void field_add(FieldForce* sum, FieldForce f)
 	sum->rate_w = sum->rate_w + f.rate_w;
 }
 
-// Weakens the drag of a stiff medium, which would otherwise reverse what it brakes within the step. Velocity and spin are limited one
-// by one; then both together, to where the drag's dissipation along this change of velocity is 0. So drag never adds energy, and one that
-// is not stiff is left alone: then the speed at which it balances a force is exact.
+// Limits the drag of a stiff medium, which would otherwise reverse the velocity within the step. First velocity and
+// spin are limited separately, then both together so that the dissipation along this change of velocity is not below 0.
+// So drag never adds energy. Drag that is not stiff stays the same, so the speed at which it balances a force is exact.
 INLINE void field_soften(const Pools* p, int body, FieldForce* sum)
 {
 	BodyState state = p->body[body];
@@ -201,7 +203,7 @@ INLINE void field_soften(const Pools* p, int body, FieldForce* sum)
 	float most = maximum(maximum(absolute(fx), absolute(fy)), absolute(torque)), share = 1.0f;
 	if (most > 1.0e-30f && most < FIELD_MOST)
 	{
-		float unit = 1.0f / most; // squares of forces may not be finite
+		float unit = 1.0f / most; // avoids squares of forces, which may not be finite
 		float dx = motion.free_x * state.inv_mass * (unit * fx), dy = motion.free_y * state.inv_mass * (unit * fy);
 		float dw = state.inv_inertia * (unit * torque);
 		float gain = unit * sum->drag_x * dx + unit * sum->drag_y * dy + unit * sum->drag_torque * dw;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// contact_approval.h -- contacts about which the user is asked first: which are listed, and bodies that wait where they would meet.
+// contact_approval.h -- contact approval: lists contacts for the user's decision, and stops their bodies where they
+// would meet.
 //
-// A contact of a collidable that asks has points but no impulses until the user says yes. In the step in which it gets points it is
-// listed, and waits: its bodies move no further than to where they meet, so that nothing slips through before there is an answer.
-// Their velocities stay.
+// A contact of a collidable that requires approval has points but no impulses until the user approves it. In the step
+// in which it gets points it is listed and becomes pending. Its bodies move only to where they meet, so that nothing
+// slips through before there is an answer. They keep their velocities.
 #ifndef CONTACT_APPROVAL_H
 #define CONTACT_APPROVAL_H
 #include "constraints/angle.h"
 #include "stages/finalize/continuous.h"
 #include "stages/finalize/finalize.h"
 
-// Contact i, after the narrow phase: it is listed when it has points. Those that were refused, or that a one-way
-// platform lets through, are made keys, for guard. argument: whether there are platforms.
+// Item: a contact, after the narrow phase. Lists a pending contact when it has points. Writes the keys of contacts that
+// were refused, or that a one-way platform lets through, for continuous collision. argument: 1 if there are platforms.
 KERNEL(approval_request)
 {
 	Word flags = p->contact_flags[i];
@@ -40,7 +41,8 @@ KERNEL(approval_request)
 
 KERNEL(refused_pair) { p->refused[i] = p->key[i]; }
 
-// Contact i, at the end of the step, when contacts have the slots that they keep until the next one.
+// Lists contact i if it is pending. Runs at the end of the step, when contacts are in the slots that they keep until
+// the next step.
 KERNEL(approval_list)
 {
 	if (p->contact_flags[i] & CONTACT_WAITED)
@@ -48,10 +50,10 @@ KERNEL(approval_list)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// waiting
+// bodies of pending contacts
 // ---------------------------------------------------------------------------------------------------------------
 
-// Body i before the solve: where it is.
+// Stores the pose of body i before the solve.
 KERNEL(approval_begin)
 {
 	p->approval_pose[i] = p->pose[i];
@@ -59,7 +61,7 @@ KERNEL(approval_begin)
 	p->approval_fraction[i] = float_bits(1.0f);
 }
 
-// How body i went in the step, from its poses.
+// Returns the motion of body i in the step, from its poses.
 INLINE Advance approval_advance(const Pools* p, int i)
 {
 	Float4 then = p->approval_pose[i], now = p->pose[i];
@@ -76,7 +78,7 @@ INLINE Sweep approval_sweep(const Pools* p, WorldShape s)
 	return sweep_with(approval_advance(p, s.body), vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
-// Item i of the contacts that wait: the share of the way after which its bodies meet.
+// Item: a pending contact. Computes the fraction of the motion after which its bodies meet.
 KERNEL(approval_find)
 {
 	int slot = p->waiting[i];
@@ -86,12 +88,12 @@ KERNEL(approval_find)
 	float share = continuous_time(p, a, approval_sweep(p, a), b, approval_sweep(p, b), meets).time;
 	if (!(share < 1.0f))
 		return;
-	// shares are not negative, so they are ordered like their bits
+	// non-negative floats are ordered like their bits
 	atomic_min_int(&p->approval_fraction[bodies.x], float_bits(share));
 	atomic_min_int(&p->approval_fraction[bodies.y], float_bits(share));
 }
 
-// Body i after the solve: back to where it met another one.
+// Moves body i back to where it met another one, after the solve.
 KERNEL(approval_stop)
 {
 	float share = bits_float(p->approval_fraction[i]);

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// continuous.h -- a body that the solver would move through something stops inside its surface.
+// continuous.h -- continuous collision: stops a body that the solver would move through something.
 //
-// A contact is made before bodies meet, by the velocities at the beginning of a step (sweep.h). A body that is struck or
-// turned within the step goes elsewhere, where it may have no contact, or none at the corner that it turns to. So the path of a body that
-// went further than a share of its thickness is swept against the collidables along it. The body moves along its path until it is a
-// little inside the surface. Its velocity stays, and the next step has a contact for it.
+// Contacts are created before bodies meet, from the velocities at the start of a step (sweep.h). A body that is hit or
+// rotated within the step moves elsewhere, where it may have no contact, or none at the corner that it rotates to. So
+// the path of a body that moved further than a fraction of its thickness is swept against the collidables along it. The
+// body moves along its path until it is slightly inside the surface. It keeps its velocity, and the next step has a
+// contact for it.
 //
-// Static collidables stop it by its own displacement alone. Dynamic ones move in the same time by theirs, and of two only those stop that
-// go towards the other one where they meet: what goes away must go on, or it would be run through. Something kinematic does not yield: what
-// goes towards it keeps up with it from there on. No order matters, as all that is read is from before.
+// Static collidables stop it by its own displacement alone. Dynamic ones move at the same time by theirs. Of two such
+// bodies, one stops if it moves toward the other where they meet; one that moves away continues, or it would be run
+// through. A kinematic body does not yield: a body that moves toward it keeps up with it after they meet. The order of
+// bodies does not matter, because this stage reads only data that it does not write.
 //
-// Such bodies are few, and the work per body is long: finalize lists them for a stage of their own. Within finalize it
-// used registers for all bodies of a GPU: 1M in motion took 0.159 ms instead of 0.043 ms on an H200. Several work-items
-// share a body of many collidables.
+// Such bodies are few, and the work per body is long, so finalize lists them for a kernel of their own. As a part of
+// finalize the code used registers for all bodies of a GPU: 1M bodies in motion took 0.159 ms instead of 0.043 ms on an
+// H200. Several work-items share a body of many collidables.
 //
 // This work is based on:
 // Erin Catto, Continuous Collision, GDC 2013: static shapes stop moving ones, at a target inside the surface.
@@ -20,10 +22,11 @@
 #define CONTINUOUS_H
 #include "stages/finalize/continuous_search.h"
 
-// share of the thickness: a path that leaves the box of the step by more is swept against what moves and has no contact
+// fraction of the thickness: a path that leaves the box of the step by more is swept against moving collidables without
+// a contact
 #define CONTINUOUS_OUTLIER 0.5f
 
-// The way of collidable i with its body's displacement.
+// Returns the path of collidable i, which moves with its body. path, turn: displacement and rotation of the body.
 INLINE ContinuousPath continuous_path(const Pools* p, int i, int pressed, Vec path, float turn)
 {
 	ContinuousPath g;
@@ -40,7 +43,7 @@ INLINE ContinuousPath continuous_path(const Pools* p, int i, int pressed, Vec pa
 	return g;
 }
 
-// The box around a path.
+// Returns the box around a path.
 INLINE Float4 continuous_box(const Pools* p, const ContinuousPath* g)
 {
 	Float4 box = world_box(g->from, p->attribute + g->from.attribute, 0.0f);
@@ -49,7 +52,8 @@ INLINE Float4 continuous_box(const Pools* p, const ContinuousPath* g)
 	return box_grow(box_union(box, then), g->swing);
 }
 
-// Whether a collidable goes far against something kinematic. With many such bodies, the search finds out.
+// Returns whether a collidable moves far relative to a kinematic body. With more than KINEMATIC_FEW such bodies it
+// returns 1, and the search tests each.
 RARE int continuous_far_from_some(const Pools* p, const ContinuousPath* g)
 {
 	int far = p->step.kinematic > KINEMATIC_FEW;
@@ -61,10 +65,11 @@ RARE int continuous_far_from_some(const Pools* p, const ContinuousPath* g)
 	return far;
 }
 
-// The kinds that may be in the way of a collidable, a bit each. Sets the box of its path if there are any. As long as its path stays in the
-// box of the step, everything near has a contact. Boxes of two that have none are apart: neither gets past the middle of the other as long
-// as each leaves its box by less than its thickness. lists: one kind is enough, and a GPU leaves it to guard to compare paths with kinematic
-// bodies: finalize would use registers for that.
+// Returns a bit for each kind that may obstruct a collidable; if there is one, sets the box of its path. While the path
+// stays in the box of the step, everything near has a contact. The boxes of two collidables without a contact are
+// apart, so neither gets past the middle of the other as long as each leaves its box by less than CONTINUOUS_OUTLIER of
+// its thickness. lists: 1 if any kind is enough to list the body. Then a GPU does not compare the path with kinematic
+// bodies, which would cost registers of finalize; the kernel continuous does that.
 INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 {
 	float far = continuous_far(g->way.path, g->swing);
@@ -90,21 +95,23 @@ INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
 
-// Whether a body on which no forces acted, and that has no contacts, went as its boxes foresaw when the step began: it is inside of them.
+// Returns whether a body without contacts, on which no forces acted, moved as its boxes predicted at the start of the
+// step: it is inside them.
 INLINE int continuous_foreseen(const Pools* p, int body, float gravity_scale)
 {
 	return p->step.calm && absolute(gravity_scale) <= 1.0f && p->fixed_contacts[body] == 0 &&
 	       p->other_contacts[body] == 0;
 }
 
-// Whether a body with one collidable, near which there is nothing but one static collidable, passes that. Most of what rolls or slides ends
-// here on a CPU, and takes no search.
+// Returns whether a body of one collidable, near which there is nothing but one static collidable, passes it. On a CPU
+// most bodies that roll or slide end here and need no search.
 RARE int continuous_passes_only(const Pools* p, int body, Vec path, float turn)
 {
 	int k = p->continuous_body[body].first - 1, c = p->static_contact[body];
 	if (k < 0 || p->next_collidable[k] != 0 || c < 0 || c >= p->counters->live)
 		return 0;
-	// the slot may hold another contact by now; if it is one of this body with something static, it is the only one
+	// the slot may hold another contact by now; a contact of this body with something static is the right one, because
+	// it has only one
 	Int2 pair = p->pair[c];
 	if (pair.x != k || p->collidable_kind[pair.y] != KIND_STATIC)
 		return 0;
@@ -119,7 +126,7 @@ RARE int continuous_passes_only(const Pools* p, int body, Vec path, float turn)
 	                         continuous_depth(&g, KIND_STATIC).deeper);
 }
 
-// Whether nothing can be in the way of a body. Most bodies end here.
+// Returns whether nothing can obstruct a body. This is true for most bodies.
 INLINE int continuous_clear(const Pools* p, int body, Vec path, float turn)
 {
 	int fixed = p->fixed_contacts[body];
@@ -134,7 +141,8 @@ INLINE int continuous_clear(const Pools* p, int body, Vec path, float turn)
 	return !seeks;
 }
 
-// The share of its path that collidable i moves, with its body's displacement.
+// Returns the end of the path of collidable i, which moves with its body. path, turn: displacement and rotation of the
+// body.
 INLINE ContinuousStop continuous_collidable(const Pools* p, int i, int pressed, Vec path, float turn)
 {
 	ContinuousPath g = continuous_path(p, i, pressed, path, turn);
@@ -142,7 +150,8 @@ INLINE ContinuousStop continuous_collidable(const Pools* p, int i, int pressed, 
 	return continuous_search(p, &g);
 }
 
-// The collidable so many behind k in the list of a body. Numbers are 1 + index; 0 is the end.
+// Returns the collidable that follows k by count places in the list of a body. Collidables are numbered 1 + index; 0 is
+// the end.
 INLINE int continuous_skip(const Pools* p, int k, int count)
 {
 	for (; k > 0 && count > 0; --count)
@@ -150,8 +159,9 @@ INLINE int continuous_skip(const Pools* p, int k, int count)
 	return k;
 }
 
-// The share of its path that a body moves, by those of its collidables that belong to this part. Parts side by side test
-// theirs in the same iteration, because work-items of a GPU wait for each other.
+// Returns the first end among the paths of those collidables of a body that belong to a part; part -1 is a pressed
+// body. Neighboring parts test their collidables in the same iteration, because work-items of a GPU wait for each
+// other.
 INLINE ContinuousStop continuous_part(const Pools* p, ContinuousBody continuous_body, int part, Vec path, float turn)
 {
 	ContinuousStop least = continuous_stop(1.0f, vec(0.0f, 0.0f), 0);
@@ -166,8 +176,8 @@ INLINE ContinuousStop continuous_part(const Pools* p, ContinuousBody continuous_
 	return least;
 }
 
-// Whether something static may be near the path of a body whose points are no further from its center of mass than reach, m. A GPU looks
-// for it in guard.
+// Returns whether something static may be near the path of a body. reach, m: limit of the distance of its points from
+// its center of mass. A GPU tests this in the kernel continuous.
 INLINE int continuous_near_statics(const Pools* p, int body, Vec path, float reach)
 {
 	const GLOBAL Tree* tree = p->tree + 1;
@@ -179,7 +189,8 @@ INLINE int continuous_near_statics(const Pools* p, int body, Vec path, float rea
 	return tree_hits(p, tree->begin[tree->top], box_grow(box, reach)) != 0;
 }
 
-// Whether a body goes far enough to be tested. The bounds in Step rule most bodies out without reading their own rows.
+// Returns whether a body moves far enough to be tested. The bounds in Step rule out most bodies before their own rows
+// are read.
 INLINE int continuous_wanted(const Pools* p, int body, Vec path, float turn)
 {
 	float far = absolute(path.x) + absolute(path.y), swing = absolute(turn);
@@ -193,13 +204,14 @@ INLINE int continuous_wanted(const Pools* p, int body, Vec path, float turn)
 	       (p->step.kinematic || continuous_near_statics(p, body, path, continuous_body.reach));
 }
 
-// Whether a body that is pressed so deep into something static, m, goes so far that it may get too deep.
+// Returns whether a body that is pressed into something static by depth, m, moves so far that it may get too deep.
 INLINE int continuous_presses(const Pools* p, int body, float depth, Vec path, float turn)
 {
 	return depth + continuous_far(path, absolute(turn) * p->continuous_body[body].reach) > PRESS_MOST;
 }
 
-// A GPU combines atomics of neighboring work-items that add 1 each.
+// Lists a body for the kernel continuous, once per part. One part has a branch of its own, because a GPU combines
+// atomics of neighboring work-items that add 1 each.
 INLINE void continuous_enlist(const Pools* p, int body)
 {
 	int parts = p->continuous_body[body].parts;
@@ -215,12 +227,12 @@ INLINE void continuous_enlist(const Pools* p, int body)
 	p->continuous_parts[body] = 0;
 }
 
-// Whether all parts of a body are done, this one last. Then share is the least of all parts.
+// Returns whether all parts of a body are done, this one last. Then *share is the least of all parts.
 INLINE int continuous_all(const Pools* p, ContinuousBody continuous_body, int body, float* share)
 {
 	if (continuous_body.parts == 1)
 		return 1;
-	// shares are not negative, so they are ordered like their bits
+	// non-negative floats are ordered like their bits
 	if (*share < 1.0f)
 		atomic_min_int(&p->continuous_share[body], float_bits(*share));
 	if (arrive_int(&p->continuous_parts[body]) + 1 < continuous_body.parts)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// continuous_search.h -- the end of a collidable's path: what it meets first of what is in its way, and how far it goes.
+// continuous_search.h -- end of a collidable's path: the first obstacle on it, and the distance that the collidable
+// moves.
 #ifndef CONTINUOUS_SEARCH_H
 #define CONTINUOUS_SEARCH_H
 #include "stages/broad_phase/transform.h"
@@ -7,22 +8,24 @@
 #include "stages/rules/apart.h"
 #include "stages/tree/tree.h"
 
-// share of the thickness: how much deeper a body may be at the end of the step than before; and how deep in all, so that its
-// middle stays outside
+// fractions of the thickness: limits of the depth of a body at the end of the step. CONTINUOUS_DEPTH: increase over the
+// start of the step. CONTINUOUS_DEEPEST: total, so that its middle stays outside
 #define CONTINUOUS_DEPTH   0.25f
 #define CONTINUOUS_DEEPEST 0.75f
-// share of the thickness: how deep a body that is pressed into something static may be, if that is less than PRESS_MOST
+// fraction of the thickness: limit of the depth of a body that is pressed into something static, if it is less than
+// PRESS_MOST
 #define CONTINUOUS_PRESSED 0.5f
-// share of the thickness: how much deeper in something dynamic always, so that what is squeezed in between slides on
+// fraction of the thickness: increase that is always allowed in something dynamic, so that a body that is squeezed in
+// between can slide
 #define CONTINUOUS_SLACK 0.15f
-// m: how much deeper in something static at most; less holds more bodies of a pile, which then overlap more
+// m: limit of the increase in something static; a lower limit stops more bodies of a pile, which then overlap more
 #define CONTINUOUS_MOST 0.015f
 
-typedef struct // the end of a path
+typedef struct // end of a path
 {
-	float share; // part of the path, 1 is all
-	Vec normal;  // of what ends it, in the world
-	int index;   // of that collidable
+	float share; // fraction of the path, 1 for all of it
+	Vec normal;  // normal of the obstacle, in the world
+	int index;   // index of the obstacle
 } ContinuousStop;
 
 INLINE ContinuousStop continuous_stop(float share, Vec normal, int index)
@@ -34,10 +37,10 @@ INLINE ContinuousStop continuous_stop(float share, Vec normal, int index)
 	return stop;
 }
 
-// The distance that points of something may go, of which swing is by its turn, m.
+// Returns a bound of the distance that points of something move, m. swing: part of it by rotation.
 INLINE float continuous_far(Vec path, float swing) { return absolute(path.x) + absolute(path.y) + swing; }
 
-// How the body of a dynamic collidable went in the step.
+// Returns the motion of a body in the step.
 INLINE Advance continuous_went(const Pools* p, int body)
 {
 	const GLOBAL BodyState* state = p->body + body;
@@ -47,18 +50,19 @@ INLINE Advance continuous_went(const Pools* p, int body)
 	return advance;
 }
 
-// The way of a collidable, with its body's displacement.
+// Returns the motion of a collidable. advance: motion of its body.
 INLINE Sweep continuous_way(const Pools* p, WorldShape s, Advance advance)
 {
 	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
 	return sweep_with(advance, vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
-// factor of a length: more than rounding may shorten it
+// factor of a length that exceeds the effect of rounding
 #define CONTINUOUS_ROUNDING 1.00001f
 
-// The same with the reach of its corners. The bound that sweep_with has is many times as much where a shape lies far from its origin:
-// what is small and spins would take more rounds than there are, and stay in the air.
+// Returns the same motion with the exact reach of the corners. The bound of sweep_with is many times as large for a
+// shape that is far from its origin: a small body that spins would take more rounds than the limit, and stay in the
+// air.
 INLINE Sweep continuous_near(const Pools* p, WorldShape s, Sweep way)
 {
 	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
@@ -72,7 +76,7 @@ INLINE Sweep continuous_near(const Pools* p, WorldShape s, Sweep way)
 	return way;
 }
 
-// The way of something that does not move.
+// Returns the motion of a collidable at rest.
 INLINE Sweep continuous_rest(const Pools* p, WorldShape s)
 {
 	Advance rests;
@@ -82,25 +86,25 @@ INLINE Sweep continuous_rest(const Pools* p, WorldShape s)
 	return continuous_way(p, s, rests);
 }
 
-// From the center of the body of the second of two that met to where they did.
+// Returns the vector from the center of mass of the second of two bodies to the point where they met.
 INLINE Vec continuous_arm(Sweep way, ContinuousMeeting met)
 {
 	return vec_sub(met.point, vec_turn(vec_rotation(met.time * way.turn), way.center));
 }
 
-// How far the second of two goes away from the first one there in a step, m.
+// Returns the distance by which the second of two moves away from the first one at that point in a step, m.
 INLINE float continuous_away(Sweep way, ContinuousMeeting met)
 {
 	return vec_dot(met.normal, vec_add(way.path, vec_spin(way.turn, continuous_arm(way, met))));
 }
 
-// Whether the second of two that met goes towards the first one there.
+// Returns whether the second of two moves toward the first one at that point.
 INLINE int continuous_yields(Sweep way, ContinuousMeeting met) { return continuous_away(way, met) < 0.0f; }
 
-typedef struct // a collidable on its path
+typedef struct // collidable and its path
 {
-	int index, pressed;     // pressed: into something static, so that it may get no deeper than PRESS_MOST
-	int seeks;              // bit k: what has the kind k may be in its way
+	int index, pressed;     // pressed: into something static, so that its depth is limited to PRESS_MOST
+	int seeks;              // bit k: something of the kind k may obstruct it
 	float thickness, swing; // m
 	WorldShape from;
 	Sweep way;
@@ -108,7 +112,7 @@ typedef struct // a collidable on its path
 	Filter filter;
 } ContinuousPath;
 
-// The share of its path after which a collidable keeps up with something kinematic that it met.
+// Returns the fraction of its path for a collidable that keeps up with a kinematic one after they met.
 INLINE float continuous_follows(const ContinuousPath* g, WorldShape other, Sweep goes, ContinuousMeeting met)
 {
 	Vec center = vec_add(vec(g->from.x - other.x, g->from.y - other.y), vec_sub(g->way.center, goes.center));
@@ -119,10 +123,10 @@ INLINE float continuous_follows(const ContinuousPath* g, WorldShape other, Sweep
 	return met.time + (1.0f - met.time) * maximum(keeps, 0.0f);
 }
 
-// Leaves of which what rules most of them out is read at once: a GPU waits for it once, a CPU gains nothing.
+// leaves whose data is read together: on a GPU their latencies overlap, a CPU gains nothing
 #define CONTINUOUS_LEAVES (FETCHES ? 1 : 4)
 
-typedef struct // facts that rule out a leaf
+typedef struct // data that rules out most leaves
 {
 	int index, kind, body;
 	Filter filter;
@@ -138,8 +142,9 @@ INLINE ContinuousLeaf continuous_leaf_at(const Pools* p, int place)
 	return leaf;
 }
 
-// How far points of a collidable may go against a kinematic body, as one sees it who turns with the body, m. other is a shape of that body.
-// A body that goes round with a drum does not go far, and has nothing in its way.
+// Returns a bound of the distance that points of a collidable move relative to a kinematic body, in the frame that
+// rotates with that body, m. other: a shape of that body. A body that turns with a drum does not move far, and nothing
+// obstructs it.
 INLINE float continuous_far_from(const Pools* p, const ContinuousPath* g, WorldShape other)
 {
 	Advance went = continuous_went(p, other.body);
@@ -151,8 +156,9 @@ INLINE float continuous_far_from(const Pools* p, const ContinuousPath* g, WorldS
 	return continuous_far(vec_sub(apart, vec_spin(went.turn, middle)), swing);
 }
 
-// Whether a leaf may stop a collidable: it is static, or the two go so far against each other that one may get past the middle of the
-// other. Soon ruled out are the collidable itself, and what its filter leaves alone.
+// Returns whether a leaf may stop a collidable: it is static, or the two move so far relative to each other that one
+// may get past the middle of the other. Quick tests exclude the collidable itself and collidables that its filter
+// rejects.
 INLINE int continuous_meets(const Pools* p, const ContinuousPath* g, const ContinuousLeaf* leaf)
 {
 	if (!(g->seeks >> leaf->kind & 1))
@@ -168,7 +174,7 @@ INLINE int continuous_meets(const Pools* p, const ContinuousPath* g, const Conti
 	return continuous_far(vec_sub(g->way.path, went.path), swing) > CONTINUOUS_CROSS * g->thickness;
 }
 
-// The leaves from first on that may stop a collidable, a bit each, as in leaves.
+// Returns a mask of those of the leaves, from first on, that may stop a collidable.
 INLINE Word64 continuous_meeting(const Pools* p, const ContinuousPath* g, int first, Word64 leaves)
 {
 	Word64 meeting = 0;
@@ -193,7 +199,7 @@ INLINE Word64 continuous_meeting(const Pools* p, const ContinuousPath* g, int fi
 	return meeting;
 }
 
-// How deep a collidable may get in something of a kind.
+// Returns the limits of the depth of a collidable in something of a kind.
 INLINE ContinuousDepth continuous_depth(const ContinuousPath* g, int kind)
 {
 	ContinuousDepth deep;
@@ -206,8 +212,8 @@ INLINE ContinuousDepth continuous_depth(const ContinuousPath* g, int kind)
 	return deep;
 }
 
-// The end of the path of a collidable by j, which may stop it, if that comes before least. Leaves are not in the same order everywhere:
-// of equal shares, the lower index counts.
+// Returns the end of the path of a collidable at j if j stops it before least, otherwise least. The order of leaves is
+// not the same on all devices, so of equal fractions the lower index wins.
 RARE ContinuousStop continuous_leaf(const Pools* p, const ContinuousPath* g, int j, ContinuousStop least)
 {
 	int i = g->index, kind = p->collidable_kind[j], moves = kind != KIND_STATIC;
@@ -226,7 +232,7 @@ RARE ContinuousStop continuous_leaf(const Pools* p, const ContinuousPath* g, int
 		return least;
 	if (apart_by(p, i, j, APART_ALL))
 		return least;
-	// takes less time than to find when they meet
+	// tests one-way platforms before the time of meeting, which takes longer to compute
 	if (p->step.rules && (apart_lets(p, j, i, apart, g->swing) || apart_lets(p, i, j, vec_neg(apart), g->swing)))
 		return least;
 	if (moves)
@@ -240,10 +246,10 @@ RARE ContinuousStop continuous_leaf(const Pools* p, const ContinuousPath* g, int
 	return continuous_stop(share, met.normal, j);
 }
 
-typedef struct // through the leaves that may stop a collidable, of the tree of what moves, then of what is static
+typedef struct // traversal of the leaves that may stop a collidable: first the moving tree, then the static tree
 {
-	int tree, place; // place: of the first leaf of the node where it is
-	Word64 leaves;   // of that node, a bit for each that is left
+	int tree, place; // place: first leaf of the current node
+	Word64 leaves;   // mask of the remaining leaves of that node
 	TreeTraversal traversal;
 } ContinuousTraversal;
 
@@ -259,14 +265,14 @@ INLINE ContinuousTraversal continuous_traverse(void)
 	return w;
 }
 
-// Whether something in a tree may stop a collidable.
+// Returns whether something in a tree may stop a collidable.
 INLINE int continuous_seeks_in(const Pools* p, const ContinuousPath* g, int t)
 {
 	int statics = 1 << KIND_STATIC;
 	return (g->seeks & (t == 1 ? statics : ~statics)) != 0 && p->tree[t].leaves > 0;
 }
 
-// The next leaf, -1 behind the last.
+// Returns the next leaf, -1 after the last.
 INLINE int continuous_next(const Pools* p, const ContinuousPath* g, ContinuousTraversal* w)
 {
 	while (w->leaves == 0)
@@ -290,8 +296,8 @@ INLINE int continuous_next(const Pools* p, const ContinuousPath* g, ContinuousTr
 	return p->leaf[w->place + bit];
 }
 
-// The end of a path. Each work-item goes on to its next leaf before any looks when it meets one, so that work-items side by side do
-// that, which takes long, at the same time.
+// Returns the end of a path. Each work-item advances to its next leaf before any of them computes a meeting, which
+// takes long, so that neighboring work-items do this at the same time.
 RARE ContinuousStop continuous_search(const Pools* p, const ContinuousPath* g)
 {
 	ContinuousStop least = continuous_stop(1.0f, vec(0.0f, 0.0f), 0);

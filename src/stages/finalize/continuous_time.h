@@ -1,32 +1,35 @@
 // SPDX-License-Identifier: MIT
-// continuous_time.h -- when two collidables are too deep in each other, by the ways that their bodies went in the step.
+// continuous_time.h -- time at which two collidables are too deep in each other, from the motions of their bodies in
+// the step.
 //
 // This work is based on:
-// Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Here each corner has its own
-// speed, and all have a bound of their acceleration. With one bound of all speeds, what spins close to a wall took more than 20 rounds,
-// and what slides along a side that turns was found to draw away.
+// Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Here each
+// corner has its own speed, and all share a bound of their acceleration. With one bound of all speeds, bodies that spin
+// close to a wall took more than 20 rounds, and bodies that slide along a rotating side were classified as moving
+// apart.
 #ifndef CONTINUOUS_TIME_H
 #define CONTINUOUS_TIME_H
 #include "stages/geometry/sweep.h"
 
-// m: how closely the target is met
+// m: tolerance of the target depth
 #define CONTINUOUS_TOLERANCE (0.1f * SWEEP_DEPTH)
 
-typedef struct // of two collidables a and b
+typedef struct // first time at which two collidables a and b are too deep
 {
-	float time; // share of the step, 1 if they are not too deep at any time
-	Vec normal; // from a to b then, in the world
-	Vec point;  // where they are deepest then, from the origin of b, m
+	float time; // fraction of the step; 1 if they are never too deep
+	Vec normal; // direction from a to b at that time, in the world
+	Vec point;  // deepest point at that time, from the origin of b, m
 } ContinuousMeeting;
 
-// How the velocity of the smaller one changes, seen from the larger one, which turns, at a time: m per step and step.
+// Returns the acceleration of the smaller one in the frame of the larger one, which rotates, at a time: m per step^2.
 INLINE Vec continuous_bend(Closing c, float time)
 {
 	float frame = c.b.reach < c.a.reach ? c.a.turn : c.b.turn;
 	return vec_sub(c.bend, vec_spin(frame, vec_add(c.near, vec_scale(time, c.bend))));
 }
 
-// The points of a manifold that count from a time on, in the frame of a: also those to which only a curved way leads.
+// Returns the separation up to which points count from a time on, in the frame of a, including points that only a
+// curved path reaches.
 INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 {
 	Reach reach = sweep_reach(c, axes, time);
@@ -36,12 +39,12 @@ INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 	return reach;
 }
 
-// For how long no point of the smaller one may draw near to the larger one along a normal by more than is left for it: its deepest
-// point left, m, the others more. closing: of the pair (a, b) at a time.
+// Returns a time in which no point of the smaller one approaches the larger one along a normal by more than its gap:
+// left, m, for the deepest point, more for the others. c: closing of the pair (a, b). time: current time.
 INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Closing c, Vec normal, float time,
                                 float left)
 {
-	int first = c.a.reach < c.b.reach || c.a.reach == c.b.reach; // a is the smaller one
+	int first = c.a.reach < c.b.reach || c.a.reach == c.b.reach; // 1 if a is the smaller one
 	WorldShape shape = first ? a : b;
 	Sweep way = first ? c.a : c.b;
 	const GLOBAL Attribute* attribute = p->attribute + shape.attribute;
@@ -58,7 +61,7 @@ INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Clos
 		Vec corner = vec_turn(axes, shape_corner(attribute, k));
 		float gap = left + (side * vec_dot(normal, corner) - low);
 		float speed = closes - vec_dot(normal, vec_spin(spin, vec_sub(corner, center)));
-		// speed t + most t^2 / 2 = gap
+		// solution of speed t + most t^2 / 2 = gap
 		float twice = speed + square_root(speed * speed + 2.0f * most * gap);
 		if (twice > gap)
 			soon = minimum(soon, 2.0f * gap / twice);
@@ -66,10 +69,10 @@ INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Clos
 	return soon;
 }
 
-// of a path: what draws near by less of it slides
+// fraction of a path: a point that approaches by less slides
 #define CONTINUOUS_SLIDES 1.0e-5f
 
-// Whether a point of a manifold that is so deep, m, gets deeper at once.
+// Returns whether a point of a manifold at a depth of at least deep, m, gets deeper at once.
 INLINE int continuous_sinks(Closing c, Manifold m, Vec axes, Vec position, float deep)
 {
 	Vec normal = vec_turn(axes, m.normal);
@@ -85,16 +88,16 @@ INLINE int continuous_sinks(Closing c, Manifold m, Vec axes, Vec position, float
 	return 0;
 }
 
-typedef struct // how deep b may get in a, m
+typedef struct // limits of the depth of b in a, m
 {
-	float deeper;  // than at the beginning
-	float deepest; // in all
-	float slack;   // deeper than at the beginning in any case
-	float pressed; // in all, where b is pressed into a, which rests; 0 where it is not. What is as deep gets no deeper
+	float deeper;  // increase over the start of the step
+	float deepest; // total depth
+	float slack;   // increase that is always allowed
+	float pressed; // total depth if b is pressed into a, which is at rest, else 0; no increase above it
 } ContinuousDepth;
 
-// By how much a point of b may leave the line between its places at the begin and the end, seen from a, which turns, m: an eighth of the
-// most that its velocity changes.
+// Returns a bound of the distance by which a point of b leaves the line between its start and its end, in the frame of
+// a, which rotates, m: an eighth of the largest change of its velocity.
 INLINE float continuous_bow(Closing c, Vec between)
 {
 	Vec apart = vec_sub(c.b.path, c.a.path);
@@ -104,13 +107,13 @@ INLINE float continuous_bow(Closing c, Vec between)
 	return 0.125f * (turn * (turn * (arm + far) + 2.0f * far) + spin * spin * c.b.reach);
 }
 
-typedef struct // along a direction in the frame of a shape
+typedef struct // side of a shape, in its frame
 {
 	Vec normal;
-	float surface; // of the shape, m
+	float surface; // position of the surface along the normal, m
 } ContinuousSide;
 
-// The side of a shape that a point in its frame is farthest from.
+// Returns the side of a shape from which a point in its frame is farthest.
 INLINE ContinuousSide continuous_side(const GLOBAL Attribute* shape, Vec point)
 {
 	ContinuousSide side;
@@ -140,8 +143,9 @@ INLINE ContinuousSide continuous_side(const GLOBAL Attribute* shape, Vec point)
 	return side;
 }
 
-// Whether b is on its whole path nowhere as deep in a as this, m, as seen along one normal of a: then it is so along no other. Nearly all
-// pairs end here. Between the begin and the end no corner is lower than at the lower one of both, but for its bow.
+// Returns whether the depth of b in a along one normal of a stays below deep, m, on the whole path; then that of the
+// shapes does too. Nearly all pairs end here. Between start and end a corner gets no lower than at the lower one of the
+// two, except by its bow (continuous_bow).
 RARE int continuous_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
@@ -168,7 +172,7 @@ RARE int continuous_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape
 	return low - side.surface - shape_b->radius - continuous_bow(closing, between) > -deep;
 }
 
-// When b gets too deep in a.
+// Returns the time at which b gets too deep in a.
 RARE ContinuousMeeting continuous_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b,
                                        ContinuousDepth deep)
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// finalize.h -- the step's motion into the poses; bodies whose state is not finite are frozen and counted.
+// finalize.h -- adds the step's motion to the poses; freezes and counts bodies whose state is not finite.
 #ifndef FINALIZE_H
 #define FINALIZE_H
 #include "stages/finalize/continuous.h"
 #include "stages/geometry/pose.h"
 #include "stages/solve/press.h"
 
-// 0 times a value that is not finite is NaN
+// Returns whether all values are finite: 0 times a value that is not finite is NaN.
 INLINE int finalize_finite(Vec v, float w, Vec d, float da)
 {
 	return 0.0f * v.x + 0.0f * v.y + 0.0f * w + 0.0f * d.x + 0.0f * d.y + 0.0f * da == 0.0f;
@@ -24,8 +24,9 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 	pose_move(p, i, d, turn);
 }
 
-// A body that was pressed between two leaves no faster than what presses it, unless it was faster when the step began, or falls. Whether
-// it is pressed too deep into something static.
+// Limits the speed of a body that is or was pressed between two others: it leaves no faster than the body that presses
+// it, unless it was faster at the start of the step, or falls. Returns whether it is pressed too deep into something
+// static.
 INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, float da)
 {
 	Press press = p->press[i];
@@ -98,10 +99,11 @@ KERNEL(finalize)
 	}
 }
 
-// Item i of the bodies that go far: each moves as far as nothing static is in its way. In a world with joints, or if it is pressed, it
-// then moves on along what stopped it, as far as that is free: a chain would press a link that is held ever harder. What is pressed
-// also turns on, unless that is in the way, and is one item whatever its collidables. The searches are one call: of two, clang for PTX
-// inlines neither, and keeps the pools on the stack of every work-item; an H200 was slower in all kernels.
+// Item: a part of a body that moves far. The body moves until something obstructs it. In a world with joints, or if it
+// is pressed, it then slides along the obstacle as far as that path is free: otherwise a chain would press a stopped
+// link harder and harder. A pressed body also keeps rotating, unless that is obstructed, and is one item for all of its
+// collidables. All searches share one call: with two, clang for PTX inlines neither and keeps the pools on the stack of
+// every work-item; all kernels were slower on an H200.
 KERNEL(continuous)
 {
 	Int2 item = p->continuous_list[i];

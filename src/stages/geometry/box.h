@@ -9,7 +9,8 @@ INLINE int box_is_empty(Float4 b) { return b.x > b.z; }
 
 INLINE int box_overlap(Float4 a, Float4 b) { return a.x <= b.z && b.x <= a.z && a.y <= b.w && b.y <= a.w; }
 
-// Whether the boxes of a pair parted. If the old ones do not overlap, one of the collidables was created anew.
+// Returns whether the boxes of a pair have parted. Old boxes that do not overlap mean that one of the collidables was
+// created again in its slot.
 INLINE int box_parted(const Pools* p, Int2 pair)
 {
 	return !(box_overlap(p->box[pair.x], p->box[pair.y]) && box_overlap(p->old_box[pair.x], p->old_box[pair.y]));
@@ -27,7 +28,8 @@ INLINE Float4 box_union(Float4 a, Float4 b)
 	return make_float4(b.x < a.x ? b.x : a.x, b.y < a.y ? b.y : a.y, b.z > a.z ? b.z : a.z, b.w > a.w ? b.w : a.w);
 }
 
-// The place of a bound of box i of packed ones, eight at a time (dialect.h): 0 lower x, 1 lower y, 2 upper x, 3 upper y.
+// Returns the index of a bound of box i, for boxes that are packed eight at a time (dialect.h). which: 0 lower x, 1
+// lower y, 2 upper x, 3 upper y.
 INLINE int box_bound(int i, int which) { return (i & ~7) * 4 + 8 * which + (i & 7); }
 
 INLINE Float4 box_unpack(const GLOBAL Float4* boxes, int i)
@@ -46,7 +48,7 @@ INLINE void box_pack(GLOBAL Float4* boxes, int i, Float4 box)
 	bounds[box_bound(i, 3)] = box.w;
 }
 
-// The box around eight packed ones.
+// Returns the box around eight packed boxes.
 INLINE Float4 box_around(const GLOBAL Float4* boxes)
 {
 	Bound8 lower_x = bound8(boxes, 0), lower_y = bound8(boxes, 1), upper_x = bound8(boxes, 2),

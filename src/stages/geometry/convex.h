@@ -1,38 +1,40 @@
 // SPDX-License-Identifier: MIT
-// convex.h -- a point, at rest or moving along a line, against a rounded convex core: distance and first meeting, exactly.
+// convex.h -- exact distance and first contact of a point, at rest or moving along a line, and a rounded convex core.
 //
-// A core is the convex hull of its corners, a shape is all that is within a radius of it. The core is that of a shape, or the
-// Minkowski sum of one shape and the mirror image of another one (convex_sum.h): two shapes are as far apart as the second one's
-// origin is from that sum. So these few functions answer all queries.
+// A core is the convex hull of its corners; a shape consists of all points within a radius of its core. The core
+// belongs to a shape, or is the Minkowski sum of one shape and the mirror image of another (convex_sum.h): the distance
+// of two shapes is that of the second one's origin from this sum. So these functions answer all queries.
 //
 // This work is based on:
-// Mike Cyrus, Jay Beck, Generalized Two- and Three-dimensional Clipping, 1978: a line against the half-planes of a convex polygon.
-// Christer Ericson, Real-Time Collision Detection, 2005, chapters 5.1 and 5.3: Voronoi regions, the line against a sphere.
+// Mike Cyrus, Jay Beck, Generalized Two- and Three-dimensional Clipping, 1978: a line against the half-planes of a
+// convex polygon.
+// Christer Ericson, Real-Time Collision Detection, 2005, chapters 5.1 and 5.3: Voronoi regions, the line against a
+// sphere.
 #ifndef CONVEX_H
 #define CONVEX_H
 #include "stages/geometry/manifold_axis.h"
 
 typedef struct
 {
-	const GLOBAL Attribute* shape; // the core, or null:
-	const Vec* corners;            // those of a sum, counter-clockwise
-	const Vec* normals;            // of the edges from corner k to k + 1, outward
-	int count;                     // corners
-	int thin;                      // the core has no area: two edges back to back
+	const GLOBAL Attribute* shape; // shape whose core it is; null for a sum
+	const Vec* corners;            // corners of a sum, counter-clockwise
+	const Vec* normals;            // outward normals of its edges, from corner k to k + 1
+	int count;                     // number of corners
+	int thin;                      // 1 if the core has no area: two edges back to back
 	Real radius;                   // m
 } Convex;
 
-typedef struct // where a core is nearest
+typedef struct // nearest point of a core
 {
 	int edge, corner; // corner -1: within the edge
-	Real separation;  // of the point from the surface, m; negative inside
-	Vec normal;       // unit, from the core
+	Real separation;  // separation of the point from the surface, m; negative inside
+	Vec normal;       // unit vector away from the core
 } ConvexNearest;
 
-typedef struct // where a moving point meets the surface
+typedef struct // first contact of a moving point with the surface
 {
-	int hit, inside;  // inside: it began there
-	float fraction;   // of its path
+	int hit, inside;  // inside: the path begins inside
+	float fraction;   // fraction of the path
 	int edge, corner; // as in ConvexNearest
 	Vec normal;
 } ConvexHit;
@@ -54,15 +56,16 @@ INLINE Vec convex_normal(const Convex* c, int k) { return c->shape ? shape_norma
 INLINE int convex_next(const Convex* c, int k) { return k + 1 < c->count ? k + 1 : 0; }
 INLINE int convex_before(const Convex* c, int k) { return k > 0 ? k - 1 : c->count - 1; }
 
-// How far a point is along edge k, from the edge's corner from, m.
+// Returns the distance of a point along edge k, m, measured from the corner with the index from.
 INLINE Real convex_along(const Convex* c, int k, int from, Vec q)
 {
 	Vec up = convex_normal(c, k);
 	return vec_cross(up, vec_sub(q, convex_corner(c, from)));
 }
 
-// The Voronoi region of a point outside, in a search that begins at an edge which it is above. Edges that are nearly parallel may
-// each hold it for the other's, so the search ends after one turn.
+// Returns the edge of the Voronoi region of a point outside; *corner: the corner of the region, or -1. The search
+// begins at an edge that the point is above. Of two nearly parallel edges, each may assign the point to the other, so
+// the search ends after one turn around the core.
 INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
 {
 	*corner = -1;
@@ -93,7 +96,8 @@ INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
 	return edge;
 }
 
-// The distance of a point from a corner, as a separation from the surface. A point on the corner has the normal up.
+// Returns the separation of a point from the surface around a corner. For a point exactly on the corner the normal is
+// up.
 INLINE ConvexNearest convex_at_corner(const Convex* c, int edge, int corner, Vec q, Vec up)
 {
 	Vec d = vec_sub(q, convex_corner(c, corner));
@@ -142,8 +146,8 @@ INLINE ConvexHit convex_miss(void)
 	return hit;
 }
 
-// The circle around a corner, for a point that begins outside of it. The nearest point of the line is found first: a discriminant
-// of the whole path would lose the small circle at the end of a long one.
+// Returns the first contact with the circle around a corner, for a point that begins outside of it. The nearest point
+// of the line is computed first: a discriminant of the whole path would miss a small circle at the end of a long path.
 INLINE ConvexHit convex_hit_corner(const Convex* c, int edge, int corner, Vec q, Vec path)
 {
 	ConvexHit hit = convex_miss();
@@ -179,9 +183,9 @@ INLINE ConvexHit convex_inside(int edge, int corner)
 	return hit;
 }
 
-// The share of the path at which edge k is reached, for a line that passes between its corners. The line of an edge that is nearly
-// parallel to the path may be met anywhere, so the share stays between those of the two corners. A path without a square has none: NaN
-// limits nothing.
+// Returns the fraction of the path at which it reaches edge k, for a line that passes between the corners of the edge.
+// The line of an edge that is nearly parallel to the path may be met anywhere, so the fraction is clamped to the range
+// of the two corners. For a path of squared length 0 this range is NaN and clamps nothing.
 INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 {
 	Vec normal = convex_normal(c, k), from = vec_sub(convex_corner(c, k), q),
@@ -191,8 +195,9 @@ INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 	return minimum(share, maximum(first, last));
 }
 
-// The first meeting with a sharp core. The line of the path enters and leaves through the edges whose corners are on different sides of
-// it. Each corner has one side for both of its edges, so that no line slips through between two edges, whatever the rounding.
+// Returns the first contact with a sharp core. The line of the path enters and leaves through the edges whose corners
+// are on different sides of it. The side of a corner is computed once for both of its edges, so that no line slips
+// through between two edges, whatever the rounding.
 INLINE ConvexHit convex_hit_sharp(const Convex* c, Vec q, Vec path)
 {
 	ConvexHit hit = convex_miss();
@@ -225,8 +230,8 @@ INLINE ConvexHit convex_hit_sharp(const Convex* c, Vec q, Vec path)
 	return n.separation <= 0.0f ? convex_inside(n.edge, n.corner) : hit;
 }
 
-// The first meeting of a point that moves from q along a path. The half-planes of the edges, moved outward by the radius, bound
-// the shape and its mitred corners; behind a mitre is only the circle around that corner.
+// Returns the first contact of a point that moves from q along a path. The half-planes of the edges, moved outward by
+// the radius, bound the shape with mitered corners; beyond a corner only the circle around it counts.
 INLINE ConvexHit convex_hit(const Convex* c, Vec q, Vec path)
 {
 	if (c->count > 1 && !(c->radius > 0.0f))

@@ -1,30 +1,33 @@
 // SPDX-License-Identifier: MIT
-// convex_sum.h -- the Minkowski sum of the core of a shape and the mirror image of another one's.
+// convex_sum.h -- the Minkowski sum of the core of a shape and the mirrored core of another one.
 //
-// The edges of the sum are those of both, by their angles (Mark de Berg et al., Computational Geometry, 2008, theorem 13.11).
+// The edges of the sum are those of both cores, sorted by angle (Mark de Berg et al., Computational Geometry, 2008,
+// theorem 13.11).
 #ifndef CONVEX_SUM_H
 #define CONVEX_SUM_H
 #include "stages/geometry/convex.h"
 
 #define SUM_CORNERS (2 * MAX_CORNERS)
 
-// sine of an angle: edges that differ by less are one; two segments that differ by less have no area between them
+// sine of an angle: edges that differ by less than SUM_PARALLEL are merged; two segments that differ by less than
+// SUM_FLAT have no area between them
 #define SUM_PARALLEL 2e-7f
 #define SUM_FLAT     1e-4f
 
-// what an edge of a sum is
+// source of an edge of a sum
 #define SUM_OF_A    1
 #define SUM_OF_B    2
 #define SUM_OF_BOTH 3
 
-typedef struct // in the frame of a
+typedef struct // Minkowski sum, in the frame of a
 {
 	Vec corners[SUM_CORNERS], normals[SUM_CORNERS];
-	Word parts[SUM_CORNERS]; // corner of a, corner of b from bit 8 on, SUM_OF_* of the edge that follows from bit 16 on
+	Word parts[SUM_CORNERS]; // corner of a; corner of b from bit 8 on; SUM_OF_* of the next edge from bit 16 on
 	int count, thin;
 } Sum;
 
-// The first corner of a core in the order of angles from 0 on: the lowest one, and of these the leftmost. sign -1: of the mirror image.
+// Returns the first corner of a core in the order of angles from 0 on: the lowest one, and of these the leftmost. sign
+// -1: corner of the mirror image.
 INLINE int sum_first(const GLOBAL Attribute* shape, Vec turn, float sign)
 {
 	int first = 0;
@@ -41,7 +44,7 @@ INLINE int sum_first(const GLOBAL Attribute* shape, Vec turn, float sign)
 	return first;
 }
 
-// Which edge follows: that with the smaller angle, or both.
+// Returns the source of the next edge: the core whose edge has the smaller angle, or both.
 INLINE Word sum_turn(Vec a, Vec b)
 {
 	Real cross = vec_cross(a, b), dot = vec_dot(a, b);
@@ -53,7 +56,7 @@ INLINE Word sum_turn(Vec a, Vec b)
 	return cross > 0.0f ? SUM_OF_A : SUM_OF_B;
 }
 
-// turn: rotation of b in the frame of a.
+// Computes the sum. turn: rotation of b in the frame of a.
 INLINE void sum_make(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Vec turn, Sum* sum)
 {
 	int edges_a = a->count > 1 ? a->count : 0, edges_b = b->count > 1 ? b->count : 0;
@@ -111,7 +114,8 @@ INLINE Convex sum_convex(const Sum* sum, Real radius)
 	return c;
 }
 
-// The point of the surface of a that is nearest to b, whose origin is at q; both are apart, or touch, at this edge or corner.
+// Returns the point on the surface of a that is nearest to b. q: origin of b. The shapes are apart or touch, at this
+// edge or corner of the sum.
 INLINE Vec sum_point(const Sum* sum, const GLOBAL Attribute* a, const GLOBAL Attribute* b, Vec turn, Vec q, int edge,
                      int corner, Vec normal)
 {

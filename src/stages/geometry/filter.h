@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// filter.h -- which collidables may touch, wherever they are.
+// filter.h -- tests of filters and kinds: whether two collidables may touch, at any poses.
 #ifndef FILTER_H
 #define FILTER_H
 #include "pools/pools.h"
@@ -11,7 +11,8 @@ INLINE int filter_accepts(Filter a, Filter b)
 	return (a.mask & b.category) != 0 && (b.mask & a.category) != 0;
 }
 
-// one of the two must be able to move, or be made for detection; a sensor touches nothing, and nothing touches what is disabled
+// Returns whether collidables of two kinds may collide. One must be dynamic, or without a body and so for detection
+// only; sensors and disabled collidables touch nothing.
 INLINE int kinds_meet(int a, int b)
 {
 	if ((a | b) & KIND_SENSOR || a == KIND_DEAD || b == KIND_DEAD)

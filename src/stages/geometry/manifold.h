@@ -1,49 +1,51 @@
 // SPDX-License-Identifier: MIT
 // manifold.h -- the manifold of two convex shapes: a normal and at most two points.
 //
-// A shape is a core, the hull of its vertices, and a radius around it. A core of two vertices counts as a polygon of two
-// edges, back to back. The edge along whose normal the cores are furthest apart is the reference edge. The edge of the
-// other core that faces it most, the incident edge, is clipped to its length (I. Sutherland and G. Hodgman, Reentrant
-// Polygon Clipping, 1974), which leaves two points. If a corner faces a corner, that normal is not the direction of the
-// nearest points; then the nearest points make a manifold of one point.
+// A shape is a core, the hull of its vertices, and a radius around it. A core of two vertices is treated as a polygon
+// of two edges back to back. The reference edge is the one along whose normal the cores are furthest apart. The
+// incident edge, the edge of the other core that faces it most, is clipped to its length (I. Sutherland and G. Hodgman,
+// Reentrant Polygon Clipping, 1974), which leaves two points. If a corner faces a corner, that normal is not the
+// direction of the nearest points; then the nearest points make a manifold of one point.
 #ifndef MANIFOLD_H
 #define MANIFOLD_H
 #include "stages/geometry/manifold_axis.h"
 #include "stages/geometry/manifold_nearest.h"
 
-// m: if two edges face each other, that of a is the reference edge only if it is better by this. Otherwise nearly
-// parallel edges would alternate. b is the shape that does not move, or the larger one. If the edges do not face each
-// other the better one is taken, because the other may not be at the nearest points.
+// m: if two edges face each other, the edge of a is the reference edge only if its separation is larger by this.
+// Otherwise the choice between nearly parallel edges would alternate. b is the shape that does not move, or the larger
+// one. If the edges do not face each other, the one with the larger separation is used, because the other may not be at
+// the nearest points.
 #define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
 // m: tolerance between a manifold on an edge and the distance of the cores; a shorter vector counts as having no
 // direction
 #define NEAREST_TOLERANCE (0.01f * LINEAR_SLOP)
-// m: circles whose centers are closer have no direction from one to the other. Finer than NEAREST_TOLERANCE, so that the pairs of a crowd at
-// nearly one place agree on where its bodies are
+// m: for circles whose centers are closer no direction is computed. Finer than NEAREST_TOLERANCE, so that the normals
+// of many bodies at nearly one place are consistent with their positions
 #define CENTERS_APART (0.0002f * LINEAR_SLOP)
 
-// cosine: edges face each other if their normals are opposite by more. Then features are two corners, because equal
-// boxes in a stack must keep them while one slides over the other's corner; otherwise a corner and an edge.
+// cosine: edges face each other if the product of their normals is below -FACING. Then the feature of a point is two
+// corners, because equal boxes in a stack must keep their features while one slides over the other's corner; otherwise
+// it is a corner and an edge.
 #define FACING 0.9f
-// feature index of a shape's first edge; smaller ones are corners
+// feature index of a shape's first edge; smaller indices are corners
 #define FEATURE_EDGE MAX_CORNERS
 
-typedef struct // in the frame of a
+typedef struct // manifold in the frame of a
 {
-	Vec normal;         // unit, from a to b
+	Vec normal;         // unit vector from a to b
 	Vec point[2];       // halfway between the two surfaces, m
-	Real separation[2]; // of the surfaces, negative if they overlap, m; NO_POINT if there is no such point
-	int feature[2];     // feature of a << 8 | feature of b; no two points share one
-	int count;          // points; 0: there is no normal
-	int made;           // MANIFOLD_* bits: whose corners make the points, and what the normal turns with
-	Real gap;           // without points, a lower bound of the distance of the surfaces, m
+	Real separation[2]; // separation of the surfaces, negative if they overlap, m; NO_POINT for a missing point
+	int feature[2];     // feature of a << 8 | feature of b; different for the two points
+	int count;          // number of points; 0: no normal
+	int made;           // MANIFOLD_* bits: shape whose corner each point is, shape with which the normal rotates
+	Real gap;           // lower bound of the distance of the surfaces, m, if there are no points
 } Manifold;
 
-typedef struct // the separation up to which points count, in the frame of a
+typedef struct // separation up to which points count, in the frame of a
 {
 	Real within; // m
-	Vec near;    // m: velocity of b in the rest of the step
-	Real swing;  // m: how much faster a point of b may be
+	Vec near;    // m: displacement of b relative to a in the rest of the step
+	Real swing;  // m: largest additional displacement of a point of b
 } Reach;
 
 INLINE Reach reach_of(Real within)
@@ -55,7 +57,8 @@ INLINE Reach reach_of(Real within)
 	return r;
 }
 
-// The reach along a normal from a to b: a distance that the velocity cannot close in time does not count.
+// Returns the separation up to which points count along a normal from a to b: a distance that the velocity cannot close
+// in time does not count.
 INLINE Real reach_along(Reach r, Vec normal) { return r.within + maximum(r.swing - vec_dot(normal, r.near), 0.0f); }
 
 INLINE Manifold no_manifold(void)
@@ -70,7 +73,7 @@ INLINE Manifold no_manifold(void)
 	return m;
 }
 
-// Adds the point halfway between a point on the core of a and the point of b at a height (m) over it.
+// Adds the point halfway between a point on the core of a and the point of b at a height, m, above it.
 INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real radius_b, int feature, Real within)
 {
 	Real separation = height - radius_a - radius_b;
@@ -109,9 +112,9 @@ INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 
 INLINE int feature_pair(int a, int b) { return a << 8 | b; }
 
-typedef struct // the reference edge of a, which goes from corner edge to corner next
+typedef struct // reference edge of a, from corner edge to corner next
 {
-	Vec origin, right, up; // the first corner; unit vectors along the edge and over it
+	Vec origin, right, up; // first corner; unit vectors along the edge and along its normal
 	Real length;           // m
 	int edge, next;
 } Reference;
@@ -128,8 +131,8 @@ INLINE Reference reference_of(const GLOBAL Attribute* a, int i)
 	return r;
 }
 
-// The incident edge: of the two edges at the deepest corner of b, the one that faces the reference edge more. It runs
-// against the reference edge. facing: how far it faces it, a cosine, -1 for parallel edges.
+// Returns the incident edge: of the two edges at the deepest corner of b, the one that faces the reference edge more.
+// Its direction is opposite to that of the reference edge. *facing: product of the two normals, -1 for parallel edges.
 INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference* r, Frame f, Real* facing)
 {
 	int j = corner, before = j > 0 ? j - 1 : b->count - 1;
@@ -153,7 +156,7 @@ INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference
 	return incident;
 }
 
-// The manifold of one point, at the nearest points of the two edges.
+// Returns a manifold of one point, at the nearest points of the two edges.
 INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, const Reference* r,
                                  Edge incident, Real separation, Reach reach)
 {
@@ -166,7 +169,7 @@ INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	Nearest n = nearest_points(reference, incident);
 	Real distance = root(n.square);
 
-	// two thin cores in line are apart along no edge's normal
+	// no edge's normal separates two thin cores in line
 	int thin = a->count < 3 && b->count < 3;
 	int apart = separation > 0.0f || (thin && distance + separation > NEAREST_TOLERANCE);
 	Manifold m = no_manifold();
@@ -188,7 +191,7 @@ INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	return m;
 }
 
-// The manifold of a, which has the reference edge, and b. separation is the largest over the edges of both.
+// Returns the manifold of a, which has the reference edge, and b. separation: largest one over the edges of both.
 INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f,
                               Reach reach)
 {
@@ -196,7 +199,7 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 	Real facing;
 	Edge incident = incident_edge(b, axis.corner, &r, f, &facing);
 
-	// clip it to the length of the reference edge
+	// clips the incident edge to the length of the reference edge
 	Vec high = incident.start, low = incident.end;
 	int overlap = high.x >= 0.0f && low.x <= r.length;
 	int cut_high = overlap && high.x > r.length, cut_low = overlap && low.x < 0.0f;
@@ -206,8 +209,8 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 	if (cut_low)
 		low = vec(0.0f, low.y + low.x / along.x * -along.y);
 
-	// clipped points are no nearer than the cores, and the cores no nearer than the separation: if the clipped points
-	// are farther than the separation, a corner faces a corner
+	// distance of clipped points >= distance of the cores >= separation; if the clipped points are farther apart than
+	// the separation, a corner faces a corner
 	if (!overlap || minimum(high.y, low.y) > separation + NEAREST_TOLERANCE)
 		return nearest_manifold(a, b, &r, incident, separation, reach);
 
@@ -231,7 +234,7 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 	return m;
 }
 
-// The same manifold from the other shape, which is at f in the new frame.
+// Returns the same manifold with the two shapes exchanged. f: pose of the old frame in the new one.
 INLINE Manifold manifold_swap(Manifold m, Frame f)
 {
 	m.normal = vec_neg(vec_turn(f.rotation, m.normal));
@@ -247,7 +250,8 @@ INLINE Manifold manifold_swap(Manifold m, Frame f)
 	return m;
 }
 
-// The manifold of two shapes in the frame of a, where b is placed at f: points with a separation within reach.
+// Returns the manifold of two shapes, in the frame of a: points with a separation within reach. f: pose of b in the
+// frame of a.
 INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f, Reach reach)
 {
 	if (a->count == 1 && b->count == 1)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// manifold_axis.h -- the axis test: the edge along whose normal one convex core is furthest from another.
+// manifold_axis.h -- separating axis test: the edge along whose normal one convex core is furthest from another.
 //
 // S. Gottschalk, Separating Axis Theorem, 1996. Two cores overlap if they overlap along the normals of all edges of
 // both.
@@ -8,10 +8,10 @@
 #include "dialect/vec.h"
 #include "pools/pools.h"
 
-// less than any separation
+// lower than any separation
 #define NO_AXIS (-1.0e30f)
 
-typedef struct // of one shape in the frame of another
+typedef struct // pose of one shape in the frame of another
 {
 	Vec position, rotation;
 } Frame;
@@ -26,9 +26,9 @@ INLINE Frame frame_at(Vec position, Vec rotation)
 
 typedef struct
 {
-	Real separation; // of the cores along the edge's normal, m
-	int edge;        // of one core
-	int corner;      // of the other, the deepest
+	Real separation; // separation of the cores along the edge's normal, m
+	int edge;        // edge of one core
+	int corner;      // deepest corner of the other core
 } Axis;
 
 INLINE Vec shape_corner(const GLOBAL Attribute* shape, int i)
@@ -55,8 +55,8 @@ INLINE Frame frame_inverse(Frame f)
 	return back;
 }
 
-// The edge of a along whose normal b is furthest. A circle has no edges. Vertices are read in their own frame and
-// normals are turned into it, so no array has to be kept per item.
+// Returns the edge of a along whose normal b is furthest. A circle has no edges. Normals are rotated into the frame of
+// the vertices, so no array of rotated vertices has to be stored per item.
 INLINE Axis best_axis(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
 {
 	Axis best = {NO_AXIS, 0, 0};

@@ -4,7 +4,7 @@
 #define MANIFOLD_NEAREST_H
 #include "dialect/vec.h"
 
-typedef struct // of a core; start and end are given along the reference edge and over it, m
+typedef struct // edge of a core; start and end as coordinates along the reference edge and along its normal, m
 {
 	Vec start, end;
 	int start_feature, end_feature, feature;
@@ -13,11 +13,11 @@ typedef struct // of a core; start and end are given along the reference edge an
 typedef struct // nearest points of two edges
 {
 	Vec from, to;
-	Real square; // of their distance, m^2
+	Real square; // square of their distance, m^2
 	int from_feature, to_feature;
 } Nearest;
 
-// The point of edge a that is nearest to a corner.
+// Returns the point of edge a that is nearest to a corner.
 INLINE Nearest nearest_to_corner(Edge a, Vec corner, int feature)
 {
 	Vec direction = vec_sub(a.end, a.start);
@@ -42,7 +42,7 @@ INLINE Nearest nearest_to_corner(Edge a, Vec corner, int feature)
 	return n;
 }
 
-// The nearest points of edge a and a corner of edge b.
+// Returns the nearest points of edge a and the corners of edge b.
 INLINE Nearest nearest_corner(Edge a, Edge b)
 {
 	Nearest start = nearest_to_corner(a, b.start, b.start_feature);
@@ -52,7 +52,7 @@ INLINE Nearest nearest_corner(Edge a, Edge b)
 	return start;
 }
 
-// The nearest points of two edges that do not cross: one of them is a corner.
+// Returns the nearest points of two edges that do not cross, so that one of the points is a corner.
 INLINE Nearest nearest_points(Edge a, Edge b)
 {
 	Nearest n = nearest_corner(a, b), back = nearest_corner(b, a);

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// pose.h -- the motion of a body's center of mass, and the rounding error of its coordinates.
+// pose.h -- motion of a body's center of mass, and the rounding error of its coordinates.
 //
 // This work is based on:
 // Donald E. Knuth, The Art of Computer Programming, volume 2, 1969, 4.2.2: the rounding error of a sum.
 //
-// 24 m from the origin a coordinate is rounded to 2 um. A body pushed by less in each step would never move, and a body
-// pushed by a little more would move too far: heaps at rest creep by some mm per minute, and a body that drifts at 1
-// mm/s stops a kilometre from the origin. So the rounding error of each step is kept and added in the next one.
+// At 24 m from the origin a coordinate is rounded to 2 um. A body that is pushed by less in each step would never move,
+// and a body that is pushed by a little more would move too far: heaps at rest would creep by some mm per minute, and a
+// body that drifts at 1 mm/s would stop at a kilometer from the origin. So the rounding error of each step is stored
+// and added in the next one.
 #ifndef POSE_H
 #define POSE_H
 #include "dialect/finite.h"
 #include "pools/pools.h"
 
-// m: the edge of the world, where bodies stop. Every product of two lengths within it is finite.
+// m: edge of the world, where bodies stop. Every product of two lengths within it is finite.
 #define POSE_EDGE 1.0e8f
 
-// a + b, and its rounding error.
+// Returns a + b, clamped to the world. *lack: rounding error of the sum.
 INLINE float pose_sum(float a, float b, float* lack)
 {
 	float sum = a + b, back = sum - a;

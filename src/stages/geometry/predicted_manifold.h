@@ -1,33 +1,36 @@
 // SPDX-License-Identifier: MIT
-// predicted_manifold.h -- manifolds of future poses: of fast bodies where they will meet, of corners that pass each other, of belts.
+// predicted_manifold.h -- manifolds at future poses: of fast bodies where they will meet, of corners that pass each
+// other, of belts.
 #ifndef PREDICTED_MANIFOLD_H
 #define PREDICTED_MANIFOLD_H
 #include "stages/geometry/sweep.h"
 
-// Cosine of the normals of two poses: what passes a corner turns its normal by a right angle at most, and rounding.
+// cosine of the angle between the normals at two poses; below it the shape has gone through. Passing a corner turns the
+// normal by at most a right angle, plus rounding
 #define PAST_THROUGH (-0.5f)
 
-// poses in the future: where the two meet, or others
+// values of Prediction.ahead: poses at which the two meet; poses of another time
 #define PREDICT_MEETS 1
 #define PREDICT_LATER 2
 
-typedef struct // a manifold and the poses that it is of
+typedef struct // manifold, and the poses for which it was computed
 {
 	Manifold m;
-	Frame f;   // of b in the frame of a
+	Frame f;   // pose of b in the frame of a
 	Vec axes;  // rotation of a in the world
-	int ahead; // 0 for the poses now, or PREDICT_*
+	int ahead; // 0 for the current poses, or PREDICT_*
 } Prediction;
 
-// m: a manifold whose plane is off by less counts as exact. An approach of less than SWEEP_REST is ignored: a push
-// against it would disturb no more than the lack of a push from a floor.
+// m: a manifold whose plane is off by less counts as exact. An approach of less than SWEEP_REST is ignored: a wrong
+// push of that size is as harmless as a missing push of a floor.
 #define PAST_ERROR (0.002f * LINEAR_SLOP)
 
-// A corner is tested at the time of the last relaxing pass (sweep_end), and not before the pair has moved this far (m):
-// otherwise a body that sags by less at a seam would seem to meet its side.
+// m: a corner is tested at the time of the last relaxation pass (sweep_end), but not before the pair has moved this
+// far. Otherwise a body that sags by less at a seam would appear to meet its side.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
-// The manifold of a later pose, if it overlaps much less than now predicts for it (said, m).
+// Returns the manifold of a later pose if it overlaps much less than the current manifold predicts for that time;
+// otherwise now. said, m: separation that now predicts.
 RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now, Real time,
                               Real said)
 {
@@ -37,16 +40,17 @@ RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closin
 	if (minimum(later.m.separation[0], later.m.separation[1]) - said < PAST_ERROR)
 		return now;
 	later.axes = vec_turn(turn, now.axes);
-	// a thin shape that has not passed a corner but gone through has its normal the other way around, and would be pushed out there
+	// a thin shape that went through, instead of passing a corner, has the opposite normal and would be pushed out on
+	// the wrong side
 	if (vec_dot(vec_turn(later.axes, later.m.normal), vec_turn(now.axes, now.m.normal)) < PAST_THROUGH)
 		return now;
 	later.ahead = PREDICT_LATER;
 	return later;
 }
 
-// A manifold pushes along its normal as if both shapes were flat. If a pair passes by a corner, it predicts an overlap
-// that will not happen, and would stop a body that slides over a seam between two floors. Then the manifold of the later
-// pose is used.
+// Returns the manifold of a later pose if the pair passes a corner. A manifold pushes along its normal as if both
+// shapes were flat. At a corner it predicts an overlap that will not happen, and would stop a body that slides over a
+// seam between two floors.
 INLINE Prediction predict_past(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now)
 {
 	if (now.m.count == 0)
@@ -59,8 +63,8 @@ INLINE Prediction predict_past(const Pools* p, WorldShape a, WorldShape b, Closi
 	return said > -PAST_ERROR ? now : predict_later(p, a, b, closing, now, time, said);
 }
 
-// Whether a pair is farther apart than it can approach in the step: then it has no manifold, of whatever poses. Shapes are no
-// nearer than circles around them; a little more than their distance covers rounding.
+// Returns whether a pair is farther apart than it can approach in the step, so that it has no manifold at any of its
+// poses. Circles around the shapes bound their distance; the additions to it cover rounding.
 INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Closing closing, Vec apart)
 {
 	Real most = closing.within + closing.swing + root(vec_dot(closing.near, closing.near));
@@ -68,14 +72,16 @@ INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Cl
 	return vec_dot(apart, apart) > reach * reach;
 }
 
-// share of its radius: how deep a round shape may pass over a corner; and the cosine of normals that are the same but for rounding.
+// OVER_DEPTH: fraction of its radius by which a round shape may be below a corner that it rolls over; OVER_SAME: cosine
+// of normals that differ by rounding only.
 #define OVER_DEPTH 0.075f
 #define OVER_SAME  0.9999f
 
-// A round shape at a corner that it meets: a loaded wheel on a row of segments is a little below their ends, and would be thrown
-// up by the next one as by a step. If it will roll on no deeper than that, it has the manifold of then. A pair alone cannot
-// tell a seam from a low step, so such steps push wheels up softly. Only of segments that cannot move: arms that are not those of the
-// impact would cost angular momentum. Whether that may be:
+// Returns whether predict_end may replace the manifold of a round shape that meets a corner. A loaded wheel on a row of
+// segments is slightly below their ends, so it meets the end of the next segment and would be thrown up as by a step.
+// If it will roll over the corner no deeper than OVER_DEPTH, the later manifold is used. A pair alone cannot
+// distinguish a seam from a low step, so such steps push wheels up softly. The segment must not be able to move: arms
+// other than those at the impact would change the angular momentum.
 INLINE int predict_rolls(const Pools* p, WorldShape a, WorldShape b)
 {
 	const GLOBAL Attribute* attribute = p->attribute + b.attribute;
@@ -89,15 +95,18 @@ INLINE int predict_rolled(const Pools* p, WorldShape a, const Closing* closing, 
 	Real deepest = OVER_DEPTH * (p->attribute + a.attribute)->radius;
 	Vec normal = vec_turn(later->axes, later->m.normal);
 	Real turned = vec_dot(normal, vec_turn(met->axes, met->m.normal));
-	// as deep as then, or as it is now below the plane of then: what it sinks on the way, this plane takes away
+	// separation at the later poses. If the pair approaches along the later normal, current separation from the later
+	// plane, because a contact with this plane removes that approach
 	Real deep =
 	    minimum(later->m.separation[0], later->m.separation[1]) - time * minimum(vec_dot(normal, closing->near), 0.0f);
 	return deep >= -deepest && turned > 1.0f - OVER_DEPTH && turned < OVER_SAME;
 }
 
-// The manifold of the end of the step, or a little before, if it rolls then, or a surface of the pair runs: a body on two belts is driven by
-// the difference of what they carry, which follows its arms. Arms that lag behind its motion drive it on (rolling.h has the same rule).
-// One call of collide for both, as each uses registers of a GPU.
+// Returns the manifold at a later time. has_rolling 1: the pair meets at a corner; the time is that of the last
+// relaxation pass, and the manifold is used if the round shape then rolls over the corner. has_rolling 0: a surface of
+// the pair is a belt; the time is the end of the step. The difference of the loads on two belts drives a body and
+// depends on its arms; arms that lag behind its motion would add energy (rolling.h has the same rule). Both cases share
+// one call of collide, because each call uses registers of a GPU.
 RARE Prediction predict_end(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now,
                             int has_rolling)
 {
@@ -110,8 +119,8 @@ RARE Prediction predict_end(const Pools* p, WorldShape a, WorldShape b, Closing 
 	return later.m.count > 0 && (!has_rolling || predict_rolled(p, a, &closing, &now, &later, time)) ? later : now;
 }
 
-// The manifold of a pair that may approach by more than the speculative distance: of the poses where they meet, with the
-// points that may follow in the rest of the step; if they will not meet, of the poses now.
+// Returns the manifold of a pair that may approach by more than the speculative distance: at the poses where they meet,
+// with the points that may follow in the rest of the step; if they will not meet, at the current poses.
 INLINE Prediction predict_meeting(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction start)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
@@ -130,8 +139,8 @@ INLINE Prediction predict_meeting(const Pools* p, WorldShape a, WorldShape b, Cl
 			then.ahead = PREDICT_MEETS;
 			return then;
 		}
-		// an approach that the forces of one step may cause is kept without a meeting, or nothing would roll or slide
-		// fast on a floor
+		// keeps a pair that the forces of one step may bring together, even if it will not meet; otherwise nothing
+		// could roll or slide fast on a floor
 		if (round == 0 && gap <= LINEAR_SLOP * closing.grain)
 			now.m = then.m;
 		Real speed = sweep_speed(closing, vec_turn(then.axes, then.m.normal), time);

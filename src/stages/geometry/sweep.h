@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: MIT
-// sweep.h -- poses of collidables within the step, from their velocities, and when two of them will meet.
+// sweep.h -- poses of collidables within the step, from their velocities, and bounds for the time at which two of them
+// meet.
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Two shapes at
 // some distance along a direction cannot meet before the speed along it has closed that distance.
-// Paul Firth, Speculative Contacts, 2011: a contact made before bodies meet takes away the speed that exceeds the gap.
-// Erin Catto, Continuous Collision, GDC 2013: ghost collisions of speculative points, and a target a little inside.
+// Paul Firth, Speculative Contacts, 2011: a contact that is created before bodies meet removes the speed that exceeds
+// the gap.
+// Erin Catto, Continuous Collision, GDC 2013: ghost collisions of speculative points, and a target slightly inside the
+// surface.
 //
-// Times and velocities are those of sweep_closing.h.
+// Times are fractions of the step, velocities are per step, as in sweep_closing.h.
 #ifndef SWEEP_H
 #define SWEEP_H
 #include "constraints/sweep_closing.h"
 #include "stages/geometry/manifold.h"
 
-// Most iterations of conservative advancement per pair. Of the fast pairs of the scene tumbler 90 % need one and 1 %
-// more than five. A pair that spins by more than a radian per step may need fifteen; with twelve some went through a
-// wall.
+// Limit of iterations of conservative advancement per pair. Of the fast pairs of the scene tumbler, 90 % need one
+// iteration and 1 % more than five. A pair that spins by more than a radian per step may need fifteen; with a limit of
+// twelve, some pairs went through a wall.
 #define SWEEP_ROUNDS 20
 
-// m: pairs meet when they overlap by this much. Otherwise what slides over a seam between two floors would meet the side
-// of the second. The iteration aims at twice as much
+// m: overlap at which a pair counts as meeting. With 0, a body that slides over a seam between two floors would meet
+// the side of the second one. The iteration aims at twice this depth.
 #define SWEEP_DEPTH (0.5f * LINEAR_SLOP)
 
-// From the velocities at the beginning of the step.
+// Returns the motion of a body in the step, from its velocity at the start of the step.
 INLINE Advance sweep_advance(const Pools* p, int index)
 {
 	BodyState body = p->body[index];
@@ -48,13 +51,13 @@ INLINE_LONG Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b, In
 	return closing;
 }
 
-// The most by which any two points of the pair may approach along a normal from a to b, m per step.
+// Returns the highest speed at which two points of the pair can approach along a normal from a to b, m per step.
 INLINE Real sweep_speed(Closing c, Vec normal, Real time)
 {
 	return c.swing - vec_dot(normal, vec_add(c.near, vec_scale(time, c.bend)));
 }
 
-// The points of a manifold that count at a time, in the frame of a, whose axes are turned by a rotation.
+// Returns the separation up to which points count at a time, in the frame of a. axes: rotation of a.
 INLINE Reach sweep_reach(Closing c, Vec axes, Real time)
 {
 	Reach r = reach_of(c.within);
@@ -63,7 +66,7 @@ INLINE Reach sweep_reach(Closing c, Vec axes, Real time)
 	return r;
 }
 
-// Rotation of a since the beginning of the step, at a time. f gets the pose of b in the frame of a then.
+// Returns the rotation of a from the start of the step to a time. *f: pose of b in the frame of a at that time.
 INLINE Vec sweep_frame(WorldShape a, WorldShape b, Closing c, Real time, Frame* f)
 {
 	Sweep sa = c.a, sb = c.b;

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
-// manifold_reuse.h -- which contacts keep their manifold, and which ones narrow_phase looks at.
+// manifold_reuse.h -- selects the contacts that keep their manifold, and marks the others for narrow_phase.
 //
-// If a pair has hardly moved against each other, its points stay at the same places on the two collidables, and nothing
-// is written (contact_points.h computes where they are). In a settled pile that is nearly every pair. A pair that turns
-// together, as bodies in a drum do, keeps the places too, but its normal and arms turn with it: only the rotation is
-// written.
+// If the collidables of a pair have hardly moved relative to each other, the points keep their places on both, and
+// nothing is written (contact_points.h computes the points). In a settled pile that is nearly every pair. A pair that
+// rotates together, as bodies in a drum do, keeps the places too, but its normal and arms rotate with it: only the
+// rotation is written.
 #ifndef MANIFOLD_REUSE_H
 #define MANIFOLD_REUSE_H
 #include "constraints/constraint_kinds.h"
 #include "constraints/sweep_closing.h"
 
-// cosine: a manifold is kept while neither collidable has turned in the world by more than 3.6 degrees since, and no
-// point moved too far against the other collidable (narrow_phase_distance).
+// cosine: a manifold is kept while neither collidable has rotated by more than 3.6 degrees in the world, and no point
+// has moved too far relative to the other collidable (narrow_phase_distance).
 #define HOLD_COSINE 0.998f
 
-// A pair that turns together keeps the places up to this share of the shift for a pair at rest.
+// fraction of the motion limit up to which a pair that rotates together keeps the places of its points
 #define TURN_SHARE 0.3f
 
-// A bound of how far any point of b near a moved in the frame of a since b was at a position and rotation: the motion of
-// the point at the origin of a, plus reach, which is that of a, times the turn. Sums of components bound lengths.
+// Returns a bound of the motion of any point of b near a, in the frame of a, since b had position and rotation: the
+// motion of the point at the origin of a, plus reach times the rotation. reach: that of a. Sums of components bound
+// lengths.
 INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec rotation_now, Real reach)
 {
 	Vec turn = vec_turn_back(rotation, rotation_now);
@@ -26,7 +27,7 @@ INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec
 	return absolute(moved.x) + absolute(moved.y) + reach * (absolute(turn.y) + absolute(1.0f - turn.x));
 }
 
-// The relative motion of the collidables of a pair; a and b are their rows of the pool world_shape.
+// Returns the relative motion of the collidables of a pair. a, b: their rows of the pool world_shape.
 INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], const Real b[8])
 {
 	Int ia, ib;
@@ -43,7 +44,7 @@ INLINE Closing narrow_phase_closing(const Pools* p, int i, const Real a[8], cons
 	return sweep_apart(vec(b[0] - a[0], b[1] - a[1]), sweep_a, sweep_b);
 }
 
-// Whether an impulse of the last step pushes the pair apart.
+// Returns the lanes in which an impulse of the last step pushed the pair apart.
 INLINE Int narrow_phase_loaded(const Pools* p, int i)
 {
 	Int c = load_int(p->contact_place, i), there = c >= 0;
@@ -55,7 +56,7 @@ INLINE Int narrow_phase_loaded(const Pools* p, int i)
 	return there & ((load1 > zero) | (load2 > zero));
 }
 
-// Contacts between the one that is looked at and the one whose rows are fetched.
+// prefetch distance, in contacts
 #define KEEP_SOON 32
 
 INLINE void narrow_phase_keep_fetch(const Pools* p, int i, int live)
@@ -71,17 +72,17 @@ INLINE void narrow_phase_keep_fetch(const Pools* p, int i, int live)
 	}
 }
 
-typedef struct // LANES contacts, and how their collidables moved since their manifolds were found
+typedef struct // LANES contacts, and the motion of their collidables since their manifolds were computed
 {
 	Real a[8], b[8];   // rows of the pool world_shape
-	Int far, on;       // whether one of the pair has COLLIDABLE_FAST; has COLLIDABLE_MOVING, and the contact points
-	Vec then_a;        // rotation of a then
-	Real shift, limit; // m: how far, and for how far the manifold is kept
-	Real room; // factor of the pair's tolerances along its surfaces, and of the distance at which it gets points
+	Int far, on;       // masks: a side has COLLIDABLE_FAST; a side has COLLIDABLE_MOVING, and the contact has points
+	Vec then_a;        // rotation of a when the manifold was computed
+	Real shift, limit; // m: motion since then; limit up to which the manifold is kept
+	Real room;         // factor of the pair's tolerances along its surfaces, and of its speculative distance
 } ManifoldReuse;
 
-// Returns the lanes whose manifold could be kept, but is found anew, because the pair will meet within the step or pass
-// by. For the other lanes that turn together, writes the rotation. wanders: the lanes to test.
+// Returns the lanes whose manifold could be kept but is computed again, because the pair will meet or pass by within
+// the step. For the other lanes that rotate together, writes the rotation. wanders: lanes to test.
 INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, const ManifoldReuse* c)
 {
 	Real at[8];
@@ -112,8 +113,8 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 	return anew;
 }
 
-// Marks the contacts that narrow_phase looks at: contacts that are new, moved too far, will meet within the step or pass
-// by, and contacts whose boxes may have parted.
+// Marks the contacts that narrow_phase processes: those that are new, moved too far, will meet or pass by within the
+// step, and those whose boxes may have parted.
 WIDE_KERNEL(narrow_phase_keep)
 {
 	int live = p->counters->live;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// narrow_phase.h -- manifolds of contacts; points inherit impulses; contacts whose boxes parted are released.
+// narrow_phase.h -- computes manifolds of contacts, transfers impulses to new points, releases contacts whose boxes
+// parted.
 #ifndef NARROW_PHASE_H
 #define NARROW_PHASE_H
 #include "constraints/contact_one.h"
@@ -8,22 +9,23 @@
 #include "stages/geometry/predicted_manifold.h"
 #include "stages/narrow_phase/manifold_reuse.h"
 
-// m: a point farther than this from an old one, and of another feature, does not inherit its impulse
+// m: a new point inherits the impulse of an old point of another feature only within this distance
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 
-// m: a pair without points is not tested again while no point moved farther than this against the other collidable, plus
-// the distance by which the pair was farther apart than the speculative distance. A quarter of that distance, so that no
-// contact can be missed.
+// m: a pair without points is not tested again until a point has moved by more than this relative to the other
+// collidable, plus the distance by which the pair was farther apart than the speculative distance. It is a quarter of
+// the speculative distance, so that no contact can be missed.
 #define STAY_DISTANCE LINEAR_SLOP
 
-// A manifold is kept while no point moved farther than this against the other collidable, m, nor than this share of the
-// reach of the smaller one. A manifold with one sharp point is kept for half of that, so that a second point cannot be
-// missed. With less, heaps shake: where one small body carries many, each new manifold pushes it in another direction.
+// HOLD_DISTANCE, m, and HOLD_SHARE, a fraction of the reach of the smaller collidable: limits of the motion of a point
+// relative to the other collidable, up to which a manifold is kept. A manifold with one sharp point is kept for half of
+// HOLD_DISTANCE, so that a second point cannot be missed. With smaller limits heaps shake: where one small body carries
+// many, each new manifold pushes it in another direction.
 #define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 #define HOLD_SHARE    0.1f
 
-// The old point that new point k inherits from: by feature, then the nearest within MATCH_DISTANCE; -1 for none. Points
-// in taken are excluded.
+// Returns the old point from which a new point inherits: the one of the same feature, else the nearest one within
+// MATCH_DISTANCE; -1 if there is none. taken: mask of old points that are already used.
 INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point,
                               int taken)
 {
@@ -48,7 +50,7 @@ INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* 
 	return best;
 }
 
-// The shift up to which a manifold is kept, m.
+// Returns the motion up to which a manifold is kept, m.
 INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Word flags, float gap,
                                    float room, float within)
 {
@@ -61,7 +63,7 @@ INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attri
 	return minimum(distance * room, HOLD_SHARE * minimum(a->reach, b->reach));
 }
 
-// Whether the boxes of a pair parted. Then its contact is released.
+// Releases contact i if the boxes of its pair have parted. Returns whether it did.
 INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 {
 	if (!box_parted(p, pair))
@@ -74,12 +76,13 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	return 1;
 }
 
-// m: bodies whose centers of mass are closer are found apart by places of their own, at most PLACE_ASIDE beside them: no direction leads
-// from one to the other
+// m: the direction between two bodies whose centers of mass are closer than PLACE_APART is undefined. For their
+// manifold they are displaced by at most PLACE_ASIDE, each by an offset of its own
 #define PLACE_APART CENTERS_APART
 #define PLACE_ASIDE (10.0f * CENTERS_APART)
 
-// m: the place of a body. A hash without visible order, as neighbors in a pool are often made together.
+// Returns a pseudo-random offset for a body, m. The hash has no visible order, because neighbors in a pool are often
+// created together.
 INLINE Vec narrow_phase_place(int body)
 {
 	Word x = (Word)body * 0x9e3779b9u;
@@ -90,8 +93,9 @@ INLINE Vec narrow_phase_place(int body)
 	return vec(scale * (float)((int)(x & 65535u) - 32768), scale * (float)((int)(x >> 16) - 32768));
 }
 
-// Moves b aside if it and a can move and are at one place. With one direction for all such pairs, hundreds of bodies that are made at a point
-// would leave it in single file: each pair parts at contact_push_speed, and the first of 500 circles at 205 m/s.
+// Displaces b if both bodies can move and are at one place. With one direction for all such pairs, hundreds of bodies
+// that are created at a point would leave it in a row: each pair parts at contact_push_speed, and the first of 500
+// circles left at 205 m/s.
 INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 {
 	float x = (b.x + b.center_x) - (a.x + a.center_x), y = (b.y + b.center_y) - (a.y + a.center_y);
@@ -104,13 +108,14 @@ INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 	return b;
 }
 
-// Finds the manifold of a pair, and the poses that it is of. answers: the contact gets impulses, it is not for detection
-// only. far: the pair may approach by more than the speculative distance. belt: a surface of it runs. within: the separation from which on
-// it has points, m. rolls gets the MANIFOLD_* bits of a manifold that follows its corners.
+// Returns the manifold of a pair and the poses for which it was computed. answers: 1 if the contact gets impulses, 0
+// for detection only. far: 1 if the pair may approach by more than the speculative distance. belt: not 0 if a surface
+// has a tangent speed. within, m: separation from which on the pair has points. *has_rolling: MANIFOLD_* bits of a
+// rolling manifold.
 INLINE Prediction narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt,
                                     int moved, float within, Word* has_rolling)
 {
-	// in the frame of a, so that nothing depends on how far the pair is from the origin
+	// frame of a, so that the result does not depend on the distance from the origin
 	Vec turn = vec(a.c, a.s);
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -147,7 +152,7 @@ INLINE Prediction narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, 
 	return predict_end(p, a, b, closing, found_at, meets);
 }
 
-// Gives each new point the impulses of the old point that it matches. Returns the features of the new points.
+// Transfers to each new point the impulses of the old point that it matches. Returns the features of the new points.
 INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifold* m)
 {
 	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_place[i];
@@ -190,7 +195,7 @@ INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifo
 	return make_int2(feature[0], feature[1]);
 }
 
-// Writes a manifold. flags are those of the new one.
+// Writes a manifold. flags: new flags of the contact.
 INLINE void narrow_phase_write(const Pools* p, int i, Word flags, const Prediction* at, int shape_a, int shape_b,
                                int moved, float within)
 {
@@ -242,13 +247,13 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 		contact_end(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)))
 	{
-		p->contact_press[i] = 0; // those of its last touch
+		p->contact_press[i] = 0; // clears the presses of its last touch
 		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), p->contact_bodies[i]);
 	}
 }
 
-// Contacts between the one that is processed and the one whose rows are fetched, because pairs are anywhere in the
-// pools. Contacts of another worker's chunk are not fetched: it changes their flags at the same time.
+// prefetch distance, in contacts: pairs are anywhere in the pools. Contacts of another worker's chunk are not
+// prefetched, because that worker changes their flags at the same time.
 #define NARROW_PHASE_SOON 12
 
 KERNEL(narrow_phase)

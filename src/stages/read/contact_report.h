@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// contact_report.h -- contacts side by side for the host to read: those of one body. No step reads them.
+// contact_report.h -- rows of contacts for the host to read: those of one body, or of events. No step reads them.
 #ifndef CONTACT_REPORT_H
 #define CONTACT_REPORT_H
 #include "constraints/constraint_kinds.h"
 #include "constraints/contact_report_points.h"
 
-// Contact i in a row.
+// Writes contact i to a row.
 INLINE void contact_report_write(const Pools* p, int i, int row)
 {
 	ContactReport listed;
@@ -35,7 +35,7 @@ INLINE void contact_report_write(const Pools* p, int i, int row)
 	p->contact_report[row] = listed;
 }
 
-// Item i is a contact slot, plus one item for the end of the scan. argument is the body.
+// Item: a contact slot, plus one item for the end of the scan. argument: the body.
 KERNEL(contact_mark)
 {
 	int wanted = 0;
@@ -48,7 +48,7 @@ KERNEL(contact_mark)
 	p->scan[i] = wanted;
 }
 
-// After the scan: slot i is listed where the scan rises. argument is the number of rows that there is room for.
+// Writes slot i to a row where the scan increases. argument: the capacity for rows.
 KERNEL(contact_list)
 {
 	int row = p->scan[i];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// event.h -- the events of a step in an order that no device changes, for the host to read. No step reads them.
+// event.h -- events of a step in an order that is the same on all devices, for the host to read. No step reads them.
 #ifndef EVENT_H
 #define EVENT_H
 #include "stages/read/contact_report.h"
 
-// What event i of a list is sorted by: the slot of its contact, or the pair that parted. argument is the list.
+// Writes the sort key of event i of a list: the slot of its contact, or the pair that parted. argument: the list.
 KERNEL(event_key)
 {
 	p->key[i] = p->argument == EVENT_TOUCH_ENDED   ? p->touch_ended[i]
@@ -13,7 +13,7 @@ KERNEL(event_key)
 	                                               : (Word64)p->hit[i];
 }
 
-// After the sort: the contact of event i, with its points and impulses.
+// Writes the contact of event i, with its points and impulses, after the sort.
 KERNEL(event_list) { contact_report_write(p, (int)p->key[i], i); }
 
 #endif

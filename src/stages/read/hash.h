@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// hash.h -- the world hash: a sum of a hash of each item, so that neither order nor padding matters.
+// hash.h -- the world hash: a sum of the hashes of all items, so that neither order nor padding matters.
 #ifndef HASH_H
 #define HASH_H
 #include "constraints/contact_one.h"
 #include "stages/edit/pool_item.h"
 
-// Item i sums items i, i + HASH_SUMS, ... below argument. hash_bodies starts the sums, the other stages add to them.
+// Item: a sum over items i, i + HASH_SUMS, ... below argument. hash_bodies writes the sums, the other kernels add to
+// them.
 KERNEL(hash_bodies)
 {
 	Word64 sum = 0;

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// joint_report.h -- the coordinates and forces of joints at the current poses, for the user. No step reads them.
+// joint_report.h -- coordinates and forces of joints at the current poses, for the user. No step reads them.
 #ifndef JOINT_REPORT_H
 #define JOINT_REPORT_H
 #include "constraints/constraint_kinds.h"
 #include "constraints/joint_one.h"
 
-// The place of a joint; -1 for one that has not been in a step, though its slot has a place from an older one.
+// Returns the place of a joint, -1 for one that has not been in a step, although its slot has the place of an older
+// joint.
 INLINE int joint_report_place(const Pools* p, int i)
 {
 	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];
 }
 
-// The impulses of the last substep along the axes, N s; 0 without a constraint. off is what locks are off, bend the curvature of a path.
+// Computes force (N) and torque (N m) from the impulses of the last substep along the axes; without a constraint they
+// stay 0. off: deviation of the coordinates from the targets of the locks. bend, 1/m: curvature of a path.
 INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend,
                                GLOBAL JointState* state)
 {
@@ -22,7 +24,7 @@ INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec o
 	float sum[JOINT_COORDINATES], rate = p->step.inv_h;
 	joint_load(p, place, PASS_RELAX, &u);
 
-	// forms that hold joints in registers leave the rows of the step as they are
+	// modes of the user's data: forms of the solve that keep joints in registers do not write those of the row
 	u.modes = (float)modes;
 	joint_sums(p, place, &u, sum);
 	Body a = body_gather(p, p->joint_data[i].body_a);
@@ -35,7 +37,7 @@ INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec o
 	state->torque = rate * (coupling_turns(&u) ? sum[0] : sum[2]);
 }
 
-// The speed of one side of a coupling. Returns the direction of a force on that body.
+// Computes the speed of one side of a coupling. Returns the direction of a force on that body.
 INLINE Vec joint_report_side(const Pools* p, int i, int side, const CouplingMeasure* m, float* speed)
 {
 	BodyState now = p->body[side ? p->joint_data[i].body_b : p->joint_data[i].body_a];
@@ -46,7 +48,7 @@ INLINE Vec joint_report_side(const Pools* p, int i, int side, const CouplingMeas
 	return direction;
 }
 
-// The coordinate of a coupling, and what it measures of a and of b in place of the other two.
+// Writes the coordinate of a coupling, and the measures of its sides a and b in place of the other two coordinates.
 INLINE void joint_report_coupling(const Pools* p, int i, GLOBAL JointState* state)
 {
 	int modes = (int)p->joint_data[i].modes;
@@ -66,7 +68,7 @@ INLINE void joint_report_coupling(const Pools* p, int i, GLOBAL JointState* stat
 	joint_report_force(p, i, modes, direction, vec(0.0f, 0.0f), 0.0f, state);
 }
 
-// Frame A of a joint on a path, at its foot. Returns the foot.
+// Computes frame A of a joint on a path, at the nearest point of the path. Returns that point.
 INLINE PathFoot joint_report_foot(const Pools* p, int i, JointFrame* a)
 {
 	PathCount count = path_count_last(p, i);
@@ -95,12 +97,12 @@ KERNEL(joint_report)
 	Vec at_a = vec_add(vec(va.vx, va.vy), vec_spin(va.w, vec_add(a.arm, d)));
 	Vec at_b = vec_add(vec(vb.vx, vb.vy), vec_spin(vb.w, b.arm)), apart = vec_sub(at_b, at_a);
 
-	// over all turns, where the last step left them
+	// angle over all turns, continued from the count of the last step
 	state->value[0] = along + vec_dot(d, axis);
 	state->value[1] = vec_dot(d, across);
 	state->value[2] = joint_turned(&a, &b, joint_turned_last(p, i));
 
-	// a velocity that the user's calls made infinite may be no number along an axis
+	// speed along an axis, 0 if a velocity that the user's calls made infinite gives NaN
 	state->speed[0] = number_of(vec_dot(apart, axis));
 	state->speed[1] = number_of(vec_dot(apart, across));
 	state->speed[2] = number_of(modes & JOINT_RAILED ? vb.w - va.w - bend * vec_dot(apart, axis) : vb.w - va.w);

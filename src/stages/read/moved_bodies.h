@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// moved_bodies.h -- bodies at other poses than the user was told last, on request. No step reads or writes this.
+// moved_bodies.h -- lists the bodies whose poses differ from those last reported to the user, on request. No step reads
+// or writes this.
 //
-// Poses are those of origins, as the user reads them, and compared as numbers: another center of mass, and the rounding error of a pose,
-// move no body.
+// Poses are those of origins, as the user reads them, and are compared as numbers. So another center of mass, or the
+// rounding error of a pose, does not make a body a moved one.
 #ifndef MOVED_BODIES_H
 #define MOVED_BODIES_H
 #include "dialect/vec.h"
@@ -14,7 +15,7 @@ KERNEL(moved_begin)
 	(void)i;
 }
 
-// The pose of a body's origin, with the roundings of world_body_pose.
+// Returns the pose of a body's origin, with the same rounding as world_body_pose.
 INLINE Float4 reported_origin(const Pools* p, int i)
 {
 	Float4 pose = p->pose[i];
@@ -23,7 +24,7 @@ INLINE Float4 reported_origin(const Pools* p, int i)
 	return make_float4(pose.x - shift.x, pose.y - shift.y, pose.z, pose.w);
 }
 
-// A new row has the pose 0, whose rotation no body has.
+// Lists body i if it moved. A new row has a reported pose of 0, which is no valid rotation.
 LIST_KERNEL(moved_mark, moved_bodies, moved_bodies)
 {
 	Float4 now = reported_origin(p, i), then = p->reported_pose[i];
@@ -32,7 +33,7 @@ LIST_KERNEL(moved_mark, moved_bodies, moved_bodies)
 
 KERNEL(moved_key) { p->key[i] = (Word64)p->moved_bodies[i]; }
 
-// After the sort.
+// Writes the rows of moved bodies, after the sort.
 KERNEL(moved_list)
 {
 	MovedBody row;
@@ -42,7 +43,7 @@ KERNEL(moved_list)
 	row.vy = p->body[row.body].vy;
 	row.w = p->body[row.body].w;
 	StoredVelocity stored = p->stored_velocity[row.body];
-	if (stored.stored != 0.0f) // of a disabled body
+	if (stored.stored != 0.0f) // velocity of a disabled body
 	{
 		row.vx = stored.vx;
 		row.vy = stored.vy;

@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: MIT
-// query.h -- queries of the user: rays, shapes that move or rest, and the nearest collidable; one item each.
+// query.h -- queries of the user: rays, moving or resting shapes, and the nearest collidable; one item per query.
 //
-// docs/queries.md says what the answers are. Of equal fractions or distances the lower index counts, so an answer does not depend
-// on the order of the search.
+// docs/queries.md defines the results. Of equal fractions or distances the lower index wins, so a result does not
+// depend on the order of the search.
 #ifndef QUERY_H
 #define QUERY_H
 #include "stages/geometry/convex_sum.h"
 #include "stages/read/query_tree.h"
 #include "stages/rules/one_way.h"
 
-typedef struct // a query in the world
+typedef struct // query in the world
 {
-	Vec start, turn, path; // of the origin of the shape: m, cos and sin, m
-	float radius;          // m: of a ray
-	int ignored;           // body
-	Float4 box;            // at the start
-	Float4 sides;          // of the box: those that enter first, x and y, then those that leave last
-	Float2 inverse;        // of the path, 1/m
+	Vec start, turn, path; // motion of the shape's origin: start, m; rotation, cos and sin; path, m
+	float radius;          // m: radius of a ray
+	int ignored;           // ignored body, 0 for none
+	Float4 box;            // box at the start
+	Float4 sides;          // bounds of the box: those that enter first, x and y, then those that leave last
+	Float2 inverse;        // 1/m: inverse of the path
 } WorldQuery;
 
-// a component of a path shorter than this counts as zero, m; and its inverse
+// m: components of a path below QUERY_STILL count as zero; 1/m: their inverse
 #define QUERY_STILL   1.0e-30f
 #define QUERY_INVERSE 1.0e30f
 
 INLINE float query_inverse(float path) { return absolute(path) < QUERY_STILL ? QUERY_INVERSE : 1.0f / path; }
 
-// The body that a query does not see, 0 for none: also where it was destroyed, even if another body has its slot.
+// Returns the body that a query ignores, 0 for none: also if it was destroyed, even if another body has its slot.
 INLINE int query_ignored(const Pools* p, const Query* query)
 {
 	int body = query->ignored, there = body > 0 && body < p->query_plan->bodies;
@@ -75,7 +75,7 @@ INLINE QueryResult query_nothing(void)
 	return found;
 }
 
-// Writes an answer in the world: a point and a normal in the frame of what is seen.
+// Writes point and normal of a result in the world. They are given in the frame of the leaf.
 INLINE void query_place(QueryResult* found, QueryLeaf seen, Vec point, Vec normal)
 {
 	Vec turn = vec(seen.c, seen.s);
@@ -87,8 +87,9 @@ INLINE void query_place(QueryResult* found, QueryLeaf seen, Vec point, Vec norma
 	found->normal_y = normal.y;
 }
 
-// The shape of a query against a leaf: where it meets it, or with form QUERY_NEAREST where it is nearest. Returns whether it does.
-// Both are solved for a point that is at q in the frame of the leaf, and the core that is as large as both together.
+// Tests the shape of a query against a leaf: finds where they meet or, with form QUERY_NEAREST, where they are nearest.
+// Returns whether they do. Both are computed for a point at q in the frame of the leaf, against the core of both shapes
+// together.
 INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 {
 	if (form != QUERY_NEAREST)
@@ -106,7 +107,8 @@ INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 	return 1;
 }
 
-// Whether what is seen is a one-way platform that lets a query through, which is at f and moves by path in its frame.
+// Returns whether a leaf is a one-way platform that lets a query through. f, path: pose and motion of the query in the
+// frame of the platform.
 INLINE int query_passes(const Pools* p, QueryLeaf seen, Frame f, float radius, Vec path, const ConvexHit* hit, int form)
 {
 	Rule rule = p->rule[seen.attribute];
@@ -163,12 +165,13 @@ INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, 
 	query_place(found, seen, point, hit.normal);
 	found->fraction = hit.fraction;
 	found->marks = FOUND_HIT | (hit.inside ? FOUND_INSIDE : 0u);
-	found->collidable = seen.collidable + 1; // handles count from 1
+	found->collidable = seen.collidable + 1; // + 1: handles count from 1
 	found->generation = p->generation[seen.collidable];
 	return 1;
 }
 
-// How far an answer is, in the unit of the boxes: a fraction, or a squared distance. It is no nearer than its box.
+// Returns the distance of a result in the unit of the boxes: a fraction, or a squared distance. It is at least that of
+// its box.
 INLINE float query_measure(QueryResult* found, int form, float apart)
 {
 	if (form != QUERY_NEAREST)
@@ -180,7 +183,7 @@ INLINE float query_measure(QueryResult* found, int form, float apart)
 	return maximum(separation * separation, apart);
 }
 
-// Whether an answer comes before the best one so far, which is as far.
+// Returns whether a result precedes the best one so far, at the same distance.
 INLINE int query_before(QueryResult a, QueryResult b)
 {
 	if (!(b.marks & FOUND_HIT) || a.fraction < b.fraction)
@@ -188,12 +191,12 @@ INLINE int query_before(QueryResult a, QueryResult b)
 	return a.fraction == b.fraction && a.collidable < b.collidable;
 }
 
-// Answers that a CPU worker holds back, because workers would wait for each other at the counter: 16 of them took ten times as long.
-// A GPU combines what neighbors add.
+// Number of results that a CPU worker collects before it lists them, because workers wait for each other at the
+// counter: 16 of them took ten times as long. A GPU combines the additions of neighbors.
 #define QUERY_HELD (FETCHES ? 16 : 1)
 
-// Lists so many answers of query i. Returns 0 once there are more than QUERY_MOST: then what is listed is of no use, and the counter, which
-// would run over, stays above that.
+// Lists count results of query i. Returns 0 if there are more than QUERY_MOST: then the list is useless, and the
+// counter stays above the limit without an overflow.
 INLINE int query_append(const Pools* p, int i, const QueryResult* held, int count)
 {
 	GLOBAL QueryPlan* plan = p->query_plan;
@@ -211,11 +214,12 @@ INLINE int query_append(const Pools* p, int i, const QueryResult* held, int coun
 	return 1;
 }
 
-// m: more than the sum of all components of a query that the host lets pass
+// m: exceeds the sum of all components of a query that the host accepts
 #define QUERY_FAR 1.0e7f
 
-// Whether a query has finite numbers. The host refuses others, but only while the device works; and what the user writes into
-// shared memory is not checked at all. NaN would meet the empty boxes that fill up a node, behind which there is nothing.
+// Returns whether a query has finite numbers. The host refuses others, but only while the device already works, and it
+// does not check data that the user writes into shared memory. NaN would hit the empty boxes that pad a node, which
+// have no children.
 INLINE int query_finite(Query query)
 {
 	return absolute(query.a.x) + absolute(query.a.y) + absolute(query.a.z) + absolute(query.a.w) + absolute(query.b.x) +
@@ -223,7 +227,7 @@ INLINE int query_finite(Query query)
 	       QUERY_FAR;
 }
 
-// mode is QUERY_CLOSEST, QUERY_ANY or QUERY_ALL.
+// Runs query i. mode: QUERY_CLOSEST, QUERY_ANY or QUERY_ALL.
 INLINE void query_run(const Pools* p, int i, int form, int mode)
 {
 	const GLOBAL QueryPlan* plan = p->query_plan;
@@ -294,7 +298,8 @@ KERNEL(query_ray) { query_run(p, i, QUERY_RAYS, p->argument); }
 KERNEL(query_shape) { query_run(p, i, QUERY_SHAPES, p->argument); }
 KERNEL(query_nearest) { query_run(p, i, QUERY_NEAREST, QUERY_CLOSEST); }
 
-// Keys by which answers are sorted, one after the other: argument is what the next sort goes by. The lower half is the answer.
+// Writes the keys of one of several sorts of all results. argument: QUERY_BY_*, the criterion of the next sort. The
+// lower half of a key is the index of the result.
 KERNEL(query_key)
 {
 	Word place = p->argument == QUERY_BY_COLLIDABLE ? (Word)i : (Word)p->key[i];
@@ -304,7 +309,7 @@ KERNEL(query_key)
 	p->key[i] = (Word64)by << 32 | (Word64)place;
 }
 
-// After the sorts: the answers in order.
+// Writes the results in order, after the sorts.
 KERNEL(query_list)
 {
 	int place = (int)(p->key[i] & (Word64)0xffffffffu);

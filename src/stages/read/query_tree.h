@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
-// query_tree.h -- the trees with tight boxes of the poses as they are now, and the search for the nearest leaves.
+// query_tree.h -- trees with tight boxes at the current poses, and the search for the nearest leaves.
 //
-// The boxes of the broad phase are those from the beginning of a step. Queries have their own, over the same leaves; they are
-// computed when somebody asks. The step never reads them, so no query changes it.
+// The boxes of the broad phase are those from the start of a step. Queries have their own boxes over the same leaves,
+// which are computed on request. The step never reads them, so no query changes it.
 //
-// A search visits near nodes first, and leaves out those that are farther than the best answer so far. An answer is never nearer
-// than the box of its leaf says, so what is left out would have lost: the order of the leaves changes no answer.
+// A search visits near nodes first, and skips nodes that are farther than the best result so far. A result is never
+// nearer than the box of its leaf, so a skipped leaf cannot have a better one: the order of the leaves changes no
+// result.
 #ifndef QUERY_TREE_H
 #define QUERY_TREE_H
 #include "stages/broad_phase/transform.h"
 #include "stages/geometry/filter.h"
 #include "stages/tree/tree.h"
 
-// m: by so much a box exceeds its collidable, so that rounding on the way to the surface never matters. The spacing of floats
-// grows with the distance from the origin.
+// m: margin of a box around its collidable, larger than any rounding of a query before it reaches the surface.
+// QUERY_SPACING: relative spacing of floats, which grows with the distance from the origin.
 #define QUERY_MARGIN  LINEAR_SLOP
 #define QUERY_SPACING 4.0e-7f
 
-// The box of a collidable on its way from the beginning of the step to a pose. A turn moves points off the straight line by less than
-// their distance from the center of mass times 1 minus its cosine.
+// Returns the box around the motion of a collidable from the start of the step to a pose. A rotation moves points off
+// the straight line by less than their distance from the center of mass times 1 minus its cosine.
 INLINE Float4 query_way_box(const Pools* p, int k, WorldShape at)
 {
 	const GLOBAL Attribute* shape = p->attribute + at.attribute;
@@ -29,8 +30,8 @@ INLINE Float4 query_way_box(const Pools* p, int k, WorldShape at)
 	                 world_box(start, shape, QUERY_MARGIN + QUERY_SPACING * out + bulge));
 }
 
-// Whether the step's box of a collidable still holds it: that box is half the speculative distance larger than the collidable was when
-// the step began. A new row has an empty box.
+// Returns whether the step's box of a collidable still contains it. That box is larger by half the speculative distance
+// than the collidable at the start of the step. A new row has an empty box.
 INLINE int query_holds(const Pools* p, int k, WorldShape at)
 {
 	WorldShape start = p->world_shape[k];
@@ -39,8 +40,8 @@ INLINE int query_holds(const Pools* p, int k, WorldShape at)
 	return shift <= 0.5f * SPECULATIVE_DISTANCE && !box_is_empty(p->box[k]);
 }
 
-// What every leaf is now. Item i is a leaf of the tree argument; argument is 2 more for boxes of the way in the step, 4 more if the
-// step's boxes do not fit its poses.
+// Writes the row and the box of a leaf. argument: the tree; plus 2 for boxes around the motion of the step; plus 4 if
+// the step's boxes do not fit its poses.
 KERNEL(query_leaf)
 {
 	int t = p->argument & 1;
@@ -76,10 +77,10 @@ KERNEL(query_leaf)
 	box_pack(p->query_box, tree->begin[0] + i, box);
 }
 
-// argument is the tree plus 2 times the level.
+// Item: a node of a level. argument: the tree, plus 2 times the level.
 KERNEL(query_node) { tree_join(p->query_box, p->tree + (p->argument & 1), p->argument >> 1, i); }
 
-// Whether a query may find a leaf.
+// Returns whether a query may find a leaf.
 INLINE int query_accepts(const Pools* p, const GLOBAL QueryPlan* plan, QueryLeaf seen, int ignored)
 {
 	if (!(plan->kinds & seen.kinds & ~LEAF_LISTENS) || seen.body == ignored)
@@ -90,20 +91,20 @@ INLINE int query_accepts(const Pools* p, const GLOBAL QueryPlan* plan, QueryLeaf
 	return (plan->mask & filter.category) && (plan->category & filter.mask);
 }
 
-// Groups of eight siblings that are still to visit, the nearest on top. Visiting one adds up to eight.
+// Capacity for groups of eight siblings that are still to be visited, the nearest on top. Each visit adds up to eight.
 #define QUERY_GROUPS (2 + (ARITY - 1) * MAX_LEVELS + 6)
 
-// A group: tree in bit 31, level from bit 27 on, number below.
+// Returns the code of a group: tree in bit 31, level from bit 27 on, number below.
 INLINE Word query_group(int tree, int level, int number) { return (Word)tree << 31 | (Word)level << 27 | (Word)number; }
 
 typedef struct
 {
 	Word group[QUERY_GROUPS];
-	float apart[QUERY_GROUPS]; // no leaf below it is nearer
+	float apart[QUERY_GROUPS]; // lower bound of the distance of the leaves below it
 	int count;
 } QueryTraversal;
 
-// The kinds, as bits of Seen.kinds, that there may be in a tree.
+// Returns the kinds, as bits of QueryLeaf.kinds, that a tree may contain.
 INLINE Word query_kinds(int t) { return t == 1 ? 1u << (KIND_STATIC - 1) | LEAF_SENSOR : ~(1u << (KIND_STATIC - 1)); }
 
 INLINE void query_begin(const Pools* p, QueryTraversal* traversal, Word kinds)
@@ -119,7 +120,7 @@ INLINE void query_begin(const Pools* p, QueryTraversal* traversal, Word kinds)
 	}
 }
 
-// Adds the children that are hit, so that the nearest is on top.
+// Adds the children that are hit, so that the nearest one is on top.
 INLINE void query_push(QueryTraversal* traversal, Word hits, const float apart[ARITY], Word first)
 {
 	int base = traversal->count;

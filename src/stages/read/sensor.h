@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// sensor.h -- what sensors see: the collidables that overlapped them at some time of the step.
+// sensor.h -- sensors: finds the collidables that overlapped them at some time of the step.
 //
-// A visit is judged by the way that both went from the beginning of the step to its end, at constant speed: not by velocities, so
-// what bounces off a wall before a sensor is not seen behind it. What overlaps at the end is tested at the poses of the end.
+// A visit is computed from the motion of both from the start of the step to its end, at constant speed. Velocities are
+// not used, so a body that bounces off a wall in front of a sensor is not found behind the wall. An overlap at the end
+// is tested at the poses of the end.
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement.
@@ -14,19 +15,19 @@
 #include "stages/read/query_tree.h"
 #include "stages/rules/apart.h"
 
-// m: shapes that overlap by less within the step alone have not met
+// m: shapes that overlap by less, and only within the step, have not met
 #define SENSOR_DEPTH (0.05f * LINEAR_SLOP)
-// rounds of conservative advancement. From half of them on each goes on by at least its share of what is left of the step: where
-// something turns fast close beside a sensor, a visit may be missed that is shorter
+// rounds of conservative advancement. In the second half each round advances by at least an equal part of the rest of
+// the step: where something rotates fast close to a sensor, a visit that is shorter than this part may be missed
 #define SENSOR_ROUNDS 64
-// more rounds, which halve the time within which such a share went past the beginning of a visit
+// further rounds, which halve the interval within which such an advance passed the beginning of a visit
 #define SENSOR_HALVINGS 10
-// of the sizes of two shapes: more than the rounding of places in them
+// fraction of the sizes of two shapes, which exceeds the rounding error of positions in them
 #define SENSOR_ROUNDING 1e-6f
-// later than any time of a step
+// time beyond the step
 #define SENSOR_NEVER 2.0f
 
-// The way of a collidable in the step, from one pose to another one.
+// Returns the motion of a collidable from one pose to another.
 INLINE Sweep sensor_sweep(const Pools* p, WorldShape from, WorldShape to)
 {
 	const GLOBAL Attribute* shape = p->attribute + from.attribute;
@@ -38,8 +39,8 @@ INLINE Sweep sensor_sweep(const Pools* p, WorldShape from, WorldShape to)
 	return s;
 }
 
-// The separation of two collidables in a frame, with the normal from a to b in the frame of a. Inlined, it would take from gcc the room
-// in which it inlines the narrow phase: storm took 1.2 % more instructions.
+// Returns the separation of two collidables. f: pose of b in the frame of a. *normal: from a to b in the frame of a. If
+// this were inlined, gcc would no longer inline the narrow phase: storm took 1.2 % more instructions.
 RARE float sensor_apart(const Pools* p, WorldShape a, WorldShape b, Frame f, Vec* normal)
 {
 	const GLOBAL Attribute *shape_a = p->attribute + a.attribute, *shape_b = p->attribute + b.attribute;
@@ -57,8 +58,9 @@ INLINE Frame sensor_frame(WorldShape a, WorldShape b)
 	return frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
 }
 
-// Whether a corner of b is well inside a: then they overlap without a look at the others. Most visitors of a large sensor are there. The
-// margin is more than rounding, so that this never says more than the separation does.
+// Returns whether a corner of b is well inside a, so that they overlap without a test of the other corners. This holds
+// for most visitors of a large sensor. The margin exceeds rounding, so the result is never 1 if the separation is
+// positive.
 INLINE int sensor_within(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
 {
 	Vec corner = frame_point(f, shape_corner(b, 0));
@@ -75,15 +77,15 @@ INLINE int sensor_within(const GLOBAL Attribute* a, const GLOBAL Attribute* b, F
 	return 1;
 }
 
-typedef struct // bounds of how fast two collidables draw near at any time of the step, m per step
+typedef struct // bounds of the speed at which two collidables approach at any time of the step, m per step
 {
-	Vec path;    // of b against a, without the turns
-	float turns; // by which points move because their bodies turn
-	float along; // for points seen from the larger one, which turns: small where both turn together
+	Vec path;    // motion of b relative to a, without the rotations
+	float turns; // speed of points by the rotation of their bodies
+	float along; // bound in the frame of the larger one, which rotates: small if both rotate together
 } SensorPace;
 
-// Seen from a body that turns by w, a velocity u changes by |w| |path| + |w| |u| at most per step, so it stays below
-// e^|w| (|u| + |w| |path|); up to 1.7 rad, 1 + |w| + w^2 is more than that power.
+// Returns the bounds. In the frame of a body that rotates by w, a velocity u changes by at most |w| |path| + |w| |u|
+// per step, so it stays below e^|w| (|u| + |w| |path|). Up to 1.7 rad, 1 + |w| + w^2 exceeds that power.
 INLINE SensorPace sensor_pace(Closing c)
 {
 	SensorPace pace;
@@ -95,19 +97,20 @@ INLINE SensorPace sensor_pace(Closing c)
 	return pace;
 }
 
-// The most by which two points may draw near along a normal.
+// Returns a bound of the speed at which two points approach along a normal.
 INLINE float sensor_speed(SensorPace pace, Vec normal)
 {
 	return minimum(pace.turns - vec_dot(normal, pace.path), pace.along);
 }
 
-// The time at which two collidables first overlap on their ways, SENSOR_NEVER if they do not. An advance ends SENSOR_DEPTH inside, which
-// is a long way for what is slow: the meeting is where the separation is 0 if it falls evenly since the time before.
+// Returns the time at which two moving collidables first overlap, SENSOR_NEVER if they do not. An advance ends
+// SENSOR_DEPTH inside, which is a long distance for a slow pair. So the time is interpolated to a separation of 0
+// between the last two times.
 RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closing)
 {
 	SensorPace pace = sensor_pace(closing);
 	float time = 0.0f, before = 0.0f, gap_before = 0.0f, met = SENSOR_NEVER;
-	int past = 0, halvings = 0; // past: a share may have gone past the beginning
+	int past = 0, halvings = 0; // past: an advance may have passed the beginning of the overlap
 	for (int round = 0; round < SENSOR_ROUNDS + SENSOR_HALVINGS; ++round)
 	{
 		Frame f;
@@ -141,7 +144,8 @@ RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closi
 	return met;
 }
 
-// The visit of leaf b to sensor a, both at their poses of the end, if there is one: when it began and ended, and whether it lasts.
+// Computes the visit of leaf b to sensor a, both at their poses at the end: its begin and end, and whether it
+// continues. Returns whether there is one.
 INLINE int sensor_visit(const Pools* p, int sensor, WorldShape a, QueryLeaf seen, QueryResult* visit)
 {
 	WorldShape b = collidable_place(p, seen.collidable), start_a = p->world_shape[sensor],
@@ -177,7 +181,7 @@ INLINE int sensor_visit(const Pools* p, int sensor, WorldShape a, QueryLeaf seen
 	return 1;
 }
 
-// The kinds that a sensor sees, as bits of Seen.kinds.
+// Returns the kinds that a sensor detects, as bits of QueryLeaf.kinds.
 INLINE Word sensor_kinds(Word bits)
 {
 	const Word moving = 1u << (KIND_DYNAMIC - 1) | 1u << (KIND_KINEMATIC - 1);
@@ -186,13 +190,13 @@ INLINE Word sensor_kinds(Word bits)
 	       (bits & SENSOR_SENSORS ? LEAF_SENSOR : 0u);
 }
 
-typedef struct // a search for the visits of a sensor
+typedef struct // search for the visits of a sensor
 {
 	int query, sensor;
 	Word kinds;
-	WorldShape at; // at the end
-	Float4 box;    // of its way
-	int blocks[2]; // of eight leaves: from here on, and where to end
+	WorldShape at; // pose at the end
+	Float4 box;    // box around its motion
+	int blocks[2]; // range of blocks of eight leaves, end excluded
 } SensorSearch;
 
 INLINE void sensor_leaf(const Pools* p, const SensorSearch* s, QueryLeaf seen)
@@ -203,14 +207,14 @@ INLINE void sensor_leaf(const Pools* p, const SensorSearch* s, QueryLeaf seen)
 		query_append(p, s->query, &visit, 1);
 }
 
-// Whether the leaves below a node of a level are among those searched. Node n of level 1 is over block n.
+// Returns whether some leaves below a node of a level are in the searched range. Node n of level 1 covers block n.
 INLINE int sensor_covers(const SensorSearch* s, int level, int node)
 {
 	int bits = ARITY_BITS * (level - 1);
 	return node << bits < s->blocks[1] && (node + 1) << bits > s->blocks[0];
 }
 
-// The leaves of tree t.
+// Searches the leaves of tree t.
 INLINE void sensor_tree(const Pools* p, const SensorSearch* s, int t)
 {
 	const GLOBAL Tree* tree = p->tree + t;
@@ -234,8 +238,8 @@ INLINE void sensor_tree(const Pools* p, const SensorSearch* s, int t)
 	}
 }
 
-// Items argument * q and up are parts of the search of query q, whose collidable is a sensor. One that is as large as the world would keep
-// a single work-item busy for long: each part takes a share of the leaves.
+// Items argument * q and up are the parts of the search of query q, whose collidable is a sensor. Each part searches
+// some of the leaves, because a sensor as large as the world would keep a single work-item busy for long.
 KERNEL(sensor_overlap)
 {
 	SensorSearch s;

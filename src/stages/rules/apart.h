@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: MIT
-// apart.h -- every reason why two collidables do not collide, and which stages heed which.
+// apart.h -- every reason why two collidables do not collide, and the reasons that each stage checks.
 //
-// The broad phase heeds what no step changes, and makes no contact. A contact is made of a pair that other reasons keep apart, as
-// these may end while it lasts: its flags hold the answer (CONTACT_DETECTED, CONTACT_APART), and all that works with contacts goes by
-// them: manifolds, sweeps of fast pairs, events. Guard meets pairs that have no contact, and heeds all reasons. A sensor touches
-// nothing, whatever joints and rules say, so it heeds bodies and filters alone (docs/events.md).
+// The broad phase checks the reasons that no step changes, and creates no contact for such a pair. Other reasons may
+// end while a contact lasts. So the contact is created, its flags store the result (CONTACT_DETECTED, CONTACT_APART),
+// and all code that works with contacts uses the flags: manifolds, sweeps of fast pairs, events. Continuous collision
+// also tests pairs without a contact, so it checks all reasons. A sensor touches nothing, whatever joints and rules
+// there are, so it checks only bodies and filters (docs/events.md).
 #ifndef APART_H
 #define APART_H
 #include "stages/geometry/filter.h"
 #include "stages/rules/rule.h"
 
-// reasons, the cheap ones first; a stage heeds a set of them
-#define APART_KIND     1  // neither can move, one is a sensor, or disabled
-#define APART_BODY     2  // both are of one body
-#define APART_FILTER   4  // categories and masks, or a group
-#define APART_DETECTED 8  // one has no body: it is made for detection
-#define APART_JOINED   16 // a joint, a filter joint, or the user, who excluded the pair of bodies
-#define APART_MATERIAL 32 // the pair of their materials is ignored
-#define APART_REFUSED  64 // the user was asked, and did not allow it
-#define APART_PAIR     (APART_KIND | APART_BODY | APART_FILTER)                        // no contact
-#define APART_LASTING  (APART_PAIR | APART_DETECTED)                                   // no contact that acts
-#define APART_ALL      (APART_LASTING | APART_JOINED | APART_MATERIAL | APART_REFUSED) // whatever is between them
-#define APART_SEEN     (APART_BODY | APART_FILTER)                                     // a sensor does not see it
+// reasons, cheap ones first; each stage checks a set of them
+#define APART_KIND     1                                        // neither can move, or one is a sensor or disabled
+#define APART_BODY     2                                        // both belong to one body
+#define APART_FILTER   4                                        // categories and masks, or a group
+#define APART_DETECTED 8                                        // one has no body: it is for detection only
+#define APART_JOINED   16                                       // a joint, a filter joint or an exclusion by the user
+#define APART_MATERIAL 32                                       // the materials of the pair ignore each other
+#define APART_REFUSED  64                                       // contact approval was refused
+#define APART_PAIR     (APART_KIND | APART_BODY | APART_FILTER) // no contact is created
+#define APART_LASTING  (APART_PAIR | APART_DETECTED)            // no contact, or one without impulses
+#define APART_ALL      (APART_LASTING | APART_JOINED | APART_MATERIAL | APART_REFUSED) // all reasons
+#define APART_SEEN     (APART_BODY | APART_FILTER)                                     // no sensor overlap
 
-// Which of two collidables is the first of a pair: a moving one before one that does not move, then the smaller, then
-// the lower index. The manifold is found in its frame and the solver's arms are from its center, so they are exact where
-// it matters: far from the center of a floor, the arms of a circle would be off by 1e-7 of the distance, and it would
-// roll.
+// Returns a pair in order: a moving collidable before one that does not move, then the smaller one, then the lower
+// index. The manifold is computed in the frame of the first one, and the solver's arms begin at its center, so both are
+// precise where it matters: far from the center of a floor, the arms of a circle would be off by 1e-7 of the distance,
+// and it would roll.
 INLINE Int2 apart_pair(const Pools* p, int i, int j)
 {
 	int a = i < j ? i : j, b = i < j ? j : i;
@@ -37,11 +38,11 @@ INLINE Int2 apart_pair(const Pools* p, int i, int j)
 	return turned ? make_int2(b, a) : make_int2(a, b);
 }
 
-// A pair as a number of few bits, which are sorted soon.
+// Returns a pair as a number of few bits, which is fast to sort.
 INLINE Word64 apart_key(const Pools* p, Int2 pair) { return (Word64)pair.x << p->step.key_bits | (Word64)pair.y; }
 
-// The first of these reasons that keeps i and j apart, or 0. One-way platforms come last, in apart_lets, because their places take
-// long to find.
+// Returns the first of these reasons that keeps i and j apart, 0 if there is none. One-way platforms are tested
+// separately, in apart_lets, because their geometry takes long to compute.
 INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 {
 	int a = p->collidable_body[i], b = p->collidable_body[j];
@@ -63,12 +64,14 @@ INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 	return 0;
 }
 
-// The key of a contact that a one-way platform lets through: among those of contacts that were refused, but the other way round.
+// Returns the key of a contact that a one-way platform lets through. It is stored among the keys of refused contacts,
+// with the pair reversed.
 INLINE Word64 apart_passes_key(const Pools* p, Int2 pair) { return apart_key(p, make_int2(pair.y, pair.x)); }
 
-// Whether a platform, a, lets b through, for guard. A contact that it holds goes on. What passes, or has no contact as the boxes are
-// apart, is held if it is above by the way that it went. way: of b against a in the step, m. swing: by
-// how much more its points may move, m.
+// Returns whether platform a lets b through, for continuous collision. A contact that the platform holds stays held. A
+// visitor that passes, or whose box does not overlap that of the platform, is held if it is above the platform, or gets
+// there by its motion in the step. way, m: displacement of b relative to a in the step. swing, m: largest additional
+// displacement of its points.
 RARE int apart_lets(const Pools* p, int a, int b, Vec way, float swing)
 {
 	if (!rule_platform(p, a, b))

@@ -1,41 +1,45 @@
 // SPDX-License-Identifier: MIT
-// one_way.h -- one-way platforms: whether a visitor is on the side from which a platform is solid.
+// one_way.h -- one-way platforms: tests whether a visitor is on the side from which a platform is solid.
 //
-// A platform has a direction, up. A visitor that is not held yet is held once it is above: no point of it is deeper under one of the
-// platform's upper sides than a small slop, and it is over that side, or gets there in the step by its velocity. So what comes from
-// below, from beside or stands half through passes, however fast, and what comes from above is held in the step in which it meets
-// the platform. A visitor that is held stays so while it touches the platform, and while it is neither below nor beside it: a tilted
-// plank may reach under the platform before they touch.
+// A platform has a direction, up. A visitor that is not held yet becomes held when it is above: no point of it is
+// deeper below one of the platform's upper sides than a small slop, and it is over that side, or gets there in the step
+// by its velocity. So a visitor that comes from below or from beside, or starts halfway through, passes at any speed. A
+// visitor that comes from above is held in the step in which it meets the platform. It stays held while it touches the
+// platform, and while it is neither below nor beside it: a tilted plank may reach below the platform before the two
+// touch.
 //
 // This work is based on:
-// Erin Catto, Box2D's sample Platform, and Rapier's ContactModificationContext::update_as_oneway_platform: a state for each contact.
+// Erin Catto, Box2D's sample Platform, and Rapier's ContactModificationContext::update_as_oneway_platform: a state for
+// each contact.
 #ifndef ONE_WAY_H
 #define ONE_WAY_H
 #include "stages/geometry/sweep.h"
 
-// m: how deep a visitor may be that is above; it is more than bodies fall in a step of 1/30 s, and than loads press them in. Of the
-// thickness of a thinner visitor, so that one that comes from below is not above when it touches. A pair that was far apart in the
-// last step: of the thickness, because guard stops a visitor at CONTINUOUS_DEPTH.
+// ONE_WAY_SLOP, m: depth up to which a visitor counts as above. It is more than bodies fall in a step of 1/30 s, and
+// more than loads press them in. ONE_WAY_SHARE: limit of the slop as a fraction of the visitor's thickness, so that a
+// thin visitor that comes from below is not above when it touches. ONE_WAY_FRESH: slop of a pair that was far apart in
+// the last step, as a fraction of the thickness, because continuous collision stops a visitor at CONTINUOUS_DEPTH.
 #define ONE_WAY_SLOP  SPECULATIVE_DISTANCE
 #define ONE_WAY_SHARE 0.5f
 #define ONE_WAY_FRESH 0.3f
-// m: a visitor that touches a platform is at least so deep in it
+// m: least depth of a visitor that touches a platform
 #define ONE_WAY_TOUCH 1.0e-9f
 
-// what is known of a contact when it is looked at
-#define ONE_WAY_NEW \
-	0 // the boxes did not overlap in the last step, or the visitor was higher than the platform, but not over it
+// states of a contact before the test. ONE_WAY_NEW: the boxes did not overlap in the last step, or the visitor was
+// higher than the platform, but not over it
+#define ONE_WAY_NEW  0
 #define ONE_WAY_PAST 1 // the platform let the visitor through
-#define ONE_WAY_HELD 2 // it held it, but they do not touch
-// cosine: sides that face up by more are upper ones. The walls of a box must not count, whatever the rounding of its corners
+#define ONE_WAY_HELD 2 // the platform held the visitor, but the two do not touch
+// cosine: a side is an upper side if its normal and up have a larger product. The walls of a box must not count,
+// whatever the rounding of its corners
 #define ONE_WAY_UPPER 0.1f
 
-// how high a visitor is
+// heights of a visitor relative to a platform
 #define ONE_WAY_LOW   0
-#define ONE_WAY_HIGH  1 // higher than an upper side
-#define ONE_WAY_ABOVE 2 // and over it, or it gets there in the step
+#define ONE_WAY_HIGH  1 // higher than an upper side, but not over it
+#define ONE_WAY_ABOVE 2 // higher and over an upper side, or it gets there in the step
 
-typedef struct // of a shape along a direction, and across it, m
+typedef struct // extent of a shape along a direction, and across it, m
 {
 	float low, high, left, right;
 } OneWaySpan;
@@ -64,19 +68,20 @@ RARE OneWaySpan one_way_span(const GLOBAL Attribute* shape, Frame f, Vec n)
 
 INLINE int one_way_meet(OneWaySpan a, OneWaySpan b) { return a.left <= b.right && b.left <= a.right; }
 
-typedef struct // how deep a visitor may be in a platform that holds it, m
+typedef struct // depth up to which a visitor counts as above, m
 {
-	float slop; // now
-	float late; // at the place where it gets over the platform in the step
+	float slop; // value for the current poses
+	float late; // value for the place where it gets over the platform in the step
 } OneWayDepth;
 
-// How high a visitor is against a side of the platform, whose normal is n. way: how it moves against the platform in the step, m.
+// Returns the height of a visitor relative to a side of the platform. n: normal of the side. way, m: displacement of
+// the visitor relative to the platform in the step.
 RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWayDepth depth)
 {
 	float gap = visitor.low - side.high, closes = -vec_dot(n, way), slides = vec_cross(n, way), from = 0.0f, to = 1.0f;
 	if (!(gap >= -depth.slop))
 		return ONE_WAY_LOW;
-	// what is not at the height of the side yet counts where it gets there
+	// tests a visitor that is still higher than the side at the place where it comes down to the side
 	if (gap > depth.slop && closes > gap)
 	{
 		from = gap / closes;
@@ -87,10 +92,11 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	return one_way_meet(side, visitor) ? ONE_WAY_ABOVE : ONE_WAY_HIGH;
 }
 
-// Whether a side with the normal n is an upper one, other than its whole width.
+// Returns whether the side with normal n is an upper side. A normal equal to up is left out: the test of the whole
+// width covers it.
 INLINE int one_way_upper(Vec n, Vec up) { return vec_dot(n, up) > ONE_WAY_UPPER && !(n.x == up.x && n.y == up.y); }
 
-typedef struct // a platform and a visitor along up, in the frame of the platform
+typedef struct // extents of a platform and a visitor along up, in the frame of the platform
 {
 	OneWaySpan platform, visitor;
 } OneWayWhole;
@@ -111,8 +117,8 @@ INLINE OneWaySpan one_way_grow(OneWaySpan span, float margin)
 	return span;
 }
 
-// How high a visitor at a frame, with a margin around its shape, is against a platform whose direction is up: over its whole width, and over
-// each of its upper sides.
+// Returns the largest height of a visitor relative to the whole width of a platform and to each of its upper sides. f:
+// pose of the visitor in the frame of the platform. margin, m: enlargement of the visitor.
 INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f,
                           OneWayWhole whole, float margin, Vec way, OneWayDepth depth)
 {
@@ -130,8 +136,8 @@ INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL
 	return most;
 }
 
-// How deep visitor b may be. A load may press it into platforms that hold it, and the next one takes it over as deep as it is,
-// and deeper by what guard allows in a step.
+// Returns the depth up to which visitor b counts as above. A load may press it into the platforms that hold it; the
+// next platform accepts it at that depth, plus the depth that continuous collision allows in a step.
 INLINE OneWayDepth one_way_depth(const Pools* p, WorldShape b, int known, float swing)
 {
 	float thickness = p->thickness[b.attribute], sunk = bits_float(p->sunk[b.body]);
@@ -143,13 +149,13 @@ INLINE OneWayDepth one_way_depth(const Pools* p, WorldShape b, int known, float 
 	return depth;
 }
 
-typedef struct // a visitor, as its platform sees it
+typedef struct // position of a visitor relative to a platform
 {
 	int height; // ONE_WAY_LOW, ONE_WAY_HIGH or ONE_WAY_ABOVE
 	int below, beside;
 } OneWayPlace;
 
-// The pose of visitor b in the frame of platform a.
+// Returns the pose of visitor b in the frame of platform a.
 INLINE Frame one_way_frame(WorldShape a, WorldShape b)
 {
 	Vec axes = vec(a.c, a.s);
@@ -161,8 +167,9 @@ INLINE Vec one_way_up(const Pools* p, WorldShape a)
 	return vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y);
 }
 
-// The place of visitor b beside platform a, by their poses now. way: as above, in the world. swing: how far its points may be off it, m. known:
-// ONE_WAY_*
+// Returns the position of visitor b relative to platform a at their current poses. way, m: displacement relative to a
+// in the step, in world axes. swing, m: largest additional displacement of its points. known: state of the contact,
+// ONE_WAY_*.
 RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, float swing, int known)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
@@ -178,8 +185,9 @@ RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec w
 	return place;
 }
 
-// m: how deep visitor b is in platform a, which held it, by their poses now: under the upper side under which it is least deep. 0 if
-// it has left the platform. Its middle is outside.
+// Returns the depth of visitor b in platform a, which held it, at their current poses, m. It is measured from the upper
+// side below which b is least deep, and is at most the thickness of b, because the middle of b is outside. 0 if b has
+// left the platform.
 RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
 {
 	const GLOBAL Attribute* platform = p->attribute + a.attribute;
@@ -199,7 +207,8 @@ RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
 	return depth;
 }
 
-// Whether another collidable of the visitor's body is in the platform's way: all of a body is held, or nothing of it.
+// Returns whether another collidable of the visitor's body is neither above nor beside the platform: a body is held as
+// a whole or not at all.
 INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, float swing, int known)
 {
 	for (int k = p->continuous_body[p->collidable_body[b]].first; k > 0; k = p->next_collidable[k - 1])
@@ -215,7 +224,8 @@ INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, float s
 
 INLINE int one_way_is(const Pools* p, int a) { return p->rule[p->collidable_attribute[a]].one_way; }
 
-// ONE_WAY_HELD if platform a holds b in the step, else what is known of b in the next one. known: ONE_WAY_*
+// Returns ONE_WAY_HELD if platform a holds b in the step, else the state of the contact for the next step. known: its
+// current state, ONE_WAY_*.
 INLINE int one_way_finds(const Pools* p, int a, int b, Vec way, float swing, int known)
 {
 	WorldShape platform = p->world_shape[a];

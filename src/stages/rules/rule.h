@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// rule.h -- rules of the user about pairs: which contacts act. Only worlds that have rules run this.
+// rule.h -- rules of the user about pairs, which decide which contacts act. Runs only in worlds with rules.
 //
-// A contact that a rule keeps from acting has no points, as if the boxes of its collidables overlapped and no more. It is looked at
-// before the narrow phase, by what it was in the last step and by the poses now.
+// A contact that a rule disables has no points, as if only the boxes of its collidables overlapped. Rules are evaluated
+// before the narrow phase, from the state of the contact in the last step and the current poses.
 #ifndef RULE_H
 #define RULE_H
 #include "stages/color/joint_edges.h"
 #include "stages/rules/one_way.h"
 
-// What the materials of a pair do.
+// Returns the settings for the materials of a pair.
 RARE MaterialPair rule_materials(const Pools* p, int i, int j)
 {
 	MaterialPair pair = {0.0f, 0.0f, 0.0f, 0};
@@ -21,7 +21,7 @@ RARE MaterialPair rule_materials(const Pools* p, int i, int j)
 
 INLINE int rule_ignores(MaterialPair pair) { return pair.sets & MATERIAL_IGNORED; }
 
-// The surface of a contact (contact_surface), by its materials.
+// Returns the surface of a contact (contact_surface) with the values that its materials override.
 INLINE Float4 rule_surface(MaterialPair pair, Float4 surface)
 {
 	float friction = pair.friction < MOST_FRICTION ? pair.friction : MOST_FRICTION;
@@ -30,30 +30,32 @@ INLINE Float4 rule_surface(MaterialPair pair, Float4 surface)
 	                   pair.sets & MATERIAL_SPEED ? pair.tangent_speed : surface.w);
 }
 
-// Whether a is a one-way platform for b: what is static or kinematic is no visitor of a platform that falls.
+// Returns whether a is a one-way platform for b. A dynamic platform is solid for everything that is not dynamic, so
+// that it can land.
 INLINE int rule_platform(const Pools* p, int a, int b)
 {
 	return one_way_is(p, a) && (p->collidable_kind[a] != KIND_DYNAMIC || p->collidable_kind[b] == KIND_DYNAMIC);
 }
 
-// How the body of collidable i moves in the step, as far as it is known.
+// Returns the motion of the body of collidable i in the step, from its velocity at the start of the step.
 INLINE Advance rule_advance(const Pools* p, int i)
 {
 	BodyState body = p->body[p->world_shape[i].body];
 	return sweep_advance_of(&p->step, vec(body.vx, body.vy), body.w);
 }
 
-// How b moves against a, which turns, in the step, m.
+// Returns the displacement of b relative to a, which rotates, in the step, m.
 INLINE Vec rule_way(const Pools* p, int a, int b)
 {
 	WorldShape at = p->world_shape[a], to = p->world_shape[b];
 	Advance first = rule_advance(p, a), second = rule_advance(p, b);
-	// from the center of mass of a to that of b
+	// vector from the center of mass of a to that of b
 	Vec arm = vec(to.x - at.x + (to.center_x - at.center_x), to.y - at.y + (to.center_y - at.center_y));
 	return vec_sub(vec_sub(second.path, first.path), vec_spin(first.turn, arm));
 }
 
-// CONTACT_PASSES if contact i passes because a side of it is a one-way platform, and CONTACT_HIGH if it may be held anew.
+// Returns CONTACT_PASSES if a one-way platform lets the other collidable of a contact through, with CONTACT_HIGH if it
+// may later be held as if it were new; 0 if the platform holds it.
 RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 {
 	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED | CONTACT_HIGH) ? ONE_WAY_NEW
@@ -74,10 +76,11 @@ RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 	return passes ? CONTACT_PASSES | (past ? 0u : CONTACT_HIGH) : 0u;
 }
 
-// Body i, before it is known which platforms hold it.
+// Clears the depth of body i in the platforms that hold it.
 KERNEL(sunk_begin) { p->sunk[i] = 0; }
 
-// Raises the depth of a visitor in the platform of a contact to that of its manifold, or to depth, m.
+// Raises the depth of a visitor in a platform to depth, m, or to that of the manifold of their contact if it is larger.
+// slot: that of the contact.
 INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 {
 	if (p->contact_flags[slot] & CONTACT_COUNT)
@@ -85,26 +88,28 @@ INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 		Float4 normal = p->contact_manifold[slot].normal;
 		depth = maximum(maximum(depth, -minimum(normal.z, normal.w)), ONE_WAY_TOUCH);
 	}
-	// depths that are not negative are ordered like their bits
+	// non-negative floats are ordered like their bits
 	if (depth > 0.0f)
 		atomic_max_int(&p->sunk[p->collidable_body[visitor]], float_bits(depth));
 }
 
-// How deep platform a holds b, by their contact in a slot. found: their poses are those of the time when this was found before.
+// Raises the depth of visitor b in platform a, by their contact in a slot. found: 1 if the depth was already computed
+// for the current poses.
 RARE void sunk_by(const Pools* p, int slot, int a, int b, int found)
 {
 	if (rule_platform(p, a, b))
 		sunk_to(p, slot, b, found ? 0.0f : one_way_sunk(p, p->world_shape[a], p->world_shape[b]));
 }
 
-// How deep the platforms of contact i, with these flags, hold a visitor. found: this was found before, for the same poses.
+// Raises the depths of the visitors of contact i in its platforms. flags: those of the contact. found: 1 if the depths
+// were already computed for the current poses.
 INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 {
 	Int2 pair = p->pair[i];
 	if (pair.x < 0 || flags & (CONTACT_FRESH | CONTACT_DETECTED | CONTACT_APART | CONTACT_PENDING))
 		return;
 	int by_a = one_way_is(p, pair.x), by_b = one_way_is(p, pair.y);
-	// a collidable that was destroyed may have anything as its attribute
+	// a destroyed collidable may have any attribute
 	if (!(by_a || by_b) || box_parted(p, pair))
 		return;
 	if (by_a)
@@ -115,7 +120,8 @@ INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 		p->contact_flags[i] = flags | CONTACT_SUNK;
 }
 
-// Contact i, before contact_rule, when contacts are what they were in the last step. approval_request does the same again, for guard.
+// Computes the depths for contact i, before contact_rule, in its state of the last step. approval_request repeats this
+// for continuous collision.
 KERNEL(contact_sunk)
 {
 	if (i < p->counters->live)
@@ -130,7 +136,7 @@ INLINE int approval_finds(const GLOBAL Word64* keys, int count, Word64 key)
 	return at < count && keys[at] == key;
 }
 
-// The CONTACT_APPROVALS bits of a contact with these flags.
+// Returns the CONTACT_APPROVALS bits of a contact with these flags.
 RARE Word rule_answer(const Pools* p, Int2 pair, Word flags)
 {
 	if (!((p->filter[pair.x].reports | p->filter[pair.y].reports) & REPORT_APPROVAL))
@@ -142,13 +148,14 @@ RARE Word rule_answer(const Pools* p, Int2 pair, Word flags)
 	if (flags & CONTACT_WAITED)
 		return approval_finds(p->allowed, p->step.allowed, approval_key(pair)) ? CONTACT_APPROVED
 		                                                                       : CONTACT_PENDING | CONTACT_REFUSED;
-	// without points the two have parted; what touched before it asked goes on
+	// without points the two have parted, and approval starts again; a contact that touched before approval was
+	// required keeps acting
 	if (!(flags & CONTACT_COUNT))
 		return CONTACT_PENDING;
 	return flags & CONTACT_APPROVALS ? flags & CONTACT_APPROVALS : CONTACT_APPROVED;
 }
 
-// Contact i: whether it acts in this step.
+// Decides whether contact i acts in this step.
 KERNEL(contact_rule)
 {
 	Word flags = p->contact_flags[i];
@@ -163,11 +170,11 @@ KERNEL(contact_rule)
 			p->contact_surface[i] = rule_surface(materials, p->contact_surface[i]);
 		apart = rule_ignores(materials) ? CONTACT_IGNORED : 0u;
 	}
-	// most contacts stay as they are
+	// early exit: most contacts keep their state
 	int platform = !apart && (one_way_is(p, pair.x) || one_way_is(p, pair.y));
 	if (!platform && (flags & (CONTACT_PASSES | CONTACT_IGNORED | CONTACT_APPROVALS)) == (apart | answer))
 		return;
-	// a contact that parted is released by the narrow phase, but not one that is fresh
+	// the narrow phase releases a contact whose boxes parted, unless it is fresh
 	if (!(flags & CONTACT_FRESH) && box_parted(p, pair))
 		return;
 	if (platform)

@@ -4,7 +4,7 @@
 #define OVERFLOW_H
 #include "constraints/constraint_kinds.h"
 
-// pass is a constant.
+// Runs a pass over joint k. pass: a constant.
 INLINE void overflow_solve(const Pools* p, int k, int pass)
 {
 	int ia = joint_row(p, body_a, k), ib = joint_row(p, body_b, k);
@@ -17,7 +17,8 @@ INLINE void overflow_solve(const Pools* p, int k, int pass)
 	body_scatter(p, ib, b);
 }
 
-// They are solved one after the other in the order of their slots, before the colors of a pass. argument is the pass.
+// Runs a pass over the joints without a chain and a color, one after the other in the order of their slots, before the
+// colors. argument: the pass.
 KERNEL(joint_overflow)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// prepare.h -- the terms of the constraints that the passes need, once per step.
+// prepare.h -- terms of the constraints for the passes, computed once per step.
 #ifndef PREPARE_H
 #define PREPARE_H
 #include "constraints/constraint_kinds.h"
@@ -20,7 +20,7 @@
 SMALL_BEGIN
 #include "constraints/joint_rare.h"
 
-// The rare rows, from those that the stage above wrote.
+// Computes the rare rows from the rows that the kernel above wrote.
 #define CONSTRAINT_KIND(kind, Kind, KIND)      \
 	WIDE_KERNEL(kind##_prepare_rare)           \
 	{                                          \

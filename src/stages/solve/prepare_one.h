@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// prepare_one.h -- the state of bodies at the beginning of a step.
+// prepare_one.h -- state of bodies at the start of a step.
 #ifndef PREPARE_ONE_H
 #define PREPARE_ONE_H
 #include "constraints/constraint_kinds.h"
 
-// What finalize counts; the host has read that of the last step.
+// Clears the counters of finalize, after the host has read those of the last step.
 INLINE void counters_clear(const Pools* p)
 {
 	p->counters->nonfinite = 0;
@@ -23,7 +23,7 @@ KERNEL(solve_begin)
 		counters_clear(p);
 }
 
-// The bodies get the inertias of the step: joint_taut has left what the pull asks for in the place of the turn.
+// Sets the inertia of a body for the step. joint_taut has stored the inertia that the pull requires in the member da.
 KERNEL(body_taut)
 {
 	GLOBAL BodyState* body = p->body + i;
@@ -33,10 +33,10 @@ KERNEL(body_taut)
 	if (own > 0.0f && pull * own > 1.0f && pull <= MOST_FLOAT)
 		body->inv_inertia = 1.0f / pull;
 	if (i == 0)
-		p->counters->taut = 0; // warm starts follow, and count anew
+		p->counters->taut = 0; // counted again by the warm starts that follow
 }
 
-// They get their own back.
+// Restores the inertia of a body after the step.
 KERNEL(body_slack) { p->body[i].inv_inertia = p->own_inertia[i]; }
 
 #endif

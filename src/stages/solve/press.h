@@ -1,35 +1,39 @@
 // SPDX-License-Identifier: MIT
-// press.h -- which bodies something kinematic presses against something static, through others between them.
+// press.h -- finds the bodies that something kinematic presses against something static, directly or through other
+// bodies.
 //
-// Whether a body is in a static one because something kinematic presses it there, which no force stops, or because of what lies on it,
-// cannot be told from its own contacts. So a press tells its way: what is deep in something kinematic is pressed along the normal, and presses
-// what it touches in that direction, and so on: a contact hands ways on. Each hop leaves one less of PRESS_HOPS, so that a way that lost
-// its begin fades. Ways of what is static go against them. A body with opposite ways of both kinds is pressed between them.
+// A body may overlap a static one because something kinematic presses it there, which no force stops, or because of the
+// load on it. Its own contacts do not distinguish the two. So each press is propagated as a way: a direction, with a
+// number of hops left. A body that overlaps something kinematic is pressed along the normal, and presses the bodies
+// that it touches in about that direction, and so on: contacts pass ways on. Each hop reduces the number, from
+// PRESS_HOPS on, so that a way without its source fades. Static bodies start ways of their own, in the opposite
+// directions. A body with opposite ways of both kinds is pressed between the two.
 //
-// A contact keeps its hops; bodies gather them anew in each step.
+// A contact stores its hops between steps; bodies collect their ways again in each step.
 #ifndef PRESS_H
 #define PRESS_H
 #include "constraints/contact_report_points.h"
 #include "constraints/joint_prepare.h"
 #include "stages/geometry/sweep.h"
 
-// cosine of the angle to its direction up to which a way goes on. With less, a cart that is pushed along presses the floor.
+// cosine of the angle between a normal and the direction of a way, above which the way continues along the normal. With
+// less, a cart that is pushed along presses the floor.
 #define PRESS_ALONG 0.15f
 
-// The most hops of a way: bodies in a row of which the last one is held.
+// Largest number of hops of a way, and so of bodies in a row through which a press acts.
 #define PRESS_HOPS 63
 
-// For how long a body leaves no faster than it was pressed, after that.
+// Number of steps after a press in which a body leaves no faster than it was pressed.
 #define PRESS_STEPS 32
-// What was faster when it came between the two keeps this share of its speed in a step.
+// Fraction of its speed that a body keeps per step if it was faster when it came between the two.
 #define PRESS_SLOWER 0.9f
 
-// A way of a contact in the pool contact_press, of kind 0 (static) or 1 (kinematic): 6 bits of hops, and one that is set if it goes from
-// b to a.
+// Way of a contact in the pool contact_press, of kind 0 (static) or 1 (kinematic): 6 bits of hops, and PRESS_BACK if it
+// goes from b to a.
 #define PRESS_WAY(bits, kind) ((int)((bits) >> (kind)*7 & 127u))
 #define PRESS_BACK            64
 
-// And the speed of what presses: above both ways, the upper bits of a float, rounded up.
+// First bit of the speed of the pressing body, above both ways: the upper bits of a float, rounded up.
 #define PRESS_SPEED 16
 
 INLINE float press_speed(Word bits) { return bits_float((int)(bits >> PRESS_SPEED << 15)); }
@@ -40,7 +44,8 @@ INLINE Word press_bits(const int way[2], float speed)
 	return way[1] ? bits | (((Word)float_bits(speed) + 32767u) >> 15 << PRESS_SPEED) : bits;
 }
 
-// A way of a body: hops, and its direction in units of 1/127. Of equal hops the direction is any, but the same everywhere.
+// Returns the code of a way of a body: hops, and its direction in units of 1/127. The largest code wins, so of equal
+// hops the direction is arbitrary, but the same on every device.
 INLINE int press_code(int hops, Vec direction)
 {
 	int x = (int)(127.0f * direction.x + 128.5f), y = (int)(127.0f * direction.y + 128.5f);
@@ -49,20 +54,21 @@ INLINE int press_code(int hops, Vec direction)
 
 INLINE Vec press_direction(int code) { return vec((float)(code >> 8 & 255) - 128.0f, (float)(code & 255) - 128.0f); }
 
-// How many hops a way of a body goes on along a normal.
+// Returns the hops left for a way of a body that continues along a normal, 0 if it does not.
 INLINE int press_left(int code, Vec normal)
 {
 	int along = vec_dot(press_direction(code), normal) > PRESS_ALONG * 127.0f;
 	return along && code >> 16 > 1 ? (code >> 16) - 1 : 0;
 }
 
-// Whether the stages have nothing to do, as the solve began with a layout that changed.
+// Returns whether the press kernels must do nothing: they were started before the host had read the counters, and the
+// layout changed.
 INLINE int press_waits(const Pools* p) { return (p->argument & PRESS_MAY_WAIT) && !p->counters->kept; }
 
-// The slot of the contact at place i, -1 for none.
+// Returns the slot of the contact at place i, -1 for none.
 INLINE int press_slot(const Pools* p, int i) { return press_waits(p) ? -1 : p->contact_place_slot[i]; }
 
-// The points of the contact in a slot.
+// Returns the points of the contact in a slot.
 RARE ContactPoints press_points(const Pools* p, int slot)
 {
 	Int2 pair = p->pair[slot];
@@ -74,16 +80,16 @@ RARE ContactPoints press_points(const Pools* p, int slot)
 	return contact_report_points(p->attribute, a, b, manifold, p->contact_flags[slot], p->contact_feature[slot]);
 }
 
-typedef struct // facts of a contact that the rounds share
+typedef struct // data of a contact that the rounds share
 {
 	Vec normal;
-	float gap; // the smaller one of its points, m
+	float gap; // m: smaller gap of its points
 } PressContact;
 
-// normal_x of a contact whose facts no stage has needed yet
+// value of normal_x for a contact whose data is not computed yet
 #define PRESS_NONE 2.0f
 
-// Keeps the facts of the contact at place i until the solve prepares the same rows.
+// Stores the data of the contact at place i in its rows, which the solve prepares later.
 INLINE PressContact press_keep(const Pools* p, int i, const ContactPoints* at)
 {
 	PressContact facts;
@@ -95,7 +101,7 @@ INLINE PressContact press_keep(const Pools* p, int i, const ContactPoints* at)
 	return facts;
 }
 
-// The facts of the contact in a slot, at place i.
+// Returns the data of the contact in a slot, at place i; computes it at first use.
 INLINE PressContact press_facts(const Pools* p, int i, int slot)
 {
 	PressContact facts;
@@ -109,7 +115,7 @@ INLINE PressContact press_facts(const Pools* p, int i, int slot)
 	return facts;
 }
 
-// m/s: of the faster point of contact i on what is kinematic, if it comes
+// m/s: speed of the kinematic body at a point of contact i that overlaps and approaches; the larger one of its points
 INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
 {
 	WorldShape a = p->world_shape[p->pair[i].x], b = p->world_shape[p->pair[i].y];
@@ -132,7 +138,7 @@ INLINE void press_give(const Pools* p, int body, int kind, int hops, Vec directi
 		raise_int(&p->press[body].way[kind], press_code(hops, direction));
 }
 
-// Body i, before a step.
+// Clears the ways of body i, and stores its speed and spin at the start of the step.
 KERNEL(press_begin)
 {
 	BodyState state = p->body[i];
@@ -148,7 +154,8 @@ KERNEL(press_begin)
 	press->spun = minimum(absolute(number_of(state.w)), p->step.max_spin);
 }
 
-// The contact in a slot, at place i, of something that does not move: a way begins at it.
+// Starts a way at the contact in a slot, at place i, with a body that does not move. lasts: 1 if the speed of the
+// pressed body is still limited.
 RARE void press_start(const Pools* p, int i, int slot, int lasts)
 {
 	ContactPoints at = press_points(p, slot);
@@ -163,7 +170,8 @@ RARE void press_start(const Pools* p, int i, int slot, int lasts)
 		raise_int(&p->press[body].speed, float_bits(press_pushes(p, slot, at)));
 }
 
-// The contact at place i gives its bodies their ways: those of the last step, and those that begin at it.
+// Item: a place of contacts. Gives its bodies the ways of the contact: those of the last step, and those that start at
+// it.
 KERNEL(press_gather)
 {
 	int slot = press_slot(p, i);
@@ -171,7 +179,7 @@ KERNEL(press_gather)
 		return;
 	Word bits = p->contact_press[slot];
 	int first = !(p->argument & PRESS_AGAIN);
-	// bodies that do not move hand nothing on, and give the same in each round
+	// contacts with bodies that do not move pass no way on, and give the same in each round
 	if (!first && bits == 0)
 		return;
 	int still = p->collidable_kind[p->contact_place_pair[i].y] < KIND_DYNAMIC;
@@ -207,10 +215,11 @@ KERNEL(press_gather)
 	}
 }
 
-// What holds anchors together along both coordinates.
+// modes of a joint that hold its anchors together along coordinate k
 #define PRESS_HOLDS(k) (JOINT_LOCKED(k) | JOINT_SPRING(k))
 
-// Joint i drags a body that cannot follow it to one that cannot move: also that is a press, of any speed.
+// Item: a joint. A body is dragged if the joint connects it to a body that cannot move, and its anchors cannot meet.
+// This counts as a press of any speed.
 KERNEL(press_joint)
 {
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
@@ -231,7 +240,7 @@ KERNEL(press_joint)
 	raise_int(&p->press[still_a ? ib : ia].speed, float_bits(p->step.max_speed));
 }
 
-typedef struct // the part of a body's row that press_hand_on reads; it raises the depth
+typedef struct // part of a body's row that press_hand_on reads; the kernel raises another part, the depth
 {
 	int way[2], speed, left;
 } PressWays;
@@ -247,7 +256,8 @@ INLINE PressWays press_ways(const Pools* p, int body)
 	return ways;
 }
 
-// The contact at place i hands ways on. What is pressed into something static is marked for guard.
+// Item: a place of contacts. Passes the ways of its bodies on, and marks a body that is pressed into something static
+// for continuous collision.
 KERNEL(press_hand_on)
 {
 	int slot = press_slot(p, i), way[2] = {0, 0};

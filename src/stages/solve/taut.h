@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// taut.h -- how much inertia the pull of joints asks for: of all joints of a body that have a color, in a net under a heavy load.
+// taut.h -- inertia that the pull of joints requires, summed over all colored joints of a body, as in a net under a
+// heavy load.
 //
-// A short body between two joints that pull at it is like a piece of a string: it turns to and fro faster than substeps can follow,
-// and the corner of a net opens. As in a chain (chain_stiff.h), its inertia is for the step that of an implicit integration
-// of the pull, the sum of h (arm . pull), where this exceeds its own. These stages run only after a step in which the pull of some
-// joint was near that (joint_tautens).
+// A short body between two joints that pull at it is like a piece of a string: it swings faster than substeps can
+// resolve, and the corner of a net opens. As in a chain (chain_stiff.h), its inertia for the step is that of an
+// implicit integration of the pull, the sum of h (arm . pull), if this exceeds its own inertia. These kernels run only
+// after a step in which the pull of some joint was near that (joint_tautens).
 #ifndef TAUT_H
 #define TAUT_H
 #include "constraints/constraint_kinds.h"
 
-// Adds to a body, in the place of its turn, which is 0 before the first substep.
+// Adds the pull to the member da of a body, which is 0 before the first substep.
 INLINE void taut_add(const Pools* p, Int body, const Body* b, Real turn, Real pull)
 {
 	Real zero = splat(0.0f), row[4];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// hilbert.h -- places of the leaves of a tree along a Hilbert curve, by which they are sorted.
+// hilbert.h -- positions of the leaves of a tree along a Hilbert curve, by which they are sorted.
 #ifndef HILBERT_H
 #define HILBERT_H
 #include "stages/geometry/box.h"
 
-// the last cell along a side
+// last cell along a side
 #define TREE_CELLS 65535.0f
 
 // Spreads the 16 bits of x to every second bit.
@@ -16,10 +16,11 @@ INLINE Int hilbert_spread(Int x)
 	return (x | x << 1) & 0x55555555;
 }
 
-// Distance of cell x, y along the Hilbert curve that fills a square of 65,536 cells per side: two bits per level, from
-// the largest quadrant down. The curve of a quadrant is turned relative to that of its parent, so the orientation of a
-// level is the product of the turns of all levels above. a, b, c, d hold that product over 1, 2, 4, 8 and 16 levels, one
-// bit per level, so four rounds replace a loop over levels. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
+// Returns the distance of cell x, y along the Hilbert curve that fills a square of 65,536 cells per side: two bits per
+// level, from the largest quadrant down. The curve of a quadrant is rotated relative to that of its parent, so the
+// orientation of a level is the product of the rotations of all levels above. a, b, c, d hold that product over 1, 2,
+// 4, 8 and 16 levels, one bit per level, so four rounds replace a loop over levels. rawrunprotected, 2D Hilbert Curves
+// in O(1), 2011.
 INLINE Int hilbert_distance(Int x, Int y)
 {
 	const int all = 65535;
@@ -43,15 +44,16 @@ INLINE Int hilbert_distance(Int x, Int y)
 	return shifted(hilbert_spread(high & all), 1) | hilbert_spread(low);
 }
 
-// The cell of the middle between two bounds.
+// Returns the cell of the midpoint between two bounds.
 INLINE Int tree_cell(Real lower, Real upper, float begin, float cells)
 {
 	Real at = (0.5f * (lower + upper) - begin) * cells;
 	return whole(minimum(maximum(at, splat(0.0f)), splat(TREE_CELLS)));
 }
 
-// Keys of the leaves: distance of the box's center along the curve, then the collidable. argument is the tree, plus 2 for the boxes
-// that queries have. Dead leaves are sorted last, where the host drops them.
+// Writes the key of each leaf: the distance of its box's center along the curve, then the collidable. argument: the
+// tree, plus 2 for the boxes of queries. Dead leaves get the largest keys and are sorted to the end, where the host
+// drops them.
 WIDE_KERNEL(tree_code)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
@@ -64,7 +66,7 @@ WIDE_KERNEL(tree_code)
 	for (int which = 0; which < 4; ++which)
 		box[which] = gather((const GLOBAL float*)boxes, place + 8 * which);
 	Int code = hilbert_distance(tree_cell(box[0], box[2], bounds.x, cells), tree_cell(box[1], box[3], bounds.y, cells));
-	// no box has the key of a dead leaf, which has all bits set
+	// all bits set is the key of a dead leaf only
 	code = blend_int(code, code & ~1, code == -1);
 	store_keys(p->key, i, blend_int(code, code | -1, box[0] > box[2]), load_int(p->leaf + tree->leaf_begin, i));
 }

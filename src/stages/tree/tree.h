@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// tree.h -- packed trees of boxes: leaves in the order of a Hilbert curve, ARITY children to a node, no pointers.
+// tree.h -- packed trees of boxes: leaves in the order of a Hilbert curve, ARITY children per node, no pointers.
 //
 // This work is based on:
 // Ibrahim Kamel, Christos Faloutsos, On Packing R-trees, 1993.
 //
-// Node n of a level has the children ARITY * n and up on the level below. So a level is built by one pass over the level
-// below, the eight boxes of a node are one cache line of a GPU, and a walk needs a stack of 8 bits per level. A binary
-// radix tree (Karras, Maximizing Parallelism in the Construction of BVHs, 2012) has tighter nodes, but needs pointers,
-// atomics between compute units to refit, and 20 levels instead of 7.
+// The children of node n of a level are the nodes ARITY * n and up of the level below. So a level is built by one pass
+// over the level below, the eight boxes of a node are one cache line of a GPU, and a traversal needs a stack of 8 bits
+// per level. A binary radix tree (Karras, Maximizing Parallelism in the Construction of BVHs, 2012) has tighter nodes,
+// but needs pointers, atomics between compute units to refit, and 20 levels instead of 7.
 //
 // The order of the leaves affects speed only: the set of pairs is defined by the boxes.
 #ifndef TREE_H
@@ -16,16 +16,16 @@
 #include "stages/geometry/filter.h"
 #include "stages/tree/hilbert.h"
 
-// A node counts as wide if its area is more than this many times that of its leaves: twice that of a row of eight
-// leaves that is bent once.
+// A node is wide if its area exceeds the mean area of its leaves by more than this factor: twice the factor of a row of
+// eight leaves with one bend.
 #define OUTLIER_BOXES 64.0f
 
 INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC; }
 
-// Leaves between the one that is read and the one whose box is fetched.
+// prefetch distance, in leaves
 #define LEAF_SOON 16
 
-// argument is the tree. A leaf whose collidable is dead, or moved to the other tree, gets an empty box.
+// Item: a leaf. argument: the tree. A leaf whose collidable is dead or has moved to the other tree gets an empty box.
 KERNEL(tree_leaf)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
@@ -45,15 +45,16 @@ KERNEL(tree_leaf)
 	box_pack(p->node_box, tree->begin[0] + i, box);
 }
 
-// The box of node i of a level, around those of its children.
+// Computes the box of node i of a level from those of its children.
 INLINE void tree_join(GLOBAL Float4* boxes, const GLOBAL Tree* tree, int level, int i)
 {
 	Float4 box = i < tree->count[level] ? box_around(boxes + tree->begin[level - 1] + ARITY * i) : box_empty();
 	box_pack(boxes, tree->begin[level] + i, box);
 }
 
-// Which of the children of node i of a level have something below them that can move and is not kinematic. A kinematic walker needs no others:
-// in a body of 40,000 shapes, each would walk through its neighbors.
+// Returns a bit for each child of node i of a level that contains a collidable with which a kinematic one can collide.
+// Traversals of kinematic collidables skip the other children; otherwise each shape of a kinematic body of 40,000
+// shapes would visit its neighbors.
 INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int i)
 {
 	Word movers = 0;
@@ -66,7 +67,7 @@ INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int 
 	return movers;
 }
 
-// argument is the tree plus 2 times the level.
+// Item: a node of a level. argument: the tree, plus 2 times the level.
 KERNEL(tree_node)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
@@ -76,7 +77,7 @@ KERNEL(tree_node)
 		p->node_movers[tree->begin[level - 1] / ARITY + i] = tree_movers(p, tree, level, i);
 }
 
-// The same of the eight nodes of a level from first on.
+// Returns the same bits for the eight nodes of a level from first on.
 INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, int first)
 {
 	return level < tree->top ? p->node_movers[(tree->begin[level] + first) / ARITY] : 255u;
@@ -84,9 +85,10 @@ INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, i
 
 INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
 
-// A leaf that is new or jumped makes the nodes above it wide, and walks visit these in vain. Estimates how many walks:
-// of all boxes, as many meet a wide node as have room in it. Item i is a node of level 1, argument the tree. Nodes no
-// wider than nodes of leaves in rows are not counted.
+// Adds to the estimate of wasted visits. A leaf that is new or jumped makes the nodes above it wide, and traversals
+// visit these in vain. The expected fraction of traversals that meet a wide node is its area over the area of all
+// leaves. Item: a node of level 1. argument: the tree. Nodes that are no wider than those over leaves in rows do not
+// count.
 KERNEL(tree_outlier)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
@@ -116,17 +118,18 @@ KERNEL(tree_outlier)
 	float mean = area / (float)leaves, wide = box_area(now);
 	if (!(wide > OUTLIER_BOXES * mean))
 		return;
-	// after a jump, the upper nodes cost about as much as this one
+	// factor 2 below: after a jump, the upper nodes cost about as much as this one
 	wide -= box_is_empty(before) ? 0.0f : box_area(before);
 	float traversals = 2.0f * wide / (mean * (float)tree->leaves);
-	if (traversals < 0.0f) // may be beyond the range of whole numbers
+	if (traversals < 0.0f) // may be outside the range of int
 		return;
 	int outliers = traversals < 2.0f ? (int)((float)OUTLIER_UNIT * traversals) : 2 * OUTLIER_UNIT;
 	if (outliers > 0)
 		atomic_add_int(&p->counters->outliers[p->argument], outliers);
 }
 
-// Whether the walks of this step alone are worth sorting the leaves. Smaller costs add up over steps; src/step/tree_maintenance.c.
+// Orders sorting of the leaves if the wasted visits of this step alone cost more. Smaller costs add up over steps
+// (src/step/tree_maintenance.c).
 KERNEL(tree_measure_quality)
 {
 	GLOBAL Counters* c = p->counters;
@@ -137,7 +140,7 @@ KERNEL(tree_measure_quality)
 	(void)i;
 }
 
-// The box around all leaves, behind the nodes of the highest level. argument is as that of tree_code.
+// Computes the box around all leaves and stores it behind the nodes of the highest level. argument: as in tree_code.
 KERNEL(tree_root)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
@@ -154,10 +157,11 @@ KERNEL(tree_order)
 		p->counters->outliers[p->argument] = 0;
 }
 
-// Bit k is set if the box overlaps child k of the eight from first on.
+// Returns a mask: bit k is set if the box overlaps child k of the eight nodes from first on.
 INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
 
-// Of the eight nodes of a level from first on: a bit for each that has leaves from leaf from up to, not including, end.
+// Returns a mask: bit k is set if node first + k of a level contains one of the leaves from (included) to end
+// (excluded).
 INLINE Word64 tree_span(int level, int first, int from, int end)
 {
 	int low = (from >> (ARITY_BITS * level)) - first, high = ((end - 1) >> (ARITY_BITS * level)) - first;
@@ -167,18 +171,18 @@ INLINE Word64 tree_span(int level, int first, int from, int end)
 	return high < ARITY - 1 ? span & (((Word64)2 << high) - (Word64)1) : span;
 }
 
-typedef struct // through the nodes over leaves that overlap a box, in rising order of leaves
+typedef struct // traversal of the nodes over leaves that overlap a box, by rising leaf index
 {
-	Word64 masks;     // 8 bits a level: which of the eight siblings on the current path are still to be visited
-	Word64 leaves;    // of the node where it is, a bit for each leaf that overlaps the box
-	int level, first; // where it is: the first of eight siblings
-	int from, end;    // leaves from and up to, not including; end 0: all
-	int nodes;        // over leaves that it may still visit
-	int movers;       // visits only nodes with something below them that what is kinematic may touch
+	Word64 masks;     // 8 bits per level: siblings on the current path that are still to be visited
+	Word64 leaves;    // bit per leaf of the current node: the leaf overlaps the box
+	int level, first; // current position: level, and first of eight siblings
+	int from, end;    // range of leaves, end excluded; end 0: all leaves
+	int nodes;        // remaining limit of visited nodes over leaves
+	int movers;       // 1: visit only nodes that contain something with which a kinematic collidable can collide
 } TreeTraversal;
 
-// Begins a walk through leaves from up to, not including, end, or through all leaves for end 0. The tree must have
-// leaves.
+// Starts a traversal of the leaves from (included) to end (excluded), or of all leaves if end is 0. The tree must not
+// be empty.
 INLINE TreeTraversal tree_traverse(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
 {
 	TreeTraversal traversal;
@@ -196,16 +200,16 @@ INLINE TreeTraversal tree_traverse(const Pools* p, const GLOBAL Tree* tree, Floa
 	return traversal;
 }
 
-// Advances to the next node over leaves and returns its first leaf; walk->leaves has a bit for each that overlaps the
-// box. Returns TREE_DONE behind the last, TREE_LEFT when the walk has visited as many nodes as it may: walk->first is
-// the leaf at which it has to continue.
+// Advances to the next node over leaves and returns its first leaf; traversal->leaves has a bit for each leaf that
+// overlaps the box. Returns TREE_DONE after the last node, and TREE_LEFT when the limit of nodes is reached; then
+// traversal->first is the leaf at which the traversal must continue.
 #define TREE_DONE (-1)
 #define TREE_LEFT (-2)
 INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeTraversal* traversal)
 {
 	for (;;)
 	{
-		// the lowest level that has nodes left, in one go
+		// lowest level with remaining nodes, found in one operation
 		Word64 left = traversal->masks >> (8 * traversal->level);
 		if (left == 0)
 			return TREE_DONE;

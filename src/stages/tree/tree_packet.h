@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// tree_packet.h -- many walks of a CPU worker at a time: all go down a tree together, level by level.
+// tree_packet.h -- traversals of a CPU worker in packets, which descend a tree together, level by level.
 //
-// A walk by itself waits for memory at each node, and its branches cannot be predicted. In a wave, the nodes of the next
-// level are fetched while others are tested, and each level is one loop over the nodes that are left. The walks of
-// 50,000 circles in random order took 29 ns per node by themselves, and a third of that in waves.
+// A single traversal stalls on memory at each node, and its branches cannot be predicted. In a packet, the nodes of the
+// next level are prefetched while others are tested, and each level is one loop over the remaining nodes. Traversals of
+// 50,000 circles in random order took 29 ns per node one by one, and a third of that in packets.
 #ifndef TREE_PACKET_H
 #define TREE_PACKET_H
 #include "stages/tree/tree.h"
 
-#define PACKET_TRAVERSALS 32  // walks at a time; CHUNK_ITEMS is a multiple of it
-#define PACKET_SHARE      16  // most nodes of one level per walk; a walk with more goes by itself
-#define PACKET_LEAVES     128 // most overlapping leaves before they are processed
+#define PACKET_TRAVERSALS 32  // traversals per packet; CHUNK_ITEMS is a multiple of it
+#define PACKET_SHARE      16  // limit of nodes of one level per traversal; a traversal with more leaves the packet
+#define PACKET_LEAVES     128 // overlapping leaves that are collected before they are processed
 
-typedef struct // nodes of one level that are still to be tested, those of a walk in a row: 4 times the first of eight siblings, plus the walk
+// remaining nodes of one level, grouped by traversal. Each is stored as 4 times the first of its eight siblings, plus
+// the traversal
+typedef struct
 {
 	int count;
 	int node[PACKET_TRAVERSALS * PACKET_SHARE + ARITY];
@@ -22,7 +24,8 @@ INLINE int packet_traverse(int node) { return node & (PACKET_TRAVERSALS - 1); }
 INLINE int packet_first(int node) { return node >> 2 & ~(ARITY - 1); }
 INLINE int packet_node(int traversal, int first) { return first << 2 | traversal; }
 
-// Tests one level: of each eight siblings, those that overlap. kinematic: the walks of what is kinematic, a bit each. Returns those that have too
+// Tests the nodes of one level and collects the children that overlap. kinematic: mask of the traversals of kinematic
+// collidables. alone: mask of the traversals that have left the packet. Returns alone, with those added that have too
 // many nodes.
 INLINE Word packet_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word kinematic,
                            Word alone, const PacketFront* from, PacketFront* to)

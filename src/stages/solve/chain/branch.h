@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
-// branch.h -- a pass over a branch: joints that make a tree of their bodies, solved together, exactly, from its ends to its root.
+// branch.h -- a pass over a branch: joints whose bodies form a tree, solved together, exactly, from the ends of the
+// tree to its root.
 //
-// From joint to joint, a pass over a light body that carries heavy ones leaves an error that travels around it, in the order of the
-// joints. The warm start extrapolates it, and the bias integrates it: wheels with heavy spokes shook themselves apart. So the host
-// finds such trees (src/world/chain/chains.c); like those of chains, their joints have no color and come after the colors of a pass.
+// A pass from joint to joint over a light body that carries heavy ones leaves an error that travels around it, in the
+// order of the joints. The warm start extrapolates this error, and the bias integrates it: wheels with heavy spokes
+// shook themselves apart. So the host finds such trees (src/world/chain/chains.c). Like those of chains, their joints
+// have no color and are solved after the colors of a pass.
 //
-// Each node is a body, with the joint toward the root. For changes u and w of the velocities of the body that it hangs on and of its
-// own, the impulses x of the joint are those of (softness) x = goal - J u - K w. What hangs on the node acts on it like an inertia
-// A more and a push f: A w = f + K^T x. Without w:
+// Each node is a body with its joint toward the root. Let u be the change of the velocity of the parent body, w that of
+// its own body. The impulses x of the joint satisfy (softness) x = goal - J u - K w. With all bodies below it, the node
+// has the inertia A and gets the push f: A w = f + K^T x. Elimination of w gives
 //
-//     x = B (goal - K A^-1 f - J u),     B = (softness + K A^-1 K^T)^-1
+// x = B (goal - K A^-1 f - J u),     B = (softness + K A^-1 K^T)^-1
 //
-// so the node acts on the body above it like the inertia J^T B J and the push J^T B (goal - K A^-1 f). From the ends to the root
-// these are summed up, from the root to the ends the changes follow. The number of steps is that of the joints.
+// so the node acts on its parent like the inertia J^T B J and the push J^T B (goal - K A^-1 f). These are summed from
+// the ends to the root; then the changes are computed from the root to the ends. The number of steps is that of the
+// joints.
 //
 // This work is based on:
 // Roy Featherstone, The Calculation of Robot Dynamics Using Articulated-Body Inertias, 1983.
@@ -21,16 +24,16 @@
 #define BRANCH_H
 #include "stages/solve/chain/branch_drive.h"
 
-// Share of what the upper body yields, for a lower one that cannot move: nothing else is in the way there. It multiplies changes of
-// impulses only, so that a joint does not get softer.
+// Fraction of the upper body's yield that is added for a lower body that cannot move, whose own yield is 0. It
+// multiplies changes of impulses only, so the joint does not get softer.
 #define BRANCH_GIVE 1.0e-3f
-// How often a pass is solved anew because a motor or a limit reached its bound, at most.
+// Limit of repeated solutions of a pass after motors or limits reached their bounds.
 #define BRANCH_TRIALS 4
 
 typedef struct
 {
-	Chain chain; // where its joints are; one row
-	int nodes;   // node 0 in the pool
+	Chain chain; // its joints, in one row
+	int nodes;   // index of node 0 in the pool
 } Branch;
 
 INLINE Branch branch_number(const Pools* p, int i)
@@ -46,20 +49,21 @@ INLINE Branch branch_number(const Pools* p, int i)
 #define BRANCH_NODE(p, tree, k)    ((p)->branch[(tree)->nodes + (k)])
 #define BRANCH_AT(p, tree, row, k) chain_at(p, row, (tree)->chain.at.first + (k))
 
-// Loops over nodes that hang on node k.
+// Loops over the children of a node.
 #define BRANCH_BELOW(c, node) for (int c = (node).first; c < (node).first + (node).count; ++c)
 
 // ---------------------------------------------------------------------------------------------------------------
-// what joints give their bodies
+// impulses of joints on their bodies
 // ---------------------------------------------------------------------------------------------------------------
 
-// The joint of a node with its bodies. It is inert if the node is the root without a joint, or if it broke.
+// Loads the joint of a node with its bodies. The joint is inert if the node is a root without a joint, or if the joint
+// broke.
 INLINE void branch_load(const Pools* p, const Branch* branch, int k, ChainLink* link)
 {
 	chain_load_posed(p, branch->chain.begin + branch->chain.at.first + k, link);
 }
 
-// Keeps what a joint changed of its bodies' velocities, which others change at the same time.
+// Stores the changes by a joint of its bodies' velocities, which other joints change at the same time.
 INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const ChainLink* link)
 {
 	int b = BRANCH_NODE(p, branch, k).side;
@@ -74,7 +78,7 @@ INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const Chain
 	}
 }
 
-// Gives each body what its joints kept: that toward the root, then the others in their order.
+// Adds to each body the stored changes of its joints: the one toward the root, then the others in their order.
 INLINE void branch_gather(const Pools* p, const Branch* branch)
 {
 	group_meet();
@@ -97,8 +101,8 @@ INLINE void branch_gather(const Pools* p, const Branch* branch)
 	group_meet();
 }
 
-// Warm start, and what turned arms are worth: these do not depend on velocities. Then limits, springs and motors, one after the
-// other, which do.
+// Runs the warm start and its correction for rotated arms, which do not depend on velocities. Then solves limits,
+// springs and motors, which do, one after the other.
 INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
 {
 	int begin = branch->chain.begin + branch->chain.at.first;
@@ -130,10 +134,10 @@ INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// from the ends to the root, and back
+// elimination from the ends to the root, and substitution back
 // ---------------------------------------------------------------------------------------------------------------
 
-// Symmetric blocks are 00, 01, 02, 11, 12, 22. The inverse, by L D L^T; pivots are no less than these.
+// Inverts a symmetric block, 00, 01, 02, 11, 12, 22, by L D L^T. least1, least2: lower limits of the pivots.
 INLINE void branch_invert(const float m[6], float least1, float least2, float b[6])
 {
 	float d0 = 1.0f / m[0], l1 = m[1] * d0, l2 = m[2] * d0, pivot1 = m[3] - l1 * m[1];
@@ -155,7 +159,8 @@ INLINE void branch_times(const float b[6], const float x[3], float y[3])
 	y[2] = b[2] * x[0] + b[4] * x[1] + b[5] * x[2];
 }
 
-// Rows of a joint for its body at a side: row[k] is the speed of coordinate k by the velocity x, y, angular.
+// Computes the rows of a joint for its body at side b: row[k] maps the velocity x, y, angular to the speed of
+// coordinate k.
 INLINE void branch_rows(const JointPose* c, int b, const int locked[3], float row[3][3])
 {
 	float sign = b ? 1.0f : -1.0f;
@@ -168,9 +173,9 @@ INLINE void branch_rows(const JointPose* c, int b, const int locked[3], float ro
 	}
 }
 
-typedef struct // a body with all that hangs on it
+typedef struct // body with all bodies below it
 {
-	float inverse[6], change[3]; // of its inertia; of its velocity, before its own joint
+	float inverse[6], change[3]; // inverse of its inertia; change of its velocity, before its own joint acts
 } BranchBody;
 
 INLINE BranchBody branch_body(const Pools* p, const Branch* branch, BranchNode node)
@@ -201,8 +206,8 @@ INLINE BranchBody branch_body(const Pools* p, const Branch* branch, BranchNode n
 	return body;
 }
 
-// An angle of a branch is rigid. So what its joint yields along and across, of which the softness is a share, is without the turn
-// that the angle does not allow: with it, light ends of long arms would sag.
+// Reduces the softness of a joint along and across if its angle is rigid. The softness is a fraction of the yield; the
+// yield must not include the rotation that the angle does not allow, or light ends of long arms would sag.
 INLINE void branch_stiffen(const Joint* u, JointSystem* s)
 {
 	float impulse[2] = {u->impulse_along, u->impulse_across}, share[2] = {1.0f, 1.0f};
@@ -227,7 +232,7 @@ INLINE void branch_stiffen(const Joint* u, JointSystem* s)
 	}
 }
 
-// Takes node k out, whose own nodes are: what it is to the body above.
+// Eliminates node k, after its children: computes its effect on the body above.
 INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int has_drives)
 {
 	BranchNode node = BRANCH_NODE(p, branch, k);
@@ -262,7 +267,7 @@ INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int
 				m[n] += answer[i][q] * here[j][q];
 		}
 	}
-	// a lower body that cannot move or turn
+	// lower body that cannot move or rotate
 	float give = p->body[node.body].inv_inertia > 0.0f ? 0.0f : BRANCH_GIVE;
 	for (int i = 0, n = 0; i < 3; n += 3 - i, ++i)
 	{
@@ -291,7 +296,7 @@ INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int
 		BRANCH_AT(p, branch, d[n], k) = body.inverse[n];
 }
 
-// The impulses of node k, and the change of its velocity, from that of the body above.
+// Computes the impulses of node k, and the change of its velocity, from that of the body above.
 INLINE void branch_down(const Pools* p, const Branch* branch, int k)
 {
 	BranchNode node = BRANCH_NODE(p, branch, k);
@@ -334,7 +339,8 @@ INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int has
 	}
 }
 
-// Sets drives of which the solution wants more than they give to their bounds, and nothing else. Whether there are any.
+// Sets drives to their bounds where the solution exceeds these, and applies nothing else of it. Returns whether there
+// are any.
 INLINE int branch_bound(const Pools* p, const Branch* branch)
 {
 	int found = 0;
@@ -356,7 +362,8 @@ INLINE int branch_bound(const Pools* p, const Branch* branch)
 
 INLINE void branch_locks(const Pools* p, const Branch* branch, int pass)
 {
-	// what reached its bound is left out, and the rest is solved anew; in the end the locks alone, which have no bounds
+	// drives that reach their bounds are left out, and the rest is solved again; the last trial has only the locks,
+	// which have no bounds
 	int trials = p->step.has_drives ? BRANCH_TRIALS : 0;
 	branch_solve(p, branch, pass, trials > 0);
 	while (trials > 0 && branch_bound(p, branch))
@@ -376,7 +383,7 @@ INLINE void branch_locks(const Pools* p, const Branch* branch, int pass)
 	branch_gather(p, branch);
 }
 
-// Item i is a branch; argument the pass.
+// Item: a branch. argument: the pass.
 GROUP_KERNEL(branch)
 {
 	(void)bench;
@@ -388,7 +395,7 @@ GROUP_KERNEL(branch)
 		branch_locks(p, &branch, p->argument);
 }
 
-// The inertias of the step, as those of chains: what the tension of a body's joints makes of its own.
+// Sets the inertias of the step as for chains: that of the tension of a body's joints, if it exceeds the body's own.
 GROUP_KERNEL(branch_begin)
 {
 	(void)bench;

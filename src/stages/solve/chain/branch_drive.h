@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// branch_drive.h -- motors and limits of a branch that its equations hold: those that are not at a bound.
+// branch_drive.h -- motors and limits of a branch that are part of its equations: those that are not at a bound.
 //
-// First each drive is solved by itself, one after the other, as everywhere. A motor that has not reached its maximum, and a limit
-// that pushes, then hold their coordinate as a lock does: friction in the hinges of a light body is as much between its ends as
-// the hinges are. One of which the solution wants more than it has stays at its bound, and the rest is solved anew.
+// Each drive is first solved by itself, one after the other, as everywhere. A motor below its maximum, and a limit that
+// pushes, then hold their coordinate like a lock: friction in the hinges of a light body couples its ends as much as
+// the hinges do. A drive whose impulse in the solution exceeds its bound stays at the bound, and the rest is solved
+// again.
 #ifndef BRANCH_DRIVE_H
 #define BRANCH_DRIVE_H
 #include "stages/solve/chain/chain.h"
@@ -12,7 +13,7 @@
 #define HELD_BY_MOTOR 1
 #define HELD_BY_LIMIT 2
 
-// The holder of coordinate k, if it is not locked.
+// Returns the drive that holds coordinate k, if the coordinate is not locked.
 INLINE int branch_holder(const JointDrive* d, int modes, int k)
 {
 	if (modes & (k == JOINT_ANGLE ? JOINT_LOCKED(k) : JOINT_LOCKED(k) | JOINT_ELLIPTIC))
@@ -22,7 +23,8 @@ INLINE int branch_holder(const JointDrive* d, int modes, int k)
 	return modes & JOINT_MOTOR(k) && absolute(d->motor_impulse) < d->motor_most ? HELD_BY_MOTOR : HELD_BY_NONE;
 }
 
-// Adds the equations of motors and limits to those of the locks. Returns what holds the coordinates, by two bits each.
+// Adds the equations of motors and limits to those of the locks. Returns the drives that hold the coordinates, two bits
+// each.
 INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* link, JointSystem* s)
 {
 	int modes = (int)link->u.modes, held = 0;
@@ -51,7 +53,7 @@ INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* l
 	return held;
 }
 
-// The impulse of what holds a coordinate, changed by x within its bounds.
+// Returns the impulse of the drive that holds a coordinate, changed by x within its bounds.
 INLINE float branch_bounded(const JointDrive* d, int holder, float x)
 {
 	if (holder == HELD_BY_MOTOR)
@@ -60,7 +62,7 @@ INLINE float branch_bounded(const JointDrive* d, int holder, float x)
 	return d->limit_impulse > 0.0f ? push_of(now) : -push_of(-now);
 }
 
-// Sets the impulse of what holds coordinate k.
+// Sets the impulse of the drive that holds coordinate k.
 INLINE void branch_set(const Pools* p, int place, int holder, int k, float now, JointDrive* d, ChainLink* link)
 {
 	float change = now - (holder == HELD_BY_MOTOR ? d->motor_impulse : d->limit_impulse);
@@ -74,7 +76,7 @@ INLINE void branch_set(const Pools* p, int place, int holder, int k, float now, 
 	                         k == JOINT_ANGLE ? change : 0.0f));
 }
 
-// Sets those to their bounds of which a solution wants more. Whether there are any.
+// Sets drives to their bounds where a solution exceeds these. Returns whether there are any.
 INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], ChainLink* link)
 {
 	int found = 0;
@@ -93,7 +95,7 @@ INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], 
 	return found;
 }
 
-// Adds a solution to the impulses of what holds coordinates. What remains in x is for the locks.
+// Adds a solution to the impulses of the drives that hold coordinates. The rest in x is for the locks.
 INLINE void branch_drive(const Pools* p, int place, int held, float x[3], ChainLink* link)
 {
 	for (int k = 0; k < JOINT_COORDINATES; ++k)

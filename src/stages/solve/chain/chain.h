@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 // chain.h -- a pass over a chain: joints in a row whose locks are solved together, exactly (chain_solve.h).
 //
-// A rope that carries a hundred times the mass of a link needs hundreds of passes from joint to joint until the links know of
-// the load. The host finds such rows of joints (src/world/chain/chains.c); they have no color, and come after the colors of a pass.
+// A rope that carries a hundred times the mass of a link needs hundreds of passes from joint to joint until all links
+// carry the load. The host finds such rows of joints (src/world/chain/chains.c); they have no color, and are solved
+// after the colors of a pass.
 //
-// Joints 0, 2, 4, ... of a chain have no bodies in common, nor have 1, 3, 5, ...: a wide pass takes a block of each half at once.
+// Joints 0, 2, 4, ... of a chain have no bodies in common, nor have joints 1, 3, 5, ...: a wide pass processes a block
+// of each half at once.
 #ifndef CHAIN_H
 #define CHAIN_H
 #include "stages/solve/chain/chain_stiff.h"
 
-// What does not depend on the velocities: warm start; what turned arms are worth.
+// Runs the part of a joint that does not depend on velocities: the warm start, and its correction for arms that have
+// rotated.
 INLINE void chain_start(const Pools* p, int place, int pass, ChainLink* link)
 {
 	if (pass == PASS_WARM_START)
@@ -22,7 +25,8 @@ INLINE void chain_start(const Pools* p, int place, int pass, ChainLink* link)
 		joint_turn(p, place, &link->u, &link->c);
 }
 
-// What does not depend on the other joints of the chain: this, and limits, springs, motors.
+// Runs the part of a joint that does not depend on the other joints of the chain: chain_start, and limits, springs,
+// motors.
 INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 {
 	chain_start(p, place, pass, link);
@@ -30,11 +34,12 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 		joint_drive_all(p, place, pass == PASS_BIAS, &link->u, &link->c);
 }
 
-// Where joints hold a body twice over, as in a welded bridge, the system has no single solution. A little more on the diagonal
-// picks the smallest; since it multiplies changes of impulses only, it does not make the chain softer.
+// Factor of the diagonal. If joints hold a body more than once, as in a welded bridge, the system has no single
+// solution. A slightly larger diagonal selects the smallest one. It multiplies changes of impulses only, so the chain
+// does not get softer.
 #define CHAIN_GIVE 1.00001f
 
-// Whether the free angle of a joint is damped: in both passes, by an impulse of its own.
+// Returns whether the free angle of a joint is damped, in both passes, by an impulse of its own.
 INLINE Int chain_damps(const Pools* p, int spot, const Joint* u)
 {
 	return (CHAIN_AT(p, slack, spot) > splat(0.0f)) & (joint_has(u, JOINT_LOCKED(JOINT_ANGLE)) == 0);
@@ -54,7 +59,7 @@ INLINE Int chain_damp(const Pools* p, int spot, const ChainLink* link, JointSyst
 	return damps;
 }
 
-// The equations of a joint: diagonal block, right side; and what couples it with others.
+// Computes the equations of a joint: diagonal block, right side, and the data for the coupling with other joints.
 INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, const ChainLink* link)
 {
 	chain_keep_pose(p, spot, &link->c);
@@ -79,8 +84,8 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 	CHAIN_PUT(p, holds, spot, holds);
 }
 
-// The velocities that impulses along the coordinates of the joint before cause along those of this one, through their common
-// body.
+// Computes the coupling of a joint with the joint before it: the velocities along its coordinates that impulses along
+// the other's cause, through their common body.
 INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 {
 	int spot = place.spot;
@@ -114,14 +119,14 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 		}
 }
 
-// Adds a solution to the impulses of a joint, that of a damped angle too.
+// Adds a solution to the impulses of a joint, including that of a damped angle.
 INLINE void chain_hold(const Pools* p, int spot, const Real x[3], ChainLink* link)
 {
 	Int turns = joint_has(&link->u, JOINT_LOCKED(JOINT_ANGLE)) | chain_damps(p, spot, &link->u);
 	joint_hold(&link->u, &link->c, x, turns);
 }
 
-// Gives the bodies of a joint the impulses of the solution.
+// Applies the impulses of the solution to the bodies of a joint.
 INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 {
 	ChainLink link;
@@ -133,7 +138,7 @@ INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 	chain_store(p, chain, spot, &link);
 }
 
-// One half of a chain: what is its joints' own, if that is asked for, then their equations.
+// Processes one half of a chain: the own part of its joints if owns is set, then their equations if builds is set.
 INLINE void chain_half(const Pools* p, const Chain* chain, int odd, int pass, int owns, int builds)
 {
 	if (!owns && !builds)
@@ -176,7 +181,7 @@ INLINE Chain chain_number(const Pools* p, int i)
 
 INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 {
-	// even joints, odd joints, even joints: the equations hold velocities after all joints did what is their own
+	// even, odd and even joints: the equations use the velocities after all joints have done their own part
 	int owns = pass != PASS_RELAX || p->step.has_drives, solves = pass != PASS_WARM_START;
 	for (int turn = 0; turn < 3; ++turn)
 	{
@@ -187,7 +192,7 @@ INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 		chain_locks(p, &chain, pass);
 }
 
-// Item i is a range of chains, with those in the same blocks; argument the pass.
+// Item: a range of chains, with those in the same blocks. argument: the pass.
 GROUP_KERNEL(chain)
 {
 	int first = p->chain[i].item;
@@ -199,7 +204,7 @@ GROUP_KERNEL(chain)
 		Chain chain = chain_number(p, first + k);
 		if (LANES > 1 && chain_side(&chain))
 		{
-			// a call of its own, in which these are constants: a tenth of the instructions computed spots
+			// separate call in which these are constants: without it, a tenth of the instructions computed spots
 			chain.at.stride = MAX_LANES;
 			chain.at.bits = 1;
 			chain_pass(p, chain, p->argument);
@@ -212,8 +217,9 @@ GROUP_KERNEL(chain)
 	}
 }
 
-// Before any constraint starts the step: one that did so with a link's own inertia would turn it by another angle than the chain,
-// which has the inertia of the step, takes back. That is a kick in every step, and ropes were torn through their pegs.
+// Sets the inertias of the links before any constraint starts the step. A constraint that used a link's own inertia
+// would rotate it by another angle than the chain, which uses the inertia of the step, takes back. That is a kick in
+// every step, and ropes were torn through their pegs.
 GROUP_KERNEL(chain_begin)
 {
 	(void)bench;
@@ -225,7 +231,7 @@ GROUP_KERNEL(chain_begin)
 	}
 }
 
-// The links get their own inertias back.
+// Restores the inertias of the links.
 INLINE void chain_restore(const Pools* p, Chain chain)
 {
 	for (int odd = 0; odd < 2; ++odd)

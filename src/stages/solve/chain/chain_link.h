@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// chain_link.h -- joints of a chain with their bodies: where they are, in registers, and back.
+// chain_link.h -- loads joints of a chain with their bodies into registers, and stores them.
 #ifndef CHAIN_LINK_H
 #define CHAIN_LINK_H
 #include "constraints/constraint_kinds.h"
 #include "stages/solve/chain/chain_solve.h"
 
-typedef struct // a joint of a chain, with its bodies, in registers
+typedef struct // joint of a chain with its bodies, in registers
 {
 	Joint u;
 	JointPose c;
 	Int ia, ib;
 } ChainLink;
 
-typedef struct // LANES joints of a row: from number n on, or those number n of chains side by side
+typedef struct // LANES joints of a row: those from number n on, or the joints number n of chains side by side
 {
 	int row, n, spot;
 } ChainPlace;
@@ -20,7 +20,8 @@ typedef struct // LANES joints of a row: from number n on, or those number n of 
 INLINE int chain_first(const Chain* chain) { return chain_side(chain) ? 0 : group_lane(); }
 INLINE int chain_stride(const Chain* chain) { return chain_side(chain) ? 1 : group_width(); }
 
-// The first place of one half; goes on from there to the next row, where one ended; whether there are joints.
+// Returns the first place of one half. chain_goes continues with the next row where one has ended, and returns whether
+// there are joints.
 INLINE ChainPlace chain_half_begin(const Chain* chain, int odd)
 {
 	ChainPlace place;
@@ -50,7 +51,7 @@ INLINE int chain_goes(const Chain* chain, ChainPlace* place)
 #define CHAIN_PUT_INT(p, member, spot, x) store_int(&chain_at(p, member, spot), 0, x)
 #define CHAIN_INT(p, member, spot)        load_int(&chain_at(p, member, spot), 0)
 
-// The rows and the bodies of a joint.
+// Loads the rows and the bodies of a joint.
 INLINE void chain_load(const Pools* p, int place, ChainLink* link)
 {
 	link->ia = load_int(&joint_row(p, body_a, place), 0);
@@ -60,14 +61,14 @@ INLINE void chain_load(const Pools* p, int place, ChainLink* link)
 	link->c.b = body_gather(p, link->ib);
 }
 
-// The same with its pose now.
+// Loads a joint and computes its current pose.
 INLINE void chain_load_posed(const Pools* p, int place, ChainLink* link)
 {
 	chain_load(p, place, link);
 	joint_pose(p, place, &link->u, &link->c);
 }
 
-// What the end of a pass needs of a pose: impulses are given along the axes of the equations.
+// Stores the part of a pose that the end of a pass uses: impulses are applied along the axes of the equations.
 INLINE void chain_keep_pose(const Pools* p, int spot, const JointPose* c)
 {
 	CHAIN_PUT(p, pose[0], spot, c->axis[0].x);
@@ -79,7 +80,8 @@ INLINE void chain_keep_pose(const Pools* p, int spot, const JointPose* c)
 	}
 }
 
-// Inertias of the step lie beside the pose, so that only half of a body's state is gathered.
+// Loads a joint with its stored pose. The inertias of the step are stored beside the pose, so that only half of a
+// body's state is gathered.
 INLINE void chain_load_kept(const Pools* p, const Chain* chain, int spot, ChainLink* link)
 {
 	JointPose* c = &link->c;

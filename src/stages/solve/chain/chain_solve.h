@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// chain_solve.h -- the linear system of a chain of joints, by cyclic reduction: a work-group eliminates every second joint at once.
+// chain_solve.h -- the linear system of a chain of joints, by cyclic reduction: a work-group eliminates every second
+// joint at once.
 //
-// The system is symmetric and block tridiagonal with blocks of 3 x 3, one row of blocks for each joint. Its solution is exact, so
-// a load at one end acts on the other end within a pass, whatever the masses between them. A CPU takes LANES joints at once: of
-// a chain's rows, until one row is left, or of chains that lie side by side. Inert joints at the ends change no bit.
+// The system is symmetric and block tridiagonal, with one row of 3 x 3 blocks per joint. Its solution is exact, so a
+// load at one end acts on the other end within a pass, whatever the masses between them. A CPU processes LANES joints
+// at once: those of the rows of a chain until one row is left, or those of chains that are stored side by side. Inert
+// joints at the ends change no bit.
 //
 // This work is based on:
 // Bill Buzbee, Gene Golub, Clair Nielson, On Direct Methods for Solving Poisson's Equations, 1970: cyclic reduction.
@@ -12,7 +14,8 @@
 #define CHAIN_SOLVE_H
 #include "pools/pools.h"
 
-#define CHAIN_PIVOT 1.0e-6f // least share of its diagonal that a pivot keeps: below it is rounding
+// lower limit of a pivot as a fraction of its diagonal: a smaller pivot is a rounding error
+#define CHAIN_PIVOT 1.0e-6f
 
 typedef struct
 {
@@ -20,13 +23,14 @@ typedef struct
 	int begin; // place of spot 0 of all chains
 } Chain;
 
-typedef struct // where LANES joints are; or where each is one further or back in a row, that goes on somewhere else
+typedef struct // position of LANES joints
 {
 	int here, next; // offsets in the pool, in floats; -1 for none
-	int shift;
+	int shift;      // 1 or -1: each is one further or back in its row, which continues at next
 } ChainNear;
 
-// Floats between two blocks of a row of chain_joints, in lanes; where LANES joints from a spot on have a component.
+// Number of rows of a ChainBlock. chain_offset returns the offset of a spot in a row of the pool chain_joints, in
+// floats.
 #define CHAIN_ROWS ((int)(sizeof(ChainBlock) / sizeof(float)) / MAX_LANES)
 
 INLINE int chain_offset(int spot)
@@ -35,7 +39,7 @@ INLINE int chain_offset(int spot)
 	return (spot - low) * CHAIN_ROWS + low;
 }
 
-// Components of LANES joints that are near others; zero where there are none.
+// Loads components of the neighbors of LANES joints; 0 if there is no neighbor.
 INLINE void chain_near(const GLOBAL float (*member)[MAX_LANES], int count, ChainNear near, Real* out)
 {
 	for (int k = 0; k < count && near.here < 0; ++k)
@@ -87,30 +91,30 @@ INLINE Int chain_near_int(const GLOBAL int* member, ChainNear near)
 
 INLINE int chain_rows(const Chain* chain) { return 1 << chain->at.bits; }
 
-// Whether chains lie side by side, which only a device of several lanes has.
+// Returns whether chains are stored side by side, as only devices with several lanes do.
 INLINE int chain_side(const Chain* chain) { return LANES > 1 && chain->at.stride > 1; }
 
-// The spot of joint k, -1 where there is none.
+// Returns the spot of joint k, -1 for none.
 INLINE int chain_spot(const Chain* chain, int k)
 {
 	return k < 0 || k >= chain->at.count ? -1 : CHAIN_SPOT(&chain->at, k);
 }
 
-// Joints of a row, inert ones included.
+// Returns the number of joints of a row, inert ones included.
 INLINE int chain_length(const Chain* chain, int row)
 {
 	return chain_side(chain) ? (chain->at.count + 1 - (row & 1)) / 2 : chain->at.length;
 }
 
-// The spot of joint n of a row.
+// Returns the spot of joint n of a row.
 INLINE int chain_row_spot(const Chain* chain, int row, int n)
 {
 	const ChainRange* at = &chain->at;
 	return at->first + (row & 1) * at->odds + (row >> 1) * at->length + n * at->stride;
 }
 
-// Where the joints are that come `far` joints behind those from number n of a row on; before them, if far is less than 0. It is no
-// more than the number of rows.
+// Returns the position of the joints that come far joints behind those from number n of a row on, or before them if far
+// is negative. |far| is at most the number of rows.
 INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 {
 	ChainNear near;
@@ -134,7 +138,8 @@ INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 	for (int row = (from); row < chain_rows(chain); row += (by)) \
 		for (int n = 0; n < (chain)->at.length; n += LANES)
 
-// Takes every second one of the joints that are top joints apart out of the others: rows, or joints one by one.
+// Eliminates every second one of the joints that are top joints apart, by rows. chain_reduce_joints does so joint by
+// joint.
 INLINE void chain_reduce_rows(const Pools* p, const Chain* chain, int top)
 {
 	CHAIN_BLOCKS(row, n, chain, top, 2 * top)
@@ -168,10 +173,10 @@ INLINE void chain_back_joints(const Pools* p, const Chain* chain, int top)
 	chain_back(p, chain_spot(chain, k), chain_spot(chain, k - top), chain_spot(chain, k + top));
 }
 
-// Of chains side by side, the joints k, k + by, ... are a block each.
+// Loops over blocks of chains side by side: the joints k of all chains are one block.
 #define CHAIN_SIDE(k, chain, from, by) for (int k = (from); k < (chain)->at.count; k += (by))
 
-// The spot of joint k of chains side by side, which lie in two rows.
+// Returns the spot of joint k of chains side by side, which are stored in two rows.
 INLINE int chain_side_spot(const Chain* chain, int k) { return chain_row_spot(chain, k & 1, k >> 1); }
 
 INLINE ChainNear chain_side_near(const Chain* chain, int k)
@@ -216,7 +221,7 @@ INLINE void chain_solve_alone(const Pools* p, const Chain* chain)
 		chain_back_rows(p, chain, top);
 }
 
-// Solves the system by a group, each joint of which has d, l and r.
+// Solves the system with a work-group. Each joint already has its d, l and r.
 INLINE void chain_solve(const Pools* p, const Chain* chain)
 {
 	if (chain_side(chain))

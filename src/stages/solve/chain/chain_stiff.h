@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
-// chain_stiff.h -- the start of a step of a chain: the inertias that the tension of its joints asks for, and which bodies these share.
+// chain_stiff.h -- start of a step of a chain: the inertias that the tension of its joints requires, and the bodies
+// that neighbors share.
 //
-// Stiff axes. A link under tension is like a string: its sideways vibration may be faster than substeps can follow, and the rope
-// whips apart. So for the step a link's inertia is enlarged to what the tension makes it in an implicit integration, where that
-// exceeds its own. All constraints of the link see the same inertia: otherwise they would take turns in adding energy.
+// Stiff axes. A link under tension is like a string: its sideways vibration may be faster than substeps can resolve,
+// and the rope whips apart. So for the step a link's inertia is enlarged to that of an implicit integration of the
+// tension, if this exceeds its own. All constraints of the link use the same inertia; otherwise they would add energy
+// in turns.
 //
 // This work is based on:
-// Sheldon Andrews, Marek Teichmann, Jozsef Kovecses, Geometric Stiffness for Real-time Constrained Multibody Dynamics, 2017.
+// Sheldon Andrews, Marek Teichmann, Jozsef Kovecses, Geometric Stiffness for Real-time Constrained Multibody Dynamics,
+// 2017.
 #ifndef CHAIN_STIFF_H
 #define CHAIN_STIFF_H
 #include "stages/solve/chain/chain_link.h"
 
-// Damping of a free angle that is below this share of its inertia is none: it must not overflow what it is added to.
+// CHAIN_SLACKEST: a free angle is not damped if its damping is below its inertia over this. Otherwise the softness, the
+// inverse of the damping, could overflow the sums to which it is added. CHAIN_SLOW: factor in chain_slack.
 #define CHAIN_SLACKEST 1.0e12f
 #define CHAIN_SLOW     0.02f
 
-// kg m^2: what the pull of a joint adds to the inertia of its bodies; and what these are
+// Computes the tension of a joint, kg m^2: the addition of its pull to the inertia of each of its bodies. Stores these
+// bodies too.
 INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 {
 	ChainLink link;
@@ -23,7 +28,7 @@ INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 	Real sum[JOINT_COORDINATES];
 	joint_sums(p, chain->begin + spot, &link.u, sum);
 	Vec push = joint_impulse(&link.c, sum[0], sum[1], splat(0.0f)).push;
-	Real h = splat(p->step.h * p->step.h_ratio); // impulses are those of the last step
+	Real h = splat(p->step.h * p->step.h_ratio); // h_ratio, because the impulses are those of the last step
 	CHAIN_PUT(p, tension[0], spot, -h * vec_dot(link.c.arm_a, push));
 	CHAIN_PUT(p, tension[1], spot, h * vec_dot(link.c.arm_b, push));
 	CHAIN_PUT_INT(p, body_a, spot, link.ia);
@@ -32,18 +37,19 @@ INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 	CHAIN_PUT(p, own_b, spot, link.c.b.inv_inertia);
 }
 
-typedef struct // the bodies of joints at their sides a and b, and the tension of all joints there
+typedef struct // bodies of joints at their sides a and b, and the tension of all joints there
 {
 	Int a, b, moves_a, moves_b;
 	Real tension_a, tension_b;
 } ChainBodies;
 
-typedef struct // which sides the body is on that a joint shares with a neighbor, if one that moves
+typedef struct // masks of the sides of a moving body that a joint shares with a neighbor
 {
 	Int here_a, here_b, there_a;
 } ChainShared;
 
-// Which body joints share with their neighbors at a spot, whose tension is added to theirs.
+// Returns the sides of the body that joints share with their neighbors at a position, and adds the neighbors' tension
+// to theirs.
 INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* bodies)
 {
 	Int a = chain_near_int(p->chain_joints->body_a, neighbor), b = chain_near_int(p->chain_joints->body_b, neighbor);
@@ -59,17 +65,18 @@ INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* 
 	return shared;
 }
 
-// The inverse inertia of a body with the tension of its joints, where that exceeds its inertia.
+// Returns the inverse of a body's inertia, or of the tension of its joints if that is larger.
 INLINE Real chain_inertia(Real inverse, Real tension)
 {
 	Real zero = splat(0.0f), more = blend(zero, tension - 1.0f / inverse, inverse > zero);
 	return blend(inverse, 1.0f / tension, (more > zero) & (more <= splat(MOST_FLOAT)));
 }
 
-// A free angle between two links that move is damped, as much as substeps do not follow the string that the links are. An implicit
-// integration of the tension damps turns by its inertia t in a substep. Of that, the share is taken by which t enlarges the
-// inertia: t / (I + t). It is small for a pendulum, which loses nothing, and large for neighbors that turn to and fro. The impulse
-// acts between the two links, so that a whirled rope keeps its momentum.
+// Returns the softness that damps a free angle between two moving links, 0 for none. It damps the motion of the string
+// that substeps do not resolve. An implicit integration of the tension damps rotations by its inertia t in a substep.
+// The fraction of t that is used is t / (CHAIN_SLOW I + t), similar to that by which t enlarges the inertia I. It is
+// small for a pendulum, which loses nothing, and large for neighbors that swing against each other. The impulse acts
+// between the two links, so that a whirled rope keeps its momentum.
 INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
 {
 	Real zero = splat(0.0f), inverse = CHAIN_AT(p, own_a, spot) + CHAIN_AT(p, own_b, spot);
@@ -79,7 +86,7 @@ INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
 	return blend(zero, splat(1.0f) / damping, damps);
 }
 
-// The inertias of joints' bodies for the step; and which body they share with the joint before them.
+// Computes the inertias of joints' bodies for the step, and the body that each joint shares with the joint before it.
 INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
 {
 	int spot = place.spot;
@@ -106,7 +113,7 @@ INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
 	CHAIN_PUT(p, turns, spot, blend(step_a, step_b, shared.here_b));
 }
 
-// The inert joints at the end of the row that is left when the others are taken out: nothing else sets their solution.
+// Clears the solution of the inert joints at the end of the row that remains after elimination: nothing else sets it.
 INLINE void chain_clear(const Pools* p, const Chain* chain)
 {
 	for (int n = (chain->at.count + chain_rows(chain) - 1) >> chain->at.bits; n < chain->at.length; ++n)
@@ -114,7 +121,7 @@ INLINE void chain_clear(const Pools* p, const Chain* chain)
 			chain_at(p, x[k], chain->at.first + n) = 0.0f;
 }
 
-// Sets the inertias of a joint's bodies. Two joints set the same of their common body.
+// Sets the inertias of a joint's bodies. Two joints set the same value for their common body.
 INLINE void chain_set_inertias(const Pools* p, int place, float inverse_a, float inverse_b)
 {
 	if (inverse_a > 0.0f)

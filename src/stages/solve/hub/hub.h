@@ -1,35 +1,37 @@
 // SPDX-License-Identifier: MIT
-// hub.h -- hubs, bodies with many contacts: each is solved together with all of its contacts, exactly.
+// hub.h -- hubs: each body with many contacts is solved exactly, together with all of its contacts.
 //
 // This work is based on:
 // Richard Tonge, Feodor Benevolenski, Andrey Voroshilov, Mass Splitting for Jitter-Free Parallel Rigid Body Simulation,
 // 2012: mass splitting. A body that several hubs push at once is split into parts.
 //
-// A contact of a hub is a spoke; the body at its other end is the light end. For a given velocity of the hub each spoke
-// has its own answer (spoke_answer.h). The sums of the answers and of their derivatives with respect to the hub's velocity
-// give three equations for the hub, which Newton's method solves. docs/hubs.md has the formulas.
+// A contact of a hub is a spoke; the body at its other end is the neighbor. For a given velocity of the hub each spoke
+// has its own response (spoke_answer.h). The sums of the responses and of their derivatives with respect to the hub's
+// velocity give three equations for the hub, which Newton's method solves. docs/hubs.md has the formulas.
 #ifndef HUB_H
 #define HUB_H
 #include "constraints/schedule.h"
 #include "stages/solve/hub/spoke_answer.h"
 
-// Sums over spokes have a fixed order on every device: HUB_COLUMNS columns, each over every HUB_COLUMNS-th spoke, then a
-// reduction by halves. There are as many columns as work-items in a group of a GPU, so that all of them take part.
+// Sums over spokes have a fixed order on every device: HUB_COLUMNS columns, each over every HUB_COLUMNS-th spoke, then
+// a reduction by halves. The number of columns is that of the work-items in a work-group of a GPU, so that all of them
+// are used.
 #define HUB_LEVELS  8
 #define HUB_COLUMNS (1 << HUB_LEVELS)
 
-// Newton's method has converged when a round changes the hub's velocity by less than this part.
+// HUB_ROUNDS: limit of rounds of Newton's method. HUB_CLOSE: it has converged when a round changes the hub's velocity
+// by a smaller fraction.
 #define HUB_ROUNDS 2
 #define HUB_CLOSE  1.0e-5f
 
-// m^2: times the square of HUB_SPEED it is a finite float
+// m^2: limit of inertia over mass; its product with the square of HUB_SPEED is a finite float
 #define HUB_GYRATION 1.0e13f
 
-// Loops over the spokes k of hub h, in columns.
+// loops over the spokes k of hub h, by columns
 #define HUB_EACH_COLUMN(c, h) for (int c = group_lane(); c < HUB_COLUMNS && c < (h)->count; c += group_width())
 #define HUB_EACH_OF(k, c, h)  for (int k = (h)->first + c; k < (h)->first + (h)->count; k += HUB_COLUMNS)
 
-// The sum, by halves, of 16 numbers with a stride; only the first ones, used of them, are not zero.
+// Returns the sum, by halves, of 16 numbers with a stride. used: all numbers from this one on are 0.
 INLINE float hub_halve(const LOCAL float* x, int stride, int used)
 {
 	float sum[16];
@@ -42,7 +44,7 @@ INLINE float hub_halve(const LOCAL float* x, int stride, int used)
 	return (sum[0] + sum[2]) + (sum[1] + sum[3]);
 }
 
-// The reduction of the columns by one worker, by halves.
+// Reduces the columns by halves, with one worker.
 INLINE void hub_add_columns(int used, int sums, LOCAL float* bench)
 {
 	for (int span = HUB_COLUMNS / 2; span > 0; span /= 2)
@@ -60,12 +62,12 @@ INLINE void hub_add_columns(int used, int sums, LOCAL float* bench)
 	}
 }
 
-// Reduces the columns of the bench by halves, for each of so many sums. A group does so in two rounds of 16. There are
-// few barriers, and none depends on a condition: otherwise an OpenCL compiler for CPUs takes many minutes.
+// Reduces the columns in local memory by halves, for a number of sums. A work-group does so in two rounds of 16.
+// Barriers are few, and none depends on a condition: otherwise an OpenCL compiler for CPUs takes many minutes.
 INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB_SUMS])
 {
 	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, wide = group_width() > LANES;
-	// 17, not 16, against bank conflicts in local memory
+	// 17 instead of 16 avoids bank conflicts in local memory
 	int stride = wide ? 17 : HUB_COLUMNS;
 	LOCAL float *half_way = bench + HUB_SUMS * HUB_COLUMNS, *total = wide ? half_way : bench;
 	for (int round = 0; round < 2; ++round)
@@ -84,7 +86,7 @@ INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB
 	}
 	bench_meet();
 
-	// the sign of a zero would depend on the number of columns; + 0 removes it
+	// + 0 removes the sign of a zero, which would depend on the number of columns
 	for (int q = 0; q < HUB_SUMS; ++q)
 		sum[q] = q < sums ? total[q * stride] + 0.0f : 0.0f;
 }
@@ -105,7 +107,7 @@ INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, LOCAL flo
 	}
 }
 
-// Sums the answers of all spokes to the hub's velocity.
+// Sums the responses of all spokes to the hub's velocity.
 INLINE void hub_ask(const Pools* p, const Hub* h, int what, LOCAL float* bench)
 {
 	HUB_EACH_COLUMN(c, h)
@@ -119,7 +121,7 @@ INLINE void hub_ask(const Pools* p, const Hub* h, int what, LOCAL float* bench)
 	}
 }
 
-// Whether the hub may have such a velocity: false for a NaN.
+// Returns whether a velocity is within HUB_SPEED; 0 for a NaN.
 INLINE int hub_bears(const float v[3])
 {
 	int bears = 1;
@@ -128,7 +130,7 @@ INLINE int hub_bears(const float v[3])
 	return bears;
 }
 
-// The change of the hub's velocity by sums of impulses. Returns whether the hub may have it.
+// Computes the change of the hub's velocity by sums of impulses. Returns whether the change is within HUB_SPEED.
 INLINE int hub_gains(const Hub* h, const float* sum, float gain[3])
 {
 	gain[0] = h->inv_mass * sum[0];
@@ -143,8 +145,8 @@ INLINE float hub_energy(const Hub* h, const float v[3])
 	return v[0] * v[0] + v[1] * v[1] + h->gyration * v[2] * v[2];
 }
 
-// The step of Newton's method: (M + H) d = push - M (now - free), by L D L^T. H lowers no pivot, but rounding may: no
-// pivot is less than that of the hub alone.
+// Computes the step of Newton's method: (M + H) d = push - M (now - free), by L D L^T. In exact arithmetic H lowers no
+// pivot. Rounding may, so no pivot is less than that of the hub alone.
 INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 {
 	float mass = h->mass, inertia = h->inertia;
@@ -157,14 +159,14 @@ INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 	third = third > inertia ? third : inertia;
 	y = y - yx * x;
 	w = w - wx * x - wy * y;
-	// a hub that cannot turn has no third equation
+	// a hub that cannot rotate has no third equation
 	d[2] = inertia > 0.0f ? w / third : 0.0f;
 	d[1] = y / second - wy * d[2];
 	d[0] = x / xx - yx * d[1] - wx * d[2];
 }
 
-// Whether Newton's method has converged: the change is small against the velocity, or against a substep of gravity. A
-// change that is not finite is not applied.
+// Returns whether Newton's method has converged: the change is small relative to the velocity, or to a substep of
+// gravity. Returns 1 also for a change that is not finite, which must not be applied.
 INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 {
 	float x = step->h * step->gravity_x, y = step->h * step->gravity_y, most = step->max_speed;
@@ -172,14 +174,14 @@ INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 	return !hub_bears(d) || hub_energy(h, d) <= HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
 }
 
-// All spokes give the same part of their answers, the one with the least energy: all of it if the method has converged,
-// and never so much that an unfinished search adds energy.
+// Applies the same fraction of the responses of all spokes, the fraction with the least energy: 1 if the method has
+// converged, and never so large that an unfinished search adds energy.
 INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 {
 	float gain[3], part = 0.0f, down = -sum[9];
 	if (hub_gains(h, sum, gain))
 	{
-		// in this order, because squares of large impulses are not finite
+		// order of the products: squares of large impulses may not be finite
 		float bend = sum[10] + gain[0] * sum[0] + gain[1] * sum[1] + gain[2] * sum[2];
 		if (down > 0.0f && bend > 0.0f && bend <= MOST_FLOAT)
 			part = down < bend ? down / bend : 1.0f;
@@ -193,16 +195,17 @@ INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 	HUB_EACH_OF(i, c, h) spoke_give(p, h, i, what, part);
 }
 
-// The part of the impulses of the last step that a hub is warm started with, from the velocity that they give it: all,
-// unless that exceeds START_SHARE of max_speed, as in a jam after some bodies have gone. A spin counts by its energy.
+// Returns the fraction of the impulses of the last step with which a hub is warm started. gain: velocity that they give
+// it. The fraction is 1 unless gain exceeds START_SHARE of max_speed, as in a jam after some bodies have left. A spin
+// counts by its energy.
 INLINE float hub_start(const Step* step, const Hub* h, const float gain[3])
 {
 	float square = hub_energy(h, gain), most = START_SHARE * step->max_speed;
 	return square > most * most ? most / square_root(square) : 1.0f;
 }
 
-// A block: the impulses of one kind of all spokes, and the velocity that they give the hub. The sums are reduced at one
-// place in the code: each more costs an OpenCL compiler for CPUs minutes.
+// Solves a block: the impulses of one kind of all spokes, and the velocity that they give the hub. The sums are reduced
+// at one place in the code, because each further place costs an OpenCL compiler for CPUs minutes.
 INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, LOCAL float* bench)
 {
 	float sum[HUB_SUMS] = {0.0f}, d[3];
@@ -240,7 +243,7 @@ INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, LOCAL float* b
 		hub_give(p, h, what, sum);
 }
 
-// The kind of block number k of a pass; -1 behind the last.
+// Returns the kind of block number k of a pass, -1 after the last.
 INLINE int hub_what(const Step* step, int pass, int k)
 {
 	// friction and rolling resistance follow the load, as in pair_relax
@@ -249,7 +252,7 @@ INLINE int hub_what(const Step* step, int pass, int k)
 	return k > 0 ? -1 : pass == PASS_BIAS ? HUB_SOFT : HUB_BOUNCE;
 }
 
-// A pass over the spokes of a hub whose light ends are known (spoke_begin).
+// Runs a pass over the spokes of a hub, after spoke_begin stored their neighbors.
 INLINE void hub_work(const Pools* p, Hub* h, int pass, LOCAL float* bench)
 {
 	for (int k = 0, what = 0; what >= 0; ++k)
@@ -264,7 +267,7 @@ INLINE void hub_work(const Pools* p, Hub* h, int pass, LOCAL float* bench)
 	pair_total(p, i, load(&contact_row(p, normal_impulse1, i), 0), load(&contact_row(p, normal_impulse2, i), 0));
 }
 
-// Hub number n, from the row of its body.
+// Returns hub number n. row: row of its body.
 INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 {
 	Hub h;
@@ -292,7 +295,8 @@ INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 	return h;
 }
 
-// Writes the light end back to its pool. If it is split into parts, hub_merge adds up their changes.
+// Writes the velocity of the neighbor back to its pool. For a neighbor that is split into parts, hub_merge adds their
+// changes instead.
 INLINE void spoke_end(const Pools* p, const Hub* h, int i)
 {
 	int m = spoke_of(p, i);
@@ -302,7 +306,7 @@ INLINE void spoke_end(const Pools* p, const Hub* h, int i)
 	scatter_rows4of8((GLOBAL float*)p->body, spoke_neighbor(p, h, i), row, whole & (row[3] > splat(0.0f)));
 }
 
-// A pass over hub n by a group, with bodies in their pool.
+// Runs a pass over hub n with a work-group, on bodies in their pool.
 INLINE void hub_pass(const Pools* p, int n, int pass, LOCAL float* bench)
 {
 	float row[8];
@@ -327,7 +331,7 @@ INLINE void hub_pass(const Pools* p, int n, int pass, LOCAL float* bench)
 	}
 }
 
-// Item i of a turn. argument is the pass, plus 256 times the turn.
+// Item: a hub of a turn. argument: the pass, plus 256 times the turn.
 GROUP_KERNEL(hub) { hub_pass(p, HUB_COLORS * i + (p->argument >> 8), p->argument & 255, bench); }
 
 #endif

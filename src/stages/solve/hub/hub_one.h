@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// hub_one.h -- single items of hubs: contacts become spokes, light ends are split into parts and merged again.
+// hub_one.h -- kernels over single items of hubs: contacts become spokes; neighbors are split into parts and merged
+// again.
 #ifndef HUB_ONE_H
 #define HUB_ONE_H
 #include "constraints/solver_body.h"
@@ -7,7 +8,7 @@
 #include "stages/color/key_bound.h"
 #include "stages/color/spoke.h"
 
-// All contacts of a body that became a hub free their colors.
+// Frees the color of contact i if one of its bodies became a hub.
 KERNEL(hub_enter)
 {
 	int color = p->contact_color[i];
@@ -20,7 +21,7 @@ KERNEL(hub_enter)
 	edge_mark_dirty(p, CONSTRAINT_CONTACT);
 }
 
-// The number of a hub, -1 for a body that is none.
+// Returns the number of a hub, -1 for another body.
 INLINE int hub_number(const Pools* p, int body)
 {
 	int low = 0, high = p->counters->hubs;
@@ -35,7 +36,7 @@ INLINE int hub_number(const Pools* p, int body)
 	return low < p->counters->hubs && p->hub[low] == body ? low : -1;
 }
 
-// The hub of spoke k, and the body at its other end, as they were laid out, even if the user changed masses since.
+// Returns the hub of spoke k as it was laid out, even if the user changed masses since.
 INLINE int spoke_hub_of(const Pools* p, int k)
 {
 	int c = p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS] + k, a = contact_row(p, body_a, c),
@@ -54,7 +55,8 @@ INLINE int spoke_neighbor_of(const Pools* p, int k)
 
 INLINE int hub_key_spoke(Word64 key) { return (int)(key & (((Word64)1 << HUB_KEY_COLOR) - (Word64)1)); }
 
-// The key of spoke i: its light end, and the turn of its hub. Ends that cannot move, and padding, are sorted last.
+// Writes the key of spoke i: its neighbor, and the turn of its hub. Neighbors that cannot move, and padding, are sorted
+// last.
 KERNEL(hub_key)
 {
 	Word64 name = (Word64)0xffffffffu, turn = 0;
@@ -75,9 +77,9 @@ KERNEL(hub_key)
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
 
-// The number of parts of each light end. It has an equal part for each hub of a turn, and that part is split equally
-// among the spokes that it shares with this hub. argument is the number of spokes. The keys are sorted by body, then by
-// turn, then by hub.
+// Item: a sorted neighbor. Computes its number of parts. It has an equal part for each hub of a turn, and that part is
+// split equally among the spokes that it shares with this hub. argument: number of spokes. The keys are sorted by body,
+// then by turn, then by hub.
 KERNEL(hub_order)
 {
 	Word64 body = p->key[i] >> 32, group = p->key[i] >> HUB_KEY_COLOR;
@@ -118,7 +120,7 @@ KERNEL(hub_order)
 		spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, own).first)) = (float)hubs;
 }
 
-// The spoke of sorted end i, if its body is split in a turn and this is the first of its ends; else -1.
+// Returns the spoke of sorted neighbor i if its body is split in a turn and this is its first entry, else -1.
 INLINE int hub_merged(const Pools* p, int i, int turn)
 {
 	int order = p->spoke_order[i], spoke = order / HUB_COLORS;
@@ -127,15 +129,15 @@ INLINE int hub_merged(const Pools* p, int i, int turn)
 	return spoke;
 }
 
-// The number of the hub that a light end is, if it is split in the same turn; else -1.
+// Returns the number of the hub that a neighbor is itself, if it is solved in the same turn; else -1.
 INLINE int hub_within(const Pools* p, int body, int turn)
 {
 	int n = hub_number(p, body);
 	return n >= 0 && hub_color(n) == turn ? n : -1;
 }
 
-// A body that is split gets the changes of its parts, each by its share of the mass. The first of its ends adds them:
-// that of the hub that it may be, then those of the spokes in order. argument is the turn.
+// Merges a split body: adds the changes of its parts, each by its fraction of the mass. The item of its first entry
+// adds them: the part of the hub that it may be itself, then those of the spokes in order. argument: the turn.
 KERNEL(hub_merge)
 {
 	int spoke = hub_merged(p, i, p->argument);

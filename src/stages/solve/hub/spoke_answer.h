@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// spoke_answer.h -- the answer of a spoke: the impulses that satisfy it for a fixed velocity of its hub, while nothing else pushes
-// its light end.
+// spoke_answer.h -- response of a spoke: the impulses that solve it for a fixed velocity of its hub, while nothing else
+// pushes its neighbor.
 //
 // docs/hubs.md has the formulas.
 #ifndef SPOKE_ANSWER_H
 #define SPOKE_ANSWER_H
 #include "stages/solve/hub/spoke_pose.h"
 
-// Sums of the answers. 0 to 2: impulse on the hub (x, y, angular). 3 to 8: minus its derivatives with respect to the hub's
-// velocity (xx, xy, yy, xw, yw, ww). 9 and 10: first and second derivative of the energy along the answers.
+// Number of sums of the responses. 0 to 2: impulse on the hub (x, y, angular). 3 to 8: minus its derivatives with
+// respect to the hub's velocity (xx, xy, yy, xw, yw, ww). 9 and 10: first and second derivative of the energy along the
+// responses.
 #define HUB_SUMS 11
 
-typedef struct // impulses, and minus their derivatives with respect to the hub's velocity at each point
+typedef struct // response: impulses, and minus their derivatives with respect to the hub's velocity at each point
 {
 	Real impulse[2], own[2], cross;
 } SpokeAnswer;
 
-// Impulses that push and never pull. Where both are positive, they solve both equations; otherwise one of them solves its
-// own. want: the velocities of the points without any impulse.
+// Returns impulses that push and never pull. If both are positive, they solve both equations; otherwise one of them
+// solves its own. want1, want2: velocities of the points without any impulse.
 INLINE SpokeAnswer spoke_push_apart(const Pools* p, int m, Real want1, Real want2)
 {
 	SpokeAnswer r;
@@ -36,7 +37,7 @@ INLINE SpokeAnswer spoke_push_apart(const Pools* p, int m, Real want1, Real want
 	return r;
 }
 
-// Impulses within limits, each solved on its own.
+// Returns impulses within limits, each solved by itself.
 INLINE SpokeAnswer spoke_hold(const Pools* p, int m, const Real slope[2], const Real old[2])
 {
 	SpokeAnswer r;
@@ -53,7 +54,7 @@ INLINE SpokeAnswer spoke_hold(const Pools* p, int m, const Real slope[2], const 
 	return r;
 }
 
-// Adds the answer of a spoke to the hub's velocity to sum, and keeps its impulses.
+// Adds the response of a spoke to the hub's velocity to sum, and stores its impulses.
 INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum[HUB_SUMS])
 {
 	int m = spoke_of(p, i);
@@ -99,7 +100,7 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum
 	Real bend[2] = {mass[0] * change[0] * change[0], mass[1] * change[1] * change[1]};
 	add[10] = bend[0] + bend[1] + 2.0f * cross * change[0] * change[1];
 
-	// where a result is not a finite float, the impulses stay as they are
+	// impulses stay the same if a result is not a finite float
 	Int finite0 = absolute(r.impulse[0]) <= splat(MOST_IMPULSE),
 	    finite1 = absolute(r.impulse[1]) <= splat(MOST_IMPULSE);
 	Int adds = finite0 & finite1 & spoke_adds(h, bend[0]) & spoke_adds(h, bend[1]);
@@ -111,7 +112,7 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum
 	store(&spoke_at(p, new2, m), 0, blend(old[1], r.impulse[1], adds));
 }
 
-// Applies a part of the answer of a spoke. With a part of 1, rounding may leave a rest.
+// Applies a fraction of the response of a spoke. With part 1, rounding may leave a remainder.
 INLINE void spoke_give(const Pools* p, const Hub* h, int i, int what, float part)
 {
 	int m = spoke_of(p, i), limited = spoke_limited(what);

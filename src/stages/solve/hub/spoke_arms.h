@@ -1,37 +1,37 @@
 // SPDX-License-Identifier: MIT
-// spoke_arms.h -- how impulses at the points of a spoke act on its hub and on its light end, and where they are kept.
+// spoke_arms.h -- effects of impulses at the points of a spoke on its hub and its neighbor, and access to its impulses.
 #ifndef SPOKE_ARMS_H
 #define SPOKE_ARMS_H
 #include "constraints/constraint_kinds.h"
 #include "stages/color/spoke.h"
 
-// what is solved
-#define HUB_NORMAL   0 // pushes, without softness
-#define HUB_SOFT     1 // pushes that also push overlap out
+// kinds of blocks
+#define HUB_NORMAL   0 // normal impulses without softness
+#define HUB_SOFT     1 // soft normal impulses, which push overlap out
 #define HUB_BOUNCE   2 // restitution
 #define HUB_FRICTION 3
 #define HUB_ROLL     4 // rolling resistance
 
-typedef struct // a hub while it is solved
+typedef struct // hub while it is solved
 {
-	int body, first, count;      // its spokes, padding included
-	float inv_mass, inv_inertia; // of its part
-	float mass, inertia;         // their inverses; a hub of inertia 0 does not turn
-	float gyration;              // m^2, inertia over mass
-	float most;                  // the most that a spoke may add to a sum, so that the sum of all stays finite
-	float from[3];               // velocity at the beginning of the block
-	float free[3];               // the same without impulses beyond their limits
+	int body, first, count;      // its body; range of its spokes, padding included
+	float inv_mass, inv_inertia; // inverse mass and inertia of its part
+	float mass, inertia;         // inverses of these; a hub of inertia 0 does not rotate
+	float gyration;              // m^2: inertia over mass
+	float most;                  // limit of the contribution of a spoke to a sum, so that the sum over all stays finite
+	float from[3];               // velocity at the start of the block
+	float free[3];               // the same, after impulses beyond their limits are removed
 	float now[3];
-	Body whole; // not split into parts, as the other passes use it
+	Body whole; // body that is not split into parts, as the other passes use it
 } Hub;
 
-typedef struct // of a spoke: how unit impulses at its points act
+typedef struct // effects of unit impulses at the points of a spoke
 {
-	Vec n;                    // on the hub along n, on the light end against it
-	Real hub[2], neighbor[2]; // arms
-	Real mass, inertia;       // inverse, of the light end's part
+	Vec n;                    // direction of an impulse on the hub, opposite to that on the neighbor
+	Real hub[2], neighbor[2]; // arms of the two points
+	Real mass, inertia;       // inverse mass and inertia of the neighbor's part
 	Real whole_mass, whole_inertia;
-	Vec v; // of the light end
+	Vec v; // velocity of the neighbor
 	Real w;
 } SpokeArms;
 
@@ -49,7 +49,7 @@ INLINE Body body_blend(Body a, Body b, Int c)
 	return r;
 }
 
-// Whether the hub is body b.
+// Returns whether the hub is body b.
 INLINE Int spoke_turned(const Pools* p, const Hub* h, int i)
 {
 	return (load_int(&contact_row(p, body_b, i), 0) ^ h->body) == 0;
@@ -60,7 +60,7 @@ INLINE Int spoke_neighbor(const Pools* p, const Hub* h, int i)
 	return load_int(&contact_row(p, body_a, i), 0) ^ load_int(&contact_row(p, body_b, i), 0) ^ h->body;
 }
 
-// Stores what the blocks of a pass need of the light end.
+// Stores the values of the neighbor that the blocks of a pass use.
 INLINE void spoke_begin(const Pools* p, const Hub* h, int i, Body neighbor)
 {
 	Contact u;
@@ -96,7 +96,7 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 	}
 	if (what == HUB_ROLL)
 	{
-		// a torque, at one place
+		// torque, stored at the first point
 		s.n = vec(splat(0.0f), splat(0.0f));
 		s.hub[0] = blend(splat(-1.0f), splat(1.0f), turned);
 		s.neighbor[0] = -s.hub[0];
@@ -114,11 +114,11 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 	return s;
 }
 
-// Whether a spoke may add x to a sum: false for a NaN.
+// Returns whether a spoke may add x to a sum; 0 for a NaN.
 INLINE Int spoke_adds(const Hub* h, Real x) { return (x >= splat(-h->most)) & (x <= splat(h->most)); }
 
-// Computes what impulses at both points add to the hub's sums. Returns whether these, and the velocity of the light end,
-// stay finite.
+// Computes the contribution of impulses at both points to the hub's sums. Returns whether it, and the velocity of the
+// neighbor, stay finite.
 INLINE Int spoke_sum(const Hub* h, const SpokeArms* s, const Real impulse[2], Real push[3])
 {
 	Real both = impulse[0] + impulse[1];
@@ -132,7 +132,7 @@ INLINE Int spoke_sum(const Hub* h, const SpokeArms* s, const Real impulse[2], Re
 	return adds;
 }
 
-// Applies impulses at both points to the light end.
+// Applies impulses at both points to the neighbor.
 INLINE void spoke_push(const Pools* p, int i, SpokeArms s, Real impulse1, Real impulse2)
 {
 	int m = spoke_of(p, i);
@@ -156,7 +156,8 @@ INLINE void spoke_impulses(const Pools* p, int i, int what, Real old[2])
 	                              : load(&contact_row(p, normal_impulse2, i), 0);
 }
 
-// A point that bounces separates, so the next step must not be warm started with the impulse of this one.
+// Stores the impulses of a bounce. A point that bounces separates, so the next step must not be warm started with its
+// impulse.
 INLINE void spoke_keep_bounce(const Pools* p, int i, Real impulse1, Real impulse2)
 {
 	int m = spoke_of(p, i);

@@ -6,23 +6,24 @@
 #define SPOKE_POSE_H
 #include "stages/solve/hub/spoke_arms.h"
 
-// The inverse mass of a light end gets this part of the hub's inverse mass added: without it a light end that cannot move
-// would be infinitely stiff. The solution stays the same, because the term multiplies changes of impulses only.
+// Fraction of the hub's inverse mass that is added to that of a neighbor. Without it a neighbor that cannot move would
+// be infinitely stiff. The solution stays the same, because the term multiplies changes of impulses only.
 #define HUB_YIELD 0.1f
 
-// The same for restitution, which is solved once: no later pass corrects what this holds back.
+// Same fraction for restitution, which is solved once: no later pass corrects the impulse that is missing because of
+// this term.
 #define BOUNCE_YIELD 0.001f
 
-// 1/kg: a smaller inverse mass counts as immovable. Its inverse is a finite float
+// 1/kg: a smaller inverse mass counts as immovable. The inverse of this limit is a finite float
 #define LEAST_RESISTS 1.0e-37f
 
-// m/s, rad/s: a body that is faster is not solved any more
+// m/s, rad/s: a faster body is not solved
 #define HUB_SPEED 1.0e12f
 
-// Whether friction or rolling resistance is solved: impulses of both signs, within limits.
+// Returns whether a block is friction or rolling resistance: impulses of both signs, within limits.
 INLINE int spoke_limited(int what) { return what == HUB_FRICTION || what == HUB_ROLL; }
 
-// What friction and rolling resistance hold at most, N s.
+// Computes the limits of friction and rolling resistance, N s.
 INLINE void spoke_limits(const Pools* p, int i, int what, Real limit[2])
 {
 	Real normal[2];
@@ -52,14 +53,15 @@ INLINE Real spoke_rebound(const Pools* p, int i, int k)
 	return k ? load(&contact_rare(p, rebound2, i), 0) : load(&contact_rare(p, rebound1, i), 0);
 }
 
-// 1/kg: the relative velocity at point k that a unit impulse gives the two bodies, not split into parts
+// 1/kg: relative velocity at point k that a unit impulse gives the two bodies, not split into parts
 INLINE Real spoke_resists(const Hub* h, const SpokeArms* s, int k)
 {
 	return h->whole.inv_mass + s->whole_mass + h->whole.inv_inertia * s->hub[k] * s->hub[k] +
 	       s->whole_inertia * s->neighbor[k] * s->neighbor[k];
 }
 
-// bias: minus the target velocity of a spoke at point k, m/s. soft: what softness adds to the inverse mass, 1/kg.
+// Computes the target of a spoke at point k. *bias, m/s: minus its target velocity. *soft, 1/kg: addition of softness
+// to the inverse mass.
 INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const SpokeArms* s, int k, Real* bias,
                         Real* soft)
 {
@@ -80,14 +82,14 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 	*soft = spoke_resists(h, s, k) * goal.impulse_scale / goal.mass_scale;
 }
 
-// Whether only some points take part in a block. In restitution these are the points that were pushed; in relaxing, all but
-// the points that are to bounce and have not met yet.
+// Returns whether only some points take part in a block. In restitution these are the points that were pushed; in
+// relaxation, all but the points that will bounce and have not met yet.
 INLINE int spoke_chooses(const Pools* p, int what)
 {
 	return what == HUB_BOUNCE || (what == HUB_NORMAL && p->step.bounces);
 }
 
-// 1 where point k takes part, else 0.
+// Returns 1 if point k takes part, else 0.
 INLINE Real spoke_takes_part(const Pools* p, int i, int what, int k, Real old)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), rebound = spoke_rebound(p, i, k);
@@ -97,7 +99,7 @@ INLINE Real spoke_takes_part(const Pools* p, int i, int what, int k, Real old)
 	return blend(zero, one, (rebound > zero) & (total > zero));
 }
 
-// m/s: the velocities at which the points of a spoke separate
+// m/s: separation velocities of the points of a spoke
 INLINE void spoke_speeds(const Hub* h, const SpokeArms* s, Real speed[2])
 {
 	for (int k = 0; k < 2; ++k)
@@ -105,17 +107,17 @@ INLINE void spoke_speeds(const Hub* h, const SpokeArms* s, Real speed[2])
 		           s->neighbor[k] * s->w;
 }
 
-typedef struct // the problem of a spoke for one kind of impulse
+typedef struct // problem of a spoke for one kind of impulse
 {
 	Real old[2], limit[2];     // N s
 	Real mass[2], cross;       // 1/kg: velocities by unit impulses
-	Real slope[2], inverse[2]; // m/s; of mass
-	Int well;                  // whether its velocities and masses are finite
+	Real slope[2], inverse[2]; // m/s: velocity error with the old impulses; kg: inverse of mass
+	Int well;                  // mask: velocities and masses are finite
 } SpokeProblem;
 
-// Takes back impulses beyond their limits, because no solution may keep them. Takes back all impulses of a spoke whose
+// Removes impulses beyond their limits, because no solution may keep them. Removes all impulses of a spoke whose
 // velocity is not finite or exceeds HUB_SPEED, because it has no other solution. Adds the effect on the hub to taken,
-// and updates the velocity of the light end.
+// and updates the velocity of the neighbor.
 INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, SpokeArms* s, SpokeProblem* r, Real taken[3])
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), held[2], beyond[2], push[3], speed[2];
@@ -145,7 +147,7 @@ INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, Spoke
 	s->w = load(&spoke_at(p, w, m), 0);
 }
 
-// Computes masses and slopes: zero if one of them is not finite.
+// Computes masses and slopes; all are 0 if one of them is not finite.
 INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const SpokeArms* s, SpokeProblem* r)
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), speed[2];
@@ -157,7 +159,7 @@ INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const Sp
 		Real bias, soft;
 		spoke_wants(p, h, i, what, s, k, &bias, &soft);
 		Real hub_mass = what == HUB_ROLL ? zero : splat(h->inv_mass);
-		// a little more than the mass itself, so that two points at one place have a solution
+		// slightly more than the mass itself, so that two points at one place have a solution
 		r->mass[k] = 1.0001f * (s->mass + s->inertia * s->neighbor[k] * s->neighbor[k]) +
 		             yield * (hub_mass + h->inv_inertia * s->hub[k] * s->hub[k]) + soft;
 		r->slope[k] = speed[k] + bias + soft * r->old[k];
@@ -171,7 +173,7 @@ INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const Sp
 	}
 }
 
-// Writes limits, or which points take part; adapts masses and coupling to them, and inverts the masses.
+// Writes the limits, or the points that take part; adapts masses and coupling to them, and inverts the masses.
 INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 {
 	Real zero = splat(0.0f);
@@ -196,7 +198,7 @@ INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 		r->inverse[k] = blend(zero, 1.0f / r->mass[k], r->mass[k] > splat(LEAST_RESISTS));
 }
 
-// Prepares the problem of a spoke for one block. taken is the sum of the impulses on the hub that are taken back.
+// Prepares the problem of a spoke for one block. taken: sum of the removed impulses on the hub.
 INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken[3])
 {
 	SpokeArms s = spoke_arms(p, h, i, what);
@@ -222,7 +224,7 @@ INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken
 	store(&spoke_at(p, old2, m), 0, r.old[1]);
 }
 
-// Warm start: applies the impulses of the last step.
+// Warm starts a spoke with the impulses of the last step.
 INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[3])
 {
 	SpokeArms s = spoke_arms(p, h, i, what);
@@ -247,7 +249,7 @@ INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[
 	spoke_keep(p, i, what, old[0], old[1]);
 }
 
-// Scales the warm start down to a share of it.
+// Scales the warm start of a spoke down to a fraction.
 INLINE void spoke_scale(const Pools* p, const Hub* h, int i, int what, float share)
 {
 	Real old[2];
