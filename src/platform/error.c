@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// error.c -- errors, log, memory and assertions, through the hooks of the process.
-#define _GNU_SOURCE // madvise; means nothing elsewhere
+// error.c -- the last error message, the log, memory and assertions, all through the hooks of the process.
+#define _GNU_SOURCE // declares madvise; ignored on other systems
 #include "platform/error.h"
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -18,8 +18,8 @@
 #define SENTENCE_BYTES 1024
 #define ALIGNMENT      64
 
-// Least size of a block for which huge pages are requested, bytes: bodies gathered at random from a large pool miss the TLB.
-// With a million bodies the passes of the solver took 5 to 13 % less time.
+// Minimum size of a block for which huge pages are requested, bytes. Gathering bodies at random from a large pool
+// misses the TLB. With huge pages and a million bodies, the passes of the solver took 5 to 13 % less time.
 #define HUGE_BLOCK ((size_t)4 << 20)
 #define HUGE_PAGE  ((size_t)2 << 20)
 
@@ -108,7 +108,7 @@ const char* scree_version(void)
 
 scree_status fail(scree_status status, const char* format, ...)
 {
-	// an argument may be the last sentence itself, so the new one is written to another buffer
+	// an argument may be the last message itself, so the new one is written to another buffer
 	char text[SENTENCE_BYTES];
 	va_list arguments;
 	va_start(arguments, format);
@@ -146,10 +146,11 @@ scree_status scree_hooks_set(const scree_hooks* new_hooks)
 
 size_t scree_memory(void) { return atomic_load(&memory_in_use); }
 
-// Lies before every block, with the function that releases it: the hooks may have changed since.
+// Header in front of every block. It holds the function that releases the block, because the hooks may have changed
+// since.
 typedef struct
 {
-	_Alignas(ALIGNMENT) size_t bytes; // of the block with this header
+	_Alignas(ALIGNMENT) size_t bytes; // size of the block, header included
 	void (*release)(void* memory, void* context);
 	void* context;
 } Header;

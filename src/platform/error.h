@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// error.h -- the last error's sentence, and what goes through scree_hooks: the log, memory, assertions.
+// error.h -- the last error message, the log, memory and assertions, which use the functions of scree_hooks.
 #ifndef ERROR_H
 #define ERROR_H
 #include "scree/scree.h"
@@ -10,10 +10,10 @@
 #define FORMAT(a, b)
 #endif
 
-// sets the sentence of scree_error on this thread and returns status
+// Sets the message that scree_error returns on this thread. Returns status.
 scree_status fail(scree_status status, const char* format, ...) FORMAT(2, 3);
 
-// returns the status from the enclosing function, unless it is SCREE_OK
+// Returns the status from the enclosing function, unless it is SCREE_OK.
 #define TRY(expression)                         \
 	do                                          \
 	{                                           \
@@ -22,19 +22,21 @@ scree_status fail(scree_status status, const char* format, ...) FORMAT(2, 3);
 			return try_status;                  \
 	} while (0)
 
-// passes one sentence to the log hook
+// Passes one message to the log hook.
 void log_sentence(scree_log_level level, const char* format, ...) FORMAT(2, 3);
 
-// memory from the allocator hook, aligned to 64 bytes, zeroed; null when there is none. bytes may be 0.
+// Allocates zeroed memory, aligned to 64 bytes, with the allocator hook. Returns null if there is no memory. bytes may
+// be 0.
 void* scree_allocate(size_t bytes);
-// keeps the first old_bytes, zeroes the rest; null (and memory untouched) when there is none
+// Reallocates memory: keeps the first old_bytes, zeroes the rest. Returns null, and leaves memory untouched, if there
+// is no memory.
 void* scree_reallocate(void* memory, size_t old_bytes, size_t bytes);
-void scree_release(void* memory); // null is allowed
+void scree_release(void* memory); // memory may be null
 
 void assert_failed(const char* expression, const char* file, int line);
 #define ASSERT(x) ((x) ? (void)0 : assert_failed(#x, __FILE__, __LINE__))
 
-// counts worlds: hooks cannot change while one exists
+// Counts worlds: hooks cannot change while one exists.
 void worlds_add(int change);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// one_thread.c -- threads.h where the platform has no threads: the caller does all blocks.
+// one_thread.c -- the functions of threads.h on a platform without threads: the caller does all blocks.
 #include "platform/error.h"
 #include "platform/threads.h"
 
@@ -30,7 +30,7 @@ int threads_workers(const Threads* t)
 void threads_run(Threads* t, BlockFunction* function, void* context, int blocks)
 {
 	(void)t;
-	(void)blocks; // at most as many as workers
+	(void)blocks; // at most the number of workers, which is 1
 	function(context, 0, 1);
 }
 

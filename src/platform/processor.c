@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // processor.c -- cores, memory, clock and vector instructions of the processor, and its floating-point mode.
-#define _GNU_SOURCE // sched_getaffinity, clock_gettime; means nothing elsewhere
+#define _GNU_SOURCE // declares sched_getaffinity and clock_gettime; ignored on other systems
 #include "platform/processor.h"
 #include <float.h>
 #ifdef _WIN32
@@ -69,7 +69,7 @@ double processor_milliseconds(void)
 
 bool processor_lanes_compiled(int lanes)
 {
-	// a sum of powers of two
+	// SCREE_LANES is a sum of powers of two
 	return (SCREE_LANES & lanes) != 0;
 }
 
@@ -89,7 +89,7 @@ bool processor_has_lanes(int lanes)
 		return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
 		       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
 #else
-	// the compiler splits wider vectors into those of the processor
+	// the compiler splits wider vectors into vectors of the processor
 	case 8:
 	case 16:
 		return true;

@@ -5,20 +5,20 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-int processor_cores(void);       // that this process may use, at least 1
-uint64_t processor_memory(void); // physical, bytes; 0 when unknown
+int processor_cores(void);       // cores that this process may use, at least 1
+uint64_t processor_memory(void); // physical memory, bytes; 0 if unknown
 
-double processor_milliseconds(void); // ms of a monotonic clock
+double processor_milliseconds(void); // time of a monotonic clock, ms
 
-// Whether this build has stages with so many lanes, 1, 4, 8 or 16, and whether the processor runs them.
+// Checks whether this build has stages for a lane count (1, 4, 8 or 16), and whether the processor can also run them.
 bool processor_lanes_compiled(int lanes);
 bool processor_has_lanes(int lanes);
 int processor_widest_lanes(void);
-const char* processor_instructions(int lanes); // "AVX2", the set that these lanes use
+const char* processor_instructions(int lanes); // name of the instruction set for a lane count: "AVX2"
 
-// Scree needs rounding to nearest, denormals and no traps for equal bits. Other libraries of the process may have set another
-// mode, and a thread inherits the mode of its creator. So a call enters the mode before it computes, and restores the old one
-// afterwards; the threads of threads.h enter it once.
+// Equal bits need rounding to nearest, denormals and no traps. Other libraries of the process may have set another
+// mode, and a thread inherits the mode of its creator. So a call enters the mode before it computes, and restores the
+// old one afterwards; the threads of threads.h enter it once.
 typedef uint64_t FloatMode;
 FloatMode float_mode_enter(void);
 void float_mode_leave(FloatMode found);

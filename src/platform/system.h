@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// system.h -- threads, mutexes and conditions, as the system has them.
+// system.h -- threads, mutexes and condition variables of the operating system.
 #ifndef SYSTEM_H
 #define SYSTEM_H
 
@@ -11,7 +11,7 @@ typedef CONDITION_VARIABLE Condition;
 typedef HANDLE Thread;
 #define THREAD_RESULT         DWORD WINAPI
 #define THREAD_END            0
-#define MUTEX_OPEN            SRWLOCK_INIT // of a static one
+#define MUTEX_OPEN            SRWLOCK_INIT // initializer of a static mutex
 #define mutex_open            InitializeSRWLock
 #define mutex_close(m)        ((void)(m))
 #define mutex_lock            AcquireSRWLockExclusive
@@ -31,7 +31,7 @@ typedef pthread_cond_t Condition;
 typedef pthread_t Thread;
 #define THREAD_RESULT         void*
 #define THREAD_END            NULL
-#define MUTEX_OPEN            PTHREAD_MUTEX_INITIALIZER // of a static one
+#define MUTEX_OPEN            PTHREAD_MUTEX_INITIALIZER // initializer of a static mutex
 #define mutex_open(m)         pthread_mutex_init(m, NULL)
 #define mutex_close           pthread_mutex_destroy
 #define mutex_lock            pthread_mutex_lock

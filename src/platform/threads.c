@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// threads.c -- workers that do the blocks of a job together.
+// threads.c -- workers that share the blocks of a job.
 //
-// The caller publishes a job: its number and its number of blocks, in one word. Each worker claims the block of its own number, does it,
-// and counts it as done. Who has nothing to do for a moment claims blocks that nobody has claimed, so that a worker that sleeps, or
-// whose core the system took away, delays nobody unless it has claimed a block. A block is claimed by the number of the job: a worker that
-// comes late finds all blocks of its job claimed, and goes on to the present one. Similar: Erin Catto, SIMD Matters, box2d.org, 2024.
+// The caller publishes a job: its number and its number of blocks, in one word, the turn. Each worker claims the block
+// of its own number, processes it, and counts it as done. An idle worker soon claims blocks that are still unclaimed.
+// So a worker that sleeps, or whose core the system took away, delays nobody unless it has claimed a block. A claim
+// contains the number of the job: a worker that arrives late finds all blocks of its job claimed, and continues with
+// the current job. Erin Catto describes a similar method: SIMD Matters, box2d.org, 2024.
 //
-// A waiting worker spins first, since a step has hundreds of jobs of about 1 us. After a short spin it yields its core: on a busy
-// machine another worker may need this core. When yielding helps repeatedly, the spin is shortened, until every worker has a core of
-// its own again. Then it sleeps, but not between threads_begin and threads_end: nothing would wake it.
+// A waiting worker spins first, because a step has hundreds of jobs of about 1 us. After a short spin it yields its
+// core: on a busy machine another worker may need this core. If yielding helps repeatedly, the spin is shortened, until
+// every worker has a core of its own again. Then the worker sleeps, but not between threads_begin and threads_end,
+// where nothing would wake it.
 #include "platform/threads.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -18,17 +20,17 @@
 
 #define CACHE_LINE 64
 
-// Pause instructions (20 to 50 ns each) in a spin: longer than a job of workers that all run, shorter than the time slice that a
-// spinning worker could take from one that has work.
+// Pause instructions (20 to 50 ns each) in a spin. A spin must be longer than a job whose workers all run, and shorter
+// than the time slice that a spinning worker could take from a working one.
 #define SPINS        1000
 #define FEWEST_SPINS 16
-// Yields after the spin. Then the worker sleeps; waking it takes about 50 us.
+// Yields after the spin. After them the worker sleeps; waking it takes about 50 us.
 #define YIELDS 20
-// pause instructions until a worker without a block looks for blocks of others: they may be a moment late
+// Pause instructions before a worker without a block claims blocks of other workers, which may be only a moment late.
 #define HELP_SPINS 40
-// Workers that one wakes. Each of them wakes as many, so that no one is held up.
+// Workers that one worker wakes. Each woken worker wakes as many, so waking delays none of them for long.
 #define WAKES 2
-// bits of a turn that hold the number of blocks
+// Bits of a turn that hold the number of blocks.
 #define BLOCK_BITS 8
 
 typedef struct
@@ -38,8 +40,8 @@ typedef struct
 	Thread thread;
 	Mutex mutex;
 	Condition woken;
-	bool sleeps;                                // under the mutex
-	_Alignas(CACHE_LINE) atomic_ullong claimed; // number of the last job whose block of this number was claimed
+	bool sleeps;                                // protected by the mutex
+	_Alignas(CACHE_LINE) atomic_ullong claimed; // number of the last job whose block for this seat was claimed
 } Seat;
 
 struct Threads
@@ -47,12 +49,12 @@ struct Threads
 	int workers, most_spins;
 	BlockFunction* function;
 	void* context;
-	Seat seats[MAX_WORKERS];                  // 0 belongs to the caller of threads_run, who never sleeps
-	_Alignas(CACHE_LINE) atomic_ullong turn;  // number of the present job, and above it its blocks
-	_Alignas(CACHE_LINE) atomic_int done;     // blocks of it
-	_Alignas(CACHE_LINE) atomic_int sleepers; // workers that sleep, or will in a moment
+	Seat seats[MAX_WORKERS];                  // seat 0 belongs to the caller of threads_run, which never sleeps
+	_Alignas(CACHE_LINE) atomic_ullong turn;  // number of the current job << BLOCK_BITS, plus its blocks
+	_Alignas(CACHE_LINE) atomic_int done;     // finished blocks of the current job
+	_Alignas(CACHE_LINE) atomic_int sleepers; // workers that sleep or are about to sleep
 	_Alignas(CACHE_LINE) atomic_int spins;    // pause instructions in the next spin; rarely written
-	atomic_bool awake;                        // no worker may fall asleep
+	atomic_bool awake;                        // true: no worker may fall asleep
 	atomic_bool ends;
 };
 
@@ -63,13 +65,13 @@ static void pause_core(void)
 #elif defined(__aarch64__)
 	__asm__ volatile("yield");
 #elif defined(__wasm__)
-	// no such instruction: as many cycles of memory that is written and read
+	// WebAssembly has no pause instruction: memory is read and written for about as many cycles
 	for (volatile int k = 0; k < 8; ++k)
 		;
 #endif
 }
 
-// The spin becomes longer when workers run at the same time, and shorter when they share a core.
+// Lengthens the spin if workers run at the same time, and shortens it if they share a core.
 static void adapt_spins(Threads* t, int spins, bool at_once)
 {
 	int next = at_once ? spins + spins / 4 + 1 : spins - spins / 4;
@@ -90,7 +92,7 @@ static bool wake(Seat* seat)
 	return slept;
 }
 
-// Wakes some workers that sleep.
+// Wakes up to WAKES sleeping workers.
 static void wake_some(Threads* t)
 {
 	int left = WAKES;
@@ -98,8 +100,9 @@ static void wake_some(Threads* t)
 		left -= wake(&t->seats[k]);
 }
 
-// Sequentially consistent on both sides: this worker adds itself to sleepers, then reads awake and the turn; who wakes sets awake, then
-// reads sleepers. At least one sees the change of the other.
+// Sleeps until another thread wakes this worker. Both sides are sequentially consistent: this worker adds itself to
+// sleepers, then reads awake and the turn; the waking thread sets awake, then reads sleepers. So at least one of them
+// reads the other's change.
 static void sleep_until_woken(Seat* seat, unsigned long long turn)
 {
 	Threads* t = seat->threads;
@@ -116,7 +119,7 @@ static void sleep_until_woken(Seat* seat, unsigned long long turn)
 		wake_some(t);
 }
 
-// Spins until the turn is another one. False after so many spins.
+// Spins until the turn changes. Returns false if it did not change within the given number of spins.
 static bool spin(const Threads* t, unsigned long long turn, int spins)
 {
 	for (int k = 0; k < spins; ++k)
@@ -141,7 +144,7 @@ static void wait_for_turn(Seat* seat, unsigned long long turn)
 	{
 		if (atomic_load_explicit(&t->turn, memory_order_acquire) != turn)
 		{
-			// one yield was enough: the worker waited for needed this core
+			// one yield was enough, so another worker needed this core
 			adapt_spins(t, spins, k != 1);
 			return;
 		}
@@ -152,7 +155,8 @@ static void wait_for_turn(Seat* seat, unsigned long long turn)
 
 static int blocks_of(unsigned long long turn) { return (int)(turn & ((1 << BLOCK_BITS) - 1)); }
 
-// Claims a block of a job and does it. The job lasts until its blocks are done, so what belongs to it may be read after the claim.
+// Claims a block of a job and processes it. The job lasts until its blocks are done, so its data may be read after the
+// claim.
 static void try_block(Threads* t, unsigned long long turn, int block)
 {
 	unsigned long long job = turn >> BLOCK_BITS,
@@ -164,7 +168,7 @@ static void try_block(Threads* t, unsigned long long turn, int block)
 	atomic_fetch_add_explicit(&t->done, 1, memory_order_release);
 }
 
-// What nobody has claimed.
+// Claims and processes the blocks that are still unclaimed.
 static void help(Threads* t, unsigned long long turn, int worker)
 {
 	int blocks = blocks_of(turn);
@@ -177,7 +181,7 @@ static THREAD_RESULT thread_main(void* argument)
 	Seat* seat = argument;
 	Threads* t = seat->threads;
 	unsigned long long turn = 0;
-	(void)float_mode_enter(); // for good: the thread is the library's own
+	(void)float_mode_enter(); // never left, because the thread belongs to the library
 	while (!atomic_load(&t->ends))
 	{
 		wait_for_turn(seat, turn);
@@ -237,7 +241,8 @@ void threads_close(Threads* t)
 		wake(&t->seats[k]);
 	for (int k = 1; k < t->workers; ++k)
 		thread_join(t->seats[k].thread);
-	for (int k = 1; k < t->workers; ++k) // a worker may have been waking another one
+	// only now that all threads have ended, because a worker may have been waking another one
+	for (int k = 1; k < t->workers; ++k)
 	{
 		condition_close(&t->seats[k].woken);
 		mutex_close(&t->seats[k].mutex);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// threads.h -- workers that do the blocks of a job together.
+// threads.h -- workers that share the blocks of a job.
 #ifndef THREADS_H
 #define THREADS_H
 #include <stdbool.h>
@@ -8,25 +8,27 @@
 
 typedef struct Threads Threads;
 
-// Does one block of a job. The number of blocks is given as well, because a block is a share of the items of a job.
+// Processes one block of a job. The number of blocks is an argument as well, because a block is a share of the job's
+// items.
 typedef void BlockFunction(void* context, int block, int blocks);
 
-// Starts workers - 1 threads, so none for 1; the caller of threads_run is worker 0. Null, with the error's sentence set,
-// when that cannot be done.
+// Starts workers - 1 threads, so none for 1; the caller of threads_run is worker 0. On failure, returns null and sets
+// the error message.
 Threads* threads_open(int workers);
-void threads_close(Threads* t); // null is allowed
+void threads_close(Threads* t); // t may be null
 
 int threads_workers(const Threads* t);
 
-// Wakes the workers, which takes them 50 us and more, and keeps them awake until threads_end. Jobs need not wait for that.
+// Wakes the workers, which takes 50 us or more, and keeps them awake until threads_end. Jobs need not wait for that.
 void threads_begin(Threads* t);
 void threads_end(Threads* t);
 
-// Does blocks 0 to blocks - 1, at most as many as workers, each once, and returns when all are done. Block k is done by worker k, whose
-// caches have its data from the job before; but if worker k sleeps or has no core, by another one.
+// Processes blocks 0 to blocks - 1, each once, and returns when all are done. There are at most as many blocks as
+// workers. Worker k processes block k, because its caches hold the data of its block in the previous job; if it sleeps
+// or has no core, another worker does.
 void threads_run(Threads* t, BlockFunction* function, void* context, int blocks);
 
-// The same of one job, with as many blocks as workers.
+// Does the same for a single job, with as many blocks as workers.
 void threads_run_once(Threads* t, BlockFunction* function, void* context);
 
 #endif

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// trig.c -- sine, cosine and arc tangent on the host, by their series after exact reduction.
+// trig.c -- sine, cosine and arc tangent on the host, by power series after an exact reduction of the angle.
 //
 // This work is based on: Mary Payne, Robert Hanek, Radian Reduction for Trigonometric Functions, 1983: a large angle
-// is multiplied by just those digits of 1 / (2 pi) that reach the fraction of a turn.
+// is multiplied only by those digits of 1 / (2 pi) that affect the fraction of a turn.
 #include "platform/trig.h"
 #include "scree/scree.h"
 #include <math.h>
 #include <string.h>
 
-// 1 / (2 pi) in words of 32 bits, after one word of zeros; enough for the largest float
+// 1 / (2 pi) in words of 32 bits, after one word of zeros; enough digits for the largest float
 static const uint32_t turn_digits[] = {0,          0x28be60db, 0x9391054a, 0x7f09d5f4,
                                        0x7d4d3770, 0x36d8a566, 0x4f10e410, 0x7f9458ea};
 
-// The fraction of a turn, in units of 2^-64, of an angle of at least 1/2.
+// Returns the fraction of a turn, in units of 2^-64, of an angle of at least 1/2 rad.
 static uint64_t turn_fraction(float angle)
 {
 	uint32_t bits;
@@ -48,7 +48,7 @@ void sine_cosine(float angle, double* sine, double* cosine)
 		r = (double)(int64_t)(turn - ((uint64_t)quadrant << 62)) * (2.0 * PI / 18446744073709551616.0);
 	}
 
-	// series of Taylor, up to pi / 4
+	// Taylor series, up to pi / 4
 	double q = r * r;
 	double s = 1.0 - q / 156.0;
 	s = 1.0 - q / 110.0 * s;
@@ -79,7 +79,7 @@ double arc_tangent(double y, double x)
 	if (ax == 0.0 && ay == 0.0)
 		return 0.0;
 
-	// to the slope t of an angle up to pi / 8
+	// reduction to the slope t of an angle of at most pi / 8
 	double t = ay < ax ? ay / ax : ax / ay, base = 0.0;
 	if (t > 0.414)
 	{
