@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// batch_transfer.c -- many items to a GPU, a stage over each, and the answers back: three things at a time.
+// batch_transfer.c -- a batch: sends many items to a GPU, runs a kernel over them, and fetches the answers, all at the
+// same time.
 //
-// Items go in parts. While the stage works on one part, the next one is transferred to the device, and the answers of the one before
-// it are transferred back: a bus does both at the same time. Each direction has a queue of its own; events order the three.
+// Items are sent in parts. While the kernel works on one part, the next part is sent and the answers of the previous
+// part are fetched: a bus transfers in both directions at once. Each direction has its own queue; events order the
+// three queues.
 #include "opencl/batch_transfer.h"
 #include "backend/batch.h"
 #include "opencl/launch.h"
@@ -10,19 +12,19 @@
 #include "opencl/transfer.h"
 #include "platform/error.h"
 
-// parts on their way at a time, each with a block for its items and one for its answers
+// parts in flight, each with a block for its items and one for its answers
 #define DEPTH (TRANSFER_BLOCKS / 2)
 
-// Parts of a batch that needs fewer than so many blocks: there is something to overlap, and yet a GPU has work-items enough. A
-// million rays in one part took an H200 1.9 ms, in four 2.3, in eight 3.0.
+// Parts of a batch, unless the size of a block requires more: transfers and work can overlap, and each part still has
+// enough work-items for a GPU. A million rays took an H200 1.9 ms in one part, 2.3 ms in four and 3.0 ms in eight.
 #define PARTS 4
 
 typedef struct
 {
 	OpenCl* d;
 	const Batch* batch;
-	size_t item, answer; // bytes
-	int part, parts;     // items of a part, and how many parts
+	size_t item, answer; // bytes of an item and of an answer
+	int part, parts;     // items per part; number of parts
 } Way;
 
 typedef struct
@@ -40,7 +42,7 @@ static void check_share(void* context, int block, int blocks)
 	checked->bad[block] = begin < end && x->check(x->context, begin, end) != SCREE_OK;
 }
 
-// By all threads; the sentence is that of the first bad item.
+// Checks all items with all threads. The error message is that of the first bad item.
 static scree_status check(OpenCl* d, const Batch* x)
 {
 	BatchCheck checked = {.batch = x};
@@ -67,7 +69,7 @@ static int up_block(int k) { return k % DEPTH; }
 
 static int down_block(int k) { return DEPTH + k % DEPTH; }
 
-// Copies part k to its block, and the answers of part back, which are in theirs. A part out of range is none.
+// Copies the items of part k to its block, and the answers of part back from its block. A part out of range is skipped.
 static void copy(const Way* way, int k, int back)
 {
 	const Batch* x = way->batch;
@@ -84,7 +86,7 @@ static void copy(const Way* way, int k, int back)
 		transfer_copy(way->d, loads, count);
 }
 
-// Sends part k, runs the stage over it, and fetches its answers; begin is complete when the device may write the items.
+// Sends part k, runs the kernel over it, and fetches its answers. begin completes when the device may write the items.
 static scree_status enqueue(const Way* way, int k, cl_event begin)
 {
 	OpenCl* d = way->d;
@@ -113,14 +115,14 @@ static scree_status go(const Way* way)
 	cl_event begin;
 	TRY(CALL(EnqueueBarrierWithWaitList, d->queue, 0, NULL, &begin));
 	scree_status status = CALL(Flush, d->queue);
-	// part k goes up, and DEPTH parts later its answers are copied
+	// part k is sent, and its answers are copied DEPTH parts later
 	for (int k = 0; k < way->parts + DEPTH && status == SCREE_OK; ++k)
 	{
 		int back = k - DEPTH;
 		if (back == 0)
 			status = check(d, way->batch);
 		if (back >= 0 && back < way->parts && status == SCREE_OK)
-			status = transfer_settle(d, down_block(back)); // then its items are no longer needed either
+			status = transfer_settle(d, down_block(back)); // then its items are no longer needed
 		if (status != SCREE_OK)
 			break;
 		if (k < way->parts)
@@ -160,10 +162,10 @@ scree_status opencl_batch(Backend* b, const Step* step, const Batch* batch)
 	scree_status status = go(&way);
 	if (status == SCREE_OK)
 	{
-		d->staging.used = 0; // the answers came after all uploads
+		d->staging.used = 0; // the answers arrived after all uploads
 		return SCREE_OK;
 	}
-	// nothing may still use the blocks
+	// from here on no transfer may use the blocks
 	opencl.Finish(d->transfer.up);
 	opencl.Finish(d->queue);
 	opencl.Finish(d->transfer.down);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// batch_transfer.h -- many items to a GPU, a stage over each, and the answers back: three things at a time.
+// batch_transfer.h -- a batch: sends many items to a GPU, runs a kernel over them, and fetches the answers, all at the
+// same time.
 #ifndef BATCH_TRANSFER_H
 #define BATCH_TRANSFER_H
 #include "opencl/opencl_state.h"

@@ -4,13 +4,13 @@
 #define OPENCL_BUFFER_H
 #include "opencl/opencl_state.h"
 
-// Creates a zeroed buffer. Fails with SCREE_ERROR_OUT_OF_MEMORY if there is no room.
+// Creates a zeroed buffer. Fails with SCREE_ERROR_OUT_OF_MEMORY if the device has no memory for it.
 scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer);
 
-// Gives a scratch buffer at least so many bytes. It is zeroed when it grows. Backend.bytes includes it.
+// Grows a scratch buffer to at least the given size. A buffer that grows is zeroed. Backend.bytes includes it.
 scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes);
 void scratch_release(Scratch* scratch);
-// Waits for the queue, releases so many scratch buffers and subtracts them from Backend.bytes.
+// Waits for the queue, releases count scratch buffers and subtracts them from Backend.bytes.
 scree_status scratch_drop(OpenCl* d, Scratch* const* scratch, int count);
 
 scree_status pinned_open(OpenCl* d, size_t bytes, Pinned* pinned);

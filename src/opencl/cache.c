@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cache.c -- compiled programs on disk: one file per key, checked when read, renamed into place when written.
+// cache.c -- compiled programs on disk, one file per key; a file is checked when read, and renamed into place when
+// written.
 #include "opencl/cache.h"
 #include "platform/error.h"
 #include <errno.h>
@@ -36,8 +37,8 @@ static const char magic[8] = "scree-1";
 
 Digest digest_begin(void) { return (Digest){0xcbf29ce484222325u, 0x9e3779b97f4a7c15u}; }
 
-// a: FNV-1a (Fowler, Noll, Vo, 1991). b: the same with another prime and a rotation, so that the order of bytes
-// matters.
+// a: FNV-1a (Fowler, Noll, Vo, 1991). b: the same with another prime and a rotation, so that it depends on the order of
+// bytes.
 void digest_add(Digest* digest, const void* bytes, size_t count)
 {
 	const unsigned char* byte = bytes;
@@ -49,7 +50,7 @@ void digest_add(Digest* digest, const void* bytes, size_t count)
 	}
 }
 
-// false when there is no place for a cache
+// Returns false if there is no folder for a cache.
 static bool cache_folder(char* path)
 {
 	const char* own = getenv("SCREE_CACHE");
@@ -62,7 +63,7 @@ static bool cache_folder(char* path)
 		length = snprintf(path, PATH_BYTES, "%s/scree", shared);
 	else if (home && *home)
 		length = snprintf(path, PATH_BYTES, "%s" BELOW_HOME, home);
-	return length > 0 && length < PATH_BYTES - 80; // room for the file's name
+	return length > 0 && length < PATH_BYTES - 80; // space for the file name
 }
 
 static void file_path(char* path, const char* folder, Digest key)
@@ -122,7 +123,7 @@ unsigned char* cache_read(Digest key, size_t* count)
 
 void cache_write(Digest key, const unsigned char* bytes, size_t count)
 {
-	static atomic_int writers; // a temporary file per thread
+	static atomic_int writers; // counter for the name of a temporary file, so that each write has its own
 	char folder[PATH_BYTES], path[PATH_BYTES], temporary[PATH_BYTES + 32];
 	if (!cache_folder(folder))
 		return;
@@ -137,7 +138,7 @@ void cache_write(Digest key, const unsigned char* bytes, size_t count)
 	if (file)
 		good = fclose(file) == 0 && good;
 #ifdef _WIN32
-	remove(path); // rename does not replace there
+	remove(path); // on Windows rename does not replace a file
 #endif
 	good = good && rename(temporary, path) == 0;
 	if (!good)

@@ -17,7 +17,7 @@ typedef struct // 128 bits; not cryptographic
 Digest digest_begin(void);
 void digest_add(Digest* digest, const void* bytes, size_t count);
 
-// The bytes of a key, from scree_allocate, or null. A damaged file counts as missing.
+// Returns the bytes of a key, from scree_allocate, or null. A damaged file counts as missing.
 unsigned char* cache_read(Digest key, size_t* count);
 void cache_write(Digest key, const unsigned char* bytes, size_t count);
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// lines of the compiler's messages that go to the log, at most
+// maximum lines of the compiler's messages that are logged
 #define LOG_LINES 40
 
 #define OPTION_BYTES 128

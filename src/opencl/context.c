@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// context.c -- OpenCL contexts and the programs built in them, which the worlds of a process share.
+// context.c -- OpenCL contexts and the programs built in them, shared by the worlds of a process.
 //
-// A program takes 0.2 s to build with PoCL, whenever it is built. So PoCL keeps it until the process ends; the memory of a GPU is
-// released with its last world. After any failure of OpenCL a new world gets a new context: the old one may be lost.
+// PoCL takes 0.2 s for every build of a program, so a context on a CPU is kept until the process ends. A context on a
+// GPU is released with its last world, which frees memory. After any OpenCL failure a new world gets a new context,
+// because the old one may be lost.
 #include "opencl/context.h"
 #include "opencl/compile.h"
 #include "opencl/external_memory.h"
@@ -10,7 +11,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#define SHARED_CONTEXTS 8 // at a time; the worlds beyond have their own
+#define SHARED_CONTEXTS 8 // contexts shared at a time; further worlds get contexts of their own
 
 typedef struct
 {
@@ -18,9 +19,9 @@ typedef struct
 	cl_program program;
 	cl_device_id device;
 	char options[PROGRAM_OPTIONS];
-	int worlds;   // that have it
-	int failures; // opencl_failures() when it was made
-	bool stays;   // also without a world
+	int worlds;   // worlds that use it
+	int failures; // opencl_failures() at its creation
+	bool stays;   // true: it is kept when no world uses it
 } SharedContext;
 
 // written by cmake/embed.cmake
@@ -33,7 +34,7 @@ static atomic_flag locked = ATOMIC_FLAG_INIT;
 static void lock(void)
 {
 	while (atomic_flag_test_and_set(&locked))
-		; // another thread reads or writes the list, for less than a microsecond
+		; // another thread uses the list, for less than a microsecond
 }
 
 static void unlock(void) { atomic_flag_clear(&locked); }
@@ -44,7 +45,7 @@ static void release(SharedContext gone)
 	opencl.ReleaseContext(gone.context);
 }
 
-// Removes a context from the list. It is released without the lock, which may take long.
+// Removes a context from the list. The caller releases it outside the lock, because that may take long.
 static SharedContext pull(SharedContext* shared)
 {
 	SharedContext gone = *shared;

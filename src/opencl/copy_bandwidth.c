@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// copy_bandwidth.c -- copies within the device, to measure the bandwidth of its memory.
+// copy_bandwidth.c -- copies within the device, which measure the bandwidth of its memory.
 #include "opencl/copy_bandwidth.h"
 #include "opencl/buffer.h"
 #include "opencl/queue.h"

@@ -10,7 +10,7 @@
 #define MAX_PLATFORMS 16
 #define MAX_DEVICES   64
 
-// of cl_khr_device_uuid, which headers of OpenCL 1.2 do not have
+// a constant of cl_khr_device_uuid, which OpenCL 1.2 headers lack
 #define DEVICE_UUID 0x106a
 
 static void platform_text(cl_platform_id platform, cl_platform_info what, char* text, size_t size)
@@ -28,7 +28,7 @@ static void device_text(cl_device_id device, cl_device_info what, char* text, si
 	snprintf(text, size, "%.*s", (int)size - 1, start);
 }
 
-// 0 if the device does not support the query
+// Returns 0 if the device does not support the query.
 static cl_ulong device_number(cl_device_id device, cl_device_info what)
 {
 	cl_ulong number = 0; // little-endian: a 32-bit answer fills the low half
@@ -36,7 +36,7 @@ static cl_ulong device_number(cl_device_id device, cl_device_info what)
 	return number;
 }
 
-// Finds how the device can share memory with OpenGL.
+// Determines which ways the device has to share memory with OpenGL.
 static void find_sharing(Device* d)
 {
 	char extensions[8192] = "";
@@ -50,7 +50,7 @@ static void find_sharing(Device* d)
 		opencl.GetDeviceInfo(d->id, DEVICE_UUID, sizeof d->about.uuid, d->about.uuid, NULL);
 }
 
-// Decides whether a device is usable and computes equal bits; about.reason says why not.
+// Decides whether a device is usable and computes equal bits. Writes to about.reason why not.
 static void check_support(Device* d)
 {
 	char* reason = d->about.reason;
@@ -142,7 +142,8 @@ static int list(Device* devices, int capacity)
 
 int device_list(Device* devices, int capacity)
 {
-	// two worlds may look for a device at the same time, and PoCL 3.1 crashes if it is asked first by two threads at once
+	// two worlds may list devices at the same time, and PoCL 3.1 crashes if its first queries come from two threads at
+	// once
 	static Mutex mutex = MUTEX_OPEN;
 	mutex_lock(&mutex);
 	int count = list(devices, capacity);

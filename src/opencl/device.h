@@ -11,19 +11,19 @@ typedef struct
 	cl_device_id id;
 	cl_device_type type;
 	bool correct_division;             // supports -cl-fp32-correctly-rounded-divide-sqrt
-	bool shares_opengl, shares_memory; // has cl_khr_gl_sharing; takes memory by file descriptor
+	bool shares_opengl, shares_memory; // has cl_khr_gl_sharing; imports memory by file descriptor
 	bool compiles_at_launch; // PoCL: its binaries hold kernels for sizes that no launch uses; it has its own cache
-	bool usable;             // false if Scree cannot run on it with any option; about.reason says why
+	bool usable;             // false if no option lets Scree run on it; about.reason holds the reason
 	char platform_name[128];
-	char identity[768]; // platform, device and driver with all versions: part of the key of the program cache
-	scree_device about; // what scree_devices_get returns
+	char identity[768]; // platform, device and driver with all versions; part of the key of the program cache
+	scree_device about; // the entry that scree_devices_get returns
 } Device;
 
-// Writes at most capacity devices, and returns how many there are.
+// Writes at most capacity devices. Returns the total number of devices.
 int device_list(Device* devices, int capacity);
 
-// Chooses the best device whose name or platform name contains the given part; case does not matter. Devices with
-// equal bits come before others, then GPUs before others. Fails with SCREE_ERROR_NO_DEVICE.
+// Chooses the best device whose name or platform name contains the given part; case is ignored. Devices with equal bits
+// come first, and GPUs come before others that are equal in this. Fails with SCREE_ERROR_NO_DEVICE.
 scree_status device_choose(const BackendOptions* options, Device* device);
 
 #endif

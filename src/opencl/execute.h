@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// execute.h -- works through lists of runs.
+// execute.h -- executes lists of runs.
 #ifndef EXECUTE_H
 #define EXECUTE_H
 #include "opencl/opencl_state.h"

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// external_memory.c -- memory shared with other programs of the device: rows for drawing, queries and their answers.
+// external_memory.c -- memory shared with other programs of the device: render rows, queries and their answers.
 //
-// Drivers offer it by one of two extensions. cl_khr_gl_sharing takes a buffer object of OpenGL, in a context created
-// for it. cl_khr_external_memory takes memory that Vulkan exported as a file descriptor. With both, the memory must
-// be acquired before a kernel uses it and released afterwards. Rows are written to it by one kernel, show, whose argument it is
-// for one launch. Queries and answers are copied on the device, at its speed: their pools share a buffer with others.
+// Drivers offer it by one of two extensions. cl_khr_gl_sharing imports a buffer object of OpenGL, in a context created
+// for it. cl_khr_external_memory imports memory that Vulkan exported as a file descriptor. With both, the memory must
+// be acquired before a kernel uses it and released afterwards. One kernel, render_row, writes rows directly to the
+// memory, which is its argument for one launch. Queries and answers are copied on the device, at the speed of its
+// memory, because their pools share a buffer with other pools.
 #include "opencl/external_memory.h"
 #include "opencl/launch.h"
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// of cl_khr_external_memory, revision 1.0, which headers of OpenCL 1.2 do not have
+// a constant of cl_khr_external_memory, revision 1.0, which OpenCL 1.2 headers lack
 #define MEMORY_OPAQUE_FD 0x2060
 
 typedef cl_ulong MemoryProperty;
 typedef cl_mem(CL_API_CALL* CreateFromFile)(cl_context, const MemoryProperty*, cl_mem_flags, size_t, void*, cl_int*);
 typedef cl_mem(CL_API_CALL* CreateFromOpenGl)(cl_context, cl_mem_flags, cl_uint, cl_int*);
 
-typedef struct // the functions of an extension
+typedef struct // names of the functions of an extension
 {
 	const char *create, *acquire, *release;
 } Extension;
@@ -121,7 +122,7 @@ void shared_close(OpenCl* d)
 
 scree_status share_open_context(OpenCl* d, const scree_opengl* opengl)
 {
-	// a context shared with OpenGL if the user wants one and it works, else a plain one
+	// a context shared with OpenGL if the user requested it and it works, else a plain one
 	cl_int error;
 	cl_context_properties plain[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
 	if (opengl && d->device.shares_opengl)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// launch.c -- kernels that take all pools: their arguments, and the launches of stages.
+// launch.c -- kernels that take all pools: their arguments and launches.
 #include "opencl/launch.h"
 #include "opencl/queue.h"
 #include "platform/error.h"
 #include <string.h>
 
-// Work-groups per compute unit in a launch, at most. They occupy any device; each work-item then processes several
-// items.
+// Maximum work-groups per compute unit in a launch. They occupy any device. If there are more items, each work-item
+// processes several.
 #define GROUPS_A_UNIT 64
 
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel)
@@ -37,7 +37,8 @@ size_t pool_offset(const OpenCl* d, PoolId pool)
 
 scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 {
-	// Capacities of cmake/embed.cmake: where the kinds begin that share a buffer, then the capacities of all kinds
+	// Capacities as cmake/embed.cmake declares it: the beginnings of kinds that share a buffer, then the capacities of
+	// all kinds
 	struct
 	{
 		cl_ulong begins[PER_COUNT - BUFFERS];
@@ -71,7 +72,7 @@ scree_status kernel_step(OpenCl* d, Kernel* kernel)
 	return SCREE_OK;
 }
 
-// The kernel of a stage for the world as it is.
+// Returns the kernel for the current world, which may be a specialized one.
 static Kernel* kernel_function(OpenCl* d, int kernel)
 {
 	const Step* step = &d->constants.step;

@@ -5,7 +5,7 @@
 #include <stdatomic.h>
 
 OpenClFunctions opencl;
-static void* opened; // the library
+static void* opened; // handle of the OpenCL library
 
 #ifdef _WIN32
 #include <windows.h>
@@ -18,8 +18,8 @@ static void* find(void* library, const char* name) { return (void*)GetProcAddres
 #include <stdlib.h>
 #include <unistd.h>
 
-// PoCL asks hwloc for the memory size, and ends the process if hwloc finds none, as in containers without sysfs.
-// HWLOC_SYNTHETIC then gives hwloc the numbers of sysconf.
+// Describes the machine to hwloc. PoCL gets the memory size from hwloc, and ends the process if hwloc finds none, as in
+// containers without sysfs. HWLOC_SYNTHETIC gives hwloc the numbers of sysconf.
 static void describe_machine(void)
 {
 	char text[96];

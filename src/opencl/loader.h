@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// loader.h -- opens OpenCL at run time, so that Scree builds and runs on the CPU where OpenCL is missing.
+// loader.h -- opens OpenCL at run time, so that Scree builds and runs on the CPU without OpenCL.
 #ifndef OPENCL_LOADER_H
 #define OPENCL_LOADER_H
 #include "scree/scree.h"
@@ -12,7 +12,7 @@
 #include <CL/cl.h>
 #endif
 
-// the functions that Scree calls, without "cl"
+// functions that Scree calls, without the prefix "cl"
 #define OPENCL_FUNCTIONS(X)                   \
 	X(GetPlatformIDs)                         \
 	X(GetPlatformInfo)                        \
@@ -58,22 +58,22 @@ typedef struct
 } OpenClFunctions;
 extern OpenClFunctions opencl; // filled by opencl_load
 
-// Opens the library once in a process, from any thread. False when there is none.
+// Opens the library once per process, from any thread. Returns false if it is missing.
 bool opencl_load(void);
 
-// A function of an extension or of a newer OpenCL, by its full name; null if there is none.
+// Returns a function of an extension or of a newer OpenCL, by its full name; null if it does not exist.
 void* opencl_find(cl_platform_id platform, const char* name);
 
-// "CL_OUT_OF_RESOURCES", or "unknown error"
+// Returns the name of an error code: "CL_OUT_OF_RESOURCES", or "unknown error".
 const char* opencl_error_name(cl_int code);
 
-// How many calls of OpenCL have failed in this process.
+// Returns the number of OpenCL calls that have failed in this process.
 int opencl_failures(void);
 
-// SCREE_OK, or fails with "clName: CL_OUT_OF_RESOURCES (-5)"
+// Returns SCREE_OK for CL_SUCCESS, else fails with "clName: CL_OUT_OF_RESOURCES (-5)".
 scree_status opencl_check(const char* function, cl_int code);
 
-// calls a function of OpenCL that returns a code, and checks it
+// Calls an OpenCL function that returns a code, and checks the code.
 #define CALL(name, ...) opencl_check("cl" #name, opencl.name(__VA_ARGS__))
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// opencl_backend.c -- the OpenCL backend: one buffer per kind of item, one kernel per stage, one in-order queue.
+// opencl_backend.c -- the OpenCL backend: buffers by kind of item, kernels, and one in-order queue.
 #include "opencl/batch_transfer.h"
 #include "opencl/buffer.h"
 #include "opencl/compile.h"
@@ -20,7 +20,7 @@
 #include <limits.h>
 #include <stdio.h>
 
-// Room of a pool is a multiple of so many items, so that every pool begins at a multiple of 256 bytes.
+// Granularity of a pool's capacity, items: with it, every pool begins at a multiple of 256 bytes.
 #define CAPACITY_ITEMS 64
 
 static void opencl_close(Backend* b)
@@ -60,7 +60,7 @@ static void opencl_close(Backend* b)
 	scree_release(b);
 }
 
-// bytes of an item of a kind in all its pools
+// Returns the bytes of an item of a kind in all its pools.
 static size_t item_bytes(Per per)
 {
 	size_t bytes = 0;
@@ -69,7 +69,7 @@ static size_t item_bytes(Per per)
 	return bytes;
 }
 
-typedef struct // of a buffer: where each of its kinds begins, and how many items it has room for
+typedef struct // layout of a buffer: where each of its kinds begins, and its capacity
 {
 	size_t begin[PER_COUNT], bytes;
 	int room[PER_COUNT];
@@ -85,7 +85,7 @@ static scree_status pool_copy(OpenCl* d, PoolId pool, const Plan* plan, cl_mem c
 	            NULL, NULL);
 }
 
-// Replaces a buffer by one with other rooms. Copies the items; new ones are zero.
+// Replaces a buffer by one with other capacities. Copies the items; new ones are zero.
 static scree_status buffer_copy(OpenCl* d, Per home, const Plan* plan)
 {
 	cl_mem copied;
@@ -108,7 +108,7 @@ static scree_status buffer_copy(OpenCl* d, Per home, const Plan* plan)
 	return status;
 }
 
-// Gives a kind room for capacity items, rounded up.
+// Gives a kind the capacity for at least the given number of items, rounded up.
 static scree_status kind_reserve(Backend* b, Per per, int capacity)
 {
 	OpenCl* d = b->state;
@@ -138,7 +138,7 @@ static scree_status kind_reserve(Backend* b, Per per, int capacity)
 	return SCREE_OK;
 }
 
-// Sets the buffer of a kind, after it has been replaced, in all kernels.
+// Sets the buffer of a kind as an argument of all kernels, after the buffer was replaced.
 static scree_status kernels_bind(OpenCl* d, Per per)
 {
 	for (int k = 0; k < KERNEL_COUNT; ++k)
@@ -181,7 +181,7 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 	return SCREE_OK;
 }
 
-// Which buffer holds which kinds; the offset of each pool among those of its kind; the arguments.
+// Assigns kinds to buffers, offsets to the pools of a kind, and argument indices to buffers.
 static void lay_out(OpenCl* d)
 {
 	size_t before[PER_COUNT] = {0};
@@ -212,7 +212,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
-	// a world may come from another device
+	// the world may come from another device
 	Per per = pool_info[pool].per;
 	d->tiles.stale |= per == PER_CONTACT || per == PER_CONTACT_PLACE || per == PER_BODY;
 	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
@@ -222,7 +222,8 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
-// Work-items per work-group of a stage. A CPU does a branch with one: PoCL would compile the barriers of several for two minutes.
+// Returns the work-items per work-group of a kernel. A CPU solves a branch with one, because PoCL would compile the
+// barriers between several for two minutes.
 static size_t kernel_group(const OpenCl* d, int stage)
 {
 	if (kernel_widths[stage] == WIDTH_TEAM && d->device.type & CL_DEVICE_TYPE_CPU)
@@ -238,7 +239,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	if (!d)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
-	d->constants.version = 1; // constants.step is zero; kernels begin with version 0, so that they take it
+	d->constants.version = 1; // constants.step is zero; kernels begin with version 0, so they take the first step
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	b->memory = d->device.about.memory;
@@ -251,7 +252,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->resident = persistent_wanted(d);
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
 	char program_options[PROGRAM_OPTIONS];
-	// PoCL compiles a kernel at its first launch: one that is never launched costs nothing, so all worlds share the same program
+	// PoCL compiles a kernel at its first launch, so unused kernels cost nothing and all worlds share the same program
 	bool resident = d->resident || d->device.compiles_at_launch;
 	snprintf(program_options, sizeof program_options, "%s%s%s", resident ? " -DRESIDENT" : "",
 	         d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "");
@@ -278,7 +279,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	}
 	TRY(primitives_open(d));
 
-	// pools without items have room too: a kernel argument needs a buffer
+	// pools without items also have a capacity, because a kernel argument needs a buffer
 	lay_out(d);
 	for (int i = 0; i < PER_COUNT; ++i)
 		TRY(kind_reserve(b, (Per)i, 1));

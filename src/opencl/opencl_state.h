@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// opencl_state.h -- the state of the OpenCL backend and the types it consists of.
+// opencl_state.h -- the state of the OpenCL backend and its types.
 #ifndef OPENCL_STATE_H
 #define OPENCL_STATE_H
 #include "constraints/schedule.h"
@@ -10,9 +10,9 @@
 typedef struct
 {
 	cl_kernel kernel;
-	size_t group;     // work-items of a work-group
-	uint64_t version; // Constants.version of the step in its arguments
-	int groups;       // of a relay: work-groups resident at once; 0 if the device uses other forms only
+	size_t group;     // work-items per work-group
+	uint64_t version; // Constants.version of the step that its arguments hold
+	int groups;       // relay: work-groups resident at once; 0 if the device uses other forms only
 } Kernel;
 
 typedef struct // a buffer that is not a pool; it loses its contents when it grows
@@ -21,28 +21,28 @@ typedef struct // a buffer that is not a pool; it loses its contents when it gro
 	size_t bytes;
 } Scratch;
 
-typedef struct // host memory that the device reads and writes while the host works
+typedef struct // host memory that the device reads and writes while the host continues
 {
 	cl_mem buffer;
 	unsigned char* memory;
 } Pinned;
 
-typedef struct // uploads on their way; the device may read them until the host has waited for the queue
+typedef struct // uploads in flight; the device may read them until the host has waited for the queue
 {
 	Pinned pinned;
 	size_t used; // bytes
 } Staging;
 
 #define TRANSFER_BLOCKS 4
-typedef struct // large arrays on their way: transfer.c
+typedef struct // large arrays in flight: transfer.c
 {
 	Pinned pinned;
-	Threads* threads;                 // null until the first one
-	cl_event events[TRANSFER_BLOCKS]; // of the blocks that the device may still use
-	cl_command_queue up, down;        // of exchanges, null until the first one
+	Threads* threads;                 // null until the first large transfer
+	cl_event events[TRANSFER_BLOCKS]; // completion of the blocks that the device may still use
+	cl_command_queue up, down;        // queues of batches, null until the first one
 } Transfer;
 
-typedef struct // of one launch whose time has not been read
+typedef struct // a launch whose time has not been read
 {
 	cl_event event;
 	Stage stage;
@@ -53,10 +53,10 @@ typedef struct
 	LaunchTime* laps; // null unless BackendOptions.timings
 	int lap_count;
 	double milliseconds[STAGE_COUNT];
-	Stage stage; // of the current run; the time of a primitive counts to the box of the run before it
+	Stage stage; // stage of the current run; the time of a primitive counts for the stage of the run before it
 } Timing;
 
-typedef struct // what opencl_read_begin reads
+typedef struct // destination of opencl_read_begin
 {
 	Pinned pinned;
 	PoolId pool;
@@ -71,7 +71,7 @@ typedef struct // source and destination of opencl_copy, or null
 	size_t bytes;
 } CopyBlocks;
 
-typedef struct // of the step that opencl_run or opencl_solve got last
+typedef struct // the step that opencl_run or opencl_solve got last
 {
 	Step step;
 	uint64_t version; // number of changes so far
@@ -89,12 +89,12 @@ typedef struct
 	cl_mem list, probes;
 	Run* listed; // copy of the runs in list
 	int contact_report_count;
-	int groups;    // resident at once; 0 if the device uses launches only
-	bool any_size; // SCREE_PERSISTENT=1: also for runs for which launches are faster
-	Counters last; // as last read; they predict the item counts of runs
+	int groups;    // work-groups resident at once; 0 if the device uses launches only
+	bool any_size; // SCREE_PERSISTENT=1: use it also for runs for which launches are faster
+	Counters last; // the counters as last read; they predict the item counts of runs
 } Persistent;
 
-enum // kernels of the relay (registers.cl has the worlds that each is for), then the same for worlds with hubs
+enum // kernels of the relay (registers.cl describes the world of each), then the same for worlds with hubs
 {
 	RELAY_COLORS,
 	RELAY_PLAIN,
@@ -109,13 +109,13 @@ enum // kernels of the relay (registers.cl has the worlds that each is for), the
 typedef struct
 {
 	Kernel kernels[RELAY_KERNELS];
-	int groups;        // resident at once; 0 if the device cannot run the relay
+	int groups;        // work-groups resident at once; 0 if the device cannot run the relay
 	Scratch mailboxes; // MAILBOX_WORDS words per body; also for the border of the tiles
 	Scratch stream;    // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
 	Scratch parts;     // two words per spoke and per hub
 } RelayState;
 
-enum // kernels of kernels.cl for worlds without what the stage has else
+enum // kernels of kernels.cl that are specialized for worlds without some features
 {
 	PLAIN_NARROW_PHASE,
 	PLAIN_CONTINUOUS,
@@ -132,7 +132,7 @@ enum // kernels of tiles.cl that take all pools, in launch order
 	TILE_PREPARE_PLAIN, // for plain worlds instead of TILE_PREPARE
 	TILE_PASS,          // one per kind of pass, in the order of the kinds
 	TILE_BORDER = TILE_PASS + PASS_KINDS,
-	TILE_PREPARE_JOINTS, // for worlds with joints: these instead
+	TILE_PREPARE_JOINTS, // the next three replace those above in worlds with joints
 	TILE_PASS_JOINTS,
 	TILE_BORDER_JOINTS = TILE_PASS_JOINTS + PASS_KINDS,
 	TILE_KERNELS
@@ -143,7 +143,7 @@ enum
 	TILE_PLACE_BUFFER,    // an int per body
 	TILE_EDGE_BUFFER,     // an int per body
 	TILE_RESIDENT_BUFFER, // an int per place of a tile
-	TILE_TABLE_BUFFER,    // TILE_COLUMNS ints per tile, and two more rows
+	TILE_TABLE_BUFFER,    // TILE_COLUMNS ints per tile, and per two more rows
 	TILE_TOTAL_BUFFER,    // an int per row of the table
 	TILE_RANK_BUFFER,     // an int per constraint
 	TILE_ORDER_BUFFER,    // an int per constraint, and the padding of the border's colors
@@ -156,61 +156,61 @@ typedef struct
 	cl_kernel total, begin, range;
 	Scratch buffers[TILE_BUFFERS];
 	bool stale;                 // constraints or motion constants may have changed since the tiles were built
-	bool pushed, pushed_before; // fields have changed forces since the last solve; so they had before the last build
+	bool pushed, pushed_before; // fields have changed forces since the last solve; the same at the last build
 	int rows;                   // tiles at the last build
 
-	// number of border constraints at the last build; the host reads it asynchronously
+	// the number of border constraints at the last build; the host reads it asynchronously
 	cl_event edges_event; // null unless the read is in flight
 	cl_int edges[2];      // begin and end of the border; valid when the event is complete
 	int border;           // -1 before the first build
 	int age;              // solves since the last build
 } TileState;
 
-typedef enum // of a solve
+typedef enum // form of a solve
 {
 	FORM_ANY,
 	FORM_RELAY,
 	FORM_TILES,
-	FORM_LAUNCHES // by color
+	FORM_LAUNCHES // launches by color
 } SolveForm;
 
-// type of clEnqueueAcquire... and clEnqueueRelease..., which pass memory between OpenCL and others
+// type of clEnqueueAcquire... and clEnqueueRelease..., which transfer ownership of memory between OpenCL and other APIs
 typedef cl_int(CL_API_CALL* ShareFunction)(cl_command_queue, cl_uint, const cl_mem*, cl_uint, const cl_event*,
                                            cl_event*);
 
-typedef struct // memory that others read and write
+typedef struct // memory that other APIs read and write
 {
-	cl_mem memory; // or null
+	cl_mem memory; // null if none is shared
 	ShareFunction acquire, release;
 } Shared;
 
 typedef struct
 {
-	Backend* backend; // its state is this
+	Backend* backend; // backend whose state this is
 	Device device;
 	cl_context context;
 	cl_program program;
-	int shared_context;     // 1 + its place in the list of context.c, 0 for a context of its own
-	cl_command_queue queue; // in order
+	int shared_context;     // 1 + its index in the list of context.c; 0 for a context of its own
+	cl_command_queue queue; // in-order queue
 
-	// A buffer holds the pools of some kinds of items, those of one kind with the same room (pools/buffers.def). Kernels
-	// take buffers and rooms in the order in which pools.def names the kinds (cmake/embed.cmake).
-	cl_mem buffers[PER_COUNT]; // of the kinds that have one
-	Per home[PER_COUNT];       // the kind whose buffer the pools of a kind lie in
-	size_t begin[PER_COUNT];   // where they begin there, bytes
+	// A buffer holds the pools of some kinds of item (pools/buffers.def); those of one kind have the same capacity.
+	// Kernels take buffers and capacities in the order in which pools.def first names the kinds (cmake/embed.cmake).
+	cl_mem buffers[PER_COUNT]; // null for a kind that has no buffer of its own
+	Per home[PER_COUNT];       // the kind whose buffer holds the pools of a kind
+	size_t begin[PER_COUNT];   // byte at which the pools of a kind begin in their buffer
 	int place[PER_COUNT];      // position of a kind in pools.def
-	int room[PER_COUNT];       // items, rounded up
-	int argument[PER_COUNT];   // argument index of each buffer; of a kind without one its position among these
-	size_t before[POOL_COUNT]; // bytes per item of the pools of the same kind before this one
+	int room[PER_COUNT];       // capacity in items, rounded up
+	int argument[PER_COUNT];   // argument index of the kind's buffer; without one, position among such kinds
+	size_t before[POOL_COUNT]; // bytes per item of the pools of the same kind that precede this pool
 
 	Kernel kernels[KERNEL_COUNT], plain[PLAIN_KERNELS];
 	Constants constants;
 	Primitives primitives;
-	bool resident; // the program has the kernels whose work-groups must be resident at once
+	bool resident; // true: the program has the kernels whose work-groups must be resident at once
 	Persistent persistent;
 
 	// the solve
-	SolveForm form; // SCREE_SOLVER forces it; FORM_LAUNCHES after a form ran out of memory
+	SolveForm form; // SCREE_SOLVER forces it; FORM_LAUNCHES after memory for a form ran out
 	RelayState relay;
 	TileState tiles;
 	Kernel solve_end;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// persistent.c -- runs many runs in one launch (persistent.cl), on devices that can.
+// persistent.c -- executes many runs in one launch (persistent.cl), on devices that support it.
 #include "opencl/persistent.h"
 #include "opencl/buffer.h"
 #include "opencl/launch.h"
@@ -8,20 +8,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Beyond this many items in a run, launches are faster: memory bandwidth then limits the time, and a launch has a
-// higher occupancy than work-groups that must all be resident at once. Measured on an H200, pyramids, solve of 88
-// runs, persistent and launched: 10k bodies 0.29 and 0.51 ms, 100k 0.40 and 0.49 ms, 300k 1.10 and 0.86 ms. Runs
-// before the solve are short: 1M mixed bodies in motion, 3M contacts: 1.37 and 1.14 ms.
+// Maximum number of items in a run of the persistent kernel. For longer runs launches are faster: memory bandwidth then
+// limits the time, and a launch has a higher occupancy than work-groups that must all be resident at once. Measured on
+// an H200, scene pyramids, solve of 88 runs, persistent and launched: 10k bodies 0.29 and 0.51 ms, 100k 0.40 and 0.49
+// ms, 300k 1.10 and 0.86 ms. Runs before the solve are short: 1M mixed bodies in motion, 3M contacts: 1.37 and 1.14 ms.
 #define PERSISTENT_SOLVE 150000
 #define PERSISTENT_ITEMS 1000000
 
-// Limits of a spin-wait, in reads of about 0.5 us: 2 s, and 30 ms for the probe. A step must never reach its limit.
-// The probe may: the device then uses launches.
+// Limits of a spin-wait, in reads of about 0.5 us: 2 s, and 30 ms for the probe. A step must never reach its limit. The
+// probe may reach it; the device then uses launches.
 #define SPINS       (1 << 22)
 #define PROBE_SPINS (1 << 16)
 #define PROBE_RUNS  64
 
-// arguments after the step
+// kernel arguments that follow the step
 enum
 {
 	ARGUMENT_LIST = ARGUMENT_FIRST,
@@ -31,7 +31,7 @@ enum
 	ARGUMENT_SPINS
 };
 
-// Launches runs. They are uploaded only if they changed: those of a settled world are the same in every step.
+// Launches runs. Uploads them only if they changed, because the runs of a settled world are the same in every step.
 static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int groups, cl_int spins)
 {
 	Persistent* own = &d->persistent;
@@ -49,7 +49,7 @@ static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int gr
 	return launch(d, kernel, (size_t)groups * own->kernel.group, own->kernel.group);
 }
 
-// Tests whether the work-groups are resident at once and see what others wrote before a barrier.
+// Tests whether the work-groups are resident at once and read what others wrote before a barrier.
 static scree_status probe(OpenCl* d, bool* works)
 {
 	Run runs[PROBE_RUNS];
@@ -81,7 +81,8 @@ bool persistent_wanted(OpenCl* d)
 scree_status persistent_open(OpenCl* d)
 {
 	Persistent* own = &d->persistent;
-	// work-groups that are certainly resident at once: as many per compute unit as could form one largest group
+	// number of work-groups that are certainly resident at once: per compute unit, as many as make up one group of the
+	// largest size
 	size_t most = 0;
 	TRY(CALL(GetKernelWorkGroupInfo, own->kernel.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
 	         NULL));
@@ -97,7 +98,7 @@ scree_status persistent_open(OpenCl* d)
 	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_TABLE, sizeof d->primitives.table, &d->primitives.table));
 	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_PROBES, sizeof own->probes, &own->probes));
 
-	d->constants.version = 1; // the probe needs a step, of any contents
+	d->constants.version = 1; // the probe needs a step, with any contents
 	bool works;
 	TRY(probe(d, &works));
 	if (!works)
@@ -119,13 +120,13 @@ void persistent_close(OpenCl* d)
 
 static int item_count(const Run* run) { return run->end - run->begin; }
 
-// whether the persistent kernel does without the stage
+// Returns whether the persistent kernel excludes the kernel of a run.
 static bool is_left_out(const Run* run)
 {
 	return run->kernel_id < KERNEL_COUNT && kernel_widths[run->kernel_id] >= WIDTH_ALONE;
 }
 
-// how many items a run will have if the counters do not change
+// Returns the number of items of a run if the counters do not change.
 static int likely_items(const OpenCl* d, const Run* run)
 {
 	int end = run->end;
@@ -137,7 +138,7 @@ static int likely_items(const OpenCl* d, const Run* run)
 	return end - run->begin;
 }
 
-// the time of a primitive counts to the stage of the run before it
+// Returns the stage of a run. The time of a primitive counts for the stage of the run before it.
 static Stage stage_of(const Run* run, Stage before)
 {
 	return run->kernel_id < KERNEL_COUNT ? kernel_stages[run->kernel_id] : before;

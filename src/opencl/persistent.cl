@@ -18,16 +18,17 @@ enum
 	PRIMITIVE_SCAN
 };
 
-typedef struct // device-wide
+typedef struct // device-wide barrier
 {
-	volatile __global int* arrived; // counter of arrivals; keeps rising from launch to launch
+	volatile __global int* arrived; // number of arrivals; it rises from launch to launch
 	volatile __global int* fault;
 	volatile LOCAL int* healthy;
 	int arrivals; // value of the counter at the end of the last barrier
 	int spins;    // limit of a spin-wait
 } DeviceBarrier;
 
-// Waits until all work-groups have arrived. False if a spin-wait reached its limit, here or elsewhere.
+// Waits until all work-groups have arrived. Returns false if a spin-wait reached its limit, here or in another
+// work-group.
 INLINE bool device_barrier(DeviceBarrier* b)
 {
 	b->arrivals = (int)((uint)b->arrivals + (uint)get_num_groups(0));
@@ -48,7 +49,8 @@ INLINE bool device_barrier(DeviceBarrier* b)
 	return *b->healthy;
 }
 
-// The first work-group waits until all others have arrived at the next barrier. False as in device_barrier.
+// Waits, in the first work-group, until all others have arrived at the next barrier. Returns false as device_barrier
+// does.
 INLINE bool device_barrier_await(const DeviceBarrier* b)
 {
 	if (get_local_id(0) == 0)
@@ -66,8 +68,8 @@ INLINE bool device_barrier_await(const DeviceBarrier* b)
 	return *b->healthy;
 }
 
-// Run k of the probe: writes k for a work-item of another work-group, and checks the k - 1 that a third group wrote.
-// The reads are not volatile and use the same addresses again, so a stale cache is detected.
+// Executes run k of the probe: writes k for a work-item of another work-group, and checks the k - 1 that a third group
+// wrote. The reads are not volatile and repeat the same addresses, so a stale cache is detected.
 INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0), group = (int)get_local_size(0);
@@ -78,7 +80,7 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 	now[(i + 2 * group) % n] = k;
 }
 
-// The barrier after a run: of the work-group if it runs alone, else device-wide.
+// Waits at the barrier after a run: of the work-group if it runs alone, else of the device.
 INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 {
 	if (!alone)
@@ -87,7 +89,7 @@ INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 	return true;
 }
 
-// As the launches of primitives.c. If there are fewer work-groups than parts, a group does several parts.
+// Sorts like the launches of primitives.c. If there are fewer work-groups than parts, a group processes several parts.
 INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL SortMemory* bench, DeviceBarrier* b,
                             bool alone)
 {
@@ -138,7 +140,8 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, LOCAL
 	return true;
 }
 
-// Items of a run, one per work-item. Stages of one work-group per item, and rare ones, are launched by themselves.
+// Runs a kernel over the items of a run, one per work-item. Kernels that use a work-group per item, and rare ones, are
+// launched separately.
 #define CASE_ONE(name, p)                                \
 	case KERNEL_##name:                                   \
 		for (int i = run.begin + from; i < end; i += by) \
@@ -149,20 +152,20 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, LOCAL
 #define CASE_GROUP(name, p)
 #define CASE_TEAM(name, p)
 
-// End of a run. Its bound may change until the next barrier.
+// Returns the end of a run. The counter that bounds it may change until the next barrier.
 INLINE int run_end(Run run, const Pools* p)
 {
 	return run.count < 0 ? run.end : min(run.end, ((volatile __global int*)p->counters)[run.count]);
 }
 
-// Whether the first work-group alone is faster than all with a device-wide barrier.
+// Returns whether the first work-group alone is faster than all groups with a device-wide barrier.
 INLINE bool takes_one_group(Run run, int end)
 {
 	int most = run.kernel_id == PRIMITIVE_SORT ? SORT_GRAIN : run.kernel_id < KERNEL_COUNT && run.kernel_id >= 0 ? PERSISTENT_GROUP : 0;
 	return end - run.begin <= most;
 }
 
-// Run number i of the list; beyond count, a run without items.
+// Returns run i of the list, or a run without items if i is not below count.
 INLINE Run run_at(__global const int* list, int count, int i)
 {
 	Run run = {0, 0, 0, -1, 0};
@@ -171,8 +174,8 @@ INLINE Run run_at(__global const int* list, int count, int i)
 	return run;
 }
 
-// The first run from next on that has items, or count. chosen becomes that run. mine is the run that this work-item
-// holds.
+// Returns the index of the first run from next on that has items, or count, and copies this run to chosen. mine is the
+// run that this work-item holds.
 INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile LOCAL int* found, LOCAL Run* chosen)
 {
 	int lane = (int)get_local_id(0);
@@ -188,7 +191,7 @@ INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile 
 	return *found;
 }
 
-// A run that is no stage. False if a spin-wait reached its limit.
+// Executes a run that is not a kernel over items. Returns false if a spin-wait reached its limit.
 INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __global int* probes, LOCAL SortMemory* bench,
                           DeviceBarrier* b, bool alone)
 {
@@ -201,12 +204,12 @@ INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __globa
 	return true;
 }
 
-// list has PERSISTENT_HEADER ints: arrivals at the barrier, arrivals at the end of the last launch, and the next run
-// of the first work-group. count runs follow, at most one per work-item of a group. Each work-item holds a run and
-// reads its bound after every barrier: all bounds together cost one memory access, and runs without items cost
-// nothing.
+// Executes the runs of a list. list begins with PERSISTENT_HEADER ints: arrivals at the barrier, arrivals at the end of
+// the last launch, and the next run of the first work-group. count runs follow, at most one per work-item of a group.
+// Each work-item holds a run and reads its bound after every barrier: all bounds together cost one memory access, and
+// runs without items cost nothing.
 //
-// The first work-group does consecutive short runs alone, while the others wait at the next device-wide barrier. It
+// The first work-group executes consecutive short runs alone, while the others wait at the next device-wide barrier. It
 // begins when all others have arrived there, because its runs change bounds that the others read.
 __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global uint* table,
                          __global int* probes, int spins)
@@ -264,7 +267,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		if (!run_barrier(&b, alone))
 			return;
 	}
-	// all work-groups have read header[1] before the last barrier
+	// all work-groups read header[1] before the last barrier
 	if (begin == 0)
 		header[1] = b.arrivals;
 }

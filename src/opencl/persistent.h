@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// persistent.h -- runs many runs in one launch (persistent.cl), on devices that can.
+// persistent.h -- executes many runs in one launch (persistent.cl), on devices that support it.
 #ifndef OPENCL_PERSISTENT_H
 #define OPENCL_PERSISTENT_H
 #include "opencl/opencl_state.h"
 
-// Whether to try kernels whose work-groups must be resident at once.
+// Returns whether to try kernels whose work-groups must be resident at once.
 bool persistent_wanted(OpenCl* d);
 // Tests whether the device can run the persistent kernel.
 scree_status persistent_open(OpenCl* d);
 void persistent_close(OpenCl* d);
-// How many runs, from the first on, are faster as one launch; 0 for none.
+// Returns how many runs, from the first on, are faster as one launch; 0 if launches are faster.
 int persistent_length(const OpenCl* d, const Run* runs, int count);
 scree_status persistent_run(OpenCl* d, const Run* runs, int count);
 

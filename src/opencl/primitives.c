@@ -6,7 +6,7 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// work-groups for so many items: one per grain, at most most
+// Returns the number of work-groups for the given items: one per grain, at most `most`.
 static size_t groups_for(int items, int grain, int most)
 {
 	int groups = (items - 1) / grain + 1;
@@ -72,7 +72,7 @@ void primitives_close(OpenCl* d)
 		opencl.ReleaseMemObject(d->primitives.table);
 }
 
-// One pass: sorts the keys at offset from by bits shift to shift + bits - 1, and writes them to offset to.
+// Runs one pass: sorts the keys at offset from by bits shift to shift + bits - 1, and writes them to offset to.
 static scree_status sort_pass(OpenCl* d, const Run* run, cl_ulong from, cl_ulong to, cl_int shift, int bits)
 {
 	cl_uint mask = (1u << bits) - 1;

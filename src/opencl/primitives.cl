@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// primitives.cl -- sort and scan: two launches per pass, which assume nothing about the order of work-groups.
+// primitives.cl -- sort and scan: each pass is two launches, which assume no order of the work-groups.
 //
-// In the first launch each work-group counts (or sums) its part of the items into a row of a table. In the second,
-// each group adds up the rows before its own and writes its items to their places. A launch that scans the table
-// between the two would cost more than reading it many times: the table is small and cached. The persistent kernel
-// processes the same parts, with a device-wide barrier instead of the end of a launch.
+// In the first launch each work-group counts (or sums) its part of the items into a row of a table. In the second, each
+// group adds up the rows before its own and writes its items to their places. A third launch between the two, which
+// scans the table, would cost more than reading the table many times, because it is small and cached. The persistent
+// kernel processes the same parts, with a device-wide barrier instead of the end of a launch.
 //
-// The item count is read on the device; work-groups beyond it return at once. Pools are passed as the buffer of their
-// kind and an offset in it, in bytes. The counters have a buffer of their own.
+// The item count is read on the device; work-groups beyond it return at once. A pool is passed as the buffer of its
+// kind and an offset in bytes. The counters have a buffer of their own.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
@@ -18,14 +18,14 @@ INLINE uint item_count(Run run, __global const int* counters)
 	return (uint)max(0, run.count < 0 ? run.end : min(run.end, counters[run.count]));
 }
 
-// items per work-group if so many groups share n items; a multiple of grain
+// Returns the items per work-group if the given number of groups share n items: a multiple of grain.
 INLINE uint part_size(uint n, uint groups, uint grain)
 {
 	uint grains = (n + grain - 1) / grain;
 	return max(1u, (grains + groups - 1) / groups) * grain;
 }
 
-// The sum of x over the work-items before this one. sum[PRIMITIVE_GROUP - 1] becomes the total.
+// Returns the sum of x over the work-items before this one. sum[PRIMITIVE_GROUP - 1] becomes the total.
 INLINE uint group_scan(LOCAL uint* sum, uint x)
 {
 	uint t = (uint)get_local_id(0);
@@ -70,8 +70,8 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 
 // Writes the keys of a part to their places by one digit. The sort is stable.
 //
-// Within 256 consecutive keys, a bit mask per digit gives the rank of a key among equal digits: each work-item sets
-// its bit, in any order, and counts the lower bits. Work-item t also keeps the next place of digit t.
+// Within PRIMITIVE_GROUP consecutive keys, a bit mask per digit gives the rank of a key among equal digits: each
+// work-item sets its bit, in any order, and counts the lower bits. Work-item t also tracks the next place of digit t.
 INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
                             uint block, int shift, uint mask, LOCAL SortMemory* bench)
 {
@@ -120,9 +120,8 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 	barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Writes few keys to their places by bits from to end, in one stable pass: the place of a key is the number of
-// smaller keys. Every work-group holds all keys in local memory; SORT_TEAM work-items compare one key with the
-// others.
+// Writes a few keys to their places by bits from to end, in one stable pass: the place of a key is the number of
+// smaller keys. Every work-group holds all keys in local memory; SORT_TEAM work-items compare one key with the others.
 INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
                      LOCAL SortMemory* bench)
 {
@@ -152,7 +151,7 @@ INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uin
 	}
 }
 
-// Adds up a part.
+// Sums a part.
 INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table, uint block, LOCAL uint* sum)
 {
 	uint t = (uint)get_local_id(0);

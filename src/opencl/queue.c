@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// queue.c -- the command queue: launches, uploads, waits and their times.
+// queue.c -- the command queue: launches, uploads, waiting for the queue, and times of launches.
 #include "opencl/queue.h"
 #include "platform/error.h"
 #include <string.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// readback.c -- reads pools: at once, or into pinned memory while the device continues, with an event to wait for.
+// readback.c -- reads pools, either at once or into pinned memory while the device continues.
 #include "opencl/readback.h"
 #include "opencl/buffer.h"
 #include "opencl/launch.h"
@@ -16,12 +16,12 @@ void read_close(OpenCl* d)
 	pinned_close(d, &d->read.pinned);
 }
 
-// Stores the counters that have been read. Fails if a kernel gave up waiting.
+// Stores counters that were read. Fails if a spin-wait reached its limit.
 static scree_status counters_note(Backend* b, const Counters* counters)
 {
 	OpenCl* d = b->state;
 	d->persistent.last = *counters;
-	// if the constraint layout changed, a solve that was enqueued ahead did not build tiles
+	// if the constraint layout changed, a solve that was enqueued early built no tiles
 	d->tiles.stale |= counters->changed || !counters->kept;
 	if (!counters->fault)
 		return SCREE_OK;
@@ -48,7 +48,7 @@ scree_status opencl_read_end(Backend* b, void* items)
 	TRY(CALL(WaitForEvents, 1, &d->read.event));
 	opencl.ReleaseEvent(d->read.event);
 	d->read.event = NULL;
-	// uploads before the read are done
+	// the uploads enqueued before the read are done
 	if (d->staging.used == d->read.staged)
 		d->staging.used = 0;
 	memcpy(items, d->read.pinned.memory, d->read.bytes);
@@ -63,7 +63,7 @@ scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* it
 	if (count == 0)
 		return SCREE_OK;
 	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
-	// a copy to memory that is not pinned would pass through the driver's own, and take longer
+	// a copy to memory that is not pinned would pass through pinned memory of the driver, and take longer
 	if (all <= READ_ASYNC_BYTES && !d->read.event)
 	{
 		TRY(opencl_read_begin(b, pool, first, count));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// readback.h -- reads pools, and waits for the read or lets the device continue; src/backend/backend.h.
+// readback.h -- reads pools, either at once or while the device continues; see src/backend/backend.h.
 #ifndef READBACK_H
 #define READBACK_H
 #include "opencl/opencl_state.h"

@@ -1,30 +1,32 @@
 // SPDX-License-Identifier: MIT
-// transfer.h -- large arrays to and from a GPU: by several threads through pinned memory.
+// transfer.h -- transfers large arrays to and from a GPU, by several threads through pinned memory.
 #ifndef TRANSFER_H
 #define TRANSFER_H
 #include "opencl/opencl_state.h"
 
-// bytes of a block of pinned memory
+// Bytes of a block of pinned memory.
 #define TRANSFER_BLOCK ((size_t)8 << 20)
 
-// Whether a copy of so many bytes is worth it.
+// Returns whether a transfer of count bytes is faster in this way.
 bool transfer_wanted(const OpenCl* d, size_t count);
 
-// Copies to a buffer, in order with the queue; returns when the bytes may change. And from a buffer; waits.
+// transfer_up copies bytes to a buffer, in order with the queue, and returns when the caller may change them.
+// transfer_down copies from a buffer and waits for the end.
 scree_status transfer_up(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);
 scree_status transfer_down(OpenCl* d, cl_mem buffer, size_t offset, void* bytes, size_t count);
 
-// The parts of such copies. Allocates the blocks and starts the threads; later calls do nothing.
+// Allocates the blocks and starts the threads; later calls do nothing. This function and the next ones are the parts of
+// a transfer.
 scree_status transfer_open(OpenCl* d);
 unsigned char* transfer_block(const OpenCl* d, int block);
-// Waits until the device is done with a block: with the command that got its event.
+// Waits until the device no longer uses a block, by the event of its last command.
 scree_status transfer_settle(OpenCl* d, int block);
-// Transfers between a block and a buffer, after the event wait unless that is null. The block must be settled.
+// Enqueue a transfer between a block and a buffer, after the event wait if that is not null. The block must be settled.
 scree_status transfer_send(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                            size_t bytes);
 scree_status transfer_fetch(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                             size_t bytes);
-// Copies in the host's memory, by all threads.
+// a copy in the host's memory; transfer_copy divides copies among all threads
 typedef struct
 {
 	void* to;

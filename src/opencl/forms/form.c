@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// form.c -- the form in which a solve is fastest: launches by color, a relay (relay.cl), or tiles (tiles.cl).
+// form.c -- chooses the fastest form of a solve: launches by color, a relay (relay.cl), or tiles (tiles.cl).
 #include "opencl/forms/form.h"
 #include "opencl/execute.h"
 #include "opencl/forms/relay.h"
@@ -10,14 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Up to this many constraints a relay is faster than tiles.
+// Maximum number of constraints for which a relay is faster than tiles.
 #define RELAY_CONSTRAINTS 1000000
 
-// Work-groups of guard per compute unit, at most. It usually has few items, each of which gets a group as long as there is room:
-// work-items side by side would wait for each other.
+// Maximum work-groups of the kernel continuous per compute unit. The kernel usually has few items. Each item gets its
+// own work-group while the limit allows, because work-items of one group would wait for each other.
 #define CONTINUOUS_GROUPS 12
 
-// arguments of solve_end after the step
+// arguments of the kernel solve_end, which follow the step
 enum
 {
 	END_BODIES = ARGUMENT_STEP + 1,
@@ -36,28 +36,28 @@ void form_open(OpenCl* d)
 		d->form = FORM_TILES;
 }
 
-// Reserves memory for a solve by relay or tiles. If that fails, launches by color are used; they need none.
+// Reserves memory for a solve by relay or tiles. If that fails, the solve uses launches by color, which need none.
 static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 {
 	return form == FORM_RELAY ? relay_reserve(d, solve) : tiles_reserve(d, solve);
 }
 
-// The fastest form that the device supports.
+// Returns the fastest form that the device supports.
 static SolveForm solve_form(OpenCl* d, const Solve* solve)
 {
-	// joints without a color have runs of their own
+	// joints without a color are solved by separate runs, which relay and tiles do not have
 	bool uncolored = solve->chains > 0 || solve->branches > 0 || solve->counters->overflow > 0;
 	if (d->relay.groups == 0 || d->form == FORM_LAUNCHES || uncolored)
 		return FORM_LAUNCHES;
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
 		return FORM_RELAY;
-	// the spokes of a hub are in many tiles, a body without collidables is in none
+	// the spokes of a hub belong to many tiles, and a body without collidables belongs to none
 	bool tiles = solve->counters->hubs == 0 && !solve->unlocked && (d->form == FORM_TILES || tiles_pay(d, solve));
 	return tiles ? FORM_TILES : FORM_LAUNCHES;
 }
 
-// Integrates bodies without constraints and finalizes all bodies; then runs guard for fast ones.
+// Integrates bodies without constraints, finalizes all bodies, then runs continuous collision for fast bodies.
 static scree_status solve_end(OpenCl* d, const Solve* solve)
 {
 	cl_kernel kernel = d->solve_end.kernel;

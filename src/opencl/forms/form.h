@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// form.h -- the form in which a solve is fastest: launches by color, a relay (relay.cl), or tiles (tiles.cl).
+// form.h -- chooses the fastest form of a solve: launches by color, a relay (relay.cl), or tiles (tiles.cl).
 #ifndef OPENCL_FORM_H
 #define OPENCL_FORM_H
 #include "opencl/opencl_state.h"
 
-// Reads the environment.
+// Reads the environment variable SCREE_SOLVER.
 void form_open(OpenCl* d);
 scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list);
 

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
-// registers.cl -- what relay and tiles share: constraints in registers and in the stream, and bodies without
-// constraints.
+// registers.cl -- code of relay and tiles: constraints in registers and in the stream, and bodies without constraints.
 //
 // A pass over registers calls the same functions as a pass over pools (solve_pass.h), so the bits are the same.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-// A plain world has no radii, restitution, rolling resistance or tangent speed. Kernels specialized for it use fewer
-// registers, so their occupancy is higher. On an H200 the solve of a million stacked boxes takes 1.379 ms with them and
-// 1.420 ms without.
+// Specializations of a kernel for some worlds: they make members of Step constants. A specialized kernel uses fewer
+// registers, so its occupancy is higher. A plain world has no joints, radii, restitution, rolling resistance or tangent
+// speed. On an H200 the solve of a million stacked boxes takes 1.379 ms with its kernel and 1.420 ms without.
 #define STEP_JOINTS(step)   ((void)0)
-// The same for a world whose joints have no springs, couplings and paths.
+// Specialization for worlds whose joints have no springs, couplings and paths.
 #define STEP_HINGES(step)   ((step).springs = (step).couplings = (step).paths = 0)
-// The same for a world without joints.
+// Specialization for worlds without joints.
 #define STEP_CONTACTS(step) ((step).joints = (step).has_drives = (step).springs = (step).couplings = (step).paths = 0)
 #define STEP_PLAIN(step)    (STEP_CONTACTS(step), (step).has_rolling = (step).details = (step).bounces = (step).round = 0)
 
@@ -53,7 +52,7 @@ INLINE void body_keep(const Pools* p, int body, const float row[8])
 	state->da = row[6];
 }
 
-// whether all are +0
+// Returns whether all values are +0.
 INLINE bool all_zero(const float* values, int count)
 {
 	int bits = 0;
@@ -62,11 +61,11 @@ INLINE bool all_zero(const float* values, int count)
 	return bits == 0;
 }
 
-// The state of a body without constraints at pass q. Each reader computes it: state in memory could only be replaced
-// after its last reader.
+// Computes the state of a body without constraints at pass q. Every reader computes it, because a state in memory could
+// only be replaced after its last reader.
 //
-// Most such bodies rest and need only the first substep. If body_accelerate maps rest to rest, it does so again,
-// because the same function gets the same bits; body_move then adds nothing.
+// Most such bodies rest and need only the first substep. If body_accelerate maps rest to rest, it does so in every
+// later substep, because the same function gets the same bits; body_move then adds nothing.
 INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[8])
 {
 	float m[8], base[4];
@@ -94,11 +93,11 @@ INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[
 
 typedef struct // one body of a constraint
 {
-	int body, before; // before: number of the body's constraints before this one in a pass
-	bool moves, last; // last: no other constraint of the body comes after this one
+	int body, before; // before: constraints of the body that precede this one in a pass
+	bool moves, last; // last: no other constraint of the body follows this one
 } Side;
 
-// The side of a constraint of a color. With hubs, the hubs of a body come before its colors.
+// Returns the side of a constraint with a color. In worlds with hubs, the hubs of a body precede its colors.
 INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 {
 	Side side;
@@ -112,7 +111,7 @@ INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 	return side;
 }
 
-typedef union // a constraint of some kind; registers are needed for the largest only
+typedef union // a constraint of any kind; it takes registers for the largest kind only
 {
 #define CONSTRAINT_KIND(kind, Kind, KIND) Kind kind;
 #include "pools/kinds.def"
@@ -135,7 +134,7 @@ typedef struct // a constraint in registers
 	bool inert;
 } Registers;
 
-// Loads its bodies as they are when a step begins.
+// Loads the masses of the two bodies, with zero displacement as at the start of a step.
 INLINE void registers_bodies(const Pools* p, Registers* u)
 {
 	BodyState a = p->body[u->side[0].body], b = p->body[u->side[1].body];
@@ -149,7 +148,7 @@ INLINE void registers_bodies(const Pools* p, Registers* u)
 	u->b.da = 0.0f;
 }
 
-// Loads a constraint and its bodies, but not its sides, and derives what the passes need.
+// Loads a constraint and its bodies, but not its sides. Derives the values that the passes use.
 OUT_OF_LINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 {
 	Registers u;
@@ -174,7 +173,7 @@ OUT_OF_LINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 	return u;
 }
 
-// Task t, which may be padding.
+// Prepares the constraint of task t, which may be padding.
 INLINE Registers registers_prepare(const Pools* p, int t, bool hubs)
 {
 	Registers u;
@@ -190,7 +189,7 @@ INLINE Registers registers_prepare(const Pools* p, int t, bool hubs)
 	return u;
 }
 
-// Derives what a pass needs of the positions of the bodies.
+// Derives the values of a pass that depend on the positions of the bodies.
 INLINE void registers_ready(const Pools* p, int pass, Registers* u, AnyReady* ready)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
@@ -200,7 +199,7 @@ INLINE void registers_ready(const Pools* p, int pass, Registers* u, AnyReady* re
 #undef CONSTRAINT_KIND
 }
 
-// A pass of solve_pass.h over registers.
+// Runs a pass of solve_pass.h over a constraint in registers.
 OUT_OF_LINE void registers_pass(const Pools* p, int pass, const AnyReady* ready, Registers* u)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
@@ -210,7 +209,7 @@ OUT_OF_LINE void registers_pass(const Pools* p, int pass, const AnyReady* ready,
 #undef CONSTRAINT_KIND
 }
 
-// Stores what the next step needs.
+// Stores the values that the next step uses.
 OUT_OF_LINE void registers_store_kept(const Pools* p, const Registers* u)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
@@ -257,7 +256,8 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 		pairs[k * n] = make_float2(c0, c1);
 
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                   \
-	/* Store constraint j and a number of the caller; load what some passes read; store what they write. */ \
+	/* stream_store: constraint j and a number of the caller, name. stream_load: columns that passes read.  \
+	   stream_update: columns that passes write. */                                                         \
 	INLINE void kind##_stream_store(const Kind* u, float name, __global float4* stream, int n, int j)       \
 	{                                                                                                       \
 		__global float4* quads = stream + j;                                                                \
@@ -280,7 +280,8 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// Stores all of a constraint as number j. registers_update: only what a pass writes.
+// Stores constraint j of the stream: registers_store stores all columns, registers_update only those that a pass
+// writes.
 OUT_OF_LINE void registers_store(const Registers* u, __global float4* stream, int n, int j)
 {
 	if (u->inert)
@@ -319,7 +320,7 @@ INLINE Side side_load(int body, int sides)
 	return side;
 }
 
-// Loads task t, number j of the stream.
+// Loads task t, which is constraint j of the stream.
 OUT_OF_LINE Registers registers_load(const Pools* p, int t, __global float4* stream, int n, int j)
 {
 	Registers u;
@@ -346,7 +347,7 @@ OUT_OF_LINE Registers registers_load(const Pools* p, int t, __global float4* str
 	return u;
 }
 
-// Integrates the bodies without constraints, and finalizes all bodies. guard follows.
+// Integrates the bodies without constraints, and finalizes all bodies. The kernel continuous runs next.
 __kernel void solve_end(POOL_ARGUMENTS Step step, int bodies, int substeps, int passes, int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// relay.c -- launches the solve as one relay (relay.cl).
+// relay.c -- launches the whole solve as one kernel, a relay (relay.cl).
 #include "opencl/forms/relay.h"
 #include "opencl/buffer.h"
 #include "opencl/launch.h"
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// limits of a spin-wait, in reads of about 0.5 us: 2 s, and 30 ms for the probe
+// limits of a spin-wait, in reads of about 0.5 us: 2 s for a solve, 30 ms for the probe
 #define SPINS        RELAY_MAX_SPINS
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
-// Work-items per constraint, at most. A warp continues when all its constraints can, so fewer per warp wait less. On
-// an H200 the solve of washer, 4,600 constraints, took 0.335, 0.315, 0.294, 0.287, 0.288 and 0.290 ms with 1, 2, 4,
-// 8, 16 and 32.
+// Maximum work-items per constraint. A warp continues when all its constraints can, so constraints wait less if a warp
+// has fewer of them. On an H200 the solve of the scene washer, 4,600 constraints, took 0.335, 0.315, 0.294, 0.287,
+// 0.288 and 0.290 ms with 1, 2, 4, 8, 16 and 32 work-items per constraint.
 #define MAX_SPREAD 8
 
-// arguments after the step, of relay (RELAY_) and of relay_hubs (HUBS_); the first two are the same
+// arguments that follow the step, of relay (RELAY_) and of relay_hubs (HUBS_); both begin with the same two
 enum
 {
 	RELAY_MAILBOXES = ARGUMENT_STEP + 1,
@@ -53,14 +53,14 @@ bool solve_plain(const OpenCl* d)
 	       !d->constants.step.round;
 }
 
-// Whether all joints are ones for which the kernels of hinges suffice.
+// Returns whether the kernels for hinges are sufficient for all joints.
 static bool solve_hinges(const OpenCl* d)
 {
 	const Step* step = &d->constants.step;
 	return !step->springs && !step->couplings && !step->paths;
 }
 
-// The kernel for the world as it is, without hubs; with hubs.
+// Returns the kernel for the current world if it has no hubs. hubs_kernel: the same for a world with hubs.
 static Kernel* relay_kernel(OpenCl* d)
 {
 	int plain = solve_plain(d) ? RELAY_PLAIN : RELAY_COLORS, joints = solve_hinges(d) ? RELAY_HINGES : RELAY_JOINTS;
@@ -73,7 +73,8 @@ static Kernel* hubs_kernel(OpenCl* d)
 	return &d->relay.kernels[d->constants.step.joints ? joints : RELAY_HUBS];
 }
 
-// work-groups for hubs, at least one; other_groups are for the other constraints; if only one is resident, it does both
+// Returns the number of work-groups for hubs, at least one. The other groups solve the other constraints. If only one
+// group is resident, it solves both.
 static size_t hub_groups(OpenCl* d, const Solve* solve)
 {
 	size_t most = hubs_kernel(d)->groups > 1 ? (size_t)hubs_kernel(d)->groups / 2 : 1,
@@ -86,7 +87,7 @@ static size_t other_most(OpenCl* d, const Solve* solve)
 	return (size_t)hubs_kernel(d)->groups - hub_groups(d, solve);
 }
 
-// Work-items per constraint, as the device has room. One of them works.
+// Returns how many work-items per constraint fit on the device. Only one of them computes.
 static int spread_of(int constraints, size_t places)
 {
 	int spread = 1;
@@ -118,7 +119,7 @@ scree_status relay_reserve(OpenCl* d, const Solve* solve)
 	                       registers ? 1 : (size_t)constraints * STREAM_FLOAT4S * sizeof(cl_float4));
 }
 
-// Tests whether work-items are resident at once and make progress independently.
+// Tests whether all work-items are resident at once and make progress independently.
 static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem fault, bool* runs)
 {
 	cl_int rounds = PROBE_ROUNDS, spins = PROBE_SPINS, found = 0;
@@ -136,8 +137,8 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem 
 	return SCREE_OK;
 }
 
-// Counts the work-groups that are resident at once. A CPU runs work-items one after the other, so it gets one of
-// each; that suffices for tests.
+// Counts the work-groups that are resident at once. A CPU runs work-items one after the other, so it gets one group of
+// one work-item, which is sufficient for tests.
 static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 {
 	size_t most = 0;
@@ -165,7 +166,7 @@ scree_status relay_bind(OpenCl* d, Per per)
 
 scree_status relay_open(OpenCl* d)
 {
-	// a CPU has no persistent kernel; elsewhere its probe has found that work-groups are not resident at once
+	// a CPU has no persistent kernel; on other devices its probe found that work-groups are not resident at once
 	if (d->persistent.kernel.kernel && d->persistent.groups == 0)
 		return SCREE_OK;
 	for (int k = 0; k < RELAY_KERNELS; ++k)
@@ -205,7 +206,7 @@ void relay_close(OpenCl* d)
 	scratch_release(&d->relay.parts);
 }
 
-// Sets the arguments that both kernels have. The five from substeps on are consecutive.
+// Sets the arguments that both kernels have. substeps is the index of the first of five consecutive arguments.
 static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel kernel, cl_uint substeps, cl_int spread)
 {
 	cl_int spins = SPINS;

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// relay.cl -- the whole solve in one launch without a device-wide barrier: constraints send bodies to each other.
+// relay.cl -- the whole solve in one launch, without a device-wide barrier: constraints send bodies to each other.
 //
-// The colors order the constraints of each body. The result depends on that order only. A constraint may therefore be
+// The colors order the constraints of each body, and the result depends only on that order. So a constraint may be
 // solved as soon as the previous constraint of each of its two bodies is solved.
 //
 // Each body has a mailbox in global memory: two 64-bit words of velocity and two of displacement. Each word holds
 // components and a ticket. A constraint spin-waits until its ticket is in the mailboxes of both bodies, solves, and
 // writes velocity and next ticket. Words are read and written atomically, and only the owner of the ticket writes them,
-// so no memory fence is needed. The last constraint of a body in a pass integrates the body. A color took a run and a
-// device-wide barrier, 3.3 us; here it takes the latency of one word through the second-level cache.
+// so no memory fence is needed. The last constraint of a body in a pass integrates the body. With a run and a
+// device-wide barrier a color takes 3.3 us; here it takes the latency of one word through the second-level cache.
 //
 // All work-items must be resident on the device at once, and the work-items of a work-group must make progress
 // independently; relay_probe tests both. Each work-item does its tasks in the order of passes and, within a pass, of
-// colors. The first task that is not done never waits, so there is no deadlock.
+// colors. The first unfinished task in this order never waits, so there is no deadlock.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-// A pause in a spin-wait, so that work-items with the next tickets get more of the memory bandwidth.
+// Pauses a spin-wait, so that work-items with the next tickets get more of the memory bandwidth.
 #define PAUSE_NS 50
 #ifdef __NV_CL_C_VERSION
 #define PAUSE(ns) asm volatile("nanosleep.u32 %0;" ::"r"((uint)(ns)))
@@ -24,7 +24,8 @@
 #define PAUSE(ns)
 #endif
 
-// Two words of a mailbox; each word is read and written atomically. The emulation of the tests defines its own.
+// Accesses to two words of a mailbox; each word is read and written atomically. The emulation in the tests defines its
+// own.
 #ifndef MAILBOX_READ
 #define MAILBOX_READ(words)                 (*(volatile __global const ulong2*)(words))
 #define MAILBOX_WRITE(words, first, second) (*(volatile __global ulong2*)(words) = (ulong2)((first), (second)))
@@ -38,12 +39,13 @@ typedef struct // constants of all tasks
 	int spins;  // limit of a spin-wait
 } Relay;
 
-// Two words have room for three 32-bit components and a 16-bit ticket in each word.
+// Two words hold three 32-bit components, and a 16-bit ticket in each word.
 
-// The ticket in pass q of a constraint before which the body has so many others. A pass has RELAY_TICKETS tickets.
+// Returns the ticket in pass q of a constraint that follows `before` others of the body. A pass has RELAY_TICKETS
+// tickets.
 INLINE uint relay_ticket(int q, int before) { return RELAY_TICKETS * (uint)q + (uint)before + 1u; }
 
-// Three components of two words. False if their ticket is another.
+// Unpacks three components from two words. Returns false if the words have another ticket.
 INLINE bool mailbox_unpack(ulong2 words, uint ticket, float* x, float* y, float* z)
 {
 	*x = as_float((uint)(words.x >> 32));
@@ -59,7 +61,7 @@ INLINE void mailbox_write(volatile __global ulong* words, uint ticket, float x, 
 	MAILBOX_WRITE(words, first, second);
 }
 
-// Zeroes a mailbox. Nobody waits for it after the last ticket of a step.
+// Zeroes a mailbox. No constraint waits for it after the last ticket of a step.
 INLINE void mailbox_clear(volatile __global ulong* words)
 {
 	for (int k = 0; k < MAILBOX_WORDS; ++k)
@@ -74,8 +76,8 @@ INLINE void relay_send_next(const Relay* r, Side side, int q, Body body)
 		              body.v.y, body.w);
 }
 
-// After the last constraint of a body in pass q: integrates the body and sends it to the next pass, or writes it to the
-// pool after the last pass.
+// Finishes pass q of a body after its last constraint: integrates the body and sends it to the next pass, or writes it
+// to the pool after the last pass.
 INLINE void relay_finish_pass(const Pools* p, const Relay* r, Side side, int q, Body body, float m[8], float base[4])
 {
 	if (!side.moves || !side.last)
@@ -102,7 +104,7 @@ INLINE void relay_finish_pass(const Pools* p, const Relay* r, Side side, int q, 
 		p->base[side.body] = make_float4(base[0], base[1], base[2], 0.0f);
 }
 
-// Loads what relay_finish_pass needs to integrate the body.
+// Loads the values that relay_finish_pass needs to integrate the body.
 INLINE void relay_load_motion(const Pools* p, const Relay* r, Side side, int q, float m[8], float base[4])
 {
 	if (!side.moves || !side.last)
@@ -124,7 +126,7 @@ INLINE void relay_load_motion(const Pools* p, const Relay* r, Side side, int q, 
 	}
 }
 
-// Loads what a side needs that does not depend on its ticket: the state of a body for which it need not wait, and the
+// Loads the values of a side that do not depend on its ticket: the state of a body for which it need not wait, and the
 // constants of its integration.
 INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body* body, float m[8], float base[4])
 {
@@ -140,7 +142,8 @@ INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body
 	relay_load_motion(p, r, side, q, m, base);
 }
 
-// Spin-waits for three components of two mailboxes. False if a wait reached its limit, here or elsewhere.
+// Spin-waits for three components from each of two mailboxes. Returns false if a wait reached its limit, here or in
+// another work-item.
 INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __global ulong* mailbox_a, uint ticket_a,
                        Vec* a, float* wa, bool wait_b, volatile __global ulong* mailbox_b, uint ticket_b, Vec* b,
                        float* wb)
@@ -159,8 +162,8 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 	return true;
 }
 
-// Pass q of a constraint. False if its ticket did not come. With in_step the whole work-group does the pass at once
-// and fails as a whole; no two constraints of the group share a body.
+// Runs pass q of a constraint. Returns false if its ticket did not arrive. With in_step the whole work-group runs the
+// pass at once and fails as a whole; no two constraints of the group share a body.
 INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool in_step, volatile LOCAL int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
@@ -208,8 +211,9 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool
 	return true;
 }
 
-// Does all tasks of all constraints. solve_end does the bodies without constraints. If there are more constraints than
-// work-items, stream has STREAM_FLOAT4S per constraint. Does nothing if the counter at bound is zero.
+// Runs all passes of all constraints. The kernel solve_end integrates the bodies without constraints. If there are more
+// constraints than work-items, stream holds STREAM_FLOAT4S float4s per constraint. Does nothing if the counter at bound
+// is zero.
 INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream, int constraints, int bound, int spread,
                         volatile LOCAL int* fault)
 {
@@ -270,8 +274,8 @@ RELAY_KERNEL(relay_plain, STEP_PLAIN)
 RELAY_KERNEL(relay_hinges, STEP_HINGES)
 RELAY_KERNEL(relay_joints, STEP_JOINTS)
 
-// Tests whether work-items make progress independently and whether words arrive whole. In round k each work-item
-// waits for round k of its neighbor's words; one in four waits for round k - 1 of another group's words instead.
+// Tests whether work-items make progress independently and whether words arrive whole. In round k each work-item waits
+// for round k of its neighbor's words; one in four waits for round k - 1 of the words of another work-group instead.
 __kernel void relay_probe(volatile __global ulong* mailboxes, volatile __global int* fault, int rounds, int spins)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// relay_hub.cl -- the relay of a world with hubs: some work-groups solve the hubs, the others the constraints with
+// relay_hub.cl -- the relay for a world with hubs: some work-groups solve the hubs, the others the constraints with
 // colors.
 //
-// In each pass the hubs of a body come before its colors. The work-group of a hub waits for the mailboxes of the hub
-// and of all its light ends, solves them together (hub.h), and sends each body to its next hub or its first color. If
-// a body is split into parts, one work-item collects the parts and sends the body on.
+// In each pass the hubs of a body precede its colors. The work-group of a hub waits for the mailboxes of the hub and of
+// all its neighbors, solves them together (hub.h), and sends each body to its next hub or its first color. If a body is
+// split into parts, one work-item collects the parts and sends the body on.
 //
-// Tasks are done in the order of passes; within a pass, the turns of hubs come before the colors; within a turn,
-// the hubs come before the split bodies. The first task that is not done never waits.
+// Tasks are done in the order of passes; within a pass, hubs precede colors, in the order of hub colors; within a hub
+// color, the hubs precede the split bodies. The first unfinished task never waits.
 #include "opencl/forms/relay.cl"
 
-// The side of a body in a turn of hubs (HUB_COLORS).
+// Returns the side of a body for a hub color; turn is the color, below HUB_COLORS.
 INLINE Side relay_side(const Pools* p, int body, int turn)
 {
 	Side side;
@@ -22,7 +22,7 @@ INLINE Side relay_side(const Pools* p, int body, int turn)
 	return side;
 }
 
-// Receives a body for pass q. False if its ticket did not come.
+// Receives a body for pass q. Returns false if its ticket did not arrive.
 OUT_OF_LINE bool relay_receive(const Pools* p, const Relay* r, Side side, int q, Body* b)
 {
 	float row[8];
@@ -44,7 +44,7 @@ OUT_OF_LINE bool relay_receive(const Pools* p, const Relay* r, Side side, int q,
 	return ok;
 }
 
-// Sends a body from a hub of pass q with a new velocity: to its next hub, its first color or the next pass.
+// Sends a body with a new velocity from a hub in pass q to its next hub, its first color or the next pass.
 OUT_OF_LINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, int q, float vx, float vy, float w)
 {
 	Body b;
@@ -69,8 +69,8 @@ OUT_OF_LINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, 
 	relay_finish_pass(p, r, side, q, b, m, base);
 }
 
-// Sends the velocity of a part of a body to the work-item that collects the parts. The tickets rise from pass to
-// pass, and the first of a step is lower than the last of the step before, so parts need not be cleared.
+// Sends the velocity of a part of a body to the work-item that collects the parts. Tickets rise from pass to pass, and
+// the first one of a step is lower than the last one of the previous step, so parts need not be cleared.
 INLINE void relay_send_part(volatile __global ulong* parts, int k, int q, float vx, float vy, float w)
 {
 	mailbox_write(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
@@ -84,8 +84,8 @@ INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global
 	return relay_wait(p, r, true, parts + 2 * (ulong)k, (uint)q + 1u, v, w, false, parts, 0u, &none, &no);
 }
 
-// Pass q of hub n, by a work-group. Sets fault if a ticket did not come, and then does nothing. The index of a part
-// is the spoke for light ends; the parts of hubs come after those.
+// Runs pass q of hub n in a work-group. Sets fault if a ticket did not arrive, and then does nothing. The part of a
+// neighbor has the index of its spoke; the parts of hubs come after those.
 INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* parts, int n, int q,
                       LOCAL float* bench, volatile LOCAL int* fault)
 {
@@ -109,7 +109,7 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 		return;
 	hub_work(p, &h, schedule_pass(r->substeps, q), bench);
 
-	// the hub itself comes after its spokes
+	// index h.count, after the spokes, is the hub itself
 	group_meet();
 	for (int k = group_lane(); k <= h.count; k += group_width())
 	{
@@ -123,7 +123,8 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 	}
 }
 
-// Collects the parts of the body that sorted end i begins, if it is split, in a turn of pass q; as hub_merge.
+// Collects the parts of a split body in pass q of a hub color, like hub_merge. The run of sorted spokes of the body
+// begins at i.
 OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q, int turn)
 {
 	int spoke = hub_merged(p, i, turn);
@@ -157,13 +158,13 @@ OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global u
 	return true;
 }
 
-typedef struct // what a work-group or a work-item takes of the tasks
+typedef struct // the tasks of a work-group or a work-item
 {
-	bool hubs, colors;                // whether the group solves hubs, and constraints with colors
-	int group, hub_groups, hub_count; // hubs group, group + hub_groups, ...
+	bool hubs, colors;                // the group solves hubs; the group solves constraints with colors
+	int group, hub_groups, hub_count; // the group solves hubs group, group + hub_groups, ...
 	int spokes;
-	int begin, stride, constraints; // constraints begin, begin + stride, ... of this work-item
-	bool streamed;                  // else the only constraint of the work-item stays in registers
+	int begin, stride, constraints; // the work-item solves constraints begin, begin + stride, ...
+	bool streamed;                  // false: the only constraint of the work-item stays in registers
 	__global float4* stream;
 } HubTasks;
 
@@ -186,7 +187,7 @@ INLINE HubTasks hub_tasks(const Pools* p, __global float4* stream, int spread, i
 	return t;
 }
 
-// Prepares the spokes of the hubs of a work-group.
+// Prepares the spokes of all hubs of a work-group.
 INLINE void hub_tasks_prepare_hubs(const Pools* p, const HubTasks* t)
 {
 	for (int n = t->group; n < t->hub_count; n += t->hub_groups)
@@ -215,7 +216,7 @@ INLINE void hub_tasks_prepare_colors(const Pools* p, const HubTasks* t, Register
 	}
 }
 
-// Pass q of the hubs of a work-group. False, for the whole group, if a ticket did not come.
+// Runs pass q of the hubs of a work-group. Returns false in the whole group if a ticket did not arrive.
 INLINE bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTasks* t, volatile __global ulong* parts, int q,
                                 LOCAL float* bench, volatile LOCAL int* fault)
 {
@@ -237,7 +238,7 @@ INLINE bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTasks* 
 	return !*fault;
 }
 
-// Pass q of the constraints of a work-item. False if a ticket did not come.
+// Runs pass q of the constraints of a work-item. Returns false if a ticket did not arrive.
 INLINE bool hub_tasks_pass_colors(const Pools* p, const Relay* r, const HubTasks* t, int q, Registers* u,
                                   volatile LOCAL int* fault)
 {
@@ -264,8 +265,8 @@ INLINE void hub_tasks_store_colors(const Pools* p, const HubTasks* t, Registers*
 	}
 }
 
-// As relay. The first hub_groups work-groups solve hubs, the others constraints; if there is one work-group, it does
-// both. parts has two words per spoke and per hub.
+// Does the same as relay_tasks, but the first hub_groups work-groups solve hubs and the others constraints. A single
+// work-group does both. parts holds two words per spoke and per hub.
 INLINE void relay_hub_tasks(const Pools* p, const Relay* r, __global float4* stream, int bound, int spread,
                             __global ulong* parts, int hub_groups, LOCAL float* bench, volatile LOCAL int* fault)
 {
@@ -287,7 +288,7 @@ INLINE void relay_hub_tasks(const Pools* p, const Relay* r, __global float4* str
 	{
 		if (tasks.hubs && !hub_tasks_pass_hubs(p, r, &tasks, parts, q, bench, fault))
 		{
-			// spin-waits elsewhere poll it
+			// spin-waits of other work-groups read this flag
 			*(volatile __global int*)&p->counters->fault = FAULT_TIMEOUT;
 			return;
 		}

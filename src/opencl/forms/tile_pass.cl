@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// tile_pass.cl -- one pass of the solve over all tiles, and over the border constraints.
+// tile_pass.cl -- one pass of the solve: over all tiles, then over the border constraints.
 #include "opencl/forms/tiles.cl"
 
 typedef struct // the bodies of a tile
 {
-	float4 motion[TILE_BODIES + 1]; // velocity x, y, angular, inverse mass
+	float4 motion[TILE_BODIES + 1]; // velocity x, y, angular velocity, inverse mass
 	float4 moved[TILE_BODIES + 1];  // displacement x, y, rotation, inverse inertia
 } Tile;
 
@@ -61,7 +61,7 @@ INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
 		tile->motion[place] = make_float4(b->v.x, b->v.y, b->w, b->inv_mass);
 }
 
-// Pass q of the constraint at place j; pass is the kind of pass q.
+// Runs pass q of the constraint at place j; pass is the kind of pass q.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                        \
 	INLINE void kind##_tile_task(const Pools* p, const Relay* r, const Tiles* t, LOCAL Tile* tile, int j, int q, \
 	                             int pass)                                                                       \
@@ -88,7 +88,8 @@ INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
 
 #define TILE_LAST_COLUMN (TILE_COLUMNS - 1)
 
-// the place of the next constraints of a work-group: in the same column, or in the next column that is not empty
+// Returns the place of the next constraints of a work-group: in the same column, or in the next column that is not
+// empty.
 INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column)
 {
 	if (at < range[*column + 1])
@@ -99,7 +100,7 @@ INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column
 	return range[*column];
 }
 
-// Prefetches a cache line, where the compiler has a way to.
+// Prefetches a cache line, if the compiler supports it.
 #ifdef __NV_CL_C_VERSION
 #define FETCH_AHEAD(place) asm volatile("prefetch.global.L2 [%0];" ::"l"(place))
 #else
@@ -113,11 +114,11 @@ INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column
 	if ((read) >> pass & 1)                         \
 		FETCH_AHEAD(stream_pairs(t->stream, n, j) + k * n);
 
-// Whether there may be constraints of a kind; constant in a kernel without joints.
+// Returns whether the world may have constraints of a kind; constant in a kernel without joints.
 INLINE bool tile_has(const Pools* p, int kind) { return kind == CONSTRAINT_CONTACT || p->step.joints; }
 
 // Prefetches the next constraints of a work-group, one work-item per cache line. Memory bandwidth limits the pass: on
-// an H200 this is 6 % faster than loading them into registers ahead of time, and a higher occupancy gains nothing.
+// an H200 prefetching is 6 % faster than loading them into registers early, and a higher occupancy gains nothing.
 INLINE void tile_fetch_ahead(const Pools* p, const Tiles* t, int kind, int j, int lane, int pass)
 {
 	int n = t->stride;
@@ -134,7 +135,7 @@ INLINE void tile_fetch_ahead(const Pools* p, const Tiles* t, int kind, int j, in
 #undef CONSTRAINT_KIND
 }
 
-// A pass over a tile, by a work-group.
+// Runs a pass over a tile in a work-group.
 INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, LOCAL Tile* tile,
                       LOCAL int* range, int q, int pass)
 {
@@ -211,7 +212,7 @@ INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, B
 		mailbox_clear(r->mailboxes + MAILBOX_WORDS * (ulong)side.body);
 }
 
-// Pass q of a border constraint. A body comes from its pool, or from its previous border constraint through its
+// Runs pass q of a border constraint. A body comes from its pool, or from its previous border constraint through its
 // mailbox.
 INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile LOCAL int* fault)
 {
@@ -269,7 +270,7 @@ INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int
 	return true;
 }
 
-// Pass q of the border constraints of a work-item.
+// Runs pass q of the border constraints of a work-item.
 INLINE void tile_border_work(const Pools* p, const Relay* r, const Tiles* t, int q, volatile LOCAL int* fault)
 {
 	if (get_local_id(0) == 0)

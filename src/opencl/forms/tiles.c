@@ -7,15 +7,15 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// Stale tiles are rebuilt if at most BORDER_SHARE of the constraints were border constraints. After BORDER_AGE solves
-// without tiles they are rebuilt in any case, to measure the share again.
+// Stale tiles are rebuilt if at most BORDER_SHARE of the constraints were border constraints at the last build. After
+// BORDER_AGE solves without tiles they are rebuilt anyway, to measure the share again.
 #define BORDER_SHARE 0.1
 #define BORDER_AGE   64
 
-// Border constraints per work-group of the relay if the border is short. More groups make the launch longer.
+// Border constraints per work-group of the relay, if there are few of them. More groups make the launch longer.
 #define BORDER_GRAIN 64
 
-// name, and work-items per work-group, at most
+// kernel names, and maximum work-items per work-group
 static const struct
 {
 	const char* name;
@@ -82,7 +82,7 @@ scree_status tiles_bind(OpenCl* d, Per per)
 // a tree has at most one leaf per collidable
 static cl_int row_count(const OpenCl* d) { return (d->constants.step.collidables - 1) / TILE_BODIES + 1; }
 
-// places of constraints: all constraints, and the padding of the border's colors
+// number of places: all constraints, and the padding of the border's colors
 static cl_int place_count(const Solve* solve) { return solve_constraints(solve) + TILE_COLUMNS * RELAY_GROUP; }
 
 scree_status tiles_reserve(OpenCl* d, const Solve* solve)
@@ -108,7 +108,7 @@ scree_status tiles_reserve(OpenCl* d, const Solve* solve)
 	return scratch_reserve(d, &d->relay.stream, places * STREAM_FLOAT4S * sizeof(cl_float4));
 }
 
-typedef struct // the value of an argument
+typedef struct // a kernel argument
 {
 	size_t size;
 	const void* value;
@@ -120,7 +120,7 @@ typedef struct // the value of an argument
 	}
 #define VALUES(...) (const Value[]){__VA_ARGS__}, (int)(sizeof((const Value[]){__VA_ARGS__}) / sizeof(Value))
 
-// Launches a kernel over so many items, with values for its arguments from first on.
+// Launches a kernel over the given number of items. The values are its arguments from index first on.
 static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int items, cl_uint first, const Value* values,
                               int count)
 {
@@ -129,7 +129,7 @@ static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int ite
 	return launch(d, kernel, groups_of(items, group) * group, group);
 }
 
-// The same for a kernel that takes all pools: the values come after the step.
+// Does the same for a kernel that takes all pools; the values follow the step.
 static scree_status tile_run(OpenCl* d, int k, int items, const Value* values, int count)
 {
 	Kernel* kernel = &d->tiles.kernels[k];
@@ -175,13 +175,13 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	t->age = 0;
 	if (t->edges_event)
 		return SCREE_OK;
-	// the totals of the last two rows: where the border begins and ends
+	// entries of the last two rows: begin and end of the border
 	TRY(CALL(EnqueueReadBuffer, d->queue, total, CL_FALSE, (size_t)rows * sizeof(cl_int), sizeof t->edges, t->edges, 0,
 	         NULL, &t->edges_event));
 	return SCREE_OK;
 }
 
-// Stores the size of the border if the read of lay_out is complete.
+// Stores the size of the border, once the read that lay_out enqueued is complete.
 static void border_poll(TileState* t)
 {
 	cl_int status = CL_QUEUED;

@@ -5,25 +5,26 @@
 // tiles of neighbors along the Hilbert curve of the broad phase's tree. A work-group loads a tile once per pass and
 // solves the constraints inside it color by color, with barriers between the colors.
 //
-// Each body must still go through its constraints in the order of colors. A constraint between two tiles is a border
-// constraint, and so is each one that comes after a border constraint on either body. A second launch solves them as a
-// relay (relay.cl). The result does not depend on the tiles.
+// The constraints of each body must still be solved in the order of their colors. A constraint between two tiles is a
+// border constraint, and so is each one that follows a border constraint on either body. A second launch solves the
+// border as a relay (relay.cl). The result does not depend on the tiles.
 //
-// Integration needs no pass of its own: a tile integrates its bodies when it loads them.
+// Integration needs no separate pass: a tile integrates its bodies when it loads them.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-// the place in local memory of all bodies that rest and cannot move
+// place in local memory of all bodies that rest and cannot move
 #define TILE_RESTS TILE_BODIES
-// A resident is the index of its body, plus this bit if the constants of its motion have their usual values
-// (tile_plain).
+// Flag of a resident. A resident is the index of its body, plus this bit if the constants of its motion have their
+// usual values (tile_plain).
 #define TILE_PLAIN 0x40000000
 
 // ---------------------------------------------------------------------------------------------------------------
 // tiles and their constraints
 // ---------------------------------------------------------------------------------------------------------------
 
-// False if the counter at bound is zero: the constraints are not those that the host knows, and nothing is done.
+// Returns false if the counter at bound is zero. The constraints then differ from those that the host assumed, and
+// nothing may be done.
 INLINE bool tile_wanted(const Pools* p, int bound)
 {
 	return bound < 0 || ((__global const int*)p->counters)[bound] != 0;
@@ -39,8 +40,9 @@ INLINE int tile_body_of(const Pools* p, int leaf)
 	return leaf < p->tree[0].leaves ? p->collidable_body[p->leaf[p->tree[0].leaf_begin + leaf]] : -1;
 }
 
-// TILE_PLAIN if a body has no force, damping or lock, and the world's gravity; such constants are not read in the
-// passes. They cannot change before the tiles are rebuilt, because changes by the user rebuild them; but for the forces of fields.
+// Returns TILE_PLAIN if a body has no force, damping or lock, and gravity scale 1. The passes do not read the constants
+// of such a body. Only the forces of fields can change before the tiles are rebuilt, because every change by the user
+// rebuilds them.
 INLINE int tile_plain(const Pools* p, int body)
 {
 	Motion m = p->motion[body];
@@ -61,7 +63,8 @@ __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __globa
 	border[body] = COLORS + 1;
 }
 
-// Lists the bodies by place: resident has an item per place, -1 for none. With fields, pushed is 1: they change forces in every step.
+// Lists the bodies by place: resident has an item per place, -1 for none. pushed is 1 with fields, which change forces
+// in every step.
 __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places,
                         int bound, int pushed)
 {
@@ -76,8 +79,8 @@ INLINE bool tile_still(const float row[8])
 	return all_zero(row, 3) && all_zero(row + 4, 4);
 }
 
-// The row of the table for constraints with a body that cannot move: any (-1), or the border's if the body is
-// kinematic and in motion, because its position then differs in every pass.
+// Returns the table row of constraints with a body that cannot move: -1 for any row, or the border's row if the body is
+// kinematic and moving, because its position then differs in every pass.
 INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 {
 	float first[8], second[8];
@@ -86,11 +89,11 @@ INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 	return tile_still(first) && tile_still(second) ? -1 : rows;
 }
 
-// the column of the table for a constraint
+// Returns the table column of a constraint.
 INLINE int tile_column(int color, int kind) { return color * CONSTRAINT_KINDS + kind; }
 
-// The row of the table for a constraint: its tile's, or the last one for a border constraint. border holds, for each
-// body, its first color with a border constraint.
+// Returns the table row of a constraint: that of its tile, or the last one for a border constraint. border holds, for
+// each body, its first color with a border constraint.
 INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int* place, __global const int* border,
                     int rows)
 {
@@ -108,12 +111,13 @@ INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int*
 	return row == -1 ? rows : row;
 }
 
-// Counts the constraints of one color, and finds the border constraints. One launch per color, because each color
-// depends on the colors before it. The count so far becomes the rank of the constraint; the order is arbitrary.
+// Counts the constraints of one color, and finds the border constraints. Each color has its own launch, because it
+// depends on the colors before it. The count so far becomes the rank of the constraint, so the order of ranks is
+// arbitrary.
 __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
                          __global int* rank, int rows, int bound, int begin, int end)
 {
-	// the border has one counter per kind: a work-group adds its constraints with one atomic
+	// the border has one counter per kind: a work-group adds its constraints with one atomic operation
 	__local int border_count[CONSTRAINT_KINDS], first[CONSTRAINT_KINDS], found;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
@@ -155,7 +159,7 @@ INLINE int tile_padded(int count, int row, int rows)
 	return row < rows ? count : (count + RELAY_GROUP - 1) / RELAY_GROUP * RELAY_GROUP;
 }
 
-// Adds up the constraints of each row. The last row is the border.
+// Sums the constraints of each row. The last row is the border.
 __kernel void tile_total(__global const int* table, __global int* total, int rows)
 {
 	int row = (int)get_global_id(0), sum = 0;
@@ -166,7 +170,7 @@ __kernel void tile_total(__global const int* table, __global int* total, int row
 	total[row] = sum;
 }
 
-// Computes where each row begins. One work-group.
+// Computes the beginning of each row, in one work-group.
 __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_begin(__global int* total, int rows)
 {
 	__local uint sum[PRIMITIVE_GROUP];
@@ -182,7 +186,7 @@ __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_
 	}
 }
 
-// Replaces the counts of the table by beginnings. The row after the border's holds the end.
+// Replaces the counts of the table by beginnings. The row after the border holds the end.
 __kernel void tile_range(__global int* table, __global const int* total, int rows)
 {
 	int row = (int)get_global_id(0);
@@ -197,7 +201,7 @@ __kernel void tile_range(__global int* table, __global const int* total, int row
 	}
 }
 
-// Writes the order: the task at each place, -1 for none.
+// Writes to order the task at each place, -1 for none.
 __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
                          __global const int* table, __global const int* rank, int rows, int bound,
                          __global int* order, int constraints)
@@ -214,7 +218,7 @@ __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// the stream of constraints that the passes read
+// the stream of constraints, which the passes read
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct
@@ -228,13 +232,13 @@ typedef struct
 	int stride, rows;
 } Tiles;
 
-// The place of a body in its tile, for a constraint inside the tile.
+// Returns the place of a body in its tile, for a constraint inside the tile.
 INLINE uint tile_place(const Pools* p, const Tiles* t, int body)
 {
 	return p->body[body].inv_mass > 0.0f ? (uint)t->place[body] % TILE_BODIES : TILE_RESTS;
 }
 
-// The side of a border constraint. The constraints of the body before its first border constraint are not counted.
+// Returns the side of a border constraint. Constraints of the body before its first border constraint are not counted.
 INLINE Side tile_side(const Pools* p, const Tiles* t, int body, int color)
 {
 	Side side = side_of(p, body, color, false);
@@ -246,7 +250,7 @@ INLINE Side tile_side(const Pools* p, const Tiles* t, int body, int color)
 	return side;
 }
 
-// Writes what the passes need of the constraint at place j.
+// Writes the constraint at place j to the stream, for the passes.
 INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 {
 	if (j == 0)
