@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// check.h -- checks of arguments: each returns a status, and on failure sets a sentence with the argument and its value.
+// check.h -- checks of arguments: each returns a status, and on failure sets a message with the argument and its value.
 #ifndef CHECK_H
 #define CHECK_H
 #include "platform/error.h"
@@ -8,38 +8,39 @@
 
 #define ALONE (-1)
 
-// bounds of a surface's numbers: up to the first, square roots, products and ratios of two values are finite
+// Upper bounds of surface values. Up to MOST_SURFACE, square roots, products and ratios of two values are finite.
 #define MOST_SURFACE     1e6f
 #define MOST_RESTITUTION 100.0f
 
-typedef struct // the place of a value in a call
+typedef struct // place of a value in a call
 {
 	const char* function;
 	const char* argument;
-	int index; // in the batch; ALONE when the argument is not an array
+	int index; // index in the batch; ALONE if the argument is not an array
 } ArgumentPlace;
 
-// The shortest decimal number that reads back as a float, for sentences.
+// Shortest decimal number that reads back as the same float, for messages.
 typedef struct
 {
 	char text[24];
 } Decimal;
 Decimal decimal(float x);
 
-// "function: argument[index]member SENTENCE"; member is "" or begins with a dot.
+// Fails with "function: argument[index]member MESSAGE"; member is "" or begins with a dot.
 scree_status refuse(scree_status status, ArgumentPlace at, const char* member, const char* format, ...) FORMAT(4, 5);
 
-// A finite number from low to high; -FLT_MAX and FLT_MAX stand for no bound.
+// Checks for a finite number from low to high; -FLT_MAX and FLT_MAX stand for no bound.
 scree_status check_real(ArgumentPlace at, const char* member, float x, float low, float high);
 
-// Both components from -limit to limit.
+// Checks that both components are from -limit to limit.
 scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float limit);
 
-// A position within SCREE_MAX_COORDINATE, and a rotation whose length is 1 to within 0.0005, which is then normalized. A length that is
-// 1 to within a few units of the last place is left alone, so that a pose that was read can be set again unchanged.
+// Checks for a position within SCREE_MAX_COORDINATE and a rotation whose length is 1 to within 0.0005, and normalizes
+// the rotation. A length that is 1 to within a few units of the last place remains, so that a pose that was read can be
+// set again unchanged.
 scree_status check_pose(ArgumentPlace at, const char* member, scree_pose* pose);
 
-// A device name in one of the forms of scree_world_def.device.
+// Checks for a device name in one of the forms of scree_world_def.device.
 scree_status check_device(ArgumentPlace at, const char* member, const char* device);
 
 scree_status check_type(ArgumentPlace at, const char* member, scree_body_type type);
@@ -49,10 +50,10 @@ scree_status check_sensor(ArgumentPlace at, const char* member, uint32_t sensor)
 scree_status check_velocity(ArgumentPlace at, const char* member, scree_velocity velocity);
 scree_status check_pointer(const char* function, const char* argument, const void* pointer);
 
-// 0 <= count <= MAX_ITEMS, and an array that is not null unless count is 0.
+// Checks for 0 <= count <= MAX_ITEMS, and for an array that is not null unless count is 0.
 scree_status check_batch(const char* function, const char* argument, const void* array, int count);
 
-// The arguments of a function that fills a list: an array of capacity entries, and the address of the count.
+// Checks the arguments of a function that fills a list: an array of capacity entries, and the address of the count.
 scree_status check_list(const char* function, const char* argument, const void* array, int capacity, const int* count);
 
 #endif

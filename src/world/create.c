@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// create.c -- makes a world on an open device, and destroys it.
+// create.c -- creates a world on an open device, and destroys it.
 #include "world/create.h"
 #include "platform/error.h"
 #include "world/device/auto.h"
@@ -15,7 +15,7 @@
 #include "world/world.h"
 #include <stdio.h>
 
-// Body 0 stands for the body of every collidable that has none. Its slot is never in use, so no handle names it.
+// Adds body 0, the body of every collidable that has none. Its slot is never in use, so no handle refers to it.
 static scree_status add_ground(scree_world* world, const char* function)
 {
 	if (!slots_reserve(&world->bodies, 1))
@@ -78,7 +78,7 @@ scree_status world_create(const scree_world_def* def, Backend* backend, scree_wo
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for a world", function);
 	worlds_add(1);
 	made->def = *def;
-	// the pointers of the definition are valid during the call only
+	// the pointers of the definition are valid only during the call
 	made->def.device = made->device;
 	if (def->opengl)
 	{

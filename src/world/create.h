@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// create.h -- makes a world on an open device, and destroys it.
+// create.h -- creates a world on an open device, and destroys it.
 #ifndef CREATE_H
 #define CREATE_H
 #include "backend/backend.h"
 
-// Makes a world on a device that is open. On failure *world is null and the caller keeps the device.
+// Creates a world on an open device. On failure *world is null and the caller keeps the device.
 scree_status world_create(const scree_world_def* def, Backend* backend, scree_world** world);
 
 // Releases everything and closes the device, unless world->backend is null.

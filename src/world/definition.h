@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // definition.h -- definitions and results of programs that were built with another version of the header.
 //
-// New versions add members at the end of such structs; their default is 0. A definition stores its size. A function that
-// fills a result takes the size as an argument.
+// New versions add members at the end of such structs; their default is 0. A definition stores its size. A function
+// that fills a result takes the size as an argument.
 #ifndef DEFINITION_H
 #define DEFINITION_H
 #include "world/check.h"
 
-typedef struct // of one type of definition
+typedef struct // a type of definition
 {
 	uint32_t bytes;               // size in this library
 	uint32_t least;               // size in version 0.1.0
-	const char* default_function; // fills one with defaults
+	const char* default_function; // name of the function that fills one with defaults
 } DefinitionType;
 
-// bytes: no definition and no result is larger, so a larger size was never set
+// Upper bound of the size of all definitions and results, bytes. A larger size means that the caller did not set it.
 #define MOST_SIZE 4096
 
 extern const DefinitionType world_definition, tuning_definition, attribute_definition, body_definition,
@@ -24,11 +24,11 @@ extern const DefinitionType world_definition, tuning_definition, attribute_defin
 // Checks definition k of a batch. All definitions of a batch have the size of the first.
 scree_status check_definition(ArgumentPlace at, const void* defs, int k, const DefinitionType* type);
 
-// Definition k of a batch after its check: its address if it has this library's size, else a copy in local, a struct of
+// Returns definition k of a checked batch: its address if it has this library's size, else a copy in local, a struct of
 // the type.
 const void* definition_at(const void* defs, int k, const DefinitionType* type, void* local);
 
-// Copies a result of this library into a struct of so many bytes; bytes beyond the result become 0.
+// Copies a result of this library into a struct of the given size; bytes beyond the result become 0.
 void write_result(void* to, size_t bytes, const void* result, size_t result_bytes);
 
 #endif

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// edit_lists.h -- what the user changed since the last upload: new rows, then commands in the order of calls.
+// edit_lists.h -- the user's changes since the last upload: new rows, then commands in the order of calls.
 #ifndef EDIT_LISTS_H
 #define EDIT_LISTS_H
 #include "pools/pools.h"
 #include "scree/scree.h"
 #include <stdbool.h>
 
-typedef struct // the row of a body; all zero but the rotation for a body that was destroyed
+typedef struct // row of a body; for a destroyed body all zero except the rotation
 {
 	int index;
-	int since;       // commands before this one belong to what the slot held before
-	scree_pose pose; // of the origin
+	int since;       // commands before this one belong to the previous body of the slot
+	scree_pose pose; // pose of the origin
 	scree_vec center;
 	scree_velocity velocity;
 	float inv_mass, inv_inertia;
@@ -19,16 +19,16 @@ typedef struct // the row of a body; all zero but the rotation for a body that w
 	bool disabled;
 } BodyRow;
 
-typedef struct // the row of a collidable; its values are taken from the host at the upload
+typedef struct // row of a collidable; the upload reads its values from the host
 {
 	int index;
-	int since; // as in BodyRow
+	int since; // see BodyRow
 } CollidableRow;
 
-typedef struct // kept with a body or a collidable; 0 for none
+typedef struct // pending edits of a body or a collidable; 0 for none
 {
-	int row;   // 1 + its place among the rows
-	int group; // 1 + its group of commands, within world_upload
+	int row;   // 1 + index of its row
+	int group; // 1 + its group of commands, during world_upload
 } PendingEdits;
 
 typedef struct
@@ -41,12 +41,12 @@ typedef struct
 	int command_count, command_capacity;
 	int* attributes; // slots to upload, each once
 	int attribute_count, attribute_capacity;
-	int* joints; // the same
+	int* joints; // the same for joints
 	int joint_count, joint_capacity;
-	int* paths; // the same
+	int* paths; // the same for paths
 	int path_count, path_capacity;
-	int sample_rows;    // samples of paths of the device that have ever been written
-	int attribute_rows; // rows of the device that have ever been written
+	int sample_rows;    // number of path samples on the device that have ever been written
+	int attribute_rows; // number of attribute rows on the device that have ever been written
 } Edits;
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// edits.c -- records what the user changes until the next upload.
+// edits.c -- records the user's changes until the next upload.
 #include "world/edits.h"
 #include "platform/error.h"
 #include "world/memory.h"
@@ -10,7 +10,8 @@ scree_status edits_reserve(scree_world* world, const char* function, int bodies,
 	Edits* p = &world->edits;
 	TRY(GROW(function, p->bodies, p->body_capacity, p->body_count + bodies));
 	TRY(GROW(function, p->collidables, p->collidable_capacity, p->collidable_count + collidables));
-	// a collidable that comes or goes changes a link of its body's list, and what guard knows of the body; one is for mass_settle
+	// adding or removing a collidable changes a link in its body's list and the body's ContinuousBody; one more is for
+	// mass_settle
 	return GROW(function, p->commands, p->command_capacity, p->command_count + commands + 2 * collidables + 1);
 }
 

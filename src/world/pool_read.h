@@ -7,7 +7,7 @@
 // Reads items of a pool for the user, and counts the time for device "auto".
 scree_status world_read(scree_world* world, PoolId pool, int first, int count, void* items);
 
-// The pose of the origin of a body. Its row in the pool pose is that of its center of mass.
+// Returns the pose of a body's origin. row is that of the pool pose, which holds the pose of the center of mass.
 scree_pose world_body_pose(const scree_world* world, int index, const Float4* row);
 
 #endif

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// pool_values.h -- values of the interface as the pools hold them.
+// pool_values.h -- converts values of the interface to those of the pools.
 #ifndef POOL_VALUES_H
 #define POOL_VALUES_H
 #include "pools/pools.h"
 #include "world/world.h"
 
-// The bits of a collidable that share a word on the device.
+// Returns the bits of a collidable that share a word on the device.
 static inline uint32_t report_bits(const HostCollidable* host) { return host->reports | host->sensor << SENSOR_SHIFT; }
 
 static inline Filter filter_row(scree_filter filter, uint32_t reports)

@@ -13,7 +13,7 @@ bool slots_reserve(Slots* slots, int more)
 	int capacity = slots->capacity + slots->capacity / 2;
 	capacity = capacity < needed ? needed : capacity;
 
-	// when a later allocation fails, some arrays are larger than capacity, which is still a valid bound
+	// if a later allocation fails, some arrays are larger than capacity, which is still a valid bound
 	size_t old = (size_t)slots->capacity, now = (size_t)capacity;
 	uint32_t* generation = scree_reallocate(slots->generation, old * sizeof(uint32_t), now * sizeof(uint32_t));
 	if (!generation)

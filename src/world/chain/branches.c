@@ -1,39 +1,42 @@
 // SPDX-License-Identifier: MIT
-// branches.c -- finds branches: joints around light bodies that carry heavy ones, which the solver solves together.
+// branches.c -- finds branches: trees of joints around light bodies that carry heavy ones, which are solved together.
 //
-// A branch is a tree of joints. It begins where a body with three joints or more is light beside what these carry. If all joints
-// that hang together there make a tree, they are the branch: arms of any length, light bodies beside each other, wheels on axles.
-// Otherwise it has the joints of light bodies alone that are next to each other, as far as they make a tree. The choice depends on
-// the user's calls alone, so it is the same on every device.
+// A branch is a tree of joints. It begins at a body with three joints or more that is light compared with the bodies at
+// their other ends. If all joints connected to this body form a tree, they are the branch: arms of any length, light
+// bodies beside each other, wheels on axles. Otherwise the branch has only the joints of adjacent light bodies, as far
+// as they form a tree. The choice depends only on the user's calls, so it is the same on every device.
 #include "world/chain/branches.h"
 #include "world/objects/joints.h"
 #include <string.h>
 
-// A hub has so many joints, and ends that weigh so much beside it by their inertia about it. From joint to joint, hubs became
-// unstable with 4 to 7 times their inertia in welded ends, and with 28 to 56 times in hinged ones. The end of a hinge gives way
-// along its arm alone: it counts as a share of its mass at the hinge.
+// A hub has at least HUB_JOINTS joints, and the bodies at their ends weigh at least HUB_WEIGHT times as much as the
+// hub, by mass and by inertia about it. Solved joint by joint, hubs became unstable with 4 to 7 times their inertia in
+// welded ends, and with 28 to 56 times in hinged ones. A hinged end yields only along its arm, so it counts as a share
+// HUB_HINGE of its mass, at the hinge.
 #define HUB_JOINTS 3
 #define HUB_WEIGHT 3.0f
 #define HUB_HINGE  0.18f
-// Or all that hangs on it has so many times its mass, as a chain has a heavy load. Ragdolls have up to 9, and rest.
+// Alternatively, all bodies connected to a hub have HUB_LOAD times its mass, like a heavy load on a chain. Ragdolls
+// have up to 9 times, and come to rest.
 #define HUB_LOAD 20.0f
-// The solver takes as long for a branch as it has joints: larger trees are solved around their light bodies alone.
+// Maximum nodes of a branch. The time to solve it is proportional to its joints, so a larger tree is solved only around
+// its light bodies.
 #define MOST_NODES 1024
-// Bodies behind a welded end that are summed up, at most: each hub looks at them again.
+// Maximum bodies behind a welded end that are summed, because each hub visits them again.
 #define MOST_WELDED 64
 
 typedef struct
 {
 	ChainSearch* s;
-	int* place;   // of each body: 1 + its place in the list, 0 for none
-	int* list;    // bodies as they were reached, and from where
-	int* through; // the joint by which each was reached, -1 for none
-	int* above;   // its place in the list, -1 for none
+	int* place;   // 1 + position of each body in list, 0 if it is not listed
+	int* list;    // bodies in the order in which they were reached
+	int* through; // joint through which each was reached, -1 for none
+	int* above;   // position in list of the body from which each was reached, -1 for none
 } Branching;
 
 size_t branches_bytes(size_t joints, size_t bodies)
 {
-	// a body that cannot move is in the list once for each joint; each branch has one node more than joints, of which it has two
+	// an immovable body is listed once per joint; a branch has at least two joints, and one node more than joints
 	size_t listed = joints + bodies, nodes = 2 * joints;
 	return nodes * (sizeof(BranchNode) + sizeof(int)) + joints * sizeof(ChainRow) + bodies * sizeof(int) +
 	       listed * 3 * sizeof(int);
@@ -41,10 +44,11 @@ size_t branches_bytes(size_t joints, size_t bodies)
 
 static float distance(scree_vec a, scree_vec b) { return sqrtf((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y)); }
 
-// Whether two bodies are held like one.
+// Returns whether a joint makes its two bodies move as one.
 static bool welded(const HostJoint* host) { return host->def.coordinates[SCREE_ANGLE].locked; }
 
-// What the end of a joint weighs beside the hub at its other side. Bodies that are welded to the end are one with it.
+// Returns the weight of the end of a joint relative to the hub at its other side. Bodies welded to the end are
+// included.
 static float weight_of(const scree_world* world, int joint, int hub)
 {
 	const HostJoint* host = world->host_joints + joint;
@@ -83,7 +87,7 @@ static float weight_of(const scree_world* world, int joint, int hub)
 	return sum / own->mass + (own->inertia > 0.0f ? inertia / own->inertia : 0.0f);
 }
 
-// Whether a body is light beside the ends of its joints.
+// Returns whether a body is light compared with the ends of its joints.
 static bool light(const scree_world* world, int body)
 {
 	const HostBody* hub = world->host_bodies + body;
@@ -120,8 +124,8 @@ static int put(Branching* b, int count, int body, int through, int above)
 	return count + 1;
 }
 
-// Lists bodies from those that are listed on, by the joints of those that go on: all, or light ones. whole becomes false if some
-// joint closes a ring. Returns their number.
+// Lists further bodies, through the joints of the listed bodies: of all of them, or of light ones only. *whole becomes
+// false if a joint closes a ring. Returns the number of listed bodies.
 static int spread(Branching* b, int count, bool all, bool* whole)
 {
 	const scree_world* world = b->s->world;
@@ -151,7 +155,7 @@ static void forget(Branching* b, int count)
 		b->place[b->list[k]] = 0;
 }
 
-// Whether some body of a tree is light beside its ends, or beside all that hangs on it.
+// Returns whether some body of a tree is light compared with its ends, or with all bodies connected to it.
 static bool worth(Branching* b, int count)
 {
 	const scree_world* world = b->s->world;
@@ -178,13 +182,13 @@ static bool similar(const Branching* b, int count)
 	return mass_ratio(range) <= MOST_RATIO;
 }
 
-// Adds the listed bodies, in the order of their distance from the first, as the nodes of a branch.
+// Adds the listed bodies as the nodes of a branch, in the order of their distance from the first one.
 static void add(Branching* b, int count)
 {
 	ChainLayout* layout = &b->s->layout;
 	const scree_world* world = b->s->world;
 	BranchNode* nodes = layout->nodes + layout->node_count;
-	// a body that cannot move is no node above others: the root hangs on it
+	// an immovable first body is not a node; the root is attached to it
 	int skip = !chain_moves(world, b->list[0]);
 	for (int k = skip; k < count; ++k)
 	{
@@ -202,7 +206,7 @@ static void add(Branching* b, int count)
 	count -= skip;
 	for (int begin = 0, end; begin < count; begin = end)
 	{
-		// those that hang on the nodes before are as far from the root
+		// nodes attached to the previous level are at the same distance from the root
 		for (end = begin + 1; end < count && nodes[end].up < begin;)
 			++end;
 		for (int k = begin; k < end; ++k)
@@ -215,8 +219,8 @@ static void add(Branching* b, int count)
 	layout->node_count += count;
 }
 
-// Lists the tree that is listed anew, from a body that cannot move on, if it hangs on one: there it is solved exactly, at an end it
-// is not.
+// Lists the tree again, starting at an immovable body, if it is attached to one: a joint to that body is solved exactly
+// at the root, but not at an end of the tree.
 static int hang(Branching* b, int count, bool all)
 {
 	const scree_world* world = b->s->world;
@@ -256,7 +260,7 @@ void branches_find(ChainSearch* s, void* memory)
 			continue;
 		if (!(s->marks[body] & BODY_IN_NET))
 		{
-			// all that hangs together is looked at once
+			// all connected bodies are examined at once
 			count = spread(&b, put(&b, 0, body, -1, -1), true, &tree);
 			tree = tree && count <= MOST_NODES;
 			for (int k = 0; k < count; ++k)

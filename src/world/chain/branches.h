@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// branches.h -- finds branches: joints around light bodies that carry heavy ones, which the solver solves together.
+// branches.h -- finds branches: trees of joints around light bodies that carry heavy ones, which are solved together.
 #ifndef BRANCHES_H
 #define BRANCHES_H
 #include "world/chain/chain_search.h"
 
-// Bytes of memory for branches_find, for so many joints and bodies.
+// Returns the bytes of memory that branches_find needs for the given numbers of joints and bodies.
 size_t branches_bytes(size_t joints, size_t bodies);
 
-// Finds all branches, before there are chains. memory is zero and aligned to pointers; the layout keeps parts of it.
+// Finds all branches, before the chains are found. memory is zero and aligned to pointers; the layout keeps parts of
+// it.
 void branches_find(ChainSearch* s, void* memory);
 
 #endif

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// chain_layout.c -- where the joints of chains lie on a device: chains alone in rows, or side by side.
+// chain_layout.c -- places the joints of chains in the memory of a device: a chain alone in rows, or chains side by
+// side.
 //
-// A device has work for all its lanes in either way: in the rows of a chain, or in chains of similar lengths side by side, which
-// takes less of one worker. But a worker solves all chains that lie side by side, so a few of them lie alone if there are more
-// workers. The estimate of what a pass takes decides.
+// Both ways give work to all lanes of a device: a chain alone lies in rows; chains of similar lengths lie side by side,
+// which costs a worker less. But one worker solves all chains that lie side by side, so a few chains lie alone if there
+// are more workers. The estimated cost of a pass decides.
 #include "world/chain/chain_layout.h"
 #include "backend/backend.h"
 #include "platform/threads.h"
@@ -11,31 +12,32 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-// What a pass takes for a block of joints of a chain in rows, and of chains side by side, in units of what the system of one joint
-// takes that is solved by itself. Measured on CPUs with 16 and 8 lanes.
+// Cost of a pass over a block of joints, of one chain in rows and of chains side by side, in units of the cost of
+// solving the system of one joint by itself. Measured on CPUs with 16 and 8 lanes.
 #define ROW_COST  12
 #define SIDE_COST 8
-// What a pass of ranges in blocks of their own may take, of what it takes in common blocks.
+// Ranges get separate blocks if a pass over them costs less than this share of a pass over common blocks.
 #define APART 0.9
-// What a pass of chains that lie alone may take, of what it takes with some side by side: workers that share it wait for each other.
+// All chains lie alone if a pass over them costs less than this share of a pass with some side by side. It is below 1
+// because workers that share a pass wait for each other.
 #define ALONE 0.75
 
 typedef struct
 {
 	ChainLayout* layout;
 	int lanes, groups;
-	bool alone; // all chains lie alone
+	bool alone; // true: all chains lie alone
 	int parts;  // ranges that may share blocks
-	// the last blocks of chains side by side: spot of their joints 0, spots from there to joints 1, ranges
+	// the last blocks of chains side by side: spot of their joint 0, spots from there to joint 1, number of ranges
 	int column, column_odds, column_parts;
 } ChainPlacement;
 
 static int padded(int count, int lanes) { return (count + lanes - 1) / lanes * lanes; }
 
-// Joints of a row, if there are 2^bits rows.
+// Returns the joints per row, if there are 2^bits rows.
 static int row_length(int joints, int bits) { return ((joints - 1) >> bits) + 1; }
 
-// Finds the number of rows in which a chain alone takes least.
+// Finds the number of rows for which a chain alone costs least.
 static void choose_rows(ChainRow* row, int lanes)
 {
 	for (int bits = 1; bits == 1 || (lanes > 1 && 1 << bits <= row->count); ++bits)
@@ -49,8 +51,8 @@ static void choose_rows(ChainRow* row, int lanes)
 	}
 }
 
-// How many chains from one on lie side by side: as many as there are lanes, or one alone if that takes less. Shorter ones cost
-// nothing beside a longer one. *cost becomes what these chains take.
+// Returns how many chains lie side by side, from chain k on: as many as there are lanes, or 1 if a chain alone costs
+// less. Shorter chains cost nothing beside a longer one. *cost becomes the cost of these chains.
 static int side_by_side(const ChainPlacement* s, int k, int* cost)
 {
 	const ChainLayout* layout = s->layout;
@@ -64,7 +66,8 @@ static int side_by_side(const ChainPlacement* s, int k, int* cost)
 	return count;
 }
 
-// Whether that many chains side by side, from one on, begin an item of a pass, and do not share the blocks of those before. One alone does.
+// Returns whether the given number of chains side by side, from chain k on, begins an item of a pass; otherwise they
+// share the blocks of the chains before them. A chain alone always begins one.
 static bool begins_item(ChainPlacement* s, int k, int count)
 {
 	const ChainRow* rows = s->layout->rows;
@@ -73,7 +76,8 @@ static bool begins_item(ChainPlacement* s, int k, int count)
 	return !shares;
 }
 
-// What all chains take: what the worker with most of them has, or the share of a work-group and no less than the longest item.
+// Returns the cost of all chains: that of the worker with the most work; or, if there are more work-groups, the mean
+// cost per work-group, but at least that of the longest item.
 static double cost_of_all(ChainPlacement* s)
 {
 	double loads[MAX_WORKERS] = {0}, sum = 0, most = 0, item = 0;
@@ -94,8 +98,9 @@ static double cost_of_all(ChainPlacement* s)
 	return s->groups > counted ? fmax(sum / s->groups, most) : most;
 }
 
-// Ranges in the same blocks are solved by one worker, or two would write to the same cache lines. Blocks of their own are in part
-// empty, so that they take more memory and time, but may be shared out better.
+// Chooses the number of ranges that share blocks. One worker solves the ranges in the same blocks, because two workers
+// would write to the same cache lines. Separate blocks are partly empty, so they take more memory and time, but may be
+// distributed better. Returns the cost.
 static double choose_parts(ChainPlacement* s)
 {
 	int most = s->parts;
@@ -116,7 +121,8 @@ static ChainRange place_alone(ChainPlacement* s, const ChainRow* row)
 	return at;
 }
 
-// Blocks of MAX_LANES have room for several ranges of chains side by side: those that follow have no longer chains.
+// Places chains side by side. Blocks of MAX_LANES have space for several ranges of them, because later chains are not
+// longer.
 static ChainRange place_side(ChainPlacement* s, int count, bool begins)
 {
 	int length = (count + 1) / 2;
@@ -131,7 +137,7 @@ static ChainRange place_side(ChainPlacement* s, int count, bool begins)
 	return at;
 }
 
-// Those that are carried last; the longest first; those of one length as they were found.
+// Orders carried chains last; longer chains first; chains of one length as they were found.
 static int compare_rows(const void* a, const void* b)
 {
 	const ChainRow *first = a, *second = b;
@@ -168,7 +174,7 @@ void chain_layout(ChainLayout* layout, int lanes, int groups)
 	}
 	for (int k = 0; k < layout->branch_count; ++k)
 	{
-		// in one row, in blocks of its own
+		// one row, in separate blocks
 		const ChainRow* branch = layout->branches + k;
 		ChainRange at = {
 		    .first = layout->places, .count = branch->count, .odds = branch->first, .stride = 1, .parts = 1};

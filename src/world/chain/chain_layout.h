@@ -1,33 +1,34 @@
 // SPDX-License-Identifier: MIT
-// chain_layout.h -- where the joints of chains lie on a device: chains alone in rows, or side by side.
+// chain_layout.h -- places the joints of chains in the memory of a device: a chain alone in rows, or chains side by
+// side.
 #ifndef CHAIN_LAYOUT_H
 #define CHAIN_LAYOUT_H
 #include "pools/pools.h"
 
 typedef struct // a chain
 {
-	int first, count; // in ChainLayout.joints
-	int carried;      // 1: a short one that is heavy between light ends
-	int bits, cost;   // chain_layout's: of the number of rows that it has alone, and what a pass takes then
+	int first, count; // joints in ChainLayout.joints
+	int carried;      // 1 for a short chain that is heavy between light ends
+	int bits, cost;   // set by chain_layout for the chain alone: log2 of its number of rows, and the cost of a pass
 } ChainRow;
 
 typedef struct
 {
-	int* joints;       // of all chains, in order
-	ChainRow* rows;    // will be sorted
-	int count;         // chains
-	BranchNode* nodes; // of all branches; a row of them for each
-	int* node_joints;  // of each, -1 for none
+	int* joints;       // joints of all chains, in order
+	ChainRow* rows;    // one per chain; chain_layout sorts them
+	int count;         // number of chains
+	BranchNode* nodes; // nodes of all branches, a row per branch
+	int* node_joints;  // joint of each node, -1 for none
 	ChainRow* branches;
 	int branch_count, node_count;
 	// results
-	ChainRange* ranges;        // as many as there are chains, at most
-	int* spots;                // of each joint of the world; those of no chain are left alone
-	int ranged, items, places; // ranges, items of a pass over chains, spots with padding
-	int carried;               // the first item of chains that are carried
+	ChainRange* ranges;        // at most one per chain and one per branch
+	int* spots;                // per joint of the world: its spot; unchanged for joints of no chain or branch
+	int ranged, items, places; // number of ranges, items of a pass over chains, spots with padding
+	int carried;               // first item of carried chains
 } ChainLayout;
 
-// Gives spots to the joints of all chains, for a device of so many lanes that has so many work-groups at the same time. ranged,
+// Assigns spots to the joints of all chains, for a device with the given lanes and concurrent work-groups. ranged,
 // items and places must be zero.
 void chain_layout(ChainLayout* layout, int lanes, int groups);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// chain_search.c -- which joints chains and branches may have.
+// chain_search.c -- decides which joints may belong to chains and branches.
 #include "world/chain/chain_search.h"
 #include "world/objects/joints.h"
 

@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: MIT
-// chain_search.h -- what the searches for chains and for branches share.
+// chain_search.h -- common parts of the searches for chains and for branches.
 #ifndef CHAIN_SEARCH_H
 #define CHAIN_SEARCH_H
 #include "world/chain/chain_layout.h"
 #include "world/world.h"
 #include <math.h>
 
-// Masses that are solved together differ by no more. Beyond it the large inverse masses leave no digit of the small ones in the
-// sums of the solver, and impulses are wrong by any factor. Such joints are solved one by one: they yield, but stay finite.
+// Maximum ratio of masses that are solved together. Beyond it, the large inverse masses leave no digit of the small
+// ones in the sums of the solver, and impulses are wrong by any factor. Such joints are solved one by one: they yield,
+// but stay finite.
 #define MOST_RATIO 1e5f
 
-#define BODY_OWNED    1 // at the end of a chain
-#define BODY_BRANCHED 2 // in a branch
-#define BODY_IN_TREE  4 // what hangs together with it makes a tree, or does not
-#define BODY_IN_NET   8
+#define BODY_OWNED    1 // the body is at the end of a chain
+#define BODY_BRANCHED 2 // the body is in a branch
+#define BODY_IN_TREE  4 // the joints connected to it form a tree
+#define BODY_IN_NET   8 // the joints connected to it do not
 
 typedef struct
 {
 	const scree_world* world;
 	ChainLayout layout;
-	uint8_t* seen;  // of each joint: in a chain or a branch, or found to be in none
-	uint8_t* marks; // of each body, BODY_*
-	int joints;     // of all chains
+	uint8_t* seen;  // per joint: in a chain or a branch, or found to be in neither
+	uint8_t* marks; // per body: BODY_* flags
+	int joints;     // number of joints of all chains
 } ChainSearch;
 
-// Whether a joint has a lock, and bodies that it can act on. Couplings hold no frames together; the axes of a path turn while the
-// systems of chains have theirs.
+// Returns whether a joint has a lock, and bodies that it can act on. Couplings are excluded because they do not hold
+// frames together, joints on paths because the axes of a path turn, while the system of a chain keeps its axes.
 bool chain_acts(const scree_world* world, int joint);
 
 static inline int chain_other_body(const scree_world* world, int joint, int body)
@@ -39,7 +40,7 @@ static inline bool chain_moves(const scree_world* world, int body)
 	return world->host_bodies[body].type == SCREE_BODY_DYNAMIC;
 }
 
-// The lightest and the heaviest of the bodies that move.
+// Masses of the lightest and the heaviest movable body.
 typedef struct
 {
 	float least, most; // kg

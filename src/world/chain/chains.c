@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// chains.c -- finds chains: rows of joints that the solver solves together.
+// chains.c -- finds chains: joints in a row, which are solved together.
 //
-// A chain goes through bodies that have two joints with locks. No body belongs to two chains. Ropes and bridges are chains;
-// nets are none, and what is short and of similar masses gains nothing. The choice depends on the user's calls alone, so it is
-// the same on every device. How chains lie in memory (chain_layout.c) is not, and changes no bit.
+// A chain passes through bodies that have two joints with locks. No body belongs to two chains. Ropes and bridges are
+// chains; nets are not; a short chain of similar masses gains nothing. The choice depends only on the user's calls, so
+// it is the same on every device. The placement of chains in memory (chain_layout.c) depends on the device, but changes
+// no bit.
 #include "world/chain/chains.h"
 #include "platform/error.h"
 #include "step/reserve.h"
@@ -11,11 +12,11 @@
 #include "world/objects/joints.h"
 #include <string.h>
 
-// A chain has so many joints at least, or two and masses of such a ratio.
+// A chain has at least LEAST_JOINTS joints, or at least two and masses with a ratio of at least LEAST_RATIO.
 #define LEAST_JOINTS 8
 #define LEAST_RATIO  8.0f
 
-// The other joint of a body that can move, is in no branch and has exactly two, else -1.
+// Returns the other joint of a body that can move, is in no branch and has exactly two joints; else -1.
 static int next_joint(const ChainSearch* s, int body, int joint)
 {
 	const scree_world* world = s->world;
@@ -33,8 +34,8 @@ static int next_joint(const ChainSearch* s, int body, int joint)
 	return count == 2 ? next : -1;
 }
 
-// The last joint of the chain that a joint is in, through one of its bodies; *body becomes the body behind it. In a ring, the
-// joint before the first one.
+// Returns the last joint of the chain of a joint, in the direction of *body, which becomes the body beyond it. In a
+// ring, returns the joint before the first one.
 static int chain_end(const ChainSearch* s, int joint, int* body)
 {
 	for (int first = joint;;)
@@ -47,7 +48,7 @@ static int chain_end(const ChainSearch* s, int joint, int* body)
 	}
 }
 
-// Lists the joints of a chain from its first one, which comes behind body *at; *at becomes the body behind the last.
+// Lists the joints of a chain from its first one on, which follows body *at; *at becomes the body after the last one.
 static int chain_list(ChainSearch* s, int first, int* at)
 {
 	int count = 0;
@@ -60,7 +61,8 @@ static int chain_list(ChainSearch* s, int first, int* at)
 	return count;
 }
 
-// Whether a chain may have a body at its end: it cannot move, or it is of no other chain.
+// Returns whether a chain may end at a body, because it cannot move or belongs to no other chain. Marks the body as
+// taken.
 static bool own(ChainSearch* s, int body)
 {
 	if (!chain_moves(s->world, body))
@@ -76,7 +78,8 @@ static float chain_mass(const scree_world* world, int body)
 	return chain_moves(world, body) ? world->host_bodies[body].mass.mass : INFINITY;
 }
 
-// By which ratio a body of a short chain is lighter than what it has on both sides, at most.
+// Returns the largest ratio of load to mass among the inner bodies of a short chain. The load is the heaviest body on
+// one side or the other, whichever is lighter.
 static float load_ratio(const scree_world* world, const int* row, int count)
 {
 	float masses[LEAST_JOINTS], before = 0.0f, ratio = 0.0f;
@@ -108,7 +111,7 @@ static float row_ratio(const scree_world* world, const int* row, int count)
 	return mass_ratio(range);
 }
 
-// Adds the chain that a joint is in, if it is worth it.
+// Adds the chain of a joint, if solving it together pays.
 static void add_chain(ChainSearch* s, int joint)
 {
 	const scree_world* world = s->world;
@@ -117,7 +120,7 @@ static void add_chain(ChainSearch* s, int joint)
 	bool ring = next_joint(s, first_body, first) >= 0;
 	int count = chain_list(s, first, &last_body);
 	if (ring)
-		--count; // the last joint shares bodies with the first: it is solved by itself
+		--count; // the last joint shares bodies with the first one, so it is solved by itself
 	else
 	{
 		begin = !own(s, first_body);
@@ -131,13 +134,13 @@ static void add_chain(ChainSearch* s, int joint)
 	float ratio = row_ratio(world, row, joints);
 	if (ratio > MOST_RATIO || (joints < LEAST_JOINTS && ratio < LEAST_RATIO))
 		return;
-	// a cart on light wheels: no body between two joints is light, the ends are
+	// true for a cart on light wheels: its ends are light, but no body between two joints is
 	bool carried = joints < LEAST_JOINTS && load_ratio(world, row, joints) < LEAST_RATIO;
 	s->layout.rows[s->layout.count++] = (ChainRow){.first = begin, .count = joints, .carried = carried};
 	s->joints = begin + joints;
 }
 
-// Sets the spots of all joints; those that changed wait for the upload.
+// Sets the spots of all joints. Joints whose spot changed are marked for the upload.
 static void set_spots(scree_world* world, const int* spots)
 {
 	for (int k = 0; k < world->joints.used; ++k)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// chains.h -- finds chains: rows of joints that the solver solves together.
+// chains.h -- finds chains: joints in a row, which are solved together.
 #ifndef CHAINS_H
 #define CHAINS_H
 #include "world/world.h"
 
-// Finds the chains again if joints came or went, and uploads where they lie. Joints whose place changed wait for the upload.
+// Finds the chains again if they may have changed, and uploads their placement. Joints whose place changed are marked
+// for the upload.
 scree_status chains_update(scree_world* world);
 
 #endif

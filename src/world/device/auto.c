@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // auto.c -- device "auto": a world begins on the CPU, and moves to the device on which its steps take less time.
 //
-// The GPU is opened when the time that it may save within the next steps exceeds the time of opening it. A thread opens it
-// while the world keeps stepping. A trial on the other device is made when its cost is a small part of the time that the
-// world has worked so far.
+// The GPU is opened when the time that it may save within the next steps exceeds the time of opening it. A thread opens
+// it while the world continues to step. A trial on the other device begins when its cost is a small part of the time
+// that the world has worked so far.
 //
-// Both devices give the same bits, so measured times may decide.
+// Both devices compute the same bits, so measured times may decide.
 #include "world/device/auto.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -19,36 +19,38 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Steps that a world is assumed to have ahead: so many, or as many as it has taken.
+// Steps that a world is expected to take: HORIZON, or as many as it has taken, if that is more.
 #define HORIZON 500
 
-// Least time of a step on a GPU, ms: an H200 takes 0.13 for 10,000 boxes in pyramids, and hardly less for fewer.
+// Minimum time of a step on a GPU, ms: an H200 takes 0.13 for 10,000 boxes in the scene pyramids, and hardly less for
+// fewer.
 #define LEAST_STEP 0.15
 
-// Time of a step on the CPU before one is measured: ms per body and thread. It is less than any scene takes, so that only
-// very large worlds open the GPU before their first step. (Pyramids on 16 threads: 5e-4.)
+// Assumed time of a step on the CPU before one is measured, ms per body and thread. It is less than the time of any
+// scene, so that only very large worlds open the GPU before their first step. (Scene pyramids on 16 threads: 5e-4.)
 #define BODY_STEP 4e-4
 
-// Time to open a GPU before it is measured, ms: 215 to 235 for an H200 with its program in the cache on an idle machine. The
-// measured time replaces it for later worlds.
+// Assumed time to open a GPU before it is measured, ms: 215 to 235 for an H200 with its program in the cache on an idle
+// machine. The measured time replaces it for later worlds.
 #define OPENING 230
 
-// Speed of copying a world, bytes per ms: less than that of the bus of any fast GPU.
+// Assumed speed of copying a world, bytes per ms: less than that of the bus of any fast GPU.
 #define MOVE_SPEED 4e6
 
-// Steps of a trial; the first is not counted, since its caches are cold. A trial ends early when it has taken the time
-// of TRIAL_LIMIT steps of the other device.
+// Steps of a trial. The first one is not counted, because its caches are cold. A trial ends early when it has taken the
+// time of TRIAL_LIMIT steps of the other device.
 #define TRIAL_STEPS 4
 #define TRIAL_LIMIT 20
 
-// The next trial waits until the world has worked PATIENCE times as long as the last trial took, or LIKELY_PATIENCE times
-// when the other device is predicted to take less than LIKELY of the time. The wait doubles after every failed trial.
+// The next trial begins when the world has worked PATIENCE times as long as the last trial took, or LIKELY_PATIENCE
+// times if the other device is predicted to take less than LIKELY of the time. This delay doubles after every failed
+// trial.
 #define PATIENCE        100
 #define LIKELY_PATIENCE 20
-#define LIKELY          0.8 // of the present time of a step
+#define LIKELY          0.8 // share of the current time of a step
 #define MOST_FAILURES   10
 
-// Expected time to open a GPU, ms: that of the last time in this process.
+// Expected time to open a GPU, ms: the last one that was measured in this process.
 static atomic_int async_open_milliseconds = OPENING;
 
 double auto_clock(void) { return processor_milliseconds(); }
@@ -62,7 +64,7 @@ static int work_of(const scree_world* world)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// what steps cost
+// times of steps
 // ---------------------------------------------------------------------------------------------------------------
 
 static void meter_note(StepMeter* m, double milliseconds)
@@ -77,8 +79,8 @@ static int compare_times(const void* a, const void* b)
 	return (x > y) - (x < y);
 }
 
-// The time at quantile share, from 0 to 1, of the last steps: single steps are disturbed by other work of the machine. The
-// first step after a move counts only when it is the only one.
+// Returns the time at quantile share, from 0 to 1, of the last steps. Other work of the machine disturbs single steps.
+// The first step after a move counts only if it is the only one.
 static double meter_step(const StepMeter* m, double share)
 {
 	double sorted[RECENT_STEPS];
@@ -94,13 +96,14 @@ static double meter_step(const StepMeter* m, double share)
 
 static StepMeter* meter_of(scree_world* world, const Backend* b) { return &world->auto_device.meters[b->distant]; }
 
-// A lower bound of the time of a step on a device that has not been measured, ms.
+// Returns a lower bound of the time of a step on a device that has not been measured, ms.
 static double least_step(const scree_world* world, const Backend* b)
 {
 	return b->distant ? LEAST_STEP : BODY_STEP * world->bodies.alive / b->threads;
 }
 
-// The expected time of a step on the other device, ms. A CPU's time is proportional to the work, a GPU's hardly depends on it.
+// Returns the expected time of a step on the other device, ms. A CPU's time is proportional to the work; a GPU's hardly
+// depends on it.
 static double predicted_step(scree_world* world)
 {
 	const Backend* other = world->auto_device.other;
@@ -164,7 +167,8 @@ static bool trial_pays(scree_world* world)
 	const StepMeter* m = meter_of(world, here);
 	if (m->count < RECENT_STEPS || a->spent < LIKELY_PATIENCE * a->cost)
 		return false;
-	// room for three times the world, since it may grow there: a step that runs out of memory cannot be undone
+	// the device needs memory for three times the world, which may grow there: a step that runs out of memory cannot be
+	// undone
 	if (there->memory > 0 && 3 * here->bytes > there->memory)
 		return false;
 	double step = meter_step(m, MEDIAN), predicted = predicted_step(world);
@@ -232,7 +236,7 @@ static bool trial_is_over(scree_world* world)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// for the world
+// interface for the world
 // ---------------------------------------------------------------------------------------------------------------
 
 void auto_open(scree_world* world, CompareDevice* compare)

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// auto.h -- device "auto": where a world is faster, and how it gets there; docs/auto.md.
+// auto.h -- device "auto": decides on which device a world is faster, and moves it there; docs/auto.md.
 #ifndef AUTO_H
 #define AUTO_H
 #include "world/auto_state.h"
 
-// Turns device "auto" on and off. compare is that of async_open_begin.
+// Turn device "auto" on and off. compare is that of async_open_begin.
 void auto_open(scree_world* world, CompareDevice* compare);
 void auto_close(scree_world* world);
 
-// Called before a step: records the time of the last one, and moves the world when that pays. Fails only when the world
+// Records the time of the last step, and moves the world if that pays. Called before a step. Fails only if the world
 // breaks.
 scree_status auto_choose(scree_world* world);
 
-// The clock, ms. auto_count adds the time since then to the current step.
+// auto_clock returns the time, ms. auto_count adds the time since then to the current step.
 double auto_clock(void);
 void auto_count(scree_world* world, double since);
 

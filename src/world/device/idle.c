@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// idle.c -- which blocks of bodies and of collidables no step changes, so that a CPU leaves them out.
+// idle.c -- finds the blocks of bodies and of collidables that no step changes, so that a CPU skips them.
 #include "world/device/idle.h"
 #include "world/memory.h"
 #include "world/objects/collidables.h"
 #include "world/world.h"
 
-// states of a block; others are the number of steps until it is looked at
+// states of a block; any other state is the number of steps until the block is examined
 #define IDLE  0
 #define MOVES 255
 
-// Two steps after a change everything is written as it stays: the first one moves boxes, the second one clears the marks of that.
+// Steps after a change until values repeat: the first one moves boxes, the second one clears the marks of moved boxes.
 #define SETTLING 2
 
 static void touch(IdleBlocks* list, int index)
 {
 	int block = index / ACTIVE_ITEMS;
-	if (block >= list->known) // a new one: idle_begin
+	if (block >= list->known) // the block is new; idle_begin adds it
 		return;
 	list->states[block] = SETTLING;
 	list->stale = list->settling = true;
@@ -62,7 +62,7 @@ void idle_forget(scree_world* world)
 
 static bool body_moves(const scree_world* world, int index)
 {
-	// the first body stands for the ground, and the first item of a stage also does what is done once
+	// the first body stands for the ground, and the first item of a kernel also does work that is done once
 	return index == 0 || (slots_in_use(&world->bodies, index) && world->host_bodies[index].type != SCREE_BODY_STATIC);
 }
 
@@ -81,7 +81,7 @@ static bool block_moves(const scree_world* world, int kind, int block)
 	return false;
 }
 
-// Makes room for so many blocks; new ones are not idle.
+// Makes space for the given number of blocks; new ones are not idle.
 static bool reserve(IdleBlocks* list, int blocks)
 {
 	if (GROW("scree_world_step", list->states, list->state_capacity, blocks) != SCREE_OK ||
@@ -105,7 +105,7 @@ void idle_begin(scree_world* world)
 		int used = kind == ACTIVE_BODIES ? world->bodies.used : world->collidables.used;
 		world->backend->active[kind] = (ActiveBlocks){0};
 		if (!reserve(list, (used + ACTIVE_ITEMS - 1) / ACTIVE_ITEMS))
-			continue; // without memory nothing is left out
+			continue; // without memory nothing is skipped
 		if (list->stale)
 		{
 			list->count = 0;

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
-// idle.h -- which blocks of bodies and of collidables no step changes, so that a CPU leaves them out.
+// idle.h -- finds the blocks of bodies and of collidables that no step changes, so that a CPU skips them.
 //
-// A level of a game has many static bodies and few that move. For a static body that nobody changes, the stages over all bodies
-// and all collidables write what is there already. Bodies and collidables are looked at in blocks: a block is idle when all of
-// it is static or free of bodies, and some steps have passed since the last change. The result is the same bits as without.
+// A level of a game has many static bodies and few that move. For a static body that nobody changes, the kernels over
+// all bodies and all collidables would write the values that are already stored. Bodies and collidables are examined in
+// blocks. A block is idle if it contains only static items and free slots, and some steps have passed since the last
+// change. The results are the same bits as without idle blocks.
 #ifndef IDLE_H
 #define IDLE_H
 #include "scree/scree.h"
 
-// Notes what waits for the upload. Called before it.
+// Marks the blocks that the pending edits change. Called before the upload.
 void idle_note(scree_world* world);
 
-// Nothing is idle until it was looked at again: the pools lie on another device.
+// Makes all blocks not idle until they are examined again, because the pools are on another device.
 void idle_forget(scree_world* world);
 
-// Before a step: tells the backend which blocks are not idle.
+// Passes the blocks that are not idle to the backend. Called before a step.
 void idle_begin(scree_world* world);
 
-// After a step that took time.
+// Updates the states of the blocks. Called after a step with dt above 0.
 void idle_end(scree_world* world);
 
 void idle_close(scree_world* world);

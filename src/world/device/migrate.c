@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // migrate.c -- moves a world from one device to another, between two steps.
 //
-// The host's data of a world does not depend on the device, except for the places of the trees. The device holds only the
-// pools. So a move copies the pools that outlive a step.
+// The host's data of a world does not depend on the device, except for the positions of the trees. The device holds
+// only the pools. So a move copies the pools that persist between steps.
 #include "world/device/migrate.h"
 #include "platform/error.h"
 #include "world/device/idle.h"
@@ -12,11 +12,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#define BOUNCE_BYTES ((size_t)4 << 20) // when the host can address the pools of neither device
+#define BOUNCE_BYTES ((size_t)4 << 20) // used if the host can address the pools of neither device
 
 static int smaller(int a, int b) { return a < b ? a : b; }
 
-// How many items of a kind outlive a step. Slots that wait for an upload may lie beyond the capacity.
+// Returns how many items of a kind persist between steps. Slots of pending edits may exceed the capacity.
 static int lasting_items(const scree_world* world, Per per)
 {
 	const Counters* c = &world->pipeline.counters;
@@ -28,7 +28,7 @@ static int lasting_items(const scree_world* world, Per per)
 	case PER_COLLIDABLE:
 		return smaller(world->collidables.used, b->capacity[per]);
 	case PER_BODY:
-		// wide stages touch the padding, which must be inert
+		// wide kernels also process the padding, which must be inert
 		return smaller((world->bodies.used + MAX_LANES - 1) / MAX_LANES * MAX_LANES, b->capacity[per]);
 #define CONSTRAINT_KIND(kind, Kind, KIND)                      \
 	case PER_##KIND:                                           \
@@ -54,7 +54,7 @@ static int lasting_items(const scree_world* world, Per per)
 	case PER_ONE:
 		return 1;
 	default:
-		return 0; // scratch; the nodes of the trees are looked up again, and their leaves have places of their own
+		return 0; // scratch; the nodes of the trees are computed again, and copy_all copies their leaves separately
 	}
 }
 
@@ -113,7 +113,8 @@ static scree_status copy_all(Move* m)
 		TRY(copy(m, POOL_leaf, t * from->capacity[PER_COLLIDABLE], t * to->capacity[PER_COLLIDABLE],
 		         world->pipeline.trees[t].tree.leaves));
 
-	// the backend stores the counters that it returns; the read also waits for the writes, so their failures show here
+	// the backend stores the counters that it reads; the read also waits for the writes, so their failures are reported
+	// here
 	Counters counters;
 	return to->f->read(to, POOL_counters, 0, 1, &counters);
 }
@@ -126,8 +127,8 @@ scree_status world_move(scree_world* world, Backend* to)
 	if (status != SCREE_OK)
 		return status;
 	world_unshare(world);       // another device cannot use that memory
-	world->chains_stale = true; // how chains lie depends on the device
-	world->fields.stale = true; // they are not copied
+	world->chains_stale = true; // the placement of chains depends on the device
+	world->fields.stale = true; // fields are not copied
 	idle_forget(world);
 	world->backend = to;
 	snprintf(world->device, sizeof world->device, "%s", to->name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// open_async.c -- opens a device on a thread of its own, and compares its bits with the CPU's.
+// open_async.c -- opens a device on a separate thread, and compares its bits with those of the CPU.
 #include "world/device/open_async.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -13,7 +13,7 @@ struct AsyncOpen
 {
 	Thread thread;
 	scree_world_def def;
-	char name[160]; // of the device, empty for any GPU
+	char name[160]; // name of the device; empty: any GPU
 	CompareDevice* compare;
 	Backend* backend;
 	scree_status status;

@@ -5,13 +5,13 @@
 #include "backend/backend.h"
 #include "scree/scree.h"
 
-#define SHARED_LEAST 32 // bytes: a row, a query, an answer
+#define SHARED_LEAST 32 // minimum bytes: one row, query or answer
 
-// Takes memory for a use. what: rows or queries.
+// Shares memory with other programs for a use. what, for messages: "rows" or "queries".
 scree_status world_share(scree_world* world, const char* function, const char* what, SharedUse use,
                          const SharedMemory* memory);
 
-// The device takes back the memory that it shares. Does nothing when it shares none.
+// Ends the sharing of memory. Does nothing if none is shared.
 void world_unshare(scree_world* world);
 
 #endif

@@ -7,12 +7,12 @@
 #include <math.h>
 #include <string.h>
 
-// The margin of an enlarged box is an eighth of the shape's size, within these bounds in m. A larger margin finds more pairs
-// that do not touch; a body leaves a smaller one more often.
+// Bounds of the margin of an enlarged box, m; within them it is an eighth of the shape's size. With a larger margin
+// more pairs are found that do not touch; with a smaller one, a body leaves its box more often.
 #define LEAST_MARGIN 0.01f
 #define MOST_MARGIN  0.1f
 
-// A hash of all bytes (FNV-1a: Fowler, Noll, Vo, 1991) that is never 0.
+// Returns a hash of all bytes (FNV-1a: Fowler, Noll, Vo, 1991), never 0.
 static uint32_t name_of(const scree_attribute_def* def)
 {
 	uint32_t hash = 2166136261u;
@@ -22,7 +22,7 @@ static uint32_t name_of(const scree_attribute_def* def)
 	return hash ? hash : 1;
 }
 
-// The entry of the table with these values, or the empty entry where they belong.
+// Returns the entry of the table with these values, or the empty entry for them.
 static int* find(const scree_world* world, uint32_t name, const scree_attribute_def* def)
 {
 	uint32_t mask = (uint32_t)world->attribute_table_size - 1;
@@ -35,7 +35,7 @@ static int* find(const scree_world* world, uint32_t name, const scree_attribute_
 	}
 }
 
-// Removes an entry from the table, and moves entries behind it closer to their home places.
+// Removes an entry from the table, and moves the entries behind it closer to their home positions.
 static void forget(scree_world* world, int* entry)
 {
 	int* table = world->attribute_table;
@@ -51,7 +51,7 @@ static void forget(scree_world* world, int* entry)
 	table[hole] = 0;
 }
 
-// Room for one more attribute, in a table that is at most half full.
+// Reserves memory for one more attribute, in a table that is at most half full.
 static scree_status reserve(scree_world* world, const char* function)
 {
 	Slots* slots = &world->attribute_slots;
@@ -79,7 +79,7 @@ static scree_status reserve(scree_world* world, const char* function)
 	return SCREE_OK;
 }
 
-// A new attribute in a slot of its own; the next upload sends it.
+// Creates an attribute in a new slot, for the next upload.
 static int make(scree_world* world, uint32_t name, const scree_attribute_def* plain)
 {
 	Edits* p = &world->edits;

@@ -5,14 +5,14 @@
 #include "pools/pools.h"
 #include "scree/scree.h"
 
-// The slot of the attribute with these values, which is made when there is none; adds one claim. def is canonical: equal
-// values have equal bytes.
+// Returns the slot of the attribute with these values, which is created if it does not exist, and adds one claim. def
+// is canonical: equal values have equal bytes.
 scree_status attribute_claim(scree_world* world, const char* function, const scree_attribute_def* def, int* index);
 
-// Removes one claim; the last one frees the slot. No collidable has the attribute then.
+// Removes one claim; the last one frees the slot. No collidable may use the attribute then.
 void attribute_disclaim(scree_world* world, int index);
 
-// The rows of an attribute in the pools attribute, rule and thickness.
+// Return the rows of an attribute in the pools attribute, rule and thickness.
 void attribute_item(const scree_world* world, int index, Attribute* item);
 Rule attribute_rule(const scree_world* world, int index);
 float attribute_thickness(const scree_world* world, int index); // m

@@ -65,7 +65,8 @@ scree_status collidables_allocate(scree_world* world, int* slots, int count)
 	return SCREE_OK;
 }
 
-// Sends what follows a collidable in its list (-1: there is no collidable), unless its whole row waits for the upload.
+// Sends the link from a collidable to the next one in its list, unless its whole row is pending. previous is -1 for no
+// collidable.
 static void list_changed(scree_world* world, int previous)
 {
 	if (previous < 0 || world->host_collidables[previous].waiting.row > 0)

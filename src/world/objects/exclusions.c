@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// exclusions.c -- pairs of bodies that the user keeps from touching: their slots, their lists by body, and the upload.
+// exclusions.c -- pairs of bodies that the user excluded from touching: their slots, their lists by body, and the
+// upload.
 #include "world/objects/exclusions.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
@@ -17,7 +18,7 @@ scree_status exclusions_reserve(scree_world* world, const char* function, int mo
 	return GROW(function, e->rows, e->capacity, e->slots.capacity);
 }
 
-// Walks the shorter one of both lists.
+// Searches the shorter one of the two lists.
 int exclusion_find(const scree_world* world, int a, int b)
 {
 	const HostBody* bodies = world->host_bodies;
@@ -101,7 +102,7 @@ scree_status upload_exclusions(scree_world* world)
 	Backend* b = world->backend;
 	if (!e->waiting)
 		return SCREE_OK;
-	// rows that were in use once hold no pair
+	// rows that are no longer in use are written without a pair
 	int rows = e->slots.used > pipeline->excluded ? e->slots.used : pipeline->excluded;
 	TRY(pipeline_reserve(pipeline, PER_EXCLUDED, rows));
 	Word64* keys = world_scratch(world, (size_t)rows * sizeof *keys);

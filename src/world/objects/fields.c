@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// fields.c -- slots of fields, and those that act, as the device has them.
+// fields.c -- slots of fields, and the upload of the active ones.
 //
-// Fields are few and change seldom, so all that act are sent when one changed, without gaps, in the order of their slots. Where they are
-// many, neighbors lie side by side, so that a box around some of them is small: those everywhere first, then those in the world along
-// the curve of Morton, A Computer Oriented Geodetic Data Base, 1966, then those on bodies. The order follows from the calls alone.
+// Fields are few and change seldom, so all active ones are sent when one changed, without gaps, in the order of their
+// slots. If there are many, neighbors are stored side by side, so that a box around some of them is small: fields
+// without a region first, then those in the world along the curve of Morton, A Computer Oriented Geodetic Data Base,
+// 1966, then those on bodies. The order depends only on the calls.
 #include "world/objects/fields.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
@@ -74,7 +75,7 @@ static Field field_row(const HostField* host)
 	const scree_field_def* def = &host->def;
 	const uint64_t all = ~(uint64_t)0;
 	Field row;
-	memset(&row, 0, sizeof row); // the hash covers the padding
+	memset(&row, 0, sizeof row); // the hash includes the padding
 	shape_row(&def->shape, &row.shape);
 	row.pose = pose_row(def->pose);
 	row.category = def->category;
@@ -108,7 +109,7 @@ int fields_acting(const scree_world* world, bool* shapes)
 	return world->fields.acting;
 }
 
-typedef struct // a field that acts, and its place among them
+typedef struct // an active field, and the key by which active fields are sorted
 {
 	uint64_t key;
 	int slot;
@@ -124,7 +125,7 @@ static uint64_t spread(uint32_t x)
 	return (bits | bits << 1) & 0x5555555555555555u;
 }
 
-// 30 bits of a coordinate, in steps of 0.2 mm
+// Returns 30 bits of a coordinate, in steps of 0.2 mm.
 static uint32_t fixed(float x) { return (uint32_t)(((double)x + (double)SCREE_MAX_COORDINATE) * 5000.0); }
 
 static uint64_t key_of(const HostField* host)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// handles.c -- handles to slots and back.
+// handles.c -- converts slots to handles and back.
 #include "world/objects/handles.h"
 #include "world/world.h"
 
-// Whether a handle to a slot is of what the slot holds now.
+// Returns whether a handle refers to the current item of its slot.
 static bool holds(const Slots* slots, uint32_t slot, uint32_t generation)
 {
 	return slot < (uint32_t)slots->used && generation & 1 && slots->generation[slot] == generation;
@@ -54,8 +54,8 @@ static Names names_of(const Slots* slots) { return (Names){slots->generation, sl
 Names collidable_names(const scree_world* world) { return names_of(&world->collidables); }
 Names body_names(const scree_world* world) { return names_of(&world->bodies); }
 
-// The generation already keeps the handle of item 0 from being null. Indices begin at 1 so that a body's handle taken for a
-// collidable's is noticed more easily.
+// The generation already makes the handle of item 0 different from null. Indices begin at 1 so that the handle of a
+// body, passed as that of a collidable, is detected more often.
 scree_collidable collidable_handle(const scree_world* world, int index)
 {
 	return (scree_collidable){(uint32_t)index + 1, world->collidables.generation[index]};
@@ -74,8 +74,9 @@ scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_
 	return SCREE_OK;
 }
 
-// The generation of the first attribute in a slot is its name: a handle of another world is accepted only when its values
-// are the same. A later attribute in the slot has another generation, even with the same values.
+// Returns the generation of an attribute's handle. For the first attribute in a slot it is the hash of its values: a
+// handle of another world is accepted only if the values are the same. A later attribute in the slot has another
+// generation, even with the same values.
 static uint32_t generation_of(const scree_world* world, int index)
 {
 	uint32_t before = world->attribute_slots.generation[index] >> 1;

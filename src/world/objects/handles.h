@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// handles.h -- handles to slots and back.
+// handles.h -- converts slots to handles and back.
 #ifndef HANDLES_H
 #define HANDLES_H
 #include "step/step_queries.h"
 #include "world/check.h"
 
-// The handle of a slot that is in use.
+// Return the handle of a slot that is in use.
 scree_body body_handle(const scree_world* world, int index);
 scree_collidable collidable_handle(const scree_world* world, int index);
 scree_attribute attribute_handle(const scree_world* world, int index);
@@ -13,7 +13,7 @@ scree_joint joint_handle(const scree_world* world, int index);
 scree_path path_handle(const scree_world* world, int index);
 scree_field field_handle(const scree_world* world, int index);
 
-// The handle of the body of a collidable, null for none.
+// Returns the handle of the body of a collidable, null for none.
 scree_body owner_handle(const scree_world* world, int collidable);
 
 bool body_is_valid(const scree_world* world, scree_body body);
@@ -23,17 +23,18 @@ bool joint_is_valid(const scree_world* world, scree_joint joint);
 bool path_is_valid(const scree_world* world, scree_path path);
 bool field_is_valid(const scree_world* world, scree_field field);
 
-// The slot of a handle. Fails with SCREE_ERROR_STALE for a null or invalid handle; the sentence names its place in the call.
+// Return the slot of a handle in *index. Fail with SCREE_ERROR_STALE for a null or invalid handle; the message names
+// its place in the call.
 scree_status check_body(const scree_world* world, ArgumentPlace at, const char* member, scree_body body, int* index);
 scree_status check_joint(const scree_world* world, ArgumentPlace at, scree_joint joint, int* index);
 scree_status check_path(const scree_world* world, ArgumentPlace at, const char* member, scree_path path, int* index);
 scree_status check_field(const scree_world* world, ArgumentPlace at, scree_field field, int* index);
 scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_collidable collidable, int* index);
 
-// The same for a body that may have been destroyed since. One that this world never had is refused, null too.
+// Does the same for a body that may have been destroyed since. Refuses null, and a body that this world never had.
 scree_status check_body_once(const scree_world* world, ArgumentPlace at, const char* member, scree_body body);
 
-// What queries need of handles.
+// Return the generations of all slots, which queries use for handles.
 Names collidable_names(const scree_world* world);
 Names body_names(const scree_world* world);
 scree_status check_attribute(const scree_world* world, ArgumentPlace at, const char* member, scree_attribute attribute,

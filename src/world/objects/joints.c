@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joints.c -- slots of joints, their lists by body, and what waits for the upload.
+// joints.c -- slots of joints, their lists by body, and the upload.
 #include "world/objects/joints.h"
 #include "platform/error.h"
 #include "step/reserve.h"
@@ -19,7 +19,7 @@ scree_status joints_reserve(scree_world* world, const char* function, int more)
 	if (!slots_reserve(&world->joints, more))
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more joints", function, more);
 	TRY(edits_reserve(world, function, 0, 0, 2 * more));
-	// every joint waits at most once
+	// every joint is pending at most once
 	TRY(GROW(function, world->edits.joints, world->edits.joint_capacity, world->joints.capacity));
 	return GROW(function, world->host_joints, world->host_joint_capacity, world->joints.capacity);
 }
@@ -135,7 +135,7 @@ void body_joints_remove(scree_world* world, int body)
 // rows
 // ---------------------------------------------------------------------------------------------------------------
 
-// What is set of a coordinate, as JOINT_* bits. A locked one has no drives.
+// Returns the modes of a coordinate, as JOINT_* bits. A locked coordinate has no drives.
 static int coordinate_modes(const scree_joint_coordinate* from, int k)
 {
 	if (from->locked)
@@ -167,7 +167,7 @@ static bool moves(const HostBody* body) { return body->type == SCREE_BODY_DYNAMI
 #define LINEAR_DRIVES \
 	(JOINT_SPRING(JOINT_ALONG) | JOINT_MOTOR(JOINT_ALONG) | JOINT_SPRING(JOINT_ACROSS) | JOINT_MOTOR(JOINT_ACROSS))
 
-// The coordinate along an open path ends where the path does.
+// Limits the coordinate along an open path to the length of the path.
 static scree_joint_coordinate along_open(const scree_joint_coordinate* from, float length)
 {
 	scree_joint_coordinate along = *from;
@@ -195,13 +195,14 @@ static int joint_modes(const scree_joint_def* def)
 	return modes | JOINT_COUPLED;
 }
 
-// Side k of a coupling. Of other types, whose sides are not checked, the default: what is not finite must not get into a pool.
+// Returns side k of a coupling. Other types, whose sides are not checked, get the default, because no value that is not
+// finite may enter a pool.
 static scree_joint_side side_of(const scree_joint_def* def, int k)
 {
 	return joint_couples(def->type) ? def->sides[k] : (scree_joint_side){.base.rotation.c = 1.0f};
 }
 
-// The row of a joint, and its flags.
+// Returns the row of a joint, with its flags.
 static JointEdit joint_edit(const scree_world* world, int index)
 {
 	const HostJoint* host = world->host_joints + index;
@@ -249,7 +250,7 @@ static JointEdit joint_edit(const scree_world* world, int index)
 	return edit;
 }
 
-// Whether a step has to look at rare rows because of the joint.
+// Returns whether a joint needs the rare rows of a step.
 static bool has_drives(const JointEdit* edit)
 {
 	return (int)edit->data.modes & (JOINT_EXTRAS | JOINT_SPRINGS | JOINT_COUPLED | JOINT_RAILED) ||
@@ -265,7 +266,7 @@ static bool is_unlocked(const scree_world* world, int index)
 	return false;
 }
 
-// Whether a joint holds a body to one that no force moves.
+// Returns whether a joint connects a body to one that no force moves.
 static bool is_tether(const scree_world* world, int index)
 {
 	const int* bodies = world->host_joints[index].bodies;
@@ -289,7 +290,7 @@ scree_status upload_joints(scree_world* world, void* memory)
 	for (int k = 0; k < p->joint_count; ++k)
 	{
 		rows[k] = joint_edit(world, p->joints[k]);
-		if (!slots_in_use(&world->joints, p->joints[k])) // its row is empty, and others may be where its bodies were
+		if (!slots_in_use(&world->joints, p->joints[k])) // its row is empty, and other bodies may use the slots
 			continue;
 		pipeline->has_drives |= has_drives(rows + k);
 		pipeline->springs |= ((int)rows[k].data.modes & JOINT_SPRINGS) != 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// kinematics.c -- the list of a world's kinematic bodies: as long as they are few, guard compares paths with each of them.
+// kinematics.c -- the list of a world's kinematic bodies: while they are few, continuous collision compares paths with
+// each of them.
 #include "world/objects/kinematics.h"
 #include "world/memory.h"
 #include "world/world.h"
@@ -15,7 +16,7 @@ void kinematic_put(scree_world* world, int body)
 	world->host_bodies[body].kinematic = ++world->kinematic_count;
 }
 
-// The last one takes the place of this one.
+// Removes a body; the last one takes its place.
 void kinematic_drop(scree_world* world, int body)
 {
 	HostBody* host = world->host_bodies + body;

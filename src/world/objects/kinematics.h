@@ -4,10 +4,10 @@
 #define KINEMATICS_H
 #include "scree/scree.h"
 
-// Makes room for more of them, after which kinematic_put cannot fail.
+// Reserves memory for more kinematic bodies, after which kinematic_put cannot fail.
 scree_status kinematics_reserve(scree_world* world, const char* function, int more);
 
-// Adds a body, or removes it if it is in the list.
+// kinematic_put adds a body to the list; kinematic_drop removes a body if it is in the list.
 void kinematic_put(scree_world* world, int body);
 void kinematic_drop(scree_world* world, int body);
 

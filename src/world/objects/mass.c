@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mass.c -- the mass of a body, from its collidables.
+// mass.c -- the mass of a body, computed from its collidables.
 #include "world/objects/mass.h"
 #include "world/edits.h"
 #include "world/objects/attributes.h"
@@ -7,8 +7,8 @@
 #include "world/shape/geometry.h"
 #include <math.h>
 
-// Least radius of gyration as a share of a body's longest arm, squared. Below it the equations of joints have no digits left for the
-// mass: a chain of beads of 2 mm, welded at arms of 0.5 m, grew 1e25 times as fast within a step.
+// Minimum radius of gyration as a share of a body's longest arm, squared. Below it the equations of joints have no
+// digits left for the mass: a chain of beads of 2 mm, welded at arms of 0.5 m, became 1e25 times as fast within a step.
 #define LEAST_GYRATION 1.0e-3
 
 static scree_mass massless(scree_body_type type)
@@ -16,7 +16,7 @@ static scree_mass massless(scree_body_type type)
 	return (scree_mass){.mass = type == SCREE_BODY_DYNAMIC ? 1.0f : 0.0f};
 }
 
-// Adds the collidables of a body that follow those in the sums.
+// Adds to the sums the collidables of a body that follow the last one in them.
 static void add_parts(const scree_world* world, MassSums* sums)
 {
 	int k = sums->last < 0 ? world->host_bodies[sums->body].first_collidable : world->host_collidables[sums->last].next;
@@ -33,7 +33,7 @@ static void add_parts(const scree_world* world, MassSums* sums)
 	}
 }
 
-// Mass and center by the sums; the inertia is 0.
+// Returns mass and center from the sums; the inertia is 0.
 static scree_mass mass_of_sums(const MassSums* sums)
 {
 	if (sums->mass == 0.0)
@@ -41,7 +41,7 @@ static scree_mass mass_of_sums(const MassSums* sums)
 	return (scree_mass){(float)sums->mass, 0.0f, {(float)(sums->x / sums->mass), (float)(sums->y / sums->mass)}};
 }
 
-// The inertia about the common center, by the parallel axis theorem.
+// Returns the inertia about the common center, by the parallel axis theorem.
 static float inertia_of_sums(const scree_world* world, const MassSums* sums)
 {
 	if (sums->mass == 0.0)
@@ -78,7 +78,8 @@ scree_mass mass_now(const scree_world* world, int body)
 	return lacks ? mass_of_body(world, body) : world->host_bodies[body].mass;
 }
 
-// From the center of mass, m. In double, because hypotf is not the same on every system.
+// Returns the distance of a point from the center of mass, m. It is computed in double, because hypotf differs between
+// systems.
 static float arm_of(const HostBody* host, scree_vec point)
 {
 	double x = point.x - host->mass.center.x, y = point.y - host->mass.center.y;
@@ -94,7 +95,8 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / (host->mass.inertia > least ? host->mass.inertia : least) : 0.0f;
 }
 
-// The longest arm of the body's joints, and of its solid shapes if the user set the mass: its inertia may be none that they could have.
+// Returns the longest arm of the body's joints. If the user set the mass, also of its solid shapes, because its inertia
+// may be one that they could not have.
 static float longest_arm(const scree_world* world, const HostBody* host)
 {
 	float most = 0.0f;
@@ -121,7 +123,7 @@ ContinuousBody continuous_row(scree_world* world, int body)
 	for (int k = host->first_collidable; host->type == SCREE_BODY_DYNAMIC && k >= 0;
 	     k = world->host_collidables[k].next)
 	{
-		// guard adds the components of the arm: at most 1.4143 times its length; 0.1 % more for rounding
+		// continuous collision adds the components of the arm: at most 1.4143 times its length; 0.1 % more for rounding
 		const HostCollidable* collidable = world->host_collidables + k;
 		float way = CONTINUOUS_TRAVEL * attribute_thickness(world, collidable->attribute);
 		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach +
@@ -212,7 +214,7 @@ void mass_settle(scree_world* world)
 	edits_whole(world, continuous_command(world, sums->body));
 }
 
-// A dynamic body got more collidables, and nothing else since the last time.
+// Adds new collidables to the mass of a dynamic body, which had no other change since the last call.
 static void gain(scree_world* world, int body)
 {
 	MassSums* sums = &world->mass_sums;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// materials.h -- what pairs of materials do: the rows of the pool material_pair.
+// materials.h -- surface values of pairs of materials: the rows of the pool material_pair.
 #ifndef MATERIALS_H
 #define MATERIALS_H
 #include "world/world.h"
 
-// The row of a pair of materials, in any order; all zero for one that was never set.
+// Returns the row of a pair of materials, in any order; all zero if it was never set.
 MaterialPair material_row(const scree_world* world, int a, int b);
 
-// Sets it. The next upload sends it.
+// Sets the row of a pair, which the next upload sends.
 scree_status material_set(scree_world* world, const char* function, int a, int b, MaterialPair row);
 
 scree_status upload_materials(scree_world* world);

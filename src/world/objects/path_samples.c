@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// path_samples.c -- the samples of a path: the cubic spline through its points, and the arc length along it.
+// path_samples.c -- computes the samples of a path: the cubic spline through its points, and the arc length along it.
 //
-// The spline has a continuous curvature, so that what runs along it feels no jumps of force. Its parameter is the sum of the
-// distances of the points. Arithmetic is in doubles, from + - * / and square roots alone, so every machine has the same bits.
+// The spline has a continuous curvature, so the force on a body that runs along it has no jumps. Its parameter is the
+// sum of the distances of the points. Arithmetic is in doubles, with + - * / and square roots only, so every machine
+// gets the same bits.
 //
 // This work is based on:
-// Carl de Boor, A Practical Guide to Splines, 1978: the slopes of a spline; ends whose curvature is that of the point beside them.
+// Carl de Boor, A Practical Guide to Splines, 1978: the slopes of a spline; ends whose curvature equals that of the
+// neighboring point.
 // Michael Floater, Chordal Cubic Spline Interpolation is Fourth-Order Accurate, 2006: the parameter.
 #include "world/objects/path_samples.h"
 #include <math.h>
 
-// rad: most turn of the tangent between two samples that a curvature stands for; more is a cusp
+// rad: maximum turn of the tangent between two samples for which a curvature is used; a larger turn is a cusp
 #define MOST_TURN 1.0
 
 typedef struct // a vector in double
@@ -18,11 +20,11 @@ typedef struct // a vector in double
 	double x, y;
 } Double2;
 
-// The equations of the slopes m: before[k] m[k - 1] + own[k] m[k] + behind[k] m[k + 1] = right[k].
+// Equations for the slopes m: before[k] m[k - 1] + own[k] m[k] + behind[k] m[k + 1] = right[k].
 typedef struct
 {
-	double *before, *own, *behind, *length; // length: of the chord behind a point
-	Double2 *slope, *wrap;                  // right sides, then solutions; wrap: of what closes the ring
+	double *before, *own, *behind, *length; // length: of the chord that follows a point
+	Double2 *slope, *wrap;                  // slope: right sides, then solutions; wrap: those for closing a ring
 } System;
 
 static System system_in(double* work, int count)
@@ -37,7 +39,8 @@ static Double2 chord(const scree_vec* points, int count, int k)
 	return (Double2){(double)b.x - a.x, (double)b.y - a.y};
 }
 
-// Second derivatives agree at each inner point. At the ends of an open curve they are those of the next point.
+// Sets up the equations: second derivatives agree at each inner point. At an end of an open curve they equal those of
+// the next point.
 static void set_up(const scree_vec* points, int count, bool closed, System* s)
 {
 	for (int k = 0; k < count; ++k)
@@ -59,7 +62,7 @@ static void set_up(const scree_vec* points, int count, bool closed, System* s)
 		return;
 	int end = count - 1;
 	Double2 first = chord(points, count, 0), last = chord(points, count, end - 1);
-	double both = count > 2; // two points have a straight line
+	double both = count > 2; // two points give a straight line
 	s->before[0] = s->behind[end] = 0.0;
 	s->own[0] = s->own[end] = 1.0;
 	s->behind[0] = s->before[end] = both;
@@ -67,8 +70,8 @@ static void set_up(const scree_vec* points, int count, bool closed, System* s)
 	s->slope[end] = (Double2){(1.0 + both) * last.x / s->length[end - 1], (1.0 + both) * last.y / s->length[end - 1]};
 }
 
-// Solves the equations by elimination. Those of a ring are solved without the two corners, and once more for them (Jack
-// Sherman, Winifred Morrison, 1950).
+// Solves the equations by elimination. Those of a ring are solved without the two corner elements, and once more for
+// these (Jack Sherman, Winifred Morrison, 1950).
 static void solve(int count, bool closed, System* s)
 {
 	int end = count - 1;
@@ -110,7 +113,7 @@ static void solve(int count, bool closed, System* s)
 	}
 }
 
-typedef struct // a span as a cubic from its first point, whose parameter goes from 0 to 1
+typedef struct // a span as a cubic, whose parameter goes from 0 at its first point to 1
 {
 	Double2 from, m1, m2, m3;
 } Cubic;
@@ -137,7 +140,7 @@ static double pace_at(const Cubic* c, double t)
 	return sqrt(v.x * v.x + v.y * v.y);
 }
 
-// The length of a share of a span, by the three points of Gauss.
+// Returns the length of a share of a span, by Gauss quadrature with three points.
 static double length_of(const Cubic* c, double from, double share)
 {
 	static const double offset = 0.7745966692414834; // sqrt(3 / 5)
@@ -146,12 +149,12 @@ static double length_of(const Cubic* c, double from, double share)
 	return share * sum / 18.0;
 }
 
-// A sample of a span whose chord is of a length; along and length are those of the sample.
+// Returns a sample of a span with the given chord length; along and length are members of the sample.
 static PathSample sample_at(const Cubic* c, double t, double chord_length, double along, double length)
 {
 	Double2 v = speed_at(c, t), a = {2.0 * c->m2.x + 6.0 * t * c->m3.x, 2.0 * c->m2.y + 6.0 * t * c->m3.y};
 	double pace = sqrt(v.x * v.x + v.y * v.y), most = MOST_TURN / length;
-	// where the curve turns back it stands still, and has no direction of its own
+	// if the curve turns back here, its derivative is 0, and the direction is that of the chord
 	bool stands = !(pace > 1e-6 * chord_length);
 	Double2 d = {c->m1.x + c->m2.x + c->m3.x, c->m1.y + c->m2.y + c->m3.y};
 	Double2 u = stands ? (Double2){d.x / chord_length, d.y / chord_length} : (Double2){v.x / pace, v.y / pace};

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// path_samples.h -- the samples of a path: a smooth curve through points.
+// path_samples.h -- computes the samples of a path: a smooth curve through points.
 #ifndef PATH_SAMPLES_H
 #define PATH_SAMPLES_H
 #include "pools/pools.h"
 #include "scree/scree.h"
 #include <stdbool.h>
 
-// Samples from one point to the next. The cubics between samples are off by angle^4 / 384 of the radius of a circle: 2.4e-7 where 8
-// points give a full circle. The curve through these points is itself 1.2e-3 off.
+// Samples per span, from one point to the next. The cubics between samples deviate by angle^4 / 384 of the radius of a
+// circle: 2.4e-7 if 8 points make a full circle. The curve through these points itself deviates by 1.2e-3.
 #define PATH_SHARES 8
 
 static inline int path_spans(int points, bool closed) { return points - !closed; }
 
-// Numbers that path_sample works with.
+// Returns the number of doubles in the work memory of path_sample.
 static inline size_t path_work(int points) { return (size_t)points * 8; }
 
-// Writes PATH_SHARES samples of each span, and the last one. Neighbors are not in the same place.
+// Writes PATH_SHARES samples of each span, and the last one. Neighboring points must differ.
 void path_sample(const scree_vec* points, int count, bool closed, double* work, PathSample* samples);
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// paths.c -- slots of paths, the places of their samples, and what waits for the upload.
+// paths.c -- slots of paths, the positions of their samples in the pool, and the upload.
 //
-// The samples of all paths lie in one pool, those of a path side by side. The host keeps a copy, which it also reads. A new path
-// takes the first gap that is large enough, so places depend on the user's calls alone.
+// The samples of all paths are in one pool, those of a path side by side. The host keeps a copy, which it also reads. A
+// new path takes the first gap that is large enough, so positions depend only on the user's calls.
 #include "world/objects/paths.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
@@ -10,7 +10,8 @@
 #include "world/objects/path_samples.h"
 #include <math.h>
 
-// Where so many samples fit; *before becomes the path in front of them, as 1 + index, 0 for none.
+// Returns the first position with space for the samples; *before becomes the path in front of it, as 1 + index, 0 for
+// none.
 static int find_place(const scree_world* world, int count, int* before)
 {
 	int end = 0;
@@ -47,7 +48,7 @@ static void unlink_path(scree_world* world, int index)
 	*(host->next > 0 ? &world->host_paths[host->next - 1].previous : &world->last_path) = host->previous;
 }
 
-// The first sample behind all paths.
+// Updates the position after the samples of all paths.
 static void note_end(scree_world* world)
 {
 	const HostPath* last = world->host_paths + world->last_path - 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paths.h -- slots of paths, the places of their samples, and what waits for the upload.
+// paths.h -- slots of paths, the positions of their samples in the pool, and the upload.
 #ifndef PATHS_H
 #define PATHS_H
 #include "constraints/path_curve.h"
@@ -7,21 +7,21 @@
 
 #define MOST_PATH_POINTS 65536
 
-// Makes a path of points that are checked. On failure nothing has changed.
+// Creates a path from checked points. On failure nothing has changed.
 scree_status path_put(scree_world* world, const char* function, const scree_path_def* def, int* index);
 void path_remove(scree_world* world, int index);
 
-// The samples of a path.
+// Returns the curve of a path, from its samples.
 static inline PathCurve path_curve_of(const scree_world* world, int index)
 {
 	const HostPath* host = world->host_paths + index;
 	return path_curve(host->samples, host->segments);
 }
 
-// The point and the tangent at an arc length, which an open path ends and a closed one repeats.
+// Returns the point and the tangent at an arc length, which is clamped on an open path and repeats on a closed one.
 scree_pose path_pose_at(const scree_world* world, int index, float along);
 
-// Sends the paths that wait, for which there is room.
+// Sends the pending paths, for which the device has the capacity.
 scree_status upload_paths(scree_world* world);
 
 void paths_close(scree_world* world);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// reports.c -- collidables that report events: how many there are, those destroyed, and what the device listed.
+// reports.c -- collidables that report events: their number, the names of destroyed ones, and the events that the
+// device listed.
 //
-// Events name collidables by their slots. A slot may have been given away since, even twice: after the last step, and before it, when
-// the contacts of the old collidable ended in the step. So a slot keeps two names, of the collidables that left it after an even and
-// after an odd number of steps. Those that never took part in a step have no events.
+// Events identify collidables by their slots. A slot may have been reused since, even twice: after the last step, and
+// before it, if the contacts of the old collidable ended in that step. So a slot stores two names, of the collidables
+// that left it after an even and after an odd number of steps. Collidables that never took part in a step have no
+// events.
 #include "world/objects/reports.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
@@ -13,7 +15,7 @@
 #include "world/objects/handles.h"
 #include <string.h>
 
-// What a slot of collidables holds now.
+// Returns the name of the current collidable of a slot.
 static CollidableName name_of(const scree_world* world, int index)
 {
 	return (CollidableName){.collidable = collidable_handle(world, index),

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// sensors.c -- sensors: which collidables are, what visits them, and which visits began and ended in the last step.
+// sensors.c -- sensors: which collidables are sensors, which collidables visit them, and which visits began and ended
+// in the last step.
 //
-// The device finds what overlapped a sensor at some time of the step (src/stages/read/sensor.h). The visits that last are kept in order.
-// What is new among them has begun, what is missing has ended: so each visit that begins ends once, whatever happened to the two
-// collidables meanwhile.
+// The device finds the collidables that overlapped a sensor at some time of the step (src/stages/read/sensor.h). The
+// visits that last are stored in order. A visit that is new among them has begun; one that is missing has ended. So
+// each visit that begins ends once, whatever happens to the two collidables in between.
 #include "world/objects/sensors.h"
 #include "platform/error.h"
 #include "step/step_queries.h"
@@ -42,7 +43,7 @@ void sensors_forget(scree_world* world)
 	world->sensors.ended_count = 0;
 }
 
-// Whether a collidable is another one, or another shape, than at the end of the step before the last one.
+// Returns whether a collidable is new, or has another shape, since the end of the step before the last one.
 static bool is_new(const scree_world* world, int index)
 {
 	return slots_in_use(&world->collidables, index) && world->host_collidables[index].born >= world->pipeline.steps - 1;
@@ -70,7 +71,7 @@ static void end_visit(Sensors* s, const Visit* visit, float time, bool before)
 	s->ended[s->ended_count++] = ended;
 }
 
-// A visit that the device found, and that was not there before.
+// Begins a visit that the device found and that did not exist before.
 static void begin_visit(Sensors* s, const Visit* visit)
 {
 	s->began[s->began_count++] = *visit;
@@ -78,7 +79,7 @@ static void begin_visit(Sensors* s, const Visit* visit)
 		end_visit(s, visit, visit->left, false);
 }
 
-// Compares the visits at the end of the step before with those of the step. Both are in order.
+// Compares the visits at the end of the previous step with those of the last step. Both are in order.
 static void compare_visits(scree_world* world, const Visit* found, int count)
 {
 	Sensors* s = &world->sensors;
@@ -95,7 +96,7 @@ static void compare_visits(scree_world* world, const Visit* found, int count)
 		const Visit* was = side == 0 ? s->visits + old++ : NULL;
 		if (now->lasts)
 			s->next[kept++] = *now;
-		if (was && !is_fresh(world, was) && now->time == 0.0f) // later: it was placed elsewhere before the step
+		if (was && !is_fresh(world, was) && now->time == 0.0f) // time > 0: it was placed elsewhere before the step
 		{
 			if (!now->lasts)
 				end_visit(s, now, now->left, false);
@@ -114,7 +115,7 @@ static void compare_visits(scree_world* world, const Visit* found, int count)
 	s->visit_count = kept;
 }
 
-// Asks the device. *count gets the number of visits, which found holds in order.
+// Finds the visits on the device. *count becomes their number; found holds them in order.
 static scree_status ask(scree_world* world, const char* function, int* count)
 {
 	Sensors* s = &world->sensors;

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// sensors.h -- sensors: which collidables are, what visits them, and which visits began and ended in the last step.
+// sensors.h -- sensors: which collidables are sensors, which collidables visit them, and which visits began and ended
+// in the last step.
 #ifndef SENSORS_H
 #define SENSORS_H
 #include "world/world.h"
 
-// A collidable was made, changed or removed, with these bits before and after.
+// Records that a collidable was created, changed or removed; before and after are its sensor bits.
 void sensors_note(scree_world* world, uint32_t before, uint32_t after);
 
-// Before a step: what began and ended is forgotten.
+// Discards the visits that began and ended. Called before a step.
 void sensors_forget(scree_world* world);
 
-// After a step: asks the device what visited the sensors, and finds what began and ended.
+// Finds the visits on the device, and which of them began and ended. Called after a step.
 scree_status sensors_update(scree_world* world, const char* function);
 
-// The visits of a sensor at the end of the last step: *first among Sensors.visits, and how many.
+// Returns the number of visits to a sensor at the end of the last step; *first becomes the index of the first one in
+// Sensors.visits.
 int sensors_visits(const scree_world* world, int sensor, int* first);
 void sensors_close(scree_world* world);
 

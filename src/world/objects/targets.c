@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// targets.c -- poses of kinematic bodies at the end of the next step: kept on the host, sent with the step.
+// targets.c -- poses of kinematic bodies at the end of the next step: stored on the host, sent with the step.
 #include "world/objects/targets.h"
 #include "platform/error.h"
 #include "world/edits.h"
@@ -24,7 +24,7 @@ void target_put(scree_world* world, int body, scree_pose pose)
 	world->targets[host->target - 1] = (Target){body, pose};
 }
 
-// The last target takes the place of this one.
+// Removes a target; the last one takes its place.
 void target_drop(scree_world* world, int body)
 {
 	HostBody* host = world->host_bodies + body;

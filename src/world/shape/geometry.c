@@ -17,10 +17,10 @@ scree_vec pose_point(scree_pose pose, scree_vec p)
 	return (scree_vec){pose.position.x + (q.c * p.x - q.s * p.y), pose.position.y + (q.s * p.x + q.c * p.y)};
 }
 
-// a polygon at least this many times WELD_DISTANCE across has the full tolerances
+// Minimum size of a polygon with the full tolerances, as a multiple of WELD_DISTANCE.
 #define WELD_SIZES 20.0
 
-typedef struct // sums over pieces of a shape, about vertex 0; all per unit of density
+typedef struct // sums over pieces of a shape, about vertex 0, per unit of density
 {
 	double area, x, y; // m^2, m^3
 	double inertia;    // m^4
@@ -35,9 +35,10 @@ static void add_piece(Moments* m, double area, double x, double y, double inerti
 	m->inertia += inertia + area * (x * x + y * y);
 }
 
-// Mass properties of all points within the radius of the hull: the hull itself, as triangles around vertex 0; a
-// rectangle on each edge; and at each corner the sector between the normals of its edges. The sector's first moment
-// needs no angle: the integral of (cos, sin) from one normal to the next is their difference turned back by a quarter.
+// Computes the mass properties of all points within the radius of the hull. The pieces are the hull itself, as
+// triangles around vertex 0; a rectangle on each edge; and at each corner the sector between the normals of its edges.
+// The first moment of a sector needs no angle: the integral of (cos, sin) from one normal to the next is their
+// difference, rotated back by a quarter turn.
 static void fill_mass(scree_shape* shape)
 {
 	const scree_vec *v = shape->vertices, *n = shape->normals;
@@ -50,8 +51,8 @@ static void fill_mass(scree_shape* shape)
 		double x = (double)v[i].x - v[0].x, y = (double)v[i].y - v[0].y;
 		double nx = (double)v[next].x - v[0].x, ny = (double)v[next].y - v[0].y;
 
-		// the triangle of vertex 0 and this edge; about its first corner a triangle of edges a, b has the inertia
-		// area (a.a + a.b + b.b) / 6
+		// the triangle of vertex 0 and this edge; a triangle of edges a, b has the inertia area (a.a + a.b + b.b) / 6
+		// about its first corner
 		double area = 0.5 * (x * ny - y * nx), tx = (x + nx) / 3.0, ty = (y + ny) / 3.0;
 		double about_corner = area * (x * x + y * y + x * nx + y * ny + nx * nx + ny * ny) / 6.0;
 		add_piece(&m, area, tx, ty, about_corner - area * (tx * tx + ty * ty));

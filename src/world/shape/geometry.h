@@ -5,27 +5,27 @@
 #include "world/check.h"
 
 #define SMALLEST_SIZE 0.001f // m
-#define WELD_DISTANCE 0.005f // m: corners closer than this coincide; less in small shapes
-#define FLAT_DISTANCE 0.0005 // m: corners closer than this to the line between their neighbors lie on it; less, too
+#define WELD_DISTANCE 0.005f // m: corners closer than this coincide; smaller in small shapes
+#define FLAT_DISTANCE 0.0005 // m: corners closer to the line between their neighbors lie on it; smaller in small shapes
 
-typedef struct // the two distances for a polygon of some size, m
+typedef struct // the two distances for a polygon of a given size, m
 {
 	double weld, flat;
 } Tolerance;
 
-// A twentieth of the largest distance of two points and a tenth of that, within 0.5 mm and WELD_DISTANCE: the octagon of the smallest
-// size has edges of 0.77 mm.
+// Returns the tolerances of a polygon: weld is a twentieth of the largest distance of two points, between 0.5 mm and
+// WELD_DISTANCE; flat is a tenth of that. The octagon of the smallest size has edges of 0.77 mm.
 Tolerance tolerance_of(const scree_vec* points, int count);
 
-// Checks a shape of which kind, count, radius and vertices are given, and computes everything else; members beyond count
-// become zero. at.argument names the shape. Thresholds are lower than those of scree_shape_make_polygon, so that a shape
-// which has been rotated and moved stays valid.
+// Checks a shape whose kind, count, radius and vertices are given, and computes everything else; members beyond count
+// become zero. at.argument names the shape. Thresholds are lower than those of scree_shape_make_polygon, so that a
+// shape which has been rotated and moved stays valid.
 scree_status shape_finish(ArgumentPlace at, scree_shape* shape);
 
-// The same without checks. A clockwise polygon is reversed.
+// Does the same without checks. A clockwise polygon is reversed.
 void shape_fill(scree_shape* shape);
 
-// Refuses corners that are not those of a convex polygon of either orientation.
+// Refuses corners that do not form a convex polygon, of either orientation.
 scree_status check_corners(const char* function, const char* argument, const scree_vec* v, int count,
                            Tolerance tolerance);
 
@@ -45,13 +45,13 @@ static inline scree_vec rot_vec(scree_rot rotation, scree_vec v)
 	return pose_point((scree_pose){{0.0f, 0.0f}, rotation}, v);
 }
 
-// b, then a
+// Returns the rotation by b, then by a.
 static inline scree_rot rot_product(scree_rot a, scree_rot b)
 {
 	return (scree_rot){a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
 }
 
-// A pose in the frame of another one, in the world.
+// Returns the pose in the world of a pose that is given in the frame of another one.
 static inline scree_pose pose_product(scree_pose outer, scree_pose inner)
 {
 	return (scree_pose){pose_point(outer, inner.position), rot_product(outer.rotation, inner.rotation)};

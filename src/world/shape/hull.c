@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hull.c -- the convex hull of a few points.
 //
-// This work is based on: Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996, in the plane.
+// This work is based on: Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996, in two dimensions.
 #include "world/shape/hull.h"
 #include "world/shape/geometry.h"
 #include <math.h>
@@ -32,7 +32,7 @@ static void add_side(Hull* hull, int a, int b, const int* outside, int outside_c
 	if (corner < 0)
 		return;
 
-	// what lies beyond either of the two new sides
+	// points beyond either of the two new sides
 	int first[HULL_POINTS], second[HULL_POINTS], first_count = 0, second_count = 0;
 	for (int k = 0; k < outside_count; ++k)
 	{
@@ -47,7 +47,7 @@ static void add_side(Hull* hull, int a, int b, const int* outside, int outside_c
 	add_side(hull, corner, b, second, second_count);
 }
 
-// Drops the flattest corner until none is flat: dropping one makes its neighbors less flat.
+// Removes the flattest corner, one at a time, until no corner is flat: each removal makes its neighbors less flat.
 static void drop_flat(Hull* hull)
 {
 	while (hull->count >= 3)
@@ -78,7 +78,7 @@ int hull_corners(const scree_vec* points, int count, int* corners)
 {
 	Tolerance tolerance = tolerance_of(points, count);
 
-	// weld: of points that are close to one another the first stands for all
+	// welding: the first of several close points stands for all of them
 	int kept[HULL_POINTS], kept_count = 0;
 	for (int i = 0; i < count; ++i)
 	{
@@ -91,7 +91,8 @@ int hull_corners(const scree_vec* points, int count, int* corners)
 	if (kept_count < 3)
 		return kept_count;
 
-	// the leftmost and the rightmost point are corners; ties go to the lower and to the higher
+	// the leftmost and the rightmost point are corners; of several leftmost ones the lowest, of several rightmost the
+	// highest
 	int left = kept[0], right = kept[0];
 	for (int k = 1; k < kept_count; ++k)
 	{

@@ -4,10 +4,10 @@
 #define HULL_H
 #include "scree/scree.h"
 
-#define HULL_POINTS 64 // most points that scree_shape_make_hull takes
+#define HULL_POINTS 64 // maximum number of points of scree_shape_make_hull
 
-// The convex hull of 3 to 64 points, counter-clockwise, as indices into points. Returns the number of corners, which is
-// under 3 when the points lie on a line.
+// Finds the convex hull of 3 to 64 points, counter-clockwise, as indices into points. Returns the number of corners,
+// which is under 3 if the points lie on a line.
 int hull_corners(const scree_vec* points, int count, int* corners);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// edit_order.c -- rows in the order of their slots, and their runs.
+// edit_order.c -- sorts rows by slot, and finds their runs.
 #include "world/upload/edit_order.h"
 #include "platform/error.h"
 #include "world/memory.h"
@@ -9,12 +9,13 @@
 #define DIGIT_BITS 8
 #define DIGITS     (1 << DIGIT_BITS)
 
-typedef struct // key of the sort, and the row that it belongs to
+typedef struct // a sort key, and the row that it belongs to
 {
 	uint32_t index, row;
 } Place;
 
-// Radix sort by index. bits has every bit that is set in some index. other has room for count places.
+// Sorts places by index with a radix sort. bits has every bit that is set in some index. other has space for count
+// places.
 static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 {
 	for (int shift = 0; bits >> shift != 0; shift += DIGIT_BITS)
@@ -37,7 +38,7 @@ static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 	return places;
 }
 
-// The index of row k, which is its first member. A row has so many bytes.
+// Returns the index of row k, which is its first member. bytes is the size of a row.
 static uint32_t row_index(const void* rows, size_t bytes, int k)
 {
 	uint32_t index;
@@ -45,7 +46,7 @@ static uint32_t row_index(const void* rows, size_t bytes, int k)
 	return index;
 }
 
-// Bytes of memory that sort_rows takes; 0 when the rows are sorted already, as in a new world.
+// Returns the bytes of memory that sort_rows needs; 0 if the rows are sorted already, as in a new world.
 static size_t sort_bytes(const void* rows, int count, size_t bytes)
 {
 	int k = 1;

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// edit_order.h -- rows in the order of their slots, and their runs.
+// edit_order.h -- sorts rows by slot, and finds their runs.
 #ifndef EDIT_ORDER_H
 #define EDIT_ORDER_H
 #include "world/world.h"
 
-// Sorts the rows of bodies and of collidables by their slots.
+// Sorts the rows of bodies and of collidables by slot.
 scree_status edits_sort(scree_world* world);
 
-// The end of the run of neighboring slots that begins at row k. A run of collidables is all dead or all alive.
+// Return the end of the run of neighboring slots that begins at row k. The collidables of a run are all dead or all
+// alive.
 int body_run(const Edits* p, int k);
 int collidable_run(const scree_world* world, int k);
 
-// Whether the collidable of row k was destroyed, or its body is disabled. Only the kind of a dead one is written: its contacts
-// end when they find its box empty.
+// Returns whether the collidable of row k was destroyed, or its body is disabled. Only the kind of a dead one is
+// written: its contacts end when they find its box empty.
 bool edit_is_dead(const scree_world* world, int k);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// upload.c -- uploads what the user changed: long runs of rows, then commands.
+// upload.c -- uploads the user's changes: long runs of rows, then commands.
 #include "world/upload/upload.h"
 #include "platform/error.h"
 #include "step/reserve.h"
@@ -20,10 +20,10 @@
 #include "world/upload/upload_rows.h"
 #include "world/world.h"
 
-typedef struct // what an upload takes
+typedef struct // memory that an upload needs
 {
-	int body_rows, collidable_rows; // in the longest of the long runs
-	int commands;                   // at most
+	int body_rows, collidable_rows; // rows in the longest of the long runs
+	int commands;                   // upper bound
 } Demand;
 
 static Demand demand_of(const scree_world* world)
@@ -51,7 +51,7 @@ static Demand demand_of(const scree_world* world)
 
 static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 
-// Makes room on the device, and in *memory on the host.
+// Reserves memory on the device, and on the host in *memory.
 static scree_status reserve(scree_world* world, const Demand* demand, char** memory)
 {
 	TRY(pipeline_reserve(&world->pipeline, PER_ATTRIBUTE, world->attribute_slots.used));
@@ -76,7 +76,7 @@ static scree_status reserve(scree_world* world, const Demand* demand, char** mem
 	return SCREE_OK;
 }
 
-// Whether some edit places or makes a collidable, so that its box may jump.
+// Returns whether some edit places or creates a collidable, so that its box may jump.
 static bool places(const Edits* p)
 {
 	bool found = p->body_count + p->collidable_count > 0;
@@ -133,7 +133,7 @@ static scree_status upload_all(scree_world* world, bool steps)
 {
 	TRY(upload_fields(world));
 	if (steps)
-		TRY(chains_update(world)); // joints whose place changed are edits
+		TRY(chains_update(world)); // joints whose place changed become edits
 	TRY(upload_materials(world));
 	TRY(upload_exclusions(world));
 	if (no_edits(&world->edits))
@@ -142,7 +142,7 @@ static scree_status upload_all(scree_world* world, bool steps)
 	TRY(edits_sort(world));
 	Demand demand = demand_of(world);
 	char* memory;
-	TRY(reserve(world, &demand, &memory)); // room for everything before anything is sent
+	TRY(reserve(world, &demand, &memory)); // reserves everything before anything is sent
 	world->pipeline.jumps |= places(&world->edits);
 	TRY(upload_attributes(world, memory));
 	TRY(upload_long_runs(world, memory));
@@ -160,7 +160,7 @@ static scree_status upload(scree_world* world, bool steps)
 	if (no_edits(&world->edits) && !chains && !world->materials.waiting && !world->exclusions.waiting &&
 	    !world->fields.stale)
 		return SCREE_OK;
-	TRY(reports_fetch(world)); // an upload may change what they refer to
+	TRY(reports_fetch(world)); // an upload may change the items that events refer to
 	world->pipeline.trees[0].seen = false;
 	double begin = auto_clock();
 	scree_status status = world_note(world, upload_all(world, steps));

@@ -58,7 +58,7 @@ static PendingEdits* command_waiting(scree_world* world, const Command* c)
 	return &world->host_bodies[c->index].waiting;
 }
 
-// Whether a command is older than the body or collidable that its slot holds now.
+// Returns whether a command is older than the current body or collidable of its slot.
 static bool is_void(scree_world* world, int k)
 {
 	const Edits* p = &world->edits;
@@ -74,7 +74,8 @@ typedef struct // commands grouped by item
 	int collected, count, groups;
 } Groups;
 
-// A row without later commands is a group at once. Otherwise its commands are collected, to be grouped with the later ones.
+// Adds the commands of a row. A row without later commands is a group at once. Otherwise its commands are collected, to
+// be grouped with the later ones.
 static void add_row(Groups* g, const PendingEdits* waiting, int count)
 {
 	if (waiting->group > 0)
@@ -87,8 +88,8 @@ static void add_row(Groups* g, const PendingEdits* waiting, int count)
 	g->count += count;
 }
 
-// Collects the commands of short runs, then the user's. Rows without later commands become groups at once: they are the most
-// in worlds that create and destroy many bodies.
+// Collects the commands of short runs, then the user's. Rows without later commands become groups at once: in worlds
+// that create and destroy many bodies, most rows are such rows.
 static void collect_commands(scree_world* world, Groups* g)
 {
 	const Edits* p = &world->edits;
@@ -116,7 +117,7 @@ static void collect_commands(scree_world* world, Groups* g)
 	}
 }
 
-// Groups the collected commands by item; those of one item stay in the order of the calls.
+// Groups the collected commands by item; the commands of an item stay in the order of the calls.
 static void group_commands(scree_world* world, Groups* g)
 {
 	int* begins = g->begins + g->groups;
@@ -132,7 +133,7 @@ static void group_commands(scree_world* world, Groups* g)
 		++begins[*group];
 	}
 
-	// begins[n] counts group n; after the sum it is the place of the group's next command, and at last the group's end
+	// begins[n] counts group n; after the sum it is the place of the group's next command, and finally the group's end
 	begins[0] = g->count;
 	int sum = g->count;
 	for (int n = 1; n <= groups; ++n)

@@ -17,7 +17,7 @@ Float4 body_pose(const BodyRow* row)
 	return make_float4(center.x, center.y, row->pose.rotation.c, row->pose.rotation.s);
 }
 
-// What is not zero of a new body in a pool.
+// Writes the values of a new body that are not zero to an item of a pool.
 static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
 	// a disabled body has velocity 0; its own velocity is in the pool stored_velocity
@@ -88,7 +88,7 @@ static void collidable_item(const scree_world* world, PoolId pool, int index, vo
 	}
 }
 
-// Whether a new item has to be written in this pool.
+// Returns whether a new item has to be written in a pool.
 static bool is_cleared(int pool, Per per) { return pool_info[pool].per == per && pool_info[pool].role <= STATE; }
 
 scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
@@ -98,7 +98,7 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
 		size_t bytes = pool_info[pool].bytes;
-		// what is told is only known once somebody has asked
+		// reported poses have a meaning only after the user's first request for moved bodies
 		if (!is_cleared(pool, PER_BODY) && !(pool == POOL_reported_pose && world->pipeline.tells))
 			continue;
 		memset(stage, 0, (size_t)(end - begin) * bytes);
