@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// body.c -- bodies: created, destroyed and listed.
+// body.c -- creation, destruction and lists of bodies.
 #include "world/definition.h"
 #include "world/edits.h"
 #include "world/failure.h"
@@ -51,7 +51,7 @@ static scree_status check_def(const scree_world* world, ArgumentPlace at, const 
 	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
 }
 
-// Host data is prefetched so many bodies ahead: the slots of a batch may lie anywhere in memory.
+// Number of bodies by which host data is prefetched ahead, because the slots of a batch may be anywhere in memory.
 #define BODY_SOON 8
 
 static void fetch_rows(const void* rows, int index, size_t bytes)
@@ -61,7 +61,7 @@ static void fetch_rows(const void* rows, int index, size_t bytes)
 	fetch_soon(row + bytes - 1);
 }
 
-// The handle need not be valid.
+// Prefetches the host data of a body. The handle need not be valid.
 static void fetch_body(const scree_world* world, scree_body body)
 {
 	if (body.index >= (uint32_t)world->bodies.used)
@@ -78,7 +78,8 @@ static void fetch_collidable(const scree_world* world, int collidable)
 	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
 }
 
-// Makes a body in a slot that was taken, from a checked definition. slot is that of its collidable, if it has one.
+// Writes a body from a checked definition to a slot, which was taken. slot is the slot of its collidable, if it has
+// one.
 static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
@@ -115,7 +116,7 @@ static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def,
 	host->mass = mass_of_body(world, index);
 
 	scree_pose pose = def->pose;
-	check_pose(at, ".pose", &pose); // takes rounding out
+	check_pose(at, ".pose", &pose); // normalizes the rotation
 	edits_body(world, (BodyRow){.index = index,
 	                            .pose = pose,
 	                            .center = host->mass.center,
@@ -204,7 +205,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, bodies, count));
 
-	// marks find a body that is in the batch twice
+	// marks detect a body that is in the batch twice
 	scree_status status = SCREE_OK;
 	int marked = 0, collidables = 0;
 	for (int index = 0; marked < count && status == SCREE_OK;)

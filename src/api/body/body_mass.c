@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// body_mass.c -- masses of bodies: read and set by the user.
+// body_mass.c -- reads and sets masses of bodies.
 #include "world/edits.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
 #include "world/objects/mass.h"
 #include "world/world.h"
 
-// Bounds of what may be set: inverses, and their products with squares of arms, stay finite.
+// Bounds of masses that the user sets: inverses, and their products with squares of arms, stay finite.
 #define LEAST_MASS    1e-15f // kg
 #define LEAST_INERTIA 1e-20f // kg m^2
 #define MOST_MASS     1e30f  // kg, and kg m^2
@@ -22,7 +22,7 @@ scree_status scree_body_get_mass(const scree_world* world, scree_body body, scre
 	return SCREE_OK;
 }
 
-// body and mass say where the two stand in the call.
+// Checks a mass that the user sets. body and mass are the places of these two arguments in the call.
 static scree_status check_mass(const scree_world* world, ArgumentPlace body, ArgumentPlace mass, scree_body handle,
                                scree_mass value)
 {

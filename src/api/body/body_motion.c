@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// body_motion.c -- forces, impulses, velocities and poses, for batches and single bodies: each becomes a command.
+// body_motion.c -- sets forces, impulses, velocities and poses of batches and single bodies, by commands.
 #include "step/tree_maintenance.h"
 #include "world/check.h"
 #include "world/edits.h"
@@ -19,11 +19,11 @@ typedef struct // one call
 	int kind; // COMMAND_*
 	const char* bodies;
 	const char* values;
-	const char* points; // null when the kind has none
-	bool alone;         // for a single body: sentences name no index
+	const char* points; // null if the kind has none
+	bool alone;         // true: for a single body, so messages contain no index
 } Call;
 
-// The values of a call: one of these arrays; points only with vectors.
+// Values of a call: one of these arrays; points only with vectors.
 typedef struct
 {
 	const float* numbers;
@@ -42,7 +42,7 @@ static const void* values_array(const Values* v)
 	return v->velocities ? (const void*)v->velocities : (const void*)v->poses;
 }
 
-// Checks value k, and converts it to Command.value.
+// Checks value k and converts it to Command.value.
 static scree_status value_at(const Call* call, const Values* values, int k, Float4* value)
 {
 	int shown = call->alone ? ALONE : k;
@@ -119,7 +119,7 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 		TRY(value_at(call, values, k, &value));
 	}
 	TRY(edits_reserve(world, call->function, 0, 0, count));
-	mass_settle(world); // impulses depend on it
+	mass_settle(world); // impulses depend on the inertia
 	for (int k = 0; k < count; ++k)
 	{
 		value_at(call, values, k, &value);

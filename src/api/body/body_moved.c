@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// body_moved.c -- the bodies whose poses the user does not know yet.
+// body_moved.c -- lists the bodies whose poses changed since the user last read the list.
 #include "step/step_queries.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <string.h>
 
-// moved is zero, also between its members: programs send rows over networks.
+// Fills a row. moved is zero, including its padding, because programs send rows over networks.
 static void moved_fill(const scree_world* world, const MovedBody* row, scree_moved_body* moved)
 {
 	moved->body = body_handle(world, row->body);

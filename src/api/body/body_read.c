@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// body_read.c -- poses and velocities of bodies, and of their points, read from the device.
+// body_read.c -- reads poses and velocities of bodies, and of their points, from the device.
 #include "world/failure.h"
 #include "world/memory.h"
 #include "world/objects/handles.h"
@@ -8,15 +8,15 @@
 #include "world/upload/upload.h"
 #include "world/world.h"
 
-// Mean distance of the slots of a batch below which one read of all rows between them is cheaper than one read per body: on a
-// GPU a read costs about as much as the transfer of 100 kB.
+// Mean distance between the slots of a batch below which one read of all rows between them is cheaper than one read per
+// body: on a GPU a read costs about as much as the transfer of 100 kB.
 #define SPARSE_ROWS 1024
 
 typedef struct // rows of one pool, read for a batch
 {
 	const char* rows;
-	size_t bytes; // of a row
-	int first;    // body of the first row; -1 when row k is that of bodies[k]
+	size_t bytes; // bytes of a row
+	int first;    // body of the first row; -1 if row k belongs to bodies[k]
 } Rows;
 
 static const void* row_of(const Rows* rows, const scree_body* bodies, int k)
@@ -166,7 +166,7 @@ scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scre
 	return SCREE_OK;
 }
 
-// Checks a call about a point of a body, and reads the body's pose.
+// Checks a call about a point of a body, and reads the pose of the body.
 static scree_status point_pose(scree_world* world, const char* function, scree_body body, const char* argument,
                                scree_vec point, const char* result, const void* out, scree_pose* pose)
 {

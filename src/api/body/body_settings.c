@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// body_settings.c -- type, damping, gravity scale, locks, enabling and user word of a body: set and read.
+// body_settings.c -- sets and reads type, damping, gravity scale, locks, enabling and user word of a body.
 #include "step/tree_maintenance.h"
 #include "world/edits.h"
 #include "world/failure.h"
@@ -23,7 +23,7 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 	return check_pointer(function, argument, out);
 }
 
-// The same for a setter; reserves room for commands.
+// Does the same for a setter, and reserves memory for commands.
 static scree_status lookup_to_set(scree_world* world, const char* function, scree_body body, int commands, int* index)
 {
 	TRY(world_check(world, function));
@@ -145,7 +145,7 @@ scree_status scree_body_get_locks(const scree_world* world, scree_body body, uin
 	return SCREE_OK;
 }
 
-// Inserts the leaves of the bodies of a batch that become enabled. On failure it removes them again.
+// Inserts the leaves of the bodies of a batch that become enabled. On failure, removes them again.
 static scree_status insert_batch(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
 {
 	scree_status status = SCREE_OK;
@@ -165,14 +165,14 @@ static scree_status insert_batch(scree_world* world, const scree_body* bodies, c
 	return status;
 }
 
-// The caller has reserved room for the edits and the leaves.
+// Enables or disables a body. The caller has reserved memory for the edits and inserted the leaves.
 static void enable(scree_world* world, int index, bool enabled)
 {
 	HostBody* host = world->host_bodies + index;
 	if (host->disabled == !enabled)
 		return;
 	if (enabled)
-		body_insert_leaves(world, host); // inserted before, unless the same batch has disabled the body since
+		body_insert_leaves(world, host); // inserted already, unless the same batch has disabled the body since
 	else
 		body_remove_leaves(world, host);
 	host->disabled = !enabled;

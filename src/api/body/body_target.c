@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// body_target.c -- targets of kinematic bodies: set by the user.
+// body_target.c -- sets targets of kinematic bodies.
 #include "world/failure.h"
 #include "world/objects/handles.h"
 #include "world/objects/targets.h"
@@ -35,7 +35,7 @@ static scree_status set(scree_world* world, ArgumentPlace body, ArgumentPlace va
 	for (int k = 0; k < count; ++k)
 	{
 		scree_pose pose = poses[k];
-		check_pose(value, "", &pose); // takes rounding out
+		check_pose(value, "", &pose); // normalizes the rotation
 		target_put(world, (int)bodies[k].index, pose);
 	}
 	return SCREE_OK;

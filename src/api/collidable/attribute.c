@@ -8,11 +8,11 @@
 #include "world/world.h"
 #include <string.h>
 
-// Within these bounds every mass has a finite inverse, and every sum of masses is finite.
+// Bounds within which every mass has a finite inverse, and every sum of masses is finite.
 #define LEAST_DENSITY 1e-6f // kg/m^2
 #define MOST_DENSITY  1e9f
 
-// shortest vector that is a direction
+// Minimum length of a vector that gives a direction.
 #define LEAST_DIRECTION 1e-3f
 
 void scree_attribute_def_default_sized(scree_attribute_def* def, size_t size)
@@ -22,7 +22,7 @@ void scree_attribute_def_default_sized(scree_attribute_def* def, size_t size)
 	write_result(def, size, &made, sizeof made);
 }
 
-// Checks a definition and makes it canonical: equal values, equal bytes.
+// Checks a definition and makes it canonical, so that equal values have equal bytes.
 static scree_status check_def(const char* function, scree_attribute_def* def)
 {
 	ArgumentPlace at = {function, "def", ALONE};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// collidable.c -- collidables: created, destroyed and listed.
+// collidable.c -- creation, destruction and lists of collidables.
 #include "world/definition.h"
 #include "world/edits.h"
 #include "world/failure.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// collidable_settings.c -- what the user reads and sets of one collidable: attribute, pose, filter, user word.
+// collidable_settings.c -- reads and sets the attribute, pose, filter, reports, sensor bits and user word of a
+// collidable.
 #include "step/tree_maintenance.h"
 #include "world/edits.h"
 #include "world/failure.h"
@@ -38,7 +39,7 @@ scree_status scree_collidable_get_attribute(const scree_world* world, scree_coll
 	return SCREE_OK;
 }
 
-// Marks the tree of a collidable whose row is uploaded anew, since its box changes. Its leaf exists already.
+// Marks the tree of a collidable whose row will be uploaded again, because its box changes. Its leaf exists already.
 static scree_status mark_tree(scree_world* world, int index)
 {
 	int kind = collidable_kind(world, index);
@@ -58,7 +59,7 @@ scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable
 		return SCREE_OK;
 	TRY(edits_reserve(world, function, 0, 1, 1));
 
-	// shapes of attributes are canonical: equal values, equal bytes
+	// the shapes of attributes are canonical: equal values have equal bytes
 	bool same = memcmp(&old->shape, &def->shape, sizeof old->shape) == 0, heavier = old->density != def->density;
 	if (!same)
 		TRY(mark_tree(world, index));

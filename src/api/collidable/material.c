@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// material.c -- what pairs of materials do instead of what their attributes say.
+// material.c -- surface values of pairs of materials, which replace the values mixed from their attributes.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/materials.h"
@@ -19,7 +19,7 @@ static scree_status check_material(const char* function, const char* argument, i
 	              material, MATERIALS - 1);
 }
 
-// A number that counts unless it is NaN: its bit of MaterialPair.sets.
+// Checks a value unless it is NaN, and adds its bit to *sets, which is MaterialPair.sets.
 static scree_status check_part(ArgumentPlace at, const char* member, float value, float low, float high, int bit,
                                int* sets)
 {

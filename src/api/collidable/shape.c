@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shape.c -- shapes: made by the user, and transformed.
+// shape.c -- creates and transforms shapes.
 #include "world/shape/geometry.h"
 #include "world/shape/hull.h"
 #include <string.h>
@@ -63,7 +63,7 @@ scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* sha
 	return SCREE_OK;
 }
 
-// Shared by polygons and hulls once their number of corners is known.
+// Creates a polygon from its corners, for polygons and hulls.
 static void make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape)
 {
 	scree_shape made = {.kind = SCREE_SHAPE_POLYGON, .count = count, .radius = radius};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contacts.c -- the contacts and overlaps of the last step, back from the device.
+// contacts.c -- reads the contacts and overlaps of the last step from the device.
 #include "api/contact/contact_result.h"
 #include "constraints/constraint_kinds.h"
 #include "constraints/contact_report_points.h"
@@ -12,7 +12,7 @@
 #include "world/upload/upload.h"
 #include "world/world.h"
 
-typedef struct // the pools of contacts, and where their collidables were
+typedef struct // pools of contacts, and the world shapes of their collidables
 {
 	Word* flags;
 	Int2* pair;
@@ -21,7 +21,7 @@ typedef struct // the pools of contacts, and where their collidables were
 	int* color;
 	int* place;
 	ContactRows* blocks;
-	ContactRareRows* rare; // null unless the world keeps details
+	ContactRareRows* rare; // null unless the world stores details
 	WorldShape* placed;
 } Rows;
 
@@ -46,7 +46,7 @@ static void release(Rows* rows)
 	scree_release(rows->placed);
 }
 
-// Was it there in the last step, and is it still?
+// Returns whether a collidable took part in the last step and still exists.
 static bool was_there(const scree_world* world, int collidable)
 {
 	return slots_in_use(&world->collidables, collidable) &&
@@ -77,7 +77,7 @@ static ContactReport contact_report_at(const scree_world* world, const Rows* row
 	Attribute shapes[2];
 	if (row.flags & MANIFOLD_ROLLS)
 	{
-		// the shapes are those of the last step, though the attributes may have changed since
+		// these are the shapes of the last step, even if the attributes have changed since
 		attribute_item(world, world->host_collidables[pair.x].attribute, shapes);
 		attribute_item(world, world->host_collidables[pair.y].attribute, shapes + 1);
 		a[6] = bits_float(0);
@@ -175,7 +175,7 @@ scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* o
 	return get(world, "scree_world_get_overlaps", "overlaps", CONTACT_DETECTED, overlaps, size, capacity, count);
 }
 
-// The rows that the device has put together, but for contacts that ended since by the user's doing.
+// Writes the rows that the device gathered, except contacts that a change by the user ended since.
 static scree_status list_rows(scree_world* world, const char* function, int found, scree_contact* contacts, size_t size,
                               int capacity, int* count)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// events.c -- what happened in the last step, for the user.
+// events.c -- returns the events of the last step.
 #include "api/contact/contact_result.h"
 #include "api/contact/sensor_visits.h"
 #include "api/joint/joint_state.h"
@@ -11,11 +11,11 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-// of structs from versions that know visits and joints
+// Minimum sizes of a scree_events with approvals, and of one with visits and joints.
 #define LEAST_WITH_APPROVALS (offsetof(scree_events, approvals) + sizeof(const scree_contact*))
 #define LEAST_WITH_VISITS    (offsetof(scree_events, joints) + sizeof(const scree_joint_event*))
 
-// The names of both sides of a contact or a hit.
+// Sets the handles and user words of both sides of a contact or a hit.
 #define NAME(world, event, first, second, before)                                         \
 	do                                                                                    \
 	{                                                                                     \
@@ -51,7 +51,7 @@ static scree_hit hit_at(const scree_world* world, const ContactReport* row)
 	return hit;
 }
 
-// Writes the rows of visits, and returns where they end.
+// Writes the rows of visits. Returns the position after them.
 static char* visits_at(const scree_world* world, const Visit* visits, int count, char* to, size_t size)
 {
 	for (int k = 0; k < count; ++k, to += size)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sensor_visits.c -- the visits to a sensor, for the user.
+// sensor_visits.c -- returns the visits to a sensor.
 #include "api/contact/sensor_visits.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -32,7 +32,7 @@ scree_status scree_collidable_get_visits_sized(scree_world* world, scree_collida
 	if (!world->host_collidables[index].sensor)
 		return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "sensor", ALONE}, "", "(index %u) is no sensor",
 		              sensor.index);
-	// what the sensor was before it became another one is not its own
+	// visits from before the collidable became this sensor do not count
 	bool was_there = world->host_collidables[index].born < world->pipeline.steps;
 	*count = was_there ? sensors_visits(world, index, &first) : 0;
 	for (int k = 0; k < *count && k < capacity; ++k)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sensor_visits.h -- a visit to a sensor as the user gets it.
+// sensor_visits.h -- converts a visit to a sensor for the user.
 #ifndef SENSOR_VISITS_H
 #define SENSOR_VISITS_H
 #include "world/world.h"

@@ -20,14 +20,14 @@ void scree_blast_def_default_sized(scree_blast_def* def, size_t size)
 	write_result(def, size, &made, sizeof made);
 }
 
-typedef struct // what a blast does, of so many collidables
+typedef struct // bodies and impulses of a blast, one entry per collidable
 {
 	scree_body* bodies;
 	scree_pose* poses;
 	scree_vec *impulses, *points;
 } Push;
 
-// The width of a shape at a pose across a direction, m.
+// Returns the width of a shape at a pose, perpendicular to a direction, m.
 static float width_across(const scree_shape* shape, scree_pose pose, scree_vec direction)
 {
 	float least = FLT_MAX, most = -FLT_MAX;
@@ -41,7 +41,7 @@ static float width_across(const scree_shape* shape, scree_pose pose, scree_vec d
 	return most - least + 2.0f * shape->radius;
 }
 
-// The impulse on a collidable, and where it acts.
+// Computes the impulse on a collidable, and its point of application.
 static scree_status push_one(const scree_world* world, const scree_blast_def* def, int collidable, scree_pose body,
                              scree_vec* impulse, scree_vec* point)
 {
@@ -89,7 +89,7 @@ static scree_status push(scree_world* world, const char* function, const scree_b
 	return SCREE_OK;
 }
 
-// A list that a program has got stays as it is: blasts have one of their own.
+// Swaps the lists of queries. Blasts have their own list, so that the list that a program holds stays valid.
 static void swap_lists(scree_world* world)
 {
 	Queries queries = world->queries;

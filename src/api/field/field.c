@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// field.c -- fields: created, changed, destroyed, listed, and read.
+// field.c -- creation, changes, destruction and lists of fields.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/fields.h"
@@ -7,7 +7,7 @@
 #include "world/shape/geometry.h"
 #include <stdio.h>
 
-#define MOST_STRENGTH 1e12f // of strengths, drags and densities, in their units: what they give is finite
+#define MOST_STRENGTH 1e12f // maximum of strengths, drags and densities, in their units; results stay finite
 #define LEAST_FALLOFF 1e-3f // m
 
 void scree_field_def_default_sized(scree_field_def* def, size_t size, scree_field_type type)
@@ -40,7 +40,7 @@ static scree_status check_region(ArgumentPlace at, scree_field_def* def)
 	return SCREE_OK;
 }
 
-// Checks a definition and copies it, with what a shape of it lacks.
+// Checks a definition and copies it, with the computed members of its shape.
 static scree_status check_def(const scree_world* world, const char* function, const scree_field_def* def,
                               scree_field_def* made, int* body)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_change.c -- joints: coordinates and frames, changed in batches or one by one; enabled or not.
+// joint_change.c -- changes coordinates and frames of joints, and enables them, in batches or one by one.
 #include "world/definition.h"
 #include "world/edits.h"
 #include "world/failure.h"
@@ -16,14 +16,14 @@ typedef struct // a batch of changes
 	const scree_joint* joints;
 	int count;
 	scree_coordinate which;
-	size_t member; // of scree_joint_coordinate, where one number changes
-	bool moves;    // frames change
+	size_t member; // offset in scree_joint_coordinate, if one number changes
+	bool moves;    // true: frames change
 } Change;
 
-// Value k of a batch, checked and written to a definition.
+// Checks value k of a batch and writes it to a definition.
 typedef scree_status (*Setter)(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def);
 
-// Checks all joints and values, then writes all.
+// Checks all joints and values, then writes them.
 static scree_status change_all(const Change* change, const void* values, Setter set)
 {
 	scree_world* world = change->world;
@@ -76,7 +76,7 @@ static scree_status set_coordinate(const Change* change, ArgumentPlace at, const
 {
 	const scree_joint_coordinate* value = (const scree_joint_coordinate*)values + k;
 	TRY(check_coordinate(at, def->type, change->which, value));
-	// chains are of joints with locks
+	// chains contain only joints with locks
 	change->world->chains_stale |= def->coordinates[change->which].locked != value->locked;
 	def->coordinates[change->which] = *value;
 	return SCREE_OK;
@@ -109,7 +109,7 @@ scree_status scree_joint_get_coordinate(const scree_world* world, scree_joint jo
 	return SCREE_OK;
 }
 
-// One number of a coordinate.
+// Sets one number of a coordinate.
 static scree_status set_number(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def)
 {
 	float value = ((const float*)values)[k];

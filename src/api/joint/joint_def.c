@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_def.c -- definitions of joints: the types, and what is filled in from where bodies are.
+// joint_def.c -- definitions of joints: the types, and values computed from the poses of bodies.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -23,7 +23,7 @@ const char* scree_joint_type_name(scree_joint_type type)
 	return (unsigned)type < JOINT_TYPES ? type_names[type] : "unknown";
 }
 
-// The coordinates that each type locks, a bit each.
+// Coordinates that each type locks, one bit each.
 static const unsigned locks[JOINT_TYPES] = {
     [SCREE_JOINT_DISTANCE] = 1 << SCREE_ALONG,
     [SCREE_JOINT_REVOLUTE] = 1 << SCREE_ALONG | 1 << SCREE_ACROSS,
@@ -36,7 +36,7 @@ static const unsigned locks[JOINT_TYPES] = {
     [SCREE_JOINT_PATH] = 1 << SCREE_ACROSS,
 };
 
-// bytes of a definition of the version that brought gears and pulleys
+// Bytes of a definition in the version that added gears and pulleys.
 #define COUPLED_SIZE (offsetof(scree_joint_def, sides) + sizeof((scree_joint_def*)0)->sides)
 
 static void set_spring(scree_joint_coordinate* coordinate, float hertz, float damping_ratio)
@@ -79,7 +79,7 @@ void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, siz
 	write_result(def, size, &made, sizeof made);
 }
 
-// The frame of a body, or of the world, that lies at a pose in the world.
+// Computes the frame, in a body or the world, that is at the given pose in the world.
 static scree_status place(scree_world* world, ArgumentPlace at, const char* member, scree_body body, scree_pose pose,
                           scree_pose* frame)
 {
@@ -107,7 +107,7 @@ scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scr
 	scree_pose frame_a, frame_b;
 	TRY(place(world, at, ".body_a", def->body_a, pose, &frame_a));
 	TRY(place(world, at, ".body_b", def->body_b, pose, &frame_b));
-	if (def->type != SCREE_JOINT_PATH) // frame A is the place of the path
+	if (def->type != SCREE_JOINT_PATH) // frame A is the frame of the path
 		def->frame_a = frame_a;
 	def->frame_b = frame_b;
 	return SCREE_OK;
@@ -141,7 +141,7 @@ scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, flo
 	return SCREE_OK;
 }
 
-// What side k of a definition measures now.
+// Measures the current value of side k of a definition.
 static scree_status measure(scree_world* world, ArgumentPlace at, const scree_joint_def* def, int k, float* value)
 {
 	static const char* const members[] = {".body_a", ".body_b"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_settings.c -- settings of one joint, changed and read by the user.
+// joint_settings.c -- sets and reads settings of one joint.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -26,7 +26,7 @@ scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, fl
 	return SCREE_OK;
 }
 
-// The index of a gear or a pulley.
+// Finds the index of a joint, which must be a gear or a pulley.
 static scree_status lookup_coupling(const scree_world* world, const char* function, scree_joint joint, int* index)
 {
 	TRY(lookup(world, function, joint, index));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_state.c -- joints: coordinates, forces and events, read from the device.
+// joint_state.c -- reads coordinates, forces and events of joints from the device.
 #include "api/joint/joint_state.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -21,7 +21,7 @@ static scree_joint_state state_of(const JointState* row)
 	return state;
 }
 
-// All joints between the lowest and the highest of the batch are computed and read.
+// Computes and reads all joints between the lowest and the highest index of the batch.
 scree_status scree_joints_get_states_sized(scree_world* world, const scree_joint* joints, scree_joint_state* states,
                                            size_t size, int count)
 {

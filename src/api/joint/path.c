@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path.c -- paths: created, destroyed, listed, and read.
+// path.c -- creation, destruction and lists of paths, and reads of their geometry.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -8,7 +8,8 @@
 #include <math.h>
 #include <stdio.h>
 
-// m: least distance of neighbors. A curve through points that are nearer has less room than a body moves by rounding.
+// m: minimum distance of neighboring points. A curve through closer points is shorter than the distance by which
+// rounding moves a body.
 #define LEAST_APART 1e-4f
 
 void scree_path_def_default_sized(scree_path_def* def, size_t size)

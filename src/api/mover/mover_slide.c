@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mover_slide.c -- the parts of a mover's motion: each is a few rounds of queries, for all movers of a call at once.
+// mover_slide.c -- the parts of a mover's motion: each makes a few rounds of queries, for all movers of a call at once.
 #include "api/mover/mover_slide.h"
 #include "world/check.h"
 #include "world/failure.h"
@@ -7,8 +7,8 @@
 
 #define RECOVER_ROUNDS 8
 #define SLIDE_ROUNDS   5
-#define TOUCH          1e-4f // m: so much nearer than the skin counts as too near
-#define BESIDE         0.02f // m: from the corner of a step to where the top of it is looked for
+#define TOUCH          1e-4f // m: tolerance by which a mover may be closer than the skin
+#define BESIDE         0.02f // m: distance from the corner of a step to the ray that searches for its top
 
 static void ask(MoverCall* call, int k, scree_vec from, scree_vec translation)
 {
@@ -16,7 +16,7 @@ static void ask(MoverCall* call, int k, scree_vec from, scree_vec translation)
 	call->of[call->asked++] = k;
 }
 
-// How far a probe may go, m: where it is the skin away from the surface.
+// Returns how far a probe may move, m: up to the distance of the skin from the surface.
 static float free_length(const MoverCall* call, int k)
 {
 	scree_vec way = call->probes[k].translation;
@@ -29,8 +29,9 @@ static float free_length(const MoverCall* call, int k)
 	return s > 0.0f ? s : 0.0f;
 }
 
-// Casts the probes. The surface that is met first need not be the one that comes too near first, so a shape with the skin around it is
-// cast as well. It does not see what is in the skin already, so it is thinner by what mover_recover leaves.
+// Casts the probes. The surface that is hit first need not be the one that first comes closer than the skin, so a shape
+// that includes the skin is cast as well. A cast ignores surfaces that it overlaps at its start, so that shape is
+// thinner by the tolerance of mover_recover.
 static scree_status cast(MoverCall* call)
 {
 	scree_query_result* wide = call->found + call->count;
@@ -67,14 +68,15 @@ static scree_vec free_end(const MoverCall* call, int k)
 
 static bool is_ground(const MoverCall* call, scree_vec normal) { return dot(normal, call->def->up) >= call->steepest; }
 
-// v without its part against the normal
+// Returns v without its component against the normal.
 static scree_vec clip(scree_vec v, scree_vec normal)
 {
 	float against = dot(v, normal);
 	return against < 0.0f ? add_scaled(v, -against, normal) : v;
 }
 
-// The same for a surface that a walker meets. On one that is too steep to stand on it does not go up unless it rises by itself.
+// Does the same for a surface that a mover meets. A surface that is too steep to stand on does not lift a mover that is
+// not rising by itself.
 static scree_vec deflect(const MoverCall* call, scree_vec v, scree_vec normal)
 {
 	scree_vec up = call->def->up, free = clip(v, normal);
@@ -86,13 +88,13 @@ static scree_vec deflect(const MoverCall* call, scree_vec v, scree_vec normal)
 	return clip(v, (scree_vec){level.x / length, level.y / length});
 }
 
-// A surface stops a walker: its way and its velocity lose what points into it.
+// Stops a mover at a surface: its remaining motion and its velocity lose their components into the surface.
 static void meet(const MoverCall* call, MoverMotion* w, scree_collidable collidable, scree_vec normal)
 {
 	scree_vec up = call->def->up;
 	if (is_ground(call, normal))
 	{
-		// on ground only the fall ends: a slope that can be walked does not pull
+		// ground only ends a fall, so that a walkable slope does not pull the mover down
 		w->velocity = clip(w->velocity, up);
 		w->rest = clip(w->rest, up);
 		if (dot(w->velocity, up) <= 0.0f)
@@ -107,17 +109,18 @@ static void meet(const MoverCall* call, MoverMotion* w, scree_collidable collida
 		w->wall_normal = normal;
 		w->kept = w->velocity;
 		w->push = w->stood ? w->rest : (scree_vec){0.0f, 0.0f};
-		// who stands does not fall against a wall
+		// a standing mover does not fall against a wall
 		float fall = w->stood && dot(w->velocity, up) < 0.0f ? dot(w->velocity, up) : 0.0f;
 		w->velocity = add_scaled(deflect(call, add_scaled(w->velocity, -fall, up), normal), fall, up);
 	}
 	w->rest = deflect(call, w->rest, normal);
 	if (dot(w->rest, w->last) < -1e-6f)
-		w->rest = (scree_vec){0.0f, 0.0f}; // between two surfaces
+		w->rest = (scree_vec){0.0f, 0.0f}; // the mover is between two surfaces
 	w->last = normal;
 }
 
-// Nothing pushes it: what has passed its middle would push it out on the other side.
+// Marks a mover as crushed. Nothing moves it then, because a surface beyond its middle would push it out on the other
+// side.
 void mover_crush(const MoverCall* call, int k, scree_collidable by)
 {
 	call->motions[k] = (MoverMotion){.at = call->movers[k].position, .wall = by, .crushed = true};
@@ -148,7 +151,7 @@ scree_status mover_recover(MoverCall* call)
 {
 	for (int round = 0; round < RECOVER_ROUNDS; ++round)
 	{
-		// all in the first round, then those that moved
+		// all movers in the first round, then those that moved
 		int asked = round == 0 ? call->count : call->asked;
 		call->asked = 0;
 		for (int k = 0; k < asked; ++k)
@@ -189,8 +192,8 @@ scree_status mover_recover(MoverCall* call)
 	return SCREE_OK;
 }
 
-// Whether each of the asked stands on what it met: on ground, or on a corner, beside which there is ground and which is low
-// enough for the round end of the capsule to be pushed up. Answers overwrite found[].hit.
+// Checks for each probe whether the mover can stand on the surface that it hit: on ground, or on a corner, if there is
+// ground beside it and it is low enough to lift the round end of the capsule. The results replace found[].hit.
 static scree_status find_ground(MoverCall* call)
 {
 	const scree_mover_def* def = call->def;
@@ -223,7 +226,8 @@ static scree_status find_ground(MoverCall* call)
 	return SCREE_OK;
 }
 
-// Walkers whom a wall stopped try to go on a step higher: up, on and down again. Those that do not end on ground stay.
+// Lets movers that a wall stopped try to continue one step higher: up, forward and down again. Those that would not end
+// on ground stay.
 static scree_status climb(MoverCall* call)
 {
 	const scree_mover_def* def = call->def;

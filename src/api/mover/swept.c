@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// swept.c -- kinematic bodies that swept over movers in the last step.
+// swept.c -- pushes movers out of the way of kinematic bodies that swept over them in the last step.
 //
-// What a wall overlaps after a step is pushed out on the nearer side. A wall that goes further than half of a mover in a step would push it out
-// on its other side, or leave it behind. So the ways of fast kinematic bodies are tested against the movers, on the host: there are few.
+// A mover that overlaps a wall after a step is pushed out on the nearer side. If the wall moves more than half of a
+// mover's size in a step, that would push the mover out on the wrong side, or leave it behind the wall. So the motions
+// of fast kinematic bodies are tested against the movers, on the host, because such bodies are few.
 #include "api/mover/swept.h"
 #include "api/mover/mover_slide.h"
 #include "world/failure.h"
@@ -12,18 +13,18 @@
 #include "world/world.h"
 #include <math.h>
 
-// share of a mover's radius: slower walls are left to mover_recover
+// Share of a mover's radius: slower walls are left to mover_recover.
 #define SWEPT_FAR 0.5f
 
-typedef struct // a collidable of a kinematic body on its way
+typedef struct // a moving collidable of a kinematic body
 {
 	scree_collidable handle;
 	scree_shape shape;
 	scree_pose from, to; // poses of its origin, in the world
-	float reach, far;    // m: of its points from its origin; most that one of them went
+	float reach, far;    // m: maximum distance of its points from its origin; maximum displacement of its points
 } Sweeper;
 
-// The pose of the origin of a body a time ago.
+// Returns the pose of the origin of a body dt seconds ago.
 static scree_pose pose_before(scree_pose now, scree_velocity v, scree_vec center, float dt)
 {
 	scree_rot turn = rot_product(scree_rot_make(-v.angular * dt), now.rotation);
@@ -32,14 +33,14 @@ static scree_pose pose_before(scree_pose now, scree_velocity v, scree_vec center
 	    {now.position.x + arm.x - old.x - dt * v.linear.x, now.position.y + arm.y - old.y - dt * v.linear.y}, turn};
 }
 
-// An upper bound of the angle between two rotations, rad.
+// Returns an upper bound of the angle between two rotations, rad.
 static float turn_most(scree_rot from, scree_rot to)
 {
 	scree_rot turn = rot_product(to, (scree_rot){from.c, -from.s});
 	return turn.c > 0.0f ? 1.5708f * fabsf(turn.s) : 3.1416f;
 }
 
-// The rotation between two others, at a share of the way.
+// Interpolates two rotations.
 static scree_rot rotation_at(scree_rot from, scree_rot to, float share)
 {
 	float c = from.c + share * (to.c - from.c), s = from.s + share * (to.s - from.s), length = sqrtf(c * c + s * s);
@@ -51,7 +52,7 @@ static bool is_obstacle(const MoverCall* call, const HostCollidable* host)
 	return host->sensor == 0 && (host->filter.category & call->def->mask) && (host->filter.mask & call->def->category);
 }
 
-// The sweepers of a body. Returns how many.
+// Lists the sweepers of a body. Returns their number.
 static int sweepers_of(const MoverCall* call, scree_body body, scree_pose now, scree_velocity v, float dt,
                        Sweeper* sweepers)
 {
@@ -85,7 +86,7 @@ static int sweepers_of(const MoverCall* call, scree_body body, scree_pose now, s
 	return count;
 }
 
-// How a sweeper pushes a walker: the way along its normal, 0 if they do not meet.
+// Computes the push of a sweeper on a mover: a displacement along the normal of the sweeper, 0 if they do not meet.
 static scree_status push_by(const MoverCall* call, const Sweeper* s, const MoverMotion* w, scree_vec* way)
 {
 	scree_pose at = {w->at, {1.0f, 0.0f}};
@@ -101,7 +102,7 @@ static scree_status push_by(const MoverCall* call, const Sweeper* s, const Mover
 	if (first.distance < -0.5f * call->def->radius || !found.hit)
 		return SCREE_OK;
 
-	// the point of the sweeper that meets it goes on to its end
+	// the point of the sweeper that hits the mover continues to its end
 	scree_distance met;
 	float f = found.fraction;
 	scree_vec path = {s->to.position.x - s->from.position.x, s->to.position.y - s->from.position.y};
@@ -118,7 +119,7 @@ static scree_status push_by(const MoverCall* call, const Sweeper* s, const Mover
 	return SCREE_OK;
 }
 
-// Moves those that are pushed, as far as nothing static is in their way. crushers: who pushes each.
+// Moves the pushed movers, unless something static is in their way. crushers: the collidable that pushes each.
 static scree_status push_all(MoverCall* call, const scree_collidable* crushers)
 {
 	uint32_t kinds = call->seen.kinds;
@@ -140,7 +141,7 @@ static scree_status push_all(MoverCall* call, const scree_collidable* crushers)
 	return SCREE_OK;
 }
 
-// The body of a collidable that may have been destroyed, or null.
+// Returns the body of a collidable that may have been destroyed, or null.
 static scree_body owner_of(const MoverCall* call, scree_collidable collidable)
 {
 	return collidable_is_valid(call->world, collidable) ? owner_handle(call->world, (int)collidable.index - 1)
@@ -149,7 +150,8 @@ static scree_body owner_of(const MoverCall* call, scree_collidable collidable)
 
 static bool is_body(scree_body a, scree_body b) { return !scree_body_is_null(a) && a.index == b.index; }
 
-// The longest way that a sweeper pushes walker k; who does. On a ground that is one, a walker rides through what it passes.
+// Finds the longest push of mover k by a sweeper, and the sweeper. If its ground is a sweeper, the push is the motion
+// by the ground.
 static scree_status push_of(MoverCall* call, int k, const Sweeper* sweepers, int count, scree_vec* longest,
                             scree_collidable* crusher)
 {
@@ -174,7 +176,7 @@ static scree_status push_of(MoverCall* call, int k, const Sweeper* sweepers, int
 	return SCREE_OK;
 }
 
-// Asks for the ways of the walkers that are pushed.
+// Sets up probes for the movers that are pushed.
 static scree_status ask_all(MoverCall* call, const Sweeper* sweepers, int count, scree_collidable* crushers)
 {
 	call->asked = 0;
@@ -197,13 +199,13 @@ static bool sweeps(const scree_world* world, int body)
 	       !world->host_bodies[body].disabled;
 }
 
-typedef struct // kinematic bodies, where and how fast they are; what they sweep with
+typedef struct // kinematic bodies, their poses and velocities; their sweepers
 {
 	scree_body* bodies;
 	scree_pose* poses;
 	scree_velocity* velocities;
 	Sweeper* sweepers;
-	scree_collidable* crushers; // one for each mover that is asked for
+	scree_collidable* crushers; // one per probe
 } SweptBodies;
 
 static scree_status push(MoverCall* call, const SweptBodies* swept, int bodies, float dt)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// swept.h -- kinematic bodies that swept over movers in the last step.
+// swept.h -- pushes movers out of the way of kinematic bodies that swept over them in the last step.
 #ifndef SWEPT_H
 #define SWEPT_H
 #include "api/mover/mover_slide.h"
 
-// Before anything moves: movers that a kinematic body met on its way in the last step, of dt seconds, are where it pushes them. Those
-// that something static holds there are crushed.
+// Moves the movers that a kinematic body hit during the last step, of dt seconds, to where it pushes them. Movers that
+// something static stops on the way are crushed. Called before anything moves.
 scree_status mover_swept(MoverCall* call, float dt);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// query_check.c -- checks of queries: the definition and the shape before they are asked, the items while the device works.
+// query_check.c -- checks queries: the definition and the shape before they start, the items while the device works.
 #include "api/query/query_check.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -68,14 +68,14 @@ scree_status query_check(scree_world* world, const char* function, const scree_q
 
 typedef uint32_t Words4 __attribute__((vector_size(16))); // half of a ray or a probe
 
-typedef struct // of each word: the bits that count, and the most that they may be as a whole number
+typedef struct // for each word: a mask of the compared bits, and their maximum as an integer
 {
 	Words4 counts[2], most[2];
 } PlainBits;
 
-// How many of count items are surely in bounds; *ignores gets whether one of these ignores a body, which their last two
-// words name. Floats that are not negative are ordered like their bits, NaN behind infinity; a word above its bound leaves the
-// highest bit. With comparisons of floats a million rays took 6 ms.
+// Returns how many of count items are certainly within bounds. *ignores becomes whether one of these ignores a body,
+// whose handle is in the last two words. Nonnegative floats are ordered like their bits, with NaN beyond infinity; a
+// word above its bound sets the highest bit. With comparisons of floats a million rays took 6 ms.
 static int plain_items(const void* items, int count, const PlainBits* plain, bool* ignores)
 {
 	enum
@@ -105,7 +105,7 @@ static int plain_items(const void* items, int count, const PlainBits* plain, boo
 
 static uint32_t bits_of(float x) { return (uint32_t)float_bits(x); }
 
-// The ignored bodies. Many queries in a row ignore the same one.
+// Checks the ignored bodies. Consecutive queries often ignore the same one.
 static scree_status check_ignored(const QueryItems* query_items, const char* name, size_t offset, int begin, int end)
 {
 	scree_body last = SCREE_NULL_BODY, body;
@@ -158,7 +158,7 @@ scree_status query_shape_of(const char* function, const char* argument, const sc
 	return SCREE_OK;
 }
 
-// The same; the shape of the last query is known, and need not be checked again.
+// Does the same for a world, which stores the shape of the last query, so that it need not be checked again.
 static scree_status set_shape(scree_world* world, const char* function, const scree_shape* shape, Attribute* to)
 {
 	Queries* known = &world->queries;
@@ -175,7 +175,7 @@ static scree_status set_shape(scree_world* world, const char* function, const sc
 	return SCREE_OK;
 }
 
-// Whether a rotation has a length of 1, as far as check_pose wants it.
+// Returns whether a rotation has the length 1, to within the tolerance of check_pose.
 static bool is_turn(scree_rot r)
 {
 	float square = r.c * r.c + r.s * r.s;

@@ -7,7 +7,7 @@
 #include "world/upload/upload.h"
 #include <stddef.h>
 
-// the device reads and writes the user's arrays
+// the device reads and writes the user's arrays directly
 _Static_assert(sizeof(scree_ray) == sizeof(Query) && offsetof(scree_ray, ignored) == offsetof(Query, ignored) &&
                    offsetof(scree_ray, radius) == offsetof(Query, b),
                "a ray is a Query");
@@ -98,7 +98,7 @@ scree_status scree_world_find_nearest(scree_world* world, const scree_query_def*
 	TRY(query_probes(world, shape, &query_items, &questions));
 	query_items.longest = 0.0f;
 	questions.form = QUERY_NEAREST;
-	// no two points of a world are farther apart, and the square has to be finite
+	// the distance between two points of a world is never larger, and its square must be finite
 	questions.plan.most = distance < 4.0f * SCREE_MAX_COORDINATE ? distance : 4.0f * SCREE_MAX_COORDINATE;
 	return answer(world, function, &questions, found);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// shape_query.c -- the geometry of queries for two shapes without a world: distance, meeting, time of impact.
+// shape_query.c -- geometric queries for two shapes without a world: distance, cast, time of impact.
 #include "api/query/query_check.h"
 #include "platform/processor.h"
 #include "stages/geometry/convex_sum.h"
 #include "world/shape/geometry.h"
 
-// m: shapes that are this near have met; half a tenth of the slop of contacts
+// m: distance at which shapes have met; a twentieth of the slop of contacts
 #define IMPACT_DISTANCE (0.05f * LINEAR_SLOP)
 #define IMPACT_ROUNDS   200
 
@@ -131,10 +131,10 @@ scree_status scree_shape_contains(const scree_shape* shape, scree_pose pose, scr
 	return SCREE_OK;
 }
 
-typedef struct // from one pose to another
+typedef struct // a motion from one pose to another
 {
 	scree_pose from, to;
-	float angle; // rad: by which it turns
+	float angle; // rad: angle by which it turns
 } Way;
 
 static Way motion_of(scree_pose from, scree_pose to)
@@ -150,7 +150,7 @@ static scree_pose pose_then(const Way* m, float time)
 	                    rot_product(m->from.rotation, scree_rot_make(time * m->angle))};
 }
 
-// The most by which a point of a shape moves because it turns, m.
+// Returns the maximum displacement of a point of a shape by its rotation, m.
 static float swing(const Way* m, const Attribute* shape)
 {
 	float square = 0.0f;
@@ -162,7 +162,7 @@ static float swing(const Way* m, const Attribute* shape)
 	return absolute(m->angle) * square_root(square);
 }
 
-// Two points cannot meet before the speed along the normal has closed their distance.
+// Advances to the time of impact: two points cannot meet before the speed along the normal has closed their distance.
 static scree_query_result advance(Pair* pair, const Way* a, const Way* b)
 {
 	scree_vec path = {(b->to.position.x - b->from.position.x) - (a->to.position.x - a->from.position.x),

@@ -5,11 +5,12 @@
 #include "world/failure.h"
 #include "world/world.h"
 
-// Bytes of each of the two blocks of a copy; halved while the device has no room for them, down to LEAST_BYTES.
+// Bytes of each of the two blocks of a copy. They are halved, down to LEAST_BYTES, while the device has no memory for
+// them.
 #define MOST_BYTES  ((size_t)256 << 20)
 #define LEAST_BYTES ((size_t)1 << 20)
-// The bandwidth is the best of TRIES tries. Each makes COPIES copies, so that the time to start and end them is small. A slow
-// device makes fewer tries: none begins after ENOUGH ms.
+// The bandwidth is the best of TRIES tries. Each makes COPIES copies, so that the time to start and end them is small.
+// A slow device makes fewer tries: none begins after ENOUGH ms.
 #define TRIES  4
 #define COPIES 8
 #define ENOUGH 500.0

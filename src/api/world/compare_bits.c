@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// compare_bits.c -- compares the bits of a device with the CPU's.
+// compare_bits.c -- compares the bits of a device with those of the CPU.
 //
-// Drivers have reported their arithmetic wrongly before. So a small world is stepped on the device and on the CPU: shapes of
-// all kinds that fall, bounce, slide and roll. Contracted products, divisions with other rounding and flushed denormals all
-// change its hash.
+// Drivers have reported their arithmetic wrongly before. So a small world is stepped on the device and on the CPU:
+// shapes of all kinds fall, bounce, slide and roll. Contracted products, divisions with other rounding and flushed
+// denormals all change its hash.
 #include "api/world/compare_bits.h"
 #include "platform/error.h"
 #include "world/create.h"
 #include "world/world.h"
 
 #define SIDE  7  // the sample has SIDE * SIDE bodies
-#define STEPS 32 // after these the lowest bodies have landed
+#define STEPS 32 // at the end the lowest bodies have landed
 
 static scree_status sample_attributes(scree_world* world, scree_attribute attributes[4])
 {
@@ -61,7 +61,7 @@ static scree_status sample_hash(scree_world* world, uint64_t* hash)
 	return scree_world_get_hash(world, hash);
 }
 
-// Fills all pools of a device with zeros, as after its opening.
+// Fills all pools of a device with zeros, as after it was opened.
 static scree_status clear(Backend* b)
 {
 	size_t most = 0;
@@ -96,7 +96,7 @@ scree_status compare_bits(Backend* b)
 
 	TRY(world_create(&def, b, &there));
 	status = sample_hash(there, &hash);
-	there->backend = NULL; // stays open
+	there->backend = NULL; // keeps the device open
 	scree_world_destroy(there);
 	TRY(status);
 	if (hash != expected)

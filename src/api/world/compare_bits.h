@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// compare_bits.h -- compares the bits of a device with the CPU's.
+// compare_bits.h -- compares the bits of a device with those of the CPU.
 #ifndef COMPARE_BITS_H
 #define COMPARE_BITS_H
 #include "backend/backend.h"
 
-// Steps a sample world on the device and on the CPU. Fails when a hash differs. Afterwards all pools of the device are zero.
+// Steps a sample world on the device and on the CPU. Fails if the hashes differ. Afterwards all pools of the device are
+// zero.
 scree_status compare_bits(Backend* backend);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tuning.c -- tuning: read and set by the user.
+// tuning.c -- reads and sets the tuning of a world.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/tuning_members.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// world_hash.c -- the hash of a world: the device's sum and what only the host knows.
+// world_hash.c -- the hash of a world: the sum of the device, plus data that only the host has.
 #include "pools/hash_types.h"
 #include "world/check.h"
 #include "world/device/auto.h"
@@ -14,7 +14,7 @@
 
 static Word64 hash_pose(Word64 h, scree_pose pose) { return hash_float4(h, pose_row(pose)); }
 
-// The device does not hash the collidables of a disabled body, nor its gravity scale.
+// Hashes a disabled body. The device does not hash its collidables and its gravity scale.
 static Word64 hash_disabled(const scree_world* world, int body)
 {
 	const HostBody* host = world->host_bodies + body;
@@ -29,15 +29,15 @@ static Word64 hash_disabled(const scree_world* world, int body)
 	return sum;
 }
 
-// The device has the mass of a body only while it is dynamic.
+// Hashes a mass set by the user. The device has the mass of a body only while it is dynamic.
 static Word64 hash_own_mass(int body, scree_mass mass)
 {
 	return hash_float4(hash_begin(HASH_OWN_MASS, body),
 	                   make_float4(mass.mass, mass.inertia, mass.center.x, mass.center.y));
 }
 
-// The hash of the targets, the disabled bodies, the masses that the user set, the paths, the visits, the materials, the exclusions, the answers and the fields, which only
-// the host knows.
+// Hashes the data that only the host has: targets, disabled bodies, masses set by the user, paths, visits, materials,
+// exclusions, approvals and fields.
 static uint64_t hidden_hash(const scree_world* world)
 {
 	Word64 sum = 0;
