@@ -112,7 +112,7 @@ static scree_status ask(Batch* b, Kind kind, int* found, uint64_t* hash)
 	return status;
 }
 
-// Asks several times. The first answer makes room, and is hashed.
+// Runs the queries several times. The first run reserves memory, and its results are hashed.
 static scree_status measure(Batch* batch, Kind kind, const char* scene, int repeats, double* times[2])
 {
 	int found = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hello.c -- the shortest program: a box falls on the ground and tells where it came to rest.
+// hello.c -- the shortest program: a box falls on the ground, and its final height is printed.
 #include <inttypes.h>
 #include <scree/scree.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hello.mjs -- the shortest program in JavaScript: a box falls on the ground and tells where it came to rest.
+// hello.mjs -- the shortest program in JavaScript: a box falls on the ground, and its final height is printed.
 import {BodyType, load} from "scree";
 
 load().then((scree) => {

@@ -20,6 +20,7 @@ FNR == 1 { flush() }
 	if (!at) { flush(); next }
 	before = substr(line, 1, RSTART)
 	text = substr(line, RSTART + RLENGTH)
+	if (text ~ /^SPDX-License-Identifier/) { flush(); next }
 	if (before ~ /[^ \t\/]/) { flush(); start = FNR; comment = text; flush(); next }
 	if (comment == "") start = FNR
 	comment = comment (comment == "" ? "" : " ") text

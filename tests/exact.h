@@ -32,7 +32,7 @@ static inline Exact exact_moved(Exact e, double x, double y)
 	return e;
 }
 
-// How far b is from a along the normals of a's edges, at most.
+// Returns the largest distance of b from a along the normal of an edge of a.
 static inline double exact_axes(const Exact* a, const Exact* b)
 {
 	double most = -INFINITY;

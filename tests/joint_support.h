@@ -22,7 +22,7 @@
 
 static const scree_body NOBODY = {0, 0};
 
-// So many joints in a row or more are solved together, and their translations are as stiff as at so many times the frequency;
+// Rows of CHAIN_LEAST joints and more are solved together. Their translations are as stiff as at CHAIN_STIFFER times the frequency;
 // angles are rigid.
 #define CHAIN_LEAST   8
 #define CHAIN_STIFFER 2.7173 // sqrt(4 (2 z + 4 h w) / (2 z + h w)) at 60 Hz, ratio z = 2, h = 1 / 240 s

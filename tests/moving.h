@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// moving.h -- what the tests of worlds that move share: a world, the device to move it to, and a device that fails.
+// moving.h -- helpers for tests of worlds that move: a world, the device to move it to, and a device that fails.
 #ifndef MOVING_H
 #define MOVING_H
 #include "world/world.h" // before cmocka, which makes a macro of fail
@@ -59,8 +59,8 @@ static inline uint64_t hash_after(int steps)
 	return hash;
 }
 
-static const BackendFunctions* real; // of the CPU
-static int calls_left;               // of the device that fails
+static const BackendFunctions* real; // functions of the CPU
+static int calls_left;               // calls until the device fails
 static scree_status call_status;
 
 static inline scree_status call_fails(void)

@@ -20,7 +20,7 @@ static inline scree_path add_path(scree_world* world, const scree_vec* points, i
 
 #define MOST_POINTS 256
 
-// A circle through so many points, counter-clockwise, from its lowest point on.
+// Adds a circle through count points, counter-clockwise, from its lowest point on.
 static inline scree_path add_circle(scree_world* world, double radius, double x, double y, int count)
 {
 	scree_vec points[MOST_POINTS];

@@ -17,7 +17,7 @@
 
 #define MAX_BACKENDS 8
 #define MOST_BODIES  4096
-#define MOST_ITEMS   70000 // of every other kind
+#define MOST_ITEMS   70000 // items of every other kind
 
 static Backend* backends[MAX_BACKENDS];
 static int backend_count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// support.c -- what the tests of whole worlds share: short ways to build one, and runs compared step by step.
+// support.c -- helpers for tests of whole worlds: short functions that build one, and runs compared step by step.
 #include "support.h"
 #include "platform/processor.h"
 #include "world/world.h"
@@ -389,7 +389,7 @@ static void tell_step(const Story* story, scree_world* world, int step, const Wa
 {
 	if (story->act)
 		story->act(world, step, story->context);
-	// what the story has just changed is still pending
+	// the changes that the story has just made are still pending
 	if (way->other[0] && step % 40 == 9)
 		OK(scree_world_move(world, way->other));
 	if (way->other[0] && step % 40 == 25)
@@ -411,7 +411,7 @@ void tell(const Story* story, const Way* way, uint64_t* hashes, scree_counters* 
 	scree_world_destroy(world);
 }
 
-// how many items of a pool mean something
+// number of items of a pool that are in use
 static int items_in_use(const scree_world* world, Per per)
 {
 	const Counters* c = &world->pipeline.counters;
@@ -480,7 +480,7 @@ void print_different_pools(scree_world* a, scree_world* b)
 	}
 }
 
-// Tells two stories side by side up to the first step that differs, and fails.
+// Runs two stories side by side up to the first step that differs, and fails.
 static void fail_different(const Story* story_a, const Way* way_a, const Story* story_b, const Way* way_b)
 {
 	scree_world* a = open_story(story_a, way_a);

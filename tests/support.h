@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// support.h -- what the tests of whole worlds share: short ways to build one, and runs compared step by step.
+// support.h -- helpers for tests of whole worlds: short functions that build one, and runs compared step by step.
 #ifndef SUPPORT_H
 #define SUPPORT_H
 #include "scree/scree.h"
@@ -52,7 +52,7 @@ extern char warning[256];
 int set_warnings(void** state);
 int reset_warnings(void** state);
 
-void run_steps(scree_world* world, int steps); // of STEP in SUBSTEPS
+void run_steps(scree_world* world, int steps); // takes steps of STEP in SUBSTEPS
 
 // an attribute of this shape with the default surface, made other by the members that a test sets
 scree_attribute_def surface_of(scree_shape shape);
@@ -71,7 +71,7 @@ float angle_of(scree_world* world, scree_body body);
 scree_velocity velocity_of(scree_world* world, scree_body body);
 uint64_t hash_of(scree_world* world);
 scree_counters counters_of(scree_world* world);
-float deepest_of(scree_world* world, int steps); // the deepest overlap in so many steps, m
+float deepest_of(scree_world* world, int steps); // takes steps and returns their deepest overlap, m
 
 typedef struct
 {
@@ -92,13 +92,13 @@ void check_finite(scree_world* world);
 // the same run on many devices
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef struct // where and how a world runs
+typedef struct // device and settings of a world
 {
 	char name[160];
 	char device[128];
 	int threads, lanes;
-	const char* persistent; // of the environment's SCREE_PERSISTENT; null leaves it
-	const char* solver;     // of the environment's SCREE_SOLVER, the same
+	const char* persistent; // value of the environment's SCREE_PERSISTENT; null leaves it
+	const char* solver;     // the same for SCREE_SOLVER
 	char other[128];        // the device to which the world moves now and then, and back; empty for none
 } Way;
 
@@ -113,7 +113,7 @@ void print_ways(const Way* ways, int count);
 // Creates a world there; of def all but device, threads and lanes counts.
 scree_world* open_on(const Way* way, const scree_world_def* def);
 
-typedef struct // a run that can be told again
+typedef struct // a run that can be repeated
 {
 	const char* name;
 	scree_world_def def; // device, threads and lanes follow the way
@@ -130,7 +130,7 @@ void tell(const Story* story, const Way* way, uint64_t* hashes, scree_counters* 
 // Whether way k is taken in a turn. In quick builds, which look for faults of the host's code, the OpenCL ways take turns.
 bool way_has_turn(const Way* ways, int count, int k, int turn);
 
-// Tells a story on every way and fails unless all hashes of all steps are equal. The failure names the first step that
+// Runs a story on every way and fails unless all hashes of all steps are equal. The failure names the first step that
 // differs and the pools that do. Returns the last hash; last gets the counters of the reference, unless it is null.
 uint64_t check_parity(const Story* story, const Way* ways, int count, scree_counters* last);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_answer_faults.c -- memory that runs out while a program asks for events, bodies that moved, and queries.
+// test_answer_faults.c -- memory that runs out while a program reads events, moved bodies and query results.
 //
-// A run of a world with sensors, reports, rules and a field is told once without a fault, then again and again with one allocation that
-// fails, each time a later one. The call that failed says so and is tried again: then all answers are those of the first run, so no
-// event and no body that moved is lost. The visits of a step are the exception: a world that has no memory for them is broken.
+// A world with sensors, reports, rules and a field runs once without a fault, then again and again with one allocation that fails,
+// each time a later one. The call that failed returns an error and is repeated. All results are then those of the first run, so no
+// event and no moved body is lost. The visits of a step are the exception: a world without memory for them is broken.
 #include "support.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -24,7 +24,7 @@ typedef struct
 	scree_body last;
 	scree_mover movers[MOVERS];
 	int round, asked;
-	uint64_t answers; // all that was told so far
+	uint64_t answers; // hash of all results so far
 } Tale;
 
 // Rows of some size, of which the first bytes count: behind them is padding.
@@ -198,7 +198,7 @@ static const Act first[] = {make_world, make_box, make_ball, make_floor, make_se
 static const Act acts[] = {add_group, exclude,   take_step, get_events, answer,      get_moved,
                            list_box,  cast_rays, move,      blast,      destroy_last};
 
-// Tells the tale with one allocation that fails; -1: none. Returns whether one did.
+// Runs the tale with one allocation that fails, or none for -1. Returns whether one failed.
 static bool tell_once(int allocations, uint64_t* answers, bool* broken)
 {
 	Tale t = {.answers = HASH_BEGIN};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_asks.c -- contacts about which the user is asked first: yes, no, no answer; nothing slips through while it waits.
+// test_asks.c -- contact approval: approved, refused, not answered; no body slips through while its contact is pending.
 #include "world_support.h"
 
 static scree_events events_of(scree_world* world)
@@ -19,7 +19,7 @@ static scree_body put(scree_world* world, scree_body_type type, float x, float y
 	return body;
 }
 
-// Steps, and gives the same answer to all that is asked; returns how many.
+// Takes steps, and gives the same answer for all pending contacts; returns their number.
 static int step_answering(scree_world* world, int steps, bool answer)
 {
 	int asked = 0;
@@ -37,7 +37,8 @@ static int step_answering(scree_world* world, int steps, bool answer)
 	return asked;
 }
 
-// A box falls on a floor that asks: with yes it lies there and its touch begins once, with no it falls through and keeps its speed.
+// A box falls on a floor with contact approval. Approved, it lies there and its touch begins once; refused, it falls through and
+// keeps its speed.
 static void yes_and_no(void** state)
 {
 	(void)state;
@@ -70,7 +71,7 @@ static void yes_and_no(void** state)
 	}
 }
 
-// No answer is a no, until the two have parted; then it is asked again. A yes lasts until then as well.
+// A missing answer counts as a refusal until the two have parted; then the contact is pending again. An approval lasts as long.
 static void asked_again(void** state)
 {
 	(void)state;
@@ -134,7 +135,7 @@ static void fast(void** state)
 	}
 }
 
-// What touches when the bit is set goes on until it parts; without the bit, what was refused touches again.
+// A touch that exists when the bit is set lasts until the two part. Without the bit, a refused pair touches again.
 static void marked_in_mid_run(void** state)
 {
 	(void)state;
@@ -222,7 +223,7 @@ static void steps_of_no_time(void** state)
 	}
 }
 
-// A step that fails takes the question with it; the next one asks again, and nothing has slipped through.
+// Approvals of a step that fails are lost. They are pending again in the next step, and no body has slipped through.
 static void a_step_that_fails(void** state)
 {
 	(void)state;

@@ -108,7 +108,7 @@ static void world_goes_back(void** state)
 	scree_world_destroy(world);
 }
 
-// What gains nothing from a GPU does not open one.
+// A world that gains nothing from a GPU does not open one.
 static void small_world_stays(void** state)
 {
 	(void)state;

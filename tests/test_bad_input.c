@@ -14,7 +14,7 @@
 
 static const float bad[] = {NAN, INFINITY, -INFINITY};
 
-// what scree_world_def and scree_tuning have in common
+// members that scree_world_def and scree_tuning have in common
 #define BAD_TUNINGS(BAD, name)                                                                               \
 	BAD(contact_hertz = 0.0f, name "contact_hertz is 0, must be from 0.001");                                \
 	BAD(contact_damping_ratio = -1.0f, name "contact_damping_ratio is -1");                                  \

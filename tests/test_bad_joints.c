@@ -45,7 +45,7 @@ static int set_up(void** state)
 	def = good_gear();
 	assert_ok(scree_joint_create(world, &def, &gear));
 
-	// of another world, with a slot that this one has not
+	// a joint of another world, in a slot that this world does not have
 	scree_body_def body_def = scree_body_def_default();
 	scree_joint_def alien_def = scree_joint_def_make(SCREE_JOINT_WELD);
 	assert_ok(scree_body_create(other, &body_def, &alien_def.body_b));
@@ -175,7 +175,7 @@ static void places(void** state)
 	assert_memory_equal(&def, &same, sizeof def);
 }
 
-// What only gears and pulleys have, in a definition that is created, and in one that is measured.
+// Members that only gears and pulleys have, in a definition that is created and in one that is measured.
 static void couplings(void** state)
 {
 	(void)state;
@@ -304,7 +304,7 @@ static void measures(void** state)
 	INVALID(scree_joint_def_couple, (world, &def), "def.coordinates[SCREE_ALONG].target is ");
 	assert_memory_equal(&def, &same, sizeof def);
 
-	// what an older definition lacks is read as 0: its bases have no direction
+	// members that an older definition lacks are read as 0: its bases have no direction
 	def.size = older;
 	INVALID(scree_joint_create, (world, &def, NULL), "def.sides[0].base.rotation is (0, 0)");
 }
@@ -456,7 +456,7 @@ static void readings(void** state)
 	INVALID(scree_world_get_joint_events, (world, events, 2, NULL), "count is null");
 }
 
-// What a definition says beyond what this library knows is refused if it is set.
+// Members behind those of this library are refused if they are set.
 static void unknown_members(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_blasts.c -- explosions: who is pushed, how much and where, the same everywhere.
+// test_blasts.c -- explosions push the right bodies by the right impulses at the right points, the same on all devices.
 #include "support.h"
 #include <math.h>
 #include <setjmp.h>
@@ -118,7 +118,7 @@ static void all_devices_agree(void** state)
 	}
 }
 
-// A chain of explosions goes through the list that a query returned: it stays, though each of them asks who is near.
+// A series of explosions goes through the list that a query returned. The list stays valid, although each explosion runs a query.
 static void lists_stay(void** state)
 {
 	(void)state;
@@ -138,7 +138,7 @@ static void lists_stay(void** state)
 	scree_world_destroy(world);
 }
 
-// What flew out of the world is left alone, and what is near it is pushed.
+// Bodies that flew out of the world are not pushed; their neighbors are.
 static void beyond_the_world(void** state)
 {
 	(void)state;

@@ -54,7 +54,7 @@ static double gap_now(scree_world* world, double* spin)
 	return gap;
 }
 
-// After 5 s; the gap is the widest of all steps, which joint_gap tells one step later.
+// Returns the widest gap of all steps within 5 s. joint_gap contains that of a step one step later.
 static double watch(scree_world* world, double* spin)
 {
 	double widest = 0.0, last = 0.0;
@@ -69,7 +69,7 @@ static double watch(scree_world* world, double* spin)
 	return widest;
 }
 
-// A hub of the radius, on which so many rows of boxes of 1 m hang, each of so many.
+// Adds a hub of a radius with count rows of boxes of 1 m; each row has length boxes.
 static scree_body add_arms(scree_world* world, scree_joint_type type, int count, int length, double radius,
                            float density, double x, double y, double rubs)
 {
@@ -90,7 +90,7 @@ static scree_body add_arms(scree_world* world, scree_joint_type type, int count,
 	return hub;
 }
 
-// Inertia of so many arms of so many parts about the middle, kg m^2: a box of 1 x 0.1 m and 0.1 kg has 0.1 (1 + 0.01) / 12.
+// Inertia of count arms of length parts about the middle, kg m^2: a box of 1 x 0.1 m and 0.1 kg has 0.1 (1 + 0.01) / 12.
 static double arms_inertia(int count, int length, double radius)
 {
 	double sum = 0.0;

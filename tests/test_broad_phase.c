@@ -2,8 +2,8 @@
 // test_broad_phase.c -- after every step, the contacts alive are exactly the pairs that a look at all pairs finds.
 //
 // The formula: {pairs of the contact pool} = {a < b alive : enlarged boxes overlap, filters agree, kinds meet, not of
-// one body}. Boxes are read from the device; who is alive, its filter, kind and body are what the interface says. And
-// each box holds the whole shape where transform placed it.
+// one body}. Boxes are read from the device; lifetime, filter, kind and body come from the public interface. Each box
+// also contains the whole shape at the pose that transform computed.
 #include "support.h"
 #include "world/objects/handles.h"
 #include "world/world.h"
@@ -26,7 +26,7 @@ typedef struct
 {
 	const char* name;
 	void (*build)(scree_world* world, uint64_t* seed);
-	scree_vec center, half; // where changes put things, m
+	scree_vec center, half; // area in which changes place bodies, m
 	int steps, changes;     // changes of the user before each step
 } Layout;
 
@@ -277,7 +277,7 @@ static void build_ring(scree_world* world, uint64_t* seed)
 	}
 }
 
-// where a float has steps of 8 mm
+// places at which floats have a spacing of 8 mm
 static void build_far(scree_world* world, uint64_t* seed)
 {
 	put(world, seed, SCREE_BODY_STATIC, box_shape(30.0f, 1.0f), 90000.0f, -90001.0f);
@@ -325,7 +325,7 @@ static void build_compound(scree_world* world, uint64_t* seed)
 	}
 }
 
-// large kinematic bodies among few others: their walks leave out what is kinematic, until it is no more
+// large kinematic bodies among few others: their traversals skip kinematic collidables, until those change their type
 static void build_kinematic(scree_world* world, uint64_t* seed)
 {
 	scree_attribute_def surface = surface_of(box_shape(0.5f, 0.5f));

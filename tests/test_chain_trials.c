@@ -197,7 +197,7 @@ static void edit(int lanes, uint64_t hashes[9])
 	scree_world_destroy(world);
 }
 
-// Where a chain lies depends on the lanes. The hash does not, not even between an edit and the next step.
+// The place of a chain in memory depends on the lanes. The hash does not, not even between an edit and the next step.
 static void edits_have_one_hash(void** state)
 {
 	(void)state;

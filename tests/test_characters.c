@@ -112,7 +112,7 @@ static void scripts_hold_keys(void** state)
 	close_town(&t);
 }
 
-// A belt carries who stands on it, at its speed, and gives it to who jumps.
+// A belt carries characters at its speed, and a character that jumps off keeps that speed.
 static void belts_carry(void** state)
 {
 	(void)state;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_churn.c -- worlds whose bodies are put elsewhere, destroyed and made anew, or put into one place.
+// test_churn.c -- worlds whose bodies are placed elsewhere, destroyed and created again, or placed at one point.
 //
-// Times are too noisy to test. What is tested is what they follow from: how wide the nodes of the trees are, how many
-// contacts there may be, how much room is held for them.
+// Times are too noisy to test. The test checks their causes instead: the width of the nodes of the trees, the number of
+// contacts, and the memory that is reserved for them.
 #include "platform/processor.h"
 #include "stages/geometry/box.h"
 #include "world/world.h" // before cmocka, which makes a macro of fail
@@ -55,7 +55,7 @@ static scree_pose at(scree_vec place) { return (scree_pose){place, {1.0f, 0.0f}}
 // trees
 // ---------------------------------------------------------------------------------------------------------------
 
-// How many nodes of level 1 a small box at any place of the field meets: the sum of their areas by that of the field.
+// Mean number of nodes of level 1 that a small box in the field overlaps: the sum of their areas divided by that of the field.
 static double nodes_met(scree_world* world)
 {
 	const Tree* tree = &world->pipeline.trees[0].tree;
@@ -138,7 +138,7 @@ static void check_order(const Way* way)
 		double met = churned(way, mixes[k]);
 		print_message("%s: %d moved, %d replaced%s: a place meets %.1f nodes\n", way->name, mixes[k].moved,
 		              mixes[k].replaced, mixes[k].shuffled ? ", shuffled" : "", met);
-		// what stays out of order costs less than to order it; with none in order it would be some 150
+		// leaves that stay unsorted cost less than sorting them; with none sorted there would be some 150 nodes
 		assert_true(met < 45.0);
 	}
 }
@@ -294,7 +294,7 @@ static void room_is_given_back(void** state)
 	for_every_device(check_room);
 }
 
-// What is held, counted pool by pool.
+// The memory of all pools, summed pool by pool.
 static uint64_t bytes_of(const Backend* b)
 {
 	uint64_t bytes = 0;

@@ -8,7 +8,7 @@
 
 #include "stages/color/color.h"
 
-#define KEY_BITS 13 // of a color, or of a hub among MOST_BODIES
+#define KEY_BITS 13 // bits of a color, or of a hub among MOST_BODIES
 
 // ---------------------------------------------------------------------------------------------------------------
 // colors
@@ -18,7 +18,7 @@ typedef struct
 {
 	int bodies, contacts;
 	bool moves[MOST_BODIES];
-	int kind[MOST_BODIES]; // of those that cannot move
+	int kind[MOST_BODIES]; // kinds of the bodies that cannot move
 	Word64 mask[MOST_BODIES];
 	int touching[MOST_BODIES];
 	Int2 ends[MOST_ITEMS];
@@ -144,7 +144,7 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	free(counters);
 }
 
-// whose spoke a contact is: of the end that can move and has more contacts
+// hub of a spoke: the end that can move and has more contacts
 static int owner_of(const Graph* g, Int2 ends)
 {
 	if (!g->moves[ends.x] || !g->moves[ends.y])
@@ -393,8 +393,8 @@ static int hub_of(const Wheel* w, int k) { return w->ends[k].x ^ w->ends[k].y ^ 
 
 static int turn_of(int hub) { return (hub - 1) % HUB_COLORS; }
 
-// What a body has of hubs: places of their spokes among their light ends, and how many there are in each turn, itself one of
-// them when it is a hub.
+// Hubs around a body: the number of spokes with each hub whose neighbor it is, and the number of hubs of each color, itself
+// included if it is a hub.
 typedef struct
 {
 	int beside[1 + HUBS], hubs[HUB_COLORS];

@@ -47,7 +47,7 @@ static void contacts_end_with_their_collidables(void** state)
 	step(world, 30);
 	assert_int_equal(contacts_of(world), 2);
 
-	// what takes the slot at once did not touch anything in the last step
+	// a body that takes the slot at once touched nothing in the last step
 	assert_ok(scree_body_destroy(world, low));
 	assert_int_equal(contacts_of(world), 0);
 	scree_body other = add_box(world, SCREE_BODY_DYNAMIC, 30.0f, 0.5f);
@@ -103,7 +103,7 @@ static void filters_decide(void** state)
 	}
 }
 
-// What is static is found where the user put it: moved, made static in mid-run, or gone.
+// Static bodies are found at the poses that the user set: moved, made static in mid-run, or destroyed.
 static void statics_obey_the_user(void** state)
 {
 	(void)state;
@@ -273,8 +273,8 @@ static void details_of_a_first_look(void** state)
 	scree_world_destroy(world);
 }
 
-// Bullets of 0.1 kg and 100 m/s stop at a wall in the course of a step, by one substep's impulse or another's: each tells of it,
-// with the momentum that it lost and the speed at which it came.
+// Bullets of 0.1 kg and 100 m/s stop at a wall within a step, each by the impulse of some substep. The details of each contact
+// contain the momentum that the bullet lost and the speed at which it came.
 static void details_tell_of_every_blow(void** state)
 {
 	(void)state;

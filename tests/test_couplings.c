@@ -325,8 +325,8 @@ static void turns_are_counted(void** state)
 	scree_world_destroy(world);
 }
 
-// Joints of other types do not read what only couplings have: a program that fills it with numbers of its own, or that knows a
-// shorter definition, gets the same world.
+// Joints of other types do not read the members of couplings: a program that sets them, or that was built with a shorter
+// definition, gets the same world.
 static void other_types_have_none(void** state)
 {
 	(void)state;

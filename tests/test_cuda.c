@@ -119,7 +119,7 @@ static void rays_of_cuda(void** state)
 	assert_memory_equal(shared, found, RAYS * sizeof *found);
 	print_message("%d of %d rays of CUDA hit\n", hits, RAYS);
 
-	// what is no ray harms nothing, and ends
+	// items that are no rays do no harm, and the search ends
 	uint64_t hash = hash_of(world);
 	for (int k = 0; k < RAYS; ++k)
 		for (size_t i = 0; i < sizeof *rays / 4; ++i)

@@ -60,7 +60,7 @@ static int moved_of(scree_world* world, scree_body* first)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// what events say
+// the contents of events
 // ---------------------------------------------------------------------------------------------------------------
 
 // A ball falls, rests for ten seconds, and is carried away: one beginning when it lands, one end, one hit.
@@ -108,7 +108,7 @@ static void a_ball_lands(void** state)
 	scree_world_destroy(world);
 }
 
-// What was destroyed is named by its old handle and marked, though its slot was given away at once.
+// A destroyed collidable is named by its old handle and marked, although its slot was reused at once.
 static void the_destroyed_are_named(void** state)
 {
 	(void)state;
@@ -154,7 +154,7 @@ static void the_destroyed_are_named(void** state)
 	scree_world_destroy(world);
 }
 
-// It is named too when its contacts had just been begun anew.
+// It is also named when its contacts had just started again.
 static void the_changed_and_destroyed_are_named(void** state)
 {
 	(void)state;
@@ -237,7 +237,7 @@ static void bullets_hit(void** state)
 	scree_world_destroy(world);
 }
 
-// Who reports may change while things touch.
+// Reports may be switched on and off while collidables touch.
 static void reports_change(void** state)
 {
 	(void)state;
@@ -254,7 +254,7 @@ static void reports_change(void** state)
 	run_steps(world, 1);
 	assert_int_equal(events_of(world).touches_began_count, 1);
 
-	// nobody listens any more, but what began ends
+	// reports are off, but the touch that began still ends
 	OK(scree_collidable_set_reports(world, own, 0));
 	run_steps(world, 30);
 	assert_int_equal(events_of(world).touches_ended_count, 0);
@@ -420,7 +420,7 @@ static Ledger tell_heap(const Way* way, int steps)
 			churn(world, bodies, k, &seed);
 		if (way->other[0] && k % 7 == 3)
 			OK(scree_world_move(world, k % 2 ? way->other : way->device));
-		if (!early) // what was changed meanwhile makes no difference but for the marks
+		if (!early) // changes in between make no difference except for the marks
 		{
 			velocity_of(world, bodies[0]);
 			scree_events events = events_of(world);
@@ -508,8 +508,8 @@ static void a_body_gives_its_word(void** state)
 	scree_world_destroy(world);
 }
 
-// What leaves a body where it was: another center of mass, locks, its own pose set again, zeros of another sign, a step at rest. A
-// disabled body that is placed has the velocity that it will go on with.
+// Changes that do not move a body: another center of mass, locks, its own pose set again, zeros of the other sign, a step at rest. A
+// disabled body that is placed reports the velocity with which it will continue.
 static void what_stands_is_not_told(void** state)
 {
 	(void)state;

@@ -124,7 +124,7 @@ static void test_bad_expressions(void** state)
 		free(expression);
 	}
 
-	// what depends on an index shows when it is evaluated
+	// errors that depend on an index appear when it is evaluated
 	char error[160], deep[400] = "";
 	const double indices[] = {3};
 	Item item = {indices, 1, 0};

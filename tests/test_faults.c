@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // test_faults.c -- memory that runs out and devices that fail, at every point in turn.
 //
-// Each scenario is a list of acts. It is told once without a fault, with the hash after every act; then again and again
-// with a fault one call later each time. A fault must come out as a status with a sentence. After it the world is what
-// it was before the act, so that the act can be tried again and the end is the same; or it is broken, and refuses
-// everything but destruction.
+// Each scenario is a list of acts. It runs once without a fault, with the hash after every act; then again and again with
+// a fault one call later each time. A fault must appear as a status with a sentence. After it the world is as it was
+// before the act, so that the act can be repeated and the end is the same; or it is broken, and refuses every call but
+// its destruction.
 #include "backend/batch.h"
 #include "world/upload/upload.h"
 #include "world/world.h" // before cmocka, which makes a macro of fail
@@ -327,7 +327,7 @@ static void check_broken(Scenario* s, scree_status status)
 	assert_int_equal(scree_world_wait(s->world), status);
 	assert_int_equal(scree_world_set_gravity(s->world, (scree_vec){0.0f, 0.0f}), status);
 
-	// what only the host knows can still be read
+	// data that only the host has can still be read
 	assert_true(scree_body_is_valid(s->world, s->slab_body) || s->slab_body.index == 0);
 	assert_true(scree_world_get_device(s->world)[0] != 0);
 }
@@ -336,7 +336,7 @@ static void check_broken(Scenario* s, scree_status status)
 // memory runs out
 // ---------------------------------------------------------------------------------------------------------------
 
-// Tells the scenario with one fault. again: the failed act is tried once more; else the world just goes on. Returns
+// Runs the scenario with one fault. again: the failed act is repeated; else the world continues with the next act. Returns
 // whether there was a fault; broken counts worlds that broke.
 static bool tell_with_little_memory(int allocations, bool again, int* broken)
 {
@@ -403,9 +403,9 @@ static void memory_runs_out(void** state)
 // the device fails
 // ---------------------------------------------------------------------------------------------------------------
 
-static const BackendFunctions* real; // of the CPU
+static const BackendFunctions* real; // functions of the CPU
 static int device_calls_left;
-static scree_status device_status; // what the call that fails says
+static scree_status device_status; // status of the call that fails
 static bool only_resize;           // which calls may fail
 
 static scree_status device_fails(bool resize)
@@ -486,7 +486,7 @@ static const BackendFunctions faulty = {
     .timings = faulty_timings,
 };
 
-// Tells the scenario with the given call failing. Returns whether it was reached; broken counts worlds that broke.
+// Runs the scenario with the given call failing. Returns whether that call was reached; broken counts worlds that broke.
 static bool tell_with_faulty_device(int calls, int* broken)
 {
 	Scenario s = {.timings = !only_resize};

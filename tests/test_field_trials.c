@@ -153,7 +153,7 @@ static void fields_move_with_bodies(void** state)
 	scree_world_destroy(world);
 }
 
-// Who is pushed: dynamic bodies that are enabled, by the filters of their collidables; sensors float not.
+// Fields push enabled dynamic bodies, according to the filters of their collidables; sensors do not float.
 static void who_is_pushed(void** state)
 {
 	(void)state;

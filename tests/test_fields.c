@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_fields.c -- what each type of field does to bodies, against closed forms.
+// test_fields.c -- the effect of each type of field on bodies, against closed forms.
 #include "field_support.h"
 
 #define G 10.0 // m/s^2
@@ -105,7 +105,7 @@ static void ellipses_keep_energy(void** state)
 	scree_world_destroy(world);
 }
 
-// What falls through the center of a strong field comes out as fast as it went in: it is not thrown out.
+// A body that falls through the center of a strong field leaves it as fast as it entered: it is not thrown out.
 static void centers_throw_nothing_out(void** state)
 {
 	(void)state;

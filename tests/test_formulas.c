@@ -19,7 +19,7 @@
 #include "stages/solve/integrate.h"
 #include "stages/solve/solve_pass.h"
 
-#define ITEMS 64 // of every pool
+#define ITEMS 64 // items of every pool
 
 static void open_pools(Pools* p)
 {
@@ -95,7 +95,7 @@ static void boxes_follow_bodies(void** state)
 		NEAR(p.box[item].w, high[1] + around, 1e-5);
 	}
 
-	// what was destroyed has an empty box, and has moved: its contacts end
+	// a destroyed collidable has an empty box and counts as moved: its contacts end
 	p.collidable_kind[item] = KIND_DEAD;
 	transform_item(&p, item);
 	assert_true(p.collidable_flags[item] && box_is_empty(p.box[item]));
@@ -226,8 +226,8 @@ static void warm_start_equals_plain(void** state)
 // lists of answers
 // ---------------------------------------------------------------------------------------------------------------
 
-// The counter of answers goes up to QUERY_MOST and one call beyond. After that it stays, whoever adds: so it never runs over, and tells
-// the host that there are too many.
+// The counter of query results goes up to QUERY_MOST and one call beyond. After that it stays, so that it never overflows, and the
+// host can find that there are too many.
 static void answers_are_counted_up_to_a_limit(void** state)
 {
 	(void)state;

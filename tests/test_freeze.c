@@ -113,7 +113,7 @@ static void push_by_impulse(scree_world* world, scree_body body)
 	                               (scree_vec){SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE}));
 }
 
-// What is read is finite, also while the body is disabled; then the body goes as fast as it may.
+// Values that are read are finite, also while the body is disabled; afterwards the body moves at the speed limit.
 static void check_most(void (*push)(scree_world* world, scree_body body), bool disabled)
 {
 	scree_world* world = open_world(0.0f);

@@ -194,7 +194,7 @@ static void hulls_hold_all_points(void** state)
 			continue;
 		++made;
 
-		// welding and dropping flat corners may leave a point out by so much
+		// welding and dropping flat corners may leave a point outside by this distance
 		for (int i = 0; i < count; ++i)
 		{
 			for (int k = 0; k < s.count; ++k)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_golden.c -- the hash of every scene against the one that is committed: the same for every compiler and machine.
 //
-// After a change that is meant to change bits: SCREE_GOLDEN=write ctest -R test_golden writes tests/golden.txt anew, and
+// After a change that is meant to change bits: SCREE_GOLDEN=write ctest -R test_golden writes tests/golden.txt again, and
 // CHANGELOG.md says why the hashes changed. In the smaller set of tests, runs are shorter and have hashes of their own.
 #include <setjmp.h>
 #include <stdarg.h>

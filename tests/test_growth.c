@@ -17,7 +17,7 @@
 typedef struct
 {
 	const char* name;
-	int columns, rows; // of bodies
+	int columns, rows; // columns and rows of bodies
 	int steps, burst;  // burst: the step before which the bodies come
 	bool plate;        // onto a body that then has more contacts than there are colors
 } Case;
@@ -128,7 +128,7 @@ static void growth_changes_nothing_on_opencl(void** state)
 		skip();
 }
 
-// What a contact of the pool says stays the same while the pool grows under it.
+// The data of a contact stays the same while its pool grows.
 static void impulses_survive(void** state)
 {
 	(void)state;

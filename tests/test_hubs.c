@@ -20,7 +20,7 @@
 typedef struct
 {
 	int crates, plates; // crates on each plate
-	float density;      // of the plates
+	float density;      // density of the plates
 	float friction, restitution, rolling;
 } Stack;
 
@@ -95,8 +95,8 @@ static void plates_carry_crates(void** state)
 	check_rest(&(Stack){64, 3, 1.0f, 0.6f, 0.0f, 0.0f}, 240, 0.002);
 }
 
-// Combs, bodies of so many teeth, lie on each other around x: hubs that touch hubs in many places, heavy and light ones in
-// turns.
+// Adds combs, bodies with many teeth, that lie on each other around x: hubs that touch hubs in many places, heavy and light
+// ones alternately.
 static void add_combs(scree_world* world, int teeth, int combs, float other_density, float x)
 {
 	Stack floor = {.friction = 0.6f};

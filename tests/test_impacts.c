@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_impacts.c -- what bounces keeps its energy, nothing goes through what is static, limits hold, nothing finite is frozen.
+// test_impacts.c -- bounces keep energy, nothing goes through static bodies, limits hold, no finite body is frozen.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -128,8 +128,8 @@ static void bounces_keep_energy(void** state)
 	}
 }
 
-// Of balls of equal mass in a row the first hands its momentum to the last, when they are apart; touching or not, no
-// energy is gained.
+// The first of equal balls in a row hands its momentum to the last, if they are apart. Touching or not, no energy is
+// gained.
 static void rows_of_balls(void** state)
 {
 	(void)state;
@@ -161,7 +161,7 @@ static void rows_of_balls(void** state)
 	}
 }
 
-// What comes slower than the threshold rests, whatever its restitution, and stays at rest.
+// A body that comes slower than the threshold rests, whatever its restitution, and stays at rest.
 static void slow_impacts_end(void** state)
 {
 	(void)state;
@@ -205,7 +205,7 @@ static void strikes_before_a_wall(void** state)
 }
 
 // No shape crosses a thin wall at 100 to 400 m/s (Box2D: 158 of 5,760, before 191), nor does it leave faster than it came; but it flies
-// through what its filter does not know.
+// through walls that its filter excludes.
 static void fast_bodies_at_walls(void** state)
 {
 	(void)state;
@@ -385,7 +385,7 @@ static void heaps_do_not_explode(void** state)
 	}
 }
 
-// what this file is about, in one world: a body of several collidables, of which some go and come
+// all cases of this file in one world: also a body with several collidables, some of which are destroyed and created
 static void build_all(scree_world* world, const void* context)
 {
 	(void)context;

@@ -10,7 +10,7 @@
 
 static scree_body links[MOST + 1];
 
-// so many links of half a metre in a row to the right
+// count links of half a metre in a row to the right
 static void add_links(scree_world* world, int count, float x, float y)
 {
 	for (int k = 0; k < count; ++k)
@@ -32,8 +32,8 @@ static double gap_of(scree_world* world)
 	return gap;
 }
 
-// A load of so many links at the end of a rope that falls from the horizontal pulls with up to three times its weight: each joint
-// of the rope is longer by 2 F / m w^2.
+// A load at the end of a rope, heavier than a link by a ratio, falls from the horizontal and pulls with up to three times its weight:
+// each joint of the rope is longer by 2 F / m w^2.
 static void ropes_swing_heavy_loads(void** state)
 {
 	(void)state;
@@ -83,7 +83,7 @@ static void long_ropes_hang(void** state)
 	scree_world_destroy(world);
 }
 
-// Whirled in free flight, open and as a ring, at so many turns: momentum and angular momentum stay, and energy does not grow.
+// Chains that whirl in free flight, open and as rings, at several spins: momentum and angular momentum stay, energy does not grow.
 static void whirls_keep_momentum(void** state)
 {
 	(void)state;
@@ -168,7 +168,7 @@ static void rows_change(void** state)
 	double gap = 0.0;
 	for (int k = 0; k < 60; ++k)
 	{
-		// where the link is by now
+		// current place of the link
 		scree_vec end = {0.0f, 0.0f};
 		if (k > 0)
 		{
@@ -298,7 +298,7 @@ static void ropes_stay_on_pegs(void** state)
 
 #define ROPES 20
 
-// A rope of so many links, the last of which is heavy, and another joint of which has a motor.
+// Adds a rope of count links. The last link is heavy, and one of the other joints has a motor.
 static scree_joint hang(scree_world* world, int count, float x)
 {
 	scree_joint cut = SCREE_NULL_JOINT;

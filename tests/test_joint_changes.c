@@ -299,7 +299,7 @@ static void settings_are_read_and_act(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint that is disabled lets go and lets its bodies touch; enabled, it begins anew and has counted its turns.
+// A disabled joint does not act and lets its bodies touch; enabled again, it starts without impulses and keeps its turns.
 static void joints_are_disabled(void** state)
 {
 	(void)state;

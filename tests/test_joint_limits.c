@@ -303,7 +303,7 @@ static void springs_of_nothing(void** state)
 	}
 }
 
-// A lock of next to no stiffness lets go, and the other locks of the joint hold as ever.
+// A lock with almost no stiffness holds nothing, and the other locks of the joint hold as usual.
 static void soft_locks_of_nothing(void** state)
 {
 	(void)state;

@@ -83,8 +83,8 @@ static void build_chains(scree_world* world, const void* context)
 	}
 }
 
-// Nothing is changed around the steps in which a world moves to another device (9) and back (25): its chains lie elsewhere there,
-// which no edit tells.
+// Nothing is changed around the steps in which a world moves to another device (9) and back (25). Its chains have other places
+// there, without any edit.
 static void act_chains(scree_world* world, int step, const void* context)
 {
 	(void)context;
@@ -97,7 +97,7 @@ static void act_chains(scree_world* world, int step, const void* context)
 	OK(scree_world_get_joints(world, joints, 150, &count));
 	OK(scree_joints_get_states(world, joints, states, count));
 	OK(scree_world_get_joint_events(world, events, 150, &some));
-	// what is read drives what follows, so that it must be equal too
+	// the values that are read control later changes, so they must be equal too
 	int k = (step * 7) % count;
 	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ANGLE, -states[k].values[SCREE_ANGLE]));
 	scree_joint_coordinate at;
@@ -336,7 +336,7 @@ static void act_couplings(scree_world* world, int step, const void* context)
 	OK(scree_world_get_bodies(world, bodies, 64, &some));
 	OK(scree_joints_get_states(world, joints, states, count));
 
-	// what is read drives what follows, so that it must be equal too
+	// the values that are read control later changes, so they must be equal too
 	int k = step * 7 % count;
 	scree_joint_def def;
 	OK(scree_joint_get_def(world, joints[k], &def));
@@ -478,7 +478,7 @@ static void act_paths(scree_world* world, int step, const void* context)
 	OK(scree_world_get_bodies(world, bodies, 400, &some));
 	OK(scree_joints_get_states(world, joints, states, count));
 
-	// what is read drives what follows, so that it must be equal too
+	// the values that are read control later changes, so they must be equal too
 	int k = step * 17 % count;
 	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ALONG, 1.0f - states[k].values[SCREE_ALONG]));
 	scree_body moved = bodies[2 + step * 29 % (some - 2)];

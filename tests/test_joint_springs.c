@@ -258,7 +258,7 @@ static void soft_locks_after_a_jump(void** state)
 	scree_world_destroy(world);
 }
 
-// A row of softly welded boxes hangs by its first one. Its joints open by decimeters and turn, but each pulls as ever: the last one
+// A row of softly welded boxes hangs by its first one. Its joints open by decimeters and turn, but each pulls as when closed: the last one
 // carries the weight of one box, 2 N, along its axis by the mass 1 / (1 / 0.2 + 1 / 0.2) kg times (2 pi f)^2, across it by that at arms of
 // 0.5 m.
 static void soft_rows_carry(void** state)

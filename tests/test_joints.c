@@ -18,7 +18,7 @@ static scree_body add_disc(scree_world* world, float radius, float x, float y)
 // pendulums
 // ---------------------------------------------------------------------------------------------------------------
 
-// The mean time between crossings of x = 0 to the right, interpolated, over so many periods.
+// The mean time between crossings of x = 0 to the right, interpolated, over a number of periods.
 static double period_of(scree_world* world, scree_body body, int periods)
 {
 	double first = -1.0, before = position_of(world, body).x;
@@ -156,7 +156,7 @@ static void beams_hold(void** state)
 		              0.5 * boxes, sag, theory, most - least);
 		NEAR(sag, theory, 0.02 * theory);
 		assert_true(most - least < 1e-6);
-		NEAR(held.force.y, weight, 0.005 * weight); // of the last substep
+		NEAR(held.force.y, weight, 0.005 * weight); // force of the last substep
 		NEAR(held.force.x, 0.0, 0.005 * weight);
 		NEAR(held.torque, torque, 0.02 * torque);
 		scree_world_destroy(world);

@@ -93,7 +93,7 @@ static void no_time_is_no_error(void** state)
 {
 	(void)state;
 	scree_world* world = make_world(-10.0f);
-	look(world); // of nothing
+	look(world); // an empty world
 	assert_ok(scree_world_step(world, -0.0f, 1));
 	scree_attribute_def ball = scree_attribute_def_default();
 	scree_attribute attribute;
@@ -123,7 +123,7 @@ static void no_time_is_no_error(void** state)
 	scree_world_destroy(world);
 }
 
-// Bodies with many contacts, laid out by a step of no time: what the solver knows of them is there in the steps after it,
+// Bodies with many contacts, laid out by a step of no time: the data of the solver is there in the steps after it,
 // also where the host lists a solve before it has read the counters. hash(device) = hash(cpu).
 static void looking_lays_out_hubs(void** state)
 {

@@ -183,7 +183,7 @@ static bool same_features(const Manifold* m, const Manifold* n)
 	return true;
 }
 
-// How each check names the pose that it failed on.
+// The name by which each check reports the pose that it failed on.
 static const char* pose_name(int a, int b, Vec position, Vec rotation)
 {
 	static char name[256];
@@ -203,7 +203,7 @@ static const char* pose_name(int a, int b, Vec position, Vec rotation)
 		}                                                             \
 	} while (0)
 
-// What holds for every pose. Returns the manifold.
+// Checks that hold for every pose. Returns the manifold.
 static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 {
 	const Attribute *shape_a = shapes + a, *shape_b = shapes + b;
@@ -346,7 +346,7 @@ static void test_random_poses(void** state)
 				Vec where = random_vec(10.0), turn = rotation_by(uniform(0.0, TAU));
 				check_elsewhere(a, b, position, rotation, &m, where, turn);
 
-				// where cores overlap little, a ten thousandth of a millimetre seldom changes a name
+				// if cores overlap little, a motion of a ten thousandth of a millimetre seldom changes a feature
 				if (m.count == 0 || deepest(&m) + shapes[a].radius + shapes[b].radius < -0.01f)
 					continue;
 				Manifold n = collide(shapes + a, shapes + b, frame_at(vec_add(position, random_vec(1e-7)), rotation),
@@ -491,7 +491,7 @@ static void test_near_ties(void** state)
 	check_pose(SLIVER, SLIVER, vec(0.300644159f, 0.724211693f), vec(0.707106769f, -0.707106769f));
 }
 
-// What rests keeps its points and their names while it trembles by a tenth of a millimetre.
+// Shapes at rest keep their points and features while they tremble by a tenth of a millimetre.
 static void test_rest(void** state)
 {
 	(void)state;

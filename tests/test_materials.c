@@ -97,7 +97,8 @@ static void belts(void** state)
 	}
 }
 
-// What ignores each other ends its touch, falls through at any speed, and begins anew; guard does not hold it.
+// Bodies whose materials ignore each other end their touch, fall through at any speed, and start again; continuous collision does
+// not stop them.
 static void ignored(void** state)
 {
 	(void)state;
@@ -126,7 +127,7 @@ static void ignored(void** state)
 	scree_world_destroy(world);
 }
 
-// The hash knows the table before anything touches; what was set can be read, and survives moves between devices.
+// The table is in the hash before anything touches; its values can be read, and survive moves between devices.
 static void told_and_moved(void** state)
 {
 	(void)state;

@@ -17,7 +17,7 @@
 
 static scree_mover mover_at(float x, float y) { return (scree_mover){.position = {x, y}}; }
 
-// Walks for so many frames at a speed, and falls when it is in the air.
+// Moves a mover for a number of frames at a speed; it falls when it is in the air.
 static void walk_frames(scree_world* world, const scree_mover_def* def, scree_mover* m, float speed, int frames)
 {
 	for (int k = 0; k < frames; ++k)
@@ -379,7 +379,7 @@ static void jumps_through_platforms(void** state)
 	OK(scree_movers_move(world, NULL, &m, 1, STEP));
 	NEAR(m.position.y, HALF + 0.01 + 50.0, 1e-2);
 
-	// rays see platforms from above, if they are asked to, and from all sides if not
+	// rays with one_way meet platforms only from above, other rays from all sides
 	scree_query_def from_above = scree_query_def_default();
 	from_above.one_way = true;
 	scree_ray rays[2] = {{.origin = {0.0f, 9.0f}, .translation = {0.0f, -5.0f}},

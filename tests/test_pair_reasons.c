@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_pair_reasons.c -- every reason why two bodies do not collide, in every stage that has to know; the same on all devices.
+// test_pair_reasons.c -- every reason why two bodies do not collide, in every stage that tests it; the same on all devices.
 //
 // A ball meets a thin upright wall. The ball lies in it; is thrown at it; is pushed through it within one step by a force, so that no
 // contact was made before; or is a sensor that flies through it. The table says what happens then.
@@ -119,7 +119,7 @@ static void keep_apart(const Pair* pair, Reason reason)
 	}
 }
 
-// A wall at 0 and a ball at x. Where the user is asked, the ball begins close to the wall, and the answer is no.
+// A wall at 0 and a ball at x. With contact approval, the ball begins close to the wall, and the contact is refused.
 static Pair begin(Reason reason, scree_body_type type, float x, bool sensor)
 {
 	scree_world_def def = scree_world_def_default();

@@ -328,7 +328,7 @@ static void test_take_over(void** state)
 	paper_destroy(paper);
 }
 
-// What figures 5 and 6 rest on: after a second of our own pipeline and two steps of the paper's it has as many contacts in
+// The base of figures 5 and 6: after a second of Scree's pipeline and two steps of the paper's, the paper's has as many contacts in
 // pyramids of ten boxes, and overlaps as deep, as after a second of its own. A box has two neighbors above it and two
 // below, but those that stand beside each other do not touch: 16 contacts, 4 of them with the ground.
 static void test_warm_up(void** state)
@@ -378,7 +378,7 @@ static void test_growth(void** state)
 	assert_int_equal(hash[0], hash[count - 1]);
 }
 
-// Of the boxes below only 0 and 1 share an inside, 1 and 3 an edge, 0 and 3 a corner; 4 is a point inside of 1.
+// Boxes 0 and 1 share an inside, 1 and 3 an edge, 0 and 3 a corner; 4 is a point inside of 1. All others are apart.
 static void test_pairs(void** state)
 {
 	(void)state;

@@ -238,7 +238,7 @@ static void make_changes(scree_world* world, int step, const void* context)
 	if (step % 5 == 4)
 	{
 		scree_body_def defs[20];
-		int more = step % 2 ? 3 : 20; // so many that rows travel as rows, and as commands
+		int more = step % 2 ? 3 : 20; // 20 rows are uploaded pool by pool, 3 as commands
 		for (int k = 0; k < more; ++k)
 			defs[k] = any_body(world, &seed);
 		if (count + more < 300)

@@ -171,7 +171,7 @@ static void speed_has_a_limit(void** state)
 	scree_world_destroy(world);
 }
 
-// What is locked stays where it is to the last bit, whatever pushes; the rest moves as if it were alone.
+// A locked coordinate stays the same to the last bit, whatever pushes; the others move as if they were alone.
 static void locks(void** state)
 {
 	(void)state;
@@ -204,7 +204,7 @@ static void locks(void** state)
 // friction
 // ---------------------------------------------------------------------------------------------------------------
 
-// How far a box slides down a slope in t seconds, m.
+// The distance that a box slides down a slope in t seconds, m.
 static double slide(double degrees, double friction, int steps)
 {
 	float slant = (float)(degrees * PI / 180.0);

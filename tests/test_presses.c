@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_presses.c -- what something kinematic presses against something static, on every way; masses that the user sets.
+// test_presses.c -- bodies that a kinematic body presses against a static one, on every device; masses that the user sets.
 #include "support.h"
 #include <math.h>
 #include <setjmp.h>
@@ -329,7 +329,7 @@ static void own_mass_outlives_types(void** state)
 	OK(scree_collidable_create(world, &def, &added));
 	OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
 	OK(scree_body_get_mass(world, body, &mass));
-	NEAR(mass.mass, 2.0, 1e-6); // of two boxes of 1 kg
+	NEAR(mass.mass, 2.0, 1e-6); // two boxes of 1 kg
 	NEAR(mass.center.x, 0.0, 1e-6);
 	scree_world_destroy(world);
 }

@@ -130,12 +130,12 @@ static void run_on(Backend* b, Run run, int bound)
 	assert_int_equal(b->f->run(b, &step, &run, 1), SCREE_OK);
 }
 
-// Sorts end keys, of which the device knows only bound, on every backend.
+// Sorts end keys on every backend, with a counter that bounds them to bound keys.
 static void check_sort(Input input, int end, int bound, bool use_bound, int first_bit, int end_bit, uint64_t seed)
 {
 	static uint64_t keys[CAPACITY], expected[CAPACITY], got[CAPACITY];
 	int count = use_bound && bound < end ? bound : end;
-	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY; // what lies behind must stay
+	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY; // the keys behind must stay
 	for (int i = 0; i < whole; ++i)
 		keys[i] = make_key(input, i, end, &seed);
 	memcpy(expected, keys, (size_t)whole * sizeof *keys);

@@ -132,7 +132,7 @@ static void saved_programs_are_equal(void** state)
 	}
 }
 
-// What is written can be read, and is the same program.
+// A program that was written can be read, and is the same program.
 static void text_is_the_program(void** state)
 {
 	(void)state;

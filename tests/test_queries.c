@@ -12,7 +12,7 @@
 
 #define MOST 400
 
-typedef struct // a collidable as the tests know it
+typedef struct // the copy of a collidable that the tests keep
 {
 	scree_collidable handle;
 	scree_body body;
@@ -156,7 +156,7 @@ static void check_cast(const Place* place, const scree_query_def* def, const Exa
 		{
 			if (fraction <= 1.0)
 			{
-				// what is grazed may be missed
+				// a collidable that is only grazed may be missed
 				Exact deep = exact_moved(*from, fraction * x, fraction * y);
 				double depth = 0.0;
 				for (double t = fraction; t <= 1.0; t += 0.002)

@@ -23,7 +23,7 @@ typedef struct
 #define BODIES   300
 #define APPROVAL 500
 
-// Asks everything, and adds the answers to a hash.
+// Runs queries of all kinds, and adds their results to a hash.
 static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
 {
 	static scree_ray rays[APPROVAL];
@@ -55,7 +55,7 @@ static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
 	return hash_more(hash, found, sizeof found);
 }
 
-// A heap that falls; bodies come, go, change, and are asked for in every step or only now and then.
+// A heap that falls; bodies are created, destroyed and changed, and queries run in every step or only now and then.
 static uint64_t tell_heap(const Way* way, bool asks, uint64_t* world_hash)
 {
 	Place place = {.center = {0.0f, 5.0f}, .size = 12.0f};
@@ -197,7 +197,7 @@ static void edges_and_insides(void** state)
 	scree_world_destroy(world);
 }
 
-// What a query ignored is gone, and another body has its slot: the query goes on, and ignores nothing.
+// The body that a query ignored is destroyed, and another body has its slot: the query runs, and ignores nothing.
 static void ignores_what_is_gone(void** state)
 {
 	(void)state;

@@ -94,7 +94,7 @@ static void shunned_groups_are_found(void** state)
 	}
 }
 
-// Every word that is put has someone who waits for it.
+// Every word that is put is needed by some work-item: if it is lost, the run fails.
 static void lost_words_are_found(void** state)
 {
 	(void)state;
@@ -173,7 +173,7 @@ static void apart_meet(const void* met)
 		items_meet(__FILE__, __LINE__);
 }
 
-// Barriers to which not all come are told.
+// Barriers that part of a group does not reach are reported.
 static void barriers_are_strict(void** state)
 {
 	(void)state;

@@ -72,7 +72,7 @@ static scree_shape visitor_shape(int kind, float size)
 // half of the height of such a visitor
 static float visitor_half(int kind, float size) { return kind == 2 ? 0.5f * size : size; }
 
-// What jumps from below goes through, comes down, and comes to rest on top; platforms and visitors of all kinds, sizes from 2 cm.
+// Bodies that jump from below pass, come down, and come to rest on top; platforms and visitors of all kinds, sizes from 2 cm.
 static void jumps_up_and_lands(void** state)
 {
 	(void)state;
@@ -134,7 +134,7 @@ static void fast_bodies(void** state)
 	}
 }
 
-// What stands half through when it is made falls through. What comes from beside passes.
+// Bodies that are half through a platform when they are created fall through. Bodies that come from beside pass.
 static void half_through(void** state)
 {
 	(void)state;
@@ -239,8 +239,8 @@ static void chains_of_platforms(void** state)
 	}
 }
 
-// What comes from above moves as on a solid platform, to the last bit: also a tilted plank on a narrow one, where one end gets under
-// the top before they touch.
+// Bodies that come from above move as on a solid platform, to the last bit: also a tilted plank on a narrow platform, one end of which
+// gets under the top before they touch.
 static void tilted_planks(void** state)
 {
 	(void)state;
@@ -399,7 +399,7 @@ static void rest(void** state)
 	}
 }
 
-// A platform that is destroyed and made anew before each step goes on holding what lies on it, and letting through what rises.
+// A platform that is destroyed and created again before each step still holds bodies that lie on it, and lets rising ones through.
 static void made_anew(void** state)
 {
 	(void)state;
@@ -501,8 +501,8 @@ static void rings_under_pressure(void** state)
 	}
 }
 
-// What lies on a platform and rolls along it is held by it alone: another platform of the same body that begins higher lets it pass
-// from beside.
+// A body that rolls along a platform is held by that platform alone: another platform of the same body that begins higher lets it
+// pass from beside.
 static void stairs_from_beside(void** state)
 {
 	(void)state;

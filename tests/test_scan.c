@@ -160,7 +160,7 @@ static void far_bodies_cast_none(void** state)
 	close_setting(&s);
 }
 
-// Bodies that a scene makes anew before every step cast like those before them.
+// Bodies that a scene replaces before every step cast rays like those before them.
 static void new_bodies_cast(void** state)
 {
 	(void)state;

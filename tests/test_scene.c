@@ -146,7 +146,7 @@ static scree_world* open_text(const char* text, Scene** scene)
 	return world;
 }
 
-// What a scene says is what a world gets.
+// The world has the values of the scene file.
 static void test_build(void** state)
 {
 	(void)state;
@@ -288,7 +288,7 @@ static void test_joints(void** state)
 	scene_free(scene);
 }
 
-typedef struct // of all 12 bodies at a moment
+typedef struct // state of all 12 bodies at a moment
 {
 	scree_body bodies[12];
 	scree_pose poses[12];
@@ -372,7 +372,7 @@ static void test_churn(void** state)
 	scene_free(scene);
 }
 
-// A ball that lands reports its approach speed, 5 m/s, if the scene wants it.
+// A ball that lands reports its approach speed, 5 m/s, if the scene sets that.
 static void test_contact_details(void** state)
 {
 	(void)state;
@@ -398,7 +398,7 @@ static void test_contact_details(void** state)
 	}
 }
 
-// Of two bodies one is disabled, and does not fall.
+// One of two bodies is disabled, and does not fall.
 static void test_disabled(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_sensor_trials.c -- what sensors see, against samples of the ways that bodies went, and against a ledger of all visits.
+// test_sensor_trials.c -- visits to sensors, against samples of the paths of bodies, and against a ledger of all visits.
 #include "exact.h"
 #include "support.h"
 #include <setjmp.h>
@@ -54,7 +54,7 @@ typedef struct // a collidable on a body, in double precision
 	scree_pose own;
 	scree_body body; // null for none
 	scree_vec center;
-	scree_pose start, end; // of the body
+	scree_pose start, end; // poses of the body
 } Rider;
 
 static scree_pose pose_of(scree_world* world, const Rider* r)
@@ -129,11 +129,11 @@ static Rider add_rider(scree_world* world, uint64_t* seed, uint32_t sensor, floa
 typedef struct
 {
 	int met, missed, invented, late;
-	double error; // of times, of a step: the worst
+	double error; // largest error of a time, in steps
 } Score;
 
 #define SAMPLES 2048
-#define BRIEF   (8.0 / SAMPLES) // what overlaps for a shorter time may be missed
+#define BRIEF   (8.0 / SAMPLES) // shorter overlaps may be missed
 
 // One step of a sensor and a visitor against samples of their ways.
 static void judge(scree_world* world, Rider* a, Rider* b, scree_collidable sensor, double tolerance, Score* score)
@@ -380,7 +380,7 @@ static void change(scree_world* world, uint64_t* seed, scree_body* bodies)
 	}
 }
 
-// What is open is what the sensors say.
+// Checks that the open visits of the ledger are those of the sensors.
 static void check_open(scree_world* world, const Ledger* l)
 {
 	int total = 0;
@@ -419,7 +419,7 @@ static void every_visit_is_in_the_ledger(void** state)
 			run_steps(world, 1);
 			scree_events events;
 			if (random_below(&seed, 3) == 0)
-				change(world, &seed, bodies); // what happens between a step and its events changes none
+				change(world, &seed, bodies); // changes between a step and the reading of its events change no event
 			OK(scree_world_get_events(world, &events));
 			ledger_step(&ledger, &events);
 			for (int n = random_below(&seed, 5); n > 0; --n)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_sensors.c -- what sensors see, also within a step; each visit that begins ends once; all devices agree.
+// test_sensors.c -- visits to sensors, also within a step; each visit that begins ends once; all devices agree.
 #include "exact.h"
 #include "support.h"
 #include <setjmp.h>
@@ -108,7 +108,7 @@ static void bullets_are_seen(void** state)
 	assert_int_equal(seen, 1000);
 }
 
-// What bounces off a wall is not seen by a sensor behind it, and does not stop at one before it.
+// A body that bounces off a wall does not visit a sensor behind it, and does not stop at one before it.
 static void behind_a_wall(void** state)
 {
 	(void)state;
@@ -148,7 +148,7 @@ static void turning_bars(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// who is seen
+// which collidables visit a sensor
 // ---------------------------------------------------------------------------------------------------------------
 
 static void kinds_and_filters(void** state)
@@ -180,8 +180,8 @@ static void kinds_and_filters(void** state)
 	OK(scree_collidable_set_filter(world, all, filter));
 	run_steps(world, 1);
 	assert_int_equal(visits_of(world, all), 0);
-	assert_int_equal(events_of(world).visits_ended_count, 7 + 1); // own does not see all any more
-	// queries see sensors when asked
+	assert_int_equal(events_of(world).visits_ended_count, 7 + 1); // the visit of all to own has ended, too
+	// queries find sensors only with SCREE_QUERY_SENSORS
 	scree_query_result found;
 	scree_query_def query = scree_query_def_default();
 	scree_ray ray = {.origin = {-3.0f, 0.9f}, .translation = {6.0f, 0.0f}};
@@ -193,7 +193,7 @@ static void kinds_and_filters(void** state)
 	scree_world_destroy(world);
 }
 
-// A body in a sensor for two minutes begins once; disabled, enabled, destroyed and made anew each counts once.
+// A body in a sensor for two minutes begins its visit once; disabling, enabling, destroying and creating it each count once.
 static void one_end_for_each_beginning(void** state)
 {
 	(void)state;
@@ -250,7 +250,7 @@ static void one_end_for_each_beginning(void** state)
 	scree_world_destroy(world);
 }
 
-// What is placed outside a sensor and flies in again within the step has left it.
+// A body that is placed outside a sensor and flies in again within the step has left it.
 static void placed_elsewhere(void** state)
 {
 	(void)state;
@@ -273,7 +273,7 @@ static void placed_elsewhere(void** state)
 	scree_world_destroy(world);
 }
 
-// What moves by a millimetre in a step is timed as well as what flies.
+// Bodies that move by a millimetre in a step are timed as well as fast ones.
 static void slow_visits(void** state)
 {
 	(void)state;
@@ -319,9 +319,9 @@ static void crowds_and_distance(void** state)
 
 #define HEAP 80
 
-typedef struct // what a run said
+typedef struct // results of a run
 {
-	uint64_t hash; // of all events
+	uint64_t hash; // hash of all events
 	int began, open, deep;
 } MovedBody;
 

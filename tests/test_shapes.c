@@ -171,7 +171,7 @@ static void pairs_are_found(void** state)
 typedef struct
 {
 	int a, b;
-	float x, y, turn; // of b
+	float x, y, turn; // pose of b
 	int points;
 	double separation;
 	scree_vec normal;

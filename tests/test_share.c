@@ -80,7 +80,7 @@ static void test_rows(void** state)
 	run_steps(world, 20);
 	check_rows(world);
 
-	// what the user changed is in the rows at once, and what died is not
+	// changes of the user are in the rows at once, and destroyed bodies are not
 	OK(scree_world_get_bodies(world, bodies, BODIES + 1, &count));
 	assert_int_equal(count, BODIES + 1);
 	OK(scree_body_set_pose(world, bodies[3], (scree_pose){{7.0f, 8.0f}, scree_rot_make(1.0f)}));
@@ -143,7 +143,7 @@ static void test_without_sharing(void** state)
 static OpenClFunctions real;
 static const char* taught; // its extension
 static bool creation_fails;
-static void* buffer_object; // of OpenGL: what buffer 5 holds
+static void* buffer_object; // storage of buffer 5 of OpenGL
 static size_t buffer_bytes;
 static bool handed_over;
 static int handovers;
@@ -205,7 +205,7 @@ static cl_int hand(cl_command_queue queue, cl_uint count, const cl_mem* memory, 
 	assert_true(count == 1 && memory[0] == imported && over != handed_over);
 	handed_over = over;
 	++handovers;
-	// what a kernel left in memory of the host is there after a mapping
+	// data that a kernel wrote to memory of the host is there after a mapping
 	cl_int error;
 	size_t bytes = 32;
 	void* at = real.EnqueueMapBuffer(queue, memory[0], CL_TRUE, CL_MAP_READ, 0, bytes, 0, NULL, NULL, &error);
@@ -285,7 +285,7 @@ static int forget(void** state)
 	return 0;
 }
 
-// a file of so many bytes that is mapped to *memory
+// a file of a number of bytes, mapped to *memory
 static int make_file(size_t bytes, void** memory)
 {
 	FILE* file = tmpfile();
@@ -335,7 +335,7 @@ static void test_shared_memory(void** state)
 	assert_true(((scree_render_row*)memory)[1].pose.position.y == 0.6f);
 	check_shared(world, memory);
 
-	// a world that has grown wants more; memory that the driver refuses leaves what there was
+	// a world that has grown needs more memory; if the driver refuses it, the old sharing stays
 	add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 40.0f, 3.0f);
 	expect_refusal(scree_world_write_render_rows(world, &count), SCREE_ERROR_INVALID,
 	               "there are 42 rows, and the shared memory has room for 41");
@@ -407,7 +407,7 @@ static void test_shared_queries(void** state)
 	assert_memory_equal((char*)memory + sizeof probes, found, sizeof found);
 	assert_false(handed_over);
 
-	// what is not a ray harms nothing
+	// items that are no rays do no harm
 	memset(memory, 0xff, bytes);
 	OK(scree_world_cast_shared_rays(world, NULL, 0, 2 * RAYS, 0));
 	memset(memory, 0x7f, bytes);

@@ -113,7 +113,7 @@ static void slots_are_lowest_first(void** state)
 			get(b, POOL_counters, 1, &counters);
 			get(b, POOL_pair, 9, pairs);
 
-			// nine slots, and one that stays free: with less room nothing changes, and the host is told what is needed
+			// nine slots, and one that stays free: with less capacity nothing changes, and a counter has the capacity that is needed
 			bool enough = room == 10;
 			assert_int_equal(counters.stalled, !enough);
 			assert_int_equal(counters.needed, 9);
@@ -132,13 +132,13 @@ static void slots_are_lowest_first(void** state)
 
 #define SLOTS 10000
 
-// written anew in every step
+// written again in every step
 static bool is_scratch(int pool)
 {
 	return pool == POOL_scan || pool == POOL_free_slot || pool == POOL_began || pool == POOL_uncolored;
 }
 
-// what byte number k of an item in a slot holds
+// value of byte number k of an item in a slot
 static unsigned char byte_of(int pool, int slot, size_t k)
 {
 	return (unsigned char)(slot * 31 + pool * 7 + (int)k * 13 + slot / 256);
@@ -149,7 +149,7 @@ static bool is_kept(int pool) { return pool_info[pool].per == PER_CONTACT && !is
 typedef struct
 {
 	Int2* pairs;      // {-1, -1} in a free slot
-	int* constraints; // of each slot, -1 for none
+	int* constraints; // place of each slot, -1 for none
 	int* from;        // slot in which the contact was that a slot has in the end
 	int alive;
 } Slots;

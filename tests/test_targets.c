@@ -138,7 +138,7 @@ static void targets_wait_and_are_dropped(void** state)
 	step(world, 1);
 	assert_pose(world, body, later);
 
-	// where it starts does not matter
+	// the start does not matter
 	assert_ok(scree_body_set_target(world, body, there));
 	assert_ok(scree_body_set_pose(world, body, home));
 	step(world, 1);
@@ -164,7 +164,7 @@ static void targets_wait_and_are_dropped(void** state)
 	step(world, 1);
 	assert_pose(world, body, home);
 
-	// what is locked stays
+	// locked coordinates stay
 	assert_ok(scree_body_set_locks(world, body, SCREE_LOCK_X | SCREE_LOCK_ROTATION));
 	assert_ok(scree_body_set_target(world, body, there));
 	step(world, 1);

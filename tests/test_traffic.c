@@ -53,7 +53,7 @@ static void a_box_on_the_floor(void** state)
 	// (state twice 64, motion 32, base twice 32) and 96 for its position.
 	assert_int_equal(traffic.body_bytes, 9 * 2 * (32 + 16) + 3 * (44 + 4 * (128 + 96)));
 
-	// what bounces takes one more pass, and more of each constraint
+	// restitution takes one more pass, and more bytes of each constraint
 	scree_attribute_def def = scree_attribute_def_default();
 	scree_attribute attribute;
 	def.restitution = 0.5f;

@@ -58,7 +58,7 @@ static void two_boxes(scree_world* world, scree_body bodies[2])
 	OK(scree_bodies_create(world, defs, 2, bodies));
 }
 
-// An older program gets what it knows of a contact, and nothing is written behind it.
+// An older program gets the members of a contact that its header has, and nothing is written behind them.
 static void older_results(void** state)
 {
 	(void)state;
@@ -109,7 +109,7 @@ static void older_definitions(void** state)
 	scree_world_destroy(world);
 }
 
-// What a newer program knows and the library does not is 0 in results, and must be 0 in definitions.
+// Members of a newer header that the library lacks are 0 in results, and must be 0 in definitions.
 static void newer_structs(void** state)
 {
 	(void)state;
@@ -158,7 +158,7 @@ static void newer_structs(void** state)
 	scree_world_destroy(twin);
 }
 
-// An attribute of a program that knows no rules has none; such a program gets events without what is asked.
+// An attribute of a program built without rules has none; such a program gets events without approvals.
 static void older_than_rules(void** state)
 {
 	(void)state;

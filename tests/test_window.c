@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_window.c -- what the window does without one: events handed out frame by frame, times of frames, tuning of a world.
+// test_window.c -- parts of the viewer that need no window: events handed out frame by frame, times of frames, tuning of a world.
 #include "view/window/event_queue.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -28,7 +28,8 @@ static void add_letter(Events* events, unsigned letter)
 	events_add(events, (WindowEvent){.kind = EVENT_LETTER, .letter = letter});
 }
 
-// What the next frames are given, a letter an event and a space a frame: k key, l letter, m cursor, b button, w wheel.
+// Checks the events of the next frames, a letter for each event and a space for each frame: k key, l letter, m cursor, b button,
+// w wheel.
 static void assert_frames(Events* events, const char* expected)
 {
 	char given[128];

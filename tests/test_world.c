@@ -373,7 +373,7 @@ static void changes_keep_their_order(void** state)
 	assert_near(velocity_of(world, a).linear.x, 3.75, 1e-6);
 	assert_near(velocity_of(world, b).linear.x, 4.0, 1e-6);
 
-	// what was asked of a body that went is not done to the next in its slot
+	// changes to a destroyed body are not applied to the next one in its slot
 	assert_ok(scree_body_set_velocity(world, b, (scree_velocity){{9.0f, 9.0f}, 9.0f}));
 	assert_ok(scree_body_destroy(world, b));
 	scree_body c = add_box(world, SCREE_BODY_DYNAMIC, 5, 0);
@@ -382,7 +382,7 @@ static void changes_keep_their_order(void** state)
 	scree_world_destroy(world);
 }
 
-typedef enum // what follows each call
+typedef enum // the act after each call
 {
 	NOTHING,
 	FLUSH, // the changes go to the device at once
@@ -394,7 +394,7 @@ typedef struct
 	scree_world* world;
 	After after;
 	scree_body bodies[60], compound;
-	scree_collidable parts[3]; // of compound
+	scree_collidable parts[3]; // collidables of compound
 } Caller;
 
 static void after_call(const Caller* c, scree_status status)

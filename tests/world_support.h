@@ -14,7 +14,7 @@
 
 #define STEP (1.0f / 60.0f)
 
-static const char* device; // of the worlds that the tests make
+static const char* device; // device of the worlds that the tests make
 
 static inline void assert_ok(scree_status status)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// belts.c -- what lies on two belts, or wheels, that run towards each other. It is driven by the difference of what they carry: it lies
-// still where that is none, and swings where it changes with its place, without end and without growing.
+// belts.c -- bodies on two belts, or wheels, that run towards each other. A body is driven by the difference of the loads: it lies still
+// where the loads are equal, and swings where they change with its place, without end and without growing.
 #include "props.h"
 #include <math.h>
 

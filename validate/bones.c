@@ -10,7 +10,7 @@
 typedef struct // a capsule; lengths in m, heights above the feet
 {
 	int parent;                       // -1: none
-	float height, low, high, radius;  // of the body; of the capsule's ends above that
+	float height, low, high, radius;  // height of the body; heights of the capsule's ends above that
 	float damping;                    // 1/s
 	float pivot, lower, upper, share; // height; rad / pi; of the friction
 	float bend;                       // rad / pi: of the frame in the parent
@@ -49,7 +49,7 @@ int bone_parts(int bone, int group, EnginePart parts[BONE_PARTS])
 	const Bone* b = &bones[bone];
 	parts[0] = (EnginePart){scree_attribute_def_default(), filter_of(group)};
 	parts[0].surface.friction = 0.2f;
-	// what is refused shows as an empty shape, which engines refuse with a sentence
+	// a shape that Scree refuses becomes an empty one, which engines refuse with a message
 	if (scree_shape_make_capsule((scree_vec){0.0f, b->low}, (scree_vec){0.0f, b->high}, b->radius,
 	                             &parts[0].surface.shape))
 		parts[0].surface.shape = (scree_shape){0};

@@ -16,7 +16,7 @@ typedef struct
 	Lab* lab;
 	int first;
 	double high[BALLS];              // m: first height of the lowest point
-	double apex[BALLS][BOUNCES + 1]; // of each bounce
+	double apex[BALLS][BOUNCES + 1]; // apex of each bounce, m
 	int bounces[BALLS];
 	bool down[BALLS];
 } Balls;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// churn.c -- bodies that jump across the world or are created anew in every step cost little, and a burst's memory returns.
+// churn.c -- bodies that jump across the world or are replaced in every step cost little, and a burst's memory returns.
 //
 // Times depend on the machine. The limit is on their ratio to the time of the same world without churn.
 #include "props.h"

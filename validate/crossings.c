@@ -25,7 +25,7 @@ static const char* const kinds[KINDS] = {"rods of 6 cm that spin at 50 rad/s", "
 typedef struct
 {
 	int wall, body;
-	int side;   // of the wall's middle plane on which the body began: -1 or 1
+	int side;   // side of the wall's middle plane on which the body began: -1 or 1
 	bool gone;  // went around an end
 	bool there; // on the other side
 } Trial;
@@ -43,7 +43,7 @@ static scree_attribute_def body_of(Kind kind)
 	}
 }
 
-// Where the center of a body is in the frame of its wall.
+// The center of a body in the frame of its wall.
 static scree_vec in_wall(const Lab* lab, const Trial* t)
 {
 	scree_pose wall = lab->poses[t->wall], body = lab->poses[t->body];
@@ -59,7 +59,7 @@ static void look(const Lab* lab, Trial* t)
 		t->there = (at.x > 0.0f ? 1 : -1) != t->side;
 }
 
-// Thrown at walls of a thickness, m, whose density is so many times that of the body.
+// Throws bodies at walls of a thickness, m. density is that of the walls as a multiple of that of the bodies.
 static void throw_at(Validation* v, Kind kind, double thickness, double density, double slow, double fast, int runs)
 {
 	begin(v, "%s at %g to %g m/s against dynamic walls of %g cm, density %g", kinds[kind], slow, fast,

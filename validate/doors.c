@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// doors.c -- what hangs on scenery turns freely: its hinge keeps it from touching the static body that it overlaps. A spring that pulls it
-// beyond its limit does not tear its hinge.
+// doors.c -- doors that hang on scenery turn freely: the hinge keeps a door from touching the static body that it overlaps. A spring that
+// pulls a door beyond its limit does not tear its hinge.
 #include "props.h"
 #include <math.h>
 

@@ -6,7 +6,7 @@
 
 typedef struct
 {
-	const char* device; // of Scree, as in scree_world_def
+	const char* device; // device of Scree, as in scree_world_def
 	int threads, lanes; // 0: the engine's own choice
 	bool allow_unequal_bits;
 	bool continuous; // continuous collision of Box2D; Scree always has it
@@ -14,7 +14,7 @@ typedef struct
 
 typedef struct
 {
-	scree_world_def world; // of Scree, without device, threads and lanes; other engines take its gravity
+	scree_world_def world; // world of Scree, without device, threads and lanes; other engines take its gravity
 	float max_speed;       // m/s; 0: that of world, or the other engine's own
 	float contact_hertz;   // stiffness of contacts; 0: the same
 } EngineDef;
@@ -31,7 +31,7 @@ typedef struct
 	scree_body_def def;
 	EnginePart* parts;
 	int count;
-	bool bullet; // where an engine has such a flag
+	bool bullet; // flag of the body, in engines that have one
 } EngineBody;
 
 #define ENGINE_WORLD -1 // as the body of a joint: the world
@@ -48,17 +48,17 @@ typedef struct // functions return false after printing a sentence
 	void* (*open)(const EngineOptions* options, const EngineDef* def); // null on failure
 	bool (*create)(void* state, const EngineBody* bodies, int count);
 	bool (*destroy)(void* state, const int* bodies, int count); // their indices are free then
-	bool (*join)(void* state, const EngineJoint* joint);        // of types that all engines have: of Box2D 3
+	bool (*join)(void* state, const EngineJoint* joint);        // types that all engines have: those of Box2D 3
 	bool (*set_poses)(void* state, const int* bodies, const scree_pose* poses, int count);
 	bool (*set_velocity)(void* state, int body, scree_velocity velocity);
 	bool (*push)(void* state, int body, scree_vec force); // a force in the next step, N
 	bool (*step)(void* state, float dt, int substeps);
 	bool (*wait)(void* state);                // until all work is done
 	bool (*frozen)(void* state, int* frozen); // adds the number of bodies that the last step froze
-	// of these bodies; bodies null: of those from 0 on; velocities may be null
+	// reads count bodies; bodies null: those from 0 on; velocities may be null
 	bool (*read)(void* state, const int* bodies, int count, scree_pose* poses, scree_velocity* velocities);
-	bool (*hash)(void* state, uint64_t* hash); // of all simulated state, by the engine
-	double (*bytes)(void* state);              // of memory that the world holds
+	bool (*hash)(void* state, uint64_t* hash); // hash of all simulated state, by the engine
+	double (*bytes)(void* state);              // memory that the world holds, bytes
 	scree_world* (*world)(void* state);        // the world of Scree; the function is null for other engines
 	void (*close)(void* state);
 } Engine;

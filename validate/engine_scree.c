@@ -12,7 +12,7 @@ typedef struct
 	scree_body* bodies; // by their index
 	int room;
 	scree_body* some;     // handles of a batch
-	scree_body_def* defs; // of a batch
+	scree_body_def* defs; // definitions of a batch
 	int batch_room;
 } State;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// friction.c -- what slides brakes as Coulomb's law says, however fast, however deep, and with any number of substeps.
+// friction.c -- sliding bodies brake by Coulomb's law at any speed, any overlap and any number of substeps.
 //
 // Friction 0.6 and gravity of 10 m/s^2 slow a sliding body by 6 m/s^2, also one that is being pushed out of the floor: the push is not
 // its weight. A disk slides until it rolls, which it does at two thirds of its speed.
@@ -22,7 +22,7 @@ static const double depths[] = {0.0, 0.02, 0.05, 0.2};       // m
 
 typedef struct
 {
-	Peak off, rises; // %, what a body loses beside the law; m/s, its fastest way up
+	Peak off, rises; // %: deviation of the lost speed from the law; m/s: fastest motion upward
 } Braking;
 
 // Slides one body over a floor. What it lost is measured after the step in which 0.05 s are over, or half of its sliding.

@@ -51,7 +51,7 @@ uint64_t lab_case_hash(Validation* v)
 {
 	if (!v->lab)
 		return v->hash;
-	return v->hash * 0x100000001b3u ^ lab_hash(v->lab); // of a single world it is the hash of that world
+	return v->hash * 0x100000001b3u ^ lab_hash(v->lab); // for a single world this is the hash of that world
 }
 
 void lab_close(Lab* lab)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// limits.c -- what is finite is not frozen, and nothing is faster at the end of a step than it may be.
+// limits.c -- finite bodies are not frozen, and no body exceeds the speed limit at the end of a step.
 #include "props.h"
 #include <math.h>
 
@@ -130,7 +130,7 @@ static void bursts(Validation* v, int count, double width, int movers, double ma
 	row(v, "bodies frozen", extremes.frozen, "", AT_MOST, 0.0);
 }
 
-// Equal bodies of 1 m begin in a small square, without gravity. Each pair parts at no more than 3 m/s, contact_push_speed, and from the middle
+// Equal bodies of 1 m begin in a small square, without gravity. Each pair parts at 3 m/s at most, contact_push_speed, and from the middle
 // to the side of the disk that 500 fill there are 11 pairs. They leave each other.
 static void crowd(Validation* v, int count, bool boxes, double width)
 {

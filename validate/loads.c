@@ -52,7 +52,7 @@ static double settle(Lab* lab)
 	return fastest;
 }
 
-// A pyramid of nine rows, ten boxes wide, on whose top a box of so many times the mass of each falls from 2 m.
+// A pyramid of nine rows, ten boxes wide, on whose top a box falls from 2 m. ratio: its mass by that of another box.
 static void pyramid(Validation* v, double ratio, const Setting* setting)
 {
 	Lab* lab = open_case(v, setting, 10.0, "pyramid of nine rows under a box of %g times the mass", ratio);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// motion.c -- what is right stays right: free flight and spin, friction on a slope, rolling, dominoes.
+// motion.c -- motions with known solutions: free flight and spin, friction on a slope, rolling, dominoes.
 #include "props.h"
 #include <math.h>
 

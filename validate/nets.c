@@ -5,7 +5,7 @@
 
 #define HELD 3 // columns on either side of the middle one that are held
 
-// The joints of Box2D's benchmark joint_grid, with so many circles a side. In Box2D v3 the widest gap is 108, 229 and 620 mm with 40, 60 and 100.
+// The joints of Box2D's benchmark joint_grid, with size circles a side. In Box2D v3 the widest gap is 108, 229 and 620 mm with 40, 60 and 100.
 static void hang(Validation* v, int size, int steps, double most)
 {
 	begin(v, "net of %d x %d, held at %d", size, size, 2 * HELD + 1);

@@ -24,10 +24,10 @@ static const Known scenes[] = {
     {"tumbler", 1, 160.0, 71.2, 0.0},  {"smash", 1, 191.0, 69.3, 0.0},     {"washer", 1, 145.0, 47.7, 0.0},
 };
 
-typedef struct // of the measurements of a run, m
+typedef struct // overlaps of the measurements of a run, m
 {
 	double deepest, mean;
-	int step; // of the deepest
+	int step; // step of the deepest
 } Depths;
 
 static Depths depths_of(Lab* lab, int steps, int every)
@@ -70,7 +70,7 @@ typedef struct
 {
 	const char *name, *scene, *parameter;
 	int first, apart;     // the parameter in the first run, and its increase from run to run
-	int steps;            // of a run
+	int steps;            // steps of a run
 	double deepest, mean; // limits, mm, of the medians of the runs
 } Several;
 

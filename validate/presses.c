@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// presses.c -- how deep something kinematic presses a body into something static, and how fast it leaves.
+// presses.c -- the depth to which a kinematic body presses another into a static one, and the speed at which that leaves.
 //
 // A press comes from the left to a wall whose face is at x = 0, in a world without gravity, and stops before the wall or within it.
 #include "props.h"
@@ -15,7 +15,7 @@ typedef enum
 static const char* const kinds[KINDS] = {"box", "ball", "capsule"};
 static const char* const rows[KINDS] = {"boxes", "balls", "capsules"};
 
-typedef enum // what touches first
+typedef enum // first body that touches
 {
 	BOTH,
 	PRESS,

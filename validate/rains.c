@@ -46,8 +46,8 @@ static void add_tiles(Lab* lab, double span, double height)
 	free(parts);
 }
 
-// The rain of Box2D's benchmarks, without those that leave: so many columns on each of the rows of floors. From one height all ragdolls land
-// in the same part of a step. In Box2D then all land alike; here colors differ from ragdoll to ragdoll, so the widest of 25 that land is
+// The rain of Box2D's benchmarks, in which ragdolls do not leave: columns of them on each of the rows of floors. From one height all
+// ragdolls land in the same part of a step. In Box2D then all land alike; here colors differ from ragdoll to ragdoll, so the widest of 25 that land is
 // of 25 different ones. So in another rain heights vary by up to spread, about the way of a step.
 static void rain(Validation* v, int columns, int rows, double spread)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// rest.c -- what lies still stays there: circles on a floor, capsules, rounded boxes, heaps of mixed bodies.
+// rest.c -- bodies at rest stay at rest: circles on a floor, capsules, rounded boxes, heaps of mixed bodies.
 #include "props.h"
 #include <math.h>
 #include <stdio.h>
@@ -107,7 +107,7 @@ static void point_at(const Lab* lab, int body)
 	      (double)lab->poses[body].position.x, (double)lab->poses[body].position.y);
 }
 
-// How far a disk rolled by its turn between two poses, m; 0 for other shapes.
+// The distance that a disk rolled by its turn between two poses, m; 0 for other shapes.
 static double rolled(const scree_shape* shape, scree_pose from, scree_pose to)
 {
 	if (shape->kind != SCREE_SHAPE_CIRCLE)

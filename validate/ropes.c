@@ -13,8 +13,8 @@
 
 typedef enum
 {
-	ROUND,   // of 1 m
-	BOXES,   // of 1.4 m
+	ROUND,   // circles of 1 m
+	BOXES,   // sides of 1.4 m
 	CORNERS, // the same, on a corner
 } Pegs;
 
@@ -88,7 +88,7 @@ static int add_link(Lab* lab, const scree_attribute_def* surface, double x, doub
 	return body;
 }
 
-// The rope along places, with a box at each end that weighs so many links. Returns its first body.
+// Adds the rope along places, with a box at each end; load is the mass of a box in links. Returns its first body.
 static int add_rope(Lab* lab, const scree_vec* places, int count, double load)
 {
 	scree_attribute_def link = box_of(0.5 * LINK, THICK), end = box_of(LOAD, LOAD);

@@ -31,7 +31,7 @@ void scenery_ok(const Scenery* s, scree_status status);
 // A shape of a kind, of 2 mm to 20 m, many of them thin.
 scree_shape scenery_shape(uint64_t* seed, int kind);
 
-scree_shape scenery_small(uint64_t* seed); // of any kind, its points at most 1 m from its origin
+scree_shape scenery_small(uint64_t* seed); // a shape of any kind, with all points at most 1 m from its origin
 
 // A place in the scenery, with a translation to a random point of one of its shapes and beyond; edges are often parallel.
 scree_probe scenery_probe(const Scenery* s, uint64_t* seed, const scree_shape* shape);

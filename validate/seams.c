@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// seams.c -- what slides over flush tiles neither slows down nor jumps; real ledges stop it, and stacks stand on seams.
+// seams.c -- bodies that slide over flush tiles neither slow down nor jump; real ledges stop them, and stacks stand on seams.
 #include "props.h"
 #include <math.h>
 
 #define PHASES 16
 #define TRACKS (2 * PHASES) // each phase twice: settled first, or set down with its speed
 #define APART  8.0          // m between tracks, one above the other
-#define STEPS  120          // of sliding
+#define STEPS  120          // steps of sliding
 #define SETTLE 60           // steps before
 
 typedef struct

@@ -101,7 +101,7 @@ double difference_least(const Difference* d, double x, double y, double share)
 
 typedef struct
 {
-	double share; // of the path, 2 if there is no meeting
+	double share; // fraction of the path, 2 if there is no meeting
 	Point normal; // outward
 } Entry;
 
@@ -140,7 +140,7 @@ double difference_meeting(const Difference* d, double x, double y, double* margi
 	if (begin <= 0.0)
 		return 0.0;
 	Entry first = never;
-	double left = -INFINITY, right = -INFINITY; // how far the surface is on both sides of the path
+	double left = -INFINITY, right = -INFINITY; // distance of the surface on both sides of the path
 	for (int k = 0; k < d->count && length > 0.0; ++k)
 	{
 		Point a = corner_of(d, k), edge = minus(corner_of(d, k + 1), a), from = {d->at_x - a.x, d->at_y - a.y};
@@ -151,7 +151,7 @@ double difference_meeting(const Difference* d, double x, double y, double* margi
 		left = fmax(left, -cross(path, from) / length + d->radius);
 		right = fmax(right, cross(path, from) / length + d->radius);
 	}
-	double past = -(1.0 - first.share) * dot(first.normal, path); // of its end, behind the surface where it enters
+	double past = -(1.0 - first.share) * dot(first.normal, path); // depth of its end behind the surface where it enters
 	*margin = fmin(fmin(left, right), fmin(past, begin));
 	return first.share;
 }

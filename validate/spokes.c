@@ -8,11 +8,11 @@
 
 typedef struct
 {
-	int spokes, parts; // of each, in a row
-	double ratio;      // of the spokes' inertia about the hub to that of the hub
+	int spokes, parts; // number of spokes; bodies in a row of each
+	double ratio;      // inertia of the spokes about the hub, by that of the hub
 	double radius;     // m, of the hub
 	bool hinged;
-	double hertz; // of the welds; 0: rigid
+	double hertz; // stiffness of the welds; 0: rigid
 } Wheel;
 
 static void join_softly(Lab* lab, bool hinged, double hertz, int a, int b, double x, double y)

@@ -12,7 +12,7 @@
 
 typedef struct
 {
-	Scenery s; // whose shapes are not used
+	Scenery s; // its shapes are not used
 	scree_vec corners[SIDES];
 	scree_pose pose;
 } Track;
@@ -53,7 +53,7 @@ static double outward(const Track* t, scree_vec at)
 	{
 		double ax = (double)t->corners[k].x, ay = (double)t->corners[k].y;
 		double bx = (double)t->corners[(k + 1) % SIDES].x, by = (double)t->corners[(k + 1) % SIDES].y;
-		if (ax * y - ay * x < 0.0 || x * by - y * bx < 0.0) // of another side
+		if (ax * y - ay * x < 0.0 || x * by - y * bx < 0.0) // outside the sector of this side
 			continue;
 		return ((bx - ax) * -y + (by - ay) * x) / ((by - ay) * ax - (bx - ax) * ay);
 	}

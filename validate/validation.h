@@ -21,7 +21,7 @@ typedef struct
 	float dt;          // s
 	int substeps;
 	float max_speed;     // m/s
-	bool bullets;        // where an engine has such a flag, bodies that are thrown have it
+	bool bullets;        // thrown bodies have the flag of continuous collision, in engines that have one
 	float contact_hertz; // stiffness of contacts; 0 is the engine's own
 } LabDef;
 
@@ -29,7 +29,7 @@ typedef struct
 {
 	float mass;       // kg; 0 unless the body is dynamic
 	float inertia;    // kg m^2 about the center
-	scree_vec center; // of mass, in the body's frame
+	scree_vec center; // center of mass, in the body's frame
 } LabMass;
 
 struct Lab
@@ -38,7 +38,7 @@ struct Lab
 	LabDef def;
 	void* state;
 	EngineBody* bodies; // by their index
-	LabMass* masses;    // of them
+	LabMass* masses;    // masses of the bodies
 	scree_pose* poses;  // lab_read writes them
 	scree_velocity* velocities;
 	EngineJoint* joints;
@@ -64,10 +64,10 @@ struct Validation
 
 	Lab* lab;               // the open one, or null
 	const char* experiment; // name
-	char text[96];          // of the case
+	char text[96];          // name of the case
 	char where[128];        // the run that gave the value; may be empty
 	int64_t steps;          // since the case began
-	uint64_t hash;          // of the end states of the labs that the case has closed
+	uint64_t hash;          // hash of the end states of the labs that the case has closed
 	int failures;           // rows beyond their limits
 	bool broken;            // an engine or memory failed
 };

@@ -11,7 +11,7 @@
 typedef struct
 {
 	b2WorldId world;
-	b2BodyId ground;  // what joints with the world hold on to; null before the first one
+	b2BodyId ground;  // body to which joints with the world are attached; null before the first one
 	b2BodyId* bodies; // by their index
 	int room;
 } State;

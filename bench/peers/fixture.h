@@ -15,14 +15,14 @@ typedef struct
 typedef struct // a world that is being built
 {
 	scree_world* world;
-	const double* values; // of the parameters
+	const double* values; // values of the parameters
 	bool good;            // false after the first failure, which was printed; then nothing more is added
 } FixtureBuild;
 
 typedef struct
 {
 	const char* name;
-	int steps; // of a trial
+	int steps; // steps of a trial
 	FixtureParameter parameters[FIXTURE_PARAMETERS];
 	void (*build)(FixtureBuild* build);
 	void (*change)(FixtureBuild* build, int64_t step); // before a step; may be null

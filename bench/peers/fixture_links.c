@@ -87,7 +87,7 @@ enum
 	MASS
 };
 
-// A bridge of planks of 1 m, between two points of the world, with boxes on it that are so many times as heavy as a plank.
+// A bridge of planks of 1 m between two points of the world. The boxes on it are heavier than a plank by the ratio of masses.
 static void add_bridge(FixtureBuild* build, float y)
 {
 	int planks = (int)build->values[PLANKS], loads = (int)build->values[LOADS];

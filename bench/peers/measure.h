@@ -4,7 +4,7 @@
 #define MEASURE_H
 #include "setup.h"
 
-typedef struct // what a joint holds, by scree_coordinate
+typedef struct // locked coordinates of a joint, by scree_coordinate
 {
 	bool locked[2];
 	float target[2]; // m
@@ -16,13 +16,13 @@ typedef struct
 	scree_body* bodies;
 	scree_velocity* still; // zeros
 	int count;
-	scree_pose* poses; // of the engine; the caller fills them before measuring
+	scree_pose* poses; // poses of the engine; the caller fills them before measuring
 
 	int measured;
 	float penetration; // deepest so far, m
 	double depths;     // sum of the deepest of each measurement, m
 	double contacts;   // sum of the touching contacts of each
-	float* height;     // of each body at the first measurement, m
+	float* height;     // height of each body at the first measurement, m
 	int heights;
 	float sunk; // largest distance that one of them has sunk since, m
 

@@ -9,12 +9,12 @@ typedef struct
 {
 	const Setup* setup;
 	const Engine* engine;
-	void* state; // of the engine
-	// of the engine if it is Scree; else a model that is never stepped: the bodies as the setup last placed them
+	void* state; // state of the engine
+	// world of the engine if that is Scree; else a model that is never stepped, with the bodies as the setup last placed them
 	scree_world* world;
-	scree_body* bodies;  // of the world, by rising index
-	int* indices;        // of the bodies in the engine: those of their handles
-	scree_joint* joints; // of the model
+	scree_body* bodies;  // bodies of the world, by rising index
+	int* indices;        // indices of the bodies in the engine, as in their handles
+	scree_joint* joints; // joints of the model
 	int count, joint_count;
 } Mirror;
 
@@ -22,7 +22,7 @@ typedef struct
 bool mirror_open(Mirror* mirror, const Setup* setup, const Engine* engine, const EngineOptions* options);
 bool mirror_change(Mirror* mirror, int64_t step); // changes the bodies as the setup does before a step
 bool mirror_step(const Mirror* mirror);
-bool mirror_poses(const Mirror* mirror, scree_pose* poses); // of all bodies
+bool mirror_poses(const Mirror* mirror, scree_pose* poses); // reads the poses of all bodies
 void mirror_close(Mirror* mirror);
 
 #endif

@@ -2,7 +2,8 @@
 // peer_queries.c -- scree_peers queries: rays, moving shapes and overlaps in both engines, on the same world of mixed bodies.
 //
 // Bodies of five kinds of shapes lie in a square without touching, one in five of them static. Both worlds make one step without
-// gravity, so that their trees are what a game would have. Then the engines take turns; Scree is asked in one call, and one by one.
+// gravity, so that their trees are what a game would have. Then the engines take turns. Scree gets all queries in one call, then each
+// in a call of its own.
 #include "peer_queries.h"
 #include "engine_box2d.h"
 #include "platform/processor.h"
@@ -49,7 +50,7 @@ static const float lengths[KINDS] = {20.0f, 200.0f, 10.0f, 10.0f, 0.0f, 0.0f};
 
 typedef struct
 {
-	void* states[2];    // of the engines; null before they are open
+	void* states[2];    // states of the engines; null before they are open
 	scree_world* scree; // their worlds
 	b2WorldId box2d;
 	int bodies, queries, repeats;
@@ -61,11 +62,11 @@ typedef struct
 	uint64_t seed;
 } Contest;
 
-typedef struct // what an engine answered: equal worlds give nearly equal sums
+typedef struct // results of an engine: equal worlds give nearly equal sums
 {
 	double ms;
 	int hits;
-	double sum; // of fractions
+	double sum; // sum of fractions
 } Score;
 
 static float random_between(Contest* c, float low, float high)

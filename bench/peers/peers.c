@@ -25,7 +25,7 @@
 typedef struct
 {
 	const char* executable;
-	const Engine* engine; // of a trial; null in the process that starts the trials
+	const Engine* engine; // engine of a trial; null in the process that starts the trials
 	bool measured;
 	EngineOptions options;
 	int threads[MAX_THREADS], thread_count;

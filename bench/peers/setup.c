@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// setup.c -- what is measured: a scene that was read from a file, or one that is made by code.
+// setup.c -- the scene of a trial: read from a file, or made by code.
 #include "setup.h"
 #include "scene/build.h"
 #include "scene/churn.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// setup.h -- what is measured: a scene that was read from a file, or one that is made by code.
+// setup.h -- the scene of a trial: read from a file, or made by code.
 #ifndef SETUP_H
 #define SETUP_H
 #include "fixture.h"

@@ -29,9 +29,9 @@ static const struct option words_known[] = {
 
 typedef enum
 {
-	STRETCH,    // of all joints together, as a part of the length without it, %
-	SAG,        // of the body that sank most, m
-	SEPARATION, // of the joint that is open most, m
+	STRETCH,    // lengthening by all joints together, % of the original length
+	SAG,        // descent of the body that sank most, m
+	SEPARATION, // gap of the joint that is open most, m
 	RESTLESS,   // mean of the squared speeds of all bodies, m^2/s^2
 	QUANTITIES
 } Quantity;

@@ -23,7 +23,7 @@ typedef struct
 	float depth;         // mean of the deepest of each step, m
 	float contacts;      // touching ones, mean of all steps
 	float sunk;          // largest distance that a body sank, m
-	float separation;    // of the anchors of a joint, the largest of all steps, m
+	float separation;    // largest separation of the anchors of a joint over all steps, m
 	float gap;           // mean of it over all joints and steps, m
 	uint64_t hash;       // the engine's own, at the end
 } Result;

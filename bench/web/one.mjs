@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // one.mjs -- one.mjs ENGINE SCENE STEPS: a line of CSV: start, ms from import to the end of the first step; median of a step; deepest overlap.
 //
-// Processor time of the process, so that others who use the machine count less. The last two thirds of the steps count. Depths are those
-// that Scree finds between the shapes at the poses of the end.
+// Processor time of the process, because other programs on the machine disturb it less. The last two thirds of the steps count. Depths
+// are those that Scree finds between the shapes at the final poses.
 import "./usage.mjs";
 import {performance} from "node:perf_hooks";
 import {engines} from "./engines.mjs";

@@ -12,7 +12,7 @@ import { loadavg } from 'node:os';
 import { join } from 'node:path';
 import { Browser, sleep, startServer, stop } from '../../tests/page/browser.mjs';
 
-// what differs from what the page begins them with
+// settings that differ from those with which the page begins the scenes
 const SCENES = {
 	drift: { boxes: 10000 }, pyramids: { columns: 13, rows: 14 }, smash: {}, storm: { columns: 6, rows: 5 }, pile: { count: 10000 },
 };
@@ -60,7 +60,7 @@ async function inPage(browser, name) {
 	return { cpu: (workerTime(browser) - begin) / (LAST - FIRST), clock: median(state.times), bodies: state.bodies };
 }
 
-// What a visitor sees of the same steps: frames and steps a second, ms of drawing in the worker.
+// Frames and steps per second in the visible page for the same steps, and ms of drawing in the worker.
 async function drawn(browser) {
 	const now = () => browser.run(`await scree.host.ask({ type: 'pause', paused: scree.state.paused }); return { step: scree.state.step, time: performance.now() }`);
 	await browser.run(`scree.say({ type: 'resize', width: 320, height: 200, density: 1 });

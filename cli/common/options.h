@@ -69,7 +69,7 @@ typedef struct OptionTable // the options of a program
 	bool (*have_effect)(const struct OptionTable* table, const Options* options, unsigned given);
 } OptionTable;
 
-// The steps that a command takes: those asked for, or as many as the scene says.
+// Returns the number of steps of a command: that of --steps, or that of the scene.
 static inline int options_steps(const Options* options, const Scene* scene)
 {
 	return options->steps > 0 ? options->steps : scene->steps;

@@ -26,20 +26,20 @@ typedef struct // memory that is let go together
 
 FormCounts form_counts;
 static const BackendFunctions* cpu;
-static BackendFunctions functions; // of the CPU, but for run, solve and resize
+static BackendFunctions functions; // functions of the CPU, except run, solve and resize
 static Form form;
 static Pools pools;
 static Task task;
 static Kept mailboxes, parts;
-static Buffers solve_buffers, tile_buffers; // of the solve at work; of the tiles as they were laid out
+static Buffers solve_buffers, tile_buffers; // memory of the current solve; memory of the tiles as they were laid out
 static Task laid_out;
 static int run_words[1024]; // header and runs of the persistent kernel
-static bool stale;          // tiles must be laid out anew
+static bool stale;          // tiles must be laid out again
 static bool pushed;         // fields have changed forces since the last solve
 
 void form_spoil(int body, int word, uint64_t value) { mailboxes.words[body * mailbox_words + word] = value; }
 
-// Memory for so many items of so many bytes, which hold nothing in particular.
+// Allocates count items of a size in bytes, filled with a pattern that no code may depend on.
 static void* buffer(Buffers* buffers, int count, size_t bytes)
 {
 	size_t size = ((size_t)(count > 0 ? count : 1) * bytes + 63) / 64 * 64;
@@ -54,7 +54,7 @@ static void let_go(Buffers* buffers)
 		free(buffers->memory[--buffers->count]);
 }
 
-// Room for so many words. As on a device, new ones are zero.
+// Returns memory of at least count words. New words are zero, as on a device.
 static Word64* keep(Kept* kept, int count)
 {
 	if (count > kept->count)
@@ -232,7 +232,7 @@ static scree_status solve_emulated(const Solve* solve)
 	              .bound = solve->bound,
 	              .spins = form.spins ? form.spins : NEVER};
 
-	// what is written before it is read may hold anything
+	// counters that are written before they are read may hold anything
 	Counters* c = pools.counters;
 	if (solve->bound < 0 || ((const int*)c)[solve->bound] > 0)
 		c->nonfinite = c->held = c->first_nonfinite = 5;

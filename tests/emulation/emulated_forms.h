@@ -6,14 +6,14 @@
 #include "emulation/work_items.h"
 #include "scree/scree.h"
 
-typedef struct // how the solve is done
+typedef struct // the form of the solve, and the emulated device
 {
 	const char* name;
 	bool tiles;      // else the relay
 	bool persistent; // neither: all runs by the persistent kernel, and no solve by either
 	int groups;      // that the device has room for, at most
 	int group;       // work-items of each, where there are hubs; else as many as the relay has
-	int hub_groups;  // of these take hubs, at most
+	int hub_groups;  // maximum number of groups that take hubs
 	int most_spread; // work-items a constraint, where there is room; 0 for one
 	int spins;       // bound of a wait, 0 for what is never reached
 	bool ahead;      // the solve is listed before it is known whether the constraints stay, as on a GPU
@@ -32,10 +32,10 @@ typedef struct // since form_take
 	int launches, runs;            // launches of the persistent kernel, and runs in them
 	int group_stages;              // launches of stages of which a group does an item
 	int kept;                      // solves with the tiles of the one before
-	int fault;                     // of the device, FAULT_*
+	int fault;                     // fault of the device, FAULT_*
 	int looks;                     // the most of a work-item whose group was shunned
 	int puts;                      // the most of a launch
-	char sentence[ITEMS_SENTENCE]; // what went wrong first; empty while nothing did
+	char sentence[ITEMS_SENTENCE]; // first error as a sentence; empty if there is none
 } FormCounts;
 extern FormCounts form_counts;
 

@@ -5,7 +5,7 @@
 #include "emulation/work_items.h"
 #include "pools/pools.h"
 
-typedef struct // of all kernels that work on pools; each takes what it needs
+typedef struct // arguments of all kernels that work on pools; each kernel uses some of them
 {
 	const Pools* pools;
 	Word64 *mailboxes, *parts;
@@ -56,14 +56,14 @@ typedef enum
 	EMULATED_COUNT
 } EmulatedKernel;
 
-// Runs a kernel with so many groups of so many work-items.
+// Runs a kernel in a number of groups; group is the number of work-items of each.
 bool emulated_run(EmulatedKernel kernel, const Task* task, int groups, int group, const Turns* turns,
                   char sentence[ITEMS_SENTENCE]);
 
 // Runs relay_probe and returns what it says: 0, FAULT_TIMEOUT or FAULT_STALE; -1 when it came to no end.
 int probe_run(int groups, int group, int rounds, int spins, const Turns* turns);
 
-// what the host must know of the sizes of opencl/group_sizes.h
+// sizes of opencl/group_sizes.h that the host uses
 extern const int relay_group, mailbox_words, relay_tickets, stream_float4s, tile_bodies, tile_group, tile_columns,
     primitive_group, persistent_header, persistent_table, fault_timeout, fault_stale;
 

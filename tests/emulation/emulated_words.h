@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// emulated_words.h -- what kernels say in OpenCL C and C17 does not know, in terms of work_items.h. Include kernels behind it.
+// emulated_words.h -- the words of OpenCL C in kernels that C17 lacks, made of work_items.h. Include it before the kernels.
 //
 // The stages are those of stage_items.h, with groups of more than one work-item.
 #ifndef EMULATION_EMULATED_WORDS_H

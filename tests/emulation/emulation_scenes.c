@@ -114,7 +114,7 @@ static void act_heap(scree_world* world, int step)
 		OK(scree_body_destroy(world, bodies[5 + step / 20]));
 }
 
-// A plate with so many balls on it, which is a hub.
+// Adds a plate with a number of balls on it. The plate is a hub.
 static void add_plate(scree_world* world, int balls, float x, float y)
 {
 	scree_attribute_def ball = surface_of(circle_shape(0.15f));
@@ -328,7 +328,7 @@ static const Counters* counted(const scree_world* world)
 	return world->backend->f->address(world->backend, POOL_counters);
 }
 
-// What a solve counts, which is in no hash.
+// Compares the counters of a solve that are in no hash.
 static bool same_counts(const scree_world* one, const scree_world* other)
 {
 	const Counters *a = counted(one), *b = counted(other);
@@ -366,8 +366,8 @@ void check_form(const FormScene* scene, const Form* form)
 	form_close();
 }
 
-// Looks at either row that a wait takes at most. Every 1,024 those who wait look whether others have given up, and then end too:
-// long before they would by themselves.
+// Maximum number of looks at a mailbox while a work-item waits. Every 1,024 looks a waiting work-item checks whether another one has
+// given up, and then ends too, long before its own limit.
 #define BOUND 6000
 #define LEARN 4000
 

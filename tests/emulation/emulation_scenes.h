@@ -28,8 +28,8 @@ void check_fault(const char* scene, Form form);
 // The same with one word that is lost, for some words of a launch and for each of its last ones.
 void check_lost(const char* scene, Form form);
 
-// How many seeds a form is tried with on a scene: SCREE_SEEDS of the environment, else few; in quick builds one on every
-// third scene.
+// Returns the number of seeds with which a form is tried on a scene: SCREE_SEEDS of the environment, else few; in quick builds one
+// on every third scene.
 int form_seeds(int form, int scene);
 
 // Exit status of a test that cannot emulate here and says why, else 0.

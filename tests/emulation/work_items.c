@@ -28,14 +28,14 @@
 #endif
 
 #define MOST_GROUPS 512
-#define MOST_TURNS  ((int64_t)1 << 24) // of a launch: some seconds, and far more than any needs
+#define MOST_TURNS  ((int64_t)1 << 24) // limit of a launch: some seconds, and far more than any launch needs
 #define MOST_LATE   12                 // pieces on their way at a time
 
 typedef struct
 {
 	ucontext_t context;
 	char* stack;
-	void* shadow; // of the address sanitizer
+	void* shadow; // fake stack of the address sanitizer
 	int group, lane;
 	int at; // among the ready ones of its group
 	int looks;
@@ -51,7 +51,7 @@ typedef struct
 	unsigned char* memory; // its __local memory while another group has the turn
 } Group;
 
-typedef struct // of two words on their way
+typedef struct // part of two words that has not arrived yet
 {
 	volatile unsigned char* place;
 	unsigned char bytes[16];
@@ -71,9 +71,9 @@ static int item_count;
 static Group groups[MOST_GROUPS];
 static Launch launch;
 static Turns turns;
-static Item* now; // whose turn it is
+static Item* now; // work-item that has the turn
 static uint64_t state;
-static unsigned patience; // a work-item gives its turn away at one place in so many
+static unsigned patience; // mean number of places that a work-item passes before it gives its turn away
 static int64_t turns_left, put_count;
 static Piece pieces[MOST_LATE];
 static int piece_count;

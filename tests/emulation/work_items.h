@@ -2,7 +2,7 @@
 // work_items.h -- work-items of a device that is not there: all of them on one thread, in turns that a seed decides.
 //
 // Each work-item is a fiber with a stack of its own. It runs until it comes to a place where it may meet another: a look at
-// a word, a word put, an atomic, a barrier. There any other may go on. So what a run did can be told again from its seed.
+// a word, a word put, an atomic, a barrier. There any other may continue. So the seed of a run reproduces it.
 #ifndef WORK_ITEMS_H
 #define WORK_ITEMS_H
 #include <stdbool.h>
@@ -16,7 +16,7 @@ typedef struct // two words of a mailbox
 
 typedef struct
 {
-	uint64_t seed; // of the turns; not 0
+	uint64_t seed; // seed of the order of turns; not 0
 	bool late;     // words that were put arrive some time later, those of different places in any order
 	int pieces;    // bytes of two words that arrive at once: 8, or 4, which tears words; 0 for both words
 	bool leavers;  // work-items that have ended do not keep others at a barrier; else each must come to each barrier
@@ -38,7 +38,7 @@ bool items_run(const Launch* launch, const Turns* turns, char sentence[ITEMS_SEN
 // The most looks that a work-item of a group took in the last run.
 int items_looks(int group);
 
-// How many puts there were in the last run.
+// Returns the number of puts in the last run.
 int items_puts(void);
 
 // frees the stacks
@@ -52,9 +52,9 @@ const char* items_refused(void);
 // ---------------------------------------------------------------------------------------------------------------
 
 int items_group(void);      // its group
-int items_groups(void);     // of so many
+int items_groups(void);     // number of groups
 int items_lane(void);       // its place in the group
-int items_group_size(void); // of so many
+int items_group_size(void); // number of work-items in the group
 
 void items_turn(void);                        // another one may go on
 void items_meet(const char* file, int line);  // a barrier

@@ -14,7 +14,7 @@ const PATIENCE = 60000; // ms that the page may take for what is awaited
 
 export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
-// Starts a program and waits for a line that tells its port.
+// Starts a program and waits for a line that contains its port.
 function start(command, words, pattern) {
 	const child = spawn(command, words, { stdio: ['ignore', 'pipe', 'pipe'] });
 	return new Promise((resolve, reject) => {
@@ -120,7 +120,7 @@ export class Browser {
 	async screenshot() {
 		return Buffer.from(await this.call('GET', `${this.session}/screenshot`), 'base64');
 	}
-	// What the page wrote to its console as errors.
+	// Returns the errors that the page wrote to its console.
 	async complaints() {
 		const entries = await this.call('POST', `${this.session}/se/log`, { type: 'browser' });
 		return entries.filter(({ level }) => level === 'SEVERE').map(({ message }) => message);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// inspect.mjs -- what the page tells of bodies and colors: numbers under the cursor and of a selected body, follow, legends, theme; and
-// that looking changes no world.
+// inspect.mjs -- information of the page about bodies and colors: numbers under the cursor and of a selected body, follow, legends,
+// theme. Inspection changes no world.
 import { begin, middleOf, overBody, record, step } from 'tools.mjs';
 
 const SMALL = [['count', '40']];
@@ -56,7 +56,7 @@ async function checkFollow(browser, check) {
 	await browser.until(`document.querySelector('.note[data-name=follow]')`, 'a sentence that nothing is selected');
 }
 
-// A finger selects; what is destroyed is told, and selected no more.
+// A finger selects a body. When the body is destroyed, the page says so and ends the selection.
 async function checkGone(browser, check) {
 	await begin(browser, 'churn', [['columns', '6'], ['rows', '6'], ['moved', '0'], ['replaced', '0']], 1);
 	await click(browser, await overBody(browser), 'touch');

@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { inflateSync } from 'node:zlib';
 
-// How a row was made smaller, by PNG's number of the method.
+// Filters of rows, by PNG's number of the filter.
 const PREDICTED = [
 	() => 0,
 	(left) => left,

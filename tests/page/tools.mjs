@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tools.mjs -- what mouse, fingers and keys do in the page: drag, throw, blast, pause, step, begin anew, play again, compare.
+// tools.mjs -- actions of mouse, fingers and keys in the page: drag, throw, blast, pause, step, restart, replay, compare.
 import { commandLine, verdict } from '../../web/page/compare.js';
 import { decodeActions, encodeActions, makeAction } from '../../web/page/record.js';
 import { sleep } from './browser.mjs';
@@ -235,7 +235,7 @@ async function checkCompare(browser, expected, check) {
 	await browser.until(`!document.getElementById('command') && /no command line can repeat/.test(document.getElementById('compare').textContent)`, 'a sentence about a touched world');
 }
 
-// What cannot be loaded is told, and leaves a scene to play with.
+// A scene that cannot be loaded is reported, and another scene stays in the page.
 async function checkBad(browser, address, check) {
 	const sentence = () => browser.run(`return document.querySelector('.note[data-name=load]')?.textContent ?? ''`);
 	await browser.go('about:blank');

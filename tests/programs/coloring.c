@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-typedef struct // what is known of the bodies
+typedef struct // bodies: their state, and sums over their constraints
 {
 	BodyState* state;
 	int* touching;   // constraints of a body, counted here
@@ -62,7 +62,7 @@ static bool count_kind(Counted* counted, const Constraints* s, char sentence[256
 	return true;
 }
 
-// What is written of the bodies is what was counted.
+// Returns whether the pools of the bodies contain the counted values.
 static bool bodies_fit(scree_world* world, const Counted* counted, char sentence[256])
 {
 	int used = world->bodies.used;

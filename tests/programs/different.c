@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST_ITEMS 4 // of a pool that are printed
+#define MOST_ITEMS 4 // items of a pool that are printed
 
 typedef struct
 {
@@ -142,7 +142,7 @@ static void print_impulses(scree_world* const worlds[2], const Counters counters
 
 #define MOST_KEPT 22 // rows of a joint
 
-// What is kept of a joint at a place, by the names of its rows; returns how many.
+// Collects the kept rows of the joint at a place, with their names; returns their number.
 static int joint_kept(const JointRows* rows, const JointRareRows* rare, int lane, const char* names[MOST_KEPT],
                       float values[MOST_KEPT])
 {
@@ -322,7 +322,7 @@ bool state_finite(scree_world* world, char sentence[256])
 
 bool state_limited(scree_world* world, char sentence[256])
 {
-	// what rounding may add
+	// error that rounding may add
 	double slack = 1.0 + 1e-5, speed = world->def.max_speed * slack, spin = world->pipeline.step.max_spin * slack;
 	BodyState* bodies = read_items(world, POOL_body, world->bodies.used);
 	bool limited = true;

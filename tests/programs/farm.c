@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-typedef struct // what a process says of itself; shared with its parent
+typedef struct // progress of a process, shared with its parent
 {
 	uint64_t seed;
 	double since; // ms by the clock

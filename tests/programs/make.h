@@ -95,7 +95,7 @@ static inline float any_body(Maker* m) { return (float)below(m, m->bodies + 1); 
 
 // make_joint.c
 void put_joint(Maker* m);
-void put_joints(Maker* m, int count); // of a row of bodies that the last call made
+void put_joints(Maker* m, int count); // joins a row of bodies that the last call made
 void put_joint_change(Maker* m);
 void put_path(Maker* m); // or one is destroyed
 

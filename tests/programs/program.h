@@ -36,30 +36,30 @@ typedef struct
 	int count, capacity;
 } Program;
 
-typedef struct // what calls.def says of one kind
+typedef struct // line of calls.def for one kind
 {
 	const char* name;
 	int count;
 	char names[MOST_ARGUMENTS][16];
-	float values[MOST_ARGUMENTS]; // where a program does not say
+	float values[MOST_ARGUMENTS]; // defaults
 } CallInfo;
 
 // program.c
 const CallInfo* call_info(CallKind kind);
 Call call_make(CallKind kind);                            // all arguments as calls.def has them
-float call_value(const Call* call, const char* name);     // of an argument that the call has
+float call_value(const Call* call, const char* name);     // value of an argument that the call has
 void call_set(Call* call, const char* name, float value); // the same
 void program_add(Program* program, Call call);
-void program_copy(Program* to, const Program* from); // what it held is let go
+void program_copy(Program* to, const Program* from); // frees the old calls of to
 void program_close(Program* program);
 void program_write(const Program* program, FILE* file);           // a line a call, what is as in calls.def left out
-bool program_read(Program* program, FILE* file, char error[256]); // what program_write wrote
+bool program_read(Program* program, FILE* file, char error[256]); // reads the text of program_write
 
-// make.c: a program of so many calls. Programs of the same block of PROGRAM_BLOCK seeds make the same world.
+// make.c: makes a program with a number of calls. Programs of the same block of PROGRAM_BLOCK seeds make the same world.
 #define PROGRAM_BLOCK 64
 void program_make(Program* program, uint64_t seed, int calls);
 
-typedef struct // where a world runs, and the device to which the call "move" takes it; empty for none
+typedef struct // device of a world, and the device to which the call "move" takes it; empty for none
 {
 	char device[128], other[128];
 	int threads, lanes;
@@ -96,8 +96,8 @@ typedef struct
 void program_add_empty(Program* program); // calls that leave worlds as they were made, as far as calls can
 void pair_open(Pair* pair, const Place places[2]);
 void pair_close(Pair* pair);
-// Runs a program on both worlds, which are made anew unless they are empty and were made with the same call. details gets
-// what differs, unless it is null.
+// Runs a program on both worlds. They are made again unless they are empty and were made with the same call. Differences are
+// written to details, unless it is null.
 Outcome pair_run(Pair* pair, const Program* program, FILE* details);
 void pair_forget(Pair* pair); // the next program gets new worlds
 
@@ -109,13 +109,13 @@ void different_print(scree_world* a, scree_world* b, FILE* file);
 bool state_finite(scree_world* world, char sentence[256]);
 // Whether no body is faster than max_speed, or turns by more than the last step allowed; names the first that is.
 bool state_limited(scree_world* world, char sentence[256]);
-// how many bodies the last step froze
+// Returns the number of bodies that the last step froze.
 int state_frozen(scree_world* world);
 
 // coloring.c: whether colors, counts and hubs fit each other; names the first that does not.
 bool state_colored(scree_world* world, char sentence[256]);
 
-// shrink.c: the shortest program found within so many seconds that differs as well.
+// shrink.c: replaces a program by the shortest one found within a number of seconds that differs as well.
 void program_shrink(Program* program, Pair* pair, double seconds);
 
 #endif

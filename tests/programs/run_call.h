@@ -24,10 +24,10 @@ struct Names
 	Open open;
 };
 
-typedef struct // what a call left
+typedef struct // outcome of a call
 {
 	scree_status status;
-	uint64_t word; // of what it read
+	uint64_t word; // hash of the data that it read
 	char error[256];
 } Left;
 
@@ -37,7 +37,7 @@ typedef struct // a call on one of the worlds
 	scree_world* world;
 	struct Names* names;
 	const Place* place;
-	const char* home; // where the world was made
+	const char* home; // device on which the world was made
 	Left* left;
 } Turn;
 
@@ -49,7 +49,7 @@ scree_pose call_pose(const Turn* turn); // x, y, angle
 scree_body call_body(const Turn* turn, int k);
 
 #define MOST_BATCH 256
-// How many names from the one on that an argument gives: none where not all can be names.
+// Returns the number of names of a batch that begins with the name in an argument; 0 if not all of them can be names.
 int call_batch(const Turn* turn, const char* first);
 
 // run_joint.c: the calls of joints, and what can be read of them, mixed into a word.

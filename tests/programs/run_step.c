@@ -26,7 +26,7 @@ static uint64_t name_of_visit(const scree_visit* v)
 	return read_mixed(read_mixed(0x9ae16a3b2f90404fu, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
 }
 
-// Counts what began and ended. Where nothing is there any more, nothing may touch.
+// Counts the beginnings and ends of events. In an empty world, no touch and no visit may be open.
 static bool balanced(Open* open, const scree_events* events, bool empty)
 {
 	for (int k = 0; k < events->touches_ended_count; ++k)

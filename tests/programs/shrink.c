@@ -37,7 +37,7 @@ static void drop_calls(Shrink* s)
 	for (int part = s->best->count / 2; part >= 1 && !over(s); part /= 2)
 		for (int first = s->best->count - part; first >= 1 && !over(s); first -= part)
 		{
-			// what was kept may be shorter by more
+			// the program may have become shorter than this part
 			if (first + part > s->best->count)
 				continue;
 			s->trial.count = 0;

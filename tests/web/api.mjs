@@ -9,7 +9,7 @@ const box = (world, half = 0.5) => world.createAttribute({shape: scree.shapeMake
 const fails = (run, status, sentence) => assert.throws(run, (error) =>
 	error instanceof ScreeError && error.status === status && sentence.test(error.message));
 
-// errors are the sentences of scree_error; what objects do not know is refused by name
+// errors are the sentences of scree_error; unknown members of objects are refused by name
 const world = scree.createWorld({gravity: {x: 0, y: -10}});
 fails(() => world.step(-1, 4), Status.ERROR_INVALID, /^scree_world_step: dt is -1, must be 0 or from 1e-09 to 1$/);
 fails(() => world.setGravity({x: 0, y: -Infinity}), Status.ERROR_INVALID, /gravity\.y is -inf, must be finite/);
