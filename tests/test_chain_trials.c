@@ -76,7 +76,7 @@ static int compare_doubles(const void* a, const void* b)
 	return (x > y) - (x < y);
 }
 
-// The guard against tunneling lets links slide on. Box2D: gaps up to 0.2 m, of 40 links 12 m, and 405 m/s.
+// Continuous collision lets links slide on. Box2D: gaps up to 0.2 m, of 40 links 12 m, and 405 m/s.
 static void chains_slide_over_corners(void** state)
 {
 	(void)state;

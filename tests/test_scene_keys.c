@@ -28,7 +28,7 @@ typedef struct // a scene with an object of one kind
 {
 	FormatObject object;
 	const char* only;  // the one key for which it is; null: all others
-	const char* place; // of the object in the file
+	const char* place; // path of the object in the file
 	const char* text;  // %s: members of the object
 	const char* needs; // its members, separated by ;
 } Place;

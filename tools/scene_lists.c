@@ -11,7 +11,7 @@
 
 #define VISIBLE 1e5 // the tables show no bounds of this size and larger
 
-// A type as members of a JSON schema, and as words of a table; null for the types that format_read knows.
+// A type as members of a JSON schema, and as words of a table; null for the types that format_read can read itself.
 #define GENERIC          NULL, NULL
 #define NUMBER(...)      GENERIC
 #define WHOLE(...)       GENERIC
