@@ -3,25 +3,38 @@
 //
 // This header is also the manual. The shortest program is examples/hello.c.
 //
+// Terms. "attribute" and "collidable" are the words of the paper by Girgis and Wells, GPGPU Acceleration for Video Game
+// Physics Engines. An attribute is a shape with its material; Box2D calls it a shape definition (b2ShapeDef). A
+// collidable is an attribute placed on a body; other engines call it a shape (Box2D v3), a fixture (Box2D v2), a geom
+// (MuJoCo) or a collider (Unity, Rapier).
+//
 // Units are metres, kilograms, seconds and radians. Positive angles are counter-clockwise.
 //
 // Threads. Only one thread at a time may use a world. Different threads may use different worlds at the same time.
 //
 // Errors. Every function that can fail returns a scree_status. If it is not SCREE_OK, nothing has changed, except where
-// noted, and scree_error() returns one sentence that names the argument and its value.
+// noted, and scree_error() returns one sentence that names the argument and its value. A null pointer, a number that is
+// not finite and a value out of range give SCREE_ERROR_INVALID; a null or destroyed handle gives SCREE_ERROR_STALE.
 //
-// Handles consist of an index and a generation. The all-zero handle is null. Functions refuse a handle whose object has
-// been destroyed with SCREE_ERROR_STALE, but for bodies that a query ignores.
+// Handles consist of an index and a generation. The all-zero handle is null. SCREE_ERROR_STALE is also the result for a
+// handle whose object has been destroyed. The exception is a body that a query ignores: it may have been destroyed.
 //
 // Ownership. The library copies all arguments, except where noted. The caller owns every world and destroys it; a world
 // owns everything in it.
 //
-// Changes (forces, velocities, poses, ...) are collected between steps and uploaded to the device as one batch. Reading
-// anything back uploads pending changes first, so a read returns what was written.
+// Batches. A function with an array of handles or definitions and a count processes all of them or, on failure, none.
+// The count is 0 to 16,777,216; an array may be null if the count is 0.
+//
+// Lists. A function with a capacity and a pointer to a count writes at most capacity entries and sets the count to the
+// number of entries that exist. The array may be null if the capacity is 0.
+//
+// Changes (forces, velocities, poses, ...) are collected between steps and uploaded to the device as one batch. A
+// function that reads state uploads pending changes first, so it returns what was written.
 //
 // Versions. New members are added at the end of definitions and results. A definition therefore starts with its size,
 // which its default function sets; functions that fill a result receive its size (see the end of this header). Programs
-// and libraries of different versions work together; the library refuses unknown members that are set.
+// and libraries of different versions work together: a library refuses a definition in which a member that is newer
+// than the library is not 0.
 //
 // Determinism. The same calls in the same order give the same scree_world_get_hash on every device, with any number of
 // threads and lanes, and with every compiler that follows IEEE 754.
@@ -52,7 +65,8 @@ extern "C" {
 #define SCREE_VERSION_MINOR 2
 #define SCREE_VERSION_PATCH 0
 
-// Maximum vertices of a convex polygon. The narrow phase clips in registers; a larger limit would slow down every pair.
+// Maximum number of vertices of a convex polygon. The narrow phase clips in registers; a larger limit would slow down
+// every pair.
 #define SCREE_MAX_VERTICES 8
 
 // Largest coordinate, in metres; larger ones are refused. The spacing of floats is 8 mm there.
@@ -71,17 +85,17 @@ typedef enum scree_status
 	SCREE_ERROR_NO_DEVICE = 4,     // the requested device does not exist or is not bit-identical to the CPU
 	SCREE_ERROR_DEVICE_FAILED = 5, // the driver reported an error; the world can only be destroyed
 	SCREE_ERROR_NOT_SUPPORTED = 6, // the device does not support this operation; nothing changed
-	SCREE_ERROR_CONTACT_LIMIT =
-	    7, // scree_world_step: more contacts than scree_world_def.contact_limit; nothing changed
+	SCREE_ERROR_CONTACT_LIMIT = 7, // a step found more contacts than scree_world_def.contact_limit; nothing changed
 } scree_status;
 
-// The message of the last failure on this thread, or an empty string. Valid until the next failing call.
+// Returns the message of the last failure on this thread, or an empty string. The library owns the string; it is valid
+// until the next failing call on this thread.
 SCREE_API const char* scree_error(void);
 
-// The name of a status, "ok", "invalid", ...; never null.
+// Returns the name of a status ("ok", "invalid", ...), a constant string; never null.
 SCREE_API const char* scree_status_name(scree_status status);
 
-// "0.2.0": major, minor and patch
+// Returns the version of the library, major, minor and patch: "0.2.0", a constant string.
 SCREE_API const char* scree_version(void);
 
 typedef enum scree_log_level
@@ -105,7 +119,7 @@ typedef struct scree_hooks
 // one of allocate and release is set.
 SCREE_API scree_status scree_hooks_set(const scree_hooks* hooks);
 
-// Host memory that the library currently uses, in bytes.
+// Returns the host memory that the library currently uses, in bytes.
 SCREE_API size_t scree_memory(void);
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -117,7 +131,7 @@ typedef struct scree_vec
 	float x, y;
 } scree_vec;
 
-// A rotation as cosine and sine; c * c + s * s is 1.
+// A rotation as cosine and sine; c * c + s * s is 1. Functions accept lengths from 0.9995 to 1.0005 and normalize them.
 typedef struct scree_rot
 {
 	float c, s;
@@ -131,52 +145,54 @@ typedef struct scree_pose
 
 typedef struct scree_velocity
 {
-	scree_vec linear; // m/s, of the center of mass
+	scree_vec linear; // m/s, velocity of the center of mass
 	float angular;    // rad/s
 } scree_velocity;
 
 typedef struct scree_box
 {
-	scree_vec lower, upper;
+	scree_vec lower, upper; // m
 } scree_box;
 
-// The rotation by an angle in radians. Uses Scree's own polynomials, which give the same bits on every machine.
+// Returns the rotation by an angle in radians. The sine and cosine are Scree's own polynomials, which give the same
+// bits on every machine.
 SCREE_API scree_rot scree_rot_make(float radians);
 
-// The angle of a rotation, in [-pi, pi] radians, from Scree's own polynomial.
+// Returns the angle of a rotation, in [-pi, pi] radians. The arc tangent is Scree's own polynomial.
 SCREE_API float scree_rot_get_angle(scree_rot rotation);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Devices
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef enum scree_sharing // how render rows get into an OpenGL buffer; the best way is last
+typedef enum scree_sharing // transfer of render rows to an OpenGL buffer; the fastest way is last
 {
 	SCREE_SHARING_COPIED, // through host memory: scree_world_get_render_rows, then upload to the buffer
 	SCREE_SHARING_MEMORY, // cl_khr_external_memory with file descriptors: scree_world_share_memory
 	SCREE_SHARING_OPENGL, // cl_khr_gl_sharing: scree_world_share_opengl
 } scree_sharing;
 
-// "copied", "shared through external memory", "shared with OpenGL"
+// Returns "copied", "shared through external memory" or "shared with OpenGL", a constant string.
 SCREE_API const char* scree_sharing_name(scree_sharing sharing);
 
 typedef struct scree_device
 {
 	char name[128];        // valid as scree_world_def.device: "cpu", "opencl:NVIDIA H200"
 	char driver[128];      // platform and driver version; for the CPU its widest lanes
-	bool equal_bits;       // whether results are bit-identical to the CPU's
-	char reason[192];      // if not, why, and what to do; otherwise empty
+	bool equal_bits;       // true if results are bit-identical to those of the CPU
+	char reason[192];      // if equal_bits is false: the cause and the remedy; otherwise empty
 	int compute_units;     // CPU threads or OpenCL compute units
 	uint64_t memory;       // bytes
-	scree_sharing sharing; // the best way that its driver supports
+	scree_sharing sharing; // the fastest way that its driver supports
 	uint8_t uuid[16];      // device UUID as in OpenGL and Vulkan; zero if the driver does not report it
 } scree_device;
 
 // Lists the devices of this machine, the CPU first. Writes at most capacity entries (devices may be null if capacity is
-// 0) and sets count to the total number. Without OpenCL, scree_opencl_hint tells what to install.
+// 0) and sets count to the total number. Without OpenCL, scree_opencl_hint returns the remedy.
 static inline scree_status scree_devices_get(scree_device* devices, int capacity, int* count);
 
-// One sentence that tells what to install to get an OpenCL device, or an empty string if there is one.
+// Returns one sentence that names what to install to get an OpenCL device, or an empty string if there is one. The
+// library owns the string.
 SCREE_API const char* scree_opencl_hint(void);
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -207,30 +223,35 @@ typedef struct scree_world_def
 	int lanes;               // CPU SIMD lanes: 1, 4, 8 or 16; 0 (default): the widest that the processor supports
 	bool allow_unequal_bits; // accept a device whose results are not bit-identical; default false
 	bool timings;            // measure each stage (scree_world_get_timings); slows down a GPU slightly; default false
-	// contact stiffness, Hz, 1e-3 to 1e6, default 40; limited to 1/6 of the substep rate; where contacts are deep, 3 % more, to 2/3 of the step rate
+	// Contact stiffness, Hz, 1e-3 to 1e6, default 40. The effective frequency is at most 1/6 of the substep rate. For deep
+	// contacts it is 1.03 times that value, but at most 2/3 of the step rate.
 	float contact_hertz;
 	float contact_damping_ratio; // 0 to 1e6, default 10
-	float contact_push_speed;    // maximum speed that pushes a pair apart, m/s, 0 to SCREE_MAX_COORDINATE, default 3
+	float contact_push_speed;    // maximum speed at which overlapping pairs are pushed apart, m/s,
+	                             // 0 to SCREE_MAX_COORDINATE, default 3
 	float restitution_threshold; // slower impacts do not bounce, m/s, >= 0, default 1
-	float
-	    max_speed; // limit at the end of a step, m/s, 1e-3 to SCREE_MAX_COORDINATE, default 400. Rotation is limited to pi
-	               // radians per step and pi / 4 per substep
+	// Speed limit at the end of a step, m/s, 1e-3 to SCREE_MAX_COORDINATE, default 400. Rotation is limited to pi radians
+	// per step and pi / 4 per substep.
+	float max_speed;
 	const scree_opengl* opengl; // null (default), or the context for scree_world_share_opengl. The struct is copied;
 	                            // the context must outlive the world
-	int body_capacity;          // initial capacity, grows on demand; 0 (default): small
-	int contact_capacity;       // the same for contacts
-	int contact_limit;          // maximum number of contacts, 300 bytes each; a step that finds more fails with
-	                            // SCREE_ERROR_CONTACT_LIMIT. 0 (default): 32 per collidable, but at least 2 million
-	// Contacts report what they did in the last step: scree_contact.details. Costs up to 5 % of the solve and 36 bytes per
-	// contact; changes no motion. Default false.
+	int body_capacity;          // initial capacity, 0 to 16,777,216, grows on demand; 0 (default): small
+	int contact_capacity;       // the same for contacts, 0 to 134,217,728
+	int contact_limit;          // maximum number of contacts, 0 to 134,217,728, 300 bytes each; a step that finds more
+	    // fails with SCREE_ERROR_CONTACT_LIMIT. 0 (default): 32 per collidable, at least 2 million
+	// Fills scree_contact.details with data of the last step. Costs up to 5 % of the solve and 36 bytes per contact;
+	// changes no motion. Default false.
 	bool contact_details;
-	float hit_speed;   // slower approaches are no scree_hit, m/s, >= 0, default 1
-	float hit_impulse; // nor are smaller impulses, N s, >= 0, default 0
+	float hit_speed;   // a contact with a lower approach speed is not a scree_hit, m/s, >= 0, default 1
+	float hit_impulse; // a contact with a smaller impulse is not a scree_hit, N s, >= 0, default 0
 } scree_world_def;
 
+// Returns a definition with the default values.
 static inline scree_world_def scree_world_def_default(void);
 
-// Creates a world. The caller owns *world and destroys it with scree_world_destroy. On failure *world is null.
+// Creates a world. The caller owns *world and destroys it with scree_world_destroy. On failure *world is null. Fails
+// with SCREE_ERROR_NO_DEVICE if def->device does not exist, or if its results differ from those of the CPU and
+// allow_unequal_bits is false.
 //
 // With device "auto" the world starts on the CPU. scree_world_step moves it to a GPU, and back, when steps are faster
 // there, and logs both times (SCREE_LOG_INFO). A background thread opens the GPU once the world is large enough to gain
@@ -241,29 +262,30 @@ SCREE_API scree_status scree_world_create(const scree_world_def* def, scree_worl
 // Destroys a world and everything in it. world may be null.
 SCREE_API void scree_world_destroy(scree_world* world);
 
-// Advances a world by dt seconds (1e-9 to 1, or 0) in 1 to 64 substeps. Typical values are 1/60 and 4. Based on Erin Catto,
-// Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
+// Advances a world by dt seconds (1e-9 to 1, or 0) in 1 to 64 substeps. Typical values are 1/60 and 4. Method: Erin
+// Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
 //
-// A step of dt 0 only detects: contacts and overlaps begin and end at the current poses, so that they can be read as soon
-// as a world was built or a body was placed, with scree_counters.penetration. Poses, velocities, forces, targets and the
-// impulses of existing points stay; a new contact has no impulse. The step counts in scree_counters.steps, and
-// scree_traffic is zero after it. It leaves the same bits on every device. Later steps differ in their bits from those
-// without it, because boxes and contacts were updated at another time.
+// A step of dt 0 only detects contacts: contacts and overlaps begin and end at the current poses. Thus they can be
+// read, together with scree_counters.penetration, as soon as a world is built or a body is placed. Poses, velocities,
+// forces, targets and the impulses of existing contact points stay; a new contact has no impulse. The step counts in
+// scree_counters.steps, and scree_traffic is zero after it. It leaves the same bits on every device. Later steps differ
+// in their bits from those without it, because boxes and contacts were updated at another time.
 //
 // The number of contacts grows with the square of the number of bodies in one place. If it exceeds
-// scree_world_def.contact_limit, the step fails with SCREE_ERROR_CONTACT_LIMIT; the message names the most crowded place and
-// the number of collidables there. If memory for the contacts runs out, the step fails with SCREE_ERROR_OUT_OF_MEMORY.
-// In both cases nothing has changed; move bodies apart or destroy some, and step again.
+// scree_world_def.contact_limit, the step fails with SCREE_ERROR_CONTACT_LIMIT; the message names the most crowded
+// place and the number of collidables there. If memory for the contacts runs out, the step fails with
+// SCREE_ERROR_OUT_OF_MEMORY. In both cases nothing has changed; move bodies apart or destroy some, and step again.
 //
 // A later failure (the device fails, or has no memory left for the solver) cannot be undone. The error is sticky: from
 // then on every call that uses the world returns the same status, and the world can only be destroyed.
 SCREE_API scree_status scree_world_step(scree_world* world, float dt, int substeps);
 
-// Gravity, m/s^2; components must be finite.
+// Sets the gravity, m/s^2; its components must be finite.
 SCREE_API scree_status scree_world_set_gravity(scree_world* world, scree_vec gravity);
+// Returns the gravity, m/s^2.
 SCREE_API scree_status scree_world_get_gravity(const scree_world* world, scree_vec* gravity);
 
-typedef struct scree_tuning // the members of scree_world_def of the same names
+typedef struct scree_tuning // the members of scree_world_def with the same names
 {
 	uint32_t size; // set by scree_world_get_tuning
 	float contact_hertz;
@@ -273,18 +295,21 @@ typedef struct scree_tuning // the members of scree_world_def of the same names
 	float max_speed;
 } scree_tuning;
 
-// Solver tuning; changes take effect with the next step. Get it, change members, set it. Units and ranges are those of
-// scree_world_def.
+// Returns the parameters of the solver. Units and ranges are those of scree_world_def.
 static inline scree_status scree_world_get_tuning(const scree_world* world, scree_tuning* tuning);
+
+// Sets the parameters of the solver, from the next step on. To change some of them, pass a changed result of
+// scree_world_get_tuning.
 SCREE_API scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuning);
 
-// The device on which the world currently runs, as in scree_device.name. The string is owned by the world and changes
-// when the world moves.
+// Returns the name of the device on which the world currently runs, as in scree_device.name. The world owns the string,
+// which changes when the world moves.
 SCREE_API const char* scree_world_get_device(const scree_world* world);
 
-// Moves a world to another device between two steps. device is "cpu", "opencl" or "opencl:NAME" to stay there, or
-// "auto" to let scree_world_step choose from now on. The world continues with the same bits: hash, handles, contacts,
-// impulses and pending changes are kept. Threads, lanes, allow_unequal_bits and timings are those of its definition.
+// Moves a world to another device between two steps. With "cpu", "opencl" or "opencl:NAME" the world stays on that
+// device; with "auto" scree_world_step chooses from now on. The world continues with the same bits: hash, handles,
+// contacts, impulses and pending changes are kept. Threads, lanes, allow_unequal_bits and timings are those of the
+// world's definition.
 //
 // A move opens the device (about 0.3 s for a GPU) and transfers about 1 kB per body; both devices hold the world
 // meanwhile. On failure (SCREE_ERROR_NO_DEVICE, SCREE_ERROR_OUT_OF_MEMORY, ...) the world stays unchanged on its
@@ -292,17 +317,18 @@ SCREE_API const char* scree_world_get_device(const scree_world* world);
 // scree_world_step.
 SCREE_API scree_status scree_world_move(scree_world* world, const char* device);
 
-// CPU threads and lanes in use; 0 on an OpenCL device.
+// Returns the number of CPU threads in use; 0 on an OpenCL device.
 SCREE_API int scree_world_get_threads(const scree_world* world);
+// Returns the number of CPU SIMD lanes in use; 0 on an OpenCL device.
 SCREE_API int scree_world_get_lanes(const scree_world* world);
 
-// A 64-bit hash of all simulated state. Worlds with equal state have equal hashes on every device.
+// Computes a 64-bit hash of all simulated state. Worlds with equal state have equal hashes on every device.
 SCREE_API scree_status scree_world_get_hash(scree_world* world, uint64_t* hash);
 
 typedef struct scree_counters
 {
-	int bodies, dynamic_bodies;  // alive
-	int collidables, attributes; // alive
+	int bodies, dynamic_bodies;  // existing now
+	int collidables, attributes; // existing now
 	int contacts;                // pairs whose enlarged boxes overlap
 	int touching;                // contacts with manifold points, speculative ones included
 	int colors;                  // colors in use
@@ -310,29 +336,30 @@ typedef struct scree_counters
 	int updated_boxes;           // collidables whose enlarged box changed in the last step
 	int new_contacts;            // contacts found in the last step
 	int reallocations;           // buffer reallocations since the world was created
-	int frozen_bodies; // bodies frozen in the last step because their state became infinite or NaN. No force, impulse or
-	                   // ratio of masses is known to do that. A body that reaches 1e8 m stops there
-	int stopped_bodies;    // bodies that were stopped in the last step because they would have tunneled through
-	                       // something static or dynamic, or got far into it because something kinematic presses them
-	float penetration;     // deepest overlap at the start of the last step, m
-	int64_t steps;         // steps taken, those of dt 0 included
+	int frozen_bodies;  // bodies frozen in the last step because their state became infinite or NaN. No force, impulse
+	                    // or mass ratio that causes this is known. A body that reaches 1e8 m is stopped there
+	int stopped_bodies; // bodies stopped in the last step because they would have tunneled through a static or dynamic
+	                    // body, or because a kinematic body pressed them too far into one
+	float penetration;  // deepest overlap at the start of the last step, m
+	int64_t steps;      // steps taken, those of dt 0 included
 	uint64_t device_bytes; // device memory of the pools, bytes
-	float joint_gap; // widest gap of a joint at the start of the last step, m: by how much a distance is off that a
-	                 // rigid lock holds. Locks with a lock_hertz of their own, gears and pulleys do not count. More
-	                 // than some mm in a world at rest means that joints shake or are overloaded
+	// Widest gap of a joint at the start of the last step, m: the largest error of a distance that a rigid lock holds.
+	// Locks with a lock_hertz of their own, gears and pulleys do not count. In a world at rest, a gap of more than some
+	// mm means that joints shake or are overloaded.
+	float joint_gap;
 } scree_counters;
 
-// bodies, dynamic_bodies, collidables and attributes are current; the other counters are those of the last step.
+// Returns the counters: bodies, dynamic_bodies, collidables and attributes of now, the others of the last step.
 static inline scree_status scree_world_get_counters(scree_world* world, scree_counters* counters);
 
 typedef struct scree_timings // milliseconds of the last step; zero unless scree_world_def.timings is set
 {
 	float step; // wall-clock time of scree_world_step, from the upload of changes until the device has finished
 	float transform, broad_phase, narrow_phase, color, solve, finalize;
-	float queries; // of the last call of queries, without transfers
+	float queries; // time of the last call of queries, without transfers
 } scree_timings;
 
-// The times of the last step. Zero before the first step.
+// Returns the times of the last step. They are zero before the first step.
 static inline scree_status scree_world_get_timings(scree_world* world, scree_timings* timings);
 
 typedef struct scree_traffic // memory traffic of the solve stage in the last step
@@ -340,17 +367,17 @@ typedef struct scree_traffic // memory traffic of the solve stage in the last st
 	int constraints;           // touching contacts that were solved
 	int passes;                // passes over all constraints
 	uint64_t constraint_bytes; // read and written for constraints, which are streamed in every pass
-	uint64_t body_bytes;       // read and written for bodies, much of which caches can serve
+	uint64_t body_bytes;       // read and written for bodies; caches can serve much of it
 } scree_traffic;
 
-// The bytes that the solve stage of the last step read and wrote, counted from the algorithm: the same on every device,
-// regardless of caches. The sum of both byte counts divided by scree_timings.solve is the achieved bandwidth. Zero
-// before the first step.
+// Returns the number of bytes that the solve stage of the last step read and wrote. They are counted from the
+// algorithm: the same on every device, regardless of caches. The sum of both byte counts divided by scree_timings.solve
+// is the achieved bandwidth. All members are zero before the first step.
 static inline scree_status scree_world_get_traffic(scree_world* world, scree_traffic* traffic);
 
 // Measures the copy bandwidth of the world's device, in bytes per second, reads plus writes; a CPU uses all threads.
-// Takes some milliseconds on a GPU and up to a second elsewhere. Allocates 512 MB for that time, or less if there is
-// less. The world does not change.
+// Takes some milliseconds on a GPU and up to a second elsewhere. Allocates 512 MB meanwhile, or less if the device has
+// less free memory. The world does not change.
 SCREE_API scree_status scree_world_measure_bandwidth(scree_world* world, double* bandwidth);
 
 // Blocks until the device has finished all queued work.
@@ -383,93 +410,111 @@ typedef enum scree_shape_kind
 	SCREE_SHAPE_POLYGON,
 } scree_shape_kind;
 
-// A shape in local coordinates: all points within radius of the convex hull of the vertices.
+// A shape in local coordinates: all points within radius of the convex hull of the vertices. The scree_shape_make_*
+// functions fill all members. Functions that take a shape compute normals, centroid, area, inertia and reach
+// themselves.
 typedef struct scree_shape
 {
 	scree_shape_kind kind;
 	int count;                              // 1 circle, 2 capsule and segment, 3 to 8 polygon
 	float radius;                           // m; polygon: rounding radius; segment: 0
-	scree_vec vertices[SCREE_MAX_VERTICES]; // polygon: convex, counter-clockwise
-	scree_vec normals[SCREE_MAX_VERTICES];  // outward, of the edge from vertex i to i + 1; filled by scree_shape_make_*
-	scree_vec centroid;                     // filled by scree_shape_make_*
-	float area;                             // m^2; 0 for a segment; filled by scree_shape_make_*
-	float inertia; // m^4: about the centroid, per unit of density; filled by scree_shape_make_*
-	float reach;   // m: largest distance from the origin to a point of the shape; filled by scree_shape_make_*
+	scree_vec vertices[SCREE_MAX_VERTICES]; // m; polygon: convex, counter-clockwise
+	scree_vec normals[SCREE_MAX_VERTICES];  // outward unit normal of the edge from vertex i to i + 1
+	scree_vec centroid;                     // m
+	float area;                             // m^2; 0 for a segment
+	float inertia;                          // m^4: about the centroid, per unit of density
+	float reach;                            // m: largest distance from the origin to a point of the shape
 } scree_shape;
 
-// Make a shape; lengths in m. Each fails with SCREE_ERROR_INVALID if a value is not finite, a size is below 1 mm, or a
-// coordinate exceeds SCREE_MAX_COORDINATE. Bodies of 4 cm and more suit the solver best; smaller ones, down to 2 mm, come to rest too, heaps of
-// them with at least 4 substeps (docs/manifolds.md, "Small bodies").
+// Functions that make a shape. Lengths are in m. They fail with SCREE_ERROR_INVALID if a value is not finite, a size is
+// below 1 mm, or a coordinate exceeds SCREE_MAX_COORDINATE. Bodies of 4 cm and more suit the solver best; smaller ones,
+// down to 2 mm, come to rest too, heaps of them with at least 4 substeps (docs/manifolds.md, "Small bodies").
+
+// Makes a box around the origin, a polygon of 4 corners; half sizes in m.
 SCREE_API scree_status scree_shape_make_box(float half_width, float half_height, scree_shape* shape);
+
+// Makes a circle; center and radius in m.
 SCREE_API scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape* shape);
+
+// Makes a capsule: all points within radius of the line from a to b, in m. a and b are at least 1 mm apart.
 SCREE_API scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape);
+
+// Makes a line from a to b, in m, without area. a and b are at least 1 mm apart.
 SCREE_API scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* shape);
 
-// A convex polygon of 3 to 8 corners in clockwise or counter-clockwise order, rounded by radius (m; 0: sharp). Fails
-// with SCREE_ERROR_INVALID if a corner is concave, collinear or coincident; scree_shape_make_hull drops such corners. A corner is
-// coincident if it is closer to another than a twentieth of the largest distance of two corners, at most 5 mm and at least 0.5 mm;
-// it is collinear if it is closer than a tenth of that to the line between its neighbors.
+// Makes a convex polygon of 3 to 8 corners in clockwise or counter-clockwise order, rounded by radius (m; 0: sharp).
+// Fails with SCREE_ERROR_INVALID if a corner is concave, collinear or coincident; scree_shape_make_hull drops such
+// corners. A corner is coincident if its distance to another is less than a twentieth of the largest distance of two
+// corners; this limit is at most 5 mm and at least 0.5 mm. It is collinear if its distance to the line between its
+// neighbors is less than a tenth of that limit.
 SCREE_API scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape);
 
-// The convex hull of 3 to 64 points. Coincident points are merged, collinear corners dropped, as above. Fails with
-// SCREE_ERROR_INVALID if the hull has fewer than 3 or more than 8 corners. Method: Barber, Dobkin, Huhdanpaa, The
-// Quickhull Algorithm for Convex Hulls, 1996.
+// Makes the convex hull of 3 to 64 points (m), rounded by radius (m). Coincident points are merged and collinear
+// corners dropped, by the limits of scree_shape_make_polygon. Fails with SCREE_ERROR_INVALID if the hull has fewer than
+// 3 or more than 8 corners. Method: Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996.
 SCREE_API scree_status scree_shape_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape);
 
-// Transforms a shape: rotates it by pose.rotation, then translates it by pose.position.
+// Transforms a shape: rotates it by pose.rotation, then translates it by pose.position. transformed may be shape.
 SCREE_API scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* transformed);
 
 typedef struct scree_attribute_def
 {
 	uint32_t size; // set by scree_attribute_def_default
 	scree_shape shape;
-	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1; of a body without any mass see scree_body_get_mass
+	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1; scree_body_get_mass describes bodies without mass
 	float friction;           // 0 to 1e6, default 0.6; a pair uses the geometric mean, at most 1000
 	float restitution;        // 0 to 100, default 0; above 1 it adds speed; a pair uses the larger value
 	float rolling_resistance; // 0 to 1e6, default 0; times the larger radius of the pair it is a lever arm in m
-	float tangent_speed;      // speed of a conveyor belt along the surface, m/s, default 0; clockwise around the
-	                          // shape if positive, so that a body on top moves to the right
-	scree_vec one_way; // if it is not 0: a one-way platform, solid only for what comes from this side; a direction
-	                   // in the frame of the shape, at least 1e-3 long. docs/rules.md; default 0
-	int material;      // 0 to 255, default 0: what scree_world_set_material_pair names
+	float tangent_speed; // speed of a conveyor belt along the surface, m/s, within SCREE_MAX_COORDINATE, default 0;
+	                     // clockwise around the shape if positive, so that a body on top moves to the right
+	// A vector other than 0 makes a one-way platform: it is solid only for bodies that come from the side to which the
+	// vector points. In the frame of the shape, at least 1e-3 long; default 0. docs/rules.md has the rules.
+	scree_vec one_way;
+	int material; // 0 to 255, default 0: the material for scree_world_set_material_pair
 } scree_attribute_def;
 
-// Default values, with a box 1 m wide and high.
+// Returns a definition with the default values and a box 1 m wide and high.
 static inline scree_attribute_def scree_attribute_def_default(void);
 
-// Creates an attribute, or returns the existing one with equal values. Attributes are immutable and live until they are
-// destroyed, or their world is.
+// Creates an attribute, or returns the existing one with equal values. Attributes are immutable. An attribute exists
+// until it is destroyed, or its world is.
 SCREE_API scree_status scree_attribute_create(scree_world* world, const scree_attribute_def* def,
                                               scree_attribute* attribute);
 
-// Releases what one scree_attribute_create returned. An attribute that was created several times, by equal values, is
-// destroyed by the last of as many calls, which is refused (SCREE_ERROR_INVALID) while a collidable uses the attribute.
-// Later attributes reuse the slot; the handle stays stale.
+// Reverts one scree_attribute_create. An attribute that was created several times, with equal values, is destroyed by
+// the last of as many calls. That last call fails with SCREE_ERROR_INVALID while a collidable uses the attribute. Later
+// attributes reuse the slot; the handle stays stale.
 SCREE_API scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribute);
+
+// Returns true if the handle refers to an existing attribute.
 SCREE_API bool scree_attribute_is_valid(const scree_world* world, scree_attribute attribute);
 
-// The values from which an attribute was created.
+// Returns the values with which an attribute was created.
 static inline scree_status scree_attribute_get_def(const scree_world* world, scree_attribute attribute,
                                                    scree_attribute_def* def);
 
-typedef struct scree_material_pair // what a pair of materials does instead of what their attributes say
+typedef struct scree_material_pair // surface values of a pair of materials, which replace those of their attributes
 {
 	uint32_t size;     // set by scree_material_pair_default
-	float friction;    // 0 to 1e6, at most 1000 counts; NaN (default): as ever
-	float restitution; // 0 to 100; NaN (default): as ever
-	bool ignored;      // they pass through each other, as if their filters kept them apart; default false
-	// m/s, within SCREE_MAX_COORDINATE: how fast the two surfaces run past each other, clockwise around each of the two shapes if
-	// positive; NaN (default): the sum of both, as ever
+	float friction;    // 0 to 1e6, at most 1000 is used; NaN (default): the attributes' mixing rule
+	float restitution; // 0 to 100; NaN (default): the attributes' mixing rule
+	bool ignored;      // the two pass through each other, as if their filters kept them apart; default false
+	// Relative speed of the two surfaces, m/s, within SCREE_MAX_COORDINATE, clockwise around each of the two shapes if
+	// positive; NaN (default): the sum of the attributes' tangent speeds.
 	float tangent_speed;
 } scree_material_pair;
 
+// Returns a pair that changes nothing: NaN for all values, not ignored.
 static inline scree_material_pair scree_material_pair_default(void);
 
-// Says what collidables of two materials (0 to 255, also twice the same) do with each other; the order of the two makes no difference.
-// pair null: nothing but what their attributes say. Takes effect in the next step, also where they touch already: a contact that is
-// ignored from now on ends with its event, and one that is not any more begins anew.
+// Sets the surface values for contacts between two materials (0 to 255; they may be equal); their order makes no
+// difference. A null pair restores the values of the attributes. The change takes effect in the next step, also for
+// existing contacts: a contact that becomes ignored ends with its event, and a new contact begins when the pair is no
+// longer ignored.
 SCREE_API scree_status scree_world_set_material_pair(scree_world* world, int material_a, int material_b,
                                                      const scree_material_pair* pair);
+
+// Returns the values that were set for two materials (0 to 255), or those of scree_material_pair_default.
 static inline scree_status scree_world_get_material_pair(const scree_world* world, int material_a, int material_b,
                                                          scree_material_pair* pair);
 
@@ -504,28 +549,29 @@ enum // bits of scree_body_def.locks
 };
 
 // Two collidables may touch if the category of each is in the mask of the other. If both have the same non-zero group,
-// only the group decides: positive always, negative never.
+// only the group decides: a positive group always allows contact, a negative one never.
 typedef struct scree_filter
 {
 	uint64_t category; // default 1
-	uint64_t mask;     // default all
+	uint64_t mask;     // default all bits
 	int32_t group;     // default 0
 } scree_filter;
 
-enum // bits of scree_collidable_def.reports: which events list a collidable. One of the two needs the bit
+enum // bits of scree_collidable_def.reports: events of a collidable that are listed; one side of a contact needs the bit
 {
 	SCREE_REPORT_TOUCHES = 1,  // scree_events.touches_began, touches_ended
 	SCREE_REPORT_HITS = 2,     // scree_events.hits
-	SCREE_REPORT_APPROVAL = 4, // scree_events.approvals: what it begins to touch waits for scree_world_approve_contacts
+	SCREE_REPORT_APPROVAL = 4, // scree_events.approvals: new contacts are pending until scree_world_approve_contacts
 };
 
-// Bits of scree_body_def.sensor and scree_collidable_def.sensor: what a sensor sees. A sensor touches nothing, and nothing stops at
-// it; it says what overlaps it (scree_events.visits_began, scree_collidable_get_visits). It may belong to a body of any type, or to
-// none, sees nothing of its own body, and adds to the body's mass unless its density is 0. Filters apply, joints do not.
+// Bits of scree_body_def.sensor and scree_collidable_def.sensor: the kinds of collidables that a sensor detects. A
+// sensor touches nothing and stops nothing; it reports the collidables that overlap it (scree_events.visits_began,
+// scree_collidable_get_visits). It may belong to a body of any type, or to none. It does not detect collidables of its
+// own body. It adds to the mass of its body unless its density is 0. Filters apply to sensors, joints do not.
 enum
 {
 	SCREE_SENSOR_MOVING = 1,  // collidables of dynamic and kinematic bodies
-	SCREE_SENSOR_STATIC = 2,  // of static bodies, or without a body
+	SCREE_SENSOR_STATIC = 2,  // collidables of static bodies, or without a body
 	SCREE_SENSOR_SENSORS = 4, // other sensors
 };
 
@@ -533,90 +579,116 @@ typedef struct scree_body_def
 {
 	uint32_t size;             // set by scree_body_def_default
 	scree_body_type type;      // default SCREE_BODY_DYNAMIC
-	scree_pose pose;           // of the body's origin; default: the world's origin, not rotated
-	scree_velocity velocity;   // of the center of mass; default 0
+	scree_pose pose;           // pose of the body's origin; default: the world's origin, not rotated
+	scree_velocity velocity;   // velocity of the center of mass, components within SCREE_MAX_COORDINATE; default 0
 	float gravity_scale;       // default 1
 	float linear_damping;      // 1/s, >= 0, default 0
 	float angular_damping;     // 1/s, >= 0, default 0
 	uint32_t locks;            // bits of SCREE_LOCK_*; default 0
-	scree_attribute attribute; // if not null: the body gets one collidable with it, at the body's origin
-	scree_filter filter;       // of that collidable
+	scree_attribute attribute; // if not null, the body gets one collidable with this attribute, at the body's origin
+	scree_filter filter;       // filter of that collidable
 	uint64_t user;             // user data of the body and of that collidable, not simulated; default 0
-	bool disabled;             // starts disabled, see scree_body_set_enabled; default false
-	uint32_t reports;          // of that collidable: bits of SCREE_REPORT_*; default 0
-	uint32_t sensor;           // of that collidable: bits of SCREE_SENSOR_*; default 0
+	bool disabled;             // true: the body starts disabled (scree_body_set_enabled); default false
+	uint32_t reports;          // bits of SCREE_REPORT_* for that collidable; default 0
+	uint32_t sensor;           // bits of SCREE_SENSOR_* for that collidable; default 0: it is not a sensor
 } scree_body_def;
 
+// Returns a definition with the default values, without a collidable.
 static inline scree_body_def scree_body_def_default(void);
+
+// Returns the filter that allows contact with all collidables: category 1, all bits of the mask, group 0.
 SCREE_API scree_filter scree_filter_default(void);
 
 // Creates count bodies from count definitions and writes their handles to bodies (may be null). On failure no body is
-// created.
+// created. A world holds at most 16,777,216 bodies.
 SCREE_API scree_status scree_bodies_create(scree_world* world, const scree_body_def* defs, int count,
                                            scree_body* bodies);
+
+// Creates one body and writes its handle to *body (may be null).
 SCREE_API scree_status scree_body_create(scree_world* world, const scree_body_def* def, scree_body* body);
 
-// Destroys bodies with their collidables and contacts. On failure, for instance because a body is named twice, none is
-// destroyed.
+// Destroys bodies with their collidables, contacts, joints and fields. On failure, for instance because a body is twice
+// in the batch, none is destroyed.
 SCREE_API scree_status scree_bodies_destroy(scree_world* world, const scree_body* bodies, int count);
+// Destroys one body, as above.
 SCREE_API scree_status scree_body_destroy(scree_world* world, scree_body body);
 
+// Returns true if the handle refers to an existing body.
 SCREE_API bool scree_body_is_valid(const scree_world* world, scree_body body);
 
 // Writes the handles of up to capacity bodies in ascending index order, and sets count to the number of bodies.
 SCREE_API scree_status scree_world_get_bodies(const scree_world* world, scree_body* bodies, int capacity, int* count);
 
-// Batches. Each takes count handles and count values. On failure nothing has changed. If a body is named twice, both
-// values are applied, in order. Forces, torques and impulses act on dynamic bodies only.
+// Batches. Each function takes count handles and count values. On failure nothing has changed. If a body is twice in
+// the batch, both values are applied, in order. Forces, torques and impulses act on dynamic bodies only and may have
+// any finite value; points are within SCREE_MAX_COORDINATE.
+
+// Adds forces in N, which act at the centers of mass during the next step.
 SCREE_API scree_status scree_bodies_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces,
-                                                 int count); // N, at the center of mass, during the next step
+                                                 int count);
+
+// Adds torques in N m, which act during the next step.
 SCREE_API scree_status scree_bodies_apply_torques(scree_world* world, const scree_body* bodies, const float* torques,
-                                                  int count); // N m, during the next step
+                                                  int count);
+
+// Applies impulses in N s at the centers of mass, immediately.
 SCREE_API scree_status scree_bodies_apply_impulses(scree_world* world, const scree_body* bodies,
-                                                   const scree_vec* impulses,
-                                                   int count); // N s, at the center of mass, immediately
+                                                   const scree_vec* impulses, int count);
+
+// Applies angular impulses in N m s, immediately.
 SCREE_API scree_status scree_bodies_apply_angular_impulses(scree_world* world, const scree_body* bodies,
-                                                           const float* impulses,
-                                                           int count); // N m s, immediately
+                                                           const float* impulses, int count);
+
+// Adds forces in N, which act at world points (m) during the next step.
 SCREE_API scree_status scree_bodies_apply_forces_at(scree_world* world, const scree_body* bodies,
-                                                    const scree_vec* forces, const scree_vec* points,
-                                                    int count); // N, at world points, m
+                                                    const scree_vec* forces, const scree_vec* points, int count);
+
+// Applies impulses in N s at world points (m), immediately.
 SCREE_API scree_status scree_bodies_apply_impulses_at(scree_world* world, const scree_body* bodies,
                                                       const scree_vec* impulses, const scree_vec* points, int count);
+
+// Sets the linear and the angular velocities. Components are within SCREE_MAX_COORDINATE. Locked components become 0,
+// and a static body stays at rest.
 SCREE_API scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* bodies,
                                                    const scree_velocity* velocities, int count);
+// Sets the linear velocities, m/s; the angular ones stay.
 SCREE_API scree_status scree_bodies_set_linear_velocities(scree_world* world, const scree_body* bodies,
-                                                          const scree_vec* velocities,
-                                                          int count); // m/s; angular ones stay
+                                                          const scree_vec* velocities, int count);
+// Sets the angular velocities, rad/s; the linear ones stay.
 SCREE_API scree_status scree_bodies_set_angular_velocities(scree_world* world, const scree_body* bodies,
-                                                           const float* velocities,
-                                                           int count); // rad/s; linear ones stay
-SCREE_API scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses,
-                                              int count); // teleports; velocities do not change
+                                                           const float* velocities, int count);
 
-// Sets the poses that kinematic bodies have at the end of the next step with dt > 0: poses of their origins, within
-// SCREE_MAX_COORDINATE. Static and dynamic bodies are refused. During that step the body has the velocity that takes it there, by
-// the shorter rotation (half a circle is counter-clockwise), so that it pushes and carries what it touches. At the end it
-// is exactly there and stands still: its velocity is 0 before that step and after it.
+// Teleports bodies: sets the poses of their origins, in m, within SCREE_MAX_COORDINATE. Velocities do not change.
+SCREE_API scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses,
+                                              int count);
+
+// Sets targets: the poses that kinematic bodies have at the end of the next step with dt > 0. They are poses of the
+// bodies' origins, within SCREE_MAX_COORDINATE. Static and dynamic bodies are refused with SCREE_ERROR_INVALID. During
+// that step the body has the velocity that moves it to its target, so that it pushes and carries the bodies that it
+// touches. It takes the shorter rotation (half a turn is counter-clockwise). At the end it is exactly at its target and
+// at rest: its velocity is 0 before that step and after it.
 //
-// Locked motion stays locked. A body that would exceed max_speed, or turn by more than a step can
-// (scree_world_def.max_speed), arrives all the same, but others feel only the limited velocity.
+// Locked motion stays locked. A body that would exceed max_speed, or rotate further than one step allows
+// (scree_world_def.max_speed), still arrives, but other bodies are pushed with the limited velocity only.
 //
 // A second target replaces the first. Setting the velocity, changing the type or destroying the body drops the target;
-// scree_body_set_pose only moves the start. A step of dt 0, a refused step and steps while the body is disabled keep it.
+// scree_body_set_pose only moves the start. A step of dt 0, a refused step and steps while the body is disabled keep
+// it.
 SCREE_API scree_status scree_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses,
                                                 int count);
 
+// Returns the poses of the bodies' origins. The world also stores the remainder of rounding each position to float,
+// which no function returns. Setting a pose that was read may therefore move a body by half the spacing of floats.
 SCREE_API scree_status scree_bodies_get_poses(scree_world* world, const scree_body* bodies, scree_pose* poses,
-                                              int count); // of the bodies' origins
-// The world also stores what rounding a position to float leaves over, and the getters do not return it. Setting a pose
-// that was read may therefore move a body by half the spacing of floats.
+                                              int count);
+
+// Returns the velocities of the centers of mass.
 SCREE_API scree_status scree_bodies_get_velocities(scree_world* world, const scree_body* bodies,
                                                    scree_velocity* velocities, int count);
 
 typedef struct scree_body_state
 {
-	scree_pose pose; // of the body's origin
+	scree_pose pose; // pose of the body's origin
 	scree_velocity velocity;
 } scree_body_state;
 
@@ -625,62 +697,98 @@ typedef struct scree_body_state
 SCREE_API scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scree_body_state* states,
                                               int capacity, int* count);
 
-// The same for one body.
+// The functions of one body below have the units, ranges and effects of the batch functions with the same names.
+
+// Adds a force in N at the center of mass, for the next step.
 SCREE_API scree_status scree_body_apply_force(scree_world* world, scree_body body, scree_vec force);
+// Adds a force in N at a world point (m), for the next step.
 SCREE_API scree_status scree_body_apply_force_at(scree_world* world, scree_body body, scree_vec force, scree_vec point);
+// Adds a torque in N m, for the next step.
 SCREE_API scree_status scree_body_apply_torque(scree_world* world, scree_body body, float torque);
+// Applies an impulse in N s at the center of mass, immediately.
 SCREE_API scree_status scree_body_apply_impulse(scree_world* world, scree_body body, scree_vec impulse);
+// Applies an impulse in N s at a world point (m), immediately.
 SCREE_API scree_status scree_body_apply_impulse_at(scree_world* world, scree_body body, scree_vec impulse,
                                                    scree_vec point);
+// Applies an angular impulse in N m s, immediately.
 SCREE_API scree_status scree_body_apply_angular_impulse(scree_world* world, scree_body body, float impulse);
+// Sets the linear and the angular velocity.
 SCREE_API scree_status scree_body_set_velocity(scree_world* world, scree_body body, scree_velocity velocity);
+// Returns the velocity of the center of mass.
 SCREE_API scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity);
+// Sets the linear velocity, m/s; the angular one stays.
 SCREE_API scree_status scree_body_set_linear_velocity(scree_world* world, scree_body body, scree_vec velocity);
+// Sets the angular velocity, rad/s; the linear one stays.
 SCREE_API scree_status scree_body_set_angular_velocity(scree_world* world, scree_body body, float velocity);
+// Sets the pose that a kinematic body has at the end of the next step: scree_bodies_set_targets.
 SCREE_API scree_status scree_body_set_target(scree_world* world, scree_body body, scree_pose pose);
+// Teleports a body; its velocity does not change.
 SCREE_API scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose);
+// Returns the pose of the body's origin.
 SCREE_API scree_status scree_body_get_pose(scree_world* world, scree_body body, scree_pose* pose);
 
-// Converts a point (m) from the body's frame to the world and back; the velocity (m/s) of the body at a world point.
+// Converts a point (m, within SCREE_MAX_COORDINATE) from the body's frame to the world.
 SCREE_API scree_status scree_body_get_world_point(scree_world* world, scree_body body, scree_vec local,
                                                   scree_vec* point);
+// Converts a point (m, within SCREE_MAX_COORDINATE) from the world to the body's frame.
 SCREE_API scree_status scree_body_get_local_point(scree_world* world, scree_body body, scree_vec point,
                                                   scree_vec* local);
+
+// Returns the velocity (m/s) of the body at a world point (m).
 SCREE_API scree_status scree_body_get_point_velocity(scree_world* world, scree_body body, scree_vec point,
                                                      scree_vec* velocity);
 
-// Settings of one body; units and ranges as in scree_body_def. Changes are uploaded with the next batch.
-SCREE_API scree_status scree_body_set_type(scree_world* world, scree_body body,
-                                           scree_body_type type); // recreates its contacts
+// Settings of one body, with the units and ranges of scree_body_def. Changes are uploaded with the next batch.
+
+// Changes the type. The contacts of the body end and begin again, its target is dropped, and a static body stops.
+SCREE_API scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body_type type);
+// Returns the type.
 SCREE_API scree_status scree_body_get_type(const scree_world* world, scree_body body, scree_body_type* type);
+// Sets the linear and the angular damping, 1/s, at least 0.
 SCREE_API scree_status scree_body_set_damping(scree_world* world, scree_body body, float linear, float angular);
+// Returns the linear and the angular damping, 1/s.
 SCREE_API scree_status scree_body_get_damping(const scree_world* world, scree_body body, float* linear, float* angular);
+// Sets the factor of gravity, any finite value.
 SCREE_API scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, float scale);
+// Returns the factor of gravity.
 SCREE_API scree_status scree_body_get_gravity_scale(const scree_world* world, scree_body body, float* scale);
+// Sets the locked motions, bits of SCREE_LOCK_*.
 SCREE_API scree_status scree_body_set_locks(scree_world* world, scree_body body, uint32_t locks);
+// Returns the locked motions, bits of SCREE_LOCK_*.
 SCREE_API scree_status scree_body_get_locks(const scree_world* world, scree_body body, uint32_t* locks);
-SCREE_API scree_status scree_body_set_user(scree_world* world, scree_body body,
-                                           uint64_t user); // not that of its collidables
+// Sets the user data of the body; the user data of its collidables stays.
+SCREE_API scree_status scree_body_set_user(scree_world* world, scree_body body, uint64_t user);
+// Returns the user data of the body.
 SCREE_API scree_status scree_body_get_user(const scree_world* world, scree_body body, uint64_t* user);
 
-// Whether bodies take part. One that is disabled is as good as not there: it does not move, nothing touches it, forces
-// and gravity do not reach it, and its collidables are not shown (scree_render_row.attribute is -1). Its contacts end as
-// they do when it is destroyed. All else stays and can be read and set as ever, with its velocity, its pose and its
-// collidables; forces on it are lost. When it is enabled it goes on with that velocity, and its contacts are new. It counts
-// in scree_counters.bodies. Enabling what is enabled changes nothing, nor does disabling what is disabled.
+// Enables or disables bodies. The simulation ignores a disabled body: it does not move, nothing touches it, forces and
+// gravity do not act on it, and its collidables are not drawn (scree_render_row.attribute is -1). Its contacts end as
+// if it were destroyed. Everything else is kept and can still be read and set: velocity, pose, collidables. Forces
+// applied to it are lost. When it is enabled, it continues with that velocity, and its contacts are new. It counts in
+// scree_counters.bodies. Enabling an enabled body changes nothing, nor does disabling a disabled one. On failure no
+// body of the batch changes.
 SCREE_API scree_status scree_bodies_set_enabled(scree_world* world, const scree_body* bodies, const bool* enabled,
-                                                int count); // all or none
+                                                int count);
+// Enables or disables one body, as above.
 SCREE_API scree_status scree_body_set_enabled(scree_world* world, scree_body body, bool enabled);
-SCREE_API bool scree_body_is_enabled(const scree_world* world, scree_body body); // false for one that is not there
 
-// Pairs of bodies that never touch each other, whatever their filters; the order of the two makes no difference. A pair that touches
-// now ends its touch in the next step, with its event; one that is admitted again begins anew. Joints that keep two bodies apart do so
-// beside it. Destroying a body removes its pairs. A world holds up to 16,777,216.
+// Returns true if the body exists and is enabled.
+SCREE_API bool scree_body_is_enabled(const scree_world* world, scree_body body);
+
+// Adds (true) or removes (false) excluded pairs: two different bodies that never touch each other, whatever their
+// filters; the order of the two makes no difference. If an excluded pair touches now, the touch ends in the next step,
+// with its event. When a pair is removed, its contacts begin again. A pair that a joint keeps apart stays apart.
+// Destroying a body removes its pairs. A world holds up to 16,777,216 pairs. On failure no pair of the batch changes.
 SCREE_API scree_status scree_bodies_set_excluded(scree_world* world, const scree_body* a, const scree_body* b,
-                                                 const bool* excluded, int count); // all or none
+                                                 const bool* excluded, int count);
+// Adds or removes one excluded pair, as above.
 SCREE_API scree_status scree_body_set_excluded(scree_world* world, scree_body body, scree_body other, bool excluded);
+
+// Returns true if both bodies exist and are an excluded pair. Pairs that joints keep apart do not count.
 SCREE_API bool scree_body_is_excluded(const scree_world* world, scree_body body, scree_body other);
-// Writes up to capacity of the bodies that a body never touches, in ascending index order, and sets count to their number.
+
+// Writes up to capacity bodies that form an excluded pair with a body, in ascending index order, and sets count to
+// their number.
 SCREE_API scree_status scree_body_get_excluded(scree_world* world, scree_body body, scree_body* others, int capacity,
                                                int* count);
 
@@ -688,20 +796,25 @@ typedef struct scree_mass
 {
 	float mass;       // kg, 0 for static and kinematic bodies
 	float inertia;    // kg m^2 about the center of mass
-	scree_vec center; // of mass, in the body's frame, m
+	scree_vec center; // center of mass in the body's frame, m
 } scree_mass;
 
-// The mass is computed from the densities of the collidables; a dynamic body with zero mass, as all densities are 0 or it has no
-// collidable, gets 1 kg and cannot rotate. scree_body_set_mass overrides it until a collidable is added or removed, or
-// gets an attribute with another shape or density; it holds again after the body was of another type. When the center of mass changes,
-// each point of the body keeps its velocity: that of the new center is v + w x (new - old). Its mass is
-// 1e-15 to 1e30 kg; its inertia is 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate. A step takes at least a thousandth of the
-// mass times the square of the longest arm for the inertia, that to a joint or to the end of a solid shape: with less, floats have
-// no digits left for the impulses of joints and contacts. It fails with SCREE_ERROR_INVALID for a body that is not dynamic.
+// Returns the mass of a body, which is computed from the densities of its collidables. A dynamic body whose mass would
+// be zero, because all densities are 0 or because it has no collidable, gets 1 kg and cannot rotate.
 SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body body, scree_mass* mass);
+
+// Overrides the computed mass of a dynamic body until a collidable is added or removed, or gets an attribute with
+// another shape or density. The override is kept, but has no effect, while the body is static or kinematic. When the
+// center of mass changes, each point of the body keeps its velocity: that of the new center is v + w x (new - old).
+//
+// Range: mass 1e-15 to 1e30 kg; inertia 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate; center within
+// SCREE_MAX_COORDINATE. A step uses at least a thousandth of the mass times the square of the longest arm for the
+// inertia. The longest arm is that to a joint or to the end of a solid shape. With less inertia, floats have too few
+// digits for the impulses of joints and contacts. Fails with SCREE_ERROR_INVALID for a body that is not dynamic.
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
+// Overrides the masses of a batch of bodies, as above. On failure no mass changes.
 SCREE_API scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses,
-                                               int count); // on failure nothing has changed
+                                               int count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Collidables
@@ -727,75 +840,94 @@ typedef struct scree_collidable_def
 	uint32_t size; // set by scree_collidable_def_default
 	scree_attribute attribute;
 	scree_body body; // null: the collidable belongs to no body, and only reports overlaps
-	scree_pose pose; // in the body's frame, or in the world if there is no body
+	scree_pose pose; // pose in the body's frame, or in the world if there is no body
 	scree_filter filter;
 	uint64_t user;    // user data, not simulated; default 0
 	uint32_t reports; // bits of SCREE_REPORT_*; default 0
-	uint32_t sensor;  // bits of SCREE_SENSOR_*: what it sees; default 0: it is no sensor
+	uint32_t sensor;  // bits of SCREE_SENSOR_*: the collidables that it detects; default 0: it is not a sensor
 } scree_collidable_def;
 
+// Returns a definition with the default values, a null attribute and a null body.
 static inline scree_collidable_def scree_collidable_def_default(void);
 
 // Creates count collidables and writes their handles to collidables (may be null). The masses of their bodies are
-// computed again. On failure no collidable is created.
+// computed again. On failure no collidable is created. A world holds at most 16,777,216 collidables.
 SCREE_API scree_status scree_collidables_create(scree_world* world, const scree_collidable_def* defs, int count,
                                                 scree_collidable* collidables);
+// Creates one collidable and writes its handle to *collidable (may be null).
 SCREE_API scree_status scree_collidable_create(scree_world* world, const scree_collidable_def* def,
                                                scree_collidable* collidable);
 
 // Destroys collidables with their contacts; the masses of their bodies are computed again. On failure, for instance
-// because a collidable is named twice, none is destroyed.
+// because a collidable is twice in the batch, none is destroyed.
 SCREE_API scree_status scree_collidables_destroy(scree_world* world, const scree_collidable* collidables, int count);
+// Destroys one collidable, as above.
 SCREE_API scree_status scree_collidable_destroy(scree_world* world, scree_collidable collidable);
 
+// Returns true if the handle refers to an existing collidable.
 SCREE_API bool scree_collidable_is_valid(const scree_world* world, scree_collidable collidable);
 
 // Writes the handles of up to capacity collidables of a body, in the order in which they were added, and sets count to
-// their number. A null body lists the collidables without a body, in ascending index order.
+// their number. For a null body it lists the collidables without a body, in ascending index order.
 SCREE_API scree_status scree_body_get_collidables(const scree_world* world, scree_body body,
                                                   scree_collidable* collidables, int capacity, int* count);
 
-// Settings of one collidable. Changes are uploaded with the next batch.
+// Settings of one collidable, with the ranges of scree_collidable_def. Changes are uploaded with the next batch.
+
+// Returns the body of a collidable, or a null handle.
 SCREE_API scree_status scree_collidable_get_body(const scree_world* world, scree_collidable collidable,
                                                  scree_body* body);
+// Returns the attribute of a collidable.
 SCREE_API scree_status scree_collidable_get_attribute(const scree_world* world, scree_collidable collidable,
                                                       scree_attribute* attribute);
-// Another attribute. Where the shapes are equal, contacts stay with their impulses, and the pair's surface is that of the
-// new attribute from the next step on; else they start anew. The mass of a dynamic body follows from its collidables again,
-// unless shape and density are equal. An attribute that it has already changes nothing.
+// Replaces the attribute. If the new shape is equal to the old one, contacts keep their impulses and use the surface of
+// the new attribute from the next step on. Otherwise contacts end and begin again. The mass of a dynamic body is
+// computed again from its collidables, unless shape and density are equal. Setting the current attribute changes
+// nothing.
 SCREE_API scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable collidable,
                                                       scree_attribute attribute);
+// Returns the pose in the body's frame, or in the world for a collidable without a body.
 SCREE_API scree_status scree_collidable_get_local_pose(const scree_world* world, scree_collidable collidable,
                                                        scree_pose* pose);
+// Returns the filter of a collidable.
 SCREE_API scree_status scree_collidable_get_filter(const scree_world* world, scree_collidable collidable,
                                                    scree_filter* filter);
+// Replaces the filter. The contacts of the collidable end and begin again.
 SCREE_API scree_status scree_collidable_set_filter(scree_world* world, scree_collidable collidable,
-                                                   scree_filter filter); // recreates its contacts
+                                                   scree_filter filter);
+// Returns the user data of a collidable.
 SCREE_API scree_status scree_collidable_get_user(const scree_world* world, scree_collidable collidable, uint64_t* user);
+// Sets the user data of a collidable.
 SCREE_API scree_status scree_collidable_set_user(scree_world* world, scree_collidable collidable, uint64_t user);
-// From the next step on. A touch that began with the old bits still ends. scree_collidables_set_reports sets as many at once; on
-// failure none has changed.
+
+// Returns the kinds of events that are listed for a collidable: bits of SCREE_REPORT_*.
 SCREE_API scree_status scree_collidable_get_reports(const scree_world* world, scree_collidable collidable,
                                                     uint32_t* reports);
+// Sets the kinds of events that are listed for a collidable (bits of SCREE_REPORT_*), from the next step on. The end of
+// a touch that began with the old bits is still listed.
 SCREE_API scree_status scree_collidable_set_reports(scree_world* world, scree_collidable collidable, uint32_t reports);
+// Sets the kinds of events of a batch of collidables, as above. On failure none of them changes.
 SCREE_API scree_status scree_collidables_set_reports(scree_world* world, const scree_collidable* collidables,
                                                      const uint32_t* reports, int count);
 
-// From the next step on. What becomes a sensor touches nothing any more: its touches end. What is none any more has no visits.
+// Returns the kinds of collidables that a sensor detects: bits of SCREE_SENSOR_*; 0: not a sensor.
 SCREE_API scree_status scree_collidable_get_sensor(const scree_world* world, scree_collidable collidable,
                                                    uint32_t* sensor);
+// Sets the kinds of collidables that a sensor detects (bits of SCREE_SENSOR_*), from the next step on. A collidable
+// that becomes a sensor ends its touches. With 0 it is no longer a sensor and has no visits.
 SCREE_API scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable collidable, uint32_t sensor);
 
-// Teleports collidables without a body. Fails with SCREE_ERROR_INVALID if one belongs to a body.
+// Teleports collidables without a body: sets their poses in the world, m. Fails with SCREE_ERROR_INVALID if one belongs
+// to a body.
 SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
                                                    const scree_pose* poses, int count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Paths
 //
-// A path is a smooth curve through points, on which joints of type SCREE_JOINT_PATH hold bodies: a wire with beads, a rail
-// with wagons. Its points are in frame A of the joints that use it, so that one path can lie in the world, and another one in
-// a body that moves. Positions on a path are arc lengths from its first point, in metres.
+// A path is a smooth curve through points. Joints of type SCREE_JOINT_PATH hold bodies on it: a wire with beads, a rail
+// with wagons. Its points are in frame A of the joints that use it. So a path can lie in the world, or on a body that
+// moves, and one path can lie in several places. Positions on a path are arc lengths from its first point, in metres.
 //
 // The curve is the cubic spline through the points whose parameter is the sum of their distances, so its curvature is
 // continuous. Give more points where it bends more: 12 on a full circle are within 1e-3 of its radius, 24 within 1e-4.
@@ -816,61 +948,70 @@ static inline bool scree_path_equals(scree_path a, scree_path b)
 typedef struct scree_path_def
 {
 	uint32_t size;           // set by scree_path_def_default
-	const scree_vec* points; // m; neighbors at least 1e-4 apart
+	const scree_vec* points; // m, within SCREE_MAX_COORDINATE; neighbors at least 1e-4 m apart
 	int count;               // 2 to 65,536; at least 3 for a closed path
-	bool closed;             // goes on from the last point to the first; default false
+	bool closed;             // continues from the last point to the first; default false
 	uint64_t user;           // user data, not simulated; default 0
 } scree_path_def;
 
+// Returns a definition of an open path without points.
 static inline scree_path_def scree_path_def_default(void);
 
-// Creates a path and writes its handle to *path (may be null).
+// Creates a path and writes its handle to *path (may be null). The points are copied.
 SCREE_API scree_status scree_path_create(scree_world* world, const scree_path_def* def, scree_path* path);
 
-// Fails with SCREE_ERROR_INVALID while a joint uses the path.
+// Destroys a path. Fails with SCREE_ERROR_INVALID while a joint uses it.
 SCREE_API scree_status scree_path_destroy(scree_world* world, scree_path path);
+
+// Returns true if the handle refers to an existing path.
 SCREE_API bool scree_path_is_valid(const scree_world* world, scree_path path);
 
 // Writes the handles of up to capacity paths in ascending index order, and sets count to their number.
 SCREE_API scree_status scree_world_get_paths(const scree_world* world, scree_path* paths, int capacity, int* count);
 
-// m
+// Returns the arc length of a path, m; of a closed one, that of a full lap.
 SCREE_API scree_status scree_path_get_length(const scree_world* world, scree_path path, float* length);
 
-// The point at an arc length, and the direction of the path there. A closed path goes on in the next lap; beyond an end of
-// an open one it is the end.
+// Returns the point at an arc length (m, any finite value), and the direction of the path there as a rotation. On a
+// closed path an arc length beyond the last point continues in the next lap; on an open path it gives the end.
 SCREE_API scree_status scree_path_get_pose(const scree_world* world, scree_path path, float along, scree_pose* pose);
 
-// The arc length at which the path is nearest to a point of frame A.
+// Returns the arc length (m) at which the path is nearest to a point (m) of frame A.
 SCREE_API scree_status scree_path_get_nearest(const scree_world* world, scree_path path, scree_vec point, float* along);
 
-// Writes up to capacity of the points from which a path was made, and sets count to their number.
+// Writes up to capacity points with which a path was created (m), and sets count to their number.
 SCREE_API scree_status scree_path_get_points(const scree_world* world, scree_path path, scree_vec* points, int capacity,
                                              int* count);
-SCREE_API bool scree_path_is_closed(const scree_world* world, scree_path path); // false for one that is not there
+
+// Returns true if the path exists and is closed.
+SCREE_API bool scree_path_is_closed(const scree_world* world, scree_path path);
+// Returns the user data of a path.
 SCREE_API scree_status scree_path_get_user(const scree_world* world, scree_path path, uint64_t* user);
+// Sets the user data of a path.
 SCREE_API scree_status scree_path_set_user(scree_world* world, scree_path path, uint64_t user);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Joints
 //
 // A joint holds two frames together: frame A in body A, frame B in body B. It measures three coordinates of frame B in
-// frame A: the translation along the x axis of frame A, the translation across it (along its y axis), and the angle. Each
-// coordinate can be locked, and can have limits, a spring and a motor. A type of joint (scree_joint_def_make) is a choice
-// of these, which can be changed.
+// frame A: the translation along the x axis of frame A, the translation across it (along its y axis), and the angle.
+// Each coordinate can be locked, and can have limits, a spring and a motor. A type of joint (scree_joint_def_make) is a
+// preset of these, which can be changed.
 //
-// A joint of type DISTANCE measures along the line from anchor A to anchor B instead: its translation along is the distance.
-// Joints of types GEAR and PULLEY couple what is measured of each body in the world: see scree_joint_side.
+// A joint of type DISTANCE measures along the line from anchor A to anchor B instead: its translation along is the
+// distance. Joints of types GEAR and PULLEY measure each body in the world and couple the two measures:
+// scree_joint_side.
 //
-// A joint of type PATH holds anchor B on a path, which lies in frame A. Its translation along is the arc length of the path,
-// over all laps of a closed one; across is the distance from the path, positive to the left of its direction; the angle is
-// that of frame B to the direction of the path. At the ends of an open path it is stopped, as by limits.
+// A joint of type PATH holds anchor B on a path, which lies in frame A. Its translation along is the arc length of the
+// path, over all laps of a closed one. Its translation across is the distance from the path, positive to the left of
+// the path's direction. Its angle is that of frame B relative to the direction of the path. The ends of an open path
+// act as limits.
 //
-// Either body can be null: its frame is then in the world. Joints with a static or kinematic body are usual; between two
-// bodies that cannot move, or with a disabled body, a joint rests.
+// Either body can be null: its frame is then in the world. Joints with a static or kinematic body are usual. A joint
+// between two bodies that cannot move, or with a disabled body, has no effect.
 //
-// Method: Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024. docs/joints.md has the formulas, and what each type of
-// other engines corresponds to.
+// Method: Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024. docs/joints.md has the formulas, and the equivalents
+// of the joint types of other engines.
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct scree_joint
@@ -885,7 +1026,7 @@ static inline bool scree_joint_equals(scree_joint a, scree_joint b)
 	return a.index == b.index && a.generation == b.generation;
 }
 
-typedef enum scree_joint_type // which coordinates are locked, and what else scree_joint_def_make sets
+typedef enum scree_joint_type // the coordinates that are locked, and other values that scree_joint_def_make presets
 {
 	SCREE_JOINT_FREE,      // none: a start for joints of your own
 	SCREE_JOINT_DISTANCE,  // along, at along.target (1 m); unlock it for a spring, or for a rope with limits
@@ -894,61 +1035,66 @@ typedef enum scree_joint_type // which coordinates are locked, and what else scr
 	SCREE_JOINT_SLOT,      // across: a pin in a slot along the x axis of frame A
 	SCREE_JOINT_WELD,      // all; lock_hertz makes it soft
 	SCREE_JOINT_WHEEL,     // across; spring along the x axis of frame A of 1 Hz and damping ratio 0.7
-	SCREE_JOINT_MOTOR,     // none; motors of speed 0 and of no force on all three: friction, or a drive
+	SCREE_JOINT_MOTOR,     // none; motors of speed 0 and maximum 0 on all three: friction, or a drive
 	SCREE_JOINT_TARGET,    // none; springs of 5 Hz and damping ratio 1 along and across: pulls a body to frame A
-	SCREE_JOINT_FILTER,    // none: the two bodies do not collide, and that is all
-	SCREE_JOINT_GEAR,      // along, of a coupling (scree_joint_side) of two angles
-	SCREE_JOINT_PULLEY,    // along, of a coupling of two distances; the two bodies may collide
+	SCREE_JOINT_FILTER,    // none: its only effect is that the two bodies do not collide
+	SCREE_JOINT_GEAR,      // along: couples two angles (scree_joint_side)
+	SCREE_JOINT_PULLEY,    // along: couples two distances; the two bodies may collide
 	SCREE_JOINT_PATH,      // across: a bead on a wire; lock the angle as well for a wagon on a rail
 } scree_joint_type;
 
-// "free", "distance", ...; never null.
+// Returns the name of a type ("free", "distance", ...), a constant string; never null.
 SCREE_API const char* scree_joint_type_name(scree_joint_type type);
 
-typedef enum scree_coordinate // of frame B in frame A
+typedef enum scree_coordinate // coordinates of frame B in frame A
 {
 	SCREE_ALONG,
 	SCREE_ACROSS,
 	SCREE_ANGLE,
 } scree_coordinate;
 
-// Soft locks and springs swing and decay as their frequency and damping ratio say, up to a twelfth of the substep rate. Stiffer ones,
-// and many on one body, are damped more, so that none adds energy.
-typedef struct scree_joint_coordinate // units: m and N, or rad and N m for the angle
+// One coordinate of a joint. Units are m and N, or rad and N m for the angle; speeds are per second. Soft locks and
+// springs oscillate with the given frequency and damping ratio, up to a twelfth of the substep rate. Stiffer ones, and
+// many on one body, are damped more, so that none adds energy.
+typedef struct scree_joint_coordinate
 {
-	float target; // at which a lock holds it, to which a spring pulls it; default 0
+	float target; // the value at which a lock holds the coordinate, and to which a spring pulls it,
+	              // within SCREE_MAX_COORDINATE; default 0
 	bool locked;
-	bool limited; // to the range from lower to upper; the angle counts all turns
+	bool limited; // limits it to the range from lower to upper; the angle counts all turns
 	bool spring;
 	bool motor;
 	float lock_hertz;           // stiffness of a soft lock, Hz, 0 to 1e6; 0 (default): as stiff as the joint
 	float lock_damping_ratio;   // 0 to 1e6, default 0
-	float lower, upper;         // lower <= upper; default 0
+	float lower, upper;         // lower <= upper, within SCREE_MAX_COORDINATE; default 0
 	float spring_hertz;         // 0 to 1e6, default 0: the spring is off, whatever its damping ratio
 	float spring_damping_ratio; // 0 to 1e6, default 0
 	float spring_max;           // largest force or torque of the spring, >= 0, default FLT_MAX
-	float spring_push;          // the same of one that increases the coordinate; the smaller one holds
-	float spring_pull;          // and of one that decreases it: with a push of 0 a spring of DISTANCE is a rubber band
-	float motor_speed;          // m/s, rad/s; default 0
-	float motor_max; // largest force or torque of the motor, >= 0, default 0: it is off; with speed 0 it is friction
+	// Largest force or torque that increases (push) and that decreases (pull) the coordinate, >= 0, default FLT_MAX; the
+	// smaller of this and spring_max holds. With a push of 0 a spring of type DISTANCE is a rubber band.
+	float spring_push;
+	float spring_pull;
+	float motor_speed; // m/s or rad/s, within SCREE_MAX_COORDINATE; default 0
+	float motor_max;   // largest force or torque of the motor, >= 0, default 0: off; with speed 0 the motor is friction
 } scree_joint_coordinate;
 
-typedef enum scree_measure // of a frame in a base, which is a frame of the world
+typedef enum scree_measure // measure of a frame relative to a base, which is a frame of the world
 {
 	SCREE_MEASURE_ANGLE,       // rad, over all turns
-	SCREE_MEASURE_TRANSLATION, // m: of the anchor along the x axis of the base
-	SCREE_MEASURE_DISTANCE,    // m: of the anchor from the position of the base
+	SCREE_MEASURE_TRANSLATION, // m: translation of the anchor along the x axis of the base
+	SCREE_MEASURE_DISTANCE,    // m: distance of the anchor from the position of the base
 } scree_measure;
 
-// One side of a coupling. The coordinate along of joints of types GEAR and PULLEY is the measure of frame B in its base, plus
-// ratio times the measure of frame A in its base. It can be locked, limited, sprung and driven like any other; a force along
-// it is a torque where it measures an angle of b. Bases do not move: couple a wheel with another of the same vehicle through
-// both wheels' angles only if the vehicle does not turn.
+// One side of a coupling. The coordinate along of joints of types GEAR and PULLEY is the measure of frame B in its
+// base, plus ratio times the measure of frame A in its base. It can have a lock, limits, a spring and a motor like any
+// other coordinate. Its unit of force is N m if the measure of b is an angle. Bases do not move: couple two wheels of
+// one vehicle through their angles only if the vehicle does not rotate.
 typedef struct scree_joint_side
 {
 	scree_measure measure;
-	scree_pose base;     // in the world; default: its origin
-	float initial_angle; // rad: the angle that the first one is nearest to; default 0. scree_joint_def_couple sets it
+	scree_pose base;     // pose in the world; default: the origin of the world
+	float initial_angle; // rad: selects the turn, the first angle is the one nearest to it; default 0. Set by
+	                     // scree_joint_def_couple
 } scree_joint_side;
 
 typedef struct scree_joint_def
@@ -956,142 +1102,175 @@ typedef struct scree_joint_def
 	uint32_t size; // set by scree_joint_def_make
 	scree_joint_type type;
 	scree_body body_a, body_b;   // null: the world; not the same body
-	scree_pose frame_a, frame_b; // in the bodies' frames; default: the bodies' origins
-	// By scree_coordinate. Limits, spring and motor of a locked one have no effect while it is locked. A definition whose motor
-	// has a speed or a maximum where it is locked is refused; scree_joint_set_coordinate may lock what is driven for a while.
+	scree_pose frame_a, frame_b; // poses in the bodies' frames; default: the bodies' origins
+	// The coordinates, by scree_coordinate. Limits, spring and motor have no effect while the coordinate is locked. A
+	// definition is refused if a locked coordinate has a motor with a speed or a maximum. scree_joint_set_coordinate may
+	// lock a coordinate that has such a motor.
 	scree_joint_coordinate coordinates[3];
-	float hertz; // stiffness of locks and limits, Hz, 0 to 1e6, default 60; 0: rigid, and errors stay. No stiffness, of
-	             // springs too, exceeds a quarter of the substep rate; joints in a row are stiffer (docs/joints.md)
-	float damping_ratio;    // of them, 0 to 1e6, default 2
-	bool collide_connected; // whether the two bodies may touch each other; default false
-	bool can_break;         // ends when a threshold is exceeded; default false
-	bool disabled;          // starts disabled, see scree_joint_set_enabled; default false
-	// spring_max and motor_max of along and across are half axes of an ellipse, so that equal ones bound the force in any
-	// direction; else each bounds its own coordinate. Default true for MOTOR and TARGET.
+	// Stiffness of locks and limits, Hz, 0 to 1e6, default 60; 0: rigid, and errors are not corrected. The effective
+	// frequency of locks, limits and springs is at most a quarter of the substep rate; joints in a row are stiffer
+	// (docs/joints.md).
+	float hertz;
+	float damping_ratio;    // damping ratio of locks and limits, 0 to 1e6, default 2
+	bool collide_connected; // lets the two bodies touch each other; default false
+	bool can_break;         // breaks the joint when a threshold is exceeded; default false
+	bool disabled;          // true: the joint starts disabled (scree_joint_set_enabled); default false
+	// If true, spring_max and motor_max of along and across are the half axes of an ellipse, so that equal ones bound the
+	// force in any direction. Otherwise each bounds its own coordinate. Default true for MOTOR and TARGET.
 	bool elliptic;
-	float force_threshold;     // N, >= 0, default FLT_MAX; a joint above it is reported: scree_world_get_joint_events
-	float torque_threshold;    // N m, likewise
+	float force_threshold;     // N, >= 0, default FLT_MAX; a joint above it is listed by scree_world_get_joint_events
+	float torque_threshold;    // N m, >= 0, default FLT_MAX; the same for the torque
 	uint64_t user;             // user data, not simulated; default 0
-	float ratio;               // of types GEAR and PULLEY: of a's measure, -1e6 to 1e6, default 1
-	scree_joint_side sides[2]; // of types GEAR and PULLEY: a, b; default: angles of a GEAR, distances of a PULLEY
-	scree_path path;           // of type PATH
-	// Of type PATH, m: where the search begins; its lap counts. Only another part of the path that is less than half as far
-	// from anchor B is taken instead. Default 0.
+	float ratio;               // GEAR, PULLEY: factor of a's measure, -1e6 to 1e6, default 1
+	scree_joint_side sides[2]; // GEAR, PULLEY: a, b; default: angles of a GEAR, distances of a PULLEY
+	scree_path path;           // PATH: the path on which anchor B is held
+	// PATH: the arc length, laps included, at which the search for the point nearest to anchor B begins; m, within
+	// SCREE_MAX_COORDINATE, default 0. Another part of the path is used only if it is less than half as far from anchor B.
 	float initial_along;
 } scree_joint_def;
 
-// A definition with the defaults of a type, between the world and the world: set bodies and frames. An unknown type gives
-// one that is refused.
+// Returns a definition with the defaults of a type and null bodies: set bodies and frames. With an unknown type,
+// scree_joint_create refuses the definition.
 static inline scree_joint_def scree_joint_def_make(scree_joint_type type);
 
-// Sets frame_a and frame_b of a definition, whose bodies are set, so that both lie at a pose in the world, where the bodies
-// are now. Locks and springs whose target is 0 then hold the bodies as they are. Of a PATH it sets frame_b alone: frame_a is the
-// place of the path.
+// Sets frame_a and frame_b of a definition so that both lie at a pose in the world (m), for the current poses of the
+// bodies, which the definition must already name. Locks and springs whose target is 0 then hold the bodies as they are.
+// For type PATH it sets only frame_b, because frame_a is the place of the path.
 SCREE_API scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose);
 
-// Sets the target along of a GEAR or a PULLEY, whose bodies, frames, sides and ratio are set, to what it measures now: two
-// wheels mesh as they are, a rope is as long as it is. Sets sides[].initial_angle to the angles measured.
+// Sets the target along of a GEAR or PULLEY to its current value, so that two wheels mesh as they are, and a rope is as
+// long as it is. The definition must already have bodies, frames, sides and ratio. Sets sides[].initial_angle to the
+// current angles. Fails with SCREE_ERROR_INVALID for other types.
 SCREE_API scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def);
 
-// Sets frame_b of a PATH, whose bodies, frame_a and path are set, so that it lies on the path at an arc length, along its
-// direction, where the bodies are now. Sets initial_along to that arc length.
+// Sets frame_b of a PATH joint so that it lies on the path at an arc length (m, within SCREE_MAX_COORDINATE), in the
+// direction of the path, for the current poses of the bodies. The definition must already have bodies, frame_a and
+// path. Sets initial_along to that arc length. Fails with SCREE_ERROR_INVALID for other types.
 SCREE_API scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, float along);
 
 // Creates count joints from count definitions and writes their handles to joints (may be null). On failure no joint is
-// created.
+// created. A world holds at most 16,777,216 joints.
 SCREE_API scree_status scree_joints_create(scree_world* world, const scree_joint_def* defs, int count,
                                            scree_joint* joints);
+// Creates one joint and writes its handle to *joint (may be null).
 SCREE_API scree_status scree_joint_create(scree_world* world, const scree_joint_def* def, scree_joint* joint);
 
-// Destroys joints. Destroying a body destroys its joints. On failure, for instance because a joint is named twice, none is
-// destroyed.
+// Destroys joints. Destroying a body destroys its joints. On failure, for instance because a joint is twice in the
+// batch, none is destroyed.
 SCREE_API scree_status scree_joints_destroy(scree_world* world, const scree_joint* joints, int count);
+// Destroys one joint.
 SCREE_API scree_status scree_joint_destroy(scree_world* world, scree_joint joint);
 
-SCREE_API bool scree_joint_is_valid(const scree_world* world, scree_joint joint); // also one that broke
+// Returns true if the handle refers to an existing joint. A broken joint exists until it is destroyed.
+SCREE_API bool scree_joint_is_valid(const scree_world* world, scree_joint joint);
 
-// Writes the handles of up to capacity joints in ascending index order, and sets count to their number: all joints, or those
-// of one body.
+// Writes the handles of up to capacity joints in ascending index order, and sets count to the number of joints.
 SCREE_API scree_status scree_world_get_joints(const scree_world* world, scree_joint* joints, int capacity, int* count);
+// Writes the handles of up to capacity joints of one body in ascending index order, and sets count to their number.
 SCREE_API scree_status scree_body_get_joints(const scree_world* world, scree_body body, scree_joint* joints,
                                              int capacity, int* count);
 
-// The values from which a joint was created, with all later changes. Bodies are null where they were.
+// Returns the current definition of a joint: the values with which it was created, with all later changes.
 static inline scree_status scree_joint_get_def(const scree_world* world, scree_joint joint, scree_joint_def* def);
 
-// Changes. Each takes count joints and count values; on failure nothing has changed. Impulses stay, so that a motor can get
-// another speed in every step. A joint that broke can be changed, and stays broken. An angle that gets a limit, a spring or a lock,
-// and had none of them, counts from the turn that is nearest to these.
+// Changes of joints. Each function takes count joints and count values, with the units and ranges of scree_joint_def;
+// on failure nothing has changed. Impulses stay, so a motor can get another speed in every step. A broken joint can be
+// changed, and stays broken. If an angle had neither limit, spring nor lock and gets one, it starts in the turn that is
+// nearest to the limit or target.
+
+// Replaces one coordinate of each joint.
 SCREE_API scree_status scree_joints_set_coordinates(scree_world* world, const scree_joint* joints,
                                                     scree_coordinate which, const scree_joint_coordinate* values,
                                                     int count);
+// Sets the targets of locks and springs, m or rad.
 SCREE_API scree_status scree_joints_set_targets(scree_world* world, const scree_joint* joints, scree_coordinate which,
-                                                const float* targets, int count); // of locks and springs, m or rad
+                                                const float* targets, int count);
+// Sets the speeds of motors, m/s or rad/s.
 SCREE_API scree_status scree_joints_set_motor_speeds(scree_world* world, const scree_joint* joints,
-                                                     scree_coordinate which, const float* speeds,
-                                                     int count); // m/s or rad/s
+                                                     scree_coordinate which, const float* speeds, int count);
+// Sets both frames of each joint, in the frames of its bodies, m.
 SCREE_API scree_status scree_joints_set_frames(scree_world* world, const scree_joint* joints,
                                                const scree_pose* frames_a, const scree_pose* frames_b, int count);
 
-// The same for one joint.
+// The functions of one joint below have the units, ranges and effects of the batch functions with the same names.
+
+// Replaces one coordinate.
 SCREE_API scree_status scree_joint_set_coordinate(scree_world* world, scree_joint joint, scree_coordinate which,
                                                   const scree_joint_coordinate* value);
+// Returns one coordinate as it was set.
 SCREE_API scree_status scree_joint_get_coordinate(const scree_world* world, scree_joint joint, scree_coordinate which,
                                                   scree_joint_coordinate* value);
+// Sets the target of the lock and the spring of a coordinate, m or rad.
 SCREE_API scree_status scree_joint_set_target(scree_world* world, scree_joint joint, scree_coordinate which,
                                               float target);
+// Sets the speed of the motor of a coordinate, m/s or rad/s.
 SCREE_API scree_status scree_joint_set_motor_speed(scree_world* world, scree_joint joint, scree_coordinate which,
                                                    float speed);
+// Sets both frames, in the frames of the bodies, m.
 SCREE_API scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree_pose frame_a,
                                               scree_pose frame_b);
 
-// Whether joints act. One that is disabled does nothing, and does not keep its bodies from touching. It can be read and changed
-// as ever, and begins anew when it is enabled, without impulses; it keeps its turns. One that broke stays broken. Enabling what
-// is enabled changes nothing, nor does disabling what is disabled.
+// Enables or disables joints. A disabled joint has no effect, and does not keep its bodies from touching. It can still
+// be read and changed. When it is enabled, it starts without impulses and keeps its turns. A broken joint stays broken.
+// Enabling an enabled joint changes nothing, nor does disabling a disabled one. On failure no joint of the batch
+// changes.
 SCREE_API scree_status scree_joints_set_enabled(scree_world* world, const scree_joint* joints, const bool* enabled,
-                                                int count); // all or none
+                                                int count);
+// Enables or disables one joint, as above.
 SCREE_API scree_status scree_joint_set_enabled(scree_world* world, scree_joint joint, bool enabled);
-SCREE_API bool scree_joint_is_enabled(const scree_world* world, scree_joint joint); // false for one that is not there
 
-// Settings of one joint; units and ranges as in scree_joint_def.
+// Returns true if the joint exists and is enabled.
+SCREE_API bool scree_joint_is_enabled(const scree_world* world, scree_joint joint);
+
+// Settings of one joint, with the units and ranges of scree_joint_def.
+
+// Sets the stiffness (Hz) and the damping ratio of locks and limits.
 SCREE_API scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, float hertz,
                                                  float damping_ratio);
+// Sets the thresholds in N and N m. If can_break is true, a joint breaks when it exceeds one of them.
 SCREE_API scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque,
                                                   bool can_break);
-// Of types GEAR and PULLEY only. Angles count on with the new ratio, so that a gear does not jump; distances do not.
+// Sets the ratio of a GEAR or PULLEY; fails with SCREE_ERROR_INVALID for other types. Only later turns of angles have
+// the new ratio, so that a gear does not jump; translations and distances have it at once.
 SCREE_API scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float ratio);
+// Sets the bases of a GEAR or PULLEY, as poses in the world; fails with SCREE_ERROR_INVALID for other types. The
+// measures are relative to the new bases at once.
 SCREE_API scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_pose base_a,
-                                             scree_pose base_b); // in the world, as if they had always been there
+                                             scree_pose base_b);
+// Selects whether the maxima of along and across are the half axes of an ellipse: scree_joint_def.elliptic.
 SCREE_API scree_status scree_joint_set_elliptic(scree_world* world, scree_joint joint, bool elliptic);
+// Selects whether the two bodies may touch each other.
 SCREE_API scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides);
+// Sets the user data of a joint.
 SCREE_API scree_status scree_joint_set_user(scree_world* world, scree_joint joint, uint64_t user);
 
 typedef struct scree_joint_state
 {
-	// by scree_coordinate: m, m, rad; the angle counts all turns. Of a GEAR or a PULLEY: the coordinate along, the measure of a,
-	// the measure of b
+	// The coordinates, by scree_coordinate: m, m, rad; the angle counts all turns. For a GEAR or PULLEY: the coordinate
+	// along, the measure of a, the measure of b.
 	float values[3];
-	float speeds[3]; // their speeds: m/s, m/s, rad/s
-	scree_vec force; // N: on body b, in the world, of the last substep; its opposite acts on body a
-	float torque;    // N m: likewise
-	bool broken;     // the joint broke, and does nothing
+	float speeds[3]; // rates of change of values: m/s, m/s, rad/s
+	scree_vec force; // N: force on body b in the last substep, in the world; its opposite acts on body a
+	float torque;    // N m: torque on body b in the last substep; its opposite acts on body a
+	bool broken;     // true if the joint broke: it has no effect
 } scree_joint_state;
 
-// The states of count joints at the current poses. Forces are 0 before the first step.
+// Returns the states of count joints at the current poses. Forces are 0 before the first step.
 static inline scree_status scree_joints_get_states(scree_world* world, const scree_joint* joints,
                                                    scree_joint_state* states, int count);
+// Returns the state of one joint.
 static inline scree_status scree_joint_get_state(scree_world* world, scree_joint joint, scree_joint_state* state);
 
 typedef struct scree_joint_event // a joint whose force or torque exceeded its threshold in the last step
 {
 	scree_joint joint;
-	float force, torque; // N, N m: the largest of the substeps
-	bool broken;         // it broke in this step
+	float force, torque; // N, N m: the largest of all substeps
+	bool broken;         // true if the joint broke in this step
 	uint64_t user;       // user data of the joint
 } scree_joint_event;
 
-// Writes up to capacity events of the last step, in ascending index order, and sets count to their number. Joints that were
-// destroyed since are left out.
+// Writes up to capacity events of the last step, in ascending index order of the joints, and sets count to their
+// number. Joints that have been destroyed since the step are omitted.
 static inline scree_status scree_world_get_joint_events(scree_world* world, scree_joint_event* events, int capacity,
                                                         int* count);
 
@@ -1104,15 +1283,15 @@ typedef struct scree_contact_point
 	scree_vec point;       // m, in the world, halfway between the surfaces, at the start of the last step
 	float separation;      // m, negative if overlapping, at the start of the last step; for a speculative contact the
 	                       // remaining gap
-	float normal_impulse;  // N s, of the last substep
-	float tangent_impulse; // N s, of the last substep
+	float normal_impulse;  // N s, impulse of the last substep
+	float tangent_impulse; // N s, impulse of the last substep
 	uint32_t feature;      // id of the two touching features; constant while they touch
 } scree_contact_point;
 
-typedef struct scree_contact_detail // what a point did in the last step that took time
+typedef struct scree_contact_detail // data of a point in the last step with dt > 0
 {
-	float total_impulse;  // N s, of the normal, summed over the substeps, restitution included
-	float approach_speed; // m/s, at which the surfaces approached each other when the step began; 0 if they parted
+	float total_impulse;  // N s, normal impulse, summed over the substeps, restitution included
+	float approach_speed; // m/s, approach speed of the surfaces when the step began; 0 if they parted
 	int touched;          // 1 if the surfaces touched in some substep, even if they have parted since
 } scree_contact_detail;
 
@@ -1120,15 +1299,15 @@ typedef struct scree_contact
 {
 	scree_collidable a, b;
 	scree_vec normal; // unit vector from a to b
-	int color;        // of the solver's constraint graph coloring, 0 to 62: constraints of one color share no body that
-	                  // can move. 63: contact of a hub (a body with more than 32 contacts, or
-	                  // on belts that run against each other). -1: overlap
-	int count;        // number of points, 1 or 2
+	// Color in the constraint graph of the solver, 0 to 62: constraints of one color share no body that can move. 63:
+	// contact of a hub (a body with more than 32 contacts, or on belts that run against each other). -1: overlap.
+	int color;
+	int count; // number of points, 1 or 2
 	scree_contact_point points[2];
-	scree_body body_a, body_b;       // of a and b; null for a collidable without a body
+	scree_body body_a, body_b;       // bodies of a and b; null for a collidable without a body
 	uint64_t user_a, user_b;         // user data of a and b
-	scree_contact_detail details[2]; // zeros unless scree_world_def.contact_details is set, or in an event
-	int destroyed_a, destroyed_b;    // 1 in an event if the collidable was destroyed; a, b and bodies are old handles
+	scree_contact_detail details[2]; // zero unless scree_world_def.contact_details is set, or in an event
+	int destroyed_a, destroyed_b;    // 1 in an event if the collidable was destroyed; then its handles are the old ones
 } scree_contact;
 
 // Writes up to capacity touching contacts between bodies and sets count to their number. The order is that of the
@@ -1136,40 +1315,40 @@ typedef struct scree_contact
 static inline scree_status scree_world_get_contacts(scree_world* world, scree_contact* contacts, int capacity,
                                                     int* count);
 
-// The same for the contacts of one body, in the same order. The device gathers them, and only they are read.
+// Writes the touching contacts of one body, in the same order. The device gathers them, and only they are transferred.
 static inline scree_status scree_body_get_contacts(scree_world* world, scree_body body, scree_contact* contacts,
                                                    int capacity, int* count);
 
-// The same for pairs in which at least one collidable has no body. Impulses are zero. A pair is reported if the shapes
-// are within the speculative distance, 0.02 m; they overlap if the separation is at most 0.
+// Writes the pairs in which at least one collidable has no body, in the same order. Impulses are zero. A pair is listed
+// if the shapes are within the speculative distance, 0.02 m; they overlap if the separation is at most 0.
 static inline scree_status scree_world_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity,
                                                     int* count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Events
 //
-// What happened in the last step, for collidables that report it (scree_collidable_def.reports). Events change no motion,
-// and their order is the same on all devices. A world in which nobody has reported pays nothing.
+// Events of the last step, for collidables that report them (scree_collidable_def.reports). Events change no motion,
+// and their order is the same on all devices. They cost nothing in a world without a collidable that reports.
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef struct scree_hit // two surfaces met fast
+typedef struct scree_hit // a contact whose surfaces met fast
 {
 	scree_collidable a, b;
 	scree_body body_a, body_b;    // null for a collidable without a body
 	uint64_t user_a, user_b;      // user data of a and b
 	scree_vec point;              // m, in the world: the point with the larger impulse
 	scree_vec normal;             // unit vector from a to b
-	float approach_speed;         // m/s: the larger one of the points, when the step began
+	float approach_speed;         // m/s: when the step began, the larger one of the points
 	float impulse;                // N s: normal impulse of all points and substeps, restitution included
 	int destroyed_a, destroyed_b; // as in scree_contact
 } scree_hit;
 
-typedef struct scree_visit // of a collidable to a sensor
+typedef struct scree_visit // the overlap of a collidable, the visitor, with a sensor
 {
 	scree_collidable sensor, visitor;
 	scree_body body_sensor, body_visitor;    // null for a collidable without a body
 	uint64_t user_sensor, user_visitor;      // user data
-	float time;                              // of the step at which the visit began, or ended: 0 to 1
+	float time;                              // when the visit began or ended, as a fraction of the step, 0 to 1
 	int destroyed_sensor, destroyed_visitor; // as in scree_contact
 } scree_visit;
 
@@ -1177,51 +1356,60 @@ typedef struct scree_events
 {
 	uint32_t size, contact_size, hit_size; // set by scree_world_get_events
 
-	// Touches of which one side has SCREE_REPORT_TOUCHES. A touch begins in the step in which the surfaces push each other or
-	// overlap: contacts of surfaces that are only near do not count. It ends when they are farther apart than 0.02 m, and also
-	// when a collidable is destroyed, disabled or gets another shape, filter or type of body, or when a joint keeps the two
-	// apart. Each beginning has exactly one end. In one step, ends come before beginnings. Both are in an order that is the same on
-	// all devices: beginnings in that of scree_world_get_contacts, with points, impulses and details; ends by index of a, then of b,
-	// with handles, bodies and user data only.
+	// Touches in which one side has SCREE_REPORT_TOUCHES. A touch begins in the step in which the surfaces push each
+	// other or overlap: contacts of surfaces that are only near do not count. It ends when they are farther apart than
+	// 0.02 m. It also ends when a collidable is destroyed, disabled or gets another shape, filter or type of body, or
+	// when a joint keeps the two apart. Each beginning has exactly one end. Within a step, ends come before beginnings.
+	// Both are in an order that is the same on all devices. Beginnings are in that of scree_world_get_contacts, with
+	// points, impulses and details. Ends are in ascending index order of a, then of b, with handles, bodies and user
+	// data only.
 	const scree_contact* touches_began;
 	const scree_contact* touches_ended;
 
-	// Contacts of which one side has SCREE_REPORT_HITS, and which exceeded scree_world_def.hit_speed and hit_impulse, in the order of
-	// scree_world_get_contacts.
+	// Contacts in which one side has SCREE_REPORT_HITS, and which exceeded scree_world_def.hit_speed and hit_impulse,
+	// in the order of scree_world_get_contacts.
 	const scree_hit* hits;
 
 	int touches_began_count, touches_ended_count, hit_count;
 
-	// Visits to sensors that began and ended in the step, by index of the sensor, then of the visitor. Each beginning has exactly
-	// one end. What passes through a sensor within the step begins and ends.
+	// Visits to sensors that began and ended in the step, in ascending index order of the sensor, then of the visitor.
+	// Each beginning has exactly one end. A collidable that passes through a sensor within the step begins and ends its
+	// visit.
 	uint32_t visit_size; // set by scree_world_get_events
 	int visits_began_count, visits_ended_count;
 	const scree_visit* visits_began;
 	const scree_visit* visits_ended;
 
-	// Joints whose force or torque exceeded a threshold, by index: as scree_world_get_joint_events.
+	// Joints whose force or torque exceeded a threshold, in ascending index order, as in scree_world_get_joint_events.
 	uint32_t joint_size; // set by scree_world_get_events
 	int joint_count;
 	const scree_joint_event* joints;
 
-	// Contacts of which one side has SCREE_REPORT_APPROVAL, and which touch, or will in this step, for the first time since the two
-	// were apart: scree_world_approve_contacts. Their impulses are 0. In the order of scree_world_get_contacts.
+	// Contacts that are pending: one side has SCREE_REPORT_APPROVAL, and they touch, or will in this step, for the
+	// first time since the two were apart. scree_world_approve_contacts approves or refuses them. Their impulses are 0.
+	// In the order of scree_world_get_contacts.
 	int approval_count;
 	const scree_contact* approvals;
 } scree_events;
 
-// The events of the last step. The arrays belong to the world; they are valid until the next call of this function or of
-// scree_world_step, and until the world is destroyed. What was destroyed since the step is named, and marked.
+// Returns the events of the last step. The arrays belong to the world; they are valid until the next call of this
+// function or of scree_world_step, and until the world is destroyed. Objects that have been destroyed since the step
+// are listed with their old handles, and marked as destroyed.
 static inline scree_status scree_world_get_events(scree_world* world, scree_events* events);
 
-// Answers for the contacts in scree_events.approvals of the last step; count is approval_count, or it is refused. true: the contact acts from
-// the next step on until the two are farther apart than 0.02 m. false, or no answer before the next step: the two pass through each
-// other until then. After that they are asked about again. A step of dt 0, or one that fails, is no answer: what has none yet is
-// asked about again in the next step. In the step in which a contact is asked about, its bodies move no further than to where they
-// meet, and keep their velocities. A second call before the next step replaces the answers of the first.
+// Approves (true) or refuses (false) the contacts in scree_events.approvals of the last step. approved[k] belongs to
+// approvals[k]. Fails with SCREE_ERROR_INVALID if count is not approval_count.
+//
+// An approved contact acts from the next step on, until the two are farther apart than 0.02 m. A contact that is
+// refused, or neither approved nor refused before the next step, has no effect: the two pass through each other until
+// they are farther apart than that. After that the next contact of the two is pending again.
+//
+// In the step in which a contact becomes pending, its bodies move no further than to where they meet, and keep their
+// velocities. A step of dt 0, or one that fails, refuses nothing: a contact that is still pending is listed again in
+// the next step. A second call before the next step replaces the values of the first.
 SCREE_API scree_status scree_world_approve_contacts(scree_world* world, const bool* approved, int count);
 
-typedef struct scree_moved_body // a body at another pose than before
+typedef struct scree_moved_body // a body whose pose has changed
 {
 	scree_body body;
 	uint64_t user; // user data
@@ -1233,214 +1421,246 @@ typedef struct scree_moved_bodies
 {
 	uint32_t size, body_size; // set by scree_world_get_moved_bodies
 	int count;
-	const scree_moved_body* bodies; // by index
+	const scree_moved_body* bodies; // in ascending index order
 } scree_moved_bodies;
 
-// The bodies that moved since the last call, by motion or by the user, and those made since: what a renderer or a network has to
-// know. A body moved if a number of its pose, as scree_body_get_pose returns it, differs from that at the last call, by however little:
-// one at rest under a load may move by a rounding in each step. A body that came back to where it was did not move, nor did one that
-// got another center of mass, type or velocity. The first call lists all bodies. The array belongs to the world; it is valid until the
-// next call of this function, or until the world is destroyed. The device puts the list together, and only the list is read.
+// Returns the bodies that have moved since the last call, by motion or by the user, and those that were created since.
+// This is the data that a renderer or a network needs. A body has moved if a number of its pose, as returned by
+// scree_body_get_pose, differs from that at the last call, by however little: the pose of a body at rest under a load
+// may change by a rounding error in each step. A body that came back to its earlier pose has not moved, nor has one
+// that got another center of mass, type or velocity. The first call lists all bodies. The array belongs to the world;
+// it is valid until the next call of this function, or until the world is destroyed. The device gathers the list, and
+// only the list is transferred.
 static inline scree_status scree_world_get_moved_bodies(scree_world* world, scree_moved_bodies* list);
 
-// Writes up to capacity visits to a sensor that lasted at the end of the last step, by index of the visitor, and sets count to their
-// number; .time is when each began, if that was in this step. Fails with SCREE_ERROR_INVALID for a collidable that is no sensor.
+// Writes up to capacity visits to a sensor that had not ended at the end of the last step, in ascending index order of
+// the visitor, and sets count to their number. scree_visit.time is the time at which a visit began, if it began in that
+// step. Fails with SCREE_ERROR_INVALID for a collidable that is not a sensor.
 static inline scree_status scree_collidable_get_visits(scree_world* world, scree_collidable sensor, scree_visit* visits,
                                                        int capacity, int* count);
 
-// Slower and weaker contacts are no hits: m/s and N s, at least 0. From the next step on.
+// Sets scree_world_def.hit_speed (m/s, at least 0) and hit_impulse (N s, at least 0), from the next step on: slower and
+// weaker contacts are not hits.
 SCREE_API scree_status scree_world_set_hit_thresholds(scree_world* world, float speed, float impulse);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Queries
 //
-// Questions about the world as it is now, changes since the last step included: what a ray or a moving shape meets first, or
-// all that it meets, what overlaps a place, what is nearest. They change no bit of the world. Answers and their order are the
-// same on all devices. docs/queries.md has examples and times.
+// Queries find collidables in the current world, including changes since the last step: the first one that a ray or a
+// moving shape meets, all that it meets, all that overlap a shape, or the nearest one. They change no bit of the world.
+// Results and their order are the same on all devices. docs/queries.md has examples and times.
 //
-// One call takes one query or a million. On a GPU a call costs about 70 us even for one query, so ask for many at once.
-// The first call after a step or a change computes boxes of all collidables that can move: 25 ns each on one CPU thread.
+// One call takes one query or a million. On a GPU a call costs about 70 us even for one query, so put many into one
+// call. The first call after a step or a change computes boxes of all collidables that can move: 25 ns each on one CPU
+// thread.
 //
-// Queries see shapes as they are, not the distance of 0.02 m at which contacts begin. Collidables of disabled bodies are not
-// there. Coordinates are at most SCREE_MAX_COORDINATE, translations at most twice that.
+// Queries use the exact shapes, without the distance of 0.02 m at which contacts begin. They ignore collidables of
+// disabled bodies. Coordinates are at most SCREE_MAX_COORDINATE, translations at most twice that.
 // ---------------------------------------------------------------------------------------------------------------
 
-enum // bits of scree_query_def.kinds: collidables that are seen
+enum // bits of scree_query_def.kinds: the collidables that a query finds
 {
-	SCREE_QUERY_STATIC = 1,    // of static bodies
-	SCREE_QUERY_KINEMATIC = 2, // of kinematic bodies
-	SCREE_QUERY_DYNAMIC = 4,   // of dynamic bodies
-	SCREE_QUERY_FREE = 8,      // without a body
-	SCREE_QUERY_SENSORS = 16,  // sensors, on whatever body; the other bits do not see them
+	SCREE_QUERY_STATIC = 1,    // collidables of static bodies
+	SCREE_QUERY_KINEMATIC = 2, // collidables of kinematic bodies
+	SCREE_QUERY_DYNAMIC = 4,   // collidables of dynamic bodies
+	SCREE_QUERY_FREE = 8,      // collidables without a body
+	SCREE_QUERY_SENSORS = 16,  // sensors on bodies of any type, or without a body; the other bits exclude sensors
 };
 
-typedef struct scree_query_def // what the queries of a call see
+typedef struct scree_query_def // the collidables that the queries of a call find
 {
 	uint32_t size;     // set by scree_query_def_default
-	uint32_t kinds;    // bits of SCREE_QUERY_*; default: those of bodies
-	uint64_t category; // a collidable is seen if its mask has a bit of this; default all
-	uint64_t mask;     // and if this has a bit of its category; default all
-	bool any;          // only scree_query_result.hit is wanted, which is faster: the rest is zero; default false
-	bool skip_inside;  // what a ray or shape begins inside of is not seen; default false
-	bool one_way;      // one-way platforms are seen from the side from which they are solid only; default false
+	uint32_t kinds;    // bits of SCREE_QUERY_*; default: STATIC, KINEMATIC and DYNAMIC
+	uint64_t category; // a collidable is found only if its mask has a bit of this; default all bits
+	uint64_t mask;     // and if this has a bit of its category; default all bits
+	bool any;          // sets only scree_query_result.hit, which is faster; the rest is zero; default false
+	bool skip_inside;  // ignores collidables in which a ray or shape begins; default false
+	bool one_way;      // finds one-way platforms only from the side from which they are solid; default false
 } scree_query_def;
 
+// Returns a definition with the default values.
 static inline scree_query_def scree_query_def_default(void);
 
 typedef struct scree_ray // 32 bytes
 {
 	scree_vec origin;      // m
-	scree_vec translation; // m: to the end of the ray. Zero asks what is at the origin
-	float radius;          // m: of a circle that moves along the ray, 0 for a point
+	scree_vec translation; // m: from the origin to the end of the ray; 0 finds collidables at the origin
+	float radius;          // m, 0 to SCREE_MAX_COORDINATE: radius of a circle that moves along the ray, 0 for a point
 	uint32_t reserved;     // 0
-	scree_body ignored;    // a body that is not seen, or null; one that was destroyed is as good as null
+	scree_body ignored;    // body whose collidables are not found; null or destroyed: none
 } scree_ray;
 
 typedef struct scree_probe // 32 bytes: a place for the shape of a call
 {
-	scree_pose pose;       // where the shape is; the rotation of {0} is refused
-	scree_vec translation; // m: to where it moves, without turning; 0 for one that rests
+	scree_pose pose;       // initial pose of the shape; a rotation of {0} is refused
+	scree_vec translation; // m: motion of the shape without rotation; 0 for a shape at rest
 	scree_body ignored;    // as in scree_ray
 } scree_probe;
 
-typedef struct scree_query_result // 32 bytes: the answer of a query
+typedef struct scree_query_result // 32 bytes: the result of a query
 {
 	scree_collidable collidable; // null if nothing was found
-	scree_vec point;             // m: of its surface, where it is met or nearest; if inside, where the query begins
+	scree_vec point;             // m: point of its surface that is met or nearest; if inside, the start of the query
 	scree_vec normal;            // unit vector from the collidable to the query; 0 if inside
-	float fraction;              // of the translation, 0 to 1; of the nearest the distance, m, below 0 if they overlap
-	bool hit;                    // whether something was found
-	bool inside;                 // it overlapped already where the query began
+	float fraction;              // fraction of the translation, 0 to 1; for the nearest one its distance, m, below 0 if
+	                             // the shapes overlap
+	bool hit;                    // true if a collidable was found
+	bool inside;                 // true if it overlapped where the query begins
 	uint16_t reserved;
 } scree_query_result;
 
-typedef struct scree_query_results // all that was found
+typedef struct scree_query_results // all results of a call
 {
 	uint32_t size;                     // set by the function that fills it
-	int count;                         // of results
-	const scree_query_result* results; // by query, then by fraction, then by index of the collidable
-	const int* first; // of query k: the first in results; those of all queries, and count behind the last
+	int count;                         // number of results
+	const scree_query_result* results; // sorted by query, then by fraction, then by index of the collidable
+	// first[k] is the index in results of the first result of query k; after that of the last query follows count.
+	const int* first;
 } scree_query_results;
 
-// The first collidable that each ray meets; of those met at the same fraction, the one with the lower index. def may be null
-// for the default. Method: an 8-ary tree of boxes, searched in the order of the distance; rounded polygons are exact.
+// Finds the first collidable that each ray meets; among those met at the same fraction, the one with the lowest index.
+// Writes count results to found. def may be null for the default. Method: an 8-ary tree of boxes, searched in the order
+// of the distance; rounded polygons are exact.
 SCREE_API scree_status scree_world_cast_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
                                              int count, scree_query_result* found);
-SCREE_API scree_status scree_world_cast_ray(scree_world* world, scree_vec origin, scree_vec translation,
-                                            scree_query_result* found); // with the default definition
 
-// The same for a shape, which moves from the pose of each probe; a null shape is a point. Shapes are as in
-// scree_attribute_def. Exact, without iterations: a ray against the Minkowski sum of the two shapes.
+// Casts one ray (m) with the default definition.
+SCREE_API scree_status scree_world_cast_ray(scree_world* world, scree_vec origin, scree_vec translation,
+                                            scree_query_result* found);
+
+// Finds the first collidable that a shape meets when it moves from the pose of each probe by its translation. A null
+// shape is a point. Shapes are as in scree_attribute_def. Writes count results to found. def may be null for the
+// default. Method: exact, without iterations: a ray against the Minkowski sum of the two shapes.
 SCREE_API scree_status scree_world_cast_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
                                                const scree_probe* probes, int count, scree_query_result* found);
+
+// Casts one shape with the default definition.
 SCREE_API scree_status scree_world_cast_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
                                               scree_vec translation, scree_query_result* found);
 
-// The nearest collidable within a distance of each shape, in m, with its nearest point; a null shape is a point. Of
-// those that overlap, the one that overlaps most. Translations must be 0, and def->any false.
+// Finds the nearest collidable within a distance (m, at least 0) of the shape at each probe, with its nearest point. A
+// null shape is a point. If some overlap, the result is the one that overlaps most. Translations must be 0, and
+// def->any false. def may be null for the default.
 SCREE_API scree_status scree_world_find_nearest(scree_world* world, const scree_query_def* def,
                                                 const scree_shape* shape, const scree_probe* probes, int count,
                                                 float distance, scree_query_result* found);
 
-// Queries in memory of the device, which stay there: scree_world_share_queries shares memory as scree_world_share_memory does, with the
-// same conditions. The others answer count rays or probes that begin so many bytes into it, and write the answers from another offset,
-// which may be the same; found lies there when they return. Both offsets are multiples of 4. Nobody checks these items: those that the
-// calls above would refuse have any answer.
+// Shares device memory for queries whose rays and results stay on the device. The conditions, the ownership of the
+// descriptor and the errors are those of scree_world_share_memory.
 SCREE_API scree_status scree_world_share_queries(scree_world* world, int file_descriptor, size_t bytes);
+
+// Casts count rays that lie in the memory of scree_world_share_queries, and writes count results there. The rays begin
+// at one offset in bytes, the results at another one, which may be the same; both are multiples of 4. The results are
+// complete when the function returns. The rays are not checked: a ray that scree_world_cast_rays would refuse has an
+// undefined result.
 SCREE_API scree_status scree_world_cast_shared_rays(scree_world* world, const scree_query_def* def, size_t rays_offset,
                                                     int count, size_t found_offset);
+// Casts a shape from count probes that lie in that memory, as above; a null shape is a point.
 SCREE_API scree_status scree_world_cast_shared_shapes(scree_world* world, const scree_query_def* def,
                                                       const scree_shape* shape, size_t probes_offset, int count,
                                                       size_t found_offset);
 
-// All collidables that the rays, or the shapes, meet; with a translation of 0 all that they overlap. The arrays of list belong
-// to the world, and are valid until the next call that fills a list, or until the world is destroyed. def->any must be false.
+// Finds all collidables that each ray meets; with a translation of 0 all that it overlaps. The arrays of list belong to
+// the world; they are valid until the next call that fills a list, or until the world is destroyed. def may be null for
+// the default; def->any must be false.
 static inline scree_status scree_world_list_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
                                                  int count, scree_query_results* list);
+// Finds all collidables that a shape meets when it moves from the pose of each probe, as above; a null shape is a
+// point.
 static inline scree_status scree_world_list_shapes(scree_world* world, const scree_query_def* def,
                                                    const scree_shape* shape, const scree_probe* probes, int count,
                                                    scree_query_results* list);
 
-// All collidables that overlap a box, at least 2 mm wide and high, a shape at a pose, or a point, with the default definition.
+// Finds all collidables that overlap a box (m), at least 2 mm wide and high, with the default definition. The arrays of
+// list belong to the world, as above.
 static inline scree_status scree_world_overlap_box(scree_world* world, scree_box box, scree_query_results* list);
+// Finds all collidables that overlap a shape at a pose, as above; a null shape is a point.
 static inline scree_status scree_world_overlap_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
                                                      scree_query_results* list);
+// Finds all collidables that overlap a point (m), as above.
 static inline scree_status scree_world_overlap_point(scree_world* world, scree_vec point, scree_query_results* list);
 
-typedef struct scree_blast_def // an explosion, or with a negative impulse an implosion
+typedef struct scree_blast_def // an explosion; an implosion if the impulse is negative
 {
 	uint32_t size;      // set by scree_blast_def_default
 	scree_vec position; // m
 	float radius;       // m, 0 to SCREE_MAX_COORDINATE: nearer surfaces get the whole impulse; default 1
-	float falloff;     // m, 0 to SCREE_MAX_COORDINATE: beyond the radius it falls to 0 within so many metres; default 1
-	float impulse;     // N s per m of the width that a collidable turns to the blast; default 1
-	uint64_t category; // as in scree_query_def; default all
-	uint64_t mask;     // the same
+	float falloff; // m, 0 to SCREE_MAX_COORDINATE: width of the ring beyond radius in which it falls to 0; default 1
+	float impulse; // N s per m of a collidable's width across the direction from the position; default 1
+	uint64_t category; // as in scree_query_def; default all bits
+	uint64_t mask;     // as in scree_query_def; default all bits
 } scree_blast_def;
 
+// Returns a definition with the default values, at the origin.
 static inline scree_blast_def scree_blast_def_default(void);
 
-// Pushes the dynamic bodies around a position, and sets count (may be null) to the number of collidables that were pushed. Each gets
-// an impulse at the point of it that is nearest to the position, away from it; one that the position is inside of at its centroid.
-// Sensors, disabled bodies and what is beyond SCREE_MAX_COORDINATE are left alone. The impulses are applied as those of
-// scree_bodies_apply_impulses_at, in the order of the collidables. Walls do not shield: ask scree_world_cast_rays, and push yourself. A list
-// that a query returned stays valid.
+// Pushes the dynamic bodies around a position, and sets count (may be null) to the number of collidables that were
+// pushed. Each gets an impulse at its point that is nearest to the position, in the direction away from the position;
+// if the position is inside it, at its centroid. Sensors, disabled bodies and collidables beyond SCREE_MAX_COORDINATE
+// get no impulse. The impulses are applied like those of scree_bodies_apply_impulses_at, in the order of the
+// collidables. Walls do not shield: a program can find the shielded bodies with scree_world_cast_rays and push the
+// others itself. A list that a query returned stays valid.
 SCREE_API scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count);
 
 typedef struct scree_mover_def // characters of one kind: upright capsules that are moved by queries
 {
-	uint32_t size;  // set by scree_mover_def_default
-	uint32_t kinds; // bits of SCREE_QUERY_*: what stops it; default those of bodies
-	float
-	    length; // m, 0 or 0.002 to SCREE_MAX_COORDINATE: between the centers of the capsule's ends, 0 for a circle; default 0.6
-	float radius;      // m, 0.001 to SCREE_MAX_COORDINATE; default 0.3
-	scree_vec up;      // unit vector; default (0, 1)
-	float max_slope;   // rad, 0 to pi / 2: the steepest ground that it can stand on; default 50 degrees
-	float step_height; // m, 0 to SCREE_MAX_COORDINATE: the highest step that it walks up; default 0.3
-	float
-	    snap_distance; // m, 0 to SCREE_MAX_COORDINATE: so far down it follows the ground that it stands on; default 0.3
-	float skin;        // m, 0.001 to SCREE_MAX_COORDINATE: the distance that it keeps from everything; default 0.01
-	uint64_t category; // as in scree_query_def; default all
-	uint64_t mask;     // the same
+	uint32_t size;       // set by scree_mover_def_default
+	uint32_t kinds;      // bits of SCREE_QUERY_*: the collidables that stop it; default STATIC, KINEMATIC and DYNAMIC
+	float length;        // m, 0 or 0.002 to SCREE_MAX_COORDINATE: distance between the centers of the capsule's ends, 0
+	                     // for a circle; default 0.6
+	float radius;        // m, 0.001 to SCREE_MAX_COORDINATE; default 0.3
+	scree_vec up;        // unit vector; default (0, 1)
+	float max_slope;     // rad, 0 to pi / 2: the steepest ground on which it can stand; default 50 degrees
+	float step_height;   // m, 0 to SCREE_MAX_COORDINATE: the highest step that it walks up; default 0.3
+	float snap_distance; // m, 0 to SCREE_MAX_COORDINATE: how far down it snaps to stay on the ground; default 0.3
+	float skin;          // m, 0.001 to SCREE_MAX_COORDINATE: the distance that it keeps from everything; default 0.01
+	uint64_t category;   // as in scree_query_def; default all bits
+	uint64_t mask;       // as in scree_query_def; default all bits
 } scree_mover_def;
 
+// Returns a definition with the default values.
 static inline scree_mover_def scree_mover_def_default(void);
 
-// A character. Begin with zeros, a position and a velocity. Then change velocity and ignored only.
+// A character. Set position and velocity at first, all other members to zero. Between calls change only velocity and
+// ignored.
 typedef struct scree_mover
 {
-	scree_vec position;        // m: of the capsule's center
-	scree_vec velocity;        // m/s, on top of that of the ground: what you wish; then what is left of it
-	scree_body ignored;        // a body that it does not see, such as one that follows it; or null. As in scree_ray
-	scree_collidable ground;   // what it stands on, null in the air
-	scree_vec normal;          // of the ground, 0 in the air
-	scree_pose ground_pose;    // of the body that it stands on, by which the next call moves it along
-	scree_vec ground_velocity; // m/s: the velocity that the ground gave it. Add it to velocity when it jumps
+	scree_vec position;        // m: center of the capsule
+	scree_vec velocity;        // m/s, in addition to that of the ground; in: desired velocity, out: after collisions
+	scree_body ignored;        // body that does not stop it, such as one that follows it, or null; as in scree_ray
+	scree_collidable ground;   // the collidable on which it stands, null in the air
+	scree_vec normal;          // normal of the ground, 0 in the air
+	scree_pose ground_pose;    // pose of the body on which it stands; the next call moves it along by the difference
+	scree_vec ground_velocity; // m/s: the velocity that the ground gave it. Add it to velocity for a jump
 	scree_collidable wall;     // the last wall, ceiling or steep slope that stopped it, or null
-	scree_vec
-	    wall_normal; // unit vector from the wall to it, or 0. Of a mover that is crushed: 0, and wall is what it overlaps
+	scree_vec wall_normal;     // unit vector from the wall to it, or 0. For a crushed mover it is 0, and wall is the
+	                           // collidable that it overlaps
 } scree_mover;
 
-// Moves characters for a time dt (s, 0 to 1), after each step. They slide along walls, stand still on slopes, walk up steps, follow the
-// ground down, ride on what moves below them, and are pushed out of what moves into them, and by kinematic bodies of any speed. One
-// that nothing can push out, as between a lift and a ceiling, is crushed: it stays where it was, at rest, until it overlaps nothing.
-// They do not collide with each other, and push no body: give wall an impulse yourself. Add gravity to the velocity of those in the
-// air. A velocity against up is dropped on ground; one along up is a jump. def may be null for the default. Ten to twenty batches of queries, however many movers: the bits are the same
-// on every device. Components of velocities are at most SCREE_MAX_COORDINATE. Fails without a change to movers.
+// Moves characters for a time dt (s, 0 to 1); call it after each step. Movers slide along walls, stand still on slopes,
+// walk up steps, follow the ground down, and ride on ground that moves. Collidables that move into them push them out,
+// and so do kinematic bodies of any speed. A mover that cannot be pushed out, for instance between a lift and a
+// ceiling, is crushed: it stays at its place, at rest, until it overlaps nothing.
+//
+// Movers do not collide with each other, and push no body: give the body of wall an impulse yourself. Add gravity to
+// the velocity of movers in the air. On ground a velocity against up is set to 0; one along up is a jump. def may be
+// null for the default. A call makes ten to twenty batches of queries, however many movers; the bits are the same on
+// every device. On failure movers are unchanged.
 SCREE_API scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count,
                                          float dt);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Fields
 //
-// A field pushes the dynamic bodies in a region in each step: gravity of its own, attraction, a vortex, drag, wind, or a fluid in which
-// they float. Its region is a shape that lies in the world or on a body, or everything. Fields add up. The force of a step is that at
-// the poses in the middle of the step and the velocities at its start; docs/fields.md has the formulas. A world without fields pays
-// nothing.
+// A field pushes the dynamic bodies in a region in each step: gravity of its own, attraction, a vortex, drag, wind, or
+// a fluid in which they float. Its region is a shape that lies in the world or on a body, or the whole plane. The
+// forces of several fields add up. The force of a step is computed at the poses in the middle of the step and the
+// velocities at its start; docs/fields.md has the formulas. Fields cost nothing in a world without fields.
 //
-// Types UNIFORM, RADIAL, VORTEX and DRAG act on bodies, at the center of mass, while that is in the region. WIND acts on each
-// collidable whose middle is in the region, BUOYANCY on the part of each collidable that is in it. Sensors, disabled bodies and the
-// field's own body are left alone; nothing pushes back on the body of a field. Bodies of other types do not move by forces.
+// Types UNIFORM, RADIAL, VORTEX and DRAG act on bodies, at the center of mass, if that is in the region. WIND acts on
+// each collidable whose middle is in the region, BUOYANCY on the part of each collidable that is in it. Fields do not
+// act on sensors, disabled bodies and the body that carries the field. That body feels no reaction. Static and
+// kinematic bodies do not move by forces.
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct scree_field
@@ -1460,12 +1680,12 @@ typedef enum scree_field_type
 	SCREE_FIELD_UNIFORM,  // acceleration and force, the same everywhere
 	SCREE_FIELD_RADIAL,   // acceleration towards the origin of the field's frame; away from it if strength is negative
 	SCREE_FIELD_VORTEX,   // acceleration around the origin, counter-clockwise; clockwise if strength is negative
-	SCREE_FIELD_DRAG,     // of a medium, on bodies: linear and quadratic, and on their rotation
-	SCREE_FIELD_WIND,     // of a medium, on the edges that face it: drag and lift by the square of the speed
-	SCREE_FIELD_BUOYANCY, // of a fluid in the region; without a shape the fluid is below the x axis of the field's frame
+	SCREE_FIELD_DRAG,     // drag of a medium on bodies: linear and quadratic, and on their rotation
+	SCREE_FIELD_WIND,     // drag and lift of a medium on the edges that face it, by the square of the speed
+	SCREE_FIELD_BUOYANCY, // a fluid in the region; without a shape the fluid is below the x axis of the field's frame
 } scree_field_type;
 
-typedef enum scree_field_falloff // of RADIAL and VORTEX: strength times
+typedef enum scree_field_falloff // factor of the strength of RADIAL and VORTEX at the distance r from the origin
 {
 	SCREE_FALLOFF_CONSTANT,       // 1
 	SCREE_FALLOFF_LINEAR,         // 1 - r / radius, 0 from there on
@@ -1473,48 +1693,59 @@ typedef enum scree_field_falloff // of RADIAL and VORTEX: strength times
 	SCREE_FALLOFF_INVERSE_SQUARE, // (radius / r)^2
 } scree_field_falloff;
 
-// Members that its type does not use must be finite and in range, and have no effect.
+// A field. Capital words name the types that use a member; for other types it must be finite and in range, and has no
+// effect. Magnitudes of accelerations, forces, strengths, drags and densities are at most 1e12, lengths and velocities
+// at most SCREE_MAX_COORDINATE.
 typedef struct scree_field_def
 {
 	uint32_t size; // set by scree_field_def_default
 	scree_field_type type;
-	scree_body body;   // on which the region lies, and with which it is destroyed; null (default) for the world
-	scree_pose pose;   // of the field's frame in the frame of the body, or in the world; default the origin
+	scree_body body;   // body that carries the region, and with which the field is destroyed; null (default): the world
+	scree_pose pose;   // pose of the field's frame in the frame of the body, or in the world; default: the origin
 	scree_shape shape; // the region, in that frame; count 0 (default): everywhere. BUOYANCY: a polygon, not rounded
-	bool disabled;     // does nothing; default false
-	// Acts on collidables of the bits of mask whose masks have a bit of category; bodies: on those that have such a
-	// collidable. Default all bits: then it acts on all, whatever their filters.
+	bool disabled;     // true: the field has no effect; default false
+	// Acts on a collidable if its mask has a bit of category and mask has a bit of its category. Types that act on
+	// bodies act on those with such a collidable. Default all bits: then it acts on all, whatever their filters.
 	uint64_t category, mask;
-	scree_vec acceleration;      // UNIFORM, m/s^2, in the field's frame; default 0
-	scree_vec force;             // UNIFORM, N, the same; default 0
-	float strength;              // RADIAL, VORTEX, m/s^2; default 10
-	scree_field_falloff falloff; // the same; default inverse square
-	float radius;                // the same: of the falloff, m, 1e-3 to SCREE_MAX_COORDINATE; default 1
-	float softening;             // the same, m, >= 0: r^2 is the squared distance plus the square of this; default 0.1
-	scree_vec velocity;          // DRAG, WIND, BUOYANCY: of the medium, m/s, in the field's frame, on top of the body's
-	float density;               // WIND, BUOYANCY: of the medium, kg/m^2, >= 0; default 1
-	float drag;                  // the same, a coefficient: force = drag density / 2 width speed^2, >= 0; default 1
-	float lift;                  // WIND: the same across the wind, >= 0; default 0
-	float linear_drag;           // DRAG: force by the speed, kg/s; default 0. BUOYANCY: of 1 m^2; default 2. >= 0
-	float quadratic_drag;        // DRAG: force by the square of the speed, kg/m, >= 0; default 0
-	float spin_drag;             // DRAG: torque by the spin, N m s, >= 0; default 0
-	float spin_drag_quadratic;   // DRAG: torque by the square of the spin, N m s^2, >= 0; default 0
-	uint64_t user;               // user data, not simulated; default 0
+	scree_vec acceleration;      // UNIFORM: m/s^2, in the field's frame; default 0
+	scree_vec force;             // UNIFORM: N, in the field's frame; default 0
+	float strength;              // RADIAL, VORTEX: m/s^2; default 10
+	scree_field_falloff falloff; // RADIAL, VORTEX: default inverse square
+	float radius;                // RADIAL, VORTEX: radius of the falloff, m, >= 1e-3; default 1
+	float softening;      // RADIAL, VORTEX: m, >= 0, default 0.1; r^2 is the square of the distance plus its square
+	scree_vec velocity;   // DRAG, WIND, BUOYANCY: velocity of the medium, m/s, in the field's frame, in addition to
+	                      // that of the field's body; default 0
+	float density;        // WIND, BUOYANCY: density of the medium, kg/m^2, >= 0; default 1
+	float drag;           // WIND, BUOYANCY: drag coefficient, >= 0: force = drag density / 2 width speed^2; default 1
+	float lift;           // WIND: coefficient of the force across the wind, >= 0; default 0
+	float linear_drag;    // DRAG: force per speed, kg/s, >= 0; default 0. BUOYANCY: the same for 1 m^2; default 2
+	float quadratic_drag; // DRAG: force per square of the speed, kg/m, >= 0; default 0
+	float spin_drag;      // DRAG: torque per angular velocity, N m s, >= 0; default 0
+	float spin_drag_quadratic; // DRAG: torque per square of the angular velocity, N m s^2, >= 0; default 0
+	uint64_t user;             // user data, not simulated; default 0
 } scree_field_def;
 
+// Returns a definition of a type with the default values.
 static inline scree_field_def scree_field_def_default(scree_field_type type);
 
-// Creates a field and writes its handle to *field (may be null). Strengths, drags and densities are limited to 1e12.
+// Creates a field and writes its handle to *field (may be null).
 SCREE_API scree_status scree_field_create(scree_world* world, const scree_field_def* def, scree_field* field);
+
+// Destroys a field.
 SCREE_API scree_status scree_field_destroy(scree_world* world, scree_field field);
+
+// Returns true if the handle refers to an existing field.
 SCREE_API bool scree_field_is_valid(const scree_world* world, scree_field field);
 
-// Reads and replaces all of a field but its size; its handle stays. It acts from the next step on.
+// Returns the current definition of a field.
 static inline scree_status scree_field_get_def(const scree_world* world, scree_field field, scree_field_def* def);
+// Replaces the definition of a field, from the next step on. The handle stays valid.
 SCREE_API scree_status scree_field_set_def(scree_world* world, scree_field field, const scree_field_def* def);
 
-// The pose of the field's frame, as in scree_field_def.
+// Sets the pose of the field's frame, as in scree_field_def, from the next step on.
 SCREE_API scree_status scree_field_set_pose(scree_world* world, scree_field field, scree_pose pose);
+
+// Enables or disables a field, from the next step on.
 SCREE_API scree_status scree_field_set_enabled(scree_world* world, scree_field field, bool enabled);
 
 // Writes the handles of up to capacity fields in ascending index order, and sets count to their number.
@@ -1523,34 +1754,40 @@ SCREE_API scree_status scree_world_get_fields(const scree_world* world, scree_fi
 // ---------------------------------------------------------------------------------------------------------------
 // Two shapes, without a world
 //
-// The geometry of queries for shapes at poses of your own. Coordinates are at most SCREE_MAX_COORDINATE. Results are the same on every machine.
+// The geometry of queries for shapes at poses of your own. Coordinates are at most SCREE_MAX_COORDINATE. Results are
+// the same on every machine.
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct scree_distance
 {
-	scree_vec point_a,
-	    point_b;      // m: the nearest points of the surfaces, in the world; where they overlap, along the normal
+	// m: the nearest points of the surfaces, in the world. If the shapes overlap, they are distance apart along the
+	// normal.
+	scree_vec point_a, point_b;
 	scree_vec normal; // unit vector from a to b
-	float distance;   // m: of the surfaces; negative: minus the depth by which they overlap
+	float distance;   // m: distance of the surfaces; negative: minus the depth of the overlap
 } scree_distance;
 
-// The distance of two shapes; a null shape is a point. Exact: the distance of a point from the Minkowski sum of the two.
+// Returns the distance of two shapes; a null shape is a point. Method: exact: the distance of a point from the
+// Minkowski sum of the two.
 SCREE_API scree_status scree_shapes_get_distance(const scree_shape* a, scree_pose pose_a, const scree_shape* b,
                                                  scree_pose pose_b, scree_distance* distance);
 
-// Where a shape meets a ray, or where a meets b, which moves by a translation (m) without turning. found->collidable is null.
+// Finds the point at which a ray from origin by a translation (m) meets a shape. found->collidable is null.
 SCREE_API scree_status scree_shape_cast_ray(const scree_shape* shape, scree_pose pose, scree_vec origin,
                                             scree_vec translation, scree_query_result* found);
+// Finds the point at which shape b, moving by a translation (m) without rotation, meets shape a, in the same way. A
+// null shape is a point.
 SCREE_API scree_status scree_shapes_cast(const scree_shape* a, scree_pose pose_a, const scree_shape* b,
                                          scree_pose pose_b, scree_vec translation, scree_query_result* found);
 
-// Whether a point is in a shape, its surface included.
+// Sets contains to true if a point (m, in the world) is in a shape, its surface included.
 SCREE_API scree_status scree_shape_contains(const scree_shape* shape, scree_pose pose, scree_vec point, bool* contains);
 
-// The time of impact of two shapes that move from one pose to another, at constant speed, turning the shorter way about
-// their origins: the fraction of the motion at which their distance is at most 0.25 mm; found->hit is false if they do not
-// meet. Method: conservative advancement (Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996), at
-// most 200 rounds; a motion that needs more counts as a hit where it ended.
+// Finds the time of impact of two shapes that move from one pose to another at constant speed, rotating the shorter way
+// about their origins. found->fraction is the fraction of the motion at which their distance is at most 0.25 mm;
+// found->hit is false if they do not meet. Method: conservative advancement (Brian Mirtich, Impulse-based Dynamic
+// Simulation of Rigid Body Systems, 1996), at most 200 iterations; a motion that needs more counts as a hit at the
+// fraction that was reached.
 SCREE_API scree_status scree_shapes_get_impact(const scree_shape* a, scree_pose from_a, scree_pose to_a,
                                                const scree_shape* b, scree_pose from_b, scree_pose to_b,
                                                scree_query_result* found);
@@ -1559,26 +1796,26 @@ SCREE_API scree_status scree_shapes_get_impact(const scree_shape* a, scree_pose 
 // Drawing
 //
 // One row per collidable, laid out for a vertex buffer: row k is the collidable whose handle has the index k + 1.
-// scree_world_get_render_rows copies the rows to the host. If scree_world_get_sharing returns more than
-// SCREE_SHARING_COPIED, the rows can stay on the device: share a buffer that OpenGL draws from, and
-// scree_world_write_render_rows writes into it. Both give the same bits. docs/share.md has an example.
+// scree_world_get_render_rows copies the rows to the host. If scree_world_get_sharing returns SCREE_SHARING_MEMORY or
+// SCREE_SHARING_OPENGL, the rows can stay on the device: share a buffer from which OpenGL draws, and
+// scree_world_write_render_rows writes into it. Both ways give the same bits. docs/share.md has an example.
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct scree_render_row // 32 bytes
 {
-	scree_pose pose;   // of the attribute's shape in the world
+	scree_pose pose;   // pose of the attribute's shape in the world
 	scree_vec center;  // vector from pose.position to the body's center of mass, world axes, m
 	int32_t attribute; // index of the attribute's handle; -1: no collidable, skip the row
 	int32_t body;      // index of the body's handle, 1 or more; -1: no body
 } scree_render_row;
 
-// Writes up to capacity rows of the current state and sets count to the number of rows: the highest collidable index so
-// far plus one. rows may be null if capacity is 0.
+// Writes up to capacity rows of the current state and sets count to the number of rows. That number is the highest
+// index that the handle of a collidable has had so far. rows may be null if capacity is 0.
 SCREE_API scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity,
                                                    int* count);
 
-// How this world can share render rows: as its device, but SCREE_SHARING_OPENGL only if the driver accepted
-// scree_world_def.opengl.
+// Returns the fastest way in which this world can share render rows: that of its device, but SCREE_SHARING_OPENGL only
+// if the driver accepted scree_world_def.opengl.
 SCREE_API scree_sharing scree_world_get_sharing(const scree_world* world);
 
 // Shares memory that another API allocated on the same device (scree_device.uuid) and exported as an opaque file
@@ -1589,25 +1826,27 @@ SCREE_API scree_sharing scree_world_get_sharing(const scree_world* world);
 // may do), or scree_world_destroy.
 SCREE_API scree_status scree_world_share_memory(scree_world* world, int file_descriptor, size_t bytes);
 
-// Shares a buffer object of the context scree_world_def.opengl, which must be current on the calling thread here and in
-// scree_world_write_render_rows. bytes is the size of its storage, at least one row. The buffer and its storage must
-// outlive the sharing. Fails with SCREE_ERROR_NOT_SUPPORTED if scree_world_get_sharing is not SCREE_SHARING_OPENGL, or
-// if the driver rejects the buffer.
+// Shares a buffer object of the context scree_world_def.opengl. The context must be current on the calling thread here
+// and in scree_world_write_render_rows. bytes is the size of its storage, at least one row. The buffer and its storage
+// must outlive the sharing. Fails with SCREE_ERROR_NOT_SUPPORTED if scree_world_get_sharing is not
+// SCREE_SHARING_OPENGL, or if the driver rejects the buffer.
 SCREE_API scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes);
 
-// Ends all sharing, also of queries, and releases the imported memory or buffer. world may be null, and may share nothing.
+// Ends all sharing, that of queries included, and releases the imported memory or buffer. world may be null, and may
+// share nothing.
 SCREE_API void scree_world_unshare(scree_world* world);
 
 // Writes the rows of the current state into the shared memory and sets count to their number. The rows are complete
-// when this returns. The caller must ensure that OpenGL has finished reading the previous rows, for instance with a
-// fence. Fails with SCREE_ERROR_INVALID, and still sets count, if the rows do not fit; share a larger buffer then.
+// when this function returns. The caller must ensure that OpenGL has finished reading the previous rows, for instance
+// with a fence. If the rows do not fit, the function fails with SCREE_ERROR_INVALID but still sets count; share a
+// larger buffer then. It also fails with SCREE_ERROR_INVALID if nothing is shared.
 SCREE_API scree_status scree_world_write_render_rows(scree_world* world, int* count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Versions
 //
 // The static inline functions above call these library functions and pass the size of the struct in the program. A
-// binding for another language calls them directly. Members that the library does not know are set to 0.
+// binding for another language calls them directly. Members that the library does not have are set to 0.
 // ---------------------------------------------------------------------------------------------------------------
 
 SCREE_API void scree_world_def_default_sized(scree_world_def* def, size_t size);
@@ -1747,7 +1986,8 @@ static inline scree_status scree_world_get_joint_events(scree_world* world, scre
 	return scree_world_get_joint_events_sized(world, events, sizeof *events, capacity, count);
 }
 
-SCREE_API scree_status scree_world_get_events_sized(scree_world* world, scree_events* events); // with the sizes set
+SCREE_API scree_status scree_world_get_events_sized(scree_world* world,
+                                                    scree_events* events); // the caller sets the sizes
 static inline scree_status scree_world_get_events(scree_world* world, scree_events* events)
 {
 	if (events)
@@ -1770,7 +2010,7 @@ static inline scree_status scree_collidable_get_visits(scree_world* world, scree
 }
 
 SCREE_API scree_status scree_world_get_moved_bodies_sized(scree_world* world,
-                                                          scree_moved_bodies* list); // with the sizes set
+                                                          scree_moved_bodies* list); // the caller sets the sizes
 static inline scree_status scree_world_get_moved_bodies(scree_world* world, scree_moved_bodies* list)
 {
 	if (list)
