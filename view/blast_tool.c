@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// blast_tool.c -- explosions that grow as long as the user holds them back.
+// blast_tool.c -- explosions at the cursor, which grow while the user holds the key.
 #include "view/blast_tool.h"
 #include <math.h>
 
-#define FIRST   50.0f  // px: the radius at first
-#define GROWS   180.0f // px/s
-#define LARGEST 500.0f // px
-#define WIDE    1.6f   // reaches of a common body that it is wide
+#define FIRST   50.0f  // px: initial radius
+#define GROWS   180.0f // px/s: growth of the radius
+#define LARGEST 500.0f // px: maximum radius
+#define WIDE    1.6f   // width of a typical body in units of its reach
 
 static const Color flame = {222, 84, 20};
 
@@ -14,7 +14,7 @@ float blast_radius(double seconds) { return fminf(FIRST + GROWS * (float)seconds
 
 float blast_impulse(const RenderTables* tables, float speed)
 {
-	// mass by width of a common body
+	// mass per width of a typical body
 	return speed * fmaxf(tables->density * WIDE * tables->size, 1.0e-6f);
 }
 

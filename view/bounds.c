@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// bounds.c -- a box around most points: a few that are far away do not count.
+// bounds.c -- a box around most of a set of points, without outliers.
 //
-// John Tukey, Exploratory Data Analysis, 1977: fences, beyond which values are far out, lie at multiples of the middle half.
+// Method: John Tukey, Exploratory Data Analysis, 1977: fences, beyond which values are outliers, lie at multiples of
+// the size of the middle half.
 #include "view/bounds.h"
 #include <math.h>
 #include <stdlib.h>
 
-#define FENCE 5.0f // sizes of the middle half. Tukey has 3, but what slides off a heap is not to be lost
-#define OTHER 0.1f // of the size in the other direction: a column is not without width
+// Distance of the fences, in sizes of the middle half. Tukey uses 3, but bodies that slide off a heap should stay in view.
+#define FENCE 5.0f
+#define OTHER 0.1f // minimum size as a share of the size in the other direction: a column has almost no width
 
 static int compare_floats(const void* a, const void* b)
 {
@@ -15,7 +17,7 @@ static int compare_floats(const void* a, const void* b)
 	return (x > y) - (x < y);
 }
 
-typedef struct // sorted coordinates
+typedef struct // coordinates in ascending order
 {
 	const float* list;
 	int count;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// bounds.h -- a box around most points: a few that are far away do not count.
+// bounds.h -- a box around most of a set of points, without outliers.
 #ifndef BOUNDS_H
 #define BOUNDS_H
 #include "scree/scree.h"
 
-// Finds a box around the points, larger by reach at each side, without those that are further from the middle half than five times
-// its size in x or in y. False without points, or when memory is short.
+// Finds a box around the points, larger by reach at each side. A point is an outlier if its distance from the middle
+// half of all points is more than five times the size of that half, in x or in y. Returns false if there are no points,
+// or if memory is short.
 bool bounds_find(const scree_vec* points, int count, float reach, scree_box* box);
 
-// The box around two boxes.
+// Returns the smallest box around two boxes.
 scree_box bounds_join(scree_box a, scree_box b);
 
-// The part of a box that is within so many sizes of another one, at each of its sides.
+// Returns the part of a box that is not farther from another box, around, than sizes times its width and height.
 scree_box bounds_limit(scree_box box, scree_box around, float sizes);
 
 #endif

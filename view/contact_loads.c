@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// contact_loads.c -- what contacts press on each body, for the paint by force.
+// contact_loads.c -- sums of contact forces for each body, for the paint by force.
 #include "view/contact_loads.h"
 #include <math.h>
 #include <string.h>
 
-#define WITHIN 0.995f // share of the forces that are not above the range
-#define IDLE   4.0f   // so many times too large a range may be before it shrinks
-#define BINS   2048   // of the upper 11 bits of a positive float: 8 for a power of two
+#define WITHIN 0.995f // share of the forces that are within the range
+#define IDLE   4.0f   // a range shrinks when it is more than this many times too large
+#define BINS   2048   // bins by the upper 11 bits of a positive float: 8 for each power of two
 
 void loads_sum(const scree_contact* contacts, int contact_count, float substep, float* forces, int count)
 {
@@ -23,7 +23,7 @@ void loads_sum(const scree_contact* contacts, int contact_count, float substep, 
 	}
 }
 
-// The upper end of the bin that holds the force which so many do not exceed; 0 without forces.
+// Returns the upper end of the bin that holds the quantile WITHIN of the positive forces; 0 if there are none.
 static float quantile(const float* forces, int count)
 {
 	int bins[BINS] = {0}, all = 0, passed = 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // exported_memory.c -- device memory that OpenCL and OpenGL both import, allocated through Vulkan.
 //
-// OpenCL and OpenGL cannot export memory; Vulkan can. The Vulkan library is opened at run time and used for nothing else.
+// OpenCL and OpenGL cannot export memory; Vulkan can. The Vulkan library is opened at run time and used for nothing
+// else.
 #include "view/exported_memory.h"
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +13,7 @@
 #include <dlfcn.h>
 #include <vulkan/vulkan.h>
 
-// functions of an instance, and of a device
+// functions of a Vulkan instance, and of a device
 #define INSTANCE_FUNCTIONS(X)             \
 	X(EnumeratePhysicalDevices)           \
 	X(GetPhysicalDeviceProperties2)       \
@@ -41,7 +42,7 @@ typedef struct
 
 #define MAX_GPUS 16
 
-// The memory type that is local to the device, -1 for none.
+// Returns the memory type that is local to the device, -1 if there is none.
 static int own_memory(const VkPhysicalDeviceMemoryProperties* types, uint32_t allowed)
 {
 	for (uint32_t k = 0; k < types->memoryTypeCount; ++k)
@@ -109,7 +110,7 @@ static const char* open_device(Vulkan* v)
 
 static const char* allocate(Vulkan* v, size_t bytes, ExportedMemory* out)
 {
-	// this buffer only tells the size and type of memory that it needs; no memory is bound to it
+	// this buffer only supplies the size and type of the memory; no memory is bound to it
 	const VkExternalMemoryHandleTypeFlags kind = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;
 	VkExternalMemoryBufferCreateInfo external = {.sType = VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_BUFFER_CREATE_INFO,
 	                                             .handleTypes = kind};

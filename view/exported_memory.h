@@ -10,10 +10,11 @@ typedef struct
 {
 	int files[2];     // file descriptors, one for each importer; -1: closed, or owned by the importer
 	size_t allocated; // bytes
-	void* allocation; // of Vulkan
+	void* allocation; // memory of Vulkan
 } ExportedMemory;
 
-// Allocates memory on the device with this UUID. Only one thread may call it. False writes a sentence.
+// Allocates memory on the device with this UUID. Only one thread may call it. Returns false and writes a sentence on
+// failure.
 bool exported_memory_make(ExportedMemory* memory, const uint8_t uuid[16], size_t bytes, char* sentence, size_t size);
 
 // Frees the memory. Both importers must have released it.

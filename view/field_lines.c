@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define ARC   8    // strokes of a quarter of a circle
+#define ARC   8    // strokes per quarter of a circle
 #define WIDTH 1.5f // px
 
 scree_status field_lines_update(FieldLines* lines, const RenderTables* tables)
@@ -45,7 +45,7 @@ static scree_vec placed(scree_pose pose, float x, float y)
 	return (scree_vec){pose.position.x + q.c * x - q.s * y, pose.position.y + q.s * x + q.c * y};
 }
 
-// An arc around a corner, from one normal to the next.
+// Adds an arc around a corner, from one normal to the next.
 static void mark_arc(Strokes* strokes, const scree_shape* shape, scree_pose pose, int corner, float start, float angle,
                      Color color)
 {

@@ -9,14 +9,14 @@
 typedef struct
 {
 	FieldRegions regions;
-	scree_pose* poses; // of each in the world
+	scree_pose* poses; // poses of the regions in the world
 } FieldLines;
 
-// Reads the fields of the world of the tables and where they are; none if memory is short.
+// Reads the fields of the tables' world and their poses. If memory is short, the list is empty.
 scree_status field_lines_update(FieldLines* lines, const RenderTables* tables);
 void field_lines_close(FieldLines* lines);
 
-// Adds strokes for all outlines; for a fluid without a shape its surface.
+// Adds strokes for all outlines; for a fluid without a shape it adds its surface.
 void field_lines_mark(const FieldLines* lines, Strokes* strokes);
 
 #endif

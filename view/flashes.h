@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// flashes.h -- events of the world that are drawn for a moment: touches, hits, visits, joints that break.
+// flashes.h -- short marks for events of the world: touches, hits, visits, broken joints.
 #ifndef FLASHES_H
 #define FLASHES_H
 #include "view/render_tables.h"
@@ -11,26 +11,27 @@ typedef struct
 	Layer layer;
 	scree_vec at;
 	float diameter; // px
-	double born;    // s of the world
+	double born;    // time of the world, s
 } Flash;
 
 typedef struct
 {
-	Flash* list; // the oldest first
+	Flash* list; // oldest first
 	int count, capacity;
-	int seen, left_out; // events of the last step that are in view, and how many of them are too many to be drawn
+	int seen, left_out; // events of the last step in view, and the number of them that are not drawn because there are
+	                    // too many
 } Flashes;
 
 void flashes_close(Flashes* flashes);
 
-// Whether a style shows events.
+// Returns true if a style shows events.
 bool flashes_shown(const Style* style);
 
-// Adds what happened in the last step, which ended at this time of the world in seconds. Only events that are in view and that the
-// style shows; of too many it takes every second, third, ... Reads no events if the style shows none.
+// Adds the events of the last step; now is the time of the world after it, s. It adds only events in view whose layer
+// is on; of too many it adds every second, third, ... If no layer of events is on, it reads no events.
 scree_status flashes_step(Flashes* flashes, RenderTables* tables, const Camera* camera, const Style* style, double now);
 
-// Adds strokes for the flashes that have not faded; drops the others.
+// Adds strokes for the flashes that have not faded, and removes the others.
 void flashes_mark(Flashes* flashes, Strokes* strokes, const Camera* camera, double now);
 
 #endif

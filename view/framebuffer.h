@@ -6,10 +6,11 @@
 
 typedef struct // OpenGL names
 {
-	unsigned framebuffer, color; // color: renderbuffer; both 0 when there is none
+	unsigned framebuffer, color; // color is a renderbuffer; both are 0 if there is no framebuffer
 } Framebuffer;
 
-// Makes a framebuffer of 8 bits a channel and binds it. False makes none: the size is too large for OpenGL.
+// Creates a framebuffer of 8 bits per channel and binds it. Returns false and creates none if the size is too large for
+// OpenGL.
 bool framebuffer_open(Framebuffer* framebuffer, int width, int height);
 void framebuffer_close(Framebuffer* framebuffer);
 

@@ -19,10 +19,10 @@ struct GlPicture
 	scree_opengl opengl;
 	bool has_opengl;
 	char title[160];
-	Detail detail; // pixels is null without one
+	Detail detail; // pixels is null if the scene has no detail
 };
 
-// Rows of OpenGL begin at the bottom, those of a canvas at the top.
+// Rows of OpenGL begin at the bottom, rows of a canvas at the top.
 void gl_picture_read(Canvas* canvas)
 {
 	size_t stride = canvas->stride;

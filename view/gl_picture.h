@@ -13,25 +13,25 @@ void gl_picture_read(Canvas* canvas);
 void gl_picture_label(Canvas* canvas, const Renderer* renderer, const Style* style, const char* title,
                       const char* caption);
 
-typedef struct GlPicture GlPicture; // drawn without a window
+typedef struct GlPicture GlPicture; // a renderer without a window
 
-// Opens an OpenGL context. On failure returns null and writes a sentence.
+// Opens an OpenGL context. On failure it returns null and writes a sentence.
 GlPicture* gl_picture_open(int width, int height, char* sentence);
 void gl_picture_close(GlPicture* picture);
 
-// The context for scree_world_def.opengl; null when worlds cannot share memory with it.
+// Returns the context for scree_world_def.opengl; null if worlds cannot share memory with it.
 const scree_opengl* gl_picture_opengl(const GlPicture* picture);
 
-// Chooses the world to draw, with the title and the view of its scene. False writes a sentence.
+// Selects the world to draw, with the title and the view of its scene. Returns false and writes a sentence on failure.
 bool gl_picture_set_world(GlPicture* picture, const Scene* scene, scree_world* world, char* sentence);
 
 // Shows a box instead of the view of the scene and its detail.
 void gl_picture_aim(GlPicture* picture, scree_box view);
 
-// After every step, with the time of the world in seconds: remembers the events that a style shows.
+// Adds the events of a step that a style shows. Call it after every step; now is the time of the world, s.
 scree_status gl_picture_step(GlPicture* picture, const Style* style, double now);
 
-// Draws the world as it is now.
+// Draws the current state of the world.
 scree_status gl_picture_draw(GlPicture* picture, const Style* style, const char* caption);
 
 Canvas* gl_picture_canvas(GlPicture* picture);

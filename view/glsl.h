@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// glsl.h -- the shaders of view/glsl, as texts; cmake/texts.cmake writes them.
+// glsl.h -- the shaders of view/glsl as strings, which cmake/texts.cmake writes.
 #ifndef GLSL_H
 #define GLSL_H
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// grab.c -- what the cursor does to bodies: picks one, drags it, throws new bodies in.
+// grab.c -- the cursor as a tool on bodies: it picks one, drags it, throws new bodies in.
 #include "view/grab.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define CALM    5.0f   // rad/s^2 by which a body in the hand swings less
-#define FASTEST 200.0f // m/s of a body that is thrown, at most
+#define CALM    5.0f   // rad/s^2: angular deceleration of a held body, so that it swings less
+#define FASTEST 200.0f // m/s: maximum speed of a thrown body
 
 static scree_vec turned(scree_rot q, scree_vec v) { return (scree_vec){q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
 static scree_vec turned_back(scree_rot q, scree_vec v)
@@ -42,7 +42,8 @@ static int compare_index(const void* key, const void* body)
 	return (a > b) - (a < b);
 }
 
-// The dynamic body under the cursor; of several the one drawn on top, whose row is the last. Null for none.
+// Returns the dynamic body under the cursor, null if there is none; among several the one drawn on top, whose row is
+// the last.
 static scree_body body_under(const Grab* grab, const RenderTables* tables, const scree_render_row* rows, int count)
 {
 	for (int k = count - 1; k >= 0; --k)
@@ -64,7 +65,7 @@ static scree_body body_under(const Grab* grab, const RenderTables* tables, const
 	return (scree_body){0};
 }
 
-// Joins the body to the cursor where it is.
+// Creates the joint between the body and the cursor's position.
 static bool join(Grab* grab)
 {
 	scree_mass mass;
@@ -141,7 +142,7 @@ scree_status grab_pull(Grab* grab)
 	return grab_holds(grab) ? scree_joint_set_frames(grab->world, grab->joint, to, held) : SCREE_OK;
 }
 
-// Makes a ball, a box and a capsule; half is half their width, m.
+// Creates the attributes of a ball, a box and a capsule; half is half their width, m.
 static scree_status make_thrown(Grab* grab, float half, float density)
 {
 	scree_attribute_def defs[3] = {scree_attribute_def_default(), scree_attribute_def_default(),

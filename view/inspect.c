@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// inspect.c -- what lies under the cursor or was selected, in numbers.
+// inspect.c -- the numbers of the collidable that is under the cursor or selected.
 #include "view/inspect.h"
 #include "scene/attribute_block.h"
 #include "scene/block.h"
@@ -7,9 +7,9 @@
 #include "view/theme.h"
 #include <stdio.h>
 
-#define CONTACTS 64   // of a body whose forces are read
-#define SHAPES   64   // of a body that get an outline
-#define WIDTH    3.0f // px: of the outline
+#define CONTACTS 64   // contacts of a body whose forces are read
+#define SHAPES   64   // shapes of a body that get an outline
+#define WIDTH    3.0f // px: width of the outline
 
 static scree_status get_sensor(scree_world* world, scree_collidable collidable, bool* sensor)
 {
@@ -26,7 +26,7 @@ scree_status inspect_find(scree_world* world, scree_vec at, float radius, scree_
 	    SCREE_QUERY_STATIC | SCREE_QUERY_KINEMATIC | SCREE_QUERY_DYNAMIC | SCREE_QUERY_FREE | SCREE_QUERY_SENSORS;
 	const scree_ray here = {.origin = at, .radius = radius};
 	scree_query_results list;
-	bool over = false; // a sensor
+	bool over = false; // true if found is a sensor
 	*found = SCREE_NULL_COLLIDABLE;
 	if (!(at.x >= -SCREE_MAX_COORDINATE && at.x <= SCREE_MAX_COORDINATE && at.y >= -SCREE_MAX_COORDINATE &&
 	      at.y <= SCREE_MAX_COORDINATE))
@@ -58,7 +58,7 @@ static bool same_attribute(const scree_attribute_def* a, const scree_attribute_d
 	return same;
 }
 
-// The name of the collidable's attribute in the scene; empty for none.
+// Returns the name of the collidable's attribute in the scene; empty if it has none.
 static const char* attribute_name(const Inspected* inspected, const Scene* scene, const scree_world* world)
 {
 	scree_attribute attribute;
@@ -72,7 +72,7 @@ static const char* attribute_name(const Inspected* inspected, const Scene* scene
 	return "";
 }
 
-// Bodies of a scene have the first indices, in the order of the file.
+// Writes the name. Bodies of a scene have the first indices, in the order of the file.
 static void find_name(Inspected* inspected, const Scene* scene, const scree_world* world)
 {
 	uint32_t index = inspected->body.index;

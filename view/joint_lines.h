@@ -9,26 +9,27 @@
 
 typedef struct
 {
-	Links links;       // of joints that are neither broken nor destroyed
-	scree_pose* poses; // by index in RenderTables.bodies, from first to last
-	int first, last;   // bodies with joints
+	Links links;       // joints that are neither broken nor destroyed
+	scree_pose* poses; // poses by index in RenderTables.bodies, from first to last
+	int first, last;   // range of the bodies that have joints
 	scree_joint* joints;
 	scree_joint_state* states;
-	float largest; // N: of their forces
+	float largest; // N: the largest of their forces
 } JointLines;
 
-// Lists the joints of the world of the tables, or none if there are more than a picture can show in time. False when memory
-// is short.
+// Lists the joints of the tables' world; none if there are more than a picture can show in time. Returns false if
+// memory is short.
 bool joint_lines_build(JointLines* lines, const RenderTables* tables);
 void joint_lines_close(JointLines* lines);
 
-// Reads poses and forces. Joints that broke or were destroyed are drawn no more.
+// Reads poses and forces. Joints that broke or were destroyed are not drawn from then on.
 scree_status joint_lines_update(JointLines* lines, const RenderTables* tables);
 
-// Adds strokes for the joints that are in view and not too small: with lines of Style.detail pixels, or with dots.
+// Adds strokes for the joints in view: lines, and dots at their anchors. A joint is omitted if it is shorter than
+// Style.detail pixels and its dots would be too small.
 void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, const Style* style);
 
-// The color of a joint whose force is the square of this share of the largest one.
+// Returns the color of a joint; share is the square root of its force as a share of the largest one.
 Color joint_color(float share, bool dark);
 
 #endif

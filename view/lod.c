@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// lod.c -- level of detail: which rows are drawn as shapes and which as splats, at the scale of a picture.
+// lod.c -- level of detail: selects the rows that are drawn as shapes and as splats, at the scale of a picture.
 //
-// A scene may have a few walls and 100,000 splats. Without the runs the pass of shapes would process every row, four
-// vertices each. Rows are in the order in which bodies were made, so that rows of one kind are mostly consecutive.
+// A scene may have a few walls and 100,000 splats. Without runs the pass of shapes would process every row, four
+// vertices each. Rows are in the order in which bodies were created, so rows of one kind are mostly consecutive.
 #include "view/lod.h"
 
-#define NEAR 256 // two runs with fewer rows between them are drawn as one
+#define NEAR 256 // two runs with fewer rows between them are merged
 
 static bool is_splat(const RenderTables* tables, int attribute, float scale, float detail)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lod.h -- level of detail: which rows are drawn as shapes and which as splats, at the scale of a picture.
+// lod.h -- level of detail: selects the rows that are drawn as shapes and as splats, at the scale of a picture.
 #ifndef LOD_H
 #define LOD_H
 #include "view/render_tables.h"
@@ -13,14 +13,15 @@ typedef struct // consecutive rows
 
 typedef struct
 {
-	float scale, detail; // that the runs are for; scale 0: none
-	int rows;            // drawn, in total
+	float scale, detail; // arguments for which the runs were found; scale 0: none yet
+	int rows;            // total number of rows that are drawn
 	Run shapes[MAX_RUNS];
 	int shape_runs;
-	bool splats; // whether any row is a splat
+	bool splats; // true if any row is a splat
 } Lod;
 
-// Finds the runs anew if an argument changed. They hold every row of a shape, and some others, which the shader discards.
+// Finds the runs again if an argument changed. They contain every row that is drawn as a shape, and some others, which
+// the shader discards.
 void lod_update(Lod* lod, const RenderTables* tables, int rows, float scale, float detail);
 
 #endif

@@ -3,20 +3,20 @@
 #include "view/marker.h"
 #include <math.h>
 
-#define DOT     5.0f  // px: a contact point
-#define NORMAL  14.0f // px: a normal
-#define IMPULSE 60.0f // px: the largest impulse in view, at most
-#define FEW     4.0f  // px: and at least
-#define DENSE   20.0f // px: lines that are at most as long have no rim
-#define LONG    1.6f  // reaches of a body that it is long in between
-#define HALO    2.6f  // px: the rim around impulses is wider than they are
+#define DOT     5.0f  // px: diameter of a contact point
+#define NORMAL  14.0f // px: length of a normal
+#define IMPULSE 60.0f // px: maximum length of the largest impulse in view
+#define FEW     4.0f  // px: minimum length of it
+#define DENSE   20.0f // px: with a maximum length below this, lines have no rim
+#define LONG    1.6f  // length between these two limits, in reaches of a body
+#define HALO    2.6f  // px: additional width of the rim around impulses
 
 static const Color red = {187, 53, 44}, pale = {232, 150, 140}, slate = {52, 62, 80}, mist = {206, 214, 228};
 
-// Impulses lie on bodies of all colors, so a dark line has a light rim.
+// dark line with a light rim, because impulses lie on bodies of all colors
 static const Color core = {38, 20, 58}, halo = {255, 250, 235};
 
-// A dot is small and needs more contrast than a body.
+// Returns a darker color: a dot is small and needs more contrast than a body.
 static Color darker(Color color)
 {
 	return (Color){(uint8_t)(color.r * 3 / 4), (uint8_t)(color.g * 3 / 4), (uint8_t)(color.b * 3 / 4)};
@@ -42,7 +42,7 @@ static scree_vec along(scree_vec from, scree_vec direction, float length)
 	return (scree_vec){from.x + direction.x * length, from.y + direction.y * length};
 }
 
-// One pass draws the rims, and the next one the lines over all of them. Where bodies are too small for that, thin lines.
+// Adds the rims of all impulses, then the lines over them. If bodies are too small for that, it adds only thin lines.
 static void mark_impulses(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera, float size)
 {
 	scree_box box = camera_box(camera);

@@ -6,7 +6,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#define DEGREES 57.29577951 // of a radian
+#define DEGREES 57.29577951 // degrees per radian
 
 static void add(Numbers* numbers, const char* format, ...) __attribute__((format(printf, 2, 3)));
 static void add(Numbers* numbers, const char* format, ...)

@@ -17,10 +17,10 @@ typedef struct
 	int count;
 } Numbers;
 
-// The few that matter most, for what is under the cursor.
+// Writes the few most important numbers, for the collidable under the cursor.
 void numbers_write_short(const Inspected* inspected, Numbers* numbers);
 
-// The name first. Of what is gone the sentence that says so.
+// Writes all numbers, the name first; for a destroyed body a sentence says so.
 void numbers_write(const Inspected* inspected, Numbers* numbers);
 
 #ifdef __cplusplus

@@ -13,13 +13,13 @@ typedef struct
 	char renderer[128]; // GL_RENDERER
 } Offscreen;
 
-// Opens an OpenGL 3.3 context on the first EGL device that has one, and makes it current. EGL lists GPUs before software
-// renderers. Returns null, or an error message.
+// Opens an OpenGL 3.3 context on the first EGL device that has one, and makes it current. EGL lists GPUs before
+// software renderers. Returns null, or an error message.
 const char* offscreen_open(Offscreen* offscreen, int width, int height);
 void offscreen_close(Offscreen* offscreen);
 
-// A hash of all pixels, FNV-1a (Glenn Fowler, Landon Curt Noll, Kiem-Phong Vo, 1991); 0 when memory is short.
-// Waits until drawing is finished.
+// Returns a hash of all pixels, FNV-1a (Glenn Fowler, Landon Curt Noll, Kiem-Phong Vo, 1991); 0 if memory is short.
+// Blocks until drawing is finished.
 uint64_t offscreen_hash(const Offscreen* offscreen);
 
 #endif

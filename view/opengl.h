@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// opengl.h -- OpenGL 3.3 by libepoxy, or WebGL 2 in a page, which is OpenGL ES 3.0; and the little that differs between them.
+// opengl.h -- OpenGL 3.3 by libepoxy, or WebGL 2 in a page, which is OpenGL ES 3.0; and the few differences between
+// them.
 #ifndef OPENGL_H
 #define OPENGL_H
 #include <stdbool.h>
@@ -13,7 +14,7 @@
 	"precision highp int;\n"       \
 	"precision highp sampler2D;\n" \
 	"precision highp usampler2D;\n"
-#define OPENGL_SHADERS_SIZE_POINTS() ((void)0) // they always do
+#define OPENGL_SHADERS_SIZE_POINTS() ((void)0) // always enabled in WebGL
 #else
 #include <epoxy/gl.h>
 #define GLSL_VERSION                 "#version 330 core\n"

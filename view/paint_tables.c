@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paint_tables.c -- tables of what colors bodies besides their attributes: velocities, graph colors, forces, starting places.
+// paint_tables.c -- tables of values that color bodies: velocities, graph colors, forces, starting places.
 #include "view/paint_tables.h"
 #include "view/contact_loads.h"
 #include "view/style.h"
@@ -74,7 +74,8 @@ bool paint_tables_fill_forces(RenderTables* tables, const scree_contact* contact
 	return good;
 }
 
-// A scene may have replaced bodies: the new ones begin where they are when they are seen first.
+// Adds the starting places of new bodies. A scene may have replaced bodies: the place of a new one is its first pose
+// here.
 static scree_status find_new_starts(RenderTables* tables)
 {
 	bool misses = false;

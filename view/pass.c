@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pass.c -- an OpenGL program that draws rows, and what it is told of camera and style.
+// pass.c -- an OpenGL program that draws rows, and its uniforms from camera and style.
 #include "view/pass.h"
 #include "view/glsl.h"
 #include "view/opengl.h"
@@ -7,7 +7,7 @@
 #include "view/shader.h"
 #include "view/theme.h"
 
-#define TABLES 6 // textures
+#define TABLES 6 // number of textures
 
 static void write_color(Color color, float channels[3])
 {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// pour.c -- bodies like those of a scene, poured into its world where there is room.
+// pour.c -- pours bodies like those of a scene into its world where there is room.
 #include "view/pour.h"
 #include <math.h>
 #include <stdlib.h>
 
-#define SAMPLES 256       // bodies that are looked at to find what is poured
-#define LARGE   4.0f      // times the common size: what is larger is not poured
-#define APART   2.05f     // reaches between poured bodies
-#define TURN    2.399963f // rad: the golden angle, so that no two bodies are poured at one place soon
-#define SHARE   0.618034f // of the disc's area from one body to the next
+#define SAMPLES 256       // bodies that are examined to find the attributes that are poured
+#define LARGE   4.0f      // larger bodies, in units of the typical size, are not poured
+#define APART   2.05f     // distance of poured bodies, in reaches
+#define TURN    2.399963f // rad: the golden angle, so that places repeat late
+#define SHARE   0.618034f // share of the disc's area between consecutive bodies
 
 static const Color water = {52, 116, 178};
 
@@ -18,7 +18,7 @@ typedef struct
 	float reach; // m
 } Sample;
 
-// Whether a body could be poured: dynamic, of one shape that is no sensor.
+// Returns true if a body is of a kind that can be poured: dynamic, with one shape that is not a sensor.
 static bool take_sample(const scree_world* world, scree_body body, Sample* sample)
 {
 	scree_body_type type;
@@ -83,10 +83,10 @@ scree_status pour_begin(Pour* pour, scree_world* world)
 
 void pour_end(Pour* pour) { pour->on = false; }
 
-// The radius of the disc that is poured into, m.
+// Returns the radius of the disc in which bodies are poured, m.
 static float radius_of(const Pour* pour) { return APART * pour->size * sqrtf((float)pour->rate); }
 
-// Places on the disc, apart from each other. Returns how many there are.
+// Chooses places on the disc that are apart from each other. Returns their number.
 static int choose_places(const Pour* pour, scree_vec middle, scree_probe* probes)
 {
 	float radius = radius_of(pour);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// ramp.c -- rows of colors that stand for numbers, for shaders and legends.
+// ramp.c -- color ramps for numbers, for shaders and legends.
 #include "view/ramp.h"
 
 // blue at rest, yellow, red
 static const Color speeds[] = {{84, 115, 168}, {227, 184, 97}, {204, 71, 56}};
 
-// rises in lightness, so that it reads in gray and with few cones, and what bears most shines on a dark and a light ground
+// the lightness rises, so that the ramp is readable in gray and with color blindness, and the largest force is bright
+// on a dark and on a light background
 static const Color forces[] = {{66, 70, 104}, {120, 64, 128}, {190, 70, 106}, {234, 114, 70}, {255, 201, 92}};
 
-// hues that stay apart, of about the same lightness
+// hues that are easy to distinguish, with about the same lightness
 static const Color places[] = {{205, 72, 66}, {222, 150, 58}, {128, 168, 74}, {58, 146, 168}, {112, 92, 176}};
 
 static Color between(Color a, Color b, float share)

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-// ramp.h -- rows of colors that stand for numbers, for shaders and legends.
+// ramp.h -- color ramps for numbers, for shaders and legends.
 #ifndef RAMP_H
 #define RAMP_H
 #include "view/style.h"
 
-#define RAMP_COLORS 17 // an odd number, so that one color is in the middle; row.glsl has the same
+#define RAMP_COLORS 17 // an odd number, so that one color is in the middle; row.glsl uses the same number
 
-// The colors of a paint from 0 to 1, evenly spaced: of the speed, of the force, of starting places from left to right. False for a
-// paint that has none.
+// Returns the colors of a paint from 0 to 1, evenly spaced: for the speed, the force, or the starting place from left
+// to right. Returns false for a paint without a ramp.
 bool ramp_of(Paint paint, Color colors[RAMP_COLORS]);
 
-// Colors of starting places at the bottom and at the top; between them they change evenly.
+// Return the color of a starting place at the bottom and at the top; between them it changes evenly.
 Color ramp_low(Color color);
 Color ramp_high(Color color);
 
-// Speed in m/s to a place on the ramp and back: the middle is 3 m/s, the end infinite.
+// m/s: speed in the middle of the ramp; the end of the ramp is infinite
 #define RAMP_SPEED 3.0f
 
-// Colors of body types, static first. What is static has the color of the theme.
+// Returns the color of a body type. Static bodies have the color of the theme.
 Color type_color(scree_body_type type);
 
 #endif

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TEXELS 9   // of an attribute, as row.glsl and body.frag have it
-#define SIZES  256 // shapes that are looked at to find a common size
+#define TEXELS 9   // texels per attribute, as in row.glsl and body.frag
+#define SIZES  256 // shapes that are examined to find the typical size
 
-// Whether a shape is a rectangle along the axes, whose distance costs less.
+// Returns true if a shape is an axis-aligned rectangle, for which the distance is cheaper.
 static bool is_upright(const scree_shape* shape)
 {
 	if (shape->count != 4)
@@ -78,7 +78,7 @@ static int compare_sizes(const void* a, const void* b)
 	return (x->reach > y->reach) - (x->reach < y->reach);
 }
 
-// The middle one of the attributes of the shapes that move, each counted once a shape, but of at most SIZES shapes.
+// Finds the median reach of the shapes that move, from at most SIZES of them.
 static void find_size(RenderTables* tables, const Sprites* sprites)
 {
 	scree_attribute_def* defs = malloc(SIZES * sizeof *defs);
@@ -96,7 +96,8 @@ static void find_size(RenderTables* tables, const Sprites* sprites)
 	free(defs);
 }
 
-// One byte a body, its type and 4 times its shade. The dynamic bodies are in the list of sprites from first_moving on.
+// Fills one byte per body: its type plus 4 times its shade. Dynamic bodies are in the list of sprites from first_moving
+// on.
 static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 {
 	for (int k = 0; k < tables->body_count; ++k)

@@ -11,34 +11,37 @@
 typedef struct
 {
 	scree_world* world;
-	scree_attribute_def* attributes; // by the index of their handles; shape.count 0: not used
-	int* color_of;                   // entry of the palette of an attribute, -1 for none
+	scree_attribute_def* attributes; // by the index of their handles; an unused entry has shape.count 0
+	int* color_of;                   // palette entry of each attribute, -1 if it has none
 	int attribute_count;
-	int* row_attributes; // of the rows; -1 for none
+	int* row_attributes; // attribute of each row; -1 if it has none
 	int row_count;
-	scree_body* bodies; // that were alive when the tables were built
+	scree_body* bodies; // bodies that existed when the tables were built
 	int body_count;
-	int body_capacity; // one more than the highest index
-	scree_box box;     // around the bodies that move, m; for scenes without a view
+	int body_capacity; // the highest index plus one
+	scree_box box;     // box around the bodies that move, m; for scenes without a view
 	SensorMarks sensors;
-	Starts starts;     // of the bodies; kept as long as the world is the same
-	float size;        // m: the middle one of the reaches of the bodies that move; 0 without them
-	float density;     // kg/m^2: of that body
-	float force_range; // N: the force of the end of the ramp; 0: none was shown yet
+	Starts starts;     // starting places of the bodies; kept until the world is replaced
+	float size;        // m: median of the reaches of the bodies that move; 0 if there are none
+	float density;     // kg/m^2: density of the body with that reach
+	float force_range; // N: force at the end of the ramp; 0: none was shown yet
 	TexelArray attribute_texture, kinds, velocities, graph, marks, shares;
 } RenderTables;
 
-// Reads a world that a scene made, or none (null); to be repeated after bodies were added or removed. A world that has taken no step is a new one: bodies begin where
-// they are. False when memory is short; close the tables also then.
+// Reads a world, or none (null), with the scene that created it. Repeat it after bodies were added or removed. If the
+// world has taken no step, the current positions of its bodies become their starting places. Returns false if memory is
+// short; close the tables also then.
 bool render_tables_build(RenderTables* tables, const Scene* scene, scree_world* world);
 
-// Reads the handles of the bodies again: a scene may replace bodies between steps, each by one of the same index.
+// Reads the handles of the bodies again: a scene may replace bodies between steps, each by a new one with the same
+// index.
 scree_status render_tables_update_bodies(RenderTables* tables);
 
-// Fills the table of marks with what the sensors of the world see, if it has any.
+// Fills the table of marks with the states of the world's sensors, if it has any.
 void render_tables_update_sensors(RenderTables* tables);
 
-// What a picture of the whole scene shows, m: the view of the scene file, else the bodies that move.
+// Returns the part of the world that a picture of the whole scene shows, m: the view of the scene file, else the bodies
+// that move.
 scree_box render_tables_view(const RenderTables* tables, const Scene* scene);
 
 void render_tables_close(RenderTables* tables);

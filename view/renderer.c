@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // renderer.c -- draws a world from rows in an OpenGL buffer: bodies, and layers over them.
 //
-// A body smaller than Style.detail is a splat: one vertex, and the pixels that it covers. A larger one is a rectangle whose
-// fragments compute their signed distance from the shape. Each pass discards the rows of the other.
+// A body smaller than Style.detail is drawn as a splat: one vertex, which covers the body's pixels. A larger one is
+// drawn as a rectangle whose fragments compute their signed distance from the shape. Each pass discards the rows of the
+// other.
 #include "view/renderer.h"
 #include "view/glsl.h"
 #include "view/marker.h"
@@ -13,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SUBSTEP (1.0f / 240.0f) // s: of worlds that no scene made
+#define SUBSTEP (1.0f / 240.0f) // s: for worlds without a scene
 
 bool renderer_open(Renderer* r, char* sentence)
 {
@@ -137,7 +138,7 @@ static void bind_rows(unsigned vertices, const Share* share, int first, GLuint d
 	}
 }
 
-// Draws a layer that has one instance for every row.
+// Draws a layer with one instance per row.
 static void draw_over(const Renderer* r, const Pass* pass, const Share* share, const Camera* camera, const Style* style)
 {
 	bind_rows(r->four_each, share, 0, 1);

@@ -16,32 +16,33 @@
 typedef struct
 {
 	Pass body, splat, box, velocity, center;
-	unsigned one_each, four_each; // vertex arrays: a row is a vertex, or an instance of four
-	Strokes strokes, under;       // over the bodies, under them
+	unsigned one_each, four_each; // vertex arrays: a row is one vertex, or one instance of four vertices
+	Strokes strokes, under;       // drawn over the bodies, and under them
 	RenderTables tables;
 	Lod lod;
 	JointLines joint_lines;
 	FieldLines field_lines;
-	const Scene* scene; // null: none made the world
-	Scan scan;          // of the rays of the scene
+	const Scene* scene; // scene that created the world, or null
+	Scan scan;          // rays of the scene
 	Flashes flashes;
 	scree_contact* contacts;
 	int contact_count, contact_capacity;
 	bool software; // OpenGL runs on the CPU
 } Renderer;
 
-// Needs a current OpenGL 3.3 context. False writes a sentence (SENTENCE of shader.h).
+// Opens the renderer in the current OpenGL 3.3 context. Returns false and writes a sentence (SENTENCE of shader.h) on
+// failure.
 bool renderer_open(Renderer* renderer, char* sentence);
 void renderer_close(Renderer* renderer);
 
-// Reads the world again after bodies were added or removed; also before the first frame. The scene that made the world stays until
-// then; null: none did.
+// Reads the world again. Call it before the first frame and after bodies were added or removed. scene is the scene that
+// created the world, or null; it must exist until the next call.
 bool renderer_update_world(Renderer* renderer, const Scene* scene, scree_world* world);
 
-// After every step, with the time of the world in seconds: adds the events that a style shows.
+// Adds the events of a step that a style shows. Call it after every step; now is the time of the world, s.
 scree_status renderer_step(Renderer* renderer, const Camera* camera, const Style* style, double now);
 
-// Reads what a style shows besides the rows: velocities, contacts, joints, fields, sensors, the rays in view.
+// Reads the other data that a style shows: velocities, contacts, joints, fields, sensors, the rays in view.
 scree_status renderer_fetch(Renderer* renderer, const Camera* camera, const Style* style);
 
 // Draws background, bodies and layers into the current framebuffer. Strokes that were added before are drawn on top.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sensor_marks.c -- which rows are sensors, which have something inside, and how bright they flash: one byte a row, for shaders.
+// sensor_marks.c -- states of sensors for shaders, one byte per row: a bit for sensors, a bit for visited ones, the
+// brightness of a flash.
 #include "view/sensor_marks.h"
 #include <float.h>
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shared_rows.c -- the rows that a renderer draws, in an OpenGL buffer: written by the device, or copied through the host.
+// shared_rows.c -- the rows that a renderer draws, in an OpenGL buffer: written by the device, or copied through the
+// host.
 #include "view/shared_rows.h"
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -77,7 +78,7 @@ static bool share_memory(Share* share, size_t bytes)
 		snprintf(sentence, size, "%s", scree_error());
 		return false;
 	}
-	memory->files[0] = -1; // OpenCL owns it now
+	memory->files[0] = -1; // owned by OpenCL from here on
 	while (glGetError() != GL_NO_ERROR)
 		; // discards earlier errors
 	glCreateMemoryObjectsEXT(1, &share->memory);
@@ -85,7 +86,7 @@ static bool share_memory(Share* share, size_t bytes)
 	GLenum error = glGetError();
 	if (!error)
 	{
-		memory->files[1] = -1; // OpenGL owns it now
+		memory->files[1] = -1; // owned by OpenGL from here on
 		glBufferStorageMemEXT(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, share->memory, 0);
 		error = glGetError();
 	}
@@ -97,14 +98,14 @@ static bool share_memory(Share* share, size_t bytes)
 static bool share_opengl(Share* share, size_t bytes)
 {
 	glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_DRAW);
-	glFinish(); // the buffer exists before OpenCL uses it
+	glFinish(); // makes the buffer exist before OpenCL uses it
 	if (scree_world_share_opengl(share->world, share->buffer, bytes) == SCREE_OK)
 		return true;
 	snprintf(share->sentence, sizeof share->sentence, "%s", scree_error());
 	return false;
 }
 
-// Makes a buffer for all rows and half as many more. If sharing fails, the rows are copied from then on.
+// Creates a buffer for all rows and half as many more. If sharing fails, the rows are copied from then on.
 static void make_buffer(Share* share)
 {
 	int capacity = share->count + share->count / 2 + 1024;
@@ -159,7 +160,7 @@ scree_status share_update(Share* share)
 		make_buffer(share);
 	if (share->how == SCREE_SHARING_COPIED)
 		return copy(share);
-	glFinish(); // OpenGL finishes drawing the rows before they change
+	glFinish(); // finishes drawing the rows before they change
 	status = scree_world_write_render_rows(share->world, &share->count);
 	if (status == SCREE_ERROR_INVALID)
 	{

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// shared_rows.h -- the rows that a renderer draws, in an OpenGL buffer: written by the device, or copied through the host.
+// shared_rows.h -- the rows that a renderer draws, in an OpenGL buffer: written by the device, or copied through the
+// host.
 //
-// All functions need a current OpenGL context. docs/share.md says which drivers support which way.
+// All functions need a current OpenGL context. docs/share.md lists the drivers that support each way.
 #ifndef SHARED_ROWS_H
 #define SHARED_ROWS_H
 #include "scree/scree.h"
@@ -10,29 +11,30 @@
 typedef struct
 {
 	scree_world* world;
-	bool copy;         // always copy, even where sharing works
-	char device[160];  // of the world, when how was chosen
-	scree_sharing how; // now
+	bool copy;         // copy even if sharing works
+	char device[160];  // device of the world when how was selected
+	scree_sharing how; // the current way
 	char sentence
-	    [256];       // why the rows are copied although the device can share them; else empty. The reader may clear it
+	    // reason for copying rows that the device could share; empty if there is none. The reader may clear it
+	    [256];
 	unsigned buffer; // OpenGL buffer of scree_render_row; replaced when the world grows
 	unsigned memory; // OpenGL memory object of the buffer, 0 for none
 	ExportedMemory exported;
-	int capacity, count;    // rows: that fit into the buffer, that are drawn
-	scree_render_row* rows; // copied by way of these in a page; null where OpenGL maps its buffers
+	int capacity, count;    // rows that fit into the buffer, rows that are drawn
+	scree_render_row* rows; // host copy of the rows in a page; null where OpenGL maps its buffers
 } Share;
 
-// Gets the current context for scree_world_def.opengl; false when it is not an EGL context.
+// Fills opengl with the current context, for scree_world_def.opengl. Returns false if it is not an EGL context.
 bool share_context(scree_opengl* opengl);
 
-// copy: copy even where sharing works. Allocates nothing yet.
+// Initializes the struct; allocates nothing yet. copy: copy even if sharing works.
 void share_open(Share* share, scree_world* world, bool copy);
 
-// Updates the rows after OpenGL finished drawing the old ones. Chooses between sharing and copying again when the world has
-// moved to another device.
+// Updates the rows after OpenGL has finished drawing the old ones. If the world has moved to another device, it selects
+// sharing or copying again.
 scree_status share_update(Share* share);
 
-// Why share_update failed.
+// Returns the reason for the last failure of share_update.
 const char* share_error(const Share* share);
 
 void share_close(Share* share);

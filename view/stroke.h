@@ -7,11 +7,11 @@
 
 typedef struct // 28 bytes, an instance
 {
-	scree_vec a, b; // ends, m; equal for a dot
-	float width;    // px; of a ring: its diameter
+	scree_vec a, b; // endpoints, m; equal for a dot
+	float width;    // px; the diameter of a ring
 	uint8_t color[4];
 	uint8_t end;  // opacity at b
-	uint8_t ring; // width of the line of a ring in quarters of a pixel, 0: filled
+	uint8_t ring; // line width of a ring in quarters of a pixel, 0: filled
 	uint8_t unused[2];
 } Stroke;
 
@@ -29,10 +29,10 @@ void strokes_close(Strokes* strokes);
 // Adds a stroke, or nothing when memory is short. opacity is 0 to 255.
 void strokes_add(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int opacity);
 
-// The same, from one opacity at a to another at b.
+// Adds a stroke whose opacity changes from begin at a to end at b.
 void strokes_fade(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int begin, int end);
 
-// Adds a circle around a point: diameter and width of its line in px.
+// Adds a circle around a point; diameter and line width in px.
 void strokes_ring(Strokes* strokes, scree_vec at, float diameter, float width, Color color, int opacity);
 
 // Draws all strokes and removes them.

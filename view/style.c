@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// style.c -- how bodies are colored and which layers are drawn over them.
+// style.c -- coloring of bodies, and the layers that are drawn over them.
 #include "view/style.h"
 #include "scene/scan_picture.h"
 #include "view/shader.h"

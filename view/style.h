@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// style.h -- how bodies are colored and which layers are drawn over them.
+// style.h -- coloring of bodies, and the layers that are drawn over them.
 #ifndef STYLE_H
 #define STYLE_H
 #include "scene/sprites.h"
 
-typedef enum // what colors a body
+typedef enum // rule that colors a body
 {
 #define X(enumerator, name, help) PAINT_##enumerator,
 #include "view/paints.def"
@@ -13,11 +13,13 @@ typedef enum // what colors a body
 } Paint;
 
 extern const char* const paint_names[PAINTS];
-int find_name(const char* const* names, int count, const char* text, size_t length); // -1 where there is none
+int find_name(const char* const* names, int count, const char* text, size_t length); // returns -1 if the name is not in
+                                                                                     // the list
 
-#define GRAPH_COLORS 64 // of scree_contact.color
+#define GRAPH_COLORS 64 // number of values of scree_contact.color
 
-// The hues are a golden angle apart, so that consecutive colors differ; contacts of hubs are dark.
+// Returns the color for a graph color. Hues are a golden angle apart, so that consecutive colors differ; contacts of
+// hubs are dark.
 Color graph_color(int color);
 
 typedef enum
@@ -36,13 +38,14 @@ typedef struct
 	bool layers[LAYERS];
 	bool graph; // contact points have the color of the solver's graph
 	float
-	    detail; // px: bodies of less reach are splats, shorter joints are left out; 1 is fine, 4 for a software renderer
-	int rays;   // of the scene, that are drawn at most
-	bool dark;  // on a dark ground
+	    // px: bodies with a smaller reach are splats, shorter joints are omitted; 1 is fine, 4 for a software renderer
+	    detail;
+	int rays;  // maximum number of rays of the scene that are drawn
+	bool dark; // dark background
 } Style;
 
-// Reads the name of a paint and a list of layers with commas between them; null: the default, which shows joints, sensors and rays.
-// False writes a sentence (SENTENCE of shader.h) that begins with the option.
+// Reads the name of a paint and a list of layers, separated by commas. Null selects the default, which shows joints,
+// sensors and rays. Returns false and writes a sentence (SENTENCE of shader.h) that begins with the option on failure.
 bool style_read(Style* style, const char* paint, const char* layers, char* sentence);
 
 #endif

@@ -3,20 +3,20 @@
 #include "view/texel_array.h"
 #include "view/opengl.h"
 
-#define WIDTH 2048 // texels of a row, as row.glsl has it; every WebGL 2 has as many
+#define WIDTH 2048 // texels per row, as in common.glsl; every WebGL 2 supports this width
 
 static const struct
 {
 	GLint internal;
 	GLenum format, type;
-	size_t bytes; // of a texel
+	size_t bytes; // bytes per texel
 } formats[] = {
     {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1},
     {GL_RG32F, GL_RG, GL_FLOAT, 8},
     {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16},
 };
 
-// Makes a texture of more rows than are needed now, so that worlds may grow for a while.
+// Creates a texture with more rows than needed, so that a growing world rarely replaces it.
 static void texel_array_make(TexelArray* t, TexelFormat format, int rows)
 {
 	if (!t->texture)

@@ -3,20 +3,20 @@
 #ifndef TEXEL_ARRAY_H
 #define TEXEL_ARRAY_H
 
-typedef enum // of texels
+typedef enum // format of a texel
 {
 	FORMAT_BYTE, // R8UI
 	FORMAT_TWO,  // RG32F
 	FORMAT_FOUR, // RGBA32F
 } TexelFormat;
 
-typedef struct // texel k is in row k / 2048. WebGL has no buffer textures
+typedef struct // texel k is in row k / 2048, because WebGL has no buffer textures
 {
 	unsigned texture;
-	int format, rows; // that it was made for
+	int format, rows; // values with which the texture was created
 } TexelArray;
 
-// Writes the first so many texels; the others are not defined.
+// Writes the first count texels; the others are undefined.
 void texel_array_fill(TexelArray* array, TexelFormat format, const void* data, int count);
 void texel_array_delete(TexelArray* array);
 

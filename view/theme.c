@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// theme.c -- the colors of what is no body: on a light or a dark ground.
+// theme.c -- colors other than those of dynamic bodies, for a light or a dark background.
 #include "view/theme.h"
 
 static const Theme themes[] = {

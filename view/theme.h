@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// theme.h -- the colors of what is no body: on a light or a dark ground.
+// theme.h -- colors other than those of dynamic bodies, for a light or a dark background.
 #ifndef THEME_H
 #define THEME_H
 #include "scene/sprites.h"
@@ -11,7 +11,7 @@ typedef struct
 	Color glass;  // outlines of collidables without a body
 	Color ink;    // velocities, centers of mass
 	Color idle;   // joints without load
-	Color chosen; // the outline of what is selected
+	Color chosen; // outline of the selected body
 } Theme;
 
 const Theme* theme_of(bool dark);

@@ -1,10 +1,10 @@
 // body.frag -- a shape by its signed distance: filled, with a thin darker rim, and a spoke in circles.
 uniform sampler2D table;
-uniform float scale; // px a metre
+uniform float scale; // px per metre
 uniform float line;  // px: width of rims
 
 flat in int texel;
-// of the vertex shader: software renderers run all branches, and fetch in each
+// computed by the vertex shader, because software renderers run all branches and would fetch in each
 flat in vec4 frame;
 flat in vec3 shape;
 flat in vec4 ends;
@@ -29,7 +29,7 @@ float segment_distance(vec2 p, vec2 a, vec2 b)
 	return length(p - a - ab * clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0));
 }
 
-// From the hull of the vertices, px: negative inside, where the nearest edge decides.
+// Returns the signed distance from the hull of the vertices, px: negative inside, where the nearest edge counts.
 float hull_distance(vec2 p, int count)
 {
 	vec2 a = last;
@@ -48,7 +48,7 @@ void main()
 {
 	float radius = shape.x, d;
 	int count = int(shape.y), form = int(shape.z);
-	if (form == 1) // a rectangle along the axes
+	if (form == 1) // an axis-aligned rectangle
 	{
 		vec2 q = abs(local - frame.xy) - frame.zw + radius;
 		d = length(max(q, 0.0)) + min(max(q.x, q.y), 0.0);

@@ -1,4 +1,4 @@
-// box.frag -- a frame of one pixel.
+// box.frag -- an axis-aligned box as a frame of one pixel.
 flat in vec4 edges;
 out vec4 pixel;
 

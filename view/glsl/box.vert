@@ -1,4 +1,4 @@
-// box.vert -- the box along the axes around a placed shape.
+// box.vert -- the axis-aligned box around a placed shape.
 uniform vec2 size; // px of the picture
 
 flat out vec4 edges; // px: lower and upper corner

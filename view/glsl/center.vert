@@ -1,5 +1,5 @@
-// center.vert -- a dot in the center of mass of a body that moves; stroke.frag draws it.
-flat out vec2 stroke; // half a length, half a width, px
+// center.vert -- a dot at the center of mass of a dynamic body; stroke.frag draws it.
+flat out vec2 stroke; // px: half a length, half a width
 flat out float ring;
 flat out vec4 color;
 flat out float fade;

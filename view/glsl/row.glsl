@@ -1,27 +1,27 @@
 // row.glsl -- the beginning of every shader of rows: a row of the world, and the tables of render_tables.h.
 layout(location = 0) in vec4 pose;   // x, y (m), cosine, sine
-layout(location = 1) in vec2 center; // from there to the center of mass, m
-layout(location = 2) in ivec2 name;  // attribute, -1 where there is no collidable; body, -1 for none
+layout(location = 1) in vec2 center; // vector from x, y to the center of mass, m
+layout(location = 2) in ivec2 name;  // attribute, -1 if there is no collidable; body, -1 if there is none
 
-uniform vec4 view;   // middle of the picture (m), clip units a metre
-uniform float scale; // px a metre
-uniform int paint;   // its line in paints.def, from 0
-uniform vec3 palette[64]; // of graph colors
-uniform vec3 ramp[17];    // of the paint, as ramp.h has it
-uniform vec3 types[2];    // of kinematic and dynamic bodies
+uniform vec4 view;   // middle of the picture (m), clip units per metre
+uniform float scale; // px per metre
+uniform int paint;   // line number in paints.def, from 0
+uniform vec3 palette[64]; // graph colors
+uniform vec3 ramp[17];    // colors of the paint, as in ramp.h
+uniform vec3 types[2];    // colors of kinematic and dynamic bodies
 uniform vec3 still;       // color of bodies that are not dynamic
-uniform vec3 glass;       // of collidables without a body
-uniform vec3 ink;         // of what is drawn over bodies
-uniform int first;        // row that is drawn first
-uniform int marked;       // rows that have a mark
+uniform vec3 glass;       // color of collidables without a body
+uniform vec3 ink;         // color of marks over bodies
+uniform int first;        // first row that is drawn
+uniform int marked;       // number of rows that have a mark
 
 uniform sampler2D table;      // attributes, TEXELS of render_tables.c each
-uniform usampler2D kinds;     // of bodies: type, and 4 times the shade
-uniform usampler2D graph;     // highest color of a body's contacts, 255 for none
-uniform sampler2D shares;     // of bodies: force, or starting place, 0 to 1
-uniform sampler2D velocities; // of bodies, m/s
-uniform usampler2D marks;     // of rows: bits of sensor_marks.h
-uniform int sensors;              // whether they are shown
+uniform usampler2D kinds;     // per body: type plus 4 times the shade
+uniform usampler2D graph;     // per body: highest color of its contacts, 255 for none
+uniform sampler2D shares;     // per body: force, or starting place, 0 to 1
+uniform sampler2D velocities; // per body: velocity, m/s
+uniform usampler2D marks;     // per row: bits of sensor_marks.h
+uniform int sensors;              // 1 if sensors are shown
 
 const vec3 sensor = vec3(38, 138, 94) / 255.0;
 
@@ -29,11 +29,11 @@ vec2 turned(vec2 v) { return vec2(pose.z * v.x - pose.w * v.y, pose.w * v.x + po
 vec2 clip_of(vec2 world) { return (world - view.xy) * view.zw; }
 uint kind() { return texelFetch(kinds, cell(name.y), 0).x & 3u; } // 0 static, 1 kinematic, 2 dynamic
 
-// The mark of a row, 0 where it is no sensor.
+// Returns the mark of a row, 0 if it is not a sensor.
 int mark_of(int row) { return row < marked ? int(texelFetch(marks, cell(row), 0).x) : 0; }
 bool hidden(int mark) { return mark != 0 && sensors == 0; }
 
-// Whether a shape of this reach (m) lies outside the picture.
+// Returns true if a shape with this reach (m) is outside the picture.
 bool unseen(float reach) { return any(greaterThan(abs(clip_of(pose.xy)), 1.0 + reach * view.zw)); }
 
 vec3 graph_color(uint color) { return color == 255u ? vec3(0.86, 0.85, 0.82) : palette[min(color, 63u)]; }
@@ -45,14 +45,14 @@ vec3 ramp_color(float t)
 	return mix(ramp[k], ramp[k + 1], at - float(k));
 }
 
-// The hue from left to right, dark at the bottom and light at the top.
+// Returns the color of a starting place: the hue changes from left to right, dark at the bottom and light at the top.
 vec3 start_color(vec2 place)
 {
 	vec3 hue = ramp_color(place.x);
 	return mix(hue * 0.55, mix(vec3(1.0), hue, 0.6), place.y);
 }
 
-// A shade of the attribute: 0 is its first color, 1 its middle, 2 its last.
+// Returns a shade of the attribute: 0 is its first color, 1 its middle one, 2 its last one.
 vec3 shade_color(vec3 middle, float place)
 {
 	vec3 end = texelFetch(table, cell(9 * name.x + (place < 1.0 ? 7 : 8)), 0).rgb;
@@ -76,7 +76,7 @@ vec3 row_color(vec3 middle)
 		return ramp_color(texelFetch(shares, cell(name.y), 0).x);
 	if (paint == 4)
 		return start_color(texelFetch(shares, cell(name.y), 0).xy);
-	// a little lighter or darker from body to body
+	// makes each body a little lighter or darker, by its index
 	uint mixed = uint(name.y) * 0x9e3779b1u;
 	mixed = (mixed ^ mixed >> 15) * 0x85ebca6bu;
 	vec3 color = paint == 5 ? types[1] : shade_color(middle, float(texelFetch(kinds, cell(name.y), 0).x >> 2) / 31.0);

@@ -1,4 +1,4 @@
-// splat.frag -- the share of a pixel that a small square covers; the shares of all pixels add up to its area.
+// splat.frag -- the part of a pixel that a small square covers; the parts of all pixels add up to the square's area.
 uniform bool coarse;
 
 flat in vec3 color;

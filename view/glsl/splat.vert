@@ -1,10 +1,10 @@
-// splat.vert -- a small shape as a point with the square of the shape's area.
+// splat.vert -- a small shape as a point: a square with the shape's area.
 uniform bool coarse; // cover whole pixels only
-uniform float least; // px: shapes of more reach are no splats
-uniform vec2 size;   // px of the picture
+uniform float least; // px: shapes with a larger reach are not splats
+uniform vec2 size;   // size of the picture, px
 
 flat out vec3 color;
-flat out vec3 square; // middle and half a side, px
+flat out vec3 square; // px: middle and half a side
 
 void main()
 {

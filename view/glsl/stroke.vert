@@ -1,11 +1,11 @@
-// stroke.vert -- a line of any width with round ends; of no length, a dot or a ring.
+// stroke.vert -- a line of any width with round ends; with length 0, a dot or a ring.
 layout(location = 0) in vec4 ends;  // m
 layout(location = 1) in float wide; // px
 layout(location = 2) in vec4 tint;
-layout(location = 3) in vec2 extra; // opacity at the end, 0 to 255; width of a ring's line in quarters of a pixel
+layout(location = 3) in vec2 extra; // opacity at the end, 0 to 255; line width of a ring in quarters of a pixel
 
-uniform vec4 view;   // middle of the picture (m), clip units a metre
-uniform float scale; // px a metre
+uniform vec4 view;   // middle of the picture (m), clip units per metre
+uniform float scale; // px per metre
 
 flat out vec2 stroke;
 flat out float ring;

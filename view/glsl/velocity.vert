@@ -1,9 +1,9 @@
-// velocity.vert -- a line from the center of mass to where it would be after 0.15 s.
-flat out vec2 stroke; // half a length, half a width, px
+// velocity.vert -- a line from the center of mass to its position after 0.15 s at the current velocity.
+flat out vec2 stroke; // px: half a length, half a width
 flat out float ring;
 flat out vec4 color;
 flat out float fade;
-out vec2 local; // px, along the line from its middle and across
+out vec2 local; // px: along the line from its middle, and across
 
 void main()
 {
