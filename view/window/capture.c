@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// capture.c -- writes what the window shows to files: pictures, and videos frame by frame.
+// capture.c -- writes the content of the window to files: pictures, and videos frame by frame.
 #include "view/window/capture.h"
 #include "view/gl_picture.h"
 #include "view/shader.h"
@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#define MOST_FILES 10000 // files scree-N of one kind in a folder
+#define MOST_FILES 10000 // maximum number of files scree-N of one kind in a folder
 
 static void drop(Capture* c)
 {

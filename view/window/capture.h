@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// capture.h -- writes what the window shows to files: pictures, and videos frame by frame.
+// capture.h -- writes the content of the window to files: pictures, and videos frame by frame.
 #ifndef CAPTURE_H
 #define CAPTURE_H
 #include "scene/canvas.h"
@@ -9,32 +9,32 @@
 
 typedef struct
 {
-	Framebuffer framebuffer; // as large as the canvas
+	Framebuffer framebuffer; // same size as the canvas
 	Canvas canvas;
-	Video video;    // pipe: null when none is made
-	double seconds; // of the world since the video began
+	Video video;    // pipe is null if no video is recorded
+	double seconds; // s of the world since the video began
 	char path[64];
 } Capture;
 
-// Allocates a picture of this size. False writes a sentence.
+// Allocates a picture of this size. Returns false and writes a sentence on failure.
 bool capture_size(Capture* capture, int width, int height, char* sentence);
 
-// Whether the picture and the video have this size.
+// Returns true if the picture and the video have this size.
 bool capture_fits(const Capture* capture, int width, int height);
 void capture_close(Capture* capture);
 
-// Draws a picture as scree run does.
+// Draws a picture in the style of scree run.
 void capture_draw(Capture* capture, Renderer* renderer, const Share* share, const Camera* camera, const Style* style,
                   const char* title, const char* caption);
 
 // Reads the back buffer of the window.
 void capture_window(Capture* capture);
 
-// Writes the picture to a file; a null path makes a new file scree-N.png in the current folder. The sentence names the file or
-// the error.
+// Writes the picture to a file; a null path creates a new file scree-N.png in the current folder. The sentence names
+// the file or the error.
 bool capture_save(Capture* capture, const char* path, char* sentence);
 
-// Begins a video in a new file scree-N.mp4. Only a failure writes a sentence.
+// Begins a video in a new file scree-N.mp4. Writes a sentence only on failure.
 bool capture_begin(Capture* capture, char* sentence);
 // Adds the picture as the frames that are due at Capture.seconds: none, one or several.
 bool capture_frame(Capture* capture);

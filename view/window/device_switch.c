@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// device_switch.c -- which device the world goes to next, by a key.
+// device_switch.c -- moves the world to the next device, for a key.
 #include "view/window/device_switch.h"
 #include "view/window/viewer.h"
 #include <string.h>
 
-// The index of the choice of the user in the list of devices; the length of the list for "auto".
+// Returns the index of the user's choice in the list of devices; the length of the list for "auto".
 static int find_chosen(const Session* session)
 {
 	const char* chosen =
@@ -15,7 +15,7 @@ static int find_chosen(const Session* session)
 	return k;
 }
 
-// Whether a move to choice k changes where the world is.
+// Returns true if choice k moves the world to another device.
 static bool is_elsewhere(const Session* session, int k)
 {
 	return k < session->device_count && strcmp(session->devices[k].name, scree_world_get_device(session->world)) != 0;
@@ -37,7 +37,7 @@ void devices_next(Viewer* v)
 		viewer_show(v, sentence);
 		return;
 	}
-	// a choice that leaves the world where it is would look as if nothing had happened
+	// skips choices that leave the world on its device, because nothing would seem to happen
 	while (next == chosen || (next < session->device_count && !is_elsewhere(session, next)))
 		next = (next + 1) % choices;
 	viewer_move(v, next < session->device_count ? session->devices[next].name : "auto");

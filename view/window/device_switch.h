@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// device_switch.h -- which device the world goes to next, by a key.
+// device_switch.h -- moves the world to the next device, for a key.
 #ifndef DEVICE_SWITCH_H
 #define DEVICE_SWITCH_H
 #include "view/window/window_state.h"
 
-// Moves the world to the next device that is not the one where it is, or lets it choose. Each call tries the device after the one
-// tried last, so that a device that fails does not block the others. Where there is one device alone it says so.
+// Moves the world to the next other device, or selects "auto". Each call tries the device after the last one tried, so
+// that a device that fails does not block the others. If there is only one device, it shows a message.
 void devices_next(Viewer* viewer);
 
 #endif

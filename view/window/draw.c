@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// draw.c -- one frame of the window: the world, what the cursor holds, the panel.
+// draw.c -- draws one frame of the window: the world, the marks of the tools, the panel.
 #include "view/window/draw.h"
 #include "scene/scan_picture.h"
 #include "view/window/export.h"
@@ -10,13 +10,13 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define FEW_RAYS 3000 // Style.rays where OpenGL runs on the CPU, which draws them in 25 ms
-#define COARSE   4.0f // px: Style.detail where OpenGL runs on the CPU
-#define MANY     5000 // rows: from here on COARSE is used there
+#define FEW_RAYS 3000 // value of Style.rays if OpenGL runs on the CPU, which draws them in 25 ms
+#define COARSE   4.0f // px: value of Style.detail if OpenGL runs on the CPU
+#define MANY     5000 // number of rows above which COARSE is used
 
 static const Color thread = {187, 53, 44};
 
-// A line from the cursor to the body that it drags.
+// Adds a line from the cursor to the body that it drags.
 static void draw_grab(Viewer* v)
 {
 	scree_vec anchor;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// export.c -- the viewer's pictures and videos: drawn without the panel, or the window as it is.
+// export.c -- pictures and videos from the viewer: drawn without the panel, or of the whole window.
 #include "view/window/export.h"
 #include "scene/caption.h"
 #include "scene/scan_picture.h"
@@ -10,7 +10,8 @@ static bool resize_capture(Viewer* v)
 	return capture_size(&v->capture, v->camera.width, v->camera.height, v->message);
 }
 
-// There is no panel in a picture: what was fitted beside it is fitted into all of the picture.
+// Returns the camera of a picture. A picture has no panel, so a box that was fitted beside the panel is fitted into the
+// whole picture.
 static Camera picture_camera(const Viewer* v)
 {
 	Camera camera = v->camera;
@@ -19,7 +20,7 @@ static Camera picture_camera(const Viewer* v)
 	return camera;
 }
 
-// Draws without the panel and without splats larger than a pixel, as scree run does.
+// Draws without the panel and without splats larger than a pixel, in the style of scree run.
 static void draw_picture(Viewer* v, const Style* style)
 {
 	char caption[256];

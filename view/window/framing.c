@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// framing.c -- what the window shows of the world: all of the scene beside the panel, what the user moves to, or a body that is followed.
+// framing.c -- the part of the world that the window shows: the whole scene, a part that the user selected, or a
+// followed body.
 #include "view/window/framing.h"
 #include "view/bounds.h"
 #include "view/window/panel.h"
 #include <stdlib.h>
 
-#define FAR 3.0f // sizes of the scene's view that a body may be away from it to be shown
+#define FAR 3.0f // distance from the scene's view within which bodies are shown, in sizes of the view
 
 static void fit(Viewer* v, scree_box box)
 {
@@ -17,7 +18,7 @@ static void fit(Viewer* v, scree_box box)
 
 void eye_fit_scene(Viewer* v) { fit(v, render_tables_view(&v->renderer.tables, v->session.scene)); }
 
-// Around the bodies that move. False if there are none.
+// Finds a box around the bodies that move. Returns false if there are none.
 static bool find_bodies(Viewer* v, scree_box* box)
 {
 	RenderTables* tables = &v->renderer.tables;
@@ -52,7 +53,7 @@ void eye_fit_bodies(Viewer* v)
 		fit(v, found ? around : view);
 }
 
-// The point of the world in the middle of the free part of the window.
+// Returns the point of the world in the middle of the free part of the window.
 static scree_vec middle(const Viewer* v)
 {
 	return camera_point(&v->camera, 0.5f * ((float)v->camera.width + panel_left(v)),

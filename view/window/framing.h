@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
-// framing.h -- what the window shows of the world: all of the scene beside the panel, what the user moves to, or a body that is followed.
+// framing.h -- the part of the world that the window shows: the whole scene, a part that the user selected, or a
+// followed body.
 #ifndef FRAMING_H
 #define FRAMING_H
 #include "view/window/window_state.h"
 
-// Shows the scene as its file has it.
+// Shows the view of the scene file.
 void eye_fit_scene(Viewer* viewer);
 
-// Shows the scene, and where its bodies are now, without a few that flew far away.
+// Shows the view of the scene file and the current positions of its bodies, except a few outliers.
 void eye_fit_bodies(Viewer* viewer);
 
-// Follows the selected body, or ends that. False if there is none.
+// Starts to follow the selected body, or stops it. Returns false if no body is selected.
 bool eye_follow(Viewer* viewer);
 
-// The user has moved the picture.
+// Stops following and fitting, because the user has moved the picture.
 void eye_moved(Viewer* viewer);
 
-// Before a frame: a picture that showed all still does when the window or the panel has changed; what is followed is in the middle.
+// Updates the camera; call it before a frame. A fitted box stays fitted when the window or the panel changes, and a
+// followed body is moved to the middle.
 void eye_frame(Viewer* viewer);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// full_screen.c -- the window over the whole screen, and back to where it was.
+// full_screen.c -- switches the window to full screen, and back to its earlier place.
 #include "view/window/full_screen.h"
 #include "view/window/viewer.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// history.c -- how long the last frames and their steps took, for the graph of the panel.
+// history.c -- durations of the last frames and their steps, for the graph of the panel.
 #include "view/window/history.h"
 #include <stdlib.h>
 #include <string.h>
 
-#define LEAST  20.0f // ms: the line of 16.7 ms is always shown
-#define WITHIN 0.97f // share of the frames that the graph holds
+#define LEAST  20.0f // ms: the line of 16.7 ms is always visible
+#define WITHIN 0.97f // share of the frames that fit into the graph
 
 void history_step(History* history, float ms)
 {
@@ -46,7 +46,7 @@ float history_top(const History* history)
 	}
 	qsort(sorted, (size_t)history->count, sizeof *sorted, compare_floats);
 	float needed = sorted[(int)(WITHIN * (float)(history->count - 1))];
-	const float factors[] = {2.5f, 2.0f, 2.0f}; // 20, 50, 100, 200, 500, ...
+	const float factors[] = {2.5f, 2.0f, 2.0f}; // for tops of 20, 50, 100, 200, 500, ...
 	for (int k = 0; top < needed && top < 1.0e6f; ++k)
 		top *= factors[k % 3];
 	return top;

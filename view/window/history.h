@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// history.h -- how long the last frames and their steps took, for the graph of the panel.
+// history.h -- durations of the last frames and their steps, for the graph of the panel.
 #ifndef HISTORY_H
 #define HISTORY_H
 #include <stdbool.h>
@@ -8,10 +8,10 @@
 
 typedef struct
 {
-	float step[HISTORY_FRAMES];  // ms of a step of the frame on average; below 0: the frame took none
+	float step[HISTORY_FRAMES];  // ms: average step of the frame; negative if the frame took no step
 	float frame[HISTORY_FRAMES]; // ms since the frame before
 	int count, next;
-	float total; // ms of the steps of the frame that is made
+	float total; // ms: sum of the steps of the current frame
 	int steps;
 } History;
 
@@ -19,16 +19,16 @@ typedef struct
 extern "C" {
 #endif
 
-// A step of the frame that is made.
+// Adds a step to the current frame.
 void history_step(History* history, float ms);
 
-// The frame is made, so many ms after the one before.
+// Ends the current frame, which began ms after the one before.
 void history_frame(History* history, float ms);
 
-// The frame k of count, the oldest first, as an index of the arrays.
+// Returns the index in the arrays of frame k of count, the oldest first.
 int history_at(const History* history, int k);
 
-// A round number that holds what is shown, and at least 20 ms; few frames may be longer.
+// Returns a round number for the top of the graph, at least 20 ms; few frames are longer.
 float history_top(const History* history);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// input.c -- what keys and mouse do, whether the events come from the window, the panel or a script.
+// input.c -- actions of keys and mouse, for events from the window, the panel or a script.
 #include "view/window/input.h"
 #include "view/window/device_switch.h"
 #include "view/window/export.h"
@@ -11,10 +11,10 @@
 #include <math.h>
 #include <string.h>
 
-#define ZOOM    1.15f          // a step of the wheel
-#define SLOWEST (1.0f / 64.0f) // s of the world a second of the clock
+#define ZOOM    1.15f          // factor of one step of the wheel
+#define SLOWEST (1.0f / 64.0f) // seconds of the world per second of the clock
 #define STILL   6              // frames: a cursor that did not move for a tenth of a second has no velocity
-#define CLICK   4.0f           // px: a button that moved less from down to up was a click
+#define CLICK   4.0f           // px: a click is a button that moved less from down to up
 
 static void step_once(Viewer* v)
 {
@@ -23,7 +23,7 @@ static void step_once(Viewer* v)
 	++v->session.due;
 }
 
-// The cursor stays at its pixel while the picture moves under it.
+// Moves the point of the cursor to the point of the world under its pixel.
 static void update_cursor(Viewer* v) { v->grab.at = camera_point(&v->camera, v->x, v->y); }
 
 static void report_all(Viewer* v)
@@ -34,7 +34,7 @@ static void report_all(Viewer* v)
 	                    : scree_error());
 }
 
-// Says why a layer of events stays empty.
+// Shows the reason if a layer of events stays empty.
 static void explain_layer(Viewer* v, Layer layer)
 {
 	int count = 1;
@@ -49,7 +49,7 @@ static void explain_layer(Viewer* v, Layer layer)
 		viewer_show(v, "this scene casts no rays");
 }
 
-// The scene before or after this one in the list.
+// Loads the next or previous scene of the list.
 static void load_neighbor(Viewer* v, int by)
 {
 	const Session* session = &v->session;
@@ -67,7 +67,7 @@ static void show_hash(Viewer* v)
 		viewer_show(v, sentence);
 }
 
-// The world and its clock. False for any other action.
+// Handles actions on the world and its clock. Returns false for any other action.
 static bool session_action(Viewer* v, Action action)
 {
 	Session* session = &v->session;
@@ -115,7 +115,7 @@ static bool session_action(Viewer* v, Action action)
 	}
 }
 
-// How the world is drawn. False for any other action.
+// Handles actions on the look of the world. Returns false for any other action.
 static bool style_action(Viewer* v, Action action)
 {
 	switch (action)
@@ -149,7 +149,7 @@ static bool style_action(Viewer* v, Action action)
 	}
 }
 
-// Files and the window itself.
+// Handles actions on files and on the window itself.
 static void window_action(Viewer* v, Action action)
 {
 	switch (action)
@@ -236,7 +236,7 @@ void input_button(Viewer* v, bool right, bool down)
 	v->press_y = v->y;
 }
 
-// What is followed stays in the middle.
+// Magnifies the picture; a followed body stays in the middle.
 void input_wheel(Viewer* v, float steps)
 {
 	camera_zoom(&v->camera, v->x, v->y, powf(ZOOM, steps));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// input.h -- what keys and mouse do, whether the events come from the window, the panel or a script.
+// input.h -- actions of keys and mouse, for events from the window, the panel or a script.
 #ifndef INPUT_H
 #define INPUT_H
 #include "scene/controls.h"
 #include "view/window/window_state.h"
 
-typedef enum // a key's action
+typedef enum // action of a key
 {
 #define X(name, key, shown, help) ACTION_##name,
 #include "view/window/keys.def"
@@ -13,20 +13,21 @@ typedef enum // a key's action
 	ACTIONS,
 } Action;
 
-// A key that scenes may ask for goes down or up. False if the scene did not ask for it: the viewer may use it.
+// Presses or releases a key that scenes may use. Returns false if the scene does not use it: the viewer may use it.
 bool input_scene_key(Viewer* viewer, SceneKey key, bool down);
 
 void input_action(Viewer* viewer, Action action);
 
-// A tool that works while its key is down, ACTION_pour or ACTION_blast, goes down or up.
+// Presses or releases the key of a tool that works while its key is down: ACTION_pour or ACTION_blast.
 void input_hold(Viewer* viewer, Action action, bool down);
 
-// Positions are pixels of the picture; y grows downwards. seconds: since the cursor moved last.
+// Handle the mouse. Positions are pixels of the picture; y grows downwards. seconds is the time since the last move of
+// the cursor.
 void input_cursor(Viewer* viewer, float x, float y, double seconds);
 void input_button(Viewer* viewer, bool right, bool down);
 void input_wheel(Viewer* viewer, float steps);
 
-// Once a frame: the cursor stays at its pixel while the picture moves under it.
+// Updates the point of the world under the cursor, because the picture may have moved; call it once per frame.
 void input_frame(Viewer* viewer);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// legends.cpp -- what the colors in the window stand for; in C++.
+// legends.cpp -- explanations of the colors in the window; in C++.
 extern "C" {
 #include "view/legend.h"
 }
@@ -7,8 +7,8 @@ extern "C" {
 #include "view/window/sizes.h"
 
 #define BAR    sized(230.0f)
-#define FLAT   sized(12.0f) // height of the colors
-#define SQUARE sized(44.0f) // where both directions mean something
+#define FLAT   sized(12.0f) // height of the color bar
+#define SQUARE sized(44.0f) // height of a legend whose colors depend on x and y
 
 static ImU32 packed(Color color) { return IM_COL32(color.r, color.g, color.b, 255); }
 
@@ -34,7 +34,7 @@ static void draw_legend(const Legend& legend, float high)
 	float below = at.y + high + sized(2.0f), small = ImGui::GetFontSize() * 0.86f;
 	for (int k = 0; k < legend.tick_count; ++k)
 	{
-		// the first and the last text end where the colors end
+		// clamps the first and the last text to the ends of the color bar
 		float wide = ImGui::GetFont()->CalcTextSizeA(small, BAR, 0.0f, legend.ticks[k].text).x;
 		float x = at.x + BAR * legend.ticks[k].at - 0.5f * wide;
 		x = x < at.x ? at.x : x > at.x + BAR - wide ? at.x + BAR - wide : x;

@@ -36,7 +36,7 @@ static void choose_font()
 	ImGui::GetIO().Fonts->AddFontDefault(&config);
 }
 
-struct Palette // of a theme
+struct Palette // colors of a theme
 {
 	ImVec4 window, popup, border, text, faint, frame, frame_hovered, button, button_hovered, active, header,
 	    header_hovered, strong;
@@ -69,7 +69,7 @@ static const Palette palettes[] = {{{0.985f, 0.98f, 0.965f, 0.95f},
                                     {0.22f, 0.30f, 0.32f, 1.0f},
                                     {0.40f, 0.74f, 0.71f, 1.0f}}};
 
-// The colors of the pictures: background, text, one accent.
+// Selects the colors of the pictures: background, text, one accent.
 static void choose_colors(bool dark)
 {
 	const Palette& p = palettes[dark];

@@ -4,15 +4,15 @@
 #define LOOK_H
 #include <imgui.h>
 
-struct Accents // what Dear ImGui has no colors for
+struct Accents // colors that Dear ImGui does not have
 {
 	ImVec4 band, good, step, frame, limit, key;
 };
 
-// Makes fonts and sizes for a scale, and colors for a theme. Between frames.
+// Creates fonts and sizes for a scale, and colors for a theme. Call it between frames.
 void look_open(float scale, bool dark);
 
-// Changes the colors if the theme is another one.
+// Changes the colors if the theme is different.
 void look_set_theme(bool dark);
 
 const Accents& look_accents();

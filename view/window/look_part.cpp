@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// look_part.cpp -- the part of the panel that says how the world is drawn; in C++.
+// look_part.cpp -- the part of the panel that controls the look of the world; in C++.
 extern "C" {
 #include "view/window/input.h"
 }
@@ -23,7 +23,7 @@ static const struct
 #undef X
 };
 
-// The key of an action of this name; empty for none.
+// Returns the key of the action with this name; empty if there is none.
 static const char* key_of(const char* name)
 {
 	static const struct
@@ -61,7 +61,7 @@ static void draw_paints(Viewer* v)
 	ImGui::PopID();
 }
 
-// How much of what the layers could show is drawn.
+// Draws the numbers of rays and events that the layers show and omit.
 static void draw_shares(const Viewer* v)
 {
 	const Scan* scan = &v->renderer.scan;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// overlay.cpp -- what the window shows beside the panel: the band with the caption, the list of keys, numbers of bodies; in C++.
+// overlay.cpp -- elements of the window beside the panel: the band with the caption, the list of keys, numbers of
+// bodies; in C++.
 extern "C" {
 #include "scene/block.h"
 #include "scene/caption.h"
@@ -39,7 +40,7 @@ void overlay_numbers(const Inspected* inspected)
 	write_lines(numbers);
 }
 
-// Beside the cursor, on its right if there is room.
+// Draws the numbers of the hovered collidable beside the cursor, on its right if there is room.
 static void draw_hovered(const Viewer* v, const ImVec2& size)
 {
 	ImVec2 factor = ImGui::GetIO().DisplayFramebufferScale;
@@ -70,7 +71,7 @@ static void draw_selected(const Viewer* v, const ImVec2& size)
 	ImGui::End();
 }
 
-// A key as a cap, and what it does.
+// Draws a key as a cap, and the description of its action.
 static void draw_key(const char* shown, const char* help)
 {
 	ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(shown);
@@ -98,7 +99,7 @@ static void draw_keys(const Viewer* v, const ImVec2& size)
 	{
 		for (int k = 0; k < rows * columns; ++k)
 		{
-			int at = k / columns + (k % columns) * rows; // down the columns
+			int at = k / columns + (k % columns) * rows; // fills column by column
 			ImGui::TableNextColumn();
 			if (at < count)
 				draw_key(keys[at].shown, keys[at].help);
@@ -126,7 +127,7 @@ static void draw_keys(const Viewer* v, const ImVec2& size)
 	ImGui::End();
 }
 
-// Cuts a text to a width, with dots at its end.
+// Shortens a text to a width; dots replace the rest.
 static void shorten(char* text, float room)
 {
 	size_t length = strlen(text);
@@ -137,7 +138,7 @@ static void shorten(char* text, float room)
 	}
 }
 
-// The caption band of the window: title or message on the left, time and counts on the right.
+// Draws the caption band: title or message on the left, time and counts on the right.
 static void draw_band(const Viewer* v, const ImVec2& size)
 {
 	char caption[256];
@@ -152,7 +153,7 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::PopStyleVar(2);
 	char text[SENTENCE];
 	float counts = ImGui::CalcTextSize(caption).x, room = size.x - counts - 4.0f * EDGE;
-	bool both = room >= 0.4f * size.x; // else a message, or the counts, alone
+	bool both = room >= 0.4f * size.x; // if false, only the message, or only the counts
 	snprintf(text, sizeof text, "%s", *v->message ? v->message : v->session.scene->title);
 	shorten(text, both ? room : size.x - 2.0f * EDGE);
 	if (both || *v->message)
@@ -169,11 +170,11 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::End();
 }
 
-// A sign at the top, in the middle of what the panel leaves free.
+// Draws a sign at the top, in the middle of the part that the panel leaves free.
 static void draw_paused(const Viewer* v, const ImVec2& size)
 {
 	float left = v->panel ? WIDTH + EDGE : 0.0f;
-	bool wide = size.x - left > ROOM; // else it lies over the panel, and is short
+	bool wide = size.x - left > ROOM; // if false, it lies over the panel, and is short
 	ImGui::SetNextWindowPos(ImVec2(wide ? 0.5f * (left + size.x) : size.x - EDGE, EDGE), ImGuiCond_Always,
 	                        ImVec2(wide ? 0.5f : 1.0f, 0.0f));
 	ImGui::Begin("paused", nullptr,

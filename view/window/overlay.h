@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// overlay.h -- what the window shows beside the panel: the band with the caption, the list of keys, numbers of bodies; in C++.
+// overlay.h -- elements of the window beside the panel: the band with the caption, the list of keys, numbers of bodies;
+// in C++.
 #ifndef OVERLAY_H
 #define OVERLAY_H
 extern "C" {
@@ -7,16 +8,16 @@ extern "C" {
 }
 #include <imgui.h>
 
-// Draws all of it in a window of this size.
+// Draws all these elements in a window of this size.
 void overlay_draw(const Viewer* viewer, const ImVec2& size);
 
 // Draws the legends of paint and joints at the lower right.
 void overlay_legends(const Viewer* viewer, const ImVec2& size);
 
-// Writes the numbers of a body into the present ImGui window.
+// Writes the numbers of a body into the current ImGui window.
 void overlay_numbers(const Inspected* inspected);
 
-// Whether there is no room for two panels side by side.
+// Returns true if there is no room for two panels side by side.
 bool overlay_is_narrow(const ImVec2& size);
 
 #endif

@@ -11,11 +11,11 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#define BUTTONS 3 // of the mouse
+#define BUTTONS 3 // number of mouse buttons
 
 float panel_scale = 1.0f;
 
-// The factor for a high-DPI display. It is 1 where the window system scales its units itself.
+// Returns the factor for a high-DPI display. It is 1 if the window system scales its units itself.
 static float find_scale(GLFWwindow* window)
 {
 	float wanted = 1.0f;
@@ -26,13 +26,13 @@ static float find_scale(GLFWwindow* window)
 	return pixels > 0 ? wanted * static_cast<float>(units) / static_cast<float>(pixels) : 1.0f;
 }
 
-static float wanted_scale; // that the user chose; 0: as the display says
+static float wanted_scale; // scale that the user selected; 0: the scale of the display
 
 bool panel_open(GLFWwindow* window, float scale)
 {
 	IMGUI_CHECKVERSION();
 	ImGui::CreateContext();
-	ImGui::GetIO().IniFilename = nullptr; // no file is written to the user's folder
+	ImGui::GetIO().IniFilename = nullptr; // writes no file to the user's folder
 	wanted_scale = scale;
 	look_open(scale > 0.0f ? scale : find_scale(window), false);
 	return ImGui_ImplGlfw_InitForOpenGL(window, false) && ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -56,9 +56,10 @@ void panel_close()
 	ImGui::DestroyContext();
 }
 
-static bool buttons[BUTTONS]; // that are down, as far as events were handed out
+static bool buttons[BUTTONS]; // state of the buttons after the events that were taken from the queue
 
-// The backend asks for the mouse as it is now, but events wait: what a click meant is where the cursor was then.
+// Sets the mouse position of ImGui. The backend would read the current one, but events may be queued: a click belongs
+// to the position that the cursor had then.
 static void place_mouse(const Viewer* v)
 {
 	ImGuiIO& io = ImGui::GetIO();
@@ -95,7 +96,7 @@ bool panel_wants_keys() { return ImGui::GetIO().WantTextInput; }
 
 bool panel_wants_mouse() { return ImGui::GetIO().WantCaptureMouse; }
 
-// The part of the window that the panel takes, in pixels of the picture.
+// Converts window units to pixels of the picture.
 static float pixels(float units)
 {
 	ImVec2 factor = ImGui::GetIO().DisplayFramebufferScale;
@@ -115,7 +116,7 @@ static bool open_part(const char* name, bool open)
 	return ImGui::CollapsingHeader(name, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
 }
 
-// The panel at the left edge.
+// Draws the panel at the left edge.
 static void draw_panel(Viewer* v, const ImVec2& size)
 {
 	float width = WIDTH < size.x - 2.0f * EDGE ? WIDTH : size.x - 2.0f * EDGE;

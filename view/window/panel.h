@@ -7,21 +7,21 @@ extern "C" {
 #endif
 #include "view/window/window_state.h"
 
-extern float panel_scale; // size of the panel and its letters, 1 at 14 pixels
+extern float panel_scale; // scale of the panel and its letters, 1 at 14 pixels
 
-// scale: that of the panel; 0: as the display says.
+// Opens the panel with a scale; 0: the scale of the display.
 bool panel_open(GLFWwindow* window, float scale);
 
 void panel_close(void);
 
-// The display says another scale. Between frames.
+// Adapts the panel to a new scale of the display. Call it between frames.
 void panel_rescale(GLFWwindow* window);
 
-// What the panel and the band take of the picture at the left and at the bottom, px.
+// Return the widths that the panel covers at the left and the band at the bottom of the picture, px.
 float panel_left(const Viewer* viewer);
 float panel_band(const Viewer* viewer);
 
-// Draws the panel over the picture and does what the user clicks on.
+// Draws the panel over the picture and executes the user's clicks.
 void panel_draw(Viewer* viewer);
 
 // Pass events to the panel.
@@ -30,7 +30,7 @@ void panel_letter(GLFWwindow* window, unsigned letter);
 void panel_button(GLFWwindow* window, int button, int event, int modifiers);
 void panel_wheel(GLFWwindow* window, double x, double y);
 
-// Whether the panel uses the events, so that the picture must not.
+// Return true if the panel uses the events, so that the picture must not.
 bool panel_wants_keys(void);
 bool panel_wants_mouse(void);
 

@@ -6,17 +6,17 @@ extern "C" {
 #include "view/window/window_state.h"
 }
 
-// Choose a scene, its parameters, pause, step, speed; the device and the hash.
+// Draw the controls of scene, parameters, pause, step and speed; the device and the hash.
 void part_scene(Viewer* viewer);
 void part_device(Viewer* viewer);
 
-// The graph of milliseconds, times of the stages, counters.
+// Draws the graph of milliseconds, times of the stages, counters.
 void part_times(const Viewer* viewer);
 
-// Paint, layers, theme.
+// Draws the controls of paint, layers and theme.
 void part_look(Viewer* viewer);
 
-// What the cursor does; gravity, substeps, how the solver is tuned.
+// Draw the controls of the cursor's tools; of gravity, substeps and solver tuning.
 void part_tools(Viewer* viewer);
 void part_solver(Viewer* viewer);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// report_all.c -- lets all collidables of a world report touches and hits, so that the viewer can show them.
+// report_all.c -- sets all collidables of a world to report touches and hits, so that the viewer can show them.
 #include "view/window/report_all.h"
 #include <stdlib.h>
 

@@ -13,10 +13,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define LONGEST       0.03  // s of steps in a frame: a world that takes longer falls behind the clock
+#define LONGEST       0.03  // s: maximum duration of the steps in a frame; a slower world falls behind the clock
 #define MESSAGE_STAYS 5.0   // s
-#define SMOOTH        0.1f  // weight of the last frame in the average that is shown
-#define PAUSE         0.016 // s that a paused or minimized window waits for events
+#define SMOOTH        0.1f  // weight of the last frame in the displayed average
+#define PAUSE         0.016 // s: maximum time that a paused or minimized window blocks for events
 
 typedef struct
 {
@@ -33,7 +33,7 @@ void view_print_keys(FILE* file)
 	        "  left button: drag a body, or the picture; click: select; right button: the picture; wheel: zoom\n");
 }
 
-// Takes the steps that the clock asks for, or one a frame for a script. A failed step ends the viewer.
+// Takes the steps that are due by the clock, or one per frame for a script. A failed step ends the viewer.
 static void advance(Viewer* v, bool scripted, double seconds)
 {
 	Session* session = &v->session;
@@ -50,7 +50,7 @@ static void advance(Viewer* v, bool scripted, double seconds)
 			session->accumulator -= dt;
 		v->capture.seconds += dt;
 		if (grab_pull(&v->grab) != SCREE_OK)
-			grab_release(&v->grab); // its body is gone
+			grab_release(&v->grab); // the body no longer exists
 		if (!tools_step(v, &added))
 		{
 			viewer_fail(v, scree_error());
@@ -74,7 +74,7 @@ static void advance(Viewer* v, bool scripted, double seconds)
 		viewer_update_world(v);
 }
 
-// One turn of the loop: events, script, steps, drawing.
+// Runs one frame: events, script, steps, drawing.
 static void run_frame(Loop* loop)
 {
 	Viewer* v = &loop->viewer;
@@ -87,7 +87,7 @@ static void run_frame(Loop* loop)
 	double now = glfwGetTime(), seconds = now - v->frame_time;
 	v->frame_time = now;
 	float ms = 1000.0f * (float)seconds;
-	if (v->frame_ms > 0.0f) // the first frame lasts since the start
+	if (v->frame_ms > 0.0f) // excludes the first frame, which includes the start of the program
 		history_frame(&v->history, ms);
 	v->frame_ms = v->frame_ms == 0.0f ? ms : v->frame_ms + SMOOTH * (ms - v->frame_ms);
 	if (now - v->message_time > MESSAGE_STAYS)

@@ -5,8 +5,8 @@
 #include "view/window/view_options.h"
 #include <stdio.h>
 
-// Shows a scene until the user closes the viewer. Returns 0. On failure it prints a sentence and returns 1 (no display, no
-// OpenGL, a device failed) or 2 (a bad option or scene).
+// Shows a scene until the user closes the viewer, and returns 0. On failure it prints a sentence and returns 1 (no
+// display, no OpenGL, a device failed) or 2 (an invalid option or scene).
 int view_run(const ViewOptions* options);
 
 // Prints the list of keys.

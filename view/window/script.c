@@ -14,8 +14,8 @@
 #include <math.h>
 #include <string.h>
 
-#define PATIENCE   20.0   // s that "await" waits at most
-#define MOST_TURNS 100.0f // of the wheel
+#define PATIENCE   20.0   // s: maximum time for "await"
+#define MOST_TURNS 100.0f // maximum steps of the wheel
 
 static const char* const shown_keys[ACTIONS] = {
 #define X(name, key, shown, help) shown,
@@ -53,7 +53,7 @@ static bool press_key(Viewer* v, const char* shown)
 	return false;
 }
 
-// A key that the scene asked for, or of a tool that works while it is down.
+// Presses or releases a key that the scene uses, or that of a tool that works while its key is down.
 static bool hold_key(Viewer* v, const char* name, bool down)
 {
 	for (int k = 0; k < SCENE_KEYS; ++k)
@@ -98,10 +98,10 @@ static void print_state(Viewer* v)
 	if (*v->message)
 		printf(", says %s", v->message);
 	printf("\n");
-	fflush(stdout); // the program that sends events waits for the line
+	fflush(stdout); // sends the line to the program that controls the viewer
 }
 
-// Whether the viewer is in a state, or paints by an item's property; -1 for an unknown state.
+// Returns 1 if the viewer is in a state, or if the state names its paint; 0 if not; -1 for an unknown state.
 static int in_state(const Viewer* v, const char* state)
 {
 	const struct
@@ -125,7 +125,7 @@ static int in_state(const Viewer* v, const char* state)
 	return paint < 0 ? -1 : (int)v->style.paint == paint;
 }
 
-// Ends the viewer with an error of the current line. Returns true: the line needs no other error.
+// Ends the viewer with an error in the current line. Returns true, so that the caller reports no other error.
 static bool fail_line(const Script* script, Viewer* v, const char* what, const char* why, int code)
 {
 	fprintf(stderr, "scree view: %s:%d: \"%.100s\" %s%s%s\n", script->path, script->line, what, why,
@@ -135,7 +135,7 @@ static bool fail_line(const Script* script, Viewer* v, const char* what, const c
 	return true;
 }
 
-// Runs one line; false when it is unknown or failed.
+// Runs one line; returns false if it is unknown or failed.
 static bool run_line(Script* script, Viewer* v, const char* line)
 {
 	char word[256], rest = 0;
@@ -201,7 +201,7 @@ void script_run(Script* script, Viewer* v)
 		}
 		++script->line;
 		line[strcspn(line, "\r\n")] = 0;
-		if (strcmp(line, "print") != 0) // which prints it
+		if (strcmp(line, "print") != 0) // keeps the message for print, which prints it
 			*v->message = 0;
 		if (!run_line(script, v, line))
 			fail_line(script, v, line, "cannot be done", 2);

@@ -5,21 +5,21 @@
 #include "view/window/window_state.h"
 #include <stdio.h>
 
-typedef struct // docs/view.md has the words
+typedef struct // docs/view.md describes the commands
 {
 	FILE* file; // null: no script
 	const char* path;
 	int line;
-	int frames;       // to draw before the next line
-	char awaited[16]; // state that the script waits for; empty for none
-	double until;     // s: when waiting fails
+	int frames;       // number of frames to draw before the next line
+	char awaited[16]; // state for which the script waits; empty if there is none
+	double until;     // s: time at which waiting fails
 } Script;
 
-// Opens the file; a null path is no script. False writes a sentence.
+// Opens the file; a null path means no script. Returns false and writes a sentence on failure.
 bool script_open(Script* script, const char* path, char* sentence);
 void script_close(Script* script);
 
-// Before each frame: runs the lines that are due. The end of the file ends the viewer.
+// Runs the lines that are due; call it before each frame. The end of the file ends the viewer.
 void script_run(Script* script, Viewer* viewer);
 
 #endif

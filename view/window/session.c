@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// session.c -- the scene in the viewer: loaded, stepped, paused, moved to another device.
+// session.c -- the scene in the viewer: loads, steps, pauses it, moves it to another device.
 #include "view/window/session.h"
 #include "scene/build.h"
 #include "scene/churn.h"
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SMOOTH 0.1f // weight of the last step in the average that is shown
+#define SMOOTH 0.1f // weight of the last step in the displayed average
 
 const char* const session_stages[STAGES] = {"transform", "broad phase", "narrow phase", "color", "solve", "finalize"};
 
@@ -22,7 +22,7 @@ static bool failed(char* sentence)
 	return false;
 }
 
-// Copies text that fits; else writes a sentence.
+// Copies a text; if it does not fit, writes a sentence and returns false.
 static bool copy_text(const char* text, char* copy, size_t size, const char* what, char* sentence)
 {
 	if (strlen(text) < size)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// session.h -- the scene in the viewer: loaded, stepped, paused, moved to another device.
+// session.h -- the scene in the viewer: loads, steps, pauses it, moves it to another device.
 #ifndef SESSION_H
 #define SESSION_H
 #include "scene/character_motion.h"
@@ -9,56 +9,57 @@
 #define MAX_PARAMETERS 32
 #define STAGES         6
 
-typedef struct // of a scene
+typedef struct // parameter of a scene
 {
 	char name[64], value[256];
-	char help[200]; // what it means
+	char help[200]; // description
 } Parameter;
 
 typedef struct
 {
 	const ViewOptions* options;
-	const scree_opengl* opengl; // that worlds may share with, or null
+	const scree_opengl* opengl; // context with which worlds may share memory, or null
 	Scene* scene;
 	scree_world* world;
 	Walkers walkers;       // characters of the scene
-	char name[SCENE_PATH]; // of the scene
-	char** scenes;         // names of all
-	char (*titles)[160];   // of them; empty until they are asked for
+	char name[SCENE_PATH]; // name of the scene
+	char** scenes;         // names of all scenes
+	char (*titles)[160];   // titles of all scenes; empty until first used
 	int scene_count;
-	Parameter parameters[MAX_PARAMETERS]; // of the scene, as the panel has them
+	Parameter parameters[MAX_PARAMETERS]; // parameters of the scene, as in the panel
 	int parameter_count;
 	scree_device* devices;
 	int device_count;
-	char device[160]; // that the user chose
+	char device[160]; // device that the user selected
 	bool paused;
-	int due;            // steps that the user asked for one by one
-	Tuning tuning;      // of the world
-	float rate;         // seconds of the world a second of the clock, at most 1
-	int64_t steps;      // of the world, so far
-	double accumulator; // s of the world that the steps are behind the clock
-	uint32_t down;      // keys that the scene asked for, and that the user holds down: bits by SceneKey
-	bool hashed;        // hash is of the current state
-	uint64_t hash;      // of the world
+	int due;            // single steps that the user requested and that are not done
+	Tuning tuning;      // parameters of the world
+	float rate;         // seconds of the world per second of the clock, at most 1
+	int64_t steps;      // steps of the world so far
+	double accumulator; // s of the world by which the steps are behind the clock
+	uint32_t down;      // keys that the scene uses and that are down: bits by SceneKey
+	bool hashed;        // true if hash belongs to the current state
+	uint64_t hash;      // hash of the world
 	scree_counters counters;
-	float deepest;        // m: the deepest overlap since the world was made
-	float last;           // ms: the last step
-	float step;           // ms, smoothed
-	float stages[STAGES]; // ms, smoothed
+	float deepest;        // m: the deepest overlap since the world was created
+	float last;           // ms: duration of the last step
+	float step;           // ms: duration of a step, smoothed
+	float stages[STAGES]; // ms: durations of the stages, smoothed
 } Session;
 
 extern const char* const session_stages[STAGES];
 
-// On failure all but session_close write a sentence (SENTENCE of shader.h), return false and change nothing else.
+// On failure all functions except session_close write a sentence (SENTENCE of shader.h), return false and change
+// nothing else.
 
 // Lists scenes and devices, and loads the scene of the options.
 bool session_open(Session* session, const ViewOptions* options, const scree_opengl* opengl, char* sentence);
 void session_close(Session* session);
 
-// Loads a scene and makes its world. fresh: with the parameters of the options, else with those in parameters.
+// Loads a scene and creates its world. fresh: with the parameters of the options, else with the current ones.
 bool session_load(Session* session, const char* name, bool fresh, char* sentence);
 
-// The title of scene k of the list, read from its file when it is asked for first.
+// Returns the title of scene k of the list; reads it from its file at the first call.
 const char* session_title(Session* session, int k);
 
 // Moves the world to another device.

@@ -5,7 +5,7 @@
 #include "view/window/sizes.h"
 #include <imgui.h>
 
-#define LIMIT (1000.0f / 60.0f) // ms: of a frame, for 60 in a second
+#define LIMIT (1000.0f / 60.0f) // ms per frame at 60 frames per second
 
 static void draw_bar(const char* name, float value, float whole)
 {
@@ -27,7 +27,7 @@ static void draw_bar(const char* name, float value, float whole)
 
 struct Plot
 {
-	ImVec2 low, size; // upper left corner
+	ImVec2 low, size; // low: upper left corner
 	float top;        // ms
 
 	float x(int k) const { return low.x + size.x * static_cast<float>(k) / static_cast<float>(HISTORY_FRAMES - 1); }
@@ -48,19 +48,19 @@ static void draw_line(const Plot& plot, const History* h, const float* values, I
 		}
 		if (count > 1)
 			ImGui::GetWindowDrawList()->AddPolyline(points, count, color, 0, wide);
-		count = 0; // a frame without a step parts the line
+		count = 0; // interrupts the line at a frame without a step
 	}
 }
 
 static void draw_label(const Plot& plot, float ms, ImU32 color, const char* text)
 {
 	float y = plot.y(ms), high = ImGui::GetFontSize() * 0.8f;
-	y -= ms < 0.5f * plot.top ? high + sized(2.0f) : 0.0f; // above a line in the lower half
+	y -= ms < 0.5f * plot.top ? high + sized(2.0f) : 0.0f; // above the line in the lower half of the graph
 	ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), high, ImVec2(plot.low.x + sized(4.0f), y + sized(1.0f)),
 	                                    color, text);
 }
 
-// Steps and frames over time, the newest at the right.
+// Draws the durations of steps and frames over time, the newest at the right.
 static void draw_graph(const Viewer* v)
 {
 	const History* h = &v->history;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tool_part.cpp -- the parts of the panel that say what the cursor does to bodies, and how the world is solved; in C++.
+// tool_part.cpp -- the parts of the panel with the controls of the cursor's tools and of the solver; in C++.
 extern "C" {
 #include "view/window/viewer.h"
 }

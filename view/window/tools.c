@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// tools.c -- what the user does to the world besides dragging: throws bodies in, pours them, sets off explosions.
+// tools.c -- tools of the user other than dragging: throwing bodies in, pouring them, explosions.
 #include "view/window/tools.h"
 #include "view/window/viewer.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define THROWN_SIZE 28.0f // px: bodies that the user throws in are visible at any scale
+#define THROWN_SIZE 28.0f // px: size of thrown bodies, so that they are visible at any scale
 
 void tools_launch(Viewer* v)
 {
@@ -35,7 +35,7 @@ bool tools_step(Viewer* v, bool* added)
 	return status != SCREE_ERROR_DEVICE_FAILED;
 }
 
-// m: of the explosion that is held back
+// Returns the current radius of the growing explosion, m.
 static float radius(const Viewer* v) { return blast_radius(glfwGetTime() - v->tools.blast_time) / v->camera.scale; }
 
 static void explode(Viewer* v)

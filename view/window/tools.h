@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tools.h -- what the user does to the world besides dragging: throws bodies in, pours them, sets off explosions.
+// tools.h -- tools of the user other than dragging: throwing bodies in, pouring them, explosions.
 #ifndef TOOLS_H
 #define TOOLS_H
 #include "view/blast_tool.h"
@@ -10,16 +10,18 @@
 // Throws a body in at the cursor.
 void tools_launch(Viewer* viewer);
 
-// The key for pouring goes down or up. Bodies are like those of the scene that have one shape and are not much larger than most.
+// Handles the key for pouring. Poured bodies are like those of the scene that have one shape and are not much larger
+// than most.
 void tools_pour(Viewer* viewer, bool down);
 
-// Before a step: pours bodies around the cursor where there is room. False if it failed, with a message.
+// Pours bodies around the cursor where there is room; call it before a step. On failure it shows a message; returns
+// false only if the device failed.
 bool tools_step(Viewer* viewer, bool* added);
 
-// The key for explosions goes down or up. The longer it was down, the larger the explosion.
+// Handles the key for explosions. The longer it is down, the larger is the explosion.
 void tools_blast(Viewer* viewer, bool down);
 
-// Shows what would happen at the cursor.
+// Shows the effect that the tools would have at the cursor.
 void tools_mark(Viewer* viewer);
 
 #endif

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// view_options.h -- what the user chose on the command line for the viewer.
+// view_options.h -- command line options of the viewer.
 #ifndef VIEW_OPTIONS_H
 #define VIEW_OPTIONS_H
 #include "scene/scene.h"
 
 typedef struct
 {
-	const char* executable; // scenes may lie beside it
+	const char* executable; // path of the program; scenes may be in the folder beside it
 	const char* scene;      // name or path
 	const char* device;
-	int threads, lanes; // 0: as many as there are
+	int threads, lanes; // 0: as many as available
 	bool allow_unequal_bits;
 	const SceneSetting* settings;
 	int setting_count;
 	int width, height;          // px
-	const char *paint, *layers; // as style_read takes them
-	bool dark;                  // theme
-	float scale;                // of the panel; 0: as the display says
+	const char *paint, *layers; // texts for style_read
+	bool dark;                  // dark theme
+	float scale;                // scale of the panel; 0: that of the display
 	const char* script;         // path of a script, docs/view.md; null: the user controls the viewer
 } ViewOptions;
 

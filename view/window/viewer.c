@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// viewer.c -- operations on the viewer's state: load a scene, change the device, read the world, tell the user.
+// viewer.c -- operations on the viewer's state: load a scene, change the device, read the world, show messages.
 #include "view/window/viewer.h"
 #include "view/window/framing.h"
 #include <inttypes.h>
@@ -8,8 +8,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define REST  9.0  // so many times as long as it took, what is under the cursor or was selected is not read again
-#define REACH 3.0f // px: so near to the cursor a shape is under it, so that segments can be pointed at
+// After reading numbers, the viewer reads them again only after this many times the duration of the reading.
+#define REST 9.0
+// px: a shape within this distance of the cursor counts as under it, so that segments can be selected
+#define REACH 3.0f
 
 void viewer_show(Viewer* v, const char* message)
 {
@@ -47,14 +49,15 @@ bool viewer_fetch(Viewer* v, const Style* style)
 	return status == SCREE_OK;
 }
 
-// What is under the cursor, within so many pixels.
+// Finds the collidable under the cursor, within REACH.
 static scree_status find_under(Viewer* v, scree_collidable* found)
 {
 	return inspect_find(v->session.world, camera_point(&v->camera, v->x, v->y), REACH / v->camera.scale, found);
 }
 
-// The first query after a step computes boxes of all that moves, which for many bodies on a CPU takes as long as a step, and a
-// CPU looks at all contacts for those of one body. Each waits so long that it takes a tenth of the time.
+// Delays the next reading so that readings take a tenth of the time. The first query after a step computes boxes of all
+// bodies that move, which for many bodies on a CPU takes as long as a step. For the contacts of one body a CPU scans
+// all contacts.
 static void rest(double* next, double begin)
 {
 	double end = glfwGetTime();
@@ -112,7 +115,7 @@ void viewer_select(Viewer* v)
 bool viewer_load(Viewer* v, const char* name, bool fresh)
 {
 	bool other = strcmp(name, v->session.name) != 0;
-	share_close(&v->share); // the world may be gone after this
+	share_close(&v->share); // the world may be destroyed below
 	bool begun = session_load(&v->session, name, fresh, v->message);
 	share_open(&v->share, v->session.world, false);
 	if (!begun)

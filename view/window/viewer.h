@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// viewer.h -- operations on the viewer's state: load a scene, change the device, read the world, tell the user.
+// viewer.h -- operations on the viewer's state: load a scene, change the device, read the world, show messages.
 #ifndef VIEWER_H
 #define VIEWER_H
 #include "view/window/window_state.h"
@@ -10,22 +10,25 @@ void viewer_show(Viewer* viewer, const char* message);
 // Ends the viewer with a sentence.
 void viewer_fail(Viewer* viewer, const char* sentence);
 
-// Reads the world again after it was replaced, or after bodies were added or removed. False ends the viewer.
+// Reads the world again after it was replaced, or after bodies were added or removed. On failure it ends the viewer and
+// returns false.
 bool viewer_update_world(Viewer* viewer);
 
-// Reads everything that a style shows of the world as it is now. False ends the viewer: the world's device failed.
+// Reads all data of the current world that a style shows. If the device failed, it ends the viewer and returns false.
 bool viewer_fetch(Viewer* viewer, const Style* style);
 
-// Reads the numbers of what is under the cursor, if over is true, and of what was selected. False ends the viewer.
+// Reads the numbers of the collidable under the cursor, if over is true, and of the selected one. On failure it ends
+// the viewer and returns false.
 bool viewer_inspect(Viewer* viewer, bool over);
 
-// Selects what is under the cursor; nothing ends the selection.
+// Selects the collidable under the cursor; if there is none, clears the selection.
 void viewer_select(Viewer* viewer);
 
-// Loads a scene; false shows a message. fresh: with the parameters of the options, else with those of the panel.
+// Loads a scene. On failure it shows a message and returns false. fresh: with the parameters of the options, else with
+// those of the panel.
 bool viewer_load(Viewer* viewer, const char* name, bool fresh);
 
-// Moves the world to a device and shows whether the hash is the same; false shows a message.
+// Moves the world to a device and shows whether the hash is the same. On failure it shows a message and returns false.
 bool viewer_move(Viewer* viewer, const char* device);
 
 #endif

@@ -12,10 +12,10 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define LEAST_SIDE  64  // px, as of pictures
-#define TITLE_STAYS 0.5 // s
+#define LEAST_SIDE  64  // px: minimum width and height, as for pictures
+#define TITLE_STAYS 0.5 // s: time between changes of the title
 
-static char error[256]; // the first error of GLFW, whose callback has no user pointer
+static char error[256]; // the first error of GLFW; static, because the callback has no user pointer
 
 static void on_error(int code, const char* sentence)
 {
@@ -45,7 +45,7 @@ static void on_cursor(GLFWwindow* window, double x, double y)
 	v->cursor_time = now;
 }
 
-// Keys that are let go in another window are not told.
+// Releases all keys: keys released while another window has the focus cause no event.
 static void on_focus(GLFWwindow* window, int focused)
 {
 	Viewer* v = viewer_of(window);
@@ -53,7 +53,7 @@ static void on_focus(GLFWwindow* window, int focused)
 		return;
 	v->session.down = 0;
 	input_hold(v, ACTION_pour, false);
-	v->tools.blasting = false; // without a bang
+	v->tools.blasting = false; // cancels the explosion
 }
 
 static void on_scale(GLFWwindow* window, float x, float y)
@@ -75,7 +75,7 @@ static void on_wheel(GLFWwindow* window, double x, double y)
 	events_add(&viewer_of(window)->events, (WindowEvent){.kind = EVENT_WHEEL, .x = x, .y = y});
 }
 
-// Tries the native context API (GLX on X11) first, then EGL.
+// Creates the window. It tries the native context API (GLX on X11) first, then EGL.
 static GLFWwindow* create(const Viewer* v, const char* title)
 {
 	const int ways[] = {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API};
@@ -93,7 +93,7 @@ static GLFWwindow* create(const Viewer* v, const char* title)
 	return window;
 }
 
-// The context of a window that does not use EGL: on Linux it is GLX.
+// Returns the context of a window that does not use EGL: on Linux it is GLX.
 static bool glx_context(scree_opengl* opengl)
 {
 #ifdef __linux__
@@ -176,7 +176,7 @@ static void handle_key(Viewer* v, const WindowEvent* event)
 		if (keys[k] != event->key)
 			continue;
 		bool held = k == ACTION_pour || k == ACTION_blast;
-		// a step that a held key repeats waits until the ones before are done
+		// a held key repeats a step only if no step is due
 		bool repeats = (k == ACTION_step && v->session.due == 0) || k == ACTION_launch;
 		if (held && (released || (ours && event->action == GLFW_PRESS)))
 			input_hold(v, (Action)k, !released);
@@ -192,7 +192,7 @@ static void handle_button(Viewer* v, const WindowEvent* event)
 		input_button(v, event->key != GLFW_MOUSE_BUTTON_LEFT, event->action == GLFW_PRESS);
 }
 
-// GLFW gives window units, which are not always pixels.
+// Moves the cursor. GLFW uses window units, which are not always pixels.
 static void handle_cursor(Viewer* v, const WindowEvent* event)
 {
 	int width, height;
@@ -202,7 +202,7 @@ static void handle_cursor(Viewer* v, const WindowEvent* event)
 		             event->seconds);
 }
 
-// Hands out the events of this frame.
+// Handles the events of this frame.
 static void handle_events(Viewer* v)
 {
 	WindowEvent event;

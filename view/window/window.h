@@ -4,17 +4,17 @@
 #define WINDOW_H
 #include "view/window/window_state.h"
 
-// Opens the window. False writes a sentence: there is no display or no OpenGL 3.3.
+// Opens the window. Returns false and writes a sentence if there is no display or no OpenGL 3.3.
 bool window_open(Viewer* viewer, char* sentence);
 void window_close(Viewer* viewer);
 
-// The context for scree_world_def.opengl. Null: worlds cannot share memory with this kind of context.
+// Returns the context for scree_world_def.opengl. Null: worlds cannot share memory with this kind of context.
 const scree_opengl* window_opengl(Viewer* viewer);
 
-// Waits at most this many seconds for events and handles them.
+// Blocks for at most this many seconds until there are events, and handles them.
 void window_events(Viewer* viewer, double seconds);
 
-// Writes what is shown into the title of the window, now and then.
+// Writes the state of the viewer into the title of the window, at most every 0.5 s.
 void window_title(Viewer* viewer);
 
 #endif

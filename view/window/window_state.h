@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// window_state.h -- the state of the viewer, which the files of the window share: the world, how it is drawn, the user's input.
+// window_state.h -- the state of the viewer, which the files of the window share: the world, its look, the user's
+// input.
 #ifndef WINDOW_STATE_H
 #define WINDOW_STATE_H
 #include "view/grab.h"
@@ -15,23 +16,23 @@
 
 typedef struct GLFWwindow GLFWwindow;
 
-typedef struct // what the user does to the world, tools.c
+typedef struct // tools of the user, tools.c
 {
 	Pour pour;
-	float blast;       // m/s that a common body near an explosion gets
-	bool blasting;     // the key is down
-	double blast_time; // s: since when
+	float blast;       // m/s: speed that an explosion gives a typical body near it
+	bool blasting;     // true while the key is down
+	double blast_time; // s: time at which the key went down
 } Tools;
 
-typedef struct // what the window shows of the world, framing.c
+typedef struct // part of the world that the window shows, framing.c
 {
-	bool fitted;      // nobody has moved the picture since it showed all of a box
+	bool fitted;      // true until the user moves the picture after it showed a whole box
 	scree_box box;    // m: that box
-	bool follows;     // the selected body stays in the middle
-	scree_vec behind; // m: by which it is not there yet
+	bool follows;     // true if the selected body stays in the middle
+	scree_vec behind; // m: remaining difference of the body to the middle
 } Eye;
 
-typedef struct // of the window when it does not fill the screen, in window units
+typedef struct // place of the window when it is not full screen, in window units
 {
 	int x, y, width, height;
 } Place;
@@ -40,7 +41,7 @@ typedef struct
 {
 	const ViewOptions* options;
 	GLFWwindow* window;
-	scree_opengl opengl; // that worlds may share with
+	scree_opengl opengl; // context with which worlds may share memory
 	Renderer renderer;
 	Share share;
 	Camera camera;
@@ -52,27 +53,28 @@ typedef struct
 	Events events;
 	History history;
 	Inspected hovered, selected;
-	bool hovers;  // the numbers of what is under the cursor are shown
-	bool pointed; // the cursor is over the window
-	bool pressed; // the left button is down, and the cursor is still where it went down
+	bool hovers;  // true if the numbers of the collidable under the cursor are shown
+	bool pointed; // true if the cursor is over the window
+	bool pressed; // true if the left button is down and the cursor is still where it went down
 	Capture capture;
-	float x, y;             // px: the cursor
-	float press_x, press_y; // px: where the left button went down
-	bool panning;           // the right button is down, or the left one beside all bodies
-	Place place;            // of the window when it does not fill the screen
-	bool panel, keys;       // shown
-	bool save_window;       // after this frame is drawn
-	double look_time;       // s: when what is under the cursor may be looked for again
-	double read_time;       // s: when the numbers of what is selected may be read again
-	double cursor_time;     // s: when the cursor moved last
-	int still;              // frames since then
-	int next_device;        // index of the device that the key moves to; -1: the one after the world's
-	double title_time;      // s: when the title of the window is written again
-	double frame_time;      // s: when the last frame began
-	float frame_ms;         // from frame to frame, smoothed
-	char message[SENTENCE]; // shown to the user; empty for none
-	double message_time;    // s: when it was set
-	bool done;              // the viewer ends after this frame
+	float x, y;             // px: position of the cursor
+	float press_x, press_y; // px: position where the left button went down
+	bool panning;           // true if the right button is down, or the left one beside all bodies
+	Place place;            // place of the window when it is not full screen
+	bool panel, keys;       // true if shown
+	bool save_window;       // true: saves the window after this frame is drawn
+	double look_time;       // s: time from which the collidable under the cursor may be searched again
+	double read_time;       // s: time from which the numbers of the selected body may be read again
+	double cursor_time;     // s: time of the last move of the cursor
+	int still;              // frames since that move
+	int next_device;        // index of the device to which the key moves the world; -1: the one after the current
+	                        // device
+	double title_time;      // s: time of the next change of the window title
+	double frame_time;      // s: time at which the last frame began
+	float frame_ms;         // time between frames, smoothed
+	char message[SENTENCE]; // message for the user; empty if there is none
+	double message_time;    // s: time at which it was set
+	bool done;              // true: the viewer ends after this frame
 	int code;               // exit code
 } Viewer;
 
