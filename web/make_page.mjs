@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// make_page.mjs -- make_page.mjs SCREE BUILD OUT: puts the page together: its files, WebAssembly, scenes, and their thumbnails.
+// make_page.mjs -- make_page.mjs SCREE BUILD OUT: assembles the page: its files, WebAssembly, scenes, and their
+// thumbnails.
 //
-// SCREE is the command line, which draws the thumbnails; BUILD holds wasm-scalar, wasm-simd and wasm-threads.
+// SCREE is the command line program, which draws the thumbnails; BUILD contains wasm-scalar, wasm-simd and
+// wasm-threads.
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-const WIDTH = 312; // px: twice the size in the list, and a band for the caption, which the list cuts off
+const WIDTH = 312; // px: twice the size in the list, plus a band for the caption, which the list cuts off
 const HEIGHT = 200 + 36;
 
 const [scree = 'build/scree', build = 'build', out = 'build/web'] = process.argv.slice(2);
@@ -15,7 +17,7 @@ const { scenes: list } = JSON.parse(readFileSync(join(source, 'web/start.json'),
 
 const readScene = (name) => JSON.parse(readFileSync(join(source, 'scenes', `${name}.json`), 'utf8'));
 
-// What the page has to know of a scene without reading its file.
+// Returns the data of a scene that the page needs before it reads the scene's file.
 function describe({ name, set = {} }) {
 	const scene = readScene(name);
 	const parameters = Object.entries(scene.parameters ?? {}).map(([key, entry]) => {
@@ -29,7 +31,7 @@ function describe({ name, set = {} }) {
 	return { name, title: scene.title, parameters };
 }
 
-// Draws a thumbnail unless there is one that is newer than all that it depends on.
+// Draws a thumbnail unless there is one that is newer than all its sources.
 function draw({ name, set = {}, picture }) {
 	const file = join(out, 'thumbnails', `${name}.png`);
 	const needs = [scree, join(source, 'scenes', `${name}.json`), join(source, 'web/start.json')];
@@ -39,7 +41,7 @@ function draw({ name, set = {}, picture }) {
 	execFileSync(scree, ['run', name, ...sets, '--steps', String(picture), ...size], { stdio: ['ignore', 'ignore', 'inherit'] });
 }
 
-// A scene that is in the folder and not in the list would be missed by everyone.
+// Fails if a scene of the folder is missing in the list.
 function checkList() {
 	const files = readdirSync(join(source, 'scenes')).filter((file) => file.endsWith('.json') && !file.endsWith('schema.json'));
 	for (const file of files)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// page.c -- what the page calls: lists of names, and one scene, which is loaded and stepped.
+// page.c -- functions that the page calls: lists of names, and one scene, which is loaded and stepped.
 //
-// Numbers go to JavaScript as one array of doubles, texts as pointers to C strings, which stay valid until the next call.
+// Numbers go to JavaScript as one array of doubles, texts as pointers to C strings, which stay valid until the next
+// call.
 #include "web/page.h"
 #include "scene/build.h"
 #include "scene/churn.h"
@@ -12,7 +13,7 @@
 #include <string.h>
 
 #define MAX_SETTINGS 32
-#define MOST_THREADS 8 // more do not pay for scenes that a page can show
+#define MOST_THREADS 8 // maximum number of threads; more do not pay for scenes that a page can show
 
 Page page;
 
@@ -70,7 +71,7 @@ static void close_scene(void)
 	page.steps = 0;
 }
 
-// Splits "rows=10\ncolumns=20" in place. -1: too many.
+// Splits "rows=10\ncolumns=20" in place. Returns the number of settings, -1 if there are too many.
 static int split_settings(char* text, SceneSetting* settings)
 {
 	int count = 0;
@@ -103,7 +104,8 @@ bool page_show_world(void)
 	       page_fail("there is no memory to draw this scene");
 }
 
-// Loads a scene file with settings, one NAME=VALUE a line, and makes its world. On failure the scene before stays.
+// Loads a scene file with settings, one NAME=VALUE per line, and creates its world. On failure the previous scene
+// stays.
 EMSCRIPTEN_KEEPALIVE bool page_load(const char* path, char* lines, int threads)
 {
 	SceneSetting settings[MAX_SETTINGS];
@@ -127,12 +129,12 @@ EMSCRIPTEN_KEEPALIVE bool page_load(const char* path, char* lines, int threads)
 	return page_check(walk_open(&page.walkers, scene, world)) && page_show_world();
 }
 
-// Takes one step with the keys that are down, bits by SceneKey.
+// Takes one step with the pressed keys, bits by SceneKey.
 EMSCRIPTEN_KEEPALIVE bool page_step(uint32_t down)
 {
 	const int64_t number = page.steps;
 	if (grab_pull(&page.grab) != SCREE_OK)
-		grab_release(&page.grab); // its body is gone
+		grab_release(&page.grab); // the body no longer exists
 	if (pour_step(&page.pour, page.world, page.grab.at, &page.added) != SCREE_OK)
 		snprintf(page.told, sizeof page.told, "%s", scree_error());
 	if (!page_check(scene_churn(page.scene, page.world, number)) ||
@@ -145,7 +147,7 @@ EMSCRIPTEN_KEEPALIVE bool page_step(uint32_t down)
 	                                               (double)page.steps * (double)page.scene->dt));
 }
 
-// What went wrong in the steps since the last call; empty for nothing.
+// Returns the errors of tools in the steps since the last call; empty if there are none.
 EMSCRIPTEN_KEEPALIVE const char* page_told(void)
 {
 	snprintf(page.text, sizeof page.text, "%s", page.told);
@@ -155,7 +157,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_told(void)
 
 EMSCRIPTEN_KEEPALIVE int page_steps(void) { return (int)page.steps; }
 
-// ms of the last step
+// Returns the duration of the last step, ms.
 EMSCRIPTEN_KEEPALIVE double page_milliseconds(void)
 {
 	scree_timings t = {0};
@@ -172,10 +174,10 @@ EMSCRIPTEN_KEEPALIVE const char* page_hash(void)
 	return page.text;
 }
 
-// The keys that the scene obeys, bits by SceneKey.
+// Returns the keys that the scene uses, bits by SceneKey.
 EMSCRIPTEN_KEEPALIVE uint32_t page_keys(void) { return controls_keys(page.scene) | walk_keys(page.scene); }
 
-// Numbers of the world, in the order that engine.js has.
+// Returns the numbers of the world, in the order of NUMBERS in core.js.
 EMSCRIPTEN_KEEPALIVE const double* page_numbers(void)
 {
 	scree_counters c;

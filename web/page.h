@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// page.h -- what the files of the page share: the scene, its picture, what the visitor holds and looks at.
+// page.h -- the state that the files of the page share: the scene, its picture, the body that the visitor drags, the
+// selected body.
 #ifndef PAGE_H
 #define PAGE_H
 #include "scene/character_motion.h"
@@ -17,33 +18,33 @@ typedef struct
 	scree_world* world;
 	Walkers walkers;
 	Grab grab;
-	Grab reached; // what a finger is over that may become a drag
+	Grab reached; // the body under a finger, which may start a drag
 	Pour pour;
-	bool added; // bodies, since the renderer read the world
-	bool drawn; // renderer and share are open
+	bool added; // true if bodies were added since the renderer last read the world
+	bool drawn; // true if renderer and share are open
 	Renderer renderer;
 	Share share;
 	Camera camera;
 	Style style;
 	Inspected hovered, selected;
-	bool follows;     // the selected body stays in the middle
-	scree_vec behind; // m: by which it is not there yet
+	bool follows;     // true if the selected body stays in the middle
+	scree_vec behind; // m: remaining difference of the body to the middle
 	int64_t steps;
-	char sentence[SENTENCE]; // why the last call failed
-	char told[SENTENCE];     // what went wrong in a step that was taken all the same; empty for nothing
-	char text[4096];         // the answer of the last call
+	char sentence[SENTENCE]; // error of the last call
+	char told[SENTENCE];     // error of a tool in a step that was still taken; empty if there is none
+	char text[4096];         // text result of the last call
 	double numbers[24];
 } Page;
 
 extern Page page;
 
-// Keeps a sentence for page_error, and returns false.
+// Stores a sentence for page_error, and returns false.
 bool page_fail(const char* sentence);
 
-// The same with the sentence of a call that failed; true for one that did not.
+// Returns true if status is SCREE_OK; else stores the error for page_error and returns false.
 bool page_check(scree_status status);
 
-// The renderer reads the world again, after bodies were added or another one was loaded.
+// Reads the world again into the renderer, after bodies were added or another world was loaded.
 bool page_show_world(void);
 
 #endif

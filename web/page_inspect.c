@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// page_inspect.c -- what the visitor of the page looks at, which never changes the world: numbers of bodies, legends.
+// page_inspect.c -- data that the visitor of the page inspects, without changing the world: numbers of bodies, legends.
 //
 // Coordinates are px of the picture, from its upper left corner.
 #include "view/legend.h"
@@ -25,7 +25,7 @@ static bool choose(Inspected* inspected, float x, float y, float reach)
 	return good && inspect_any(inspected);
 }
 
-// The few numbers of what is within some pixels of one; empty for nothing.
+// Returns the few most important numbers of the body within reach of a point (px); empty if there is none.
 EMSCRIPTEN_KEEPALIVE const char* page_hover(float x, float y, float reach)
 {
 	Numbers numbers;
@@ -35,7 +35,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_hover(float x, float y, float reach)
 	return join_lines(&numbers);
 }
 
-// Selects what is there; false, and forgets what was selected, if there is nothing.
+// Selects the body within reach of a point. If there is none, clears the selection and returns false.
 EMSCRIPTEN_KEEPALIVE bool page_select(float x, float y, float reach)
 {
 	page.follows = false;
@@ -48,14 +48,14 @@ EMSCRIPTEN_KEEPALIVE void page_forget(void)
 	page.selected = (Inspected){0};
 }
 
-// Reads what is selected. False if there is nothing, or no more, which page_selected then tells.
+// Reads the selected body. Returns false if there is none, or if it no longer exists; page_selected reports the latter.
 EMSCRIPTEN_KEEPALIVE bool page_read_selected(void)
 {
 	return inspect_any(&page.selected) && page_check(inspect_read(&page.selected, page.scene, page.world)) &&
 	       !page.selected.gone;
 }
 
-// The numbers of what is selected as they were read last.
+// Returns the numbers of the selected body as they were last read.
 EMSCRIPTEN_KEEPALIVE const char* page_selected(bool few)
 {
 	Numbers numbers;
@@ -86,7 +86,7 @@ static size_t write_colors(size_t length, const char* name, const Color* colors,
 	return write(length, "]");
 }
 
-// What the colors of the picture stand for, as JSON: those of bodies, or those of joints. Empty for nothing.
+// Returns the legend of the bodies' colors, or of the joints' colors, as JSON; empty if there is none.
 EMSCRIPTEN_KEEPALIVE const char* page_legend(bool joints)
 {
 	Legend legend;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// page_picture.c -- the picture of the page: what it shows, and how. Coordinates are px of it, from its upper left corner, or m.
+// page_picture.c -- the picture of the page: its content and its style. Coordinates are px of the picture, from its
+// upper left corner, or m.
 #include "scene/scan_picture.h"
 #include "view/blast_tool.h"
 #include "web/page.h"
 #include <math.h>
 
-#define COARSE       4.0f // px: Style.detail where drawing is slow
-#define SLOW_RAYS    3000 // Style.rays there
+#define COARSE       4.0f // px: value of Style.detail if drawing is slow
+#define SLOW_RAYS    3000 // value of Style.rays if drawing is slow
 #define THREAD_COLOR ((Color){187, 53, 44})
 
-// Needs a current WebGL 2 context.
+// Opens the renderer in the current WebGL 2 context.
 EMSCRIPTEN_KEEPALIVE bool page_open_picture(void)
 {
 	page.style = (Style){.detail = 1.0f, .rays = RAYS_DRAWN};
@@ -17,7 +18,7 @@ EMSCRIPTEN_KEEPALIVE bool page_open_picture(void)
 	return page.drawn && (!page.world || page_show_world());
 }
 
-// After the context was lost, or before it goes.
+// Closes the renderer, after the context was lost or before it is lost.
 EMSCRIPTEN_KEEPALIVE void page_close_picture(void)
 {
 	if (page.share.world)
@@ -42,9 +43,9 @@ EMSCRIPTEN_KEEPALIVE void page_fit(void)
 
 EMSCRIPTEN_KEEPALIVE void page_pan(float x, float y) { camera_pan(&page.camera, x, y); }
 EMSCRIPTEN_KEEPALIVE void page_zoom(float x, float y, float factor) { camera_zoom(&page.camera, x, y, factor); }
-EMSCRIPTEN_KEEPALIVE float page_scale(void) { return page.camera.scale; } // px a metre
+EMSCRIPTEN_KEEPALIVE float page_scale(void) { return page.camera.scale; } // px per metre
 
-// The point of the world under a pixel, m.
+// Returns the point of the world under a pixel, m.
 EMSCRIPTEN_KEEPALIVE const double* page_point(float x, float y)
 {
 	scree_vec point = camera_point(&page.camera, x, y);
@@ -64,7 +65,7 @@ EMSCRIPTEN_KEEPALIVE void page_style(int paint, uint32_t layers, bool slow, bool
 	page.style.rays = slow ? SLOW_RAYS : RAYS_DRAWN;
 }
 
-// A line from the finger to the body that it drags.
+// Adds a line from the finger to the body that it drags.
 static void draw_grab(void)
 {
 	scree_vec anchor;
@@ -74,7 +75,7 @@ static void draw_grab(void)
 	strokes_add(&page.renderer.strokes, anchor, anchor, 6.0f, THREAD_COLOR, 255);
 }
 
-// In the next picture: an arrow between two points, m.
+// Adds an arrow between two points (m) to the next picture.
 EMSCRIPTEN_KEEPALIVE void page_mark_arrow(float x, float y, float to_x, float to_y)
 {
 	Strokes* strokes = &page.renderer.strokes;
@@ -90,13 +91,13 @@ EMSCRIPTEN_KEEPALIVE void page_mark_arrow(float x, float y, float to_x, float to
 		            THREAD_COLOR, 220);
 }
 
-// In the next picture: a ring of a diameter in m.
+// Adds a ring with a diameter in m to the next picture.
 EMSCRIPTEN_KEEPALIVE void page_mark_ring(float x, float y, float diameter, int opacity)
 {
 	strokes_ring(&page.renderer.strokes, (scree_vec){x, y}, diameter * page.camera.scale, 3.0f, THREAD_COLOR, opacity);
 }
 
-// In the next picture: how far an explosion would reach, px.
+// Adds circles for the reach of an explosion (px) to the next picture.
 EMSCRIPTEN_KEEPALIVE void page_mark_blast(float x, float y, float radius)
 {
 	blast_mark(&page.renderer.strokes, (scree_vec){x, y}, radius);
@@ -107,7 +108,7 @@ static scree_vec middle(void)
 	return camera_point(&page.camera, 0.5f * (float)page.camera.width, 0.5f * (float)page.camera.height);
 }
 
-// Whether the selected body is to stay in the middle; false if it does not.
+// Starts or stops following the selected body. Returns true if a body is followed.
 EMSCRIPTEN_KEEPALIVE bool page_follow(bool follows)
 {
 	scree_vec at, now = middle();
@@ -145,7 +146,7 @@ EMSCRIPTEN_KEEPALIVE bool page_draw(void)
 	return true;
 }
 
-// Where bodies are: as many poses as there are dynamic bodies and room, each x, y in m; returns their count. For tests.
+// Writes the positions (x, y in m) of dynamic bodies, at most capacity of them, and returns their count. For tests.
 EMSCRIPTEN_KEEPALIVE int page_places(float* places, int capacity)
 {
 	const RenderTables* tables = &page.renderer.tables;

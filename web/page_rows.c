@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// page_rows.c -- the rows that a renderer draws, in a page: shared_rows.h for WebGL, which neither maps nor shares buffers.
+// page_rows.c -- the rows that a renderer draws, in a page: shared_rows.h for WebGL, which can neither map nor share
+// buffers.
 #include "view/opengl.h"
 #include "view/shared_rows.h"
 #include <stdio.h>
@@ -17,7 +18,7 @@ void share_close(Share* share)
 	*share = (Share){0};
 }
 
-// Makes room for all rows and half as many more.
+// Allocates memory for all rows and half as many more.
 static bool make_room(Share* share)
 {
 	int capacity = share->count + share->count / 2 + 1024;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// page_tools.c -- what the visitor of the page does to bodies: drags them, throws and pours others in, sets off explosions.
+// page_tools.c -- tools of the page's visitor: drag bodies, throw and pour bodies in, set off explosions.
 //
-// Coordinates are m of the world, so that the same calls before the same steps give the same world whatever the picture shows.
+// Coordinates are m of the world, so that the same calls before the same steps give the same world, whatever the
+// picture shows.
 #include "view/blast_tool.h"
 #include "web/page.h"
 
-// Tables of the world as it is, which without a picture are made for this call.
+// Returns the tables of the current world. Without a picture it creates them for this call.
 static const RenderTables* open_tables(RenderTables* own, Sprites* sprites)
 {
 	if (page.drawn && (!page.added || page_show_world()))
@@ -31,13 +32,13 @@ static bool take(Grab* grab, float x, float y, bool (*how)(Grab*, const RenderTa
 	return good;
 }
 
-// Holds the dynamic body at a point; false when there is none.
+// Starts to drag the dynamic body at a point. Returns false if there is none.
 EMSCRIPTEN_KEEPALIVE bool page_pick(float x, float y) { return take(&page.grab, x, y, grab_pick); }
 
-// Finds that body and does nothing to it.
+// Finds the dynamic body at a point without changing it.
 EMSCRIPTEN_KEEPALIVE bool page_reach(float x, float y) { return take(&page.reached, x, y, grab_reach); }
 
-// Where the point of it is now, m; null if it is gone.
+// Returns the current position of the body's point that page_reach found, m; null if the body no longer exists.
 EMSCRIPTEN_KEEPALIVE const double* page_reached(void)
 {
 	scree_vec at;
@@ -51,14 +52,15 @@ EMSCRIPTEN_KEEPALIVE const double* page_reached(void)
 EMSCRIPTEN_KEEPALIVE void page_pull(float x, float y) { page.grab.at = (scree_vec){x, y}; }
 EMSCRIPTEN_KEEPALIVE bool page_holds(void) { return grab_holds(&page.grab); }
 
-// Ends a drag, and pouring.
+// Ends dragging and pouring.
 EMSCRIPTEN_KEEPALIVE void page_release(void)
 {
 	grab_release(&page.grab);
 	pour_end(&page.pour);
 }
 
-// From now on bodies are poured around a point, which page_pull moves. False with a sentence where nothing can be poured.
+// Starts to pour bodies around a point, which page_pull moves. Returns false with a sentence if the scene has no bodies
+// that can be poured.
 EMSCRIPTEN_KEEPALIVE bool page_pour(float x, float y)
 {
 	grab_release(&page.grab);
@@ -78,7 +80,8 @@ EMSCRIPTEN_KEEPALIVE bool page_throw(float x, float y, float vx, float vy, float
 	return good;
 }
 
-// Bodies fly away from a point: all of the impulse (N s a metre of their width) within half the radius, none beyond it.
+// Pushes bodies away from a point: with the whole impulse (N s per metre of their width) within half the radius, with
+// none beyond the radius.
 EMSCRIPTEN_KEEPALIVE bool page_blast(float x, float y, float radius, float impulse)
 {
 	scree_blast_def def = scree_blast_def_default();
@@ -89,6 +92,7 @@ EMSCRIPTEN_KEEPALIVE bool page_blast(float x, float y, float radius, float impul
 	return page_check(scree_world_blast(page.world, &def, NULL));
 }
 
-// The impulse of an explosion in this world, and the radius (px) of one that was held for so many seconds.
+// Return the impulse of an explosion in this world, and the radius (px) of one whose key was held for a time in
+// seconds.
 EMSCRIPTEN_KEEPALIVE float page_blast_impulse(void) { return blast_impulse(&page.renderer.tables, BLAST_SPEED); }
 EMSCRIPTEN_KEEPALIVE float page_blast_radius(float seconds) { return blast_radius((double)seconds); }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// serve.mjs -- serve.mjs FOLDER [PORT] [plain]: a web server for one folder on this machine, with the headers that allow threads.
+// serve.mjs -- serve.mjs FOLDER [PORT] [plain]: a web server for one folder on this machine, with the headers that
+// allow threads.
 //
-// plain leaves the headers out, as most static hosts do.
+// plain omits the headers, as most static hosts do.
 import { createServer } from 'node:http';
 import { createReadStream, statSync } from 'node:fs';
 import { extname, join, normalize } from 'node:path';

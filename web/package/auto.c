@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// auto.c -- device "auto" in a page, where there is only the CPU: worlds stay on it. Instead of src/world/device/auto.c.
+// auto.c -- device "auto" in a page, where the CPU is the only device: worlds stay on it. Replaces
+// src/world/device/auto.c.
 #include "world/device/auto.h"
 
 void auto_open(scree_world* world, CompareDevice* compare)

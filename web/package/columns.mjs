@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 // columns.mjs -- an engine from its columns: the head of scalar.js and of simd.js, which pack.mjs writes.
 //
-// Compressed, a module of WebAssembly is 10 % smaller by columns than as a file, where opcodes, locals, offsets and numbers take turns:
-// each repeats itself more than their mixture does. More columns than these would save 0.1 % at most. One fewer would cost 0.2 %, if
-// types of blocks lay in the code, sizes or floats in the bytes, or all locals in one; 0.3 to 0.8 %, if numbers lay in the code; 3 %, if
-// offsets did; 7 %, if locals did.
+// Compressed, a module of WebAssembly is 10 % smaller as columns than as a file, where opcodes, locals, offsets and
+// numbers alternate: each of them repeats itself more than their mixture does. More columns than these would save at
+// most 0.1 %. Merging two columns would cost: types of blocks with the code, sizes or floats with the bytes, or all
+// locals, 0.2 %; numbers with the code 0.3 to 0.8 %; offsets with the code 3 %; locals with the code 7 %.
 //
-// Columns of locals, GETS and SETS, have places in a list, from which each byte moves to the front: a local that was used lately is a
-// small number. Each function begins with a list of its own (J. L. Bentley et al., A Locally Adaptive Data Compression Scheme, 1986).
-// 0.7 % less.
+// The columns of locals, GETS and SETS, store positions in a list from which each byte moves to the front: a recently
+// used local is a small number. Each function begins with a fresh list (J. L. Bentley et al., A Locally Adaptive Data
+// Compression Scheme, 1986). This saves 0.7 %.
 const CODE = 0, GETS = 1, SETS = 2, OFFSETS = 3, NUMBERS = 4, BYTES = 5, FLOATS = 6, SIZES = 7, TYPES = 8, LABELS = 9;
 
-// What follows an opcode: b the type of a block; l a local that is read, s one that is written; o an offset; n a number of 32 bits, N of
-// 64; x an index of a label, a function or a lane, or an alignment; t as many labels as it says, and one; f, d and v the 4, 8 and 16 bytes
-// of a float, a double and a vector. Opcodes of vectors lie behind 256. What is not here has no operands.
+// Operands of an opcode: b the type of a block; l a local that is read, s one that is written; o an offset; n a number
+// of 32 bits, N of 64; x an index of a label, a function or a lane, or an alignment; t a count of labels, followed by
+// that many plus one; f, d and v the 4, 8 and 16 bytes of a float, a double and a vector. Opcodes of vectors begin at
+// 256. Opcodes that are not listed have no operands.
 const OPERANDS = {x: CODE, b: TYPES, l: GETS, s: SETS, o: OFFSETS, n: NUMBERS, N: BYTES, t: LABELS, f: -4, d: -8, v: -16};
 const operands = new Array(512).fill([]);
 for (const line of ["b 2-4", "x 12-13 16-16 35-36 63-64 277-290", "xx 17-17", "t 14-14", "l 32-32", "s 33-34",
@@ -25,21 +26,21 @@ for (const line of ["b 2-4", "x 12-13 16-16 35-36 63-64 277-290", "xx 17-17", "t
 	}
 }
 
-/** Whether a column is one of locals. */
+/** Returns true if a column contains locals. */
 export const is_local = (column) => column === GETS || column === SETS;
 
-/** Every byte in order: the list that a function begins with. */
+/** Returns all bytes in order: the list with which a function begins. */
 export const bytes_in_order = () => new Uint8Array(256).map((_, byte) => byte);
 
-/** Moves the byte at a place of a list to its front, and returns it. */
+/** Moves the byte at a position of a list to its front, and returns it. */
 export function move_to_front(list, place) {
 	const byte = list[place];
 	list.copyWithin(1, 0, place);
 	return list[0] = byte;
 }
 
-/** Follows a module of so many bytes from its first to its last one: take(column) returns the next, which is of that column; begin() is
-called before each function. */
+/** Traverses a module with this length in bytes, from its first byte to its last one: take(column) returns the next byte,
+which belongs to that column; begin() is called before each function. */
 export function follow(length, take, begin) {
 	let at = 0;
 	const bytes = (count, column) => {
@@ -47,7 +48,7 @@ export function follow(length, take, begin) {
 		while (count-- > 0)
 			take(column);
 	};
-	// seven bits a byte, the lowest first
+	// reads seven bits per byte, the lowest first
 	const number = (column) => {
 		let value = 0, bits = 0, byte;
 		do {
@@ -61,7 +62,7 @@ export function follow(length, take, begin) {
 	const instruction = () => {
 		let opcode = take(CODE);
 		++at;
-		if (opcode === 252) // conversions that saturate
+		if (opcode === 252) // saturating conversions
 			number(CODE);
 		else if (opcode === 253)
 			opcode = 256 + number(CODE);
@@ -94,12 +95,12 @@ export function follow(length, take, begin) {
 	}
 }
 
-/** The module of so many bytes: each column has the letters that stand for bytes 0, 1, 2..., and its text of them. */
+/** Returns the module, with this length in bytes. A column is [the letters for the bytes 0, 1, 2..., its text]. */
 export function join(length, columns) {
 	const wasm = new Uint8Array(length), places = columns.map(() => 0);
 	const lists = columns.map(([letters, text]) => {
 		const bytes = new Uint8Array(512), list = new Uint8Array(text.length);
-		// a byte that the text has not has the letter of the next one that it has, which takes its place
+		// gives an unused byte the letter of the next used one, which then overwrites its entry
 		for (let byte = 0; byte < letters.length; ++byte)
 			bytes[letters.charCodeAt(byte)] = byte;
 		for (let k = 0; k < text.length; ++k)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// generate.mjs -- generate.mjs HEADER RUNTIME FOLDER: writes scree.js, scree.d.ts, the list of exports and layout.c from scree.h.
+// generate.mjs -- generate.mjs HEADER RUNTIME FOLDER: writes scree.js, scree.d.ts, the list of exports and layout.c
+// from scree.h.
 //
-// scree.js is RUNTIME behind two tables: the members of structs, and the parameters of functions, in codes that runtime.js explains.
+// scree.js is RUNTIME after two tables: the members of structs, and the parameters of functions, in codes that
+// runtime.js describes.
 import {readFileSync, writeFileSync} from "node:fs";
 import {parse, scalars} from "./header.mjs";
 import {types} from "./types.mjs";
@@ -9,9 +11,9 @@ import {types} from "./types.mjs";
 const [, , headerPath, runtimePath, folder] = process.argv;
 const header = parse(readFileSync(headerPath, "utf8"));
 
-// Has no use in a page: hooks in C, one device only, memory that is shared with OpenCL.
+// functions without use in a page: C hooks, device choice, memory that is shared with OpenCL
 const left_out = /^scree_(hooks_set|opencl_hint|sharing_name|devices_get_sized|world_(share_\w+|cast_shared_\w+|unshare|measure_bandwidth|write_render_rows|get_sharing|move))$/;
-// What objects do by themselves: worlds, rows, defaults of definitions.
+// functions that the classes call themselves: creating worlds, rows, defaults of definitions
 const without_method = /^scree_(world_(create|destroy|get_render_rows)|filter_default|\w+_(default|make)_sized)$/;
 const short = (type) => type.replace(/^scree_/, "");
 const functions = Object.values(header.functions).filter((f) => !left_out.test(f.name));
@@ -24,7 +26,7 @@ function code(type) {
 	return short(type);
 }
 
-// Codes of the parameters of a function, and which of them a program gives.
+// Returns the codes of a function's parameters, and the parameters that a program passes.
 function describe(f) {
 	const codes = [], given = [], results = [], all = f.parameters;
 	for (let k = 0; k < all.length; ++k) {
@@ -46,7 +48,7 @@ function describe(f) {
 			given.push(p);
 		}
 		else if (f.name === "scree_world_get_states" && p.name === "bodies")
-			codes.push("0"); // getBodies lists them, in the same order
+			codes.push("0"); // omitted, because getBodies lists them in the same order
 		else if (list) {
 			codes.push(`?${code(p.type)}`);
 			results.push({...p, many: true});
@@ -104,7 +106,7 @@ const structTable = structs.map((s) => [short(s.name), ...s.members.map((m) => m
 const functionTable = described.filter((f) => !without_method.test(f.name))
 	.map((f) => [short(f.name), f.kind, ...f.codes].join(" ")).join("\n");
 
-// scree_body_type becomes BodyType, the bits SCREE_LOCK_* become Lock
+// converts names: scree_body_type becomes BodyType, the bits SCREE_LOCK_* become Lock
 const camel = (name) => name.replace(/(^|_)([a-z0-9])/g, (_, bar, letter) => letter.toUpperCase());
 const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level/.test(name)).map(([name, e]) => {
 	const names = Object.keys(e.members);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// header.mjs -- reads scree.h: its enumerations, structs with their layout in WebAssembly, functions, and the comments above them.
+// header.mjs -- parses scree.h: its enumerations, structs with their layout in WebAssembly, functions, and their
+// comments.
 
 const scalars = {
 	int: ["i", 4], int32_t: ["i", 4], uint32_t: ["u", 4], size_t: ["u", 4], float: ["f", 4], double: ["d", 8], bool: ["b", 1],
 	uint8_t: ["B", 1], uint16_t: ["h", 2], int64_t: ["l", 8], uint64_t: ["L", 8], char: ["c", 1],
 };
 
-// Comments go with the declaration below them, or left of them.
+// Returns the text of comment lines, which belong to the declaration below them or left of them.
 function comment(lines) {
 	return lines.map((line) => line.trim().replace(/^\/\/ ?/, "")).filter((line) => !/^-+$/.test(line)).join("\n");
 }
@@ -81,12 +82,12 @@ function parameters(text) {
 	});
 }
 
-// Offsets as clang gives them for wasm32: each member at a multiple of its alignment, pointers of 4 bytes.
+// Computes offsets as clang does for wasm32: each member at a multiple of its alignment, pointers of 4 bytes.
 function layout(name, block, structs, enums) {
 	const members = [];
 	let offset = 0, alignment = 1;
 	const inside = block.text.slice(block.text.indexOf("{") + 1, block.text.lastIndexOf("}"));
-	// a comment to the right of a member goes on in lines of its own that are indented further
+	// a comment to the right of a member continues on lines of its own that are indented further
 	let statement = "", note = [], before = [];
 	const finish = () => {
 		const match = /^\s*(const )?(\w+)([^]*)$/.exec(statement);

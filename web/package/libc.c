@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// libc.c -- what the package has its own of in the C library: formatted text, whose numbers JavaScript writes, and log.
+// libc.c -- replacements for parts of the C library: formatted text, with numbers written by JavaScript, and the log.
 //
 // Emscripten's printf and strtof compute in long double; with them the package was 10 kB larger, compressed.
 #include <stdarg.h>
@@ -39,7 +39,7 @@ static void add_integer(Text* t, unsigned long long value, unsigned base, int wi
 	add(t, digits + at, (size_t)(NUMBER_BYTES - at));
 }
 
-// %c %d %f %g %s %u %x with precision, width of zeros, l, ll and z: what the messages of Scree are written with.
+// Formats %c %d %f %g %s %u %x with precision, zero padding, l, ll and z: the conversions in the messages of Scree.
 int vsnprintf(char* text, size_t size, const char* format, va_list arguments)
 {
 	Text t = {text, size, 0};
@@ -120,7 +120,7 @@ int fprintf(FILE* file, const char* format, ...)
 	return length;
 }
 
-// names that clang calls instead where no number is a float, or a long double
+// variants that clang calls if no argument is floating-point, or if none is a long double
 int fiprintf(FILE* file, const char* format, ...) __attribute__((alias("fprintf")));
 int __small_fprintf(FILE* file, const char* format, ...) __attribute__((alias("fprintf")));
 int sniprintf(char* text, size_t size, const char* format, ...) __attribute__((alias("snprintf")));
@@ -132,7 +132,7 @@ float strtof(const char* text, char** end)
 	return (float)js_parse(text);
 }
 
-// a page has no environment
+// returns null, because a page has no environment
 char* getenv(const char* name)
 {
 	(void)name;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// pack.mjs -- pack.mjs SOURCES SCALAR SIMD FOLDER: puts the package together from the builds of two forms, and prints what a visitor downloads.
+// pack.mjs -- pack.mjs SOURCES SCALAR SIMD FOLDER: assembles the package from the builds of two forms, and prints the
+// size of a visitor's download.
 //
-// The engine lies in a module as texts of one letter a byte, so that every bundler takes it along: one text for each column of
-// columns.mjs. Letters of one byte stand for the bytes that are most frequent in it: compressed, the texts are 2 % larger than what they
-// stand for (base64: 35 %).
+// The engine is stored in a module as texts of one letter per byte, so that every bundler includes it: one text for
+// each column of columns.mjs. One-byte letters represent the most frequent bytes. Compressed, the texts are 2 % larger
+// than the bytes that they represent (base64: 35 %).
 import {execFileSync} from "node:child_process";
 import {copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {brotliCompressSync, constants} from "node:zlib";
@@ -13,8 +14,8 @@ const [, , sources, scalar, simd, folder] = process.argv;
 const limit = 150000;
 const compressed = (text) => brotliCompressSync(text, {params: {[constants.BROTLI_PARAM_QUALITY]: 11}}).length;
 
-// A column as join() takes it: bytes, in order, have the letters in order; those that are rare have letters of two bytes. Nothing that has
-// a meaning in a text between backticks is a letter.
+// Writes a column for join(): letters in ascending order represent bytes in ascending order; rare bytes have letters of
+// two bytes. Letters exclude characters with a meaning between backticks.
 function write_column(column) {
 	const times = new Array(256).fill(0), meaning = [10, 13, 36, 92, 96];
 	for (const byte of column)
@@ -43,7 +44,7 @@ function write_module(wasm, head) {
 	return `${head}export const wasm = () => join(${wasm.length}, [${columns.map(write_column).join(",\n")}]);\n`;
 }
 
-// Debian has terser where node looks when it is told
+// terser of Debian is found only with this NODE_PATH
 const minify = (from, to) => execFileSync("terser", [from, "--compress", "--mangle", "--module", "--comments", "/^ SPDX/", "-o", to],
 	{env: {...process.env, NODE_PATH: "/usr/share/nodejs"}});
 

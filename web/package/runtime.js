@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// runtime.js -- the package: loads the engine, and makes methods from the table of functions.
+// runtime.js -- the package: loads the engine, and creates methods from the table of functions.
 //
-// A line of STRUCTS is a struct: its name, then member=TYPE, with a number before the type of an array. A line of FUNCTIONS is a
-// function: its name, its result, its parameters. Types: i u f d b B h l L H for int, uint32, float, double, bool, uint8, uint16, and 64
-// bits as number, as BigInt and as text; else the name of a struct. Results: ! status, s text, v none, =T a struct. Parameters: w the
-// world, .T a struct, <T a pointer to one that may be null, *T an array, n its length, >T a result, +T as many results as the array has,
-// ?T c m a list of unknown length, @T and &T what is changed, #T a size, $ a text.
+// A line of STRUCTS is a struct: its name, then member=TYPE, with a number before the type of an array. A line of
+// FUNCTIONS is a function: its name, its result, its parameters. Types: i u f d b B h for int, uint32, float, double,
+// bool, uint8, uint16; l L H for 64 bits as number, as BigInt and as text; else the name of a struct. Results: !
+// status, s text, v none, =T a struct. Parameters: w the world, .T a struct, <T a pointer to a struct that may be null,
+// *T an array, n its length, >T a result, +T as many results as the array has elements, ?T c m a list of unknown
+// length, @T and &T an argument that the function changes, #T a size, $ a text.
 const SIZES = {i: 4, u: 4, f: 4, d: 8, b: 1, B: 1, h: 2, l: 8, L: 8, c: 1, $: 4, p: 4};
 const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 const HANDLES = ["attribute", "body", "collidable", "path", "joint", "field"];
@@ -26,16 +27,16 @@ for (const line of STRUCTS.split("\n")) {
 		alignment = Math.max(alignment, align);
 		floats &&= inner ? inner.floats : type === "f";
 	}
-	// lengths of arrays, sizes and what is reserved are no members of objects
+	// excludes lengths of arrays, sizes and reserved members from objects
 	const hidden = new Set(["reserved"]);
 	for (const m of Object.values(members))
-		if (m.counter && m.counter !== "first") // which is as long as there are queries, and one
+		if (m.counter && m.counter !== "first") // the length of first is the number of queries plus one
 			hidden.add(m.counter);
 	const shown = Object.entries(members).filter(([key, m]) => m.type !== "z" && m.type !== "p" && !hidden.has(key));
 	layouts[name] = {name, members, shown: Object.fromEntries(shown), size: Math.ceil(offset / alignment) * alignment, alignment, floats};
 }
 
-/** What every function throws that fails, with the sentence that names the argument and its value. */
+/** The error that every failing function throws, with a sentence that names the argument and its value. */
 export class ScreeError extends Error {
 	constructor(message, status) {
 		super(message);
@@ -52,13 +53,13 @@ class Handle {
 	}
 }
 const classes = Object.fromEntries(HANDLES.map((name) => [name, class extends Handle {}]));
-/** The state of one joint: world.joints.getStates. */
+/** Returns the state of one joint: world.joints.getStates. */
 classes.joint.prototype.getState = function () {
 	return this.world.joints.getStates([this])[0];
 };
 export const {attribute: Attribute, body: Body, collidable: Collidable, path: Path, joint: Joint, field: Field} = classes;
 
-// A number as printf writes it, for %g and %f.
+// Writes a number as printf does, for %g and %f.
 function format(value, kind, precision) {
 	if (!Number.isFinite(value))
 		return value !== value ? "nan" : value < 0 ? "-inf" : "inf";
@@ -91,7 +92,7 @@ class Engine {
 		return this.view;
 	}
 
-	// Memory until the end of the call.
+	// Allocates memory until the end of the call.
 	take(bytes) {
 		const at = this.arena + this.top;
 		if (this.top + bytes <= ARENA) {
@@ -121,7 +122,7 @@ class Engine {
 		let end = at;
 		while (bytes[end])
 			++end;
-		// a copy, because texts in shared memory are not decoded
+		// copies the bytes, because texts in shared memory cannot be decoded
 		return new TextDecoder().decode(bytes.slice(at, end));
 	}
 
@@ -136,7 +137,7 @@ class Engine {
 			throw new ScreeError(this.text(this.c.scree_error()), status);
 	}
 
-	// The bytes of a struct in which nothing is set: its default, or zeros without a rotation.
+	// Returns the bytes of a struct in which nothing is set: its default, or zeros with the identity rotation.
 	blank(name, value) {
 		const {size, members} = layouts[name], typed = name === "joint_def" || name === "field_def", type = typed ? value?.type ?? 0 : 0;
 		const key = typed ? name + type : name;
@@ -162,7 +163,7 @@ class Engine {
 		return this.blanks[key];
 	}
 
-	// Writes a value of a type; where names it in messages.
+	// Writes a value of a type; where is its name in messages.
 	put(type, at, value, world, where) {
 		const view = this.fresh(), wrong = (must) => {
 			throw new TypeError(`${where} is ${typeof value === "bigint" || typeof value === "object" ? Object.prototype.toString.call(value) : String(value)}, must be ${must}`);
@@ -263,7 +264,7 @@ class Engine {
 				else
 					value[key] = m.count ? this.getAll(m.type, place, m.count, world) : this.get(m.type, place, world);
 			}
-			// of a polygon's eight places as many as it has
+			// reduces the eight places of a polygon to the used ones
 			if (type === "shape")
 				value.vertices.length = value.normals.length = value.count;
 			return value;
@@ -287,7 +288,7 @@ class Engine {
 	}
 }
 
-// One function of the table: world is null for what needs none; given are the arguments.
+// Calls a function of the table. world is null for functions without a world; given are the arguments.
 function call(engine, f, world, given) {
 	const {c} = engine, values = [], outs = [];
 	let next = 0, count = -1, list;
@@ -322,7 +323,7 @@ function call(engine, f, world, given) {
 			else if (kind === ">" || kind === "+") {
 				const many = kind === "+";
 				outs.push([type, engine.take(size * (many ? count : 1)), many ? count : -1]);
-				// what is filled says how large it is
+				// sets the size member of the result
 				if (!many && layouts[type])
 					new Uint8Array(engine.memory.buffer).set(engine.blank(type), outs.at(-1)[1]);
 				values.push(outs.at(-1)[1]);
@@ -399,7 +400,7 @@ function call(engine, f, world, given) {
 	}
 }
 
-/** A world and all in it. destroy() frees it; a world that is forgotten is freed some time later. */
+/** A world and everything in it. destroy() frees it; the garbage collector frees a world without references later. */
 export class World {
 	constructor(scree, def = {}) {
 		const engine = scree.engine;
@@ -434,7 +435,8 @@ export class World {
 		this.pointer = 0;
 	}
 
-	// The same object for the same handle, so that === compares, and programs can keep what they like in it.
+	// Returns the same object for the same handle, so that === compares handles, and programs can store data in the
+	// object.
 	handle(type, index, generation) {
 		const list = (this.known[type] ??= []);
 		if (list[index]?.generation !== generation)
@@ -442,7 +444,7 @@ export class World {
 		return list[index];
 	}
 
-	// Memory that stays, for views: at least so many bytes.
+	// Allocates at least this many bytes of permanent memory, for views.
 	block(name, bytes) {
 		const {engine} = this.scree, old = this[name];
 		if (old && old.bytes >= bytes)
@@ -456,19 +458,21 @@ export class World {
 		return this[name].at;
 	}
 
-	/** The poses of bodies: x, y, cosine and sine of bodies[k] from 4 * k on. Valid until the next call that may need memory. */
+	/** Returns the poses of bodies: x, y, cosine and sine of bodies[k] from 4 * k on. The array is valid until the next call
+	 * that may allocate memory. */
 	poses(bodies) {
 		const {engine} = this.scree, count = bodies?.length;
 		if (count === undefined)
 			throw new TypeError("poses: bodies must be an array");
-		// handles, then poses
+		// memory layout: handles, then poses
 		const at = this.block("#poses", 24 * count + 8), poses = at + 8 * count;
 		engine.putAll("body", at, bodies, this, "poses: bodies");
 		engine.check(engine.c.scree_bodies_get_poses(this.live(), at, poses, count));
 		return new Float32Array(engine.memory.buffer, poses, 4 * count);
 	}
 
-	/** What a renderer needs: eight numbers for each collidable, from 8 * (collidable.index - 1) on. docs/web.md lists them. */
+	/** Returns the data for a renderer: eight numbers for each collidable, from 8 * (collidable.index - 1) on. docs/web.md
+	 * lists them. */
 	rows() {
 		const {engine} = this.scree, world = this.live();
 		const count = engine.take(4), need = () => engine.fresh().getInt32(count, true);
@@ -485,23 +489,23 @@ export class World {
 		return this.pointer;
 	}
 
-	/** All collidables that overlap a shape at a pose. */
+	/** Returns all collidables that overlap a shape at a pose. */
 	overlapShape(shape, pose) {
 		return this.listShapes(null, shape, [{pose}]);
 	}
 
-	/** All collidables that overlap a point. */
+	/** Returns all collidables that overlap a point. */
 	overlapPoint(point) {
 		return this.overlapShape(null, {position: point});
 	}
 
-	/** Collidables without a body. */
+	/** Returns the collidables without a body. */
 	getFreeCollidables() {
 		return call(this.scree.engine, table.body_get_collidables, this, [null]);
 	}
 }
 
-// What is done to many at once: world.bodies, world.joints, world.collidables, world.movers.
+// Functions on many objects: world.bodies, world.joints, world.collidables, world.movers.
 class Batch {
 	constructor(world, plural) {
 		this.world = world;
@@ -512,7 +516,7 @@ const batches = {};
 for (const plural in PLURALS)
 	batches[plural] = {};
 
-/** The engine, from load(). What needs no world is a method of it. */
+/** The engine, from load(). Functions without a world are its methods. */
 export class Scree {
 	constructor(engine, form) {
 		this.engine = engine;
@@ -565,7 +569,7 @@ Object.defineProperties(Batch.prototype, Object.fromEntries(Object.entries(batch
 		return own.apply(this, all);
 	}}]))));
 
-// A module of one instruction of vectors: whether the browser takes it is whether it has them.
+// a module with one vector instruction: it is valid if the browser supports vectors
 const VECTORS = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11];
 
 async function compile(wasm) {
@@ -612,7 +616,7 @@ async function start({wasm, simd, log = console.warn}) {
 }
 
 let loaded;
-/** Loads the engine, once for all callers without options. */
+/** Loads the engine. All callers without options share one engine. */
 export function load(options) {
 	return options ? start(options) : (loaded ??= start({}));
 }

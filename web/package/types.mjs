@@ -10,7 +10,7 @@ const plurals = {bodies: "body", joints: "joint", collidables: "collidable", mov
 export function types({header, structs, described, enumerations, short}) {
 	const handles = new Set(header.handles);
 	const enumNames = Object.fromEntries(enumerations.map((e) => [e.name, e.title]));
-	// arguments may be partial: what is missing has its default
+	// arguments may be partial: missing members have their defaults
 	const type = (name, given) => {
 		if (handles.has(name))
 			return `${title(short(name))} | null`;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// app.js -- the page from start to end: opens the engine, and ties its parts to it.
+// app.js -- the page from start to end: opens the engine, and connects its parts to it.
 import { Body } from './body.js';
 import { Compare } from './compare.js';
 import { $, dress, element, segments } from './dom.js';
@@ -15,8 +15,8 @@ import { fetchScene, fetchScenes, listScenes, markScene } from './scenes.js';
 import { Share } from './share.js';
 import { Theme } from './theme.js';
 
-const DENSEST = 2; // px of the picture a px of the page, at most: more cost a phone its frames
-const SLOW_FRAMES = 20; // a second: below this the picture is drawn more coarsely
+const DENSEST = 2; // maximum pixels of the picture per pixel of the page: more would reduce a phone's frame rate
+const SLOW_FRAMES = 20; // frames per second below which the picture is drawn more coarsely
 const FIRST = 'pile';
 const TOOLS = [
 	{ value: 'drag', label: 'Drag', title: 'Drag bodies, or the picture', icon: 'drag' },
@@ -25,7 +25,7 @@ const TOOLS = [
 	{ value: 'blast', label: 'Blast', title: 'Hold: an explosion grows; let go, it goes off', icon: 'blast' },
 	{ value: 'move', label: 'Move', title: 'Move the picture only', icon: 'move' },
 ];
-// layers that are on as in the viewer, and a key for each as there
+// layers that are on at first, and a key for each, as in the viewer
 const SHOWN = ['joints', 'fields', 'sensors', 'rays'];
 const LAYER_KEYS = {
 	boxes: '1', contacts: '2', normals: '3', impulses: '4', velocities: '5', centers: 'z', joints: '7', fields: 'g', sensors: '8',
@@ -49,7 +49,7 @@ class App {
 		this.say = (message) => this.host.say(message);
 	}
 
-	// The size of the picture, px of it.
+	// Returns the size of the picture in its pixels.
 	measure() {
 		const box = $('stage').getBoundingClientRect();
 		this.view.density = Math.min(DENSEST, devicePixelRatio || 1);
@@ -147,7 +147,7 @@ class App {
 		note(sentence, { kind: 'bad', name: 'picture', lasting: true });
 	}
 
-	// Where drawing is slow, as without a graphics card, many bodies are drawn more coarsely.
+	// Draws many bodies more coarsely if drawing is slow, as without a graphics card.
 	watch({ paused, frames, elapsed, bodies, times }) {
 		const busy = times.reduce((sum, ms) => sum + ms, 0);
 		const late = !paused && elapsed > 0 && (1000 * frames) / elapsed < SLOW_FRAMES && busy < elapsed / 2;
@@ -157,7 +157,7 @@ class App {
 		this.restyle();
 	}
 
-	// The scene and what else the address says.
+	// Opens the scene and the other data of the address.
 	async openLink() {
 		let link = { name: FIRST, settings: [], script: [], until: null };
 		try {
@@ -171,7 +171,7 @@ class App {
 		if (good && link.script.length > 0) note('A replay of what somebody did. Touch a body to take over.', { name: 'replay' });
 	}
 
-	// Settings that the address does not name are those that the page begins a scene with.
+	// Loads a scene. Settings that the address does not contain have the page's initial values.
 	async load({ name, settings = [], script = [], until = null, keepView = false }) {
 		const scene = this.scenes.get(name);
 		const given = new Map(settings);
@@ -187,7 +187,7 @@ class App {
 		} catch (error) {
 			note(error.message, { kind: 'bad', name: 'load', lasting: true });
 		}
-		if (!good && this.source) this.showSettings(); // the scene before is still there
+		if (!good && this.source) this.showSettings(); // the previous scene is still loaded
 		else if (!good && (name !== FIRST || settings.length > 0)) await this.load({ name: FIRST });
 		return Boolean(good);
 	}
@@ -225,7 +225,7 @@ class App {
 		menu.selectedIndex = Math.max(0, Math.min(menu.length - 1, menu.selectedIndex + step));
 		menu.dispatchEvent(new Event('change'));
 	}
-	// Uses a tool at the cursor as long as a key is down.
+	// Uses a tool at the cursor while a key is down.
 	holdTool(tool, down) {
 		const at = this.input.cursor;
 		if (at) this.say({ type: down ? 'press' : 'lift', ...at, tool, by: tool });
@@ -239,7 +239,7 @@ class App {
 		if (!(await this.host.ask({ type: 'follow', follows })))
 			note('Nothing is selected that could be followed: click on a body.', { name: 'follow' });
 	}
-	// The scene before or after this one in the list.
+	// Loads the scene before or after this one in the list.
 	neighbor(by) {
 		this.choose(this.names.at((this.names.indexOf(this.source.name) + by) % this.names.length));
 	}
@@ -293,7 +293,7 @@ class App {
 		segments($('tools'), TOOLS, this.tool, (tool) => (this.tool = tool));
 		for (const tab of document.querySelectorAll('#tabs button')) tab.onclick = () => this.openTab(tab.dataset.tab);
 		this.openTab(document.body.dataset.tab);
-		// a button that a mouse pressed does not keep the keys
+		// removes the focus from a button that the mouse pressed, so that keys go to the page
 		addEventListener('pointerup', () => document.activeElement?.closest?.('#transport button, #tools input')?.blur());
 	}
 
@@ -334,7 +334,7 @@ async function begin() {
 		const scenes = await fetchScenes();
 		const app = new App(scenes);
 		listScenes(scenes, (name) => app.choose(name));
-		globalThis.scree = app; // for tests, and for the curious
+		globalThis.scree = app; // for tests, and for the browser console
 		await app.open();
 	} catch (error) {
 		note(`The page cannot start: ${error.message}`, { kind: 'bad', lasting: true });

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// body.js -- the numbers of bodies as text: a few beside the cursor, and all of the one that a click selected.
+// body.js -- the numbers of bodies as text: a few beside the cursor, and all of the selected body.
 import { $, element } from './dom.js';
 import { note } from './notes.js';
 
-const BESIDE = 14; // px from the cursor
+const BESIDE = 14; // px: distance from the cursor
 
-// The first line is the name.
+// Writes lines of text; the first one is the name.
 function write(box, text) {
 	const [name, ...lines] = text.split('\n');
 	box.replaceChildren(element('b', {}, name), ...lines.map((line) => element('span', {}, line)));
@@ -16,13 +16,13 @@ export class Body {
 		this.follows = false;
 		this.box = $('body');
 		this.all = element('p', { class: 'lines all' });
-		this.few = element('p', { class: 'lines few' }); // where the screen is small
+		this.few = element('p', { class: 'lines few' }); // shown on small screens
 		this.button = element('button', { id: 'follow', type: 'button', title: 'In the middle of the picture (k)', onclick: () => follow(!this.follows) });
 		const close = element('button', { id: 'forget', type: 'button', title: 'Forget it (esc)', onclick: forget }, 'forget');
 		this.box.replaceChildren(this.all, this.few, element('div', { class: 'row' }, this.button, close));
 	}
 
-	// numbers: {all, few, gone} or null
+	// Shows the selected body. numbers: {all, few, gone} or null.
 	show(numbers, follows) {
 		this.follows = follows;
 		this.box.hidden = !numbers || numbers.gone;
@@ -37,7 +37,7 @@ export class Body {
 		this.button.setAttribute('aria-pressed', String(follows));
 	}
 
-	// Beside the cursor, on its right and below it if there is room.
+	// Shows a text beside the cursor, on its right and below it if there is room.
 	hover(text, cursor, density) {
 		const tip = $('tip');
 		tip.hidden = text === '' || !cursor;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// compare.js -- the hash of this page beside that of the visitor's machine: the line to type, a field to paste into, a verdict.
+// compare.js -- compares the hash of this page with that of the visitor's machine: the command line, a field to paste
+// into, a verdict.
 import { $, copyButton, element } from './dom.js';
 
 const HASH = /\b[0-9a-f]{16}\b/;
 
-// The line that repeats a scene: only what differs from the file is given.
+// Returns the command line that repeats a scene. It contains only settings that differ from the file.
 export function commandLine({ name, parameters }, settings, step) {
 	const values = new Map(settings);
 	const sets = parameters
@@ -14,7 +15,7 @@ export function commandLine({ name, parameters }, settings, step) {
 	return `build/scree hash ${name}${sets} --steps ${step}`;
 }
 
-// What to say of a pasted text, and whether it is good news: true, false, or null for neither.
+// Returns a sentence about a pasted text, and whether it is good news: true, false, or null for neither.
 export function verdict(text, hash, step) {
 	const found = text.toLowerCase().match(HASH);
 	if (text.trim() === '') return [null, ''];
@@ -24,7 +25,7 @@ export function verdict(text, hash, step) {
 		: [false, `Different: ${found[0]} there, ${hash} here. Are the steps, the parameters and the version the same?`];
 }
 
-// The words of a line, which breaks between them only.
+// Returns the words of a line, which breaks only between them.
 const unbroken = (line) => line.split(/(?= )/).map((word) => element('span', {}, word));
 
 export class Compare {
@@ -34,7 +35,7 @@ export class Compare {
 		this.box = $('compare');
 	}
 
-	// state: the last report; scene and settings: what it is of.
+	// Shows the hash of a state, the last report, with its scene and settings.
 	show(state, scene, settings, version) {
 		const kind = !state.paused ? 'running' : state.touched ? 'touched' : state.step === 0 ? 'start' : 'ready';
 		const key = kind === 'ready' ? `${scene.name} ${settings} ${state.step} ${state.hash}` : kind;

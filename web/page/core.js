@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// core.js -- the functions of web/page.c as JavaScript: numbers, texts, and errors that are thrown as sentences.
+// core.js -- JavaScript for the functions of web/page.c: numbers, texts, and errors that are thrown as sentences.
 
 const NUMBERS = [ // in the order of page_numbers
 	'step', 'bodies', 'contacts', 'touching', 'colors', 'ms', 'dt', 'penetration',
@@ -19,7 +19,7 @@ export class Core {
 	numbersAt(pointer, count) {
 		return this.module.HEAPF64.subarray(pointer / 8, pointer / 8 + count);
 	}
-	// All names of a list that the C code has.
+	// Returns all names of a list in the C code.
 	names(get) {
 		const names = [];
 		for (let k = 0; this.text(get(k)); ++k) names.push(this.text(get(k)));
@@ -35,12 +35,12 @@ export class Core {
 			version: this.text(m._page_version()),
 		};
 	}
-	// Waits until a world can have its threads: those of a closed one come back when the browser gets around to it.
+	// Waits until a new world can start its threads: the browser frees those of a destroyed world some time later.
 	async threadsReady(threads) {
 		const pool = this.module.PThread;
 		while (pool && pool.unusedWorkers.length < threads - 1) await new Promise((resolve) => setTimeout(resolve, 1));
 	}
-	// settings: [[name, value], ...]
+	// Loads a scene. settings: [[name, value], ...].
 	load(name, text, settings, threads) {
 		const m = this.module;
 		const path = `${name}.json`;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// dom.js -- short words for what every part of the page does with elements.
+// dom.js -- short functions on elements for all parts of the page.
 
 export const $ = (id) => document.getElementById(id);
 
-// element('button', {class: 'text', onclick: f}, 'words', child)
+// Creates an element: element('button', {class: 'text', onclick: f}, 'words', child).
 export function element(name, attributes = {}, ...children) {
 	const made = document.createElement(name);
 	for (const [key, value] of Object.entries(attributes)) {
@@ -45,7 +45,7 @@ export function icon(name) {
 	return svg;
 }
 
-// Fills a button with an icon, and names it.
+// Sets the icon and the name of a button.
 export function dress(button, name, label) {
 	if (button.dataset.icon === name && button.getAttribute('aria-label') === label) return;
 	button.dataset.icon = name;
@@ -53,7 +53,7 @@ export function dress(button, name, label) {
 	button.replaceChildren(icon(name));
 }
 
-// Radio buttons that look like one bar. choices: [{value, label, title, icon}].
+// Creates radio buttons that look like one bar. choices: [{value, label, title, icon}].
 export function segments(box, choices, chosen, change) {
 	const name = box.id;
 	box.replaceChildren(
@@ -74,7 +74,7 @@ export function segments(box, choices, chosen, change) {
 	);
 }
 
-// A button that copies a text, and says so for a moment.
+// Creates a button that copies a text, and confirms it for a moment.
 export function copyButton(label, text) {
 	const button = element('button', { type: 'button', class: 'copy' }, label);
 	button.addEventListener('click', async () => {

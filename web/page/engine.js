@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// engine.js -- the scene behind the page: steps it by the clock, draws it, applies and records what the visitor does.
+// engine.js -- the scene of the page: steps it by the clock, draws it, applies and records the visitor's actions.
 //
-// It runs in a worker, or in the page itself where a worker cannot draw. It hears and says messages, {type, ...}.
+// It runs in a worker, or in the page itself if a worker cannot draw. It receives and sends messages, {type, ...}.
 import { Core } from './core.js';
 import { Inspector } from './inspector.js';
 import { Picture } from './picture.js';
@@ -9,9 +9,9 @@ import { Player } from './player.js';
 import { Pointer } from './pointer.js';
 import { loadForm } from './wasm.js';
 
-const LONGEST = 30; // ms of steps in a frame: a world that takes longer falls behind the clock
+const LONGEST = 30; // ms: maximum duration of the steps in a frame; a slower world falls behind the clock
 const REPORT = 100; // ms between two reports to the page
-const COSTLY = 8; // ms: a hash that takes longer is computed only while nothing moves
+const COSTLY = 8; // ms: a hash that takes longer is computed only while the scene is paused
 
 const nextFrame = globalThis.requestAnimationFrame
 	? (turn) => globalThis.requestAnimationFrame(turn)
@@ -22,13 +22,14 @@ export class Engine {
 		this.say = say;
 		this.paused = false;
 		this.rate = 1;
-		this.behind = 0; // s of the world that the steps are behind the clock
-		this.history = []; // ms of the steps since the last report
-		this.changed = true; // something differs from the picture
+		this.behind = 0; // s of the world by which the steps are behind the clock
+		this.history = []; // ms: durations of the steps since the last report
+		this.changed = true; // true if the picture is out of date
 		this.reported = 0;
-		this.news = false; // something was drawn since the last report; a world at rest says nothing, so that the page rests too
+		this.news = false; // true if something was drawn since the last report; a world at rest sends no reports, so
+		                   // that the page does no work
 		this.frames = 0;
-		this.drawing = 0; // ms of the last frame's drawing
+		this.drawing = 0; // ms: drawing time of the last frame
 		this.hashCost = 0;
 	}
 
@@ -45,7 +46,7 @@ export class Engine {
 		this.say({ type: 'ready', form, threads, drawn: this.picture.drawn, ...this.core.lists() });
 	}
 
-	// Answers a message; what fails is said as a sentence.
+	// Handles a message; an error is sent as a sentence.
 	async hear(message) {
 		try {
 			this.changed ||= message.type !== 'hover';
@@ -56,7 +57,7 @@ export class Engine {
 		}
 	}
 
-	// A scene from its start; script: actions to play, until: {step, hash} of the one who recorded them.
+	// Loads a scene. script: actions to play; until: {step, hash} at the end of their recording.
 	async load({ name, text, settings, script = [], until = null, keepView = false, paused = this.paused }) {
 		await this.core.threadsReady(this.threads);
 		this.pointer.cancel();
@@ -130,7 +131,7 @@ export class Engine {
 	cancel() {
 		this.pointer.cancel();
 	}
-	// The mouse is over the picture, or left it.
+	// Handles the mouse over the picture, and its leaving.
 	hover({ x, y, over }) {
 		this.inspector.hover(over ? { x, y } : null);
 		if (over) this.pointer.move({ x, y, by: 'hover' });
@@ -145,14 +146,14 @@ export class Engine {
 		if (down !== this.player.keys) this.act('keys', [down]);
 	}
 
-	// For links and tests.
+	// Returns the actions so far, for links and tests.
 	record() {
 		return { actions: this.player.done, step: this.step, hash: this.core.hash() };
 	}
 	look() {
 		return this.picture.look();
 	}
-	// The numbers that are shown, as they are now.
+	// Updates the inspected numbers at once.
 	looked() {
 		this.inspector.fresh = true;
 		this.inspector.next = 0;
@@ -168,7 +169,7 @@ export class Engine {
 		this.picture.lose(restore);
 	}
 
-	// What the visitor does. It ends a replay.
+	// Applies an action of the visitor, which ends a replay.
 	act(name, values) {
 		return this.player.act(this.step, name, values);
 	}
@@ -190,7 +191,7 @@ export class Engine {
 		if (this.player.until?.step === this.step) this.verdict();
 	}
 
-	// The world is where it was when the link was made.
+	// Compares the hash at the end of a replay with the recorded one, and pauses.
 	verdict() {
 		const hash = this.core.hash();
 		const expected = this.player.until.hash;

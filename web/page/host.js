@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// host.js -- where the engine runs: in a worker that draws into the canvas, else in the page itself.
+// host.js -- the place where the engine runs: in a worker that draws into the canvas, else in the page itself.
 import { bestForm, bestThreads, FORMS } from './wasm.js';
 
-// Whether a worker can draw with WebGL 2 what the page can draw.
+// Returns true if a worker can draw with WebGL 2 what the page can draw.
 function workersDraw() {
 	if (!globalThis.Worker || !HTMLCanvasElement.prototype.transferControlToOffscreen) return false;
 	const draws = (canvas) => Boolean(canvas.getContext('webgl2'));
@@ -13,7 +13,7 @@ function workersDraw() {
 	}
 }
 
-// Whether modules can be workers.
+// Returns true if workers can be modules.
 function workersAreModules() {
 	let asked = false;
 	try {
@@ -38,7 +38,7 @@ export class Host {
 		this.number = 0;
 	}
 
-	// wish: {form, threads, apart} from the address; what is missing is chosen.
+	// Starts the engine. wish: {form, threads, apart} from the address; missing members are chosen.
 	async open(wish, { width, height, density }) {
 		this.apart = wish.apart ?? (workersDraw() && workersAreModules());
 		const form = FORMS.includes(wish.form) ? wish.form : bestForm(this.apart);
@@ -63,7 +63,7 @@ export class Host {
 		const resolve = message.id === undefined ? null : this.waiting.get(message.id);
 		if (resolve) this.waiting.delete(message.id);
 		if (message.type !== 'answer') this.hear(message);
-		resolve?.(message.answer); // undefined where it failed
+		resolve?.(message.answer); // undefined after an error
 	}
 
 	say(message) {
@@ -71,7 +71,7 @@ export class Host {
 		else this.turn = this.turn.then(() => this.engine.hear(message));
 	}
 
-	// A message that is answered.
+	// Sends a message and returns a promise of the answer.
 	ask(message) {
 		const id = ++this.number;
 		return new Promise((resolve) => {

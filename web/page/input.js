@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // input.js -- mouse, pen and fingers in the picture: one drags or uses a tool, two move and zoom, the wheel zooms.
 
-const WHEEL = 0.0016; // zoom a px of the wheel
-const LINE = 33; // px: a line of the wheel, where the browser counts in lines
+const WHEEL = 0.0016; // zoom per pixel of the wheel
+const LINE = 33; // px: one line of the wheel, for browsers that count in lines
 
 export class Input {
-	// view: {density}: px of the picture a px of the page
+	// view: {density}: pixels of the picture per pixel of the page
 	constructor(canvas, view, say, tool) {
 		this.canvas = canvas;
 		this.view = view;
@@ -13,7 +13,7 @@ export class Input {
 		this.tool = tool;
 		this.pointers = new Map();
 		this.single = null; // the pointer that drags
-		this.cursor = null; // px of the picture: the mouse
+		this.cursor = null; // position of the mouse, px of the picture
 		canvas.addEventListener('pointerdown', (event) => this.down(event));
 		canvas.addEventListener('pointermove', (event) => this.move(event));
 		canvas.addEventListener('pointerup', (event) => this.up(event));
@@ -34,7 +34,7 @@ export class Input {
 	down(event) {
 		const at = this.place(event);
 		this.canvas.focus({ preventScroll: true });
-		this.canvas.classList.add('pointed'); // no ring around the picture for those who see where they point
+		this.canvas.classList.add('pointed'); // hides the focus ring of the picture for users of a mouse
 		this.canvas.setPointerCapture(event.pointerId);
 		this.pointers.set(event.pointerId, at);
 		if (this.pointers.size === 1) {
@@ -64,7 +64,7 @@ export class Input {
 		this.say({ type: 'hover', over: false });
 	}
 
-	// One of two fingers moved: the picture follows their middle, and their distance.
+	// Handles a move of one of two fingers: the picture follows their middle and their distance.
 	pinch(id, before, at) {
 		const [other] = [...this.pointers].filter(([key]) => key !== id).map(([, value]) => value);
 		const middle = (a) => ({ x: (a.x + other.x) / 2, y: (a.y + other.y) / 2 });
@@ -82,7 +82,7 @@ export class Input {
 		this.say(event.type === 'pointerup' ? { type: 'lift', ...this.place(event) } : { type: 'cancel' });
 	}
 
-	// Also for a tool whose key is down.
+	// Cancels the current action, also that of a tool whose key is down.
 	cancel() {
 		this.say({ type: 'cancel' });
 		this.single = null;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// inspector.js -- what the visitor looks at in the picture: numbers of bodies, the one that is followed, legends. The world never changes by it.
+// inspector.js -- data that the visitor inspects without changing the world: numbers of bodies, the followed body,
+// legends.
 
-const REACH = 3; // px of the page: so near to the cursor a shape is under it, so that segments can be pointed at
-// The first query after a step computes boxes of all that moves, which for many bodies takes as long as a step. So many times as
+const REACH = 3; // px of the page: a shape within this distance of the cursor counts as under it, so that segments can
+                 // be selected
+// Delay until the next reading, as a multiple of the duration of the last one. The first query after a step computes
+// boxes of all bodies that move, which for many bodies takes as long as a step.
 // long as it took, nothing is looked at again.
 const REST = 9;
 const SOONEST = 50; // ms: digits that change faster cannot be read
@@ -13,17 +16,17 @@ export class Inspector {
 		this.module = core.module;
 		this.picture = picture;
 		this.say = say;
-		this.cursor = null; // px of the picture: the mouse over it
+		this.cursor = null; // position of the mouse over the picture, px of the picture
 		this.begin();
 	}
 
-	// Another world.
+	// Resets everything for a new world.
 	begin() {
-		this.next = 0; // ms: when something is looked at again
+		this.next = 0; // ms: time of the next reading
 		this.selected = false;
 		this.shown = '';
 		this.legends = null;
-		this.fresh = true; // the world differs from what was looked at
+		this.fresh = true; // true if the world has changed since the last reading
 	}
 
 	hover(cursor) {
@@ -42,7 +45,7 @@ export class Inspector {
 		this.fresh = true;
 	}
 
-	// Whether the selected body stays in the middle of the picture.
+	// Starts or stops keeping the selected body in the middle of the picture.
 	follow(follows) {
 		const good = Boolean(this.module._page_follow(follows));
 		if (good) this.picture.fitted = false;
@@ -50,7 +53,7 @@ export class Inspector {
 		return good === follows;
 	}
 
-	// In every frame; quiet: nothing is under the cursor while it does something.
+	// Reads the numbers that are due, once per frame. quiet: ignores the cursor, because it is in use.
 	look(quiet) {
 		const now = performance.now();
 		if (!this.fresh || now < this.next) return;
@@ -70,7 +73,8 @@ export class Inspector {
 		return this.core.text(this.module._page_hover(this.cursor.x, this.cursor.y, REACH * this.picture.density));
 	}
 
-	// {all, few, gone}: lines of text; what is gone is selected no more.
+	// Returns the numbers of the selected body, {all, few, gone}: lines of text. If it no longer exists, the selection
+	// is cleared.
 	numbers() {
 		const gone = !this.module._page_read_selected();
 		const [all, few] = [0, 1].map((short) => this.core.text(this.module._page_selected(short)));

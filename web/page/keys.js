@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// keys.js -- the keyboard: what its keys do in the page, those that a scene obeys, and those as buttons on a screen.
+// keys.js -- the keyboard: keys of the page, keys of a scene, and the latter as buttons on a screen.
 import { $, dress, element } from './dom.js';
 
-// keys of scenes as browsers name them
+// names of the scene keys in browsers
 const CODES = {
 	left: 'ArrowLeft', right: 'ArrowRight', up: 'ArrowUp', down: 'ArrowDown', space: 'Space', shift: 'ShiftLeft',
 	enter: 'Enter', a: 'KeyA', d: 'KeyD', s: 'KeyS', w: 'KeyW',
@@ -10,14 +10,15 @@ const CODES = {
 const ARROWS = ['left', 'up', 'down', 'right'];
 
 export class Keys {
-	// actions: [{key, shown, help, run, hold}]: run() at a press, hold(down) at press and release; names: of the keys of scenes; hold(bits): those that are down
+	// actions: [{key, shown, help, run, hold}]: run() is called at a press, hold(down) at press and release; names:
+	// names of the scene keys; hold(bits): receives the scene keys that are down
 	constructor(actions, names, hold) {
 		this.held = new Set(); // actions whose key is down
 		this.actions = new Map(actions.map((action) => [action.key, action]));
 		this.codes = new Map(names.map((name, bit) => [CODES[name], bit]));
 		this.names = names;
 		this.hold = hold;
-		this.wanted = 0; // keys of the scene
+		this.wanted = 0; // keys that the scene uses
 		this.down = 0;
 		addEventListener('keydown', (event) => this.press(event));
 		addEventListener('keyup', (event) => this.lift(event));
@@ -30,7 +31,7 @@ export class Keys {
 		this.down = down;
 		this.hold(down);
 	}
-	// Keys that are let go in another window are not told.
+	// Releases all keys: keys released while another window has the focus cause no event.
 	letGo() {
 		this.set(0);
 		this.held.clear();
@@ -64,7 +65,7 @@ export class Keys {
 		if (this.held.delete(action)) action.hold(false);
 	}
 
-	// The keys of another scene: bits.
+	// Sets the keys of another scene, as bits.
 	use(wanted) {
 		this.set(0);
 		this.wanted = wanted;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// legends.js -- what the colors of the picture stand for. Words, numbers and colors are those of view/legend.c.
+// legends.js -- explanations of the colors in the picture. Words, numbers and colors are those of view/legend.c.
 import { $, element } from './dom.js';
 
 let shown = '';
 
-// Colors from left to right: even changes, or blocks that stand for themselves.
+// Returns a gradient of colors from left to right, or separate blocks.
 function gradient(colors, blocks) {
 	const share = (k) => `${((100 * k) / colors.length).toFixed(2)}%`;
 	const stops = blocks ? colors.map((color, k) => `${color} ${share(k)} ${share(k + 1)}`) : colors;
@@ -18,7 +18,7 @@ function draw({ title, blocks, low, high, ticks = [] }) {
 	bar.firstElementChild.style.backgroundImage = flat ? 'none' : gradient(low, blocks);
 	const words = ticks.map(([at, text]) => {
 		const tick = element('span', {}, text);
-		// the first and the last text end where the colors end
+		// clamps the first and the last text to the ends of the color bar
 		tick.style.left = `${100 * at}%`;
 		tick.style.transform = `translateX(${at < 0.04 ? 0 : at > 0.96 ? -100 : -50}%)`;
 		return tick;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// link.js -- the part of the address after #: scene, parameters, what the visitor did, and the hash that he saw.
+// link.js -- the part of the address after #: scene, parameters, actions of the visitor, and the hash after them.
 //
 // #pile?count=500&do=...&at=321&hash=0123456789abcdef
 import { decodeActions, encodeActions } from './record.js';
 
-export const LONGEST = 16000; // characters: longer addresses are cut off by what people send them with
+export const LONGEST = 16000; // characters: longer addresses are cut off by some programs that transmit them
 const RESERVED = ['do', 'at', 'hash'];
 
 export function writeLink({ name, settings, record }) {
@@ -18,7 +18,7 @@ export function writeLink({ name, settings, record }) {
 	return `#${name}${text ? `?${text}` : ''}`;
 }
 
-// {name, settings, script, until}; throws an error with a sentence.
+// Returns {name, settings, script, until}; throws an error with a sentence.
 export function readLink(fragment) {
 	const [name, query = ''] = fragment.replace(/^#/, '').split('?');
 	const values = new URLSearchParams(query);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// notes.js -- sentences over the picture: errors, verdicts, what the browser lacks.
+// notes.js -- sentences over the picture: errors, verdicts, missing features of the browser.
 import { $, element } from './dom.js';
 
 const STAYS = 7000; // ms
 
-// kind: 'plain', 'good', 'bad'. A note with a name replaces the one of that name; lasting ones stay until they are closed.
+// Shows a note. kind: 'plain', 'good', 'bad'. A note replaces the one with the same name; a lasting note stays until it
+// is closed.
 export function note(sentence, { kind = 'plain', name = sentence, lasting = false } = {}) {
 	const box = $('notes');
 	for (const old of box.children) if (old.dataset.name === name) old.remove();

@@ -2,11 +2,11 @@
 // parameters.js -- the parameters of a scene as sliders with a field beside each.
 import { $, element } from './dom.js';
 
-const STEPS = 400; // of a slider
-const FACTOR = 4; // a slider ends at so many times the value that the page begins with, if the scene allows as much
-const WAIT = 250; // ms without a change, after which the scene begins anew
+const STEPS = 400; // steps of a slider
+const FACTOR = 4; // upper end of a slider as a multiple of the initial value, if the scene allows it
+const WAIT = 250; // ms without a change after which the scene restarts
 
-// The ends of a slider: those of the scene, but narrow enough that a hand finds useful values.
+// Returns the ends of a slider: those of the scene, but narrow enough that useful values are easy to set by hand.
 function ends({ start, min, max, integer }) {
 	const reach = Math.max(Math.abs(start), integer ? 3 : 1) * FACTOR;
 	const low = min ?? -reach;
@@ -14,7 +14,7 @@ function ends({ start, min, max, integer }) {
 	return [Math.max(low, start >= 0 && low < -reach ? -reach : low), Math.min(high, Math.max(reach, low + 1))];
 }
 
-// Three significant digits are enough for a hand.
+// Rounds to three significant digits, which are enough by hand.
 function tidy(value, { integer }) {
 	if (integer) return Math.round(value);
 	return Number(value.toPrecision(3));
@@ -24,7 +24,7 @@ function row(parameter, value, change) {
 	const { name, description, min, max, integer } = parameter;
 	const id = `parameter-${name}`;
 	const [low, high] = ends(parameter);
-	// few more than one decade apart: even steps; else steps that grow with the value
+	// wide ranges have steps that grow with the value
 	const curve = low >= 0 && high - low > 60 ? 2 : 1;
 	const toSlider = (v) => STEPS * Math.min(1, Math.max(0, (v - low) / (high - low))) ** (1 / curve);
 	const fromSlider = (s) => tidy(low + (high - low) * (s / STEPS) ** curve, parameter);
@@ -70,7 +70,7 @@ function row(parameter, value, change) {
 	);
 }
 
-// change(settings) is called some time after the last touch.
+// Shows the parameters. change(settings) is called some time after the last change.
 export function showParameters(scene, settings, change) {
 	const values = new Map(settings);
 	let timer = 0;

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// picture.js -- the picture of the scene: a WebGL 2 context, lost and restored, with what the visitor sees of his tools.
+// picture.js -- the picture of the scene: a WebGL 2 context, which can be lost and restored, and marks for the
+// visitor's tools.
 
-const FLASH = 350; // ms that the ring of a blast is seen
+const FLASH = 350; // ms: duration of the ring of a blast
 
 export class Picture {
 	constructor(core, canvas, tell) {
 		this.core = core;
 		this.module = core.module;
 		this.canvas = canvas;
-		this.tell = tell; // a sentence about the picture; empty: all is well
-		this.density = 1; // px of the picture a px of the page
+		this.tell = tell; // receives a sentence about the picture; empty: no error
+		this.density = 1; // pixels of the picture per pixel of the page
 		this.arrow = null; // m: x, y, x, y
 		this.rings = []; // {at, radius, born}
-		this.blast = null; // {at, radius()}: one that is held back; radius in px
+		this.blast = null; // {at, radius()} of a growing blast; radius in px
 		this.styled = [0, 0, false, false];
-		this.fitted = true; // shows the whole scene, whatever its size
+		this.fitted = true; // true: the whole scene is shown, whatever its size
 		canvas.addEventListener('webglcontextlost', (event) => {
-			event.preventDefault(); // the browser may restore it
+			event.preventDefault(); // allows the browser to restore the context
 			this.drawn = false;
 			this.module._page_close_picture();
 			this.tell('The browser took the graphics away from this page. The scene goes on; the picture comes back when it can.');
@@ -69,7 +70,7 @@ export class Picture {
 		this.fitted = false;
 		this.module._page_zoom(x, y, factor);
 	}
-	// paint: index; layers: bits; slow: coarsely; dark: on a dark ground
+	// Sets the style. paint: index; layers: bits; slow: draw coarsely; dark: dark background.
 	style(paint, layers, slow, dark) {
 		this.styled = [paint, layers, slow, dark];
 		this.module._page_style(...this.styled);
@@ -92,7 +93,7 @@ export class Picture {
 		this.core.check(this.module._page_draw());
 	}
 
-	// The pixels as they are now, rows from the top, four bytes each.
+	// Returns the current pixels, rows from the top, four bytes each.
 	look() {
 		this.draw();
 		const { gl, width, height } = this;
@@ -104,14 +105,14 @@ export class Picture {
 		return { width, height, pixels };
 	}
 
-	// The pixel over a point of the world.
+	// Returns the pixel at a point of the world.
 	project(x, y) {
 		const [left, top] = this.core.point(0, 0);
 		const scale = this.module._page_scale();
 		return [(x - left) * scale, (top - y) * scale];
 	}
 
-	// For tests: as if the browser took the context away, and gave it back.
+	// Simulates the loss of the context, and its restoration, for tests.
 	lose(restore) {
 		this.loss ??= this.gl.getExtension('WEBGL_lose_context');
 		if (restore) this.loss.restoreContext();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// player.js -- applies what the visitor does to the world and remembers it; plays what another one did.
+// player.js -- applies and records actions of the visitor; plays recorded ones.
 import { makeAction } from './record.js';
 
 export class Player {
@@ -10,10 +10,10 @@ export class Player {
 
 	start(script, until) {
 		this.script = script;
-		this.until = until; // {step, hash}: where the script ends
-		this.next = 0; // action of the script
+		this.until = until; // {step, hash}: end of the script
+		this.next = 0; // index of the script's next action
 		this.done = []; // actions that were applied
-		this.keys = 0; // that are down
+		this.keys = 0; // keys that are down, as bits
 	}
 
 	get replaying() {
@@ -23,7 +23,7 @@ export class Player {
 		return this.done.length > 0;
 	}
 
-	// Whether it did something; what did nothing is not remembered.
+	// Applies an action. Returns true if it had an effect; only then is it recorded.
 	apply(action) {
 		const m = this.module;
 		const v = action.values;
@@ -48,7 +48,7 @@ export class Player {
 		}
 	}
 
-	// The visitor does something before a step. It ends what is left of a script.
+	// Applies and records an action of the visitor before a step. It ends the script.
 	act(step, name, values) {
 		this.script = [];
 		this.next = 0;
@@ -59,7 +59,7 @@ export class Player {
 		return good;
 	}
 
-	// Does what the script says for this step.
+	// Applies the actions of the script for this step.
 	play(step) {
 		while (this.next < this.script.length && this.script[this.next].step <= step) {
 			const action = this.script[this.next++];

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// pointer.js -- what one finger, the mouse or a held key does in the picture: drags bodies or the picture, throws, pours, blasts,
-// selects.
+// pointer.js -- actions of one finger, the mouse or a held key in the picture: drag bodies or the picture, throw, pour,
+// blast, select.
 
-const THROW_TIME = 0.25; // s that a thrown body takes from where the finger went down to where it went up
-const FASTEST = 200; // m/s of a thrown body
+const THROW_TIME = 0.25; // s: time in which a thrown body covers the way from press to release
+const FASTEST = 200; // m/s: maximum speed of a thrown body
 const THROWN = 28; // px: size of a thrown body, so that it is visible at any scale
-const CLICK = { mouse: 4, touch: 10 }; // px that a press may move and be a click
-const HOLD = 250; // ms after which a press on a body holds it, also if it does not move
+const CLICK = { mouse: 4, touch: 10 }; // px: maximum motion of a click
+const HOLD = 250; // ms: after this time a press on a body drags it, even without motion
 
 export class Pointer {
-	// act(name, values): applies and records; select(x, y, reach): looks only
+	// act(name, values) applies and records an action; select(x, y, reach) selects a body
 	constructor(core, picture, act, select) {
 		this.module = core.module;
 		this.core = core;
@@ -17,8 +17,8 @@ export class Pointer {
 		this.act = act;
 		this.select = select;
 		this.mode = null; // 'press', 'hold', 'pan', 'throw', 'pour', 'blast'
-		this.by = null; // what pressed: a pointer, or the name of a key
-		this.wanted = null; // where the held body, or what is poured, is to be before the next step
+		this.by = null; // source of the press: a pointer, or the name of a key
+		this.wanted = null; // target of the held body, or of pouring, before the next step
 	}
 
 	get holds() {
@@ -28,7 +28,7 @@ export class Pointer {
 		return this.mode !== null;
 	}
 
-	// finger: 'mouse' or 'touch'; selects: a click may select
+	// Handles a press. finger: 'mouse' or 'touch'; selects: a click may select a body.
 	press({ x, y, tool, by = 'pointer', finger = 'mouse', selects = true }) {
 		this.cancel();
 		this.by = by;
@@ -57,7 +57,8 @@ export class Pointer {
 		if (this.mode === 'hold' || this.mode === 'pour') this.wanted = [x, y];
 		if (this.mode === 'throw') this.picture.arrow = [...this.core.point(...this.from), ...this.core.point(x, y)];
 		if (this.mode === 'blast') this.picture.blast.at = this.core.point(x, y);
-		if (this.mode === 'pan' && this.clicks) return; // it moves by all of the way once it is no click
+		if (this.mode === 'pan' && this.clicks) return; // keeps the start, so that the picture moves by the whole way
+		                                                // once the press is no longer a click
 		this.x = x;
 		this.y = y;
 	}
@@ -73,13 +74,13 @@ export class Pointer {
 		if (clicked) this.select(...from, room);
 	}
 
-	// The finger is gone, or does something else from now on.
+	// Ends the current action without its effect: the finger left, or another action begins.
 	cancel() {
 		if (this.mode === 'hold' || this.mode === 'pour') this.act('release');
 		this.mode = this.by = this.wanted = this.picture.arrow = this.picture.blast = null;
 	}
 
-	// What was pressed becomes a drag, at the point of the body that was pressed, wherever it is by now.
+	// Turns a press into a drag, at the point of the body that was pressed, which may have moved since.
 	hold() {
 		this.clicks = false;
 		const place = this.module._page_reached();
@@ -87,7 +88,7 @@ export class Pointer {
 		if (this.mode === 'hold') this.wanted = [this.x, this.y];
 	}
 
-	// One pull a step is enough, whatever the rate of events.
+	// Pulls once per step, whatever the rate of events.
 	beforeStep() {
 		if (this.mode === 'press' && performance.now() - this.begun > HOLD) this.hold();
 		if (!this.wanted) return;
@@ -104,7 +105,7 @@ export class Pointer {
 		this.act('throw', [x, y, ...velocity, (THROWN * this.picture.density) / this.module._page_scale()]);
 	}
 
-	// px of the picture; it grows as long as the blast is held back
+	// Returns the radius of the growing blast, px of the picture.
 	blastRadius() {
 		return this.module._page_blast_radius((performance.now() - this.begun) / 1000) * this.picture.density;
 	}

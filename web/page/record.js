@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: MIT
-// record.js -- what a visitor did, by step number, and the same as a short text for links.
+// record.js -- actions of a visitor with their step numbers, and their encoding as a short text for links.
 //
-// An action is {step, kind, values}: it happened before that step, the first of which is number 0. Values are whole numbers of
-// a unit, which is a power of two, so that they come out of the text as the floats that went into the world. Positions are
-// stored as the difference from the position before.
+// An action is {step, kind, values}: it happened before that step; the first step is number 0. Values are whole
+// multiples of a unit that is a power of two, so that decoding gives exactly the floats that were applied to the world.
+// Positions are stored as the difference from the position before.
 
 const LENGTH = 1 / 4096; // m
 const SPEED = 1 / 256; // m/s
 const IMPULSE = 1 / 4096; // N s/m
 const position = [LENGTH, LENGTH];
 
-// units of the values; the first two are a position except for keys
+// units of the values; except for keys, the first two values are a position
 export const KINDS = [
 	{ name: 'pick', units: position },
 	{ name: 'pull', units: position },
 	{ name: 'release', units: [] },
-	{ name: 'throw', units: [...position, SPEED, SPEED, LENGTH] }, // velocity, size
-	{ name: 'blast', units: [...position, LENGTH, IMPULSE] }, // radius, impulse
+	{ name: 'throw', units: [...position, SPEED, SPEED, LENGTH] }, // position, velocity, size
+	{ name: 'blast', units: [...position, LENGTH, IMPULSE] }, // position, radius, impulse
 	{ name: 'keys', units: [1] }, // bits by the keys of scene_keys.def
-	{ name: 'pour', units: position }, // until a release; a pull moves it
+	{ name: 'pour', units: position }, // lasts until a release; a pull moves the position
 ];
 const kindOf = new Map(KINDS.map((kind, index) => [kind.name, index]));
 
-// The action with its values rounded to units.
+// Returns an action with its values rounded to units.
 export function makeAction(step, name, values = []) {
 	const { units } = KINDS[kindOf.get(name)];
 	return { step, kind: name, values: units.map((unit, k) => Math.fround(Math.round(values[k] / unit) * unit)) };
 }
 
-// A number below 2^53 in bytes of seven bits, the lowest first.
+// Writes a number below 2^53 in bytes of seven bits, the lowest first.
 function writeNumber(bytes, number) {
 	while (number > 127) {
 		bytes.push((number % 128) + 128);
@@ -73,7 +73,7 @@ const toBytes = (text) => {
 	return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
 };
 
-// The actions as letters, digits, - and _.
+// Encodes actions as letters, digits, - and _.
 export function encodeActions(actions) {
 	const bytes = [];
 	let step = 0;
@@ -93,7 +93,7 @@ export function encodeActions(actions) {
 	return toText(bytes);
 }
 
-// What encodeActions wrote. Throws an error with a sentence where it did not write the text.
+// Decodes the text of encodeActions. Throws an error with a sentence if the text is invalid.
 export function decodeActions(text) {
 	const reader = new Reader(toBytes(text));
 	const actions = [];

@@ -14,10 +14,11 @@ export async function fetchScene(name) {
 	return response.text();
 }
 
-// Browsers load pictures from far outside of what is seen, where all of the list is.
+// distance from the visible part within which thumbnails are loaded; browsers themselves load pictures from much
+// farther away
 const NEAR = '120px';
 
-// Loads the thumbnails that are seen, and those near them.
+// Loads the thumbnails that are visible, and those near them.
 function loadWhenSeen(images) {
 	const observer = new IntersectionObserver(
 		(entries) => {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// share.js -- links to the scene as it is: its parameters, and what the visitor did, to be played again.
+// share.js -- links to the current scene: its parameters, and the visitor's actions, which can be played again.
 import { $, copyButton, element } from './dom.js';
 import { LONGEST, writeLink } from './link.js';
 
 export class Share {
-	// source(): {name, settings}; record(): what the visitor did, from the engine
+	// source() returns {name, settings}; record() returns the visitor's actions, from the engine
 	constructor(source, record, replay) {
 		this.source = source;
 		this.record = record;
@@ -28,7 +28,7 @@ export class Share {
 			: 'The link has the scene and its parameters. What you do to bodies goes into it too.';
 	}
 
-	// The address to send. Of what the visitor did too much is left out, which a sentence says.
+	// Creates the address. If there are too many actions, it omits them, and a sentence reports this.
 	async make() {
 		const record = await this.record();
 		const base = location.origin + location.pathname;

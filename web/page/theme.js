@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// theme.js -- light or dark: as the system has it, until the visitor chooses. Says 'theme' to the window when it changes.
+// theme.js -- the light or dark theme: that of the system until the visitor selects one. Sends the event 'theme' to the
+// window when it changes.
 import { $, dress } from './dom.js';
 
 const KEY = 'scree-theme';
 
-// What a visitor chose in an earlier visit; a browser may keep nothing.
+// Returns the visitor's selection from an earlier visit; null if the browser stores nothing.
 function remembered() {
 	try {
 		return localStorage.getItem(KEY);
@@ -31,7 +32,7 @@ export class Theme {
 		try {
 			localStorage.setItem(KEY, name);
 		} catch {
-			// it is chosen for this visit only
+			// the selection lasts for this visit only
 		}
 		this.apply();
 	}

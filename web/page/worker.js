@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// worker.js -- the engine in a worker.
+// worker.js -- runs the engine in a worker.
 import { Engine } from './engine.js';
 
 const engine = new Engine((message) => postMessage(message));
-let turn = Promise.resolve(); // messages are answered one after the other
+let turn = Promise.resolve(); // messages are handled one after the other
 addEventListener('message', ({ data }) => {
 	turn = turn.then(() => engine.hear(data));
 });
