@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Reads a list of points, and their count in a range.
+// Reads a list of points whose count is in a range.
 static bool read_points(Reader* reader, const Location* location, const json_t* value, Range range, scree_vec* points,
                         int* count)
 {
@@ -43,7 +43,7 @@ static bool make_box(scree_vec half, float radius, scree_shape* shape)
 	return scree_shape_make_polygon(corners, 4, radius, shape) == SCREE_OK;
 }
 
-// Finds the one key of a shape.
+// Finds the key of a shape, of which the object has exactly one.
 static bool find_shape(Reader* reader, const Location* location, const json_t* value, const FormatKey** shape)
 {
 	char list[80] = "";

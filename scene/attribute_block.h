@@ -14,7 +14,7 @@ struct Attribute
 // Reads "attributes" into Scene.attributes.
 bool attributes_read(Reader* reader, const Location* location, const json_t* value, Scene* scene);
 
-// The index of a name in Scene.attributes, -1 when there is none.
+// Returns the index of a name in Scene.attributes, -1 if there is none.
 int attributes_find(const Scene* scene, const char* name);
 
 #endif

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// Inner loops may be empty, so that a count of items does not bound the time of the outer loops. This does.
+// Limits the iterations of the outer loops. A limit of items would not do so, because inner loops may be empty.
 #define MAX_ROUNDS 50000000
 
 typedef struct
@@ -14,7 +14,7 @@ typedef struct
 	bool (*each)(Items* items, void* context); // null while counting
 	void* context;
 	int64_t rounds, count, limit;
-	const Location* location; // of the block, while counting
+	const Location* location; // location of the block, while counting
 } Run;
 
 void items_open(Items* items, Reader* reader, uint64_t number)
@@ -88,7 +88,8 @@ static bool run_loops(Run* run, int depth)
 	}
 	const Loop* loop = &items->loops->list[depth];
 	double first, end;
-	// the number of the next item, so that random() in a range draws the same while items are counted and while they are made
+	// uses the number of the next item, so that random() in a range gives the same value while items are counted and
+	// while they are created
 	items->item.number = (uint64_t)run->count;
 	if (!items_value(items, &loop->first, &first) || !items_value(items, &loop->end, &end))
 		return false;

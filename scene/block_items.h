@@ -5,29 +5,29 @@
 #include "scene/format.h"
 #include "scene/loop.h"
 
-typedef struct Items // of a block, one after the other
+typedef struct Items // items of a block, one after the other
 {
 	Reader* reader;
 	const Loops* loops; // null: one item without indices
 	double indices[MAX_LOOPS];
-	Item item; // the present one
-	int depth; // loops whose index is set
+	Item item; // the current item
+	int depth; // number of loops whose index is set
 } Items;
 
 // Sets items to one that is outside of all loops.
 void items_open(Items* items, Reader* reader, uint64_t number);
 
-// Counts the items. Fails when there are more than limit.
+// Counts the items. Fails if there are more than limit.
 bool items_count(Reader* reader, const Location* location, const Loops* loops, int64_t limit, int64_t* count);
 
 // Calls each for every item until it returns false.
 bool items_run(Reader* reader, const Loops* loops, bool (*each)(Items* items, void* context), void* context);
 
-// Compute numbers of the present item. Each fails when a number is out of its range.
+// Compute numbers of the current item. Each fails if a number is out of its range.
 bool items_value(const Items* items, const Number* number, double* value);
 bool items_vec(const Items* items, const Number pair[2], scree_vec* vec);
 
-// Writes the numbers that differ between items into the struct of the present item.
+// Writes the numbers that differ between items into the struct of the current item.
 bool items_store(const Items* items, const FormatNumbers* numbers, void* item);
 
 // Writes "FILE: PATH: TEXT, at i = 1" as the sentence and returns false.

@@ -17,7 +17,7 @@ typedef struct
 	scree_body* bodies;                // handles of a batch
 	scree_body* named;                 // handles of all blocks with names, block by block
 	scree_body** of_block;             // the first of a block in named, by position in Scene.blocks
-	scree_body* next;                  // where the next handles of the present block go; null: it has no name
+	scree_body* next;                  // position for the next handles of the current block; null: it has no name
 	scree_status status;
 } Build;
 
@@ -107,7 +107,8 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 		const SceneMaterials* m = scene->materials + k;
 		build.status = scree_world_set_material_pair(world, m->a, m->b, &m->pair);
 	}
-	// all numbers were checked when the scene was read, so that only memory can be short, here or in the world
+	// all numbers were checked when the scene was read, so the only possible error is a lack of memory, here or in the
+	// world
 	for (int k = 0; k < scene->block_count && build.status == SCREE_OK; ++k)
 	{
 		build.next = build.of_block[k];

@@ -4,7 +4,7 @@
 #define BUILD_H
 #include "scene/scene.h"
 
-// The world must be empty. On failure scree_error() says why, and the caller destroys the world.
+// Creates everything in an empty world. On failure scree_error() has the reason, and the caller destroys the world.
 scree_status scene_build(const Scene* scene, scree_world* world);
 
 #endif

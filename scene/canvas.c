@@ -91,8 +91,8 @@ static void show_text(cairo_t* cairo, const char* text, cairo_font_weight_t weig
 	cairo_show_text(cairo, text);
 }
 
-// Shows a caption, or only measures it. Digits of a hash, which are 16, stand in columns: else the fields after it would jump from
-// frame to frame.
+// Draws a caption, or only measures it, and returns its width. The 16 digits of a hash have equal widths, because
+// otherwise the fields after it would jump from frame to frame.
 static double put_caption(cairo_t* cairo, const char* caption, bool show, double x, double y)
 {
 	static const char digits[] = "0123456789abcdef";
@@ -116,7 +116,7 @@ static double put_caption(cairo_t* cairo, const char* caption, bool show, double
 	return x - begin;
 }
 
-// Leaves out the last fields that have no room, but one.
+// Removes the last fields that do not fit, but keeps the first one.
 static void drop_fields(cairo_t* cairo, char* caption, double room)
 {
 	for (char* last = caption; last && put_caption(cairo, caption, false, 0, 0) > room;)
@@ -129,10 +129,10 @@ static void drop_fields(cairo_t* cairo, char* caption, double room)
 	}
 }
 
-// The size of a line's font, px, of which a text has this width at SMALL_FONT.
+// Returns the font size of a line, px, for a text with this width at SMALL_FONT.
 static double line_font(double width, double room) { return width > room ? SMALL_FONT * room / width : SMALL_FONT; }
 
-// Title and caption below each other, smaller; a line that is still too long is smaller again.
+// Draws title and caption below each other in a smaller font; a line that is still too long gets an even smaller one.
 static void show_lines(cairo_t* cairo, const char* title, const char* caption, double room, double top)
 {
 	char fields[256];
@@ -166,10 +166,10 @@ void canvas_caption(Canvas* p, const char* title, const char* caption)
 	cairo_surface_flush(p->surface);
 }
 
-#define BAR    240.0 // px: width of a legend's colors
-#define HIGH   12.0  // px: their height
-#define SQUARE 44.0  // px: the height where both directions mean something
-#define LEAST  420   // px: pictures that are not as wide have no legend
+#define BAR    240.0 // px: width of a legend's color bar
+#define HIGH   12.0  // px: its height
+#define SQUARE 44.0  // px: its height if its colors depend on x and y
+#define LEAST  420   // px: narrower pictures have no legend
 
 static bool is_flat(const Legend* legend)
 {
@@ -184,7 +184,7 @@ static void add_stop(cairo_pattern_t* pattern, double at, Color color)
 	cairo_pattern_add_color_stop_rgb(pattern, at, color.r / 255.0, color.g / 255.0, color.b / 255.0);
 }
 
-// Columns of a pixel, each a gradient from top to bottom.
+// Draws columns of one pixel, each a gradient from top to bottom.
 static void draw_colors(cairo_t* cairo, const Legend* legend, double left, double top, double high)
 {
 	for (int column = 0; column < (int)BAR; ++column)
@@ -227,7 +227,7 @@ void canvas_legend(Canvas* p, const Legend* legend)
 	cairo_set_font_size(p->cairo, 12);
 	for (int k = 0; k < legend->tick_count; ++k)
 	{
-		// the first and the last text end where the colors end
+		// clamps the first and the last text to the ends of the color bar
 		double wide = text_width(p->cairo, legend->ticks[k].text, THIN),
 		       x = left + BAR * (double)legend->ticks[k].at - wide / 2;
 		x = x < left ? left : x > left + BAR - wide ? left + BAR - wide : x;

@@ -9,20 +9,20 @@
 typedef struct
 {
 	int width, height; // px
-	size_t stride;     // bytes from a row to the next
+	size_t stride;     // bytes from one row to the next
 	uint8_t* pixels;   // four bytes each: blue, green, red, unused; rows from the top
 	void *surface, *cairo;
-	Color background, text; // of the caption
+	Color background, text; // colors of the caption
 } Canvas;
 
 #define LEGEND_COLORS 24
 
-typedef struct // what the colors of a picture stand for, with numbers and units
+typedef struct // explanation of the colors of a picture, with numbers and units
 {
-	char title[64]; // with the unit
-	bool blocks;    // each color stands for itself; else they change evenly
+	char title[64]; // title with the unit
+	bool blocks;    // separate colors; if false, they change evenly
 	int color_count;
-	Color low[LEGEND_COLORS], high[LEGEND_COLORS]; // at the bottom and at the top
+	Color low[LEGEND_COLORS], high[LEGEND_COLORS]; // colors at the bottom and at the top
 	int tick_count;
 	struct
 	{
@@ -31,7 +31,8 @@ typedef struct // what the colors of a picture stand for, with numbers and units
 	} ticks[LEGEND_COLORS];
 } Legend;
 
-// False writes a sentence: this build has no Cairo, memory is short, or the size is out of range.
+// Opens a canvas. Returns false and writes a sentence if this build has no Cairo, memory is short, or the size is out
+// of range.
 bool canvas_open(Canvas* canvas, int width, int height, char* sentence);
 void canvas_close(Canvas* canvas);
 
@@ -39,14 +40,14 @@ void canvas_close(Canvas* canvas);
 void canvas_mark(Canvas* canvas, double left, double top, double width, double height);
 void canvas_line(Canvas* canvas, double x0, double y0, double x1, double y1);
 
-// Draws the title in bold type and the caption into the band at the bottom. Fields of the caption have three spaces between
-// them; the last ones are left out where the picture is narrow.
+// Draws the title in bold type and the caption into the band at the bottom. Fields of the caption are separated by
+// three spaces; in a narrow picture the last ones are omitted.
 void canvas_caption(Canvas* canvas, const char* title, const char* caption);
 
 // Draws a legend above the band, at the right.
 void canvas_legend(Canvas* canvas, const Legend* legend);
 
-// Writes the picture as PNG; false when writing fails.
+// Writes the picture as PNG. Returns false if writing fails.
 bool canvas_write(Canvas* canvas, FILE* file);
 
 #endif

@@ -4,10 +4,10 @@
 #define CAPTION_H
 #include "scene/scene.h"
 
-// Writes the device of a world; for the CPU with threads and lanes.
+// Writes the name of a world's device; for the CPU with threads and lanes.
 void device_text(const scree_world* world, char* text, size_t size);
 
-// The caption of a picture that is kept: its step and the hash of the world, then what caption_text writes.
+// Writes the caption of a picture that is kept: its step and the hash of the world, then the text of caption_text.
 void caption_exact(const Scene* scene, const scree_world* world, const scree_counters* counters, uint64_t hash,
                    char* text, size_t size);
 

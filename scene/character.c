@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// character.c -- characters of a scene: a mover, the body that shows it, what it takes, and a script of the keys that it obeys.
+// character.c -- characters of a scene: a mover, the body that shows it, the bodies that it takes, and a script of its
+// keys.
 #include "scene/character.h"
 #include "scene/block.h"
 #include "scene/format.h"

@@ -6,10 +6,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define GROUND_PULL 10.0f // 1/s: of its speed, by which a character changes its velocity on ground
-#define AIR_PULL    4.0f  // the same in the air, while a key is down
-#define DROP \
-	0.05f // m: so far a character that lets itself drop is moved into a one-way platform, which then lets it through
+#define GROUND_PULL 10.0f // 1/s: maximum acceleration of a character on ground, per unit of its speed
+#define AIR_PULL    4.0f  // 1/s: the same in the air, while a key is down
+
+// m: depth by which a character that drops through a one-way platform is moved into it, so that the platform lets it through
+#define DROP 0.05f
 
 #define DOWN(keys, name) ((keys) >> SCENE_KEY_##name & 1)
 
@@ -55,7 +56,7 @@ static uint32_t script_keys(const Character* character, int64_t step)
 	return down;
 }
 
-// What a character wishes, as the velocity of its mover. fresh: keys that went down with this step.
+// Computes the velocity of a character's mover from the keys. fresh: keys that went down with this step.
 static void steer(const Character* character, scree_vec gravity, float dt, uint32_t down, uint32_t fresh,
                   scree_mover* mover)
 {
@@ -65,7 +66,7 @@ static void steer(const Character* character, scree_vec gravity, float dt, uint3
 	float along = v.x * up.y - v.y * up.x, rises = v.x * up.x + v.y * up.y;
 	float wish = (float)((int)DOWN(down, right) - (int)DOWN(down, left)) * character->speed;
 	float most = (stands ? GROUND_PULL : AIR_PULL) * character->speed * dt;
-	if (stands || wish != 0.0f) // in the air it goes on as it was thrown
+	if (stands || wish != 0.0f) // in the air its velocity stays without a key
 		along = fminf(fmaxf(wish, along - most), along + most);
 	rises -= stands ? 0.0f : g * dt;
 	scree_vec carried = {0};
@@ -91,14 +92,14 @@ static scree_status walk(Walkers* walkers, scree_world* world, int k, uint32_t d
 	bool enabled = scree_body_is_enabled(world, mover->ignored);
 	steer(&character, gravity, scene->dt, down, fresh, mover);
 	scree_status status = scree_movers_move(world, &character.def, mover, 1, scene->dt);
-	// where it will be when its ground has moved on
+	// position after the next motion of its ground
 	scree_pose pose = {{mover->position.x + mover->ground_velocity.x * scene->dt,
 	                    mover->position.y + mover->ground_velocity.y * scene->dt},
 	                   scree_rot_make(atan2f(-character.def.up.x, character.def.up.y))};
 	return status == SCREE_OK && enabled ? scree_body_set_target(world, mover->ignored, pose) : status;
 }
 
-// Disables the bodies that the visits of the last step say were taken.
+// Disables the bodies that were taken, by the visits of the last step.
 static scree_status take(Walkers* walkers, scree_world* world)
 {
 	const Scene* scene = walkers->scene;

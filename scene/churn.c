@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// churn.c -- what a scene does to its bodies between steps: some are moved to another place, some destroyed and created again, some
-// blown up.
+// churn.c -- changes of a scene's bodies between steps: some are moved to another place, some destroyed and created
+// again, some pushed by explosions.
 //
-// The number of the step alone decides which bodies change and where they go, so that no state is kept between steps. All
-// replaced bodies are destroyed before any is created, and a world uses the lowest free slots first. So each new body gets
-// the slot of the old one, and the bodies of a scene stay in the order of the file.
+// The changed bodies and their new places depend only on the number of the step, so no state is kept between steps. All
+// replaced bodies are destroyed before any is created, and a world uses the lowest free slots first. So each new body
+// gets the slot of the old one, and the bodies of a scene stay in the order of the file.
 #include "scene/churn.h"
 #include "scene/attribute_block.h"
 #include "scene/evaluate.h"
@@ -22,8 +22,9 @@ static int64_t common_divisor(int64_t a, int64_t b)
 	return a;
 }
 
-// The distance in the file from one changed body to the next. It has no common divisor with count, so that every body has
-// its turn before one has a second, and it is a golden section of count, so that consecutive turns are far apart.
+// Returns the distance in the file between consecutively changed bodies. It has no common divisor with count, so that
+// every body is changed before one is changed again. It is a golden section of count, so that consecutively changed
+// bodies are far apart.
 static int64_t stride_of(int64_t count)
 {
 	int64_t stride = (int64_t)(0.6180339887 * (double)count) + 1;
@@ -97,9 +98,9 @@ int scene_changes(const Scene* scene, int64_t step, SceneChange** changes)
 	return -1;
 }
 
-typedef struct // arrays for the changes of a step, as the functions of scree.h need them
+typedef struct // arrays for the changes of a step, in the layout that the functions of scree.h use
 {
-	scree_body* bodies; // all of the world
+	scree_body* bodies; // all bodies of the world
 	scree_attribute* attributes;
 	scree_body* some;
 	scree_pose* poses;

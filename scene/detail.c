@@ -5,7 +5,7 @@
 #include <string.h>
 
 #define GAP         24   // px between the scene and its detail
-#define LEAST_SHARE 0.13 // of a picture's width: a narrower detail shows too little
+#define LEAST_SHARE 0.13 // minimum share of a picture's width: a narrower detail would show too little
 
 bool detail_open(Detail* p, const Scene* scene, int width, int height)
 {
@@ -21,10 +21,10 @@ bool detail_open(Detail* p, const Scene* scene, int width, int height)
 	p->height = (int)room_up;
 	if (p->width < LEAST_SHARE * width || p->height < 1)
 		return false;
-	// the box of the whole has the shape of the picture, so that the scene lies at its left
+	// the box of the whole has the aspect ratio of the picture, so that the scene is at its left
 	p->whole = view;
 	p->whole.upper.x = view.lower.x + (float)(room_across / scale);
-	// and that of the part is as large as the picture, so that the part lies where it will be shown
+	// the box of the part is as large as the picture, so that the part is drawn at its final place
 	double x = part.upper.x - part.lower.x, y = part.upper.y - part.lower.y;
 	double large = p->width / x < p->height / y ? p->width / x : p->height / y;
 	p->part.lower.x = (float)(part.lower.x + x / 2 - (p->left - MARGIN + p->width / 2.0) / large);
@@ -58,7 +58,7 @@ void detail_put(Detail* p, Canvas* canvas)
 	Viewport whole = viewport_show(p->whole, canvas->width, canvas->height);
 	Viewport part = viewport_show(p->part, canvas->width, canvas->height);
 	double zoom = whole.scale / part.scale, floor = canvas->height - BAND;
-	// a pixel of the part shows the same point of the world as this one of the whole
+	// position in the whole of the point of the world at the upper left pixel of the part
 	double left = (part.left + p->left / part.scale - whole.left) * whole.scale;
 	double top = floor - (part.bottom + (floor - p->top) / part.scale - whole.bottom) * whole.scale;
 	canvas_mark(canvas, left, top, p->width * zoom, p->height * zoom);

@@ -4,11 +4,11 @@
 #define EVALUATE_H
 #include "scene/block.h"
 
-#define BATCH_SIZE 65536 // items or collidables of a batch, at most; not less than MAX_PARTS
+#define BATCH_SIZE 65536 // maximum number of items or collidables of a batch; not less than MAX_PARTS
 
 typedef struct // consecutive items; their attributes are positions in Scene.attributes, with generation 0
 {
-	int count, capacity;         // items
+	int count, capacity;         // number of items
 	scree_body_def* bodies;      // count, or null
 	scree_collidable_def* parts; // count * Block.parts.count, or null
 	const Block* block;
@@ -16,8 +16,8 @@ typedef struct // consecutive items; their attributes are positions in Scene.att
 	void* context;
 } Batch;
 
-// Computes all items, batch by batch. Fails when a number of an item is out of range (only the first time, because the
-// results are always the same), when memory is short, or when full returns false.
+// Computes all items, batch by batch. Fails if a number of an item is out of range (only the first time, because the
+// results are always the same), if memory is short, or if full returns false.
 bool evaluate_block(Reader* reader, const Block* block, bool (*full)(void* context, const void* batch), void* context);
 
 // Computes the pose and the velocity that churn gives a body. serial counts the bodies that churn has changed.

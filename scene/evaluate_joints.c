@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-// The frame of a body that lies at an anchor in the world and is turned by axis there. In doubles, so that the frames of
-// both bodies meet as closely as floats allow.
+// Returns the frame of a body at an anchor in the world, rotated by axis there. It computes in doubles, so that the
+// frames of both bodies coincide as closely as floats allow.
 static scree_pose frame_at(scree_pose body, const double anchor[2], scree_rot axis)
 {
 	double c = body.rotation.c, s = body.rotation.s;
@@ -22,7 +22,7 @@ static scree_pose pose_of(const Scene* scene, const JointBlock* block, int side,
 	return bodies < 0 ? (scree_pose){{0, 0}, {1, 0}} : scene->blocks[bodies].poses[index];
 }
 
-// What side k of a gear or a pulley measures where the bodies are created.
+// Returns the measure of side k of a gear or a pulley at the initial poses of the bodies.
 static double measure(scree_pose body, scree_pose frame, const scree_joint_side* side)
 {
 	double c = body.rotation.c, s = body.rotation.s, fx = frame.position.x, fy = frame.position.y;
@@ -68,7 +68,7 @@ static bool place(const Items* items, const Scene* scene, const JointBlock* bloc
 		if (!items_value(items, &block->anchors[k][0], &anchors[k][0]) ||
 		    !items_value(items, &block->anchors[k][1], &anchors[k][1]))
 			return false;
-		// frame A of a path is its place
+		// frame A of a path joint is the place of the path
 		if (k > 0 || block->on < 0)
 			*frames[k] = frame_at(body, anchors[k], axis);
 	}

@@ -4,7 +4,7 @@
 #define EVALUATE_JOINTS_H
 #include "scene/joint_block.h"
 
-#define JOINT_BATCH 16384 // joints of a batch, at most
+#define JOINT_BATCH 16384 // maximum number of joints of a batch
 
 typedef struct
 {
@@ -22,7 +22,7 @@ typedef struct // consecutive joints
 	void* context;
 } JointBatch;
 
-// Computes all joints, batch by batch. Fails as evaluate_block does, and when a joint has one body twice.
+// Computes all joints, batch by batch. Fails as evaluate_block does, and if a joint has the same body twice.
 bool evaluate_joints(Reader* reader, const Scene* scene, const JointBlock* block,
                      bool (*full)(void* context, const void* batch), void* context);
 

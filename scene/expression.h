@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // expression.h -- arithmetic in scene files: text compiled once, evaluated for up to millions of items.
 //
-// A scene gives the same floats on every machine. So expressions use only + - * / sqrt floor and comparisons of doubles,
-// Scree's own sine and cosine, and random numbers that are hashes of the item's number.
+// A scene gives the same floats on every machine. So expressions use only + - * / sqrt floor and comparisons of
+// doubles, Scree's own sine and cosine, and random numbers that are hashes of the item's number.
 #ifndef EXPRESSION_H
 #define EXPRESSION_H
 #include "scene/block_item.h"
@@ -17,10 +17,10 @@ typedef struct
 {
 	char text[NAME_SIZE];
 	int slot;     // position in Item.indices; -1 for a constant
-	double value; // of a constant
+	double value; // value of a constant
 } Name;
 
-typedef struct // the names that an expression may use
+typedef struct // names that an expression may use
 {
 	int count;
 	Name names[MAX_NAMES];
@@ -28,20 +28,20 @@ typedef struct // the names that an expression may use
 
 typedef struct Expression Expression;
 
-// Compiles text, or returns null and writes an error. *sites counts the random() calls of a whole scene, so that
-// each draws its own numbers. The caller frees the expression with free().
+// Compiles text, or returns null and writes an error. *sites counts the random() calls of a whole scene, so that each
+// call has its own numbers. The caller frees the expression with free().
 Expression* expression_compile(const char* text, const Scope* scope, uint32_t* sites, char* error, size_t error_size);
 
-// Whether the value is the same for all items; if so, stores it.
+// Returns true if the value is the same for all items, and stores it.
 bool expression_is_constant(const Expression* expression, double* value);
 
 // Stores a finite value and returns null, or returns an error.
 const char* expression_evaluate(const Expression* expression, const Item* item, double* value);
 
-// Whether a parameter or an index may have this name: small letters, digits and underscores, not a function.
+// Returns true if a parameter or an index may have this name: small letters, digits and underscores, not a function.
 bool name_is_allowed(const char* name);
 
-// Finds a name in a scope, null when it is not there.
+// Finds a name in a scope; returns null if it is not there.
 const Name* scope_find(const Scope* scope, const char* name);
 
 #endif

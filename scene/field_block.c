@@ -7,7 +7,7 @@
 #include "scene/joint_block.h"
 #include <stdlib.h>
 
-#define MOST_FIELDS 100000 // of a scene, and explosions
+#define MOST_FIELDS 100000 // maximum number of fields of a scene, and of explosions
 
 typedef struct // an entry of the file, whose items are added to the scene
 {
@@ -15,14 +15,14 @@ typedef struct // an entry of the file, whose items are added to the scene
 	Reader* reader;
 	const Location* location;
 	FormatNumbers numbers;
-	// of a field
+	// the rest of a field
 	scree_field_def def;
 	JointEnd body;
-	// of an explosion
+	// the rest of an explosion
 	SceneBlast blast;
 } Entry;
 
-// Room for one more in a list of the scene.
+// Makes room for one more entry in a list of the scene.
 static bool grow(const Entry* e, void** list, int count, size_t size)
 {
 	if (count >= MOST_FIELDS)

@@ -8,7 +8,7 @@
 struct SceneField
 {
 	scree_field_def def; // without its body
-	int block, index;    // of the body on which it lies: position in Scene.blocks, -1 for none; number in its block
+	int block, index;    // body that carries the field: position in Scene.blocks, -1 for none; number in its block
 };
 
 // Reads the members "fields" and "blasts", if the scene has them. The blocks of bodies have been read.
@@ -18,7 +18,7 @@ bool blasts_read(Reader* reader, const json_t* root, Scene* scene);
 // Creates a field in a world, on a body, which may be null.
 scree_status field_build(const SceneField* field, scree_world* world, scree_body body);
 
-// Sets off what the scene has before a step.
+// Sets off the explosions of the scene before a step.
 scree_status blasts_fire(const Scene* scene, scree_world* world, int64_t step);
 
 #endif

@@ -24,7 +24,7 @@ static int folders(const char* executable, char folder[FOLDERS][SCENE_PATH])
 	return count;
 }
 
-// Whether the folder that the user chose exists.
+// Returns true if the folder that the user selected exists.
 static bool check_chosen(char* sentence)
 {
 	const char* chosen = getenv("SCREE_SCENES");
@@ -75,7 +75,7 @@ static int is_scene(const struct dirent* entry)
 
 static int compare_names(const void* a, const void* b) { return strcmp(*(char* const*)a, *(char* const*)b); }
 
-// Adds the scenes of a folder that are not in the list yet. Returns the new count, -1 when memory is short.
+// Adds the scenes of a folder that are not in the list yet. Returns the new count, -1 if memory is short.
 static int list_folder(const char* folder, char*** names, int count)
 {
 	struct dirent** entries;

@@ -83,7 +83,7 @@ bool format_check(Reader* reader, const Location* location, const json_t* value,
 	return true;
 }
 
-// The coordinate of a free joint. NaN: without the key it has no limits.
+// Returns the coordinate of a free joint. Its limits are NaN, which means no limits if the file has no key for them.
 static scree_joint_coordinate new_coordinate(void)
 {
 	scree_joint_coordinate made = scree_joint_def_make(SCREE_JOINT_FREE).coordinates[SCREE_ALONG];

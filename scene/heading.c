@@ -42,7 +42,7 @@ bool scene_heading(const char* path, char* title, size_t title_size, char* param
 	return true;
 }
 
-// A bound may be an expression.
+// Writes a bound, which may be an expression.
 static void write_bound(const json_t* bound, const char* without, char text[32])
 {
 	if (json_is_string(bound))

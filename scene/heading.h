@@ -5,11 +5,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-// Reads the title and the parameters with their defaults ("rows=100 columns=20") of a file. False writes a sentence.
+// Reads the title and the parameters with their defaults ("rows=100 columns=20") of a file. Returns false and writes a
+// sentence on failure.
 bool scene_heading(const char* path, char* title, size_t title_size, char* parameters, size_t parameters_size,
                    char* sentence);
 
-// Writes what a parameter means, with its bounds. False writes a sentence.
+// Writes the description of a parameter, with its bounds. Returns false and writes a sentence on failure.
 bool scene_parameter_help(const char* path, const char* name, char* help, size_t size, char* sentence);
 
 #endif

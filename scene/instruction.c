@@ -11,8 +11,8 @@ int instruction_operands(Op op)
 	return op <= OP_INDEX ? 0 : op == OP_NEGATE || (op >= OP_ABS && op <= OP_COS) ? 1 : 2;
 }
 
-// Uniform in [0, 1). The mixing steps are those of splitmix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number
-// Generators, 2014).
+// Returns a uniform random number in [0, 1). The mixing steps are those of splitmix64 (Steele, Lea, Flood, Fast
+// Splittable Pseudorandom Number Generators, 2014).
 static double random_unit(uint64_t seed, uint64_t site, uint64_t number)
 {
 	uint64_t x = seed * 0x9e3779b97f4a7c15u + site * 0xd1b54a32d192ed03u + number;

@@ -29,13 +29,13 @@ typedef struct
 {
 	Op op;
 	uint32_t argument; // slot of OP_INDEX, site of OP_RANDOM
-	double value;      // of OP_CONSTANT
+	double value;      // value of OP_CONSTANT
 } Instruction;
 
-// How many values an operation takes from the stack: 0, 1 or 2. It puts one back.
+// Returns the number of values that an operation takes from the stack: 0, 1 or 2. It puts one back.
 int instruction_operands(Op op);
 
-// Runs one instruction on a stack whose last value is **top. Returns null, or what went wrong.
+// Runs one instruction on a stack whose last value is **top. Returns null, or an error.
 const char* instruction_run(const Instruction* instruction, double** top, const Item* item);
 
 #endif

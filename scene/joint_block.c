@@ -5,8 +5,8 @@
 #include "scene/path_block.h"
 #include <string.h>
 
-// Reads an object of a coordinate that has only numbers, and whether it is there. needed: the member without which it does nothing,
-// or null.
+// Reads an object of a coordinate that contains only numbers, and whether it is present. needed: the member without
+// which it has no effect, or null.
 static bool read_group(Reader* reader, const Location* location, const json_t* object, const char* key,
                        FormatObject group, const char* needed, size_t start, JointBlock* block, bool* there)
 {
@@ -131,7 +131,7 @@ static bool read_side(Reader* reader, const Location* location, const json_t* va
 	                  format_read(reader, location, value, OBJECT_side, &block->def, start, &block->numbers));
 }
 
-// Reads what only gears and pulleys have.
+// Reads the members that only gears and pulleys have.
 static bool read_coupling(Reader* reader, const Location* location, const json_t* value, JointBlock* block)
 {
 	static const char* const keys[] = {"side_a", "side_b", "ratio"};
@@ -151,7 +151,7 @@ static bool read_coupling(Reader* reader, const Location* location, const json_t
 	return true;
 }
 
-// Reads what only joints on paths have.
+// Reads the members that only joints on paths have.
 static bool read_on(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                     JointBlock* block)
 {

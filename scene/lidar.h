@@ -8,10 +8,10 @@
 // Reads the member "rays" of a scene whose blocks have been read.
 bool fans_read(Reader* reader, const json_t* root, Scene* scene);
 
-// Bodies that cast the rays of a fan.
+// Returns the number of bodies that cast the rays of a fan.
 int64_t fan_bodies(const Scene* scene, const Fan* fan);
 
-// The direction of ray k, in the body's frame.
+// Returns the direction of ray k, in the body's frame.
 scree_rot fan_direction(const Fan* fan, int k);
 
 #endif

@@ -8,10 +8,10 @@ typedef struct // one joint to draw
 {
 	scree_joint joint;
 	int bodies[2];        // index in Sprites.bodies, -1 for the world
-	bool centers[2];      // whether the line goes on to the body's origin
+	bool centers[2];      // true if the line continues to the body's origin
 	scree_vec anchors[2]; // m, in the bodies' frames or in the world
-	bool roped;           // between the anchors the line goes over the bases of a pulley
-	bool railed;          // it is on a path, and has the anchor of b alone
+	bool roped;           // true if the line between the anchors goes over the bases of a pulley
+	bool railed;          // true if it is on a path, and has only the anchor of b
 	scree_vec bases[2];   // m, in the world
 } Link;
 
@@ -19,7 +19,7 @@ typedef struct // a path to draw, in a body or in the world
 {
 	scree_path path;
 	int body;          // index in Sprites.bodies, -1 for the world
-	scree_pose frame;  // of the path
+	scree_pose frame;  // frame of the path
 	scree_vec* points; // m, in the body's frame or in the world
 	int count;
 } Rail;
@@ -32,16 +32,17 @@ typedef struct
 	int rail_count;
 } Links;
 
-// Lists the joints of a world that hold or move something; false when memory is short.
+// Lists the joints of a world that hold or move something. Returns false if memory is short.
 bool links_list(Links* links, const Sprites* sprites, scree_world* world);
 void links_free(Links* links);
 
 #define LINK_POINTS 6
 
-// The 1 to LINK_POINTS points of the line in the world, and the places of both anchors among them; returns the count of points.
+// Writes the 1 to LINK_POINTS points of the line in the world, and the positions of both anchors among them; returns
+// the count of points.
 int link_points(const Link* link, const scree_pose* poses, scree_vec points[LINK_POINTS], int anchors[2]);
 
-// Point k of a path in the world.
+// Returns point k of a path in the world.
 scree_vec rail_point(const Rail* rail, const scree_pose* poses, int k);
 
 #endif

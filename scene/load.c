@@ -77,7 +77,7 @@ static bool read_numbers(Reader* reader, const json_t* root, Scene* scene)
 	return good;
 }
 
-typedef struct // where the next items of a block go; null: they are not kept
+typedef struct // destination of the next items of a block; null: they are not kept
 {
 	scree_body_def* items;
 	scree_pose* poses;
@@ -105,8 +105,8 @@ static bool check_churn(Reader* reader, const Location* location, const Block* b
 	                   (double)block->count);
 }
 
-// Evaluates a block that has been counted: finds bad numbers before a world is made. Keeps the definitions of its bodies if
-// some are replaced, and their poses if joints can name them.
+// Evaluates a block that has been counted: finds invalid numbers before a world is created. Keeps the definitions of
+// its bodies if some are replaced, and their poses if joints can name them.
 static bool check_items(Reader* reader, const Location* location, Block* block)
 {
 	Kept kept = {0};

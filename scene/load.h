@@ -4,8 +4,8 @@
 #define LOAD_H
 #include "scene/scene.h"
 
-// Reads and checks a file. When anything in it is wrong, returns null and writes a sentence (SCENE_SENTENCE characters).
-// The caller frees the scene.
+// Reads and checks a file. On an error it returns null and writes a sentence (SCENE_SENTENCE characters). The caller
+// frees the scene.
 Scene* scene_load(const char* path, const SceneSetting* settings, int count, char* sentence);
 void scene_free(Scene* scene);
 

@@ -4,7 +4,7 @@
 #define LOOP_H
 #include "scene/reader.h"
 
-#define MAX_LOOPS 4 // nested
+#define MAX_LOOPS 4 // maximum nesting depth
 
 typedef struct // index runs over the whole numbers from first up to, not including, end
 {
@@ -12,7 +12,7 @@ typedef struct // index runs over the whole numbers from first up to, not includ
 	Number first, end;
 } Loop;
 
-typedef struct // nested, the outermost first
+typedef struct // nested loops, the outermost first
 {
 	Loop list[MAX_LOOPS];
 	int count;
@@ -22,10 +22,10 @@ typedef struct // nested, the outermost first
 bool loop_read(Reader* reader, const Location* location, const json_t* value, Loop* loop);
 void loop_free(Loop* loop);
 
-// Lets expressions use the index: by slot when it differs from item to item, else (slot -1) with a constant value.
+// Lets expressions use the index: by slot if it differs between items, else (slot -1) with a constant value.
 bool loop_add_index(Reader* reader, const Location* location, const Loop* loop, int slot, double value);
 
-// Reads the member "repeat" of a block, if it has one. Each index is known in the loops inside it and in the block.
+// Reads the member "repeat" of a block, if it has one. Each index can be used in the loops inside it and in the block.
 bool loops_read(Reader* reader, const Location* location, const json_t* object, Loops* loops);
 void loops_free(Loops* loops);
 

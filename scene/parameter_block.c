@@ -19,7 +19,7 @@ static bool add_name(Reader* reader, const Location* location, const char* text,
 	return true;
 }
 
-// The value that the user set, if any.
+// Reads the value that the user set, if there is one.
 static bool read_setting(Reader* reader, const SceneSetting* setting, Range range, double* value)
 {
 	char fault[160];

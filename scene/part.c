@@ -42,7 +42,7 @@ static bool read_choice(Reader* reader, const Location* location, const json_t* 
 	if (choice->count > 1 && !choose)
 		return reader_fail(reader, location,
 		                   "a list of attributes needs choose, an expression that picks one by position");
-	// only the whole part is used, so that random(0, 3) chooses evenly from 3
+	// range for the position, whose whole part is used, so that random(0, 3) selects evenly from 3
 	Range range = {0, choice->count - 1, false, true};
 	return reader_member(reader, location, object, "choose", range, 0, &choice->choose);
 }
@@ -68,8 +68,8 @@ static Part* add_parts(Parts* parts, int count)
 	return list + parts->count - count;
 }
 
-// Reads one entry of a body's collidables. With a repeat it is read once for each value of the index, which is a constant
-// there, so that all items of a block have equally many collidables.
+// Reads one entry of a body's collidables. With a repeat it is read once for each value of the index, which is a
+// constant there, so that all items of a block have the same number of collidables.
 static bool read_part_entry(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                             Parts* parts)
 {

@@ -6,17 +6,17 @@
 
 #define MAX_PARTS 65536 // collidables of one body
 
-typedef struct // one of a list of attributes
+typedef struct // attribute that is selected from a list
 {
 	int* attributes; // positions in Scene.attributes
 	int count;
-	Number choose; // position in the list, if there is more than one
+	Number choose; // position in the list, if it has more than one
 } Choice;
 
 typedef struct // one collidable of each item
 {
 	Choice choice;
-	scree_collidable_def def; // what those of all items have in common
+	scree_collidable_def def; // values that those of all items have in common
 	FormatNumbers numbers;
 } Part;
 
@@ -27,7 +27,7 @@ typedef struct // all collidables of each item
 	bool simple; // one part, at the body's origin
 } Parts;
 
-// Reads the collidables of an entry of "bodies", or the one collidable that an entry of "collidables" is. The caller frees
+// Reads the collidables of an entry of "bodies", or the only collidable of an entry of "collidables". The caller frees
 // the parts, also on failure.
 bool parts_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, bool bodies,
                 Parts* parts);

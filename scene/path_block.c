@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST_POINTS 65536 // of a path, as scree.h has it
+#define MOST_POINTS 65536 // maximum number of points of a path, as in scree.h
 
 static bool add_point(Reader* reader, const Location* location, ScenePath* path, scree_vec point)
 {
@@ -147,6 +147,6 @@ scree_status path_build(const ScenePath* path, scree_world* world, scree_path* m
 	def.points = path->points;
 	def.count = path->count;
 	if (!def.points)
-		def.points = &(scree_vec){0.0f, 0.0f}; // without points their number is what is wrong
+		def.points = &(scree_vec){0.0f, 0.0f}; // valid pointer, so that the error is about the number of points
 	return scree_path_create(world, &def, made);
 }

@@ -17,7 +17,7 @@ struct ScenePath
 bool paths_read(Reader* reader, const json_t* root, Scene* scene);
 void paths_free(Scene* scene);
 
-// The position in Scene.paths, -1 for none of that name.
+// Returns the position in Scene.paths, -1 if there is none with that name.
 int paths_find(const Scene* scene, const char* name);
 
 // Creates a path in a world.

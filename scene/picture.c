@@ -15,10 +15,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SMALL    1.0 // px: a shape of less reach is a square of its area, not a path
-#define OUTLINED 3.5 // px: a shape of less reach has no outline
-#define LINKED   1.0 // px: the line of a joint is not drawn if it is shorter
-#define PINNED   1.2 // px: an anchor of less radius has no dot
+#define SMALL    1.0 // px: a shape with a smaller reach is drawn as a square of its area, not as a path
+#define OUTLINED 3.5 // px: a shape with a smaller reach has no outline
+#define LINKED   1.0 // px: a shorter line of a joint is not drawn
+#define PINNED   1.2 // px: an anchor with a smaller radius has no dot
 
 static const Color rim = {157, 154, 147}, glass = {67, 93, 134}, ink = {58, 54, 50};
 
@@ -28,14 +28,14 @@ struct Picture
 	char title[160];
 	bool has_view;
 	scree_box view; // m
-	Detail detail;  // pixels is null without one
+	Detail detail;  // pixels is null if there is no detail
 	Sprites sprites;
 	Links links;
 	FieldRegions regions;
 	scree_world* world;
 	Scan scan;
 	Canvas canvas;
-	cairo_t* cairo; // of the canvas
+	cairo_t* cairo; // context of the canvas
 	Viewport viewport;
 };
 
@@ -89,7 +89,7 @@ const scree_body* picture_bodies(const Picture* p, int* count)
 	return p->sprites.bodies;
 }
 
-// If the scene has no view, the picture shows the dynamic bodies, or all if there are none.
+// Sets the view of a scene without one: the dynamic bodies, or all bodies if none is dynamic.
 static void fit_view(Picture* p, const scree_pose* poses)
 {
 	int first = p->sprites.first_moving < p->sprites.count ? p->sprites.first_moving : 0, count = 0;
@@ -113,7 +113,7 @@ static void set_color(cairo_t* cairo, Color color, double factor)
 	cairo_set_source_rgb(cairo, color.r * unit, color.g * unit, color.b * unit);
 }
 
-// Makes the outline of a shape the path. y grows downwards in pixels, so that angles change their sign.
+// Sets the current path to the outline of a shape. y grows downwards in pixels, so angles change their sign.
 static void make_path(Picture* p, const scree_shape* shape, scree_pose pose)
 {
 	double x[SCREE_MAX_VERTICES], y[SCREE_MAX_VERTICES];
@@ -149,7 +149,7 @@ static void make_path(Picture* p, const scree_shape* shape, scree_pose pose)
 	cairo_close_path(p->cairo);
 }
 
-// Whether a shape lies outside the picture, with its outline.
+// Returns true if a shape, with its outline, is outside the picture.
 static bool unseen(const Picture* p, const scree_shape* shape, scree_pose pose)
 {
 	double x = (pose.position.x - p->viewport.left) * p->viewport.scale;
@@ -184,7 +184,7 @@ static void draw_splat(Picture* p, const scree_shape* shape, scree_pose pose, Co
 	}
 }
 
-// Draws the path that was made.
+// Draws the current path as a sensor.
 static void draw_sensor(Picture* p, const Sprite* s, double line)
 {
 	const Color c = SENSOR_COLOR;
@@ -299,7 +299,7 @@ static void draw_rail(Picture* p, const Rail* rail, const scree_pose* poses)
 	cairo_stroke(p->cairo);
 }
 
-// What the whole picture shows, margins included, m.
+// Returns the view of the whole picture, margins included, m.
 static scree_box shown(const Picture* p)
 {
 	const Viewport* v = &p->viewport;
@@ -333,7 +333,7 @@ static scree_status draw_view(Picture* p, scree_box view, const scree_pose* pose
 				continue;
 			scree_pose pose = sprite_pose(s, poses);
 			if (unseen(p, shape, pose) || (is_splat && s->sensor))
-				continue; // a sensor that small is an outline that nobody sees
+				continue; // the outline of a sensor that small is invisible
 			if (is_splat)
 				draw_splat(p, shape, pose, s->color);
 			else

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SHOWN 48 // characters of a wrong value in an error
+#define SHOWN 48 // maximum number of characters of an invalid value in an error
 
 json_t* reader_load(const char* path, char* sentence)
 {

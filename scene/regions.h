@@ -16,11 +16,11 @@ typedef struct
 	int count;
 } FieldRegions;
 
-// Lists the fields of a world that have something to draw: those with a shape, and fluids; false when memory is short.
+// Lists the fields of a world that can be drawn: those with a shape, and fluids. Returns false if memory is short.
 bool regions_list(FieldRegions* regions, const Sprites* sprites, const scree_world* world);
 void regions_free(FieldRegions* regions);
 
-// The pose of a region in the world; and the color of its tint.
+// Return the pose of a region in the world, and the color of its tint.
 scree_pose region_pose(const FieldRegion* region, const scree_pose* poses);
 Color region_color(const FieldRegion* region);
 

@@ -6,8 +6,8 @@
 #include "scree/scree.h"
 #include <stdio.h>
 
-#define SCENE_MAX_BODIES 20000000 // and collidables, and joints
-#define SCENE_MAX_RAYS   20000000 // after a step: 64 bytes each
+#define SCENE_MAX_BODIES 20000000 // maximum number of bodies, of collidables, and of joints
+#define SCENE_MAX_RAYS   20000000 // maximum number of rays after a step: 64 bytes each
 #define SCENE_SENTENCE   512      // characters of an error message
 #define SCENE_PATH       1024     // characters of a path
 #define MAX_HULL_POINTS  64
@@ -23,27 +23,28 @@ typedef struct Cue Cue;                       // scene/character.h
 
 typedef struct // changes of bodies of a block before every step
 {
-	int moved, replaced; // bodies a step: moved to another place, destroyed and created again there
-	scree_pose pose;     // without numbers that differ
+	int moved, replaced; // bodies per step: moved to another place; destroyed and created again there
+	scree_pose pose;     // pose without the numbers that differ between bodies
 	scree_velocity velocity;
-	scree_body_def* items; // all bodies of the block as created first; attributes: positions in Scene.attributes
+	scree_body_def* items; // all bodies of the block as created first; their attributes are positions in
+	                       // Scene.attributes
 } Churn;
 
 typedef struct // an explosion
 {
-	int64_t step; // before which it goes off
+	int64_t step; // step before which it goes off
 	scree_blast_def def;
 } SceneBlast;
 
 typedef struct // rays of each body of a block
 {
 	int block;          // position in Scene.blocks of the bodies that cast; -1: the world
-	int count;          // rays of each body
-	scree_vec position; // m: of the eye, in the body's frame
-	float angle;        // rad: of the middle of the fan, in the body's frame
-	float spread;       // rad: from the first ray to the last; FULL_TURN: all around, the last is next to the first
+	int count;          // rays per body
+	scree_vec position; // m: position of the eye in the body's frame
+	float angle;        // rad: middle of the fan, in the body's frame
+	float spread;       // rad: angle from the first ray to the last; at FULL_TURN the last ray is next to the first
 	float length;       // m
-	float radius;       // m: of the circle that moves along each ray
+	float radius;       // m: radius of the circle that moves along each ray
 	scree_query_def def;
 } Fan;
 
@@ -54,17 +55,17 @@ typedef struct // a force while the user holds a key
 	int first, count; // bodies of the block
 	scree_vec force;  // N, at the center of mass, in each step that begins with the key down
 	float torque;     // N m
-	bool turns;       // the force turns with the body
+	bool turns;       // true if the force rotates with the body
 } Control;
 
 typedef struct // a mover, the body that shows it, and its script
 {
 	int block; // position in Scene.blocks of its body, the first one of a kinematic entry
-	int takes; // that of the bodies with sensors that it takes when it comes into them; -1: nothing
+	int takes; // position in Scene.blocks of the bodies with sensors that it takes when it enters them; -1: none
 	scree_mover_def def;
-	float speed; // m/s: at a walk
-	float jump;  // m/s: up, when it begins to jump
-	Cue* cues;   // by rising steps
+	float speed; // m/s: walking speed
+	float jump;  // m/s: upward speed at the start of a jump
+	Cue* cues;   // in ascending order of the steps
 	int cue_count;
 } Character;
 
@@ -75,10 +76,10 @@ typedef struct
 	scree_world_def world; // the caller sets device, threads and lanes
 	float dt;              // s
 	int substeps;
-	int steps;               // of a run, unless the user chooses
+	int steps;               // steps of a run, unless the user selects another number
 	float penetration_limit; // m: a run with deeper overlaps is invalid
 	bool has_view;
-	scree_box view; // m: what a picture shows
+	scree_box view; // m: view of a picture
 	bool has_detail;
 	scree_box detail; // m: the part that a wide picture also shows magnified
 	int body_count, collidable_count, joint_count;
@@ -94,7 +95,7 @@ typedef struct
 	int field_count;
 	SceneBlast* blasts;
 	int blast_count;
-	Block* blocks; // of bodies, then of collidables without a body
+	Block* blocks; // blocks of bodies, then of collidables without a body
 	int block_count;
 	JointBlock* joint_blocks;
 	int joint_block_count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scene_keys.c -- keys that a scene may ask for, and their names in scene files.
+// scene_keys.c -- keys that a scene may use, and their names in scene files.
 #include "scene/scene_keys.h"
 
 const char* const scene_key_names[SCENE_KEYS + 1] = {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scene_keys.h -- keys that a scene may ask for, and their names in scene files.
+// scene_keys.h -- keys that a scene may use, and their names in scene files.
 #ifndef SCENE_KEYS_H
 #define SCENE_KEYS_H
 
@@ -8,7 +8,7 @@ typedef enum
 #define X(name, glfw) SCENE_KEY_##name,
 #include "scene/scene_keys.def"
 #undef X
-	SCENE_KEYS, // at most 32
+	SCENE_KEYS, // number of keys, at most 32
 } SceneKey;
 
 extern const char* const scene_key_names[SCENE_KEYS + 1]; // ends with null

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shades.c -- the colors of bodies: each attribute has a shades of them, which the bodies of an entry of the scene run through.
+// shades.c -- the colors of bodies: each attribute has a range of shades, which are distributed over the bodies of an
+// entry of the scene.
 #include "scene/shades.h"
 #include "scene/block.h"
 
@@ -31,8 +32,8 @@ Color shades_color(const Shades* shades, int shade, uint32_t body)
 	               channel(a->b, b->b, c->b, place, factor)};
 }
 
-// The shade of a body whose place in its block is 0 to 1. Where the block has several attributes, and so several hues, it takes the
-// middle half of their shades.
+// Returns the shade of a body whose place in its block is 0 to 1. A block with several attributes, and so several hues,
+// uses the middle half of their shades.
 static int shade_at(const Block* block, double place)
 {
 	double share = block->parts.list[0].choice.count > 1 ? 0.5 : 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shades.h -- the colors of bodies: each attribute has a shades of them, which the bodies of an entry of the scene run through.
+// shades.h -- the colors of bodies: each attribute has a range of shades, which are distributed over the bodies of an
+// entry of the scene.
 #ifndef SHADES_H
 #define SHADES_H
 #include "scene/scene.h"
@@ -9,29 +10,31 @@ typedef struct
 	uint8_t r, g, b;
 } Color;
 
-#define SHADE_COUNT  63 // of an attribute: six bits of a byte of render_tables.h
+#define SHADE_COUNT  63 // number of shades of an attribute: six bits of a byte of render_tables.h
 #define SHADE_MIDDLE 31
 
 typedef struct
 {
-	Color first, middle, last; // at the places 0, SHADE_MIDDLE and SHADE_COUNT - 1
+	Color first, middle, last; // colors of shade 0, SHADE_MIDDLE and SHADE_COUNT - 1
 } Shades;
 
-// The shades of an entry of the palette, which begins again at its end; -1 is that of bodies that are not dynamic, of one color.
+// Returns the shades of an entry of the palette, which repeats after its end; entry -1 has the single color of bodies
+// that are not dynamic.
 Shades shades_of(int entry);
 
-// A color of a shades, a little lighter or darker by the index of the body, so that equal neighbors differ; row.glsl has the same formula.
+// Returns the color of a shade, a little lighter or darker by the index of the body, so that neighbors differ; row.glsl
+// uses the same formula.
 Color shades_color(const Shades* shades, int shade, uint32_t body);
 
-typedef struct // walks over the bodies of a scene in the order of their indices
+typedef struct // traversal of the bodies of a scene in the order of their indices
 {
-	const Scene* scene; // null: all bodies have the middle of their shades
+	const Scene* scene; // null: all bodies have the middle shade
 	int block;
-	int64_t first; // body of the block
+	int64_t first; // first body of the block
 } ShadeWalk;
 
-// The shade of a body: how far it is from the first body of its entry to the last. Bodies that the scene did not make
-// have the middle. The indices must not fall from call to call.
+// Returns the shade of a body, by its position between the first and the last body of its entry. Bodies that the scene
+// did not create have the middle shade. Indices must not decrease between calls.
 int shade_next(ShadeWalk* walk, uint32_t index);
 
 #endif

@@ -4,15 +4,15 @@
 #define SPRITES_H
 #include "scene/shades.h"
 
-// the background of pictures, and their text
+// colors of the background of pictures, and of their text
 #define BACKGROUND_COLOR ((Color){247, 245, 240})
 #define TEXT_COLOR       ((Color){70, 68, 64})
 
-// Sensors are outlines, tinted while something is inside.
+// color of sensors, which are outlines, tinted while something is inside
 #define SENSOR_COLOR ((Color){38, 138, 94})
 #define SENSOR_TINT  0.22f // opacity of the tint
 
-typedef struct // one collidable to draw
+typedef struct // one collidable that is drawn
 {
 	int body;        // index in Sprites.bodies, -1 for none
 	int attribute;   // index in Sprites.attributes
@@ -31,21 +31,21 @@ typedef struct
 	int count, capacity;
 	int first_moving;
 	scree_attribute_def* attributes; // by the index of their handles
-	int* color_of;                   // entry of the palette, see shades_of; by attribute, -1 for none yet
+	int* color_of;                   // entry of the palette, see shades_of; by attribute, -1 until one is assigned
 	int attribute_count, colors;
 } Sprites;
 
-// Lists all collidables of a world that a scene made, or none (null); false when memory is short.
+// Lists all collidables of a world and the scene that created it, or none (null). Returns false if memory is short.
 bool sprites_list(Sprites* sprites, const Scene* scene, scree_world* world);
 void sprites_free(Sprites* sprites);
 
-// The position of a body in Sprites.bodies, -1 for none.
+// Returns the position of a body in Sprites.bodies, -1 if it is not there.
 int sprites_find(const Sprites* sprites, scree_body body);
 
-// Whether something was inside a sensor at the end of the last step.
+// Returns true if something was inside a sensor at the end of the last step.
 bool sensor_visited(scree_world* world, scree_collidable sensor);
 
-// The pose of a sprite in the world; poses are those of Sprites.bodies.
+// Returns the pose of a sprite in the world; poses are those of Sprites.bodies.
 scree_pose sprite_pose(const Sprite* sprite, const scree_pose* poses);
 
 #endif

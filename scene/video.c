@@ -6,9 +6,9 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#define RATE 60 // frames a second
+#define RATE 60 // frames per second
 
-// Quotes a path for the shell. "./" before a leading dash makes it no option.
+// Quotes a path for the shell. "./" before a leading dash keeps it from being an option.
 static bool quote(const char* path, char* text, size_t size)
 {
 	size_t length = 0;
@@ -39,7 +39,7 @@ bool video_open(Video* video, const char* path, int width, int height)
 		fprintf(stderr, "scree: the path of the video is too long\n");
 		return false;
 	}
-	// h264 needs even sides
+	// h264 requires even sides
 	snprintf(command, sizeof command,
 	         "ffmpeg -loglevel error -y -f rawvideo -pix_fmt bgr0 -video_size %dx%d -framerate %d -i - "
 	         "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p %s",

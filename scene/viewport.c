@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define SHOWN_SHARE 0.995f // share of the points that lie inside the box
+#define SHOWN_SHARE 0.995f // share of the points that are inside the box
 
 Viewport viewport_show(scree_box view, int width, int height)
 {
@@ -15,7 +15,8 @@ Viewport viewport_show(scree_box view, int width, int height)
 	                  view.lower.y + up / 2 - (height - BAND) / scale / 2};
 }
 
-// One axis of the way: the size changes by equal factors in equal times, and the middle moves as the size does.
+// Interpolates one axis of the view: the size changes by equal factors in equal times, and the middle moves in
+// proportion to the size.
 static void between(float low0, float high0, float low1, float high1, double share, float* low, float* high)
 {
 	double size0 = high0 - low0, size1 = high1 - low1, size = size0 * pow(size1 / size0, share);
@@ -29,7 +30,7 @@ scree_box viewport_between(scree_box from, scree_box to, double share)
 {
 	scree_box box;
 	if (share <= 0 || share >= 1)
-		return share <= 0 ? from : to; // to the bit
+		return share <= 0 ? from : to; // exactly the given boxes
 	between(from.lower.x, from.upper.x, to.lower.x, to.upper.x, share, &box.lower.x, &box.upper.x);
 	between(from.lower.y, from.upper.y, to.lower.y, to.upper.y, share, &box.lower.y, &box.upper.y);
 	return box;

@@ -16,11 +16,12 @@ typedef struct
 // Shows a whole box in the middle of the picture.
 Viewport viewport_show(scree_box view, int width, int height);
 
-// The view of a camera on its way: share 0 shows one box, 1 another. The picture grows at a steady rate around one point.
+// Returns the view of a moving camera: at share 0 one box, at share 1 the other. The picture grows at a steady rate
+// around one point.
 scree_box viewport_between(scree_box from, scree_box to, double share);
 
-// Finds a box around the points, 2 * reach larger at each side, without the outermost 0.5 % in x and in y. False when memory is
-// short.
+// Finds a box around the points, 2 * reach larger at each side, without the outermost 0.5 % in x and in y. Returns
+// false if memory is short.
 bool viewport_fit(const scree_vec* points, int count, float reach, scree_box* view);
 
 #endif
