@@ -4,7 +4,7 @@
 #include "cli/common/option_values.h"
 #include <string.h>
 
-#define WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | VALIDATE | QUERIES) // commands that make worlds
+#define WORLDS (RUN | HASH | BENCH | VIEW | FRAMES | VALIDATE | QUERIES) // commands that create worlds
 #define ALL    (WORLDS | SCENES | DEVICES)
 
 static bool read_renderer(Options* options, const Option* option, char* text)
@@ -37,32 +37,31 @@ static bool read_scale(Options* options, const Option* option, char* text)
 static const Option device = {"device", 'd', "NAME", "auto, cpu, opencl, or opencl:NAME with part of a device's name",
                               TEXT(Options, device)};
 static const Option renderer = {"renderer", 'R', "NAME",
-                                "of pictures and video: cairo, or gl, which draws on a GPU; cairo without it",
+                                "renderer of pictures and video: cairo, or gl, which draws on a GPU; default cairo",
                                 OTHER(read_renderer)};
 static const Option paint = {"paint", 'a', "NAME",
                              "with gl: color bodies by attribute, speed, graph (colors of the solver), force, start or "
                              "type",
                              TEXT(Options, paint)};
-static const Option theme = {"theme", 'T', "NAME", "with gl: light or dark; light without it", OTHER(read_theme)};
-static const Option scale = {"scale", 'z', "N",
-                             "size of the panel and its letters, 0.5 to 4; without it as the display says",
-                             OTHER(read_scale)};
+static const Option theme = {"theme", 'T', "NAME", "with gl: light or dark; default light", OTHER(read_theme)};
+static const Option scale = {
+    "scale", 'z', "N", "scale of the panel and its letters, 0.5 to 4; default: that of the display", OTHER(read_scale)};
 static const Option layers = {
     "layers", 'L', "NAME,...",
     "with gl: boxes, contacts, normals, impulses, velocities, sensors, rays, visits, touches, "
     "hits, breaks, joints, centers, fields",
     TEXT(Options, layers)};
-static const Option script = {"script", 'x', "FILE", "a file of user actions, one a line: docs/view.md",
+static const Option script = {"script", 'x', "FILE", "file of user actions, one per line: docs/view.md",
                               TEXT(Options, script)};
-static const Option queries = {"queries", 'Q', "N", "of each kind, a million without it",
+static const Option queries = {"queries", 'Q', "N", "number of queries of each kind; default: a million",
                                NUMBER(Options, queries, 16000000)};
-static const Option repeats = {"repeats", 'r', "N", "runs of each scene or kind of query, 3 without it",
+static const Option repeats = {"repeats", 'r', "N", "runs of each scene or kind of query; default 3",
                                NUMBER(Options, repeats, 1000)};
 static const Option whole = {"whole", 'w', NULL,
-                             "time whole runs, the opening of the device included; see docs/auto.md",
+                             "measure whole runs, including the time to open the device: docs/auto.md",
                              SWITCH(Options, whole)};
-static const Option names = {"names", 'N', NULL, "names alone, one a line", SWITCH(Options, names)};
-static const Option quick = {"quick", 'q', NULL, "fewer and shorter runs: seconds, not minutes",
+static const Option names = {"names", 'N', NULL, "print only names, one per line", SWITCH(Options, names)};
+static const Option quick = {"quick", 'q', NULL, "fewer and shorter runs: seconds instead of minutes",
                              SWITCH(Options, quick)};
 
 static const OptionRow rows[] = {
@@ -93,7 +92,7 @@ static const OptionRow rows[] = {
     {&option_help, ALL},
 };
 #define ROW_COUNT (int)(sizeof rows / sizeof rows[0])
-_Static_assert(ROW_COUNT <= MAX_OPTIONS, "a bit of an unsigned for each option that was given");
+_Static_assert(ROW_COUNT <= MAX_OPTIONS, "one bit of an unsigned per option");
 
 static bool have_effect(const OptionTable* table, const Options* options, unsigned given)
 {

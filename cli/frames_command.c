@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// frames_command.c -- scree bench frames: measures steps that are drawn, with rows shared with OpenGL and with rows copied.
+// frames_command.c -- scree bench frames: measures steps with drawing, with rows shared with OpenGL and with copied
+// rows.
 #include "cli/common/library_error.h"
 #include "cli/common/open_scene.h"
 #include "cli/common/step_record.h"
@@ -15,7 +16,7 @@
 #include <epoxy/gl.h>
 #include <stdlib.h>
 
-// frames at the start of a run that are not timed: buffers are made, drivers start
+// number of frames at the start of a run that are not measured: buffers are created, drivers start
 #define WARM_UP 5
 
 typedef struct // medians of a run, ms, and hashes at its end

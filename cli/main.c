@@ -28,26 +28,25 @@ static void print_experiments(FILE* file)
 
 static const Command commands[] = {
     {RUN, "run", "run SCENE|FILE", "simulate, with a table of results at the end", 1, 1, run_command, NULL},
-    {VIEW, "view", "view [SCENE|FILE]", "open a window on a scene, pile without a name", 0, 1, view_command,
+    {VIEW, "view", "view [SCENE|FILE]", "open a window with a scene; default: pile", 0, 1, view_command,
      print_view_keys},
-    {HASH, "hash", "hash SCENE|FILE", "simulate and print the world's hash, 16 digits, alone", 1, 1, hash_command,
-     NULL},
+    {HASH, "hash", "hash SCENE|FILE", "simulate and print only the world's hash, 16 digits", 1, 1, hash_command, NULL},
     {SCENES, "scenes", "scenes", "list the scenes with their parameters", 0, 0, scenes_command, NULL},
-    {DEVICES, "devices", "devices", "list the devices and whether they keep the promise of equal bits", 0, 0,
+    {DEVICES, "devices", "devices", "list the devices, and whether their results have equal bits", 0, 0,
      devices_command, NULL},
-    {BENCH, "bench", "bench [SCENE|FILE]...", "measure scenes (all without a name), CSV on standard output", 0, 1000,
+    {BENCH, "bench", "bench [SCENE|FILE]...", "measure scenes, default: all; CSV on standard output", 0, 1000,
      bench_command, NULL},
-    {FRAMES, "bench frames", "bench frames SCENE|FILE", "measure steps that are drawn: docs/share.md", 1, 1,
+    {FRAMES, "bench frames", "bench frames SCENE|FILE", "measure steps with drawing: docs/share.md", 1, 1,
      frames_command, NULL},
     {QUERIES, "bench queries", "bench queries SCENE|FILE",
      "measure rays and other queries at the end of a run: docs/queries.md", 1, 1, queries_command, NULL},
-    {VALIDATE, "validate", "validate [NAME]...", "experiments: whether what must hold does: docs/validate.md", 0, 1000,
+    {VALIDATE, "validate", "validate [NAME]...", "run the validation experiments: docs/validate.md", 0, 1000,
      validate_command, print_experiments},
 };
 
 int main(int count, char** words)
 {
-	const CommandLine line = {"scree", "2D rigid bodies, the same bits on every device", commands,
+	const CommandLine line = {"scree", "2D rigid body physics, bit-identical on every device", commands,
 	                          (int)(sizeof commands / sizeof commands[0]), command_options};
 	Options options = {.device = "auto", .width = 1600, .height = 900, .repeats = 3};
 	return command_line_run(&line, &options, count, words);

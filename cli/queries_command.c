@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// queries_command.c -- scree bench queries: measures batches of rays, moving circles, overlaps and nearest points at the end of a run.
+// queries_command.c -- scree bench queries: measures batches of rays, moving circles, overlaps and nearest points at
+// the end of a run.
 #include "cli/common/csv.h"
 #include "cli/common/library_error.h"
 #include "cli/common/open_scene.h"
@@ -11,9 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MANY   1000000 // queries without --queries
-#define LENGTH 20.0f   // m: of a ray
-#define RADIUS 0.5f    // m: of a circle
+#define MANY   1000000 // number of queries without --queries
+#define LENGTH 20.0f   // m: length of a ray
+#define RADIUS 0.5f    // m: radius of a circle
 
 typedef enum
 {
@@ -47,7 +48,7 @@ static float random_between(uint64_t* seed, float low, float high)
 	return low + (high - low) * ((float)(random_bits(seed) >> 8) / 16777216.0f);
 }
 
-// The box around the bodies.
+// Finds the box around the bodies.
 static bool bounds(scree_world* world, scree_vec* low, scree_vec* high)
 {
 	int count = 0;
@@ -112,7 +113,7 @@ static scree_status ask(Batch* b, Kind kind, int* found, uint64_t* hash)
 	return status;
 }
 
-// Runs the queries several times. The first run reserves memory, and its results are hashed.
+// Repeats a batch of queries and measures it. The first call allocates memory, and its results are hashed.
 static scree_status measure(Batch* batch, Kind kind, const char* scene, int repeats, double* times[2])
 {
 	int found = 0;

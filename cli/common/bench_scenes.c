@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // bench_scenes.c -- measures scenes: repeats each, checks that the work was done, prints a row of CSV.
-//
-// Timing each kernel of a GPU costs time itself. So the repeats run without timings and give ms_step. One more run with
+// Measuring each kernel of a GPU costs time itself. So the repeats run without timings and give ms_step. One more run
+// with timings gives the stages; its hash must be the same.
 // timings gives the stages; its hash must be the same.
 #include "bench_scenes.h"
 #include "csv.h"
@@ -13,8 +13,8 @@ typedef struct
 	RunScene* run;
 	Known known;
 	char settings[256];
-	double bandwidth; // bytes a second that the device copies; 0 until it has been measured
-	bool invalid;     // any row is
+	double bandwidth; // copy bandwidth of the device, bytes/s; 0 until it has been measured
+	bool invalid;     // true if any row is invalid
 } Bench;
 
 static int measure(Bench* bench, const Scene* scene)

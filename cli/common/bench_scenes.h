@@ -5,7 +5,8 @@
 #include "measurement.h"
 #include "open_scene.h"
 
-// Runs the scene of a measurement once. timings: time each stage. Returns an exit code after printing a sentence.
+// Runs the scene of a measurement once. timings: measure each stage. Prints a sentence on failure. Returns an exit
+// code.
 typedef int RunScene(const Options* options, bool timings, Measurement* m);
 
 // Measures the scenes of a list. stages: names of the columns of Record.stages. Returns an exit code.

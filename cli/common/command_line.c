@@ -15,18 +15,18 @@ static void print_help(FILE* file, const CommandLine* line)
 	fprintf(file, "%s %s -- %s\n\n", line->name, scree_version(), line->title);
 	for (int k = 0; k < line->command_count; ++k)
 		print_command(file, line, &line->commands[k]);
-	fprintf(file, "  %s %-28s %s\n", line->name, "help [COMMAND]", "this text, or the options of a command");
+	fprintf(file, "  %s %-28s %s\n", line->name, "help [COMMAND]", "print this text, or the options of a command");
 	fprintf(file,
 	        "\n%s COMMAND --help lists the options of a command as well. %s --version prints the version.\n"
-	        "\nA scene is a name from `scree scenes` or the path of a JSON file. SCREE_SCENES names another folder\n"
-	        "to look in first. Exit codes: 0 done, 1 a device or a file failed, or a measurement is\n"
-	        "invalid, 2 bad arguments or a bad scene.\n",
+	        "\nA scene is a name from `scree scenes` or the path of a JSON file. The environment variable\n"
+	        "SCREE_SCENES names a folder that is searched first. Exit codes: 0 success; 1 failure of a device or\n"
+	        "a file, or an invalid measurement; 2 invalid arguments or an invalid scene.\n",
 	        line->name, line->name);
 }
 
 static void print_command_help(FILE* file, const CommandLine* line, const Command* command)
 {
-	// bench is a command, and the first word of other commands
+	// bench is a command, and also the first word of other commands
 	size_t length = strlen(command->name);
 	for (const Command* c = line->commands; c < line->commands + line->command_count; ++c)
 		if (strncmp(c->name, command->name, length) == 0 && (c->name[length] == ' ' || !c->name[length]))
@@ -44,7 +44,7 @@ static void print_command_help(FILE* file, const CommandLine* line, const Comman
 		command->print_more(file);
 }
 
-// The path of this program; scenes may lie beside it.
+// Returns the path of this program; scenes may be in the folder beside it.
 static const char* executable_path(const char* first_word, char* text, size_t size)
 {
 	ssize_t length = readlink("/proc/self/exe", text, size - 1);
@@ -54,7 +54,7 @@ static const char* executable_path(const char* first_word, char* text, size_t si
 	return text;
 }
 
-// The number of words of a command's name, if words[1] and perhaps words[2] are that name; else 0.
+// Returns the number of words of a command's name if words[1], or words[1] and words[2], are that name; else 0.
 static int match(const char* name, int count, char** words)
 {
 	size_t first = strcspn(name, " ");
@@ -65,7 +65,8 @@ static int match(const char* name, int count, char** words)
 	return count > 2 && strcmp(words[2], name + first + 1) == 0 ? 2 : 0;
 }
 
-// The command with the longest name that begins at words[1], null for none; named is the number of words of the name.
+// Returns the command with the longest name that begins at words[1], null if there is none; named is the number of
+// words of the name.
 static const Command* find_command(const CommandLine* line, int count, char** words, int* named)
 {
 	const Command* found = NULL;
@@ -111,7 +112,7 @@ static int run_named(const CommandLine* line, Options* options, int count, char*
 	return command->run(options);
 }
 
-// Prints the help of the command that the words behind "help" name.
+// Prints the help of the command whose name follows "help".
 static int explain(const CommandLine* line, int count, char** words)
 {
 	int named;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// known_hashes.c -- the hashes of an earlier bench, which a new one must have too.
+// known_hashes.c -- the hashes of an earlier bench, with which those of a new one must agree.
 #include "known_hashes.h"
 #include "csv.h"
 #include <errno.h>

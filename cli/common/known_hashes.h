@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// known_hashes.h -- the hashes of an earlier bench, which a new one must have too.
+// known_hashes.h -- the hashes of an earlier bench, with which those of a new one must agree.
 #ifndef KNOWN_HASHES_H
 #define KNOWN_HASHES_H
 #include "options.h"
@@ -17,12 +17,12 @@ typedef struct
 	int count;
 } Known;
 
-// Reads the columns scene, settings, steps and hash of a CSV file of bench. A null path reads nothing. Returns an exit code
-// after printing a sentence.
+// Reads the columns scene, settings, steps and hash of a CSV file of bench. A null path reads nothing. Prints a
+// sentence on failure. Returns an exit code.
 int known_open(const char* path, Known* known);
 void known_close(Known* known);
 
-// Finds the hash of a scene with these settings after this many steps; false when there is none.
+// Finds the hash of a scene with these settings after this many steps. Returns false if there is none.
 bool known_find(const Known* known, const char* scene, const char* settings, int steps, uint64_t* hash);
 
 #endif

@@ -4,7 +4,7 @@
 #include "csv.h"
 #include <inttypes.h>
 
-// Steps at the start of each run that are not timed: kernels are built, buffers grow, threads start.
+// Number of steps at the start of each run that are not measured: kernels are built, buffers grow, threads start.
 #define WARM_UP 2
 
 void measurement_add(Measurement* m, const Record* record, int step)

@@ -5,7 +5,7 @@
 #include "options.h"
 #include "simulation.h"
 
-// Loads a scene with the settings of the options. Returns null after printing a sentence.
+// Loads a scene with the settings of the options. On failure it prints a sentence and returns null.
 Scene* open_scene(const Options* options, const char* name);
 
 typedef struct
@@ -14,12 +14,12 @@ typedef struct
 	int count;
 } SceneList;
 
-// Loads the scenes of the arguments; all that there are, if there is no argument. Returns an exit code after printing a
-// sentence. The caller closes the list also on failure.
+// Loads the scenes of the arguments, or all scenes if there is no argument. Prints a sentence on failure. Returns an
+// exit code. The caller closes the list also on failure.
 int open_scenes(const Options* options, SceneList* list);
 void close_scenes(SceneList* list);
 
-// Opens a simulation of a scene on the device of the options. Returns an exit code after printing a sentence.
+// Opens a simulation of a scene on the device of the options. Prints a sentence on failure. Returns an exit code.
 int open_simulation(const Options* options, const Scene* scene, bool timings, Simulation* simulation);
 
 #endif

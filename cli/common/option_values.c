@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// option_values.c -- options that several programs have, and the reading of their values.
+// option_values.c -- options that several programs have, and the readers of their values.
 #include "option_values.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -109,26 +109,29 @@ static bool read_picture(Options* options, const Option* option, char* text)
 	return false;
 }
 
-const Option option_steps = {"steps", 'n', "N", "steps to take; without it as many as the scene says",
+const Option option_steps = {"steps", 'n', "N", "number of steps; default: that of the scene",
                              NUMBER(Options, steps, 1000000000)};
-const Option option_threads = {"threads", 't', "N", "CPU threads, 1 to 64; without it one a core",
+const Option option_threads = {"threads", 't', "N", "CPU threads, 1 to 64; default: one per core",
                                NUMBER(Options, threads, 64)};
-const Option option_lanes = {"lanes", 'l', "N", "CPU SIMD lanes: 1, 4, 8 or 16; without it the widest there is",
+const Option option_lanes = {"lanes", 'l', "N", "CPU SIMD lanes: 1, 4, 8 or 16; default: the widest available",
                              OTHER(read_lanes)};
 const Option option_allow_unequal_bits = {"allow-unequal-bits", 'u', NULL,
-                                          "use a device that cannot keep the promise of equal bits",
+                                          "accept a device whose results are not bit-identical",
                                           SWITCH(Options, allow_unequal_bits)};
-const Option option_set = {"set", 's', "NAME=VALUE", "give a parameter of the scene another value; may be repeated",
+const Option option_set = {"set", 's', "NAME=VALUE", "set a parameter of the scene; may be repeated",
                            OTHER(read_setting)};
-const Option option_picture = {"picture", 'p', "FILE.png", "draw the end state", OTHER(read_picture)};
-const Option option_video = {"video", 'v', "FILE.mp4", "60 frames a second of the world's time, through ffmpeg",
+const Option option_picture = {"picture", 'p', "FILE.png", "draw the final state", OTHER(read_picture)};
+const Option option_video = {"video", 'v', "FILE.mp4", "record 60 frames per second of simulated time, with ffmpeg",
                              TEXT(Options, video)};
-const Option option_size = {"size", 'S', "WxH", "width and height in pixels, 1600x900 without it", OTHER(read_size)};
+const Option option_size = {"size", 'S', "WxH", "width and height in pixels; default 1600x900", OTHER(read_size)};
 const Option option_view = {
     "view", 'V', "L,B,R,T",
-    "what picture and video show: left, bottom, right, top in metres; as the scene says without it", OTHER(read_view)};
-const Option option_zoom = {"zoom", 'Z', "L,B,R,T", "during the run the view moves to this one", OTHER(read_zoom)};
-const Option option_csv = {"csv", 'c', "FILE.csv", "one row a step: counters and milliseconds", TEXT(Options, csv)};
-const Option option_known = {"known", 'k', "FILE.csv", "rows of an earlier bench; the hashes must be the same",
+    "part of the world in picture and video: left, bottom, right, top in metres; default: that of the scene",
+    OTHER(read_view)};
+const Option option_zoom = {"zoom", 'Z', "L,B,R,T", "view at the end of the run; the view moves there during the run",
+                            OTHER(read_zoom)};
+const Option option_csv = {"csv", 'c', "FILE.csv", "write one row per step: counters and milliseconds",
+                           TEXT(Options, csv)};
+const Option option_known = {"known", 'k', "FILE.csv", "results of an earlier bench; the hashes must be equal",
                              TEXT(Options, known)};
-const Option option_help = {"help", 'h', NULL, "this text", SWITCH(Options, help)};
+const Option option_help = {"help", 'h', NULL, "print this text", SWITCH(Options, help)};

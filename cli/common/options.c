@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// options.c -- reads the options of a command by a table.
+// options.c -- reads the options of a command with a table.
 #include "options.h"
 #include <getopt.h>
 #include <string.h>
@@ -20,7 +20,7 @@ bool options_no_effect(const OptionTable* table, const Options* options, unsigne
 	return false;
 }
 
-// Finds the row of an option. Returns null after printing that the command does not take the option.
+// Returns the row of an option. If the command does not take the option, prints an error and returns null.
 static const OptionRow* find_row(const OptionTable* table, const Options* options, int letter)
 {
 	const OptionRow* row = table->rows;
@@ -32,7 +32,7 @@ static const OptionRow* find_row(const OptionTable* table, const Options* option
 	return NULL;
 }
 
-// Reads the options; given gets a bit for each row. Stops at --help.
+// Reads the options up to --help, and sets a bit of given for the row of each.
 static bool read_all(const OptionTable* table, Options* options, int count, char** words, const char* shorts,
                      const struct option* longs, unsigned* given)
 {

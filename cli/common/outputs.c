@@ -20,7 +20,7 @@ static bool open_file(FILE** file, const char* path)
 	return *file || !path || file_failed(path) == EXIT_GOOD;
 }
 
-// Writing the last bytes may fail only now, when the disk is full.
+// Closes a file; if the disk is full, the last bytes may fail only here.
 static bool close_file(FILE** file, const char* path)
 {
 	if (!*file)
@@ -72,7 +72,7 @@ int outputs_open(Outputs* outputs, const Simulation* simulation, const char* con
 	return EXIT_GOOD;
 }
 
-// Moves the camera on its way, slowly at the start and at the end.
+// Moves the camera between the two views, slowly at the start and at the end.
 static void aim(const Outputs* outputs, const Scene* scene, long long step)
 {
 	const Options* options = outputs->options;
@@ -127,7 +127,7 @@ int outputs_frames(Outputs* outputs, const Simulation* simulation, const Snapsho
 	int due = outputs_due(outputs, simulation), code = draw(outputs, simulation, snapshot);
 	for (; due > 0 && code == EXIT_GOOD; --due)
 		if (!video_frame(&outputs->video, picture_renderer_canvas(outputs->renderer)->pixels))
-			code = EXIT_FAILED; // closing the video prints the reason
+			code = EXIT_FAILED; // video_close prints the reason
 	return code;
 }
 

@@ -8,34 +8,34 @@
 
 typedef struct
 {
-	PictureRenderer* renderer; // null without picture and video
+	PictureRenderer* renderer; // null if there is neither a picture nor a video
 	Video video;
 	FILE* picture_file;
 	FILE* csv;
 	const Options* options;
 } Outputs;
 
-typedef struct // the state that a picture shows
+typedef struct // state that a picture shows
 {
 	const scree_counters* counters;
 	uint64_t hash;
-	const scree_pose* poses; // all bodies, in the order of scree_world_get_bodies; null: as the world has them
+	const scree_pose* poses; // poses of all bodies, in the order of scree_world_get_bodies; null: those of the world
 } Snapshot;
 
-// Opens the renderer. *drawn: the options with its OpenGL context, which the world needs when it is made. Returns an exit
-// code. The caller closes the outputs also on failure.
+// Opens the renderer. *drawn gets a copy of the options with the renderer's OpenGL context; the world must be created
+// with these. Returns an exit code. The caller closes the outputs also on failure.
 int outputs_begin(Outputs* outputs, const Options* options, Options* drawn);
 
-// Opens all files before the first step, so that a wrong path is found early. stages: names of the columns of Record.stages.
-// Returns an exit code.
+// Opens all files before the first step, so that a wrong path is reported early. stages: names of the columns of
+// Record.stages. Returns an exit code.
 int outputs_open(Outputs* outputs, const Simulation* simulation, const char* const* stages);
 
 // Adds the row of a step. Returns an exit code.
 int outputs_step(Outputs* outputs, const Simulation* simulation, const Record* record);
 
-// The frames of the video that are due after this step.
+// Returns the number of video frames that are due after this step.
 int outputs_due(const Outputs* outputs, const Simulation* simulation);
-// Adds them. Returns an exit code.
+// Adds the frames that are due. Returns an exit code.
 int outputs_frames(Outputs* outputs, const Simulation* simulation, const Snapshot* snapshot);
 
 // Writes the picture if code is EXIT_GOOD, and closes everything. Returns the first exit code that is not EXIT_GOOD.

@@ -11,11 +11,11 @@
 struct PictureRenderer
 {
 	int width, height;
-	Picture* picture; // drawn by Cairo; null when OpenGL draws
+	Picture* picture; // drawn by Cairo; null if OpenGL draws
 	scree_pose* poses;
 	scree_body* bodies;
 #ifdef SCREE_HAVE_VIEW
-	GlPicture* gl; // null when Cairo draws
+	GlPicture* gl; // null if Cairo draws
 	Style style;
 #endif
 };
@@ -150,7 +150,7 @@ scree_status picture_renderer_draw(PictureRenderer* renderer, const Simulation* 
 	scree_status status = SCREE_OK;
 	if (!poses)
 	{
-		// a scene may replace bodies between steps, each by one of the same index
+		// reads the bodies again, because a scene may replace bodies between steps, each by one with the same index
 		int count;
 		picture_bodies(renderer->picture, &count);
 		status = scree_world_get_bodies(simulation->world, renderer->bodies, count, &count);

@@ -8,28 +8,28 @@
 
 typedef struct PictureRenderer PictureRenderer;
 
-// Opens the renderer that the options choose. On failure prints a sentence, sets an exit code and returns null.
+// Opens the renderer that the options select. On failure it prints a sentence, sets an exit code and returns null.
 PictureRenderer* picture_renderer_open(const Options* options, int* code);
 void picture_renderer_close(PictureRenderer* renderer);
 
-// The OpenGL context for scree_world_def.opengl; may be null.
+// Returns the OpenGL context for scree_world_def.opengl; may be null.
 const scree_opengl* picture_renderer_opengl(const PictureRenderer* renderer);
 
-// Chooses the simulation to draw. False after printing a sentence.
+// Selects the simulation to draw. On failure it prints a sentence and returns false.
 bool picture_renderer_set_world(PictureRenderer* renderer, const Simulation* simulation);
 
-// After every step: remembers the events that the picture shows.
+// Adds the events of a step that the picture shows. Call it after every step.
 scree_status picture_renderer_step(PictureRenderer* renderer, const Simulation* simulation);
 
 // Shows a box instead of the view of the scene and its detail.
 void picture_renderer_aim(PictureRenderer* renderer, scree_box view);
 
-// Draws the simulation as it is now. poses: of all bodies, in the order of scree_world_get_bodies; null: those that the world
-// has. Only Cairo draws other poses.
+// Draws the current state of the simulation. poses: poses of all bodies, in the order of scree_world_get_bodies; null:
+// those of the world. Only Cairo draws other poses.
 scree_status picture_renderer_draw(PictureRenderer* renderer, const Simulation* simulation, const scree_pose* poses,
                                    const char* caption);
 
-// The canvas of the pictures.
+// Returns the canvas of the pictures.
 Canvas* picture_renderer_canvas(PictureRenderer* renderer);
 
 #endif

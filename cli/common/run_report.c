@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #define BAR       40   // characters
-#define BAR_PAUSE 0.05 // s between two states of the bar
+#define BAR_PAUSE 0.05 // s: time between two updates of the bar
 
 void totals_add(Totals* totals, const Record* record)
 {

@@ -9,7 +9,7 @@ typedef struct // sums over all steps
 	Record last;
 	double seconds; // time of the steps
 	double stages[STAGE_COLUMNS];
-	double scans; // s, for the rays of the scene
+	double scans; // s: time of the scene's rays
 	float penetration, joint_gap;
 	int nonfinite;
 } Totals;
@@ -18,14 +18,14 @@ void totals_add(Totals* totals, const Record* record);
 
 typedef struct
 {
-	bool visible; // standard output and error are terminals
-	double shown; // s, by seconds_now: the last change
+	bool visible; // true if standard output and error are terminals
+	double shown; // s, by seconds_now: time of the last update
 } ProgressBar;
 
 ProgressBar progress_bar(void);
 void progress_show(ProgressBar* bar, int step, int steps);
 
-// Prints the results of a run. stages: the names of those in the totals.
+// Prints the results of a run. stages: names of the stages in the totals.
 void print_results(const Simulation* simulation, const Totals* totals, const char* const* stages, int steps,
                    uint64_t hash);
 

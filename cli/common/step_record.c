@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SOLVE 4 // place in step_stages of the stage whose traffic is counted
+#define SOLVE 4 // index in step_stages of the stage whose traffic is counted
 const char* const step_stages[STAGE_COLUMNS] = {"transform", "broad_phase", "narrow_phase",
                                                 "color",     "solve",       "finalize"};
 
@@ -20,12 +20,12 @@ static scree_status read_timings(scree_world* world, float stages[STAGE_COLUMNS]
 scree_status record_step(Simulation* simulation, Record* record)
 {
 	*record = (Record){0};
-	// the clock leaves out the changes that a user makes between steps, but not their upload to the device
+	// the measured time excludes the changes between steps, but includes their upload to the device
 	scree_status status = simulation_change(simulation);
 	double start = seconds_now();
 	if (status == SCREE_OK)
 		status = simulation_advance(simulation);
-	// reading the counters waits for the device, so that its work is timed
+	// reading the counters blocks until the device has finished, so that its work is measured
 	if (status == SCREE_OK)
 		status = scree_world_get_counters(simulation->world, &record->counters);
 	record->milliseconds = (float)(1000 * (seconds_now() - start));

@@ -6,33 +6,33 @@
 
 #define STAGE_COLUMNS 6
 
-extern const char* const step_stages[STAGE_COLUMNS]; // stages of a step of Scree, in their order
+extern const char* const step_stages[STAGE_COLUMNS]; // stages of a step of Scree, in execution order
 
 typedef struct
 {
 	scree_counters counters;
 	float stages[STAGE_COLUMNS]; // milliseconds, in the order of step_stages, or of the stages of another pipeline
-	float milliseconds;          // time of the step by the clock of the host
-	float scan;                  // milliseconds, by the same clock, of the rays of the scene
-	int rays;                    // rays of this step
+	float milliseconds;          // duration of the step by the clock of the host
+	float scan;                  // milliseconds by the same clock for the rays of the scene
+	int rays;                    // number of rays of this step
 	int64_t hits;
 	scree_traffic traffic;
-	double solve_rate; // bytes/s of the solve stage; 0 if it was not timed
+	double solve_rate; // bytes/s of the solve stage; 0 if it was not measured
 } Record;
 
 // Takes one step and records it.
 scree_status record_step(Simulation* simulation, Record* record);
 
-// The deepest overlap of all records, m.
+// Returns the deepest overlap of all records, m.
 float deepest(const Record* records, int count);
 
-// The median of at least one value. Sorts the values.
+// Returns the median of at least one value. Sorts the values.
 double median_of(double* values, int count);
 
-// The median of a value over records.
+// Returns the median of a value over records.
 double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument);
 
-// values of a record, for median
+// Return values of a record, for median.
 double step_of(const Record* record, int unused);
 double stage_of(const Record* record, int stage);
 double scan_of(const Record* record, int unused);
