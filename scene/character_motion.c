@@ -9,7 +9,8 @@
 #define GROUND_PULL 10.0f // 1/s: maximum acceleration of a character on ground, per unit of its speed
 #define AIR_PULL    4.0f  // 1/s: the same in the air, while a key is down
 
-// m: depth by which a character that drops through a one-way platform is moved into it, so that the platform lets it through
+// m: depth by which a character that drops through a one-way platform is moved into it, so that the platform lets it
+// through
 #define DROP 0.05f
 
 #define DOWN(keys, name) ((keys) >> SCENE_KEY_##name & 1)

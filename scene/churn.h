@@ -17,7 +17,7 @@ typedef struct // change of one body by scene_churn, for callers without a world
 {
 	int item;      // index of the body in the order of the file
 	bool replaced; // destroyed and created again; else moved
-	// new pose and velocity; if replaced all members, the attribute as a position in Scene.attributes
+	// new pose and velocity; if replaced, all members; the attribute is a position in Scene.attributes
 	scree_body_def body;
 } SceneChange;
 

@@ -7,7 +7,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-// Distance of the fences, in sizes of the middle half. Tukey uses 3, but bodies that slide off a heap should stay in view.
+// Distance of the fences, in sizes of the middle half. Tukey uses 3, but bodies that slide off a heap should stay in
+// view.
 #define FENCE 5.0f
 #define OTHER 0.1f // minimum size as a share of the size in the other direction: a column has almost no width
 

@@ -13,8 +13,9 @@ typedef enum // rule that colors a body
 } Paint;
 
 extern const char* const paint_names[PAINTS];
-int find_name(const char* const* names, int count, const char* text, size_t length); // returns -1 if the name is not in
-                                                                                     // the list
+
+// Returns the index of a name in a list, -1 if it is not there.
+int find_name(const char* const* names, int count, const char* text, size_t length);
 
 #define GRAPH_COLORS 64 // number of values of scree_contact.color
 

@@ -1264,7 +1264,7 @@ static inline scree_status scree_joint_get_state(scree_world* world, scree_joint
 typedef struct scree_joint_event // a joint whose force or torque exceeded its threshold in the last step
 {
 	scree_joint joint;
-	float force, torque; // N, N m: the largest of all substeps
+	float force, torque; // N, N m: maximum over the substeps
 	bool broken;         // true if the joint broke in this step
 	uint64_t user;       // user data of the joint
 } scree_joint_event;
@@ -1346,9 +1346,9 @@ typedef struct scree_hit // a contact whose surfaces met fast
 typedef struct scree_visit // the overlap of a collidable, the visitor, with a sensor
 {
 	scree_collidable sensor, visitor;
-	scree_body body_sensor, body_visitor;    // null for a collidable without a body
-	uint64_t user_sensor, user_visitor;      // user data
-	float time;                              // when the visit began or ended, as a fraction of the step, 0 to 1
+	scree_body body_sensor, body_visitor; // null for a collidable without a body
+	uint64_t user_sensor, user_visitor;   // user data
+	float time;                           // time at which the visit began or ended, as a fraction of the step, 0 to 1
 	int destroyed_sensor, destroyed_visitor; // as in scree_contact
 } scree_visit;
 

@@ -66,7 +66,7 @@ typedef struct
 	double look_time;       // s: time from which the collidable under the cursor may be searched again
 	double read_time;       // s: time from which the numbers of the selected body may be read again
 	double cursor_time;     // s: time of the last move of the cursor
-	int still;              // frames since that move
+	int still;              // frames since the last move of the cursor
 	int next_device;        // index of the device to which the key moves the world; -1: the one after the current
 	                        // device
 	double title_time;      // s: time of the next change of the window title

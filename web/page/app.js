@@ -157,7 +157,7 @@ class App {
 		this.restyle();
 	}
 
-	// Opens the scene and the other data of the address.
+	// Loads the scene of the address, with its settings and actions.
 	async openLink() {
 		let link = { name: FIRST, settings: [], script: [], until: null };
 		try {

@@ -35,7 +35,7 @@ export class Core {
 			version: this.text(m._page_version()),
 		};
 	}
-	// Waits until a new world can start its threads: the browser frees those of a destroyed world some time later.
+	// Returns when a new world can start its threads: the browser frees those of a destroyed world some time later.
 	async threadsReady(threads) {
 		const pool = this.module.PThread;
 		while (pool && pool.unusedWorkers.length < threads - 1) await new Promise((resolve) => setTimeout(resolve, 1));

@@ -26,8 +26,9 @@ export class Engine {
 		this.history = []; // ms: durations of the steps since the last report
 		this.changed = true; // true if the picture is out of date
 		this.reported = 0;
-		this.news = false; // true if something was drawn since the last report; a world at rest sends no reports, so
-		                   // that the page does no work
+		// true if something was drawn since the last report; a world at rest sends no reports, so that the page does
+		// no work
+		this.news = false;
 		this.frames = 0;
 		this.drawing = 0; // ms: drawing time of the last frame
 		this.hashCost = 0;

@@ -2,8 +2,8 @@
 // inspector.js -- data that the visitor inspects without changing the world: numbers of bodies, the followed body,
 // legends.
 
-const REACH = 3; // px of the page: a shape within this distance of the cursor counts as under it, so that segments can
-                 // be selected
+// px of the page: a shape within this distance of the cursor counts as under it, so that segments can be selected
+const REACH = 3;
 // Delay until the next reading, as a multiple of the duration of the last one. The first query after a step computes
 // boxes of all bodies that move, which for many bodies takes as long as a step.
 // long as it took, nothing is looked at again.

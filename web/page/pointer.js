@@ -57,8 +57,8 @@ export class Pointer {
 		if (this.mode === 'hold' || this.mode === 'pour') this.wanted = [x, y];
 		if (this.mode === 'throw') this.picture.arrow = [...this.core.point(...this.from), ...this.core.point(x, y)];
 		if (this.mode === 'blast') this.picture.blast.at = this.core.point(x, y);
-		if (this.mode === 'pan' && this.clicks) return; // keeps the start, so that the picture moves by the whole way
-		                                                // once the press is no longer a click
+		// keeps the start, so that the picture moves by the whole way once the press is no longer a click
+		if (this.mode === 'pan' && this.clicks) return;
 		this.x = x;
 		this.y = y;
 	}

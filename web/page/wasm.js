@@ -24,7 +24,7 @@ export async function loadForm(form, threads) {
 	const { default: open } = await import(`./scree-${form}.js`);
 	return open({
 		locateFile: (name) => new URL(name, import.meta.url).href,
-		workers: 2 * (threads - 1), // number of workers that Emscripten starts in advance: a world opens before the
-		                            // previous one closes
+		// number of workers that Emscripten starts in advance: a world opens before the previous one closes
+		workers: 2 * (threads - 1),
 	});
 }
