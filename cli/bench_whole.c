@@ -6,6 +6,7 @@
 #include "bench_whole.h"
 #include "cli/common/library_error.h"
 #include "cli/common/open_scene.h"
+#include "tools/common/clock.h"
 #include <inttypes.h>
 
 static scree_status take_steps(Simulation* simulation, int steps)

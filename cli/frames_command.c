@@ -6,6 +6,8 @@
 #include "cli/common/step_record.h"
 #include "commands.h"
 #include "scene/load.h"
+#include "tools/common/clock.h"
+#include "tools/common/median.h"
 #include <inttypes.h>
 
 #ifdef SCREE_HAVE_VIEW

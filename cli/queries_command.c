@@ -7,6 +7,10 @@
 #include "cli/common/step_record.h"
 #include "commands.h"
 #include "scene/load.h"
+#include "tools/common/byte_hash.h"
+#include "tools/common/clock.h"
+#include "tools/common/median.h"
+#include "tools/common/random_numbers.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
@@ -37,18 +41,7 @@ typedef struct
 	scree_shape circle;
 } Batch;
 
-static uint32_t random_bits(uint64_t* seed)
-{
-	*seed = *seed * 6364136223846793005u + 1442695040888963407u;
-	return (uint32_t)(*seed >> 32);
-}
-
-static float random_between(uint64_t* seed, float low, float high)
-{
-	return low + (high - low) * ((float)(random_bits(seed) >> 8) / 16777216.0f);
-}
-
-// Finds the box around the bodies.
+// The box around the bodies.
 static bool bounds(scree_world* world, scree_vec* low, scree_vec* high)
 {
 	int count = 0;
@@ -74,20 +67,13 @@ static bool fill(Batch* batch)
 		return false;
 	for (int k = 0; k < batch->count; ++k)
 	{
-		scree_vec at = {random_between(&seed, low.x, high.x), random_between(&seed, low.y, high.y)};
-		scree_rot turn = scree_rot_make(random_between(&seed, -3.14f, 3.14f));
+		scree_vec at = {knuth_between(&seed, low.x, high.x), knuth_between(&seed, low.y, high.y)};
+		scree_rot turn = scree_rot_make(knuth_between(&seed, -3.14f, 3.14f));
 		scree_vec path = {LENGTH * turn.c, LENGTH * turn.s};
 		batch->rays[k] = (scree_ray){.origin = at, .translation = path};
 		batch->probes[k] = (scree_probe){.pose = {at, turn}, .translation = path};
 	}
 	return true;
-}
-
-static uint64_t hash_more(uint64_t hash, const void* bytes, size_t count)
-{
-	for (size_t k = 0; k < count; ++k)
-		hash = (hash ^ ((const unsigned char*)bytes)[k]) * 0x100000001b3u;
-	return hash;
 }
 
 static scree_status ask(Batch* b, Kind kind, int* found, uint64_t* hash)
@@ -107,7 +93,7 @@ static scree_status ask(Batch* b, Kind kind, int* found, uint64_t* hash)
 	if (!hash || status != SCREE_OK)
 		return status;
 	*found = 0;
-	*hash = hash_more(0xcbf29ce484222325u, list.results, (size_t)list.count * sizeof *list.results);
+	*hash = hash_bytes(HASH_BEGIN, list.results, (size_t)list.count * sizeof *list.results);
 	for (int k = 0; k < list.count; ++k)
 		*found += list.results[k].hit;
 	return status;

@@ -6,6 +6,7 @@
 #include "cli/common/run_report.h"
 #include "commands.h"
 #include "scene/load.h"
+#include "tools/common/clock.h"
 #include <inttypes.h>
 
 static int draw_frames(Simulation* simulation, Outputs* outputs, const Record* record)

@@ -9,7 +9,7 @@ endif()
 
 add_library(scree_paper_pipeline STATIC ${pipeline_sources})
 scree_flags(scree_paper_pipeline)
-target_link_libraries(scree_paper_pipeline PUBLIC scree_internals)
+target_link_libraries(scree_paper_pipeline PUBLIC scree_internals PRIVATE scree_common)
 if(opencl)
 	scree_embed(scree_paper_pipeline tools/paper/paper_kernels.cl paper_program)
 	target_include_directories(scree_paper_pipeline SYSTEM PRIVATE ${SCREE_CL_INCLUDE_DIR})

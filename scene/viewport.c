@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // viewport.c -- the part of a world that a picture of some size shows.
 #include "scene/viewport.h"
+#include "tools/common/median.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -36,15 +37,9 @@ scree_box viewport_between(scree_box from, scree_box to, double share)
 	return box;
 }
 
-static int compare_floats(const void* a, const void* b)
-{
-	float x = *(const float*)a, y = *(const float*)b;
-	return (x > y) - (x < y);
-}
-
 static void robust_range(float* values, int count, float* low, float* high)
 {
-	qsort(values, (size_t)count, sizeof(float), compare_floats);
+	sort_floats(values, count);
 	int outside = (int)((float)count * (1 - SHOWN_SHARE) / 2);
 	*low = values[outside];
 	*high = values[count - 1 - outside];

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // test_answer_faults.c -- memory that runs out while a program reads events, moved bodies and query results.
 //
-// A world with sensors, reports, rules and a field runs once without a fault, then again and again with one allocation that fails,
-// each time a later one. The call that failed returns an error and is repeated. All results are then those of the first run, so no
-// event and no moved body is lost. The visits of a step are the exception: a world without memory for them is broken.
-#include "support.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
+// A run of a world with sensors, reports, rules and a field is run once without a fault, then again and again with one allocation that
+// fails, each time a later one. The call that failed says so and is tried again: then all answers are those of the first run, so no
+// event and no body that moved is lost. The visits of a step are the exception: a world that has no memory for them is broken.
+#include "support/allocations.h"
+#include "support/make_bodies.h"
+#include "tools/common/byte_hash.h"
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #define ROUNDS 8
 #define GROUP  24 // bodies that a round adds
@@ -24,212 +21,212 @@ typedef struct
 	scree_body last;
 	scree_mover movers[MOVERS];
 	int round, asked;
-	uint64_t answers; // hash of all results so far
-} Tale;
+	uint64_t answers; // hash of all answers so far
+} Log;
 
 // Rows of some size, of which the first bytes count: behind them is padding.
-static void hear_rows(Tale* t, const void* rows, int count, size_t size, size_t bytes)
+static void log_rows(Log* log, const void* rows, int count, size_t size, size_t bytes)
 {
 	for (int k = 0; k < count; ++k)
-		t->answers = hash_more(t->answers, (const char*)rows + size * (size_t)k, bytes);
+		log->answers = hash_bytes(log->answers, (const char*)rows + size * (size_t)k, bytes);
 }
-#define HEAR(t, rows, count, last) \
-	hear_rows(t, rows, count, sizeof *(rows), (size_t)((const char*)(&(rows)->last + 1) - (const char*)(rows)))
+#define LOG(log, rows, count, last) \
+	log_rows(log, rows, count, sizeof *(rows), (size_t)((const char*)(&(rows)->last + 1) - (const char*)(rows)))
 
-static scree_status make_world(Tale* t)
+static scree_status make_world(Log* log)
 {
 	scree_world_def def = scree_world_def_default();
 	def.device = "cpu";
 	def.threads = 1;
-	return scree_world_create(&def, &t->world);
+	return scree_world_create(&def, &log->world);
 }
 
-static scree_status make_box(Tale* t)
+static scree_status make_box(Log* log)
 {
 	scree_attribute_def def = surface_of(box_shape(0.4f, 0.4f));
 	def.material = 3;
-	return scree_attribute_create(t->world, &def, &t->box);
+	return scree_attribute_create(log->world, &def, &log->box);
 }
 
-static scree_status make_ball(Tale* t)
+static scree_status make_ball(Log* log)
 {
 	scree_attribute_def def = surface_of(circle_shape(0.4f));
-	return scree_attribute_create(t->world, &def, &t->ball);
+	return scree_attribute_create(log->world, &def, &log->ball);
 }
 
-static scree_status make_floor(Tale* t)
+static scree_status make_floor(Log* log)
 {
 	scree_attribute_def surface = surface_of(box_shape(20.0f, 1.0f));
 	scree_body_def def = scree_body_def_default();
-	scree_status status = scree_attribute_create(t->world, &surface, &def.attribute);
+	scree_status status = scree_attribute_create(log->world, &surface, &def.attribute);
 	def.type = SCREE_BODY_STATIC;
 	def.pose.position.y = -1.0f;
 	def.reports = SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS | SCREE_REPORT_APPROVAL;
-	return status ? status : scree_body_create(t->world, &def, &t->last);
+	return status ? status : scree_body_create(log->world, &def, &log->last);
 }
 
-static scree_status make_sensor(Tale* t)
+static scree_status make_sensor(Log* log)
 {
 	scree_collidable_def def = scree_collidable_def_default();
-	def.attribute = t->box;
+	def.attribute = log->box;
 	def.pose.position.y = 1.0f;
 	def.sensor = SCREE_SENSOR_MOVING;
-	return scree_collidable_create(t->world, &def, NULL);
+	return scree_collidable_create(log->world, &def, NULL);
 }
 
-static scree_status make_field(Tale* t)
+static scree_status make_field(Log* log)
 {
 	scree_field_def def = scree_field_def_default(SCREE_FIELD_BUOYANCY);
-	return scree_field_create(t->world, &def, NULL);
+	return scree_field_create(log->world, &def, NULL);
 }
 
-static scree_status set_material(Tale* t)
+static scree_status set_material(Log* log)
 {
 	scree_material_pair pair = scree_material_pair_default();
 	pair.friction = 0.1f;
-	return scree_world_set_material_pair(t->world, 3, 3, &pair);
+	return scree_world_set_material_pair(log->world, 3, 3, &pair);
 }
 
-static scree_status add_group(Tale* t)
+static scree_status add_group(Log* log)
 {
 	static scree_body_def defs[GROUP];
 	scree_body made[GROUP];
 	for (int k = 0; k < GROUP; ++k)
 	{
 		defs[k] = scree_body_def_default();
-		defs[k].attribute = k % 2 ? t->box : t->ball;
-		defs[k].pose.position = (scree_vec){0.7f * (float)(k % 12) - 4.0f, 0.3f + 0.9f * (float)(k / 12 + t->round)};
+		defs[k].attribute = k % 2 ? log->box : log->ball;
+		defs[k].pose.position = (scree_vec){0.7f * (float)(k % 12) - 4.0f, 0.3f + 0.9f * (float)(k / 12 + log->round)};
 		defs[k].reports = (uint32_t)(k % 8);
 	}
-	scree_status status = scree_bodies_create(t->world, defs, GROUP, made);
+	scree_status status = scree_bodies_create(log->world, defs, GROUP, made);
 	if (status == SCREE_OK)
-		t->last = made[GROUP - 1];
+		log->last = made[GROUP - 1];
 	return status;
 }
 
-static scree_status exclude(Tale* t)
+static scree_status exclude(Log* log)
 {
 	scree_body bodies[2];
 	int count;
-	scree_status status = scree_world_get_bodies(t->world, bodies, 2, &count);
-	return status ? status : scree_body_set_excluded(t->world, t->last, bodies[1], true);
+	scree_status status = scree_world_get_bodies(log->world, bodies, 2, &count);
+	return status ? status : scree_body_set_excluded(log->world, log->last, bodies[1], true);
 }
 
-static scree_status take_step(Tale* t) { return scree_world_step(t->world, STEP, SUBSTEPS); }
+static scree_status take_step(Log* log) { return scree_world_step(log->world, STEP, SUBSTEPS); }
 
-static scree_status get_events(Tale* t)
+static scree_status get_events(Log* log)
 {
 	scree_events events;
-	scree_status status = scree_world_get_events(t->world, &events);
+	scree_status status = scree_world_get_events(log->world, &events);
 	if (status)
 		return status;
-	t->asked = events.approval_count;
-	HEAR(t, events.touches_began, events.touches_began_count, destroyed_b);
-	HEAR(t, events.touches_ended, events.touches_ended_count, destroyed_b);
-	HEAR(t, events.hits, events.hit_count, destroyed_b);
-	HEAR(t, events.visits_began, events.visits_began_count, destroyed_visitor);
-	HEAR(t, events.visits_ended, events.visits_ended_count, destroyed_visitor);
-	HEAR(t, events.approvals, events.approval_count, destroyed_b);
+	log->asked = events.approval_count;
+	LOG(log, events.touches_began, events.touches_began_count, destroyed_b);
+	LOG(log, events.touches_ended, events.touches_ended_count, destroyed_b);
+	LOG(log, events.hits, events.hit_count, destroyed_b);
+	LOG(log, events.visits_began, events.visits_began_count, destroyed_visitor);
+	LOG(log, events.visits_ended, events.visits_ended_count, destroyed_visitor);
+	LOG(log, events.approvals, events.approval_count, destroyed_b);
 	return SCREE_OK;
 }
 
-static scree_status answer(Tale* t)
+static scree_status answer(Log* log)
 {
 	static bool answers[ROUNDS * GROUP * 32];
-	for (int k = 0; k < t->asked; ++k)
+	for (int k = 0; k < log->asked; ++k)
 		answers[k] = k % 3 != 0;
-	return scree_world_approve_contacts(t->world, answers, t->asked);
+	return scree_world_approve_contacts(log->world, answers, log->asked);
 }
 
-static scree_status get_moved(Tale* t)
+static scree_status get_moved(Log* log)
 {
 	scree_moved_bodies list;
-	scree_status status = scree_world_get_moved_bodies(t->world, &list);
+	scree_status status = scree_world_get_moved_bodies(log->world, &list);
 	if (status == SCREE_OK)
-		HEAR(t, list.bodies, list.count, velocity);
+		LOG(log, list.bodies, list.count, velocity);
 	return status;
 }
 
-static scree_status list_box(Tale* t)
+static scree_status list_box(Log* log)
 {
 	scree_query_results list;
-	scree_status status = scree_world_overlap_box(t->world, (scree_box){{-9.0f, -3.0f}, {9.0f, 9.0f}}, &list);
+	scree_status status = scree_world_overlap_box(log->world, (scree_box){{-9.0f, -3.0f}, {9.0f, 9.0f}}, &list);
 	if (status == SCREE_OK)
-		HEAR(t, list.results, list.count, reserved);
+		LOG(log, list.results, list.count, reserved);
 	return status;
 }
 
-static scree_status cast_rays(Tale* t)
+static scree_status cast_rays(Log* log)
 {
 	scree_ray rays[ROUNDS * GROUP] = {0};
 	scree_query_result found[ROUNDS * GROUP];
-	int count = (t->round + 1) * GROUP;
+	int count = (log->round + 1) * GROUP;
 	for (int k = 0; k < count; ++k)
 		rays[k] = (scree_ray){.origin = {0.05f * (float)k - 5.0f, 9.0f}, .translation = {0.0f, -20.0f}};
-	scree_status status = scree_world_cast_rays(t->world, NULL, rays, count, found);
+	scree_status status = scree_world_cast_rays(log->world, NULL, rays, count, found);
 	if (status == SCREE_OK)
-		HEAR(t, found, count, reserved);
+		LOG(log, found, count, reserved);
 	return status;
 }
 
-static scree_status move(Tale* t)
+static scree_status move(Log* log)
 {
-	scree_status status = scree_movers_move(t->world, NULL, t->movers, MOVERS, STEP);
+	scree_status status = scree_movers_move(log->world, NULL, log->movers, MOVERS, STEP);
 	if (status == SCREE_OK)
-		HEAR(t, t->movers, MOVERS, wall_normal);
+		LOG(log, log->movers, MOVERS, wall_normal);
 	return status;
 }
 
-static scree_status blast(Tale* t)
+static scree_status blast(Log* log)
 {
 	scree_blast_def def = scree_blast_def_default();
 	int count;
 	def.radius = 3.0f;
-	scree_status status = scree_world_blast(t->world, &def, &count);
+	scree_status status = scree_world_blast(log->world, &def, &count);
 	if (status == SCREE_OK)
-		t->answers = hash_more(t->answers, &count, sizeof count);
+		log->answers = hash_bytes(log->answers, &count, sizeof count);
 	return status;
 }
 
-static scree_status destroy_last(Tale* t) { return scree_body_destroy(t->world, t->last); }
+static scree_status destroy_last(Log* log) { return scree_body_destroy(log->world, log->last); }
 
-typedef scree_status (*Act)(Tale* t);
+typedef scree_status (*Act)(Log* log);
 static const Act first[] = {make_world, make_box, make_ball, make_floor, make_sensor, make_field, set_material};
 static const Act acts[] = {add_group, exclude,   take_step, get_events, answer,      get_moved,
                            list_box,  cast_rays, move,      blast,      destroy_last};
 
-// Runs the tale with one allocation that fails, or none for -1. Returns whether one failed.
-static bool tell_once(int allocations, uint64_t* answers, bool* broken)
+// Runs all acts with one allocation that fails; -1: none. Returns whether one did.
+static bool run_once(int allocations, uint64_t* answers, bool* broken)
 {
-	Tale t = {.answers = HASH_BEGIN};
+	Log log = {.answers = HASH_BEGIN};
 	bool failed = false;
 	*broken = false;
 	for (int k = 0; k < MOVERS; ++k)
-		t.movers[k] = (scree_mover){.position = {(float)k, 6.0f}, .velocity = {1.0f, -2.0f}};
+		log.movers[k] = (scree_mover){.position = {(float)k, 6.0f}, .velocity = {1.0f, -2.0f}};
 	allocations_left = allocations;
 	int begins = (int)(sizeof first / sizeof *first), each = (int)(sizeof acts / sizeof *acts);
 	for (int k = 0; k < begins + ROUNDS * each && !*broken; ++k)
 	{
 		Act act = k < begins ? first[k] : acts[(k - begins) % each];
-		t.round = k < begins ? 0 : (k - begins) / each;
-		scree_status status = act(&t);
+		log.round = k < begins ? 0 : (k - begins) / each;
+		scree_status status = act(&log);
 		if (status == SCREE_OK)
 			continue;
 		assert_false(failed);
 		failed = true;
 		end_of_shortage(status);
-		*broken = t.world && scree_world_wait(t.world) != SCREE_OK;
+		*broken = log.world && scree_world_wait(log.world) != SCREE_OK;
 		--k;
 	}
 	allocations_left = -1;
 	if (!*broken)
 	{
-		uint64_t hash = hash_of(t.world);
-		t.answers = hash_more(t.answers, &hash, sizeof hash);
+		uint64_t hash = hash_of(log.world);
+		log.answers = hash_bytes(log.answers, &hash, sizeof hash);
 	}
-	scree_world_destroy(t.world);
+	scree_world_destroy(log.world);
 	assert_int_equal(scree_memory(), 0);
-	*answers = t.answers;
+	*answers = log.answers;
 	return failed;
 }
 
@@ -240,8 +237,8 @@ static void no_answer_is_lost(void** state)
 	bool broken;
 	int faults = 0, worlds = 0;
 	count_allocations();
-	assert_false(tell_once(-1, &expected, &broken));
-	for (; tell_once(faults, &answers, &broken); ++faults)
+	assert_false(run_once(-1, &expected, &broken));
+	for (; run_once(faults, &answers, &broken); ++faults)
 	{
 		worlds += broken;
 		if (!broken && answers != expected)

@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: MIT
-// test_asks.c -- contact approval: approved, refused, not answered; no body slips through while its contact is pending.
-#include "world_support.h"
-
-static scree_events events_of(scree_world* world)
-{
-	scree_events events;
-	assert_ok(scree_world_get_events(world, &events));
-	return events;
-}
+// test_asks.c -- contacts about which the user is asked first: yes, no, no answer; nothing slips through while it waits.
+#include "support/make_bodies.h"
+#include <math.h>
+#include <string.h>
 
 static scree_body put(scree_world* world, scree_body_type type, float x, float y, float vx, float vy, uint32_t reports)
 {
-	scree_body_def def = box_def(world, type, x, y);
+	scree_body_def def = crate_def(world, type, x, y);
 	def.velocity.linear = (scree_vec){vx, vy};
 	def.reports = reports;
-	scree_body body;
-	assert_ok(scree_body_create(world, &def, &body));
-	return body;
+	return create_body(world, &def);
 }
 
 // Takes steps, and gives the same answer for all pending contacts; returns their number.
@@ -25,13 +18,13 @@ static int step_answering(scree_world* world, int steps, bool answer)
 	int asked = 0;
 	for (int k = 0; k < steps; ++k)
 	{
-		step(world, 1);
+		run_steps(world, 1);
 		scree_events events = events_of(world);
 		bool answers[64];
 		assert_true(events.approval_count <= 64);
 		for (int i = 0; i < events.approval_count; ++i)
 			answers[i] = answer;
-		assert_ok(scree_world_approve_contacts(world, answers, events.approval_count));
+		OK(scree_world_approve_contacts(world, answers, events.approval_count));
 		asked += events.approval_count;
 	}
 	return asked;
@@ -44,7 +37,7 @@ static void yes_and_no(void** state)
 	(void)state;
 	for (int answer = 0; answer < 2; ++answer)
 	{
-		scree_world* world = make_world(-10.0f);
+		scree_world* world = open_test_world(-10.0f);
 		put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_APPROVAL);
 		scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.2f, 2.0f, 0.0f, 0.0f, SCREE_REPORT_TOUCHES);
 		int began = 0, ended = 0, asked = 0;
@@ -64,9 +57,9 @@ static void yes_and_no(void** state)
 		assert_int_equal(began, answer);
 		assert_int_equal(ended, 0);
 		if (answer)
-			assert_near(pose_of(world, box).position.y, 1.0, 0.01);
+			NEAR(pose_of(world, box).position.y, 1.0, 0.01);
 		else
-			assert_near(velocity_of(world, box).linear.y, -20.0, 0.02);
+			NEAR(velocity_of(world, box).linear.y, -20.0, 0.02);
 		scree_world_destroy(world);
 	}
 }
@@ -75,23 +68,23 @@ static void yes_and_no(void** state)
 static void asked_again(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(0.0f);
+	scree_world* world = open_test_world(0.0f);
 	put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, 0);
 	scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.5f, 0.0f, -3.0f, SCREE_REPORT_APPROVAL);
 	int asked = 0;
 	for (int k = 0; k < 60; ++k)
 	{
-		step(world, 1);
+		run_steps(world, 1);
 		asked += events_of(world).approval_count;
 	}
 	assert_int_equal(asked, 1);
 	assert_true(pose_of(world, box).position.y < -1.2f);
-	assert_ok(scree_body_set_linear_velocity(world, box, (scree_vec){0.0f, 3.0f}));
+	OK(scree_body_set_linear_velocity(world, box, (scree_vec){0.0f, 3.0f}));
 	assert_int_equal(step_answering(world, 60, true), 1);
 	assert_true(pose_of(world, box).position.y < -0.9f);
-	assert_ok(scree_body_set_linear_velocity(world, box, (scree_vec){0.0f, -1.0f}));
+	OK(scree_body_set_linear_velocity(world, box, (scree_vec){0.0f, -1.0f}));
 	step_answering(world, 10, true);
-	assert_ok(scree_body_set_linear_velocity(world, box, (scree_vec){0.0f, 1.0f}));
+	OK(scree_body_set_linear_velocity(world, box, (scree_vec){0.0f, 1.0f}));
 	assert_int_equal(step_answering(world, 60, true), 1);
 	scree_world_destroy(world);
 }
@@ -102,13 +95,13 @@ static void fast(void** state)
 {
 	(void)state;
 	static const float speeds[] = {5.0f, 60.0f, 200.0f, 399.0f};
-	int starts = strcmp(device, "cpu") == 0 ? 5 : 1; // PoCL takes 0.3 s to open a world
+	int starts = strcmp(test_device, "cpu") == 0 ? 5 : 1; // PoCL takes 0.3 s to open a world
 	for (int k = 0; k < 4 * 3 * 2 * starts; ++k)
 	{
 		bool answer = k % 2;
 		scree_body_type type = (scree_body_type)(k / 2 % 3);
 		float speed = speeds[k / 6 % 4], start = -3.0f - 0.37f * (float)(k / 24);
-		scree_world* world = make_world(0.0f);
+		scree_world* world = open_test_world(0.0f);
 		scree_body wall = put(world, type, 0.0f, 0.0f, 0.0f, 0.0f, k % 3 ? SCREE_REPORT_APPROVAL : 0);
 		scree_body bullet = put(world, SCREE_BODY_DYNAMIC, start, 0.0f, speed, 0.0f, k % 3 ? 0 : SCREE_REPORT_APPROVAL);
 		int asked = 0;
@@ -117,7 +110,7 @@ static void fast(void** state)
 			asked = step_answering(world, 1, answer);
 			if (asked)
 			{
-				assert_near(pose_of(world, bullet).position.x, -1.0, 0.021);
+				NEAR(pose_of(world, bullet).position.x, -1.0, 0.021);
 				assert_true(velocity_of(world, bullet).linear.x == speed);
 			}
 		}
@@ -139,18 +132,18 @@ static void fast(void** state)
 static void marked_in_mid_run(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
-	add_ground(world);
+	scree_world* world = open_test_world(-10.0f);
+	add_floor(world);
 	scree_body low = put(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f, 0.0f, 0);
-	step(world, 30);
-	assert_ok(scree_collidable_set_reports(world, part_of(world, low), SCREE_REPORT_APPROVAL));
+	run_steps(world, 30);
+	OK(scree_collidable_set_reports(world, collidable_of(world, low), SCREE_REPORT_APPROVAL));
 	assert_int_equal(step_answering(world, 60, false), 0);
-	assert_near(pose_of(world, low).position.y, 0.5, 0.01);
+	NEAR(pose_of(world, low).position.y, 0.5, 0.01);
 	scree_body high = put(world, SCREE_BODY_DYNAMIC, 0.1f, 1.6f, 0.0f, 0.0f, 0);
 	assert_int_equal(step_answering(world, 60, false), 1);
-	assert_near(pose_of(world, high).position.y, 0.5, 0.01);
-	assert_ok(scree_collidable_set_reports(world, part_of(world, low), 0));
-	step(world, 120);
+	NEAR(pose_of(world, high).position.y, 0.5, 0.01);
+	OK(scree_collidable_set_reports(world, collidable_of(world, low), 0));
+	run_steps(world, 120);
 	assert_true(fabsf(pose_of(world, low).position.x - pose_of(world, high).position.x) > 0.9f ||
 	            fabsf(pose_of(world, low).position.y - pose_of(world, high).position.y) > 0.9f);
 	scree_world_destroy(world);
@@ -160,24 +153,23 @@ static void marked_in_mid_run(void** state)
 static void between(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(0.0f);
+	scree_world* world = open_test_world(0.0f);
 	put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_APPROVAL);
 	scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.005f, 0.0f, 0.0f, 0);
 	bool yes[2] = {true, true};
-	uint64_t before;
-	assert_ok(scree_world_step(world, 0.0f, 4));
+	OK(scree_world_step(world, 0.0f, 4));
 	assert_int_equal(events_of(world).approval_count, 1);
-	before = hash_of(world);
-	assert_ok(scree_world_approve_contacts(world, yes, 1));
+	uint64_t before = hash_of(world);
+	OK(scree_world_approve_contacts(world, yes, 1));
 	assert_true(hash_of(world) != before);
-	assert_ok(scree_body_destroy(world, box));
+	OK(scree_body_destroy(world, box));
 	scree_body again = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.005f, 0.0f, -1.0f, 0);
 	assert_int_equal(again.index, box.index);
-	step(world, 1);
+	run_steps(world, 1);
 	assert_int_equal(events_of(world).approval_count, 1); // the answer was about the other one
-	assert_ok(scree_world_approve_contacts(world, yes, 1));
-	assert_ok(scree_world_move(world, "cpu"));
-	step(world, 30);
+	OK(scree_world_approve_contacts(world, yes, 1));
+	OK(scree_world_move(world, "cpu"));
+	run_steps(world, 30);
 	assert_true(pose_of(world, again).position.y > 0.98f);
 	assert_int_equal(events_of(world).approval_count, 0);
 	assert_int_equal(scree_world_approve_contacts(world, yes, 2), SCREE_ERROR_INVALID);
@@ -189,7 +181,7 @@ static void between(void** state)
 static void answer_one(scree_world* world, bool yes)
 {
 	assert_int_equal(events_of(world).approval_count, 1);
-	assert_ok(scree_world_approve_contacts(world, &yes, 1));
+	OK(scree_world_approve_contacts(world, &yes, 1));
 }
 
 // Steps of no time between the question and the answer ask again; between the answer and the next step they change nothing about it.
@@ -199,25 +191,25 @@ static void steps_of_no_time(void** state)
 	for (int k = 0; k < 8; ++k)
 	{
 		bool answers = k & 1, yes = k & 2, early = k & 4;
-		scree_world* world = make_world(-10.0f);
+		scree_world* world = open_test_world(-10.0f);
 		put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_APPROVAL);
 		scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.3f, 0.0f, 0.0f, 0);
 		do
-			step(world, 1);
+			run_steps(world, 1);
 		while (events_of(world).approval_count == 0);
 		uint64_t open = hash_of(world);
 		for (int n = 0; n < 3 && !early; ++n)
-			look(world);
+			update_contacts(world);
 		assert_int_equal(events_of(world).approval_count, 1);
 		if (answers)
 		{
 			answer_one(world, yes);
 			assert_true(hash_of(world) != open);
 		}
-		look(world);
+		update_contacts(world);
 		assert_int_equal(events_of(world).approval_count, !answers);
 		assert_int_equal(contacts_of(world), answers && yes);
-		step(world, 60);
+		run_steps(world, 60);
 		assert_true((pose_of(world, box).position.y > 0.98f) == (answers && yes));
 		scree_world_destroy(world);
 	}
@@ -228,26 +220,25 @@ static void a_step_that_fails(void** state)
 {
 	(void)state;
 	scree_world_def def = scree_world_def_default();
-	def.device = device;
+	def.device = test_device;
 	def.threads = 2;
 	def.contact_limit = 100;
-	scree_world* world;
-	assert_ok(scree_world_create(&def, &world));
+	scree_world* world = create_world(&def);
 	put(world, SCREE_BODY_STATIC, 0.0f, 0.0f, 0.0f, 0.0f, SCREE_REPORT_APPROVAL);
 	scree_body box = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.3f, 0.0f, 0.0f, 0), crowd[40];
 	do
-		step(world, 1);
+		run_steps(world, 1);
 	while (events_of(world).approval_count == 0);
 	for (int k = 0; k < 40; ++k)
 		crowd[k] = put(world, SCREE_BODY_DYNAMIC, 20.0f, 20.0f, 0.0f, 0.0f, 0);
 	assert_int_equal(scree_world_step(world, STEP, 4), SCREE_ERROR_CONTACT_LIMIT);
 	assert_int_equal(events_of(world).approval_count, 0);
-	assert_ok(scree_bodies_destroy(world, crowd, 40));
-	step(world, 1);
+	OK(scree_bodies_destroy(world, crowd, 40));
+	run_steps(world, 1);
 	assert_true(pose_of(world, box).position.y > 0.97f);
 	answer_one(world, true);
-	step(world, 60);
-	assert_near(pose_of(world, box).position.y, 1.0, 0.01);
+	run_steps(world, 60);
+	NEAR(pose_of(world, box).position.y, 1.0, 0.01);
 	scree_world_destroy(world);
 }
 

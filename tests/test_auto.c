@@ -1,42 +1,18 @@
 // SPDX-License-Identifier: MIT
-// test_auto.c -- device "auto": when a world moves by the clock, and that nobody can tell by its state.
-#include "moving.h"
+// test_auto.c -- device "auto": when a world moves by the clock, and that its state does not show it.
+#include "support/faulty_device.h"
+#include "support/log_lines.h"
+#include "support/second_device.h"
 #include "world/device/open_async.h"
+#include "world/world.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static char said[4][512]; // the last sentences of the log
-static int said_count;
-
-static void note(scree_log_level level, const char* sentence, void* context)
+static int forget_auto(void** state)
 {
-	(void)level;
-	(void)context;
-	snprintf(said[said_count++ % 4], sizeof said[0], "%s", sentence);
-}
-
-static bool was_said(const char* words)
-{
-	for (int k = 0; k < 4; ++k)
-		if (strstr(said[k], words))
-			return true;
-	return false;
-}
-
-static int set_log(void** state)
-{
-	(void)state;
-	scree_hooks hooks = {.log = note};
-	memset(said, 0, sizeof said);
-	said_count = 0;
-	return scree_hooks_set(&hooks);
-}
-
-static int reset_log(void** state)
-{
-	(void)state;
 	unsetenv("SCREE_AUTO");
-	return scree_hooks_set(NULL) || scree_memory() > 0;
+	return release_log(state) || memory_is_released(state);
 }
 
 // Steps until a trial has begun; returns how many.
@@ -49,7 +25,7 @@ static int run_to_trial(scree_world* world)
 		++steps;
 	}
 	assert_true(world->auto_device.trial);
-	assert_string_equal(scree_world_get_device(world), other);
+	assert_string_equal(scree_world_get_device(world), second_device);
 	return steps;
 }
 
@@ -57,15 +33,15 @@ static int run_to_trial(scree_world* world)
 static void trial_decides(void** state)
 {
 	(void)state;
-	NEEDS_OTHER();
-	setenv("SCREE_AUTO", other, 1);
+	NEEDS_SECOND_DEVICE();
+	setenv("SCREE_AUTO", second_device, 1);
 	scree_world* world = open_pile("auto", false);
 	int steps = run_to_trial(world);
 	world->auto_device.meters[0].step = 1e6;
 	run_steps(world, 30);
-	assert_string_equal(scree_world_get_device(world), other);
+	assert_string_equal(scree_world_get_device(world), second_device);
 	assert_false(world->auto_device.trial);
-	assert_true(was_said("the world moves to opencl:") && was_said("ms a step, and 1000000.0000 ms on cpu"));
+	assert_true(was_logged("the world moves to opencl:") && was_logged("ms a step, and 1000000.0000 ms on cpu"));
 
 	// the CPU is tried again when the world has worked for long enough
 	world->auto_device.spent = 1e9;
@@ -74,8 +50,8 @@ static void trial_decides(void** state)
 	assert_true(world->auto_device.trial);
 	world->auto_device.meters[1].step = 0.0;
 	run_steps(world, 10);
-	assert_string_equal(scree_world_get_device(world), other);
-	assert_true(was_said("the world does not stay on cpu"));
+	assert_string_equal(scree_world_get_device(world), second_device);
+	assert_true(was_logged("the world does not stay on cpu"));
 	assert_int_equal(world->auto_device.failures, 1);
 
 	world->auto_device.spent = 1e9;
@@ -91,14 +67,14 @@ static void trial_decides(void** state)
 static void world_goes_back(void** state)
 {
 	(void)state;
-	NEEDS_OTHER();
-	setenv("SCREE_AUTO", other, 1);
+	NEEDS_SECOND_DEVICE();
+	setenv("SCREE_AUTO", second_device, 1);
 	scree_world* world = open_pile("auto", false);
 	int steps = run_to_trial(world);
 	world->auto_device.meters[0].step = 0.0;
 	run_steps(world, 20);
 	assert_string_equal(scree_world_get_device(world), "cpu");
-	assert_true(was_said("the world does not stay on opencl:"));
+	assert_true(was_logged("the world does not stay on opencl:"));
 
 	// the next one waits for many times what this one cost
 	assert_true(world->auto_device.cost > 0.0);
@@ -117,7 +93,7 @@ static void small_world_stays(void** state)
 	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_null(world->auto_device.opening);
 	assert_null(world->auto_device.other);
-	assert_int_equal(said_count, 0);
+	assert_int_equal(log_count, 0);
 	assert_true(hash_of(world) == hash_after(60));
 	scree_world_destroy(world);
 }
@@ -129,14 +105,14 @@ static void other_is_missing(void** state)
 	scree_world* world = open_pile("auto", false);
 	run_steps(world, 20);
 	assert_string_equal(scree_world_get_device(world), "cpu");
-	assert_true(was_said("scree_world_step: the world stays on the CPU: "));
-	assert_int_equal(said_count, 1);
+	assert_true(was_logged("scree_world_step: the world stays on the CPU: "));
+	assert_int_equal(log_count, 1);
 	scree_world_destroy(world);
 
 	setenv("SCREE_AUTO", "cpu", 1);
 	world = open_pile("auto", false);
 	run_steps(world, 20);
-	assert_int_equal(said_count, 1);
+	assert_int_equal(log_count, 1);
 	scree_world_destroy(world);
 }
 
@@ -149,17 +125,17 @@ static void other_falls(void** state)
 	BackendOptions options = {.threads = 1};
 	Backend* to;
 	OK(cpu_open(&options, &to));
-	BackendFunctions f = far_away(to, true);
+	BackendFunctions f = faulty_functions(to);
 	to->f = &f;
 	to->distant = true;
-	call_status = SCREE_ERROR_OUT_OF_MEMORY;
-	calls_left = 20;
+	device_fault = (Fault){
+	    .calls = FAULT_RESIZE | FAULT_COPY, .calls_left = 20, .lasts = true, .status = SCREE_ERROR_OUT_OF_MEMORY};
 	snprintf(world->auto_device.named, sizeof world->auto_device.named, "%s", "opencl:X");
 	world->auto_device.other = to;
 	run_steps(world, 10);
 	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(world->auto_device.alone && !world->auto_device.trial && !world->auto_device.other);
-	assert_true(was_said("scree_world_step: the world stays on cpu: the device has fallen"));
+	assert_true(was_logged("scree_world_step: the world stays on cpu: the device has no memory left"));
 	assert_true(hash_of(world) == hash_after(20));
 	scree_world_destroy(world);
 }
@@ -168,8 +144,8 @@ static void other_falls(void** state)
 static void user_decides(void** state)
 {
 	(void)state;
-	NEEDS_OTHER();
-	setenv("SCREE_AUTO", other, 1);
+	NEEDS_SECOND_DEVICE();
+	setenv("SCREE_AUTO", second_device, 1);
 	scree_world* world = open_pile("auto", false);
 	int steps = run_to_trial(world);
 	OK(scree_world_move(world, "cpu"));
@@ -180,10 +156,10 @@ static void user_decides(void** state)
 	OK(scree_world_move(world, "auto"));
 	OK(scree_world_move(world, "auto"));
 	steps += run_to_trial(world);
-	OK(scree_world_move(world, other));
+	OK(scree_world_move(world, second_device));
 	assert_false(world->auto_device.on);
 	run_steps(world, 20);
-	assert_string_equal(scree_world_get_device(world), other);
+	assert_string_equal(scree_world_get_device(world), second_device);
 
 	// from there the way back is open as well
 	OK(scree_world_move(world, "auto"));
@@ -203,11 +179,11 @@ static void user_decides(void** state)
 static void opening_is_waited_for(void** state)
 {
 	(void)state;
-	NEEDS_OTHER();
+	NEEDS_SECOND_DEVICE();
 	for (int moved = 0; moved < 2; ++moved)
 	{
 		scree_world* world = open_pile("auto", false);
-		world->auto_device.opening = async_open_begin(&world->def, other, world->auto_device.compare);
+		world->auto_device.opening = async_open_begin(&world->def, second_device, world->auto_device.compare);
 		assert_non_null(world->auto_device.opening);
 		if (moved)
 			OK(scree_world_move(world, "cpu"));
@@ -219,13 +195,13 @@ static void opening_is_waited_for(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test_setup_teardown(trial_decides, set_log, reset_log),
-	    cmocka_unit_test_setup_teardown(world_goes_back, set_log, reset_log),
-	    cmocka_unit_test_setup_teardown(small_world_stays, set_log, reset_log),
-	    cmocka_unit_test_setup_teardown(other_is_missing, set_log, reset_log),
-	    cmocka_unit_test_setup_teardown(other_falls, set_log, reset_log),
-	    cmocka_unit_test_setup_teardown(user_decides, set_log, reset_log),
+	    cmocka_unit_test_setup_teardown(trial_decides, keep_log, forget_auto),
+	    cmocka_unit_test_setup_teardown(world_goes_back, keep_log, forget_auto),
+	    cmocka_unit_test_setup_teardown(small_world_stays, keep_log, forget_auto),
+	    cmocka_unit_test_setup_teardown(other_is_missing, keep_log, forget_auto),
+	    cmocka_unit_test_setup_teardown(other_falls, keep_log, forget_auto),
+	    cmocka_unit_test_setup_teardown(user_decides, keep_log, forget_auto),
 	    cmocka_unit_test(opening_is_waited_for),
 	};
-	return cmocka_run_group_tests(tests, find_other, NULL);
+	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_bad_collidables.c -- every function of collidables and contacts refuses what it must, says what and where, and changes nothing.
-#include "scree/scree.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "bad_input.h"
+#include "support/bad_input.h"
 #include <math.h>
 
 static void collidable_definitions(void** state)

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_bad_joints.c -- every function of joints refuses what it must, says what and where, and changes nothing.
-#include "scree/scree.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "bad_input.h"
+#include "support/bad_input.h"
+#include "support/make_joints.h"
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -36,23 +29,23 @@ static int set_up(void** state)
 {
 	set_up_bad_input(state);
 	scree_joint_def def = good_def();
-	assert_ok(scree_joint_create(world, &def, &joint));
-	assert_ok(scree_joint_create(world, &def, &gone));
-	assert_ok(scree_joint_destroy(world, gone));
+	joint = add_joint(world, &def);
+	gone = add_joint(world, &def);
+	OK(scree_joint_destroy(world, gone));
 	def.type = SCREE_JOINT_WELD;
 	def.body_a = SCREE_NULL_BODY;
-	assert_ok(scree_joint_create(world, &def, &weld));
+	weld = add_joint(world, &def);
 	def = good_gear();
-	assert_ok(scree_joint_create(world, &def, &gear));
+	gear = add_joint(world, &def);
 
 	// a joint of another world, in a slot that this world does not have
 	scree_body_def body_def = scree_body_def_default();
 	scree_joint_def alien_def = scree_joint_def_make(SCREE_JOINT_WELD);
-	assert_ok(scree_body_create(other, &body_def, &alien_def.body_b));
+	alien_def.body_b = create_body(other, &body_def);
 	for (int k = 0; k < 5; ++k)
-		assert_ok(scree_joint_create(other, &alien_def, &alien));
-	assert_ok(scree_world_step(world, 1.0f / 60.0f, 4));
-	assert_ok(scree_world_get_hash(world, &before));
+		alien = add_joint(other, &alien_def);
+	run_steps(world, 1);
+	before = hash_of(world);
 	return 0;
 }
 
@@ -125,12 +118,12 @@ static void coordinates(void** state)
 	};
 	for (size_t k = 0; k < sizeof numbers / sizeof *numbers; ++k)
 		for (int which = 0; which < 3; ++which)
-			for (int way = 0; way < 3; ++way)
+			for (int variant = 0; variant < 3; ++variant)
 			{
 				scree_joint_def def = good_def();
 				scree_joint handles[2] = {joint, weld};
 				scree_joint_coordinate values[2] = {def.coordinates[which], def.coordinates[which]};
-				float bad = way == 0 ? numbers[k].low : way == 1 ? numbers[k].high : NAN;
+				float bad = variant == 0 ? numbers[k].low : variant == 1 ? numbers[k].high : NAN;
 				memcpy((char*)&values[1] + numbers[k].offset, &bad, sizeof bad);
 				def.coordinates[which] = values[1];
 				INVALID(scree_joint_create, (world, &def, NULL), numbers[k].name);
@@ -142,7 +135,7 @@ static void coordinates(void** state)
 				        "values[1]");
 			}
 	scree_joint_coordinate crossed;
-	assert_ok(scree_joint_get_coordinate(world, joint, SCREE_ANGLE, &crossed));
+	OK(scree_joint_get_coordinate(world, joint, SCREE_ANGLE, &crossed));
 	crossed.lower = 1.0f;
 	crossed.limited = true;
 	INVALID(scree_joint_set_coordinate, (world, joint, SCREE_ANGLE, &crossed), "lower is 1, above upper, which is 0");
@@ -245,7 +238,6 @@ static void locked_motors(void** state)
 		static const char* const names[] = {"SCREE_ALONG", "SCREE_ACROSS", "SCREE_ANGLE"};
 		scree_joint_def def = scree_joint_def_make(SCREE_JOINT_MOTOR);
 		scree_joint_coordinate* c = def.coordinates + which;
-		scree_joint made;
 		char sentence[96];
 		def.body_a = body;
 		def.body_b = second;
@@ -259,11 +251,11 @@ static void locked_motors(void** state)
 		INVALID(scree_joint_create, (world, &def, NULL), sentence);
 		INVALID(scree_joints_create, (world, &def, 1, NULL), names[which]);
 		c->motor_max = 0.0f;
-		assert_ok(scree_joint_create(world, &def, &made));
+		scree_joint made = add_joint(world, &def);
 		c->motor_max = 3.0f;
 		c->motor_speed = 1.0f;
-		assert_ok(scree_joint_set_coordinate(world, made, (scree_coordinate)which, c));
-		assert_ok(scree_joint_destroy(world, made));
+		OK(scree_joint_set_coordinate(world, made, (scree_coordinate)which, c));
+		OK(scree_joint_destroy(world, made));
 	}
 }
 
@@ -332,7 +324,7 @@ static void coupling_changes(void** state)
 	STALE(scree_joint_set_bases, (world, gone, good_pose, good_pose), "joint (index 2");
 	STALE(scree_joint_set_bases, (world, SCREE_NULL_JOINT, good_pose, good_pose), "joint is null");
 	scree_joint_def def;
-	assert_ok(scree_joint_get_def(world, gear, &def));
+	OK(scree_joint_get_def(world, gear, &def));
 	assert_true(def.ratio == 1.0f && def.sides[0].base.position.x == 0.0f && def.sides[1].base.rotation.c == 1.0f);
 }
 

@@ -1,23 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_bad_queries.c -- every query refuses what it must, says what and where, and changes nothing.
-#include "scree/scree.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "bad_input.h"
+#include "support/bad_input.h"
 #include <float.h>
 #include <math.h>
-
-static scree_shape box(void)
-{
-	scree_shape shape;
-	assert_ok(scree_shape_make_box(0.5f, 0.5f, &shape));
-	return shape;
-}
 
 static void rays(void** state)
 {
@@ -30,7 +15,7 @@ static void rays(void** state)
 	INVALID(scree_world_cast_rays, (world, NULL, NULL, 2, found), "rays is null");
 	INVALID(scree_world_cast_rays, (world, NULL, list, 2, NULL), "found is null");
 	INVALID(scree_world_cast_rays, (world, NULL, list, -1, found), "count is -1");
-	assert_ok(scree_world_cast_rays(world, NULL, NULL, 0, NULL));
+	OK(scree_world_cast_rays(world, NULL, NULL, 0, NULL));
 #define RAY(status, change, sentence)                                                          \
 	list[1] = list[0];                                                                         \
 	list[1].change;                                                                            \
@@ -62,7 +47,7 @@ static void rays(void** state)
 static void shapes(void** state)
 {
 	(void)state;
-	scree_shape shape = box(), bad = shape;
+	scree_shape shape = box_shape(0.5f, 0.5f), bad = shape;
 	scree_probe probes[2] = {{.pose = good_pose}, {.pose = good_pose}};
 	scree_query_result found[2];
 	scree_query_results all;
@@ -129,7 +114,7 @@ static void sensors(void** state)
 	two[1] = 8;
 	INVALID(scree_collidables_set_reports, (world, pair, two, 2), "reports[1] is 8");
 	INVALID(scree_world_get_moved_bodies, (world, NULL), "list is null");
-	assert_ok(scree_collidable_get_sensor(world, part, &bits));
+	OK(scree_collidable_get_sensor(world, part, &bits));
 	assert_true(bits == 0);
 }
 
@@ -159,7 +144,7 @@ static void blasts(void** state)
 static void shapes_without_a_world(void** state)
 {
 	(void)state;
-	scree_shape shape = box();
+	scree_shape shape = box_shape(0.5f, 0.5f);
 	scree_distance distance;
 	scree_query_result found;
 	bool contains;
@@ -187,7 +172,7 @@ static void movers(void** state)
 	INVALID(scree_movers_move, (world, NULL, list, 2, NAN), "dt is nan");
 	INVALID(scree_movers_move, (world, NULL, list, 2, -0.1f), "dt is -0.1");
 	INVALID(scree_movers_move, (world, NULL, list, 2, 2), "dt is 2");
-	assert_ok(scree_movers_move(world, NULL, NULL, 0, 0.1f));
+	OK(scree_movers_move(world, NULL, NULL, 0, 0.1f));
 #define DEF(change, sentence)        \
 	def = scree_mover_def_default(); \
 	def.change;                      \

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_bad_rules.c -- bad input to the functions of rules gets a sentence, and changes nothing.
-#include "bad_input.h"
+#include "support/bad_input.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-
-#include <cmocka.h>
 
 static void materials(void** state)
 {

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_bad_scenes.c -- scene files: every kind of bad input with its sentence.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "scene_text.h"
+#include "support/scene_text.h"
 #include <string.h>
 
 #define SCRATCH "test_bad_scenes_scratch.json"
@@ -306,7 +299,8 @@ static void test_bad_paths(void** state)
 	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"rail\", \"at\": [0, 0], \"to\": [1, 0]"),
 	     "joints[0]: to: a path joint has one anchor, that of b"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"weld\", \"path\": \"rail\""), "joints[0].path: only a path joint has it"},
-	    {RAIL(GOOD_RAIL, "\"type\": \"weld\", \"initial_along\": 1"), "joints[0].initial_along: only a path joint has it"},
+	    {RAIL(GOOD_RAIL, "\"type\": \"weld\", \"initial_along\": 1"),
+	     "joints[0].initial_along: only a path joint has it"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }

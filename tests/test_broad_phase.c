@@ -2,17 +2,16 @@
 // test_broad_phase.c -- after every step, the contacts alive are exactly the pairs that a look at all pairs finds.
 //
 // The formula: {pairs of the contact pool} = {a < b alive : enlarged boxes overlap, filters agree, kinds meet, not of
-// one body}. Boxes are read from the device; lifetime, filter, kind and body come from the public interface. Each box
-// also contains the whole shape at the pose that transform computed.
-#include "support.h"
+// one body}. Boxes are read from the device; who is alive, its filter, kind and body are what the interface says. And
+// each box holds the whole shape where transform placed it.
+#include "support/different_pools.h"
+#include "support/make_bodies.h"
+#include "support/variants.h"
+#include "tools/common/random_numbers.h"
 #include "world/objects/handles.h"
 #include "world/world.h"
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 typedef struct // the user's view of one collidable
 {
@@ -49,14 +48,6 @@ static bool is_pair(const Item* a, const Item* b)
 	bool same_body = a->has_body && b->has_body && a->body.index == b->body.index;
 	bool meet = a->moves || b->moves || !a->has_body || !b->has_body;
 	return a->alive && b->alive && !same_body && meet && overlap(a->box, b->box) && filters_agree(a->filter, b->filter);
-}
-
-static void* read_pool(scree_world* world, PoolId pool, int count)
-{
-	void* items = calloc((size_t)count + 1, pool_info[pool].bytes);
-	assert_non_null(items);
-	OK(world->backend->f->read(world->backend, pool, 0, count, items));
-	return items;
 }
 
 // A corner of the shape and what is within its radius, in doubles.
@@ -178,16 +169,13 @@ static int check_pairs(scree_world* world, const char* name, int step)
 
 static scree_body put(scree_world* world, uint64_t* seed, scree_body_type type, scree_shape shape, float x, float y)
 {
-	scree_attribute_def surface = surface_of(shape);
 	scree_body_def def = scree_body_def_default();
 	def.type = type;
-	def.attribute = add_attribute(world, &surface);
+	def.attribute = shape_attribute(world, shape);
 	def.pose.position = (scree_vec){x, y};
 	if (type != SCREE_BODY_STATIC)
 		def.velocity.linear = (scree_vec){random_between(seed, -8.0f, 8.0f), random_between(seed, -8.0f, 8.0f)};
-	scree_body body;
-	OK(scree_body_create(world, &def, &body));
-	return body;
+	return create_body(world, &def);
 }
 
 static scree_shape any_shape(uint64_t* seed)
@@ -235,9 +223,7 @@ static void build_filters(scree_world* world, uint64_t* seed)
 	{
 		scree_body body =
 		    put(world, seed, SCREE_BODY_DYNAMIC, any_shape(seed), 0.1f * (float)(k % 9), 0.1f * (float)(k / 9));
-		scree_collidable part;
-		int count;
-		OK(scree_body_get_collidables(world, body, &part, 1, &count));
+		scree_collidable part = collidable_of(world, body);
 		OK(scree_collidable_set_filter(world, part, any_filter(seed)));
 	}
 }
@@ -328,9 +314,8 @@ static void build_compound(scree_world* world, uint64_t* seed)
 // large kinematic bodies among few others: their traversals skip kinematic collidables, until those change their type
 static void build_kinematic(scree_world* world, uint64_t* seed)
 {
-	scree_attribute_def surface = surface_of(box_shape(0.5f, 0.5f));
 	scree_collidable_def def = scree_collidable_def_default();
-	def.attribute = add_attribute(world, &surface);
+	def.attribute = shape_attribute(world, box_shape(0.5f, 0.5f));
 	for (int k = 0; k < 12; ++k)
 	{
 		def.body =
@@ -352,9 +337,7 @@ static scree_collidable add_free(scree_world* world, uint64_t* seed, float x, fl
 	scree_collidable_def def = scree_collidable_def_default();
 	def.attribute = add_attribute(world, &surface);
 	def.pose.position = (scree_vec){x, y};
-	scree_collidable made;
-	OK(scree_collidable_create(world, &def, &made));
-	return made;
+	return create_collidable(world, &def);
 }
 
 // collidables without a body among bodies of all kinds
@@ -394,7 +377,7 @@ static void change_body(scree_world* world, const Layout* layout, scree_body bod
 	switch (random_below(seed, 10))
 	{
 	case 0: // its slot is taken again, where it was
-		OK(scree_body_get_pose(world, body, &back));
+		back = pose_of(world, body);
 		OK(scree_body_destroy(world, body));
 		put(world, seed, type, any_shape(seed), back.position.x, back.position.y);
 		break;
@@ -405,7 +388,7 @@ static void change_body(scree_world* world, const Layout* layout, scree_body bod
 		OK(scree_body_set_pose(world, body, pose));
 		break;
 	case 3: // there and back
-		OK(scree_body_get_pose(world, body, &back));
+		back = pose_of(world, body);
 		OK(scree_body_set_pose(world, body, pose));
 		OK(scree_body_set_pose(world, body, back));
 		break;
@@ -516,10 +499,9 @@ static const Layout layouts[] = {
     {"nothing", build_nothing, {0.0f, 0.0f}, {2.0f, 2.0f}, 60, 1},
 };
 
-static void run_layout(const Layout* layout, const Way* way)
+static void run_layout(const Layout* layout, const Variant* variant)
 {
-	scree_world_def def = scree_world_def_default();
-	scree_world* world = open_on(way, &def);
+	scree_world* world = open_default_variant(variant);
 	uint64_t seed = 77;
 	layout->build(world, &seed);
 	int steps = quick() ? layout->steps / 2 : layout->steps, most = 0, traversals = 0;
@@ -534,32 +516,32 @@ static void run_layout(const Layout* layout, const Way* way)
 		most = pairs > most ? pairs : most;
 		traversals += world->pipeline.counters.traversals;
 	}
-	print_message("%s on %s: up to %d pairs, %d long walks\n", layout->name, way->name, most, traversals);
-	assert_true(layout->build != build_huges || way->threads == 1 || traversals > 0);
+	print_message("%s on %s: up to %d pairs, %d long traversals\n", layout->name, variant->name, most, traversals);
+	assert_true(layout->build != build_huges || variant->threads == 1 || traversals > 0);
 	scree_world_destroy(world);
 }
 
 static void pairs_are_complete(void** state)
 {
-	const Way alone = {.name = "one thread", .device = "cpu", .threads = 1},
-	          both = {.name = "two threads", .device = "cpu", .threads = 2};
+	const Variant alone = {.name = "one thread", .device = "cpu", .threads = 1},
+	              both = {.name = "two threads", .device = "cpu", .threads = 2};
 	run_layout(*state, &alone);
 	run_layout(*state, &both);
 }
 
 static void pairs_are_complete_on_opencl(void** state)
 {
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways), found = 0;
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants), found = 0;
 	for (int k = 0; k < count; ++k)
-		if (ways[k].threads == 0 && strcmp(ways[k].persistent, "0") == 0)
+		if (variants[k].threads == 0 && strcmp(variants[k].persistent, "0") == 0)
 		{
 			++found;
-			run_layout(layouts, ways + k);
+			run_layout(layouts, variants + k);
 			for (size_t l = 0; l < sizeof layouts / sizeof *layouts; ++l)
 				if (layouts[l].build == build_huges || layouts[l].build == build_kinematic)
-					run_layout(layouts + l, ways + k);
-			run_layout(*state, ways + k);
+					run_layout(layouts + l, variants + k);
+			run_layout(*state, variants + k);
 		}
 	if (found == 0)
 		skip();

@@ -3,14 +3,7 @@
 #include "opencl/cache.h"
 #include "opencl/compile.h"
 #include "opencl/device.h"
-#include "platform/error.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
+#include "support/checks.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
 // test_characters.c -- characters of scenes: by keys, by a script, what they take, and the whole scene platformer.
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "scene/scene_keys.h"
-#include "scene_text.h"
-#include "small_scenes.h"
-#include "support.h"
+#include "support/make_bodies.h"
+#include "support/scene_text.h"
+#include "support/small_scenes.h"
+#include <math.h>
 
 #define SCRATCH "test_characters_scratch.json"
 #define TOWN(more)                                                                                                    \
@@ -38,12 +31,8 @@ typedef struct
 
 static Town open_town(const char* text)
 {
-	char sentence[SCENE_SENTENCE] = "";
-	Town t = {.scene = load_text(SCRATCH, text, NULL, 0, sentence)};
-	if (!t.scene)
-		fail_msg("%s", sentence);
-	OK(scree_world_create(&t.scene->world, &t.world));
-	OK(scene_build(t.scene, t.world));
+	Town t = {.scene = load_good_text(SCRATCH, text)};
+	t.world = open_scene_world(t.scene);
 	OK(walk_open(&t.walkers, t.scene, t.world));
 	return t;
 }
@@ -62,9 +51,7 @@ static scree_vec after(Town* t, int steps, uint32_t down)
 		OK(walk_step(&t->walkers, t->world, t->step++, down));
 		OK(scree_world_step(t->world, t->scene->dt, t->scene->substeps));
 	}
-	scree_pose pose;
-	OK(scree_body_get_pose(t->world, t->walkers.bodies[0], &pose));
-	return pose.position;
+	return position_of(t->world, t->walkers.bodies[0]);
 }
 
 #define KEY_BIT(name) (1u << SCENE_KEY_##name)
@@ -131,15 +118,14 @@ static void belts_carry(void** state)
 static void the_scene_is_played(void** state)
 {
 	(void)state;
-	Story story = small_scene("platformer");
-	const Scene* scene = story.context;
-	scree_world* world;
-	OK(scree_world_create(&story.def, &world));
-	story.build(world, scene);
+	Scenario scenario = small_scene("platformer");
+	const Scene* scene = scenario.context;
+	scree_world* world = create_world(&scenario.def);
+	scenario.build(world, scene);
 	for (int step = 0; step < scene->steps; ++step)
 	{
-		story.act(world, step, scene);
-		OK(scree_world_step(world, story.dt, story.substeps));
+		scenario.act(world, step, scene);
+		OK(scree_world_step(world, scenario.dt, scenario.substeps));
 	}
 	print_message("%d of 30 coins\n", small_walkers.taken);
 	assert_true(small_walkers.taken >= 15);

@@ -5,15 +5,10 @@
 // contacts, and the memory that is reserved for them.
 #include "platform/processor.h"
 #include "stages/geometry/box.h"
-#include "world/world.h" // before cmocka, which makes a macro of fail
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
+#include "support/make_bodies.h"
+#include "support/scenarios.h"
+#include "tools/common/random_numbers.h"
+#include "world/world.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,25 +16,25 @@
 #define SIDE  60 // circles along a side of the field
 #define PITCH 1.2f
 
-static void for_every_device(void (*check)(const Way* way))
+static void for_every_device(void (*check)(const Variant* variant))
 {
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
-	static int turn;
-	++turn;
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants);
+	static int round;
+	++round;
 	for (int k = 0; k < count; ++k)
-		if (!ways[k].other[0] && (ways[k].threads == 0 || ways[k].lanes == processor_widest_lanes()) &&
-		    way_has_turn(ways, count, k, turn))
-			check(ways + k);
+		if (!variants[k].other[0] && (variants[k].threads == 0 || variants[k].lanes == processor_widest_lanes()) &&
+		    variant_is_due(variants, count, k, round))
+			check(variants + k);
 }
 
-static scree_world* open_way(const Way* way, int contact_capacity, int contact_limit)
+static scree_world* open_with_limits(const Variant* variant, int contact_capacity, int contact_limit)
 {
 	scree_world_def def = scree_world_def_default();
 	def.gravity.y = 0.0f;
 	def.contact_capacity = contact_capacity;
 	def.contact_limit = contact_limit;
-	return open_on(way, &def);
+	return open_variant(variant, &def);
 }
 
 static scree_vec any_place(uint64_t* seed)
@@ -81,13 +76,12 @@ typedef struct
 } Mix;
 
 // The field, churned for some steps. Returns the most nodes that were met after any step.
-static double churned(const Way* way, Mix mix)
+static double churned(const Variant* variant, Mix mix)
 {
-	scree_world* world = open_way(way, 0, 0);
-	scree_attribute_def surface = surface_of(circle_shape(0.4f));
+	scree_world* world = open_with_limits(variant, 0, 0);
 	scree_body_def* defs = calloc(SIDE * SIDE, sizeof *defs);
 	scree_body* bodies = calloc(SIDE * SIDE, sizeof *bodies);
-	scree_attribute circle = add_attribute(world, &surface);
+	scree_attribute circle = shape_attribute(world, circle_shape(0.4f));
 	uint64_t seed = 5;
 	for (int k = 0; k < SIDE * SIDE; ++k)
 	{
@@ -116,7 +110,7 @@ static double churned(const Way* way, Mix mix)
 			int item = (7919 * (k + step * mix.replaced)) % (SIDE * SIDE);
 			OK(scree_body_destroy(world, bodies[item]));
 			defs[item].pose.position = any_place(&seed);
-			OK(scree_body_create(world, defs + item, &bodies[item]));
+			bodies[item] = create_body(world, defs + item);
 		}
 		run_steps(world, 1);
 		double met = nodes_met(world);
@@ -129,14 +123,14 @@ static double churned(const Way* way, Mix mix)
 }
 
 // Nodes of leaves in rows meet a place about twice; a node that spans the field would meet every place alone.
-static void check_order(const Way* way)
+static void check_order(const Variant* variant)
 {
 	static const Mix mixes[] = {{0, 0, false},  {0, 0, true},    {200, 0, false},
 	                            {20, 0, false}, {0, 400, false}, {100, 400, true}};
 	for (size_t k = 0; k < sizeof mixes / sizeof *mixes; ++k)
 	{
-		double met = churned(way, mixes[k]);
-		print_message("%s: %d moved, %d replaced%s: a place meets %.1f nodes\n", way->name, mixes[k].moved,
+		double met = churned(variant, mixes[k]);
+		print_message("%s: %d moved, %d replaced%s: a place meets %.1f nodes\n", variant->name, mixes[k].moved,
 		              mixes[k].replaced, mixes[k].shuffled ? ", shuffled" : "", met);
 		// leaves that stay unsorted cost less than sorting them; with none sorted there would be some 150 nodes
 		assert_true(met < 45.0);
@@ -157,11 +151,11 @@ static void jumps_do_not_widen_nodes(void** state)
 
 // Boxes at one point make CROWD * (CROWD - 1) / 2 pairs. With one less allowed the step fails, changes nothing, and says
 // where they are; moved apart, the world goes on as one that never was crowded.
-static void check_crowd(const Way* way)
+static void check_crowd(const Variant* variant)
 {
 	const int pairs = CROWD * (CROWD - 1) / 2;
-	scree_world *world = open_way(way, 0, pairs - 1), *ample = open_way(way, 4 * pairs, pairs - 1),
-	            *calm = open_way(way, 0, 0);
+	scree_world *world = open_with_limits(variant, 0, pairs - 1),
+	            *ample = open_with_limits(variant, 4 * pairs, pairs - 1), *calm = open_with_limits(variant, 0, 0);
 	scree_world* worlds[3] = {world, ample, calm};
 	scree_body bodies[CROWD];
 	scree_pose apart[CROWD];
@@ -238,7 +232,7 @@ static void build_row(scree_world* world, const void* context)
 	(void)context;
 	add_floor(world);
 	for (int k = 0; k < 50; ++k)
-		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -50.0f + 1.1f * (float)k, 0.5f);
+		add_crate(world, SCREE_BODY_DYNAMIC, -50.0f + 1.1f * (float)k, 0.5f);
 }
 
 // A heap comes, and is gone; meanwhile boxes fall onto the row, so that contacts in high slots outlive the heap.
@@ -251,36 +245,31 @@ static void heap_comes(scree_world* world, int step, const void* context)
 	for (int k = 0; k < HEAP && step == 10; ++k)
 		add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.25f, 40.0f, 20.0f + 0.001f * (float)k);
 	for (int k = 0; k < 10 && step == 12; ++k)
-		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -50.0f + 2.2f * (float)k, 1.5f);
+		add_crate(world, SCREE_BODY_DYNAMIC, -50.0f + 2.2f * (float)k, 1.5f);
 	if (step == 20)
 		OK(scree_bodies_destroy(world, bodies + 51, HEAP));
 }
 
-static Story heap_story(int contacts)
+static Scenario heap_scenario(int contacts)
 {
-	Story story = {.name = "heap",
-	               .def = scree_world_def_default(),
-	               .dt = STEP,
-	               .substeps = 1,
-	               .steps = CALM,
-	               .build = build_row,
-	               .act = heap_comes};
-	story.def.contact_capacity = contacts;
-	return story;
+	Scenario scenario = scenario_of("heap", CALM, build_row, heap_comes, NULL);
+	scenario.substeps = 1;
+	scenario.def.contact_capacity = contacts;
+	return scenario;
 }
 
 // The same bits with pools that grow and shrink as with pools that have room for all from the start; then the room for
 // 8,000 contacts is gone again, and the slots that they had.
-static void check_room(const Way* way)
+static void check_room(const Variant* variant)
 {
 	uint64_t* hashes[2] = {calloc(CALM, sizeof(uint64_t)), calloc(CALM, sizeof(uint64_t))};
 	scree_counters small, ample;
-	Story stories[2] = {heap_story(0), heap_story(AMPLE)};
-	tell(&stories[0], way, hashes[0], &small);
-	tell(&stories[1], way, hashes[1], &ample);
+	Scenario scenarios[2] = {heap_scenario(0), heap_scenario(AMPLE)};
+	record(&scenarios[0], variant, hashes[0], &small);
+	record(&scenarios[1], variant, hashes[1], &ample);
 	if (memcmp(hashes[0], hashes[1], CALM * sizeof(uint64_t)) != 0)
-		check_same(&stories[0], &stories[1], way);
-	print_message("%s: %d contacts, %.2f MB, with ample room %.2f MB\n", way->name, small.contacts,
+		check_same(&scenarios[0], &scenarios[1], variant);
+	print_message("%s: %d contacts, %.2f MB, with ample room %.2f MB\n", variant->name, small.contacts,
 	              1e-6 * (double)small.device_bytes, 1e-6 * (double)ample.device_bytes);
 	assert_true(small.reallocations > ample.reallocations);
 	assert_true(small.device_bytes < ample.device_bytes / 8);
@@ -307,17 +296,16 @@ static uint64_t bytes_of(const Backend* b)
 static void bytes_are_right(void** state)
 {
 	(void)state;
-	Story story = heap_story(0);
-	story.def.device = "cpu";
-	story.def.threads = 1;
-	scree_world* world;
-	OK(scree_world_create(&story.def, &world));
-	story.build(world, NULL);
+	Scenario scenario = heap_scenario(0);
+	scenario.def.device = "cpu";
+	scenario.def.threads = 1;
+	scree_world* world = create_world(&scenario.def);
+	scenario.build(world, NULL);
 	uint64_t most = 0;
 	int slots = 0;
 	for (int step = 0; step < CALM; ++step)
 	{
-		story.act(world, step, NULL);
+		scenario.act(world, step, NULL);
 		OK(scree_world_step(world, STEP, 1));
 		scree_counters counters = counters_of(world);
 		assert_true(counters.device_bytes == bytes_of(world->backend));

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // test_colors.c -- the stages that color contacts, lay them out, and split bodies between hubs, against answers worked out by
 // the plainest way.
-#include "stage_support.h"
+#include "support/each_backend.h"
+#include "tools/common/random_numbers.h"
+#include <stdlib.h>
+#include <string.h>
 
 // for the priorities of contacts
-#include "stage_items.h"
+#include "support/stage_items.h"
 
 #include "stages/color/color.h"
 
@@ -97,15 +100,15 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	counters->over_limit = g->contacts;
 	counters->dirty[CONSTRAINT_CONTACT] = 1;
 	const Step step = {.place_capacity[CONSTRAINT_CONTACT] = MOST_ITEMS};
-	put(b, POOL_counters, 1, counters);
-	put(b, POOL_body, g->bodies, bodies);
-	put(b, POOL_color_mask, g->bodies, g->mask);
-	put(b, POOL_touching, g->bodies, g->touching);
-	put(b, POOL_contact_bodies, g->contacts, g->ends);
-	put(b, POOL_contact_color, g->contacts, g->color);
-	put(b, POOL_pair, g->contacts, g->ends);
-	put(b, POOL_collidable_kind, g->bodies, g->kind);
-	put(b, POOL_began, g->began_count, g->began);
+	put_items(b, POOL_counters, 1, counters);
+	put_items(b, POOL_body, g->bodies, bodies);
+	put_items(b, POOL_color_mask, g->bodies, g->mask);
+	put_items(b, POOL_touching, g->bodies, g->touching);
+	put_items(b, POOL_contact_bodies, g->contacts, g->ends);
+	put_items(b, POOL_contact_color, g->contacts, g->color);
+	put_items(b, POOL_pair, g->contacts, g->ends);
+	put_items(b, POOL_collidable_kind, g->bodies, g->kind);
+	put_items(b, POOL_began, g->began_count, g->began);
 	run_one(b, &step, KERNEL_hub_enter, g->contacts, COUNT(over_limit), 0);
 	int done = 0;
 	do
@@ -118,7 +121,7 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 			run_one(b, &(Step){0}, KERNEL_color_claim, g->contacts, count, done);
 			run_one(b, &(Step){0}, KERNEL_color_assign, g->contacts, count, done);
 		}
-		get(b, POOL_counters, 1, counters);
+		get_items(b, POOL_counters, 1, counters);
 	} while (counters->uncolored[(done - 1) % MAX_ROUNDS + 1] > 0);
 	run_one(b, &(Step){0}, KERNEL_color_reset, g->contacts, COUNT(began), 0);
 	run_one(b, &step, KERNEL_color_arrange, 1, NO_COUNT, ((done - 1) % MAX_ROUNDS + 1) | KEY_BITS << 8);
@@ -128,14 +131,14 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	run_one(b, &step, PRIMITIVE_SCAN, g->contacts, COUNT(arrange), 0);
 	run_one(b, &step, KERNEL_contact_range, 1, NO_COUNT, 0);
 	run_one(b, &step, KERNEL_contact_layout, g->contacts, COUNT(arrange), KEY_BITS);
-	get(b, POOL_contact_color, g->contacts, color);
-	get(b, POOL_color_mask, g->bodies, mask);
+	get_items(b, POOL_contact_color, g->contacts, color);
+	get_items(b, POOL_color_mask, g->bodies, mask);
 
 	// claims are zero between steps
 	Word* claims = calloc((size_t)g->bodies, sizeof *claims);
 	for (int odd = 0; odd < 2; ++odd)
 	{
-		get(b, odd ? POOL_claim1 : POOL_claim0, g->bodies, claims);
+		get_items(b, odd ? POOL_claim1 : POOL_claim0, g->bodies, claims);
 		for (int k = 0; k < g->bodies; ++k)
 			assert_int_equal(claims[k], 0);
 	}
@@ -190,11 +193,11 @@ static void check_layout(Backend* b, const Graph* g)
 	Counters* counters = calloc(1, sizeof *counters);
 	int* constraints = calloc(MOST_ITEMS, sizeof *constraints);
 	int* places = calloc((size_t)g->contacts, sizeof *places);
-	get(b, POOL_counters, 1, counters);
-	get(b, POOL_contact_place_slot, MOST_ITEMS, constraints);
-	get(b, POOL_contact_place, g->contacts, places);
+	get_items(b, POOL_counters, 1, counters);
+	get_items(b, POOL_contact_place_slot, MOST_ITEMS, constraints);
+	get_items(b, POOL_contact_place, g->contacts, places);
 	int* hubs = calloc((size_t)g->bodies, sizeof *hubs);
-	get(b, POOL_hub, g->bodies, hubs);
+	get_items(b, POOL_hub, g->bodies, hubs);
 	int place = 0, touching = 0;
 	for (int color = 0; color < COLORS; ++color)
 	{
@@ -463,17 +466,17 @@ static void parts_come_together(void** state)
 	for (int k = 0; k < backend_count; ++k)
 	{
 		Backend* d = backends[k];
-		put(d, POOL_counters, 1, &w->counters);
-		put(d, POOL_body, 1 + HUBS + LIGHTS, w->bodies);
-		put(d, POOL_touching, 1 + HUBS + LIGHTS, w->touching);
-		put(d, POOL_hub, HUBS, hubs);
-		put(d, POOL_hub_keys, 1 + HUBS, w->keys);
-		put(d, POOL_contact_place_slot, HUBS * 64, w->slots);
-		put(d, POOL_contact_rows, HUBS * 64 / MAX_LANES, w->constraints);
+		put_items(d, POOL_counters, 1, &w->counters);
+		put_items(d, POOL_body, 1 + HUBS + LIGHTS, w->bodies);
+		put_items(d, POOL_touching, 1 + HUBS + LIGHTS, w->touching);
+		put_items(d, POOL_hub, HUBS, hubs);
+		put_items(d, POOL_hub_keys, 1 + HUBS, w->keys);
+		put_items(d, POOL_contact_place_slot, HUBS * 64, w->slots);
+		put_items(d, POOL_contact_rows, HUBS * 64 / MAX_LANES, w->constraints);
 		run_one(d, &(Step){0}, KERNEL_hub_key, places, NO_COUNT, 0);
 		run_sort(d, places, HUB_KEY_COLOR, 32 + 7);
 		run_one(d, &(Step){0}, KERNEL_hub_order, places, NO_COUNT, places);
-		get(d, POOL_spokes, places / MAX_LANES, w->spokes);
+		get_items(d, POOL_spokes, places / MAX_LANES, w->spokes);
 		for (int i = 0; i < places; ++i)
 		{
 			Spokes* s = w->spokes + i / MAX_LANES;
@@ -488,12 +491,12 @@ static void parts_come_together(void** state)
 		own->hub_x[0] = 1.0f;
 		own->hub_y[0] = 2.0f;
 		own->hub_w[0] = 3.0f;
-		put(d, POOL_spokes, places / MAX_LANES, w->spokes);
+		put_items(d, POOL_spokes, places / MAX_LANES, w->spokes);
 		for (int turn = 0; turn < HUB_COLORS; ++turn)
 			run_one(d, &(Step){0}, KERNEL_hub_merge, places, COUNT(split), turn);
 
 		BodyState after[1 + HUBS + LIGHTS];
-		get(d, POOL_body, 1 + HUBS + LIGHTS, after);
+		get_items(d, POOL_body, 1 + HUBS + LIGHTS, after);
 		for (int body = 0; body < 1 + HUBS + LIGHTS; ++body)
 		{
 			BodyState b = w->bodies[body];
@@ -512,5 +515,5 @@ int main(void)
 	    cmocka_unit_test(star_is_a_hub),
 	    cmocka_unit_test(parts_come_together),
 	};
-	return cmocka_run_group_tests(tests, open_backends, close_backends);
+	return cmocka_run_group_tests(tests, open_stage_backends, close_backends);
 }

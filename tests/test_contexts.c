@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_contexts.c -- worlds of a process share the context and the program of an OpenCL device: one after the other, at once and
-// from threads; after a failure they do not.
-#include "moving.h"
+// test_contexts.c -- worlds of a process share the context and the program of an OpenCL device: one after the other, at once, by
+// threads, and no more after a failure.
 #include "opencl/loader.h"
+#include "support/second_device.h"
 #include <pthread.h>
 #include <stdatomic.h>
 
@@ -44,7 +44,7 @@ static int begin(void** state)
 	opencl.BuildProgram = count_build;
 	opencl.CreateBuffer = count_buffer;
 	buffers_left = -1;
-	return find_other(state);
+	return find_second_device(state);
 }
 
 static int end(void** state)
@@ -54,7 +54,7 @@ static int end(void** state)
 	return 0;
 }
 
-static scree_world* open_there(void) { return open_pile(other, true); }
+static scree_world* open_there(void) { return open_pile(second_device, true); }
 
 static uint64_t fall(scree_world* world)
 {
@@ -65,7 +65,7 @@ static uint64_t fall(scree_world* world)
 static void worlds_share_a_context(void** state)
 {
 	(void)state;
-	NEEDS_OTHER();
+	NEEDS_SECOND_DEVICE();
 	scree_world_destroy(open_there());
 	int before = contexts, built = programs;
 	scree_world* worlds[WORLDS];
@@ -84,12 +84,12 @@ static void worlds_share_a_context(void** state)
 static void a_failure_ends_the_sharing(void** state)
 {
 	(void)state;
-	NEEDS_OTHER();
+	NEEDS_SECOND_DEVICE();
 	scree_world* old = open_there();
 	uint64_t hash = fall(old);
 	int before = contexts;
 	scree_world_def def = scree_world_def_default();
-	def.device = other;
+	def.device = second_device;
 	scree_world* none;
 	buffers_left = 3;
 	assert_int_equal(scree_world_create(&def, &none), SCREE_ERROR_DEVICE_FAILED);
@@ -126,7 +126,7 @@ static void* open_and_close(void* argument)
 static void threads_open_and_close(void** state)
 {
 	(void)state;
-	NEEDS_OTHER();
+	NEEDS_SECOND_DEVICE();
 	scree_world* world = open_there();
 	uint64_t hash = fall(world);
 	scree_world_destroy(world);

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // test_couplings.c -- gears and pulleys against formulas: ratios, tensions, racks, winches, many turns, swinging loads.
-#include "joint_support.h"
-#include "support.h"
-
-#define G 10.0 // m/s^2
+#include "support/log_lines.h"
+#include "support/make_joints.h"
+#include <math.h>
 
 // A wheel on a hinge.
 static scree_body add_wheel(scree_world* world, float radius, float x, float y)
 {
-	scree_attribute_def def = surface_of(circle_shape(radius));
-	scree_body wheel = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), x, y, 0.0f);
+	scree_body wheel = add_shape(world, SCREE_BODY_DYNAMIC, circle_shape(radius), x, y, 0.0f);
 	join(world, SCREE_JOINT_REVOLUTE, NOBODY, wheel, x, y);
 	return wheel;
 }
@@ -21,12 +19,6 @@ static scree_joint_def coupling(scree_joint_type type, scree_body a, scree_body 
 	def.body_b = b;
 	def.ratio = ratio;
 	return def;
-}
-
-static scree_joint couple(scree_world* world, scree_joint_def* def)
-{
-	GOOD(scree_joint_def_couple(world, def));
-	return add_joint(world, def);
 }
 
 static scree_joint gear(scree_world* world, scree_body a, scree_body b, float ratio)
@@ -145,8 +137,8 @@ static void tackles_balance(void** state)
 	for (int ratio = 1; ratio <= 100; ratio *= 10)
 	{
 		scree_world* world = open_world((float)-G);
-		scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -2.0f, 0.0f);
-		scree_body b = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 2.0f, 0.0f);
+		scree_body a = add_crate(world, SCREE_BODY_DYNAMIC, -2.0f, 0.0f);
+		scree_body b = add_crate(world, SCREE_BODY_DYNAMIC, 2.0f, 0.0f);
 		double m = mass_of(world, b).mass;
 		float heavy = (float)(ratio * m);
 		OK(scree_body_set_mass(world, a, (scree_mass){heavy, heavy / 6.0f, {0.0f, 0.0f}}));
@@ -170,12 +162,12 @@ static void ropes_hang_slack(void** state)
 	(void)state;
 	scree_world* world = open_world((float)-G);
 	add_floor(world);
-	scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -2.0f, 0.5f);
-	scree_body b = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 2.0f, 3.0f);
+	scree_body a = add_crate(world, SCREE_BODY_DYNAMIC, -2.0f, 0.5f);
+	scree_body b = add_crate(world, SCREE_BODY_DYNAMIC, 2.0f, 3.0f);
 	scree_joint_def def = coupling(SCREE_JOINT_PULLEY, a, b, 1.0f);
 	def.sides[0].base.position = (scree_vec){-2.0f, 10.0f};
 	def.sides[1].base.position = (scree_vec){2.0f, 10.0f};
-	GOOD(scree_joint_def_couple(world, &def));
+	OK(scree_joint_def_couple(world, &def));
 	scree_joint_coordinate* along = def.coordinates;
 	along->locked = false;
 	along->limited = true;
@@ -287,19 +279,19 @@ static void turns_are_counted(void** state)
 	scree_world* world = open_world(0.0f);
 	scree_body a = add_wheel(world, 0.5f, 0.0f, 0.0f), b = add_wheel(world, 0.5f, 5.0f, 0.0f);
 	scree_joint joint = gear(world, a, b, 1.0f);
-	OK(scree_body_set_velocity(world, a, (scree_velocity){{0.0f, 0.0f}, 20.0f}));
+	throw_body(world, a, 0.0f, 0.0f, 20.0f);
 	run_steps(world, 600);
 	double turned = joint_state_of(world, joint).values[1];
 	assert_true(turned > 50.0);
-	for (int way = 0; way < 3; ++way)
+	for (int variant = 0; variant < 3; ++variant)
 	{
-		if (way == 0)
+		if (variant == 0)
 		{
 			OK(scree_body_set_enabled(world, b, false));
 			run_steps(world, 3);
 			OK(scree_body_set_enabled(world, b, true));
 		}
-		else if (way == 1)
+		else if (variant == 1)
 		{
 			OK(scree_body_set_type(world, b, SCREE_BODY_KINEMATIC));
 			OK(scree_body_set_type(world, b, SCREE_BODY_DYNAMIC));
@@ -308,8 +300,8 @@ static void turns_are_counted(void** state)
 			OK(scree_body_set_pose(world, b, (scree_pose){{5.0f, 0.0f}, scree_rot_make(angle_of(world, b) + 0.3f)}));
 		run_steps(world, 120);
 		scree_joint_state at = joint_state_of(world, joint);
-		print_message("way %d: gear at %.4f rad, wheels at %.3f and %.3f rad, %.3f rad/s\n", way, (double)at.values[0],
-		              (double)at.values[1], (double)at.values[2], (double)at.speeds[1]);
+		print_message("variant %d: gear at %.4f rad, wheels at %.3f and %.3f rad, %.3f rad/s\n", variant,
+		              (double)at.values[0], (double)at.values[1], (double)at.values[2], (double)at.speeds[1]);
 		NEAR(at.values[0], 0.0, 2e-3);
 		NEAR(fabs(at.speeds[1]), 10.0, 4.0);
 	}
@@ -331,23 +323,23 @@ static void other_types_have_none(void** state)
 {
 	(void)state;
 	uint64_t hashes[3];
-	for (int way = 0; way < 3; ++way)
+	for (int variant = 0; variant < 3; ++variant)
 	{
 		scree_world* world = open_world((float)-G);
-		scree_body a = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
-		scree_body b = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 2.0f, 0.0f);
+		scree_body a = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
+		scree_body b = add_crate(world, SCREE_BODY_DYNAMIC, 2.0f, 0.0f);
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_REVOLUTE, a, b, 1.0f, 0.0f, 0.0f);
-		for (int k = 0; way == 1 && k < 2; ++k)
+		for (int k = 0; variant == 1 && k < 2; ++k)
 			def.sides[k] = (scree_joint_side){(scree_measure)k, {{NAN, NAN}, {0.0f, NAN}}, NAN};
-		def.ratio = way == 1 ? -NAN : def.ratio;
-		def.size = way == 2 ? (uint32_t)offsetof(scree_joint_def, ratio) : def.size;
+		def.ratio = variant == 1 ? -NAN : def.ratio;
+		def.size = variant == 2 ? (uint32_t)offsetof(scree_joint_def, ratio) : def.size;
 		add_joint(world, &def);
 		run_steps(world, 3);
 		OK(scree_body_set_enabled(world, b, false));
 		run_steps(world, 3);
 		OK(scree_body_set_enabled(world, b, true));
 		run_steps(world, 3);
-		hashes[way] = hash_of(world);
+		hashes[variant] = hash_of(world);
 		scree_world_destroy(world);
 	}
 	assert_int_equal(hashes[1], hashes[0]);
@@ -400,5 +392,5 @@ int main(void)
 	    cmocka_unit_test(turns_are_counted),
 	    cmocka_unit_test(other_types_have_none),
 	};
-	return cmocka_run_group_tests(tests, set_warnings, reset_warnings);
+	return cmocka_run_group_tests(tests, keep_log, release_log);
 }

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 // test_cuda.c -- rays in memory that CUDA allocated are answered like those of the host. Skipped where there is no CUDA.
-#include "support.h"
+#include "support/make_bodies.h"
+#include "tools/common/random_numbers.h"
 #include <dlfcn.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 // The driver's interface, of which no header may be at hand (NVIDIA, CUDA Driver API, Virtual Memory Management).
 typedef struct
@@ -72,8 +68,7 @@ static void rays_of_cuda(void** state)
 	}
 	scree_world_def def = scree_world_def_default();
 	def.device = "opencl:NVIDIA";
-	scree_world* world;
-	OK(scree_world_create(&def, &world));
+	scree_world* world = create_world(&def);
 	if (scree_world_get_sharing(world) != SCREE_SHARING_MEMORY)
 	{
 		print_message("skipped: the driver shares no memory\n");
@@ -82,7 +77,7 @@ static void rays_of_cuda(void** state)
 	}
 	add_floor(world);
 	for (int k = 0; k < 500; ++k)
-		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 1.3f * (float)(k % 50), 0.6f + 1.1f * (float)(k / 50));
+		add_crate(world, SCREE_BODY_DYNAMIC, 1.3f * (float)(k % 50), 0.6f + 1.1f * (float)(k / 50));
 	run_steps(world, 30);
 
 	void* context;

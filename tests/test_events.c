@@ -1,44 +1,14 @@
 // SPDX-License-Identifier: MIT
 // test_events.c -- touches and hits: what they say, that each touch that begins ends once, and that all devices agree.
-#include "support.h"
+#include "support/make_joints.h"
+#include "support/variants.h"
+#include "tools/common/byte_hash.h"
+#include "tools/common/random_numbers.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #define ALL (SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS)
-
-static scree_body add_reporter(scree_world* world, scree_shape shape, uint32_t reports, float x, float y)
-{
-	scree_attribute_def surface = surface_of(shape);
-	scree_body_def def = scree_body_def_default();
-	def.attribute = add_attribute(world, &surface);
-	def.pose.position = (scree_vec){x, y};
-	def.reports = reports;
-	scree_body body;
-	OK(scree_body_create(world, &def, &body));
-	return body;
-}
-
-static scree_collidable collidable_of(scree_world* world, scree_body body)
-{
-	scree_collidable collidable;
-	int count;
-	OK(scree_body_get_collidables(world, body, &collidable, 1, &count));
-	assert_int_equal(count, 1);
-	return collidable;
-}
-
-static scree_events events_of(scree_world* world)
-{
-	scree_events events;
-	OK(scree_world_get_events(world, &events));
-	return events;
-}
 
 static int moved_of(scree_world* world, scree_body* first)
 {
@@ -49,10 +19,8 @@ static int moved_of(scree_world* world, scree_body* first)
 	*first = list.count > 0 ? list.bodies[0].body : SCREE_NULL_BODY;
 	for (int k = 0; k < list.count; ++k)
 	{
-		scree_pose pose;
-		scree_velocity velocity;
-		OK(scree_body_get_pose(world, list.bodies[k].body, &pose));
-		OK(scree_body_get_velocity(world, list.bodies[k].body, &velocity));
+		scree_pose pose = pose_of(world, list.bodies[k].body);
+		scree_velocity velocity = velocity_of(world, list.bodies[k].body);
 		assert_memory_equal(&pose, &list.bodies[k].pose, sizeof pose);
 		assert_memory_equal(&velocity, &list.bodies[k].velocity, sizeof velocity);
 	}
@@ -163,8 +131,7 @@ static void the_changed_and_destroyed_are_named(void** state)
 	scree_body ball = add_reporter(world, circle_shape(0.5f), ALL, 3.0f, 0.5f);
 	scree_collidable own = collidable_of(world, ball);
 	run_steps(world, 5);
-	scree_attribute_def larger = surface_of(circle_shape(0.6f));
-	OK(scree_collidable_set_attribute(world, own, add_attribute(world, &larger)));
+	OK(scree_collidable_set_attribute(world, own, shape_attribute(world, circle_shape(0.6f))));
 	OK(scree_body_destroy(world, ball));
 	run_steps(world, 1);
 	scree_events events = events_of(world);
@@ -216,7 +183,7 @@ static void bullets_hit(void** state)
 	{
 		add_box(world, SCREE_BODY_STATIC, 0.3f, 1.0f, 20.0f + 0.37f * (float)k, 4.0f * (float)k);
 		scree_body bullet = add_reporter(world, circle_shape(0.1f), SCREE_REPORT_HITS, 0.0f, 4.0f * (float)k);
-		OK(scree_body_set_velocity(world, bullet, (scree_velocity){{60.0f + 0.5f * (float)k, 0.0f}, 0.0f}));
+		throw_body(world, bullet, 60.0f + 0.5f * (float)k, 0.0f, 0.0f);
 	}
 	for (int k = 0; k < 120; ++k)
 	{
@@ -226,8 +193,7 @@ static void bullets_hit(void** state)
 		for (int i = 0; i < events.hit_count; ++i, ++hits)
 		{
 			const scree_hit* hit = events.hits + i;
-			scree_mass mass;
-			OK(scree_body_get_mass(world, hit->body_a, &mass));
+			scree_mass mass = mass_of(world, hit->body_a);
 			NEAR(hit->impulse, mass.mass * hit->approach_speed, 0.01 * mass.mass * hit->approach_speed);
 			assert_true(hit->approach_speed > 59.0f);
 			NEAR(fabs(hit->normal.x), 1.0, 1e-3);
@@ -279,8 +245,7 @@ typedef struct // touches that began and have not ended, and a hash of all event
 
 static void mix(Ledger* ledger, const void* bytes, size_t size)
 {
-	for (size_t k = 0; k < size; ++k)
-		ledger->stream = (ledger->stream ^ ((const uint8_t*)bytes)[k]) * 1099511628211u;
+	ledger->stream = hash_bytes(ledger->stream, bytes, size);
 }
 
 static int find(const Ledger* ledger, const scree_contact* c)
@@ -394,12 +359,12 @@ static void churn(scree_world* world, scree_body bodies[HEAP], int step, uint64_
 	}
 }
 
-static Ledger tell_heap(const Way* way, int steps)
+static Ledger record_heap(const Variant* variant, int steps)
 {
-	Ledger ledger = {.stream = 14695981039346656037u};
+	Ledger ledger = {.stream = HASH_BEGIN};
 	scree_world_def def = scree_world_def_default();
 	def.contact_details = true;
-	scree_world* world = open_on(way, &def);
+	scree_world* world = open_variant(variant, &def);
 	scree_body bodies[HEAP];
 	uint64_t seed = 11;
 	add_floor(world);
@@ -418,9 +383,9 @@ static Ledger tell_heap(const Way* way, int steps)
 		}
 		for (int i = random_below(&seed, 4); i > 0; --i)
 			churn(world, bodies, k, &seed);
-		if (way->other[0] && k % 7 == 3)
-			OK(scree_world_move(world, k % 2 ? way->other : way->device));
-		if (!early) // changes in between make no difference except for the marks
+		if (variant->other[0] && k % 7 == 3)
+			OK(scree_world_move(world, k % 2 ? variant->other : variant->device));
+		if (!early) // what was changed meanwhile makes no difference but for the marks
 		{
 			velocity_of(world, bodies[0]);
 			scree_events events = events_of(world);
@@ -438,38 +403,33 @@ static Ledger tell_heap(const Way* way, int steps)
 }
 
 // Bodies that moved are listed once: by motion, by the user, and new ones, also in a slot that was given away.
-static void the_moved_are_told(void** state)
+static void moved_bodies_are_listed(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants);
 	for (int k = 0; k < count; ++k)
 	{
-		scree_world_def def = scree_world_def_default();
-		scree_world* world;
 		scree_body first, bodies[3];
-		def.device = ways[k].device;
-		def.threads = ways[k].threads;
-		def.lanes = ways[k].lanes;
-		OK(scree_world_create(&def, &world));
+		scree_world* world = open_default_variant(variants + k);
 		scree_body ground = add_floor(world);
-		bodies[0] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 5.0f);
-		bodies[1] = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 9.0f, 5.0f);
-		bodies[2] = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, -9.0f, 5.0f);
+		bodies[0] = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 5.0f);
+		bodies[1] = add_crate(world, SCREE_BODY_STATIC, 9.0f, 5.0f);
+		bodies[2] = add_crate(world, SCREE_BODY_KINEMATIC, -9.0f, 5.0f);
 		OK(scree_body_set_user(world, bodies[2], 8));
 		assert_int_equal(moved_of(world, &first), 4);
 		assert_true(scree_body_equals(first, ground));
 		assert_int_equal(moved_of(world, &first), 0);
 		run_steps(world, 2);
-		if (ways[k].other[0])
-			OK(scree_world_move(world, ways[k].other));
+		if (variants[k].other[0])
+			OK(scree_world_move(world, variants[k].other));
 		assert_int_equal(moved_of(world, &first), 1);
 		assert_true(scree_body_equals(first, bodies[0]));
 		OK(scree_body_set_pose(world, bodies[1], (scree_pose){{9.0f, 6.0f}, {1.0f, 0.0f}}));
 		assert_int_equal(moved_of(world, &first), 1);
 		assert_true(scree_body_equals(first, bodies[1]));
 		OK(scree_body_destroy(world, bodies[2]));
-		bodies[2] = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, -9.0f, 5.0f);
+		bodies[2] = add_crate(world, SCREE_BODY_KINEMATIC, -9.0f, 5.0f);
 		assert_int_equal(moved_of(world, &first), 1);
 		assert_true(scree_body_equals(first, bodies[2]));
 		assert_int_equal(moved_of(world, &first), 0);
@@ -482,18 +442,16 @@ static void a_body_gives_its_word(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(-10.0f);
-	scree_attribute_def surface = surface_of(circle_shape(0.5f));
 	scree_body_def def = scree_body_def_default();
-	def.attribute = add_attribute(world, &surface);
+	def.attribute = shape_attribute(world, circle_shape(0.5f));
 	def.pose.position.y = 0.5f;
 	def.reports = ALL;
 	def.user = 0x123456789abcdef0u;
-	scree_body ball;
 	uint64_t user;
 	scree_contact contact;
 	int count;
 	add_floor(world);
-	OK(scree_body_create(world, &def, &ball));
+	scree_body ball = create_body(world, &def);
 	run_steps(world, 1);
 	assert_int_equal(events_of(world).touches_began_count, 1);
 	assert_true(events_of(world).touches_began[0].user_a == def.user && events_of(world).touches_began[0].user_b == 0);
@@ -508,19 +466,19 @@ static void a_body_gives_its_word(void** state)
 	scree_world_destroy(world);
 }
 
-// Changes that do not move a body: another center of mass, locks, its own pose set again, zeros of the other sign, a step at rest. A
-// disabled body that is placed reports the velocity with which it will continue.
-static void what_stands_is_not_told(void** state)
+// What leaves a body where it was: another center of mass, locks, its own pose set again, zeros of another sign, a step at rest. A
+// disabled body that is placed has the velocity that it will go on with.
+static void bodies_at_rest_are_not_listed(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants);
 	for (int k = 0; k < count; ++k)
 	{
 		scree_world_def def = scree_world_def_default();
 		def.gravity.y = 0.0f;
-		scree_world* world = open_on(ways + k, &def);
-		scree_body first, body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 4.0f);
+		scree_world* world = open_variant(variants + k, &def);
+		scree_body first, body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 4.0f);
 		moved_of(world, &first);
 		OK(scree_body_set_mass(world, body, (scree_mass){2.0f, 1.0f, {0.25f, 0.0f}}));
 		assert_int_equal(moved_of(world, &first), 0);
@@ -530,11 +488,11 @@ static void what_stands_is_not_told(void** state)
 		assert_int_equal(moved_of(world, &first), 0);
 		OK(scree_body_set_pose(world, body, (scree_pose){{-0.0f, 4.0f}, {1.0f, -0.0f}}));
 		run_steps(world, 2);
-		if (ways[k].other[0])
-			OK(scree_world_move(world, ways[k].other));
+		if (variants[k].other[0])
+			OK(scree_world_move(world, variants[k].other));
 		assert_int_equal(moved_of(world, &first), 0);
 		OK(scree_body_set_locks(world, body, 0));
-		OK(scree_body_set_velocity(world, body, (scree_velocity){{3.0f, 0.0f}, 1.0f}));
+		throw_body(world, body, 3.0f, 0.0f, 1.0f);
 		OK(scree_body_set_enabled(world, body, false));
 		assert_int_equal(moved_of(world, &first), 0);
 		OK(scree_body_set_pose(world, body, (scree_pose){{1.0f, 4.0f}, {1.0f, 0.0f}}));
@@ -548,13 +506,12 @@ static void joints_are_listed(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(-10.0f);
-	scree_body load = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	scree_body load = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
 	def.body_b = load;
 	def.force_threshold = 5.0f; // it weighs 10 N
 	def.user = 77;
-	scree_joint joint;
-	OK(scree_joint_create(world, &def, &joint));
+	scree_joint joint = add_joint(world, &def);
 	run_steps(world, 3);
 	scree_events events = events_of(world);
 	assert_int_equal(events.joint_count, 1);
@@ -569,12 +526,12 @@ static void joints_are_listed(void** state)
 static void all_devices_agree(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways), steps = quick() ? 60 : 300;
-	Ledger first = tell_heap(ways, steps);
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants), steps = quick() ? 60 : 300;
+	Ledger first = record_heap(variants, steps);
 	for (int k = 1; k < count; ++k)
 	{
-		Ledger other = tell_heap(ways + k, steps);
+		Ledger other = record_heap(variants + k, steps);
 		assert_int_equal(other.began, first.began);
 		assert_int_equal(other.hits, first.hits);
 		assert_true(other.stream == first.stream);
@@ -591,8 +548,8 @@ int main(void)
 	    cmocka_unit_test(the_destroyed_are_named),
 	    cmocka_unit_test(bullets_hit),
 	    cmocka_unit_test(reports_change),
-	    cmocka_unit_test(the_moved_are_told),
-	    cmocka_unit_test(what_stands_is_not_told),
+	    cmocka_unit_test(moved_bodies_are_listed),
+	    cmocka_unit_test(bodies_at_rest_are_not_listed),
 	    cmocka_unit_test(joints_are_listed),
 	    cmocka_unit_test(all_devices_agree),
 	};

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_expression.c -- expressions of scene files: values, constants, random numbers, and bad input with its sentence.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "scene/expression.h"
+#include "support/checks.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 // test_faults.c -- memory that runs out and devices that fail, at every point in turn.
 //
-// Each scenario is a list of acts. It runs once without a fault, with the hash after every act; then again and again with
-// a fault one call later each time. A fault must appear as a status with a sentence. After it the world is as it was
-// before the act, so that the act can be repeated and the end is the same; or it is broken, and refuses every call but
-// its destruction.
-#include "backend/batch.h"
+// Each scenario is a list of acts. It runs once without a fault, with the hash after every act; then again and again
+// with a fault one call later each time. A fault must come out as a status with a sentence. After it the world is what
+// it was before the act, so that the act can be tried again and the end is the same; or it is broken, and refuses
+// everything but destruction.
+#include "support/allocations.h"
+#include "support/faulty_device.h"
+#include "support/make_bodies.h"
 #include "world/upload/upload.h"
-#include "world/world.h" // before cmocka, which makes a macro of fail
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
+#include "world/world.h"
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -37,9 +31,9 @@ typedef struct
 	scree_body slab_body;
 	scree_collidable free[FREE];
 	bool timings;
-} Scenario;
+} FaultRun;
 
-static scree_status act_create_world(Scenario* s)
+static scree_status act_create_world(FaultRun* s)
 {
 	scree_world_def def = scree_world_def_default();
 	def.device = "cpu";
@@ -49,7 +43,7 @@ static scree_status act_create_world(Scenario* s)
 	return scree_world_create(&def, &s->world);
 }
 
-static scree_status act_attributes(Scenario* s)
+static scree_status act_attributes(FaultRun* s)
 {
 	scree_attribute_def box = surface_of(box_shape(0.5f, 0.5f)), circle = surface_of(circle_shape(0.25f));
 	scree_attribute_def slab = surface_of(box_shape(30.0f, 0.5f));
@@ -60,7 +54,7 @@ static scree_status act_attributes(Scenario* s)
 }
 
 // more attributes than the first table has room for; made before, they are found
-static scree_status act_more_attributes(Scenario* s)
+static scree_status act_more_attributes(FaultRun* s)
 {
 	for (int k = 0; k < 80; ++k)
 	{
@@ -75,7 +69,7 @@ static scree_status act_more_attributes(Scenario* s)
 }
 
 // a slab that can move, with a hundred circles on it: more contacts than there are colors
-static scree_status act_slab(Scenario* s)
+static scree_status act_slab(FaultRun* s)
 {
 	scree_body_def defs[101];
 	for (int k = 0; k <= 100; ++k)
@@ -92,7 +86,7 @@ static scree_status act_slab(Scenario* s)
 }
 
 // boxes on top of each other, deep enough that each touches several
-static scree_status act_bodies(Scenario* s)
+static scree_status act_bodies(FaultRun* s)
 {
 	static scree_body_def defs[BODIES];
 	for (int k = 0; k < BODIES; ++k)
@@ -104,7 +98,7 @@ static scree_status act_bodies(Scenario* s)
 	return scree_bodies_create(s->world, defs, BODIES, s->bodies);
 }
 
-static scree_status act_free(Scenario* s)
+static scree_status act_free(FaultRun* s)
 {
 	scree_collidable_def defs[FREE];
 	for (int k = 0; k < FREE; ++k)
@@ -116,7 +110,7 @@ static scree_status act_free(Scenario* s)
 	return scree_collidables_create(s->world, defs, FREE, s->free);
 }
 
-static scree_status act_forces(Scenario* s)
+static scree_status act_forces(FaultRun* s)
 {
 	static scree_vec forces[BODIES];
 	for (int k = 0; k < BODIES; ++k)
@@ -124,44 +118,44 @@ static scree_status act_forces(Scenario* s)
 	return scree_bodies_apply_forces(s->world, s->bodies, forces, BODIES);
 }
 
-static scree_status act_step(Scenario* s) { return scree_world_step(s->world, STEP, SUBSTEPS); }
+static scree_status act_step(FaultRun* s) { return scree_world_step(s->world, STEP, SUBSTEPS); }
 
-static scree_status act_contacts(Scenario* s)
+static scree_status act_contacts(FaultRun* s)
 {
 	static scree_contact contacts[4000];
 	int count;
 	return scree_world_get_contacts(s->world, contacts, 4000, &count);
 }
 
-static scree_status act_overlaps(Scenario* s)
+static scree_status act_overlaps(FaultRun* s)
 {
 	static scree_contact contacts[100];
 	int count;
 	return scree_world_get_overlaps(s->world, contacts, 100, &count);
 }
 
-static scree_status act_poses(Scenario* s)
+static scree_status act_poses(FaultRun* s)
 {
 	static scree_pose poses[BODIES];
 	return scree_bodies_get_poses(s->world, s->bodies, poses, 100);
 }
 
-static scree_status act_counters(Scenario* s)
+static scree_status act_counters(FaultRun* s)
 {
 	scree_counters counters;
 	return scree_world_get_counters(s->world, &counters);
 }
 
-static scree_status act_timings(Scenario* s)
+static scree_status act_timings(FaultRun* s)
 {
 	scree_timings timings;
 	return scree_world_get_timings(s->world, &timings);
 }
 
-static scree_status act_destroy(Scenario* s) { return scree_bodies_destroy(s->world, s->bodies + 200, 90); }
-static scree_status act_destroy_free(Scenario* s) { return scree_collidables_destroy(s->world, s->free, 5); }
+static scree_status act_destroy(FaultRun* s) { return scree_bodies_destroy(s->world, s->bodies + 200, 90); }
+static scree_status act_destroy_free(FaultRun* s) { return scree_collidables_destroy(s->world, s->free, 5); }
 
-static scree_status act_again(Scenario* s)
+static scree_status act_again(FaultRun* s)
 {
 	scree_body_def defs[120];
 	for (int k = 0; k < 120; ++k)
@@ -173,27 +167,27 @@ static scree_status act_again(Scenario* s)
 	return scree_bodies_create(s->world, defs, 120, NULL);
 }
 
-static scree_status act_type(Scenario* s) { return scree_body_set_type(s->world, s->slab_body, SCREE_BODY_STATIC); }
+static scree_status act_type(FaultRun* s) { return scree_body_set_type(s->world, s->slab_body, SCREE_BODY_STATIC); }
 
-static scree_status act_filter(Scenario* s)
+static scree_status act_filter(FaultRun* s)
 {
 	scree_filter filter = scree_filter_default();
 	filter.group = 3;
 	return scree_collidable_set_filter(s->world, s->free[10], filter);
 }
 
-static scree_status act_place(Scenario* s)
+static scree_status act_place(FaultRun* s)
 {
 	scree_pose pose = {{4.0f, 4.0f}, {1.0f, 0.0f}};
 	return scree_collidables_set_poses(s->world, s->free + 7, &pose, 1);
 }
 
-static scree_status act_mass(Scenario* s)
+static scree_status act_mass(FaultRun* s)
 {
 	return scree_body_set_mass(s->world, s->bodies[0], (scree_mass){3.0f, 1.0f, {0.0f, 0.0f}});
 }
 
-static scree_status switch_bodies(Scenario* s, bool on)
+static scree_status switch_bodies(FaultRun* s, bool on)
 {
 	static bool enabled[BODIES];
 	for (int k = 0; k < BODIES; ++k)
@@ -201,21 +195,21 @@ static scree_status switch_bodies(Scenario* s, bool on)
 	return scree_bodies_set_enabled(s->world, s->bodies, enabled, 200);
 }
 
-static scree_status act_disable(Scenario* s) { return switch_bodies(s, false); }
-static scree_status act_enable(Scenario* s) { return switch_bodies(s, true); }
-static scree_status act_look(Scenario* s) { return scree_world_step(s->world, 0.0f, 1); }
-static scree_status act_kinematic(Scenario* s)
+static scree_status act_disable(FaultRun* s) { return switch_bodies(s, false); }
+static scree_status act_enable(FaultRun* s) { return switch_bodies(s, true); }
+static scree_status act_look(FaultRun* s) { return scree_world_step(s->world, 0.0f, 1); }
+static scree_status act_kinematic(FaultRun* s)
 {
 	return scree_body_set_type(s->world, s->slab_body, SCREE_BODY_KINEMATIC);
 }
 
-static scree_status act_target(Scenario* s)
+static scree_status act_target(FaultRun* s)
 {
 	return scree_body_set_target(s->world, s->slab_body, (scree_pose){{0.5f, -50.0f}, {1.0f, 0.0f}});
 }
 
 // another surface for a free one, and another shape; a new attribute each
-static scree_status act_dress(Scenario* s)
+static scree_status act_dress(FaultRun* s)
 {
 	scree_attribute made;
 	scree_attribute_def def = surface_of(circle_shape(0.25f));
@@ -226,7 +220,7 @@ static scree_status act_dress(Scenario* s)
 	return status ? status : scree_collidable_set_attribute(s->world, s->free[11], s->box);
 }
 
-static scree_status act_body_contacts(Scenario* s)
+static scree_status act_body_contacts(FaultRun* s)
 {
 	static scree_contact contacts[200];
 	int count;
@@ -234,7 +228,7 @@ static scree_status act_body_contacts(Scenario* s)
 }
 
 // a sensor that sees all
-static scree_status act_sensor(Scenario* s)
+static scree_status act_sensor(FaultRun* s)
 {
 	scree_collidable_def def = scree_collidable_def_default();
 	def.attribute = s->slab;
@@ -242,13 +236,13 @@ static scree_status act_sensor(Scenario* s)
 	return scree_collidable_create(s->world, &def, NULL);
 }
 
-static scree_status act_events(Scenario* s)
+static scree_status act_events(FaultRun* s)
 {
 	scree_events events;
 	return scree_world_get_events(s->world, &events);
 }
 
-typedef scree_status (*Act)(Scenario* s);
+typedef scree_status (*Act)(FaultRun* s);
 static const Act acts[] = {
     act_create_world,
     act_attributes,
@@ -298,7 +292,7 @@ static uint64_t expected[ACTS]; // hash after each act
 
 static void expect(bool timings)
 {
-	Scenario s = {.timings = timings};
+	FaultRun s = {.timings = timings};
 	for (int k = 0; k < ACTS; ++k)
 	{
 		OK(acts[k](&s));
@@ -311,7 +305,7 @@ static void expect(bool timings)
 }
 
 // Every call that works on a broken world says the same.
-static void check_broken(Scenario* s, scree_status status)
+static void check_broken(FaultRun* s, scree_status status)
 {
 	static const Act refused[] = {act_more_attributes, act_slab,         act_forces, act_step,    act_contacts,
 	                              act_overlaps,        act_counters,     act_free,   act_timings, act_destroy,
@@ -336,11 +330,11 @@ static void check_broken(Scenario* s, scree_status status)
 // memory runs out
 // ---------------------------------------------------------------------------------------------------------------
 
-// Runs the scenario with one fault. again: the failed act is repeated; else the world continues with the next act. Returns
+// Runs the scenario with one fault. again: the failed act is tried once more; else the world just goes on. Returns
 // whether there was a fault; broken counts worlds that broke.
-static bool tell_with_little_memory(int allocations, bool again, int* broken)
+static bool run_with_little_memory(int allocations, bool again, int* broken)
 {
-	Scenario s = {0};
+	FaultRun s = {0};
 	bool failed = false;
 	allocations_left = allocations;
 	for (int k = 0; k < ACTS; ++k)
@@ -390,10 +384,10 @@ static void memory_runs_out(void** state)
 	count_allocations();
 	expect(false);
 	int faults = 0, broken = 0;
-	while (tell_with_little_memory(faults, true, &broken))
+	while (run_with_little_memory(faults, true, &broken))
 		faults += stride();
 	for (int k = 0; k < faults; k += stride())
-		assert_true(tell_with_little_memory(k, false, &broken));
+		assert_true(run_with_little_memory(k, false, &broken));
 	print_message("memory ran out in %d places; %d worlds broke\n", faults / stride(), broken / 2);
 	assert_true(faults > 100 && broken > 0 && broken < faults);
 	OK(scree_hooks_set(NULL));
@@ -403,94 +397,12 @@ static void memory_runs_out(void** state)
 // the device fails
 // ---------------------------------------------------------------------------------------------------------------
 
-static const BackendFunctions* real; // functions of the CPU
-static int device_calls_left;
-static scree_status device_status; // status of the call that fails
-static bool only_resize;           // which calls may fail
-
-static scree_status device_fails(bool resize)
+// Runs the scenario with the given call failing. Returns whether it was reached; broken counts worlds that broke.
+static bool run_with_faulty_device(int calls, int* broken)
 {
-	if (only_resize != resize || device_calls_left < 0 || device_calls_left-- > 0)
-		return SCREE_OK;
-	return (fail)(device_status, "the device %s",
-	              device_status == SCREE_ERROR_DEVICE_FAILED ? "fell" : "has no memory left");
-}
-
-static void faulty_close(Backend* b) { real->close(b); }
-
-static scree_status faulty_resize(Backend* b, Per per, int capacity)
-{
-	scree_status status = device_fails(true);
-	return status ? status : real->resize(b, per, capacity);
-}
-
-static scree_status faulty_run(Backend* b, const Step* step, const Run* runs, int count)
-{
-	scree_status status = device_fails(false);
-	return status ? status : real->run(b, step, runs, count);
-}
-
-static scree_status faulty_solve(Backend* b, const Step* step, const Solve* solve, RunList* list)
-{
-	scree_status status = device_fails(false);
-	return status ? status : real->solve(b, step, solve, list);
-}
-
-static scree_status faulty_write(Backend* b, PoolId pool, int first, int count, const void* items)
-{
-	scree_status status = device_fails(false);
-	return status ? status : real->write(b, pool, first, count, items);
-}
-
-static scree_status faulty_read(Backend* b, PoolId pool, int first, int count, void* items)
-{
-	scree_status status = device_fails(false);
-	return status ? status : real->read(b, pool, first, count, items);
-}
-
-static scree_status faulty_read_begin(Backend* b, PoolId pool, int first, int count)
-{
-	scree_status status = device_fails(false);
-	return status ? status : real->read_begin(b, pool, first, count);
-}
-
-static scree_status faulty_read_end(Backend* b, void* items)
-{
-	scree_status status = device_fails(false);
-	return status ? status : real->read_end(b, items);
-}
-
-static scree_status faulty_wait(Backend* b)
-{
-	scree_status status = device_fails(false);
-	return status ? status : real->wait(b);
-}
-
-static scree_status faulty_timings(Backend* b, double milliseconds[STAGE_COUNT])
-{
-	scree_status status = device_fails(false);
-	return status ? status : real->timings(b, milliseconds);
-}
-
-static const BackendFunctions faulty = {
-    .close = faulty_close,
-    .resize = faulty_resize,
-    .run = faulty_run,
-    .solve = faulty_solve,
-    .write = faulty_write,
-    .read = faulty_read,
-    .read_begin = faulty_read_begin,
-    .read_end = faulty_read_end,
-    .batch = batch_whole,
-    .wait = faulty_wait,
-    .timings = faulty_timings,
-};
-
-// Runs the scenario with the given call failing. Returns whether that call was reached; broken counts worlds that broke.
-static bool tell_with_faulty_device(int calls, int* broken)
-{
-	Scenario s = {.timings = !only_resize};
-	device_calls_left = -1;
+	FaultRun s = {.timings = device_fault.calls != FAULT_RESIZE};
+	BackendFunctions functions;
+	device_fault.calls_left = -1;
 	bool failed = false;
 	for (int k = 0; k < ACTS; ++k)
 	{
@@ -498,15 +410,15 @@ static bool tell_with_faulty_device(int calls, int* broken)
 		if (k == 0)
 		{
 			OK(status);
-			real = s.world->backend->f;
-			s.world->backend->f = &faulty;
+			functions = faulty_functions(s.world->backend);
+			s.world->backend->f = &functions;
 			s.world->backend->distant = true;
-			device_calls_left = calls;
+			device_fault.calls_left = calls;
 		}
 		if (status == SCREE_OK)
 			continue;
 		assert_false(failed);
-		assert_int_equal(status, device_status);
+		assert_int_equal(status, device_fault.status);
 		assert_non_null(strstr(scree_error(), "the device"));
 		failed = true;
 		if (status == SCREE_ERROR_DEVICE_FAILED || scree_world_wait(s.world) != SCREE_OK)
@@ -518,7 +430,7 @@ static bool tell_with_faulty_device(int calls, int* broken)
 		assert_true(hash_of(s.world) == expected[k - 1]);
 		--k;
 	}
-	device_calls_left = -1;
+	device_fault.calls_left = -1;
 	if (!failed || scree_world_wait(s.world) == SCREE_OK)
 		assert_true(hash_of(s.world) == expected[ACTS - 1]);
 	scree_world_destroy(s.world);
@@ -530,10 +442,9 @@ static void device_falls(void** state)
 {
 	(void)state;
 	expect(true);
-	only_resize = false;
-	device_status = SCREE_ERROR_DEVICE_FAILED;
+	device_fault = (Fault){.calls = FAULT_COPY | FAULT_WORK, .status = SCREE_ERROR_DEVICE_FAILED};
 	int faults = 0, broken = 0;
-	while (tell_with_faulty_device(faults, &broken))
+	while (run_with_faulty_device(faults, &broken))
 		faults += stride();
 	print_message("the device fell in %d places\n", faults / stride());
 	assert_true(faults > 50);
@@ -544,10 +455,9 @@ static void device_memory_runs_out(void** state)
 {
 	(void)state;
 	expect(false);
-	only_resize = true;
-	device_status = SCREE_ERROR_OUT_OF_MEMORY;
+	device_fault = (Fault){.calls = FAULT_RESIZE, .status = SCREE_ERROR_OUT_OF_MEMORY};
 	int faults = 0, broken = 0;
-	while (tell_with_faulty_device(faults, &broken))
+	while (run_with_faulty_device(faults, &broken))
 		++faults;
 	print_message("the device's memory ran out in %d places; %d worlds broke\n", faults, broken);
 	assert_true(faults > 5 && broken > 0 && broken < faults);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // test_field_trials.c -- fields as strangers try them: boats, moving fields, extremes, changes in mid-run, all devices.
-#include "field_support.h"
-
-#define G 10.0
+#include "support/allocations.h"
+#include "support/make_fields.h"
+#include "support/scenarios.h"
+#include "tools/common/random_numbers.h"
+#include <math.h>
+#include <string.h>
 
 static scree_field_def water_def(float density)
 {
-	scree_field_def def = field_def(SCREE_FIELD_BUOYANCY);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_BUOYANCY);
 	def.density = density;
 	return def;
 }
@@ -120,8 +123,8 @@ static void fields_move_with_bodies(void** state)
 	(void)state;
 	scree_world* world = open_world(0.0f);
 	scree_body truck = add_dense(world, box_shape(0.5f, 0.5f), 1.0f, 0.0f, 0.0f);
-	push_off(world, truck, 5.0f, 0.0f, 0.0f);
-	scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
+	throw_body(world, truck, 5.0f, 0.0f, 0.0f);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_UNIFORM);
 	def.body = truck;
 	def.pose.position.x = 3.0f;
 	def.shape = box_shape(1.0f, 1.0f);
@@ -135,13 +138,13 @@ static void fields_move_with_bodies(void** state)
 	NEAR(velocity_of(world, truck).linear.y, 0.0, 1e-9);
 
 	// a disabled body has no field; with the body the field is destroyed
-	OK(scree_body_set_pose(world, ahead, at(position_of(world, truck).x + 3.0f, 0.0f)));
-	push_off(world, ahead, 5.0f, 0.0f, 0.0f);
+	OK(scree_body_set_pose(world, ahead, upright_at(position_of(world, truck).x + 3.0f, 0.0f)));
+	throw_body(world, ahead, 5.0f, 0.0f, 0.0f);
 	OK(scree_body_set_enabled(world, truck, false));
 	run_steps(world, 5);
 	NEAR(velocity_of(world, ahead).linear.y, 0.0, 1e-9);
 	OK(scree_body_set_enabled(world, truck, true));
-	OK(scree_body_set_pose(world, ahead, at(position_of(world, truck).x + 3.0f, 0.0f)));
+	OK(scree_body_set_pose(world, ahead, upright_at(position_of(world, truck).x + 3.0f, 0.0f)));
 	run_steps(world, 5);
 	assert_true(velocity_of(world, ahead).linear.y > 0.1f);
 	OK(scree_body_destroy(world, truck));
@@ -158,21 +161,19 @@ static void who_is_pushed(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_UNIFORM);
 	def.acceleration.x = 6.0f;
 	def.mask = 2;
 	scree_field field = add_field(world, &def);
 	scree_body crate = add_dense(world, box_shape(0.5f, 0.5f), 1.0f, 0.0f, 0.0f);
 	scree_body off = add_dense(world, box_shape(0.5f, 0.5f), 1.0f, 0.0f, 5.0f);
 	scree_body held = add_dense(world, box_shape(0.5f, 0.5f), 1.0f, 0.0f, 10.0f);
-	add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, 0.0f, 15.0f);
+	add_crate(world, SCREE_BODY_KINEMATIC, 0.0f, 15.0f);
 	OK(scree_body_set_enabled(world, off, false));
 	OK(scree_body_set_locks(world, held, SCREE_LOCK_X));
 	run_steps(world, 10);
 	NEAR(velocity_of(world, crate).linear.x, 0.0, 1e-9);
-	scree_collidable part;
-	int count;
-	OK(scree_body_get_collidables(world, crate, &part, 1, &count));
+	scree_collidable part = collidable_of(world, crate);
 	OK(scree_collidable_set_filter(world, part, (scree_filter){.category = 3, .mask = UINT64_MAX}));
 	run_steps(world, 10);
 	NEAR(velocity_of(world, crate).linear.x, 1.0, 1e-5);
@@ -194,7 +195,7 @@ static void drag_leaves_weights_alone(void** state)
 	(void)state;
 	scree_world* world = open_world((float)-G);
 	add_floor(world);
-	scree_field_def def = field_def(SCREE_FIELD_DRAG);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_DRAG);
 	def.linear_drag = 1e6f;
 	add_field(world, &def);
 	scree_body box = add_dense(world, box_shape(0.5f, 0.5f), 3.0f, 0.0f, 0.5f);
@@ -230,31 +231,31 @@ static void wrong_arguments_are_refused(void** state)
 	uint64_t before = hash_of(world);
 	for (size_t k = 0; k < sizeof cases / sizeof *cases; ++k)
 	{
-		scree_field_def def = field_def(SCREE_FIELD_WIND);
+		scree_field_def def = scree_field_def_default(SCREE_FIELD_WIND);
 		memcpy((char*)&def + cases[k].offset, &cases[k].value, sizeof(float));
 		assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_INVALID);
 		assert_string_equal(scree_error(), cases[k].sentence);
 	}
-	scree_field_def def = field_def(SCREE_FIELD_BUOYANCY);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_BUOYANCY);
 	def.shape = circle_shape(1.0f);
 	assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_INVALID);
 	assert_string_equal(scree_error(),
 	                    "scree_field_create: def.shape is not a polygon without rounding: a fluid has no "
 	                    "other region, or none");
-	def = field_def((scree_field_type)6);
+	def = scree_field_def_default((scree_field_type)6);
 	assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_INVALID);
 	assert_string_equal(scree_error(), "scree_field_create: def.type is 6, not a scree_field_type");
-	def = field_def(SCREE_FIELD_DRAG);
+	def = scree_field_def_default(SCREE_FIELD_DRAG);
 	def.body = (scree_body){77, 1};
 	assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_STALE);
-	def = field_def(SCREE_FIELD_DRAG);
+	def = scree_field_def_default(SCREE_FIELD_DRAG);
 	def.shape.kind = SCREE_SHAPE_POLYGON;
 	def.shape.count = 2;
 	assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_INVALID);
 	assert_string_equal(scree_error(), "scree_field_create: def.shape.count is 2, must be from 3 to 8 for this kind");
 	assert_int_equal(scree_field_destroy(world, SCREE_NULL_FIELD), SCREE_ERROR_STALE);
 	assert_string_equal(scree_error(), "scree_field_destroy: field is null");
-	def = field_def(SCREE_FIELD_DRAG);
+	def = scree_field_def_default(SCREE_FIELD_DRAG);
 	scree_field field = add_field(world, &def);
 	OK(scree_field_destroy(world, field));
 	assert_int_equal(scree_field_set_enabled(world, field, true), SCREE_ERROR_STALE);
@@ -310,8 +311,8 @@ static void refused_steps_push_nothing(void** state)
 		scree_world_def world_def = scree_world_def_default();
 		world_def.device = "cpu";
 		world_def.contact_limit = 3;
-		OK(scree_world_create(&world_def, &worlds[k]));
-		scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
+		worlds[k] = create_world(&world_def);
+		scree_field_def def = scree_field_def_default(SCREE_FIELD_UNIFORM);
 		def.acceleration.x = 6.0f;
 		add_field(worlds[k], &def);
 		add_dense(worlds[k], box_shape(0.5f, 0.5f), 1.0f, 0.0f, 0.0f);
@@ -338,7 +339,7 @@ static void refused_steps_push_nothing(void** state)
 // Fields of all types lie over each other, on bodies and in the world; with extremes, some are as strong as they may be.
 static scree_field_def any_def(scree_world* world, uint64_t* seed, bool extreme)
 {
-	scree_field_def def = field_def((scree_field_type)random_below(seed, 6));
+	scree_field_def def = scree_field_def_default((scree_field_type)random_below(seed, 6));
 	scree_body bodies[64];
 	int count;
 	OK(scree_world_get_bodies(world, bodies, 64, &count));
@@ -373,9 +374,8 @@ static void build_crowd(scree_world* world, const void* context)
 	const bool* extreme = context;
 	uint64_t seed = 5;
 	add_floor(world);
-	scree_shape rounded;
 	const scree_vec corners[] = {{-0.3f, -0.2f}, {0.3f, -0.2f}, {0.2f, 0.3f}};
-	OK(scree_shape_make_polygon(corners, 3, 0.05f, &rounded));
+	scree_shape rounded = polygon_shape(corners, 3, 0.05f);
 	const scree_shape shapes[] = {box_shape(0.3f, 0.2f), circle_shape(0.25f), capsule_shape(0.3f, 0.15f), rounded};
 	for (int k = 0; k < 120; ++k)
 		add_dense(world, shapes[k % 4],
@@ -383,7 +383,7 @@ static void build_crowd(scree_world* world, const void* context)
 		          : k % 5 == 0 ? 0.01f
 		                       : 1.0f,
 		          (float)(k % 12) - 6.0f, 0.5f + (float)(k / 12));
-	add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, 0.0f, 12.0f);
+	add_crate(world, SCREE_BODY_KINEMATIC, 0.0f, 12.0f);
 	for (int k = 0; k < (*extreme ? FIELDS : 12); ++k)
 	{
 		scree_field_def def = any_def(world, &seed, *extreme);
@@ -408,7 +408,7 @@ static void change_crowd(scree_world* world, int step, const void* context)
 		def = any_def(world, &seed, *extreme);
 		OK(scree_field_set_def(world, fields[random_below(&seed, count)], &def));
 		OK(scree_field_set_enabled(world, fields[random_below(&seed, count)], step % 2));
-		OK(scree_field_set_pose(world, fields[random_below(&seed, count)], at(0.1f * (float)step, 1.0f)));
+		OK(scree_field_set_pose(world, fields[random_below(&seed, count)], upright_at(0.1f * (float)step, 1.0f)));
 	}
 	scree_body bodies[64];
 	OK(scree_world_get_bodies(world, bodies, 64, &count));
@@ -422,21 +422,13 @@ static void change_crowd(scree_world* world, int step, const void* context)
 static void all_devices_agree(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
 	for (int extreme = 0; extreme < 2; ++extreme)
 	{
 		bool hard = extreme != 0;
-		Story story = {.name = hard ? "200 fields, some of 1e12" : "12 fields",
-		               .def = scree_world_def_default(),
-		               .dt = STEP,
-		               .substeps = SUBSTEPS,
-		               .steps = quick() ? 20 : 80,
-		               .build = build_crowd,
-		               .act = change_crowd,
-		               .context = &hard};
+		Scenario scenario = scenario_of(hard ? "200 fields, some of 1e12" : "12 fields", quick() ? 20 : 80, build_crowd,
+		                                change_crowd, &hard);
 		scree_counters last;
-		check_parity(&story, ways, count, &last);
+		check_parity(&scenario, &last);
 		assert_int_equal(last.frozen_bodies, 0);
 	}
 }
@@ -446,31 +438,23 @@ static void build_passing(scree_world* world, const void* context)
 {
 	(void)context;
 	add_floor(world);
-	scree_attribute_def box = surface_of(box_shape(0.25f, 0.25f));
-	scree_attribute attribute = add_attribute(world, &box);
+	scree_attribute attribute = shape_attribute(world, box_shape(0.25f, 0.25f));
 	for (int k = 0; k < 120; ++k)
 		add_body(world, SCREE_BODY_DYNAMIC, attribute, 0.6f * (float)(k % 30), 0.25f + 0.5f * (float)(k / 30), 0.0f);
-	scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
-	def.body = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, -4.0f, 30.0f);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_UNIFORM);
+	def.body = add_crate(world, SCREE_BODY_KINEMATIC, -4.0f, 30.0f);
 	def.pose.position.y = -30.0f;
 	def.shape = box_shape(1.0f, 4.0f);
 	def.acceleration = (scree_vec){0.5f, -1.0f};
 	add_field(world, &def);
-	push_off(world, def.body, 12.0f, 0.0f, 0.0f);
+	throw_body(world, def.body, 12.0f, 0.0f, 0.0f);
 }
 
 static void forms_see_what_comes(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
-	Story story = {.name = "a field that passes over a heap",
-	               .def = scree_world_def_default(),
-	               .dt = STEP,
-	               .substeps = SUBSTEPS,
-	               .steps = quick() ? 40 : 120,
-	               .build = build_passing};
-	check_parity(&story, ways, count, NULL);
+	Scenario scenario = scenario_of("a field that passes over a heap", quick() ? 40 : 120, build_passing, NULL, NULL);
+	check_parity(&scenario, NULL);
 }
 
 int main(void)

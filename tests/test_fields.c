@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// test_fields.c -- the effect of each type of field on bodies, against closed forms.
-#include "field_support.h"
-
-#define G 10.0 // m/s^2
+// test_fields.c -- what each type of field does to bodies, against closed forms.
+#include "support/make_fields.h"
+#include <math.h>
 
 // Acceleration in the field's own axes, and a force over the mass: v = a t; outside of the region nothing.
 static void uniform_fields_push(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_UNIFORM);
 	def.shape = box_shape(50.0f, 1.0f);
 	def.pose = (scree_pose){{0.0f, 0.0f}, scree_rot_make((float)PI / 2.0f)};
 	def.acceleration = (scree_vec){3.0f, 0.0f}; // upwards, since the field is turned
@@ -29,7 +28,7 @@ static void fields_cancel_gravity(void** state)
 {
 	(void)state;
 	scree_world* world = open_world((float)-G);
-	scree_field_def def = field_def(SCREE_FIELD_UNIFORM);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_UNIFORM);
 	def.acceleration.y = (float)G;
 	scree_field field = add_field(world, &def);
 	scree_body body = add_dense(world, box_shape(0.5f, 0.1f), 1234.5f, 0.0f, 1.0f);
@@ -50,7 +49,7 @@ static void orbits_keep_their_radius(void** state)
 		for (int substeps = 1; substeps <= 8; substeps *= 2)
 		{
 			scree_world* world = open_world(0.0f);
-			scree_field_def def = field_def(SCREE_FIELD_RADIAL);
+			scree_field_def def = scree_field_def_default(SCREE_FIELD_RADIAL);
 			def.strength = 16.0f;
 			def.radius = 5.0f;
 			def.softening = 0.0f;
@@ -58,7 +57,7 @@ static void orbits_keep_their_radius(void** state)
 			add_field(world, &def);
 			double r = 10.0, v = inverse ? sqrt(16.0 * 5.0) : sqrt(16.0 * 25.0 / r);
 			scree_body body = add_dense(world, circle_shape(0.2f), 7.0f, (float)r, 0.0f);
-			push_off(world, body, 0.0f, (float)v, 0.0f);
+			throw_body(world, body, 0.0f, (float)v, 0.0f);
 			double least = r, most = r, turns = 0.0, angle = 0.0;
 			int steps = quick() ? 600 : 7200;
 			for (int k = 0; k < steps; ++k)
@@ -84,13 +83,13 @@ static void ellipses_keep_energy(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_field_def def = field_def(SCREE_FIELD_RADIAL);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_RADIAL);
 	def.strength = 100.0f;
 	def.radius = 1.0f;
 	def.softening = 0.5f;
 	add_field(world, &def);
 	scree_body body = add_dense(world, circle_shape(0.1f), 1.0f, 4.0f, 0.0f);
-	push_off(world, body, 0.0f, 3.0f, 0.0f);
+	throw_body(world, body, 0.0f, 3.0f, 0.0f);
 	double first = 0.5 * 9.0 - 100.0 / hypot(4.0, 0.5), worst = 0.0;
 	for (int k = 0; k < 3600; ++k)
 	{
@@ -113,7 +112,7 @@ static void centers_throw_nothing_out(void** state)
 		for (int vortex = 0; vortex < 2; ++vortex)
 		{
 			scree_world* world = open_world(0.0f);
-			scree_field_def def = field_def(SCREE_FIELD_RADIAL);
+			scree_field_def def = scree_field_def_default(SCREE_FIELD_RADIAL);
 			def.strength = 1e6f;
 			def.falloff = (scree_field_falloff)falloff;
 			def.softening = 0.0f;
@@ -143,7 +142,7 @@ static void vortices_turn(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_field_def def = field_def(SCREE_FIELD_VORTEX);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_VORTEX);
 	def.falloff = SCREE_FALLOFF_CONSTANT;
 	def.strength = 2.0f;
 	def.softening = 0.0f;
@@ -160,7 +159,7 @@ static void falling_bodies_reach_their_speed(void** state)
 {
 	(void)state;
 	scree_world* world = open_world((float)-G);
-	scree_field_def def = field_def(SCREE_FIELD_DRAG);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_DRAG);
 	def.shape = box_shape(5.0f, 10000.0f);
 	def.linear_drag = 3.0f;
 	add_field(world, &def);
@@ -187,12 +186,12 @@ static void drag_slows_down(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_field_def def = field_def(SCREE_FIELD_DRAG);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_DRAG);
 	def.linear_drag = 2.0f;
 	def.velocity = (scree_vec){1.0f, 0.0f};
 	add_field(world, &def);
 	scree_body body = add_dense(world, box_shape(0.5f, 0.5f), 4.0f, 0.0f, 0.0f);
-	push_off(world, body, 11.0f, 0.0f, 0.0f);
+	throw_body(world, body, 11.0f, 0.0f, 0.0f);
 	run_steps(world, 120);
 	NEAR(velocity_of(world, body).linear.x, 1.0 + 10.0 * exp(-1.0), 0.02);
 	scree_world_destroy(world);
@@ -205,7 +204,7 @@ static void stiff_drag_never_reverses(void** state)
 	for (float stiff = 1.0f; stiff <= 1e12f; stiff *= 10.0f)
 	{
 		scree_world* world = open_world(0.0f);
-		scree_field_def def = field_def(SCREE_FIELD_DRAG);
+		scree_field_def def = scree_field_def_default(SCREE_FIELD_DRAG);
 		def.velocity = (scree_vec){-2.0f, 0.0f};
 		def.linear_drag = stiff;
 		def.quadratic_drag = stiff;
@@ -213,7 +212,7 @@ static void stiff_drag_never_reverses(void** state)
 		def.spin_drag_quadratic = stiff;
 		add_field(world, &def);
 		scree_body body = add_dense(world, box_shape(0.5f, 0.25f), 1.0f, 0.0f, 0.0f);
-		push_off(world, body, 50.0f, 9.0f, 20.0f);
+		throw_body(world, body, 50.0f, 9.0f, 20.0f);
 		for (int k = 0; k < 600; ++k)
 		{
 			run_steps(world, 1);
@@ -230,7 +229,7 @@ static void wind_blows(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_field_def def = field_def(SCREE_FIELD_WIND);
+	scree_field_def def = scree_field_def_default(SCREE_FIELD_WIND);
 	def.velocity = (scree_vec){8.0f, 0.0f};
 	def.density = 1.2f;
 	def.drag = 1.5f;
@@ -251,8 +250,7 @@ static void wind_blows(void** state)
 	def.lift = 2.0f;
 	add_field(world, &def);
 	box = add_dense(world, box_shape(0.5f, 0.5f), 0.1f, 0.0f, 0.0f);
-	scree_attribute_def plate = surface_of(box_shape(1.0f, 0.01f));
-	scree_body wing = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &plate), 0.0f, 10.0f, 0.5f);
+	scree_body wing = add_shape(world, SCREE_BODY_DYNAMIC, box_shape(1.0f, 0.01f), 0.0f, 10.0f, 0.5f);
 	run_steps(world, 1);
 	assert_true(velocity_of(world, wing).linear.y < -0.001f); // nose up towards +x: the wind comes from above
 	run_steps(world, 1200);
@@ -265,33 +263,31 @@ static void wind_blows(void** state)
 static void force_is_the_displaced_weight(void** state)
 {
 	(void)state;
-	scree_shape rounded;
 	const scree_vec corners[] = {{-1.0f, -0.5f}, {1.0f, -0.5f}, {1.0f, 0.5f}, {-1.0f, 0.5f}};
-	OK(scree_shape_make_polygon(corners, 4, 0.25f, &rounded));
+	scree_shape rounded = polygon_shape(corners, 4, 0.25f);
 	const scree_shape shapes[] = {box_shape(1.0f, 0.5f), circle_shape(0.7f), capsule_shape(1.0f, 0.4f), rounded};
 	// the quick presets take a ninth of the poses
 	float turn_step = quick() ? 1.11f : 0.37f, y_step = quick() ? 0.519f : 0.173f;
 	for (size_t s = 0; s < sizeof shapes / sizeof *shapes; ++s)
-		for (int way = 0; way < 3; ++way)
+		for (int variant = 0; variant < 3; ++variant)
 			for (float turn = -3.0f; turn <= 3.0f; turn += turn_step)
 				for (float y = -2.0f; y <= 2.0f; y += y_step)
 				{
 					scree_world* world = open_world((float)-G);
-					scree_field_def def = field_def(SCREE_FIELD_BUOYANCY);
+					scree_field_def def = scree_field_def_default(SCREE_FIELD_BUOYANCY);
 					def.density = 2.0f;
 					def.drag = def.linear_drag = 0.0f;
 					def.pose.rotation = scree_rot_make(0.3f);
 					float c = cosf(0.3f), n = sinf(0.3f);
-					if (way > 0) // a box, whose upper edge is the surface; of the second one the corner is in the shape
+					if (variant >
+					    0) // a box, whose upper edge is the surface; of the second one the corner is in the shape
 					{
-						float wide = way == 1 ? 20.0f : 10.0f, right = way == 1 ? 0.0f : -9.8f;
+						float wide = variant == 1 ? 20.0f : 10.0f, right = variant == 1 ? 0.0f : -9.8f;
 						def.shape = box_shape(wide, 20.0f);
 						def.pose.position = (scree_vec){20.0f * n + right * c, -20.0f * c + right * n};
 					}
 					add_field(world, &def);
-					scree_attribute_def attribute = surface_of(shapes[s]);
-					scree_body body =
-					    add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &attribute), 0.0f, y, turn);
+					scree_body body = add_shape(world, SCREE_BODY_DYNAMIC, shapes[s], 0.0f, y, turn);
 					OK(scree_world_step(world, STEP, 1));
 					// by points: those of the shape that are in the fluid
 					double area = 0.0, x_sum = 0.0;
@@ -305,7 +301,7 @@ static void force_is_the_displaced_weight(void** state)
 							bool inside = false;
 							float along = c * q.x + n * (q.y + y), up = -n * q.x + c * (q.y + y);
 							scree_vec point = {q.x, q.y + y};
-							if (up >= 0.0f || (way == 2 && along >= 0.2f))
+							if (up >= 0.0f || (variant == 2 && along >= 0.2f))
 								continue;
 							OK(scree_shape_contains(&shapes[s], pose, point, &inside));
 							if (inside)
@@ -318,7 +314,7 @@ static void force_is_the_displaced_weight(void** state)
 					scree_velocity v = velocity_of(world, body);
 					double found = ((double)v.linear.y * 60.0 + G) * mass / (2.0 * G);
 					double moment = (double)v.angular * 60.0 * inertia / (2.0 * G);
-					double error = way == 2 && shapes[s].radius > 0.0f ? 0.05 : 0.03; // corners for arcs; points
+					double error = variant == 2 && shapes[s].radius > 0.0f ? 0.05 : 0.03; // corners for arcs; points
 					NEAR(found, area, error);
 					NEAR(moment, x_sum, error);
 					scree_world_destroy(world);

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_flashes.c -- events in pictures: touches and hits, sensors, joints that break; when they fade, and how many are drawn.
+#include "support/make_joints.h"
 #include "view/flashes.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
 #include "view/outline.h"
 #include <float.h>
 #include <math.h>
@@ -19,15 +12,12 @@ static const Camera camera = {.middle = {0.0f, 0.0f}, .scale = 50.0f, .width = 8
 // A box of 1 m that reports all, its bottom so far above the floor and falling.
 static scree_body drop(scree_world* world, float x, float above, float speed)
 {
-	scree_attribute_def box = surface_of(box_shape(0.5f, 0.5f));
 	scree_body_def def = scree_body_def_default();
-	scree_body body;
-	def.attribute = add_attribute(world, &box);
+	def.attribute = shape_attribute(world, box_shape(0.5f, 0.5f));
 	def.pose.position = (scree_vec){x, 0.5f + above};
 	def.velocity.linear.y = -speed;
 	def.reports = SCREE_REPORT_TOUCHES | SCREE_REPORT_HITS;
-	OK(scree_body_create(world, &def, &body));
-	return body;
+	return create_body(world, &def);
 }
 
 static void step(scree_world* world, RenderTables* tables, Flashes* flashes, const Camera* eye, const Style* style,
@@ -88,7 +78,7 @@ static void too_many_are_counted(void** state)
 	for (int k = 0; k < 2500; ++k)
 	{
 		float x = 1.5f * (float)(k - 1250);
-		add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, x, -0.5f);
+		add_crate(world, SCREE_BODY_STATIC, x, -0.5f);
 		drop(world, x, 0.01f, 4.0f);
 	}
 	step(world, &tables, &flashes, &wide, &style, 1);
@@ -111,12 +101,11 @@ static void broken_joints_have_a_cross(void** state)
 	Flashes flashes = {0};
 	Strokes strokes = {0};
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
-	scree_joint joint;
-	def.body_b = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 1.0f, 0.0f);
+	def.body_b = add_crate(world, SCREE_BODY_DYNAMIC, 1.0f, 0.0f);
 	OK(scree_joint_def_place(world, &def, (scree_pose){{1.0f, 2.0f}, {1.0f, 0.0f}}));
 	def.force_threshold = 5.0f;
 	def.can_break = true;
-	OK(scree_joint_create(world, &def, &joint));
+	add_joint(world, &def);
 	for (int k = 1; k <= 10; ++k)
 		step(world, &tables, &flashes, &camera, &style, k);
 	assert_int_equal(flashes.count, 1);
@@ -135,16 +124,15 @@ static void sensors_have_marks(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(-10.0f);
-	scree_attribute_def zone = surface_of(box_shape(1.0f, 1.0f));
 	scree_collidable_def def = scree_collidable_def_default();
 	scree_collidable sensors[2];
 	drop(world, 0.0f, 3.0f, 0.0f);
-	def.attribute = add_attribute(world, &zone);
+	def.attribute = shape_attribute(world, box_shape(1.0f, 1.0f));
 	def.sensor = SCREE_SENSOR_MOVING;
 	for (int k = 0; k < 2; ++k)
 	{
 		def.pose.position = (scree_vec){20.0f * (float)k, 1.5f};
-		OK(scree_collidable_create(world, &def, &sensors[k]));
+		sensors[k] = create_collidable(world, &def);
 	}
 	Sprites sprites = {0};
 	RenderTables tables = {.world = world};
@@ -182,7 +170,7 @@ static void outlines_follow_shapes(void** state)
 	const scree_vec corners[] = {{-1.0f, -0.5f}, {1.0f, -0.5f}, {0.0f, 1.0f}};
 	const scree_pose pose = {{2.0f, 1.0f}, scree_rot_make(0.7f)};
 	OK(scree_shape_make_capsule((scree_vec){-1.0f, 0.0f}, (scree_vec){1.0f, 0.3f}, 0.4f, &shapes[2]));
-	OK(scree_shape_make_polygon(corners, 3, 0.2f, &shapes[3]));
+	shapes[3] = polygon_shape(corners, 3, 0.2f);
 	for (int n = 0; n < 4; ++n)
 	{
 		Strokes strokes = {0};

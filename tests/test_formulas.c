@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 // test_formulas.c -- stages whose items stand alone, called as functions, against formulas in double precision.
-#include "platform/error.h" // before cmocka, which makes a macro of fail
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
+#include "support/make_worlds.h"
+#include "tools/common/random_numbers.h"
 #include <math.h>
+#include <string.h>
 
-#include "stage_items.h"
+#include "support/stage_items.h"
 
 #include "stages/broad_phase/transform.h"
 #include "stages/finalize/finalize.h"
@@ -226,8 +220,8 @@ static void warm_start_equals_plain(void** state)
 // lists of answers
 // ---------------------------------------------------------------------------------------------------------------
 
-// The counter of query results goes up to QUERY_MOST and one call beyond. After that it stays, so that it never overflows, and the
-// host can find that there are too many.
+// The counter of answers goes up to QUERY_MOST and one call beyond. After that it stays, whoever adds: so it never runs over, and shows
+// the host that there are too many.
 static void answers_are_counted_up_to_a_limit(void** state)
 {
 	(void)state;

@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: MIT
 // test_geometry.c -- shapes: areas, centroids and inertias against closed formulas and against a grid of samples.
 #include "platform/trig.h"
+#include "support/make_bodies.h"
+#include "tools/common/random_numbers.h"
 #include "world/shape/geometry.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
-static uint32_t random_state = 1;
-static float uniform(float low, float high)
-{
-	random_state = random_state * 1664525u + 1013904223u;
-	return low + (high - low) * (float)(random_state >> 8) / 16777216.0f;
-}
-
-static void assert_near(double value, double expected, double tolerance)
-{
-	if (!(fabs(value - expected) <= tolerance))
-		fail_msg("%.9g is not %.9g within %g", value, expected, tolerance);
-}
+static uint64_t seed = 1;
 
 static void assert_refused(scree_status status, const char* part)
 {
@@ -71,25 +57,24 @@ static void assert_sampled(const scree_shape* s)
 			square += cell * cell * (px * px + py * py);
 		}
 	}
-	assert_near(s->area, area, 0.01 * area);
-	assert_near(s->centroid.x, x / area, 0.01 * r);
-	assert_near(s->centroid.y, y / area, 0.01 * r);
-	assert_near(s->inertia, square - (x * x + y * y) / area, 0.02 * square);
+	NEAR(s->area, area, 0.01 * area);
+	NEAR(s->centroid.x, x / area, 0.01 * r);
+	NEAR(s->centroid.y, y / area, 0.01 * r);
+	NEAR(s->inertia, square - (x * x + y * y) / area, 0.02 * square);
 }
 
 // A = w h, I = A (w^2 + h^2) / 12
 static void box_follows_its_formula(void** state)
 {
 	(void)state;
-	scree_shape s;
-	assert_int_equal(scree_shape_make_box(1.5f, 0.25f, &s), SCREE_OK);
+	scree_shape s = box_shape(1.5f, 0.25f);
 	assert_int_equal(s.kind, SCREE_SHAPE_POLYGON);
 	assert_int_equal(s.count, 4);
-	assert_near(s.area, 1.5, 1e-6);
-	assert_near(s.inertia, 1.5 * (9.0 + 0.25) / 12.0, 1e-6);
-	assert_near(s.centroid.x, 0.0, 1e-7);
-	assert_near(s.centroid.y, 0.0, 1e-7);
-	assert_near(s.reach, hypot(1.5, 0.25), 1e-6);
+	NEAR(s.area, 1.5, 1e-6);
+	NEAR(s.inertia, 1.5 * (9.0 + 0.25) / 12.0, 1e-6);
+	NEAR(s.centroid.x, 0.0, 1e-7);
+	NEAR(s.centroid.y, 0.0, 1e-7);
+	NEAR(s.reach, hypot(1.5, 0.25), 1e-6);
 	assert_true(s.normals[0].x == 0.0f && s.normals[0].y == -1.0f);
 	assert_true(s.normals[1].x == 1.0f && s.normals[1].y == 0.0f);
 	assert_sampled(&s);
@@ -100,11 +85,11 @@ static void circle_follows_its_formula(void** state)
 {
 	(void)state;
 	scree_shape s;
-	assert_int_equal(scree_shape_make_circle((scree_vec){3.0f, -1.0f}, 0.5f, &s), SCREE_OK);
-	assert_near(s.area, PI * 0.25, 1e-6);
-	assert_near(s.inertia, PI * 0.25 * 0.25 / 2.0, 1e-6);
+	OK(scree_shape_make_circle((scree_vec){3.0f, -1.0f}, 0.5f, &s));
+	NEAR(s.area, PI * 0.25, 1e-6);
+	NEAR(s.inertia, PI * 0.25 * 0.25 / 2.0, 1e-6);
 	assert_true(s.centroid.x == 3.0f && s.centroid.y == -1.0f);
-	assert_near(s.reach, sqrt(10.0) + 0.5, 1e-6);
+	NEAR(s.reach, sqrt(10.0) + 0.5, 1e-6);
 }
 
 // A rectangle 2 r by L and two half discs, whose centroids lie 4 r / (3 pi) beyond its ends.
@@ -115,11 +100,11 @@ static void capsule_follows_its_formula(void** state)
 	double about_own = half * (0.5 * r * r - offset * offset), arm = 0.5 * length + offset;
 	double inertia = 2.0 * r * length * (length * length + 4.0 * r * r) / 12.0 + 2.0 * (about_own + half * arm * arm);
 	scree_shape s;
-	assert_int_equal(scree_shape_make_capsule((scree_vec){1.0f, 1.0f}, (scree_vec){1.0f, 3.0f}, 0.3f, &s), SCREE_OK);
-	assert_near(s.area, 2.0 * r * length + PI * r * r, 1e-6);
-	assert_near(s.inertia, inertia, 1e-6);
-	assert_near(s.centroid.x, 1.0, 1e-6);
-	assert_near(s.centroid.y, 2.0, 1e-6);
+	OK(scree_shape_make_capsule((scree_vec){1.0f, 1.0f}, (scree_vec){1.0f, 3.0f}, 0.3f, &s));
+	NEAR(s.area, 2.0 * r * length + PI * r * r, 1e-6);
+	NEAR(s.inertia, inertia, 1e-6);
+	NEAR(s.centroid.x, 1.0, 1e-6);
+	NEAR(s.centroid.y, 2.0, 1e-6);
 	assert_true(s.normals[0].x == -s.normals[1].x && s.normals[0].y == -s.normals[1].y);
 	assert_sampled(&s);
 }
@@ -127,8 +112,7 @@ static void capsule_follows_its_formula(void** state)
 static void segment_has_no_mass(void** state)
 {
 	(void)state;
-	scree_shape s;
-	assert_int_equal(scree_shape_make_segment((scree_vec){-1.0f, 0.0f}, (scree_vec){3.0f, 2.0f}, &s), SCREE_OK);
+	scree_shape s = segment_shape(-1.0f, 0.0f, 3.0f, 2.0f);
 	assert_true(s.area == 0.0f && s.inertia == 0.0f && s.radius == 0.0f);
 	assert_true(s.centroid.x == 1.0f && s.centroid.y == 1.0f);
 }
@@ -138,17 +122,15 @@ static void triangle_follows_its_formula(void** state)
 {
 	(void)state;
 	scree_vec corners[3] = {{100.0f, 50.0f}, {103.0f, 50.0f}, {100.0f, 52.0f}};
-	scree_shape s;
-	assert_int_equal(scree_shape_make_polygon(corners, 3, 0.0f, &s), SCREE_OK);
-	assert_near(s.area, 3.0, 1e-6);
-	assert_near(s.inertia, 3.0 * (9.0 + 4.0) / 18.0, 1e-5);
-	assert_near(s.centroid.x, 101.0, 1e-5);
-	assert_near(s.centroid.y, 50.0 + 2.0 / 3.0, 1e-5);
+	scree_shape s = polygon_shape(corners, 3, 0.0f);
+	NEAR(s.area, 3.0, 1e-6);
+	NEAR(s.inertia, 3.0 * (9.0 + 4.0) / 18.0, 1e-5);
+	NEAR(s.centroid.x, 101.0, 1e-5);
+	NEAR(s.centroid.y, 50.0 + 2.0 / 3.0, 1e-5);
 
 	// the other way round is the same polygon
 	scree_vec turned[3] = {corners[2], corners[1], corners[0]};
-	scree_shape t;
-	assert_int_equal(scree_shape_make_polygon(turned, 3, 0.0f, &t), SCREE_OK);
+	scree_shape t = polygon_shape(turned, 3, 0.0f);
 	assert_memory_equal(&s, &t, sizeof s);
 }
 
@@ -160,16 +142,16 @@ static void rounded_polygons_follow_steiner(void** state)
 	{
 		scree_vec points[12];
 		for (int i = 0; i < 12; ++i)
-			points[i] = (scree_vec){uniform(-1.0f, 2.0f), uniform(-2.0f, 1.0f)};
-		float radius = round % 4 ? uniform(0.05f, 0.8f) : 0.0f;
+			points[i] = (scree_vec){random_between(&seed, -1.0f, 2.0f), random_between(&seed, -2.0f, 1.0f)};
+		float radius = round % 4 ? random_between(&seed, 0.05f, 0.8f) : 0.0f;
 		scree_shape sharp, s;
 		if (scree_shape_make_hull(points, 12, 0.0f, &sharp) != SCREE_OK)
 			continue;
-		assert_int_equal(scree_shape_make_hull(points, 12, radius, &s), SCREE_OK);
+		OK(scree_shape_make_hull(points, 12, radius, &s));
 		double perimeter = 0.0;
 		for (int i = 0; i < s.count; ++i)
 			perimeter += vec_distance(s.vertices[i], s.vertices[(i + 1) % s.count]);
-		assert_near(s.area, sharp.area + perimeter * radius + PI * radius * radius, 1e-5);
+		NEAR(s.area, sharp.area + perimeter * radius + PI * radius * radius, 1e-5);
 		assert_sampled(&s);
 	}
 }
@@ -181,11 +163,11 @@ static void hulls_hold_all_points(void** state)
 	for (int round = 0; round < 500; ++round)
 	{
 		scree_vec points[64];
-		int count = 3 + (int)(random_state >> 8) % 62;
+		int count = 3 + random_below(&seed, 62);
 		float size = round % 2 ? 0.05f : 20.0f;
 		for (int i = 0; i < count; ++i)
 		{
-			points[i] = (scree_vec){uniform(-size, size), uniform(-size, size)};
+			points[i] = (scree_vec){random_between(&seed, -size, size), random_between(&seed, -size, size)};
 			if (round % 3 == 0)
 				points[i] = (scree_vec){roundf(4.0f * points[i].x / size), roundf(4.0f * points[i].y / size)};
 		}
@@ -205,8 +187,7 @@ static void hulls_hold_all_points(void** state)
 		}
 
 		// its corners are a polygon that is taken, and the same one
-		scree_shape again;
-		assert_int_equal(scree_shape_make_polygon(s.vertices, s.count, 0.0f, &again), SCREE_OK);
+		scree_shape again = polygon_shape(s.vertices, s.count, 0.0f);
 		assert_memory_equal(&s, &again, sizeof s);
 	}
 	assert_true(made > 100);
@@ -255,9 +236,9 @@ static void hull_drops_what_polygon_refuses(void** state)
 	(void)state;
 	scree_vec points[8] = {{0, 0}, {1, 0}, {2, 0}, {2, 0.001f}, {2, 2}, {1, 2}, {0, 2}, {1, 1}};
 	scree_shape s;
-	assert_int_equal(scree_shape_make_hull(points, 8, 0.0f, &s), SCREE_OK);
+	OK(scree_shape_make_hull(points, 8, 0.0f, &s));
 	assert_int_equal(s.count, 4);
-	assert_near(s.area, 4.0, 0.01);
+	NEAR(s.area, 4.0, 0.01);
 }
 
 // Tolerances are a twentieth of the size, and a tenth of that for corners on a line, within 0.5 and 5 mm: the same polygon from 2 mm to
@@ -276,8 +257,8 @@ static void small_corners_are_kept(void** state)
 			scree_rot q = scree_rot_make((float)(PI * i / 4.0));
 			octagon[i] = (scree_vec){0.5f * size * q.c, 0.5f * size * q.s};
 		}
-		assert_int_equal(scree_shape_make_polygon(octagon, 8, 0.0f, &s), SCREE_OK);
-		assert_int_equal(scree_shape_make_hull(octagon, 8, 0.0f, &s), SCREE_OK);
+		s = polygon_shape(octagon, 8, 0.0f);
+		OK(scree_shape_make_hull(octagon, 8, 0.0f, &s));
 		assert_int_equal(s.count, 8);
 		for (int turn = 0; turn < 16; ++turn)
 			assert_int_equal(
@@ -293,7 +274,7 @@ static void small_corners_are_kept(void** state)
 			corners[3].y += 0.6f * length;
 			scree_status status = scree_shape_make_polygon(corners, 5, 0.0f, &s);
 			assert_int_equal(status, longer ? SCREE_OK : SCREE_ERROR_INVALID);
-			assert_int_equal(scree_shape_make_hull(corners, 5, 0.0f, &s), SCREE_OK);
+			OK(scree_shape_make_hull(corners, 5, 0.0f, &s));
 			assert_int_equal(s.count, longer ? 5 : 4);
 		}
 	}
@@ -303,21 +284,21 @@ static void a_moved_shape_keeps_its_mass(void** state)
 {
 	(void)state;
 	scree_shape shapes[4], moved, back;
-	assert_int_equal(scree_shape_make_box(0.001f, 2.0f, &shapes[0]), SCREE_OK);
-	assert_int_equal(scree_shape_make_circle((scree_vec){0.5f, 0}, 0.25f, &shapes[1]), SCREE_OK);
-	assert_int_equal(scree_shape_make_capsule((scree_vec){0, 0}, (scree_vec){0.001f, 0}, 0.001f, &shapes[2]), SCREE_OK);
-	assert_int_equal(scree_shape_make_segment((scree_vec){0, 0}, (scree_vec){1, 0}, &shapes[3]), SCREE_OK);
+	shapes[0] = box_shape(0.001f, 2.0f);
+	OK(scree_shape_make_circle((scree_vec){0.5f, 0}, 0.25f, &shapes[1]));
+	OK(scree_shape_make_capsule((scree_vec){0, 0}, (scree_vec){0.001f, 0}, 0.001f, &shapes[2]));
+	shapes[3] = segment_shape(0, 0, 1, 0);
 	for (int i = 0; i < 4; ++i)
 	{
 		scree_pose pose = {{3.0f, -4.0f}, scree_rot_make(0.7f)},
 		           inverse = {{0, 0}, {pose.rotation.c, -pose.rotation.s}};
-		assert_int_equal(scree_shape_transform(&shapes[i], pose, &moved), SCREE_OK);
-		assert_near(moved.area, shapes[i].area, 1e-5);
-		assert_near(moved.inertia, shapes[i].inertia, 1e-5 + 1e-3 * shapes[i].inertia);
+		OK(scree_shape_transform(&shapes[i], pose, &moved));
+		NEAR(moved.area, shapes[i].area, 1e-5);
+		NEAR(moved.inertia, shapes[i].inertia, 1e-5 + 1e-3 * shapes[i].inertia);
 		scree_vec expected = pose_point(pose, shapes[i].centroid);
-		assert_near(moved.centroid.x, expected.x, 1e-5);
-		assert_near(moved.centroid.y, expected.y, 1e-5);
-		assert_int_equal(scree_shape_transform(&moved, inverse, &back), SCREE_OK);
+		NEAR(moved.centroid.x, expected.x, 1e-5);
+		NEAR(moved.centroid.y, expected.y, 1e-5);
+		OK(scree_shape_transform(&moved, inverse, &back));
 	}
 
 	// so far out that floats cannot hold its corners apart
@@ -335,13 +316,13 @@ static void rotations_are_accurate(void** state)
 	{
 		float angle = i % 2 ? -angles[i / 2] : angles[i / 2];
 		scree_rot q = scree_rot_make(angle);
-		assert_near(q.c, cos(angle), 6e-8);
-		assert_near(q.s, sin(angle), 6e-8);
+		NEAR(q.c, cos(angle), 6e-8);
+		NEAR(q.s, sin(angle), 6e-8);
 	}
 	for (float angle = -3.14f; angle < 3.14f; angle += 0.001f)
-		assert_near(scree_rot_get_angle(scree_rot_make(angle)), angle, 3e-7);
+		NEAR(scree_rot_get_angle(scree_rot_make(angle)), angle, 3e-7);
 	assert_true(scree_rot_get_angle((scree_rot){0.0f, 0.0f}) == 0.0f);
-	assert_near(scree_rot_get_angle((scree_rot){-1.0f, 0.0f}), PI, 1e-6);
+	NEAR(scree_rot_get_angle((scree_rot){-1.0f, 0.0f}), PI, 1e-6);
 	assert_true(isnan(scree_rot_make(INFINITY).c) && isnan(scree_rot_make(NAN).s));
 }
 

@@ -3,17 +3,11 @@
 //
 // After a change that is meant to change bits: SCREE_GOLDEN=write ctest -R test_golden writes tests/golden.txt again, and
 // CHANGELOG.md says why the hashes changed. In the smaller set of tests, runs are shorter and have hashes of their own.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "small_scenes.h"
-#include "support.h"
+#include "support/small_scenes.h"
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #define HEADING "# scene, steps, hash: written by test_golden.c; a changed line is explained in CHANGELOG.md\n"
 
@@ -28,16 +22,16 @@ static Golden computed[64], committed[64];
 static int computed_count, committed_count;
 
 // Hashes at a quarter of the steps, which the smaller set runs, and at the end.
-static void compute(const Story* story)
+static void compute(const Scenario* scenario)
 {
-	Way way = {.name = "cpu", .device = "cpu"};
-	uint64_t* hashes = calloc((size_t)story->steps, sizeof *hashes);
-	tell(story, &way, hashes, NULL);
-	int checks[2] = {quick() ? story->steps : story->steps / 4, story->steps};
+	Variant variant = {.name = "cpu", .device = "cpu"};
+	uint64_t* hashes = calloc((size_t)scenario->steps, sizeof *hashes);
+	record(scenario, &variant, hashes, NULL);
+	int checks[2] = {quick() ? scenario->steps : scenario->steps / 4, scenario->steps};
 	for (int k = quick(); k < 2; ++k)
 	{
 		Golden* g = computed + computed_count++;
-		snprintf(g->scene, sizeof g->scene, "%s", story->name);
+		snprintf(g->scene, sizeof g->scene, "%s", scenario->name);
 		g->steps = checks[k];
 		g->hash = hashes[checks[k] - 1];
 	}

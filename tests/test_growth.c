@@ -2,14 +2,11 @@
 // test_growth.c -- pools that begin with room for one item: the same run as with room for all, and nothing is lost.
 //
 // The formula: hash(capacity 1, step) = hash(ample capacity, step), for each step; growth shows in Counters.grown alone.
-#include "support.h"
+#include "support/make_bodies.h"
+#include "support/scenarios.h"
 #include "world/world.h"
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #define AMPLE_BODIES   20000
 #define AMPLE_CONTACTS 200000
@@ -23,7 +20,7 @@ typedef struct
 } Case;
 
 // ---------------------------------------------------------------------------------------------------------------
-// stories
+// scenarios
 // ---------------------------------------------------------------------------------------------------------------
 
 // A grid of bodies, each of an attribute of its own, so close that each begins with several contacts.
@@ -32,10 +29,9 @@ static void add_grid(scree_world* world, const Case* c)
 	for (int k = 0; k < c->columns * c->rows; ++k)
 	{
 		float size = 0.3f + 0.0005f * (float)(k % 200);
-		scree_attribute_def def = surface_of(k % 2 ? box_shape(size, 0.35f) : circle_shape(size));
 		float x = 0.7f * ((float)(k % c->columns) - 0.5f * (float)c->columns),
 		      y = 1.2f + 0.7f * (float)(k / c->columns);
-		add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), x, y, 0.0f);
+		add_shape(world, SCREE_BODY_DYNAMIC, k % 2 ? box_shape(size, 0.35f) : circle_shape(size), x, y, 0.0f);
 	}
 }
 
@@ -61,35 +57,28 @@ static void come(scree_world* world, int step, const void* context)
 		OK(scree_body_apply_impulse(world, bodies[k], (scree_vec){0.01f * (float)(k % 7), 0.0f}));
 }
 
-static Story story_of(const Case* c, int bodies, int contacts)
+static Scenario scenario_in(const Case* c, int bodies, int contacts)
 {
-	Story story = {.name = c->name,
-	               .def = scree_world_def_default(),
-	               .dt = STEP,
-	               .substeps = SUBSTEPS,
-	               .steps = c->steps,
-	               .build = build_floor,
-	               .act = come,
-	               .context = c};
-	story.def.body_capacity = bodies;
-	story.def.contact_capacity = contacts;
-	return story;
+	Scenario scenario = scenario_of(c->name, c->steps, build_floor, come, c);
+	scenario.def.body_capacity = bodies;
+	scenario.def.contact_capacity = contacts;
+	return scenario;
 }
 
 // ---------------------------------------------------------------------------------------------------------------
 // tests
 // ---------------------------------------------------------------------------------------------------------------
 
-static void check_case(const Case* c, const Way* way)
+static void check_case(const Case* c, const Variant* variant)
 {
-	Story small = story_of(c, 1, 1), ample = story_of(c, AMPLE_BODIES, AMPLE_CONTACTS);
+	Scenario small = scenario_in(c, 1, 1), ample = scenario_in(c, AMPLE_BODIES, AMPLE_CONTACTS);
 	uint64_t* hashes[2] = {calloc((size_t)c->steps, sizeof(uint64_t)), calloc((size_t)c->steps, sizeof(uint64_t))};
 	scree_counters grown, whole;
-	tell(&small, way, hashes[0], &grown);
-	tell(&ample, way, hashes[1], &whole);
+	record(&small, variant, hashes[0], &grown);
+	record(&ample, variant, hashes[1], &whole);
 	if (memcmp(hashes[0], hashes[1], (size_t)c->steps * sizeof(uint64_t)) != 0)
-		check_same(&small, &ample, way);
-	print_message("%s on %s: %d bodies, %d contacts, %d spokes, grown %d times and %d\n", c->name, way->name,
+		check_same(&small, &ample, variant);
+	print_message("%s on %s: %d bodies, %d contacts, %d spokes, grown %d times and %d\n", c->name, variant->name,
 	              whole.bodies, whole.contacts, whole.spokes, grown.reallocations, whole.reallocations);
 	assert_true(grown.reallocations > whole.reallocations);
 	assert_int_equal(grown.contacts, whole.contacts);
@@ -107,22 +96,22 @@ static const Case at_once = {"at once", 24, 24, 40, 0, false}, midway = {"midway
 
 static void growth_changes_nothing(void** state)
 {
-	const Way alone = {.name = "one thread", .device = "cpu", .threads = 1},
-	          both = {.name = "two threads", .device = "cpu", .threads = 2};
+	const Variant alone = {.name = "one thread", .device = "cpu", .threads = 1},
+	              both = {.name = "two threads", .device = "cpu", .threads = 2};
 	check_case(*state, &alone);
 	check_case(*state, &both);
 }
 
 static void growth_changes_nothing_on_opencl(void** state)
 {
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways), found = 0;
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants), found = 0;
 	for (int k = 0; k < count; ++k)
 	{
-		if (ways[k].threads > 0)
+		if (variants[k].threads > 0)
 			continue;
 		++found;
-		check_case(*state, ways + k);
+		check_case(*state, variants + k);
 	}
 	if (found == 0)
 		skip();
@@ -133,13 +122,12 @@ static void impulses_survive(void** state)
 {
 	(void)state;
 	const Case some = {"some", 30, 30, 0, 0, false};
-	Story story = story_of(&some, 1, 1);
-	story.def.device = "cpu";
-	scree_world* world;
-	OK(scree_world_create(&story.def, &world));
+	Scenario scenario = scenario_in(&some, 1, 1);
+	scenario.def.device = "cpu";
+	scree_world* world = create_world(&scenario.def);
 	add_floor(world);
 	for (int k = 0; k < 10; ++k)
-		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 50.0f, 0.5f + (float)k);
+		add_crate(world, SCREE_BODY_DYNAMIC, 50.0f, 0.5f + (float)k);
 	run_steps(world, 120);
 	scree_contact *before, *after;
 	int count = read_contacts(world, &before), grown = counters_of(world).reallocations;

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 // test_hubs.c -- bodies with many contacts: plates that carry crates rest, fly and bounce as others do, everywhere alike.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "joint_support.h"
-#include "support.h"
+#include "support/make_joints.h"
+#include "support/scenarios.h"
 #include <math.h>
 #include <stdlib.h>
 
 #define CRATE 0.2f // half of a crate
 #define PITCH 0.5f
 #define PLATE 0.2f // half of a plate's height
-#define G     10.0
 
 typedef struct
 {
@@ -105,8 +97,7 @@ static void add_combs(scree_world* world, int teeth, int combs, float other_dens
 		scree_body_def def = scree_body_def_default();
 		def.attribute = surface(world, box_shape(CRATE, CRATE), k % 2 ? other_density : 1.0f, &floor);
 		def.pose.position = (scree_vec){x - 0.5f * PITCH * (float)(teeth - 1), CRATE * (float)(2 * k + 1)};
-		scree_body comb;
-		OK(scree_body_create(world, &def, &comb));
+		scree_body comb = create_body(world, &def);
 		for (int t = 1; t < teeth; ++t)
 		{
 			scree_collidable_def tooth = scree_collidable_def_default();
@@ -176,7 +167,7 @@ static void impacts_keep_momentum(void** state)
 		scree_world* world = open_world(0.0f);
 		bodies[0] = add_body(world, SCREE_BODY_DYNAMIC, surface(world, box_shape(51.0f, PLATE), s.density, &s), 1.0f,
 		                     0.0f, 0.0f);
-		OK(scree_body_set_velocity(world, bodies[0], (scree_velocity){{3.0f, 50.0f}, 0.05f}));
+		throw_body(world, bodies[0], 3.0f, 50.0f, 0.05f);
 		add_crates(world, &s, PLATE + 0.1f, bodies + 1);
 		Momentum before = momentum_of(world, bodies, 201), now = before;
 		int spokes = 0;
@@ -272,7 +263,7 @@ static void hubs_resist_rolling(void** state)
 		{
 			rollers[k] =
 			    add_body(world, SCREE_BODY_DYNAMIC, roller, PITCH * (float)(k - 24), 2.0f * PLATE + CRATE, 0.0f);
-			OK(scree_body_set_velocity(world, rollers[k], (scree_velocity){{1.0f, 0.0f}, -1.0f / CRATE}));
+			throw_body(world, rollers[k], 1.0f, 0.0f, -1.0f / CRATE);
 		}
 		run_steps(world, 120);
 		left[resists] = velocity_of(world, rollers[20]).linear.x;
@@ -334,7 +325,7 @@ static void build_all(scree_world* world, const void* context)
 	                          top + PLATE, 0.0f);
 	add_body(world, SCREE_BODY_DYNAMIC, surface(world, box_shape(10.0f, PLATE), 0.5f, &s), -6.0f, top + 3.0f * PLATE,
 	         0.0f);
-	OK(scree_body_set_velocity(world, lid, (scree_velocity){{1.0f, 0.0f}, 0.0f}));
+	throw_body(world, lid, 1.0f, 0.0f, 0.0f);
 	scree_attribute ball = surface(world, circle_shape(CRATE), 1.0f, &round),
 	                tooth = surface(world, box_shape(0.1f, 0.1f), 1.0f, &s);
 	for (int k = 0; k < 80; ++k)
@@ -344,8 +335,7 @@ static void build_all(scree_world* world, const void* context)
 	scree_body_def def = scree_body_def_default();
 	def.attribute = tooth;
 	def.pose.position = (scree_vec){8.0f, top + 1.0f};
-	scree_body comb;
-	OK(scree_body_create(world, &def, &comb));
+	scree_body comb = create_body(world, &def);
 	for (int k = 1; k < 40; ++k)
 	{
 		scree_collidable_def part = scree_collidable_def_default();
@@ -360,7 +350,7 @@ static void build_all(scree_world* world, const void* context)
 
 	// a belt that turns under the plates' end
 	scree_body belt = add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 0.2f, 15.5f, -0.1f);
-	OK(scree_body_set_velocity(world, belt, (scree_velocity){{0.0f, 0.0f}, 0.8f}));
+	throw_body(world, belt, 0.0f, 0.0f, 0.8f);
 }
 
 static void act_all(scree_world* world, int step, const void* context)
@@ -385,18 +375,10 @@ static void act_all(scree_world* world, int step, const void* context)
 static void hubs_are_equal(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
-	Story story = {.name = "hubs",
-	               .def = scree_world_def_default(),
-	               .dt = STEP,
-	               .substeps = SUBSTEPS,
-	               .steps = quick() ? 60 : 120,
-	               .build = build_all,
-	               .act = act_all};
+	Scenario scenario = scenario_of("hubs", quick() ? 60 : 120, build_all, act_all, NULL);
 	scree_counters last;
-	uint64_t hash = check_parity(&story, ways, count, &last);
-	print_message("%d steps, %d bodies, %d contacts, %d colors, %d spokes: %016llx\n", story.steps, last.bodies,
+	uint64_t hash = check_parity(&scenario, &last);
+	print_message("%d steps, %d bodies, %d contacts, %d colors, %d spokes: %016llx\n", scenario.steps, last.bodies,
 	              last.contacts, last.colors, last.spokes, (unsigned long long)hash);
 	assert_int_equal(last.frozen_bodies, 0);
 	assert_true(last.spokes > 0);
@@ -435,9 +417,7 @@ static void belts_make_hubs(void** state)
 
 	world = lay_on_belts(false, &box, &second);
 	assert_int_equal(counters_of(world).spokes, 0);
-	scree_collidable part;
-	int parts;
-	OK(scree_body_get_collidables(world, second, &part, 1, &parts));
+	scree_collidable part = collidable_of(world, second);
 	OK(scree_collidable_set_attribute(world, part, belt_of(world, -1.0f)));
 	run_steps(world, 2);
 	assert_int_equal(counters_of(world).spokes, 2);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // test_idle.c -- blocks of static bodies that a CPU leaves out: the same bits as without, whatever is changed and when.
+#include "support/make_bodies.h"
+#include "tools/common/random_numbers.h"
 #include "world/device/idle.h"
-#include "world_support.h"
+#include "world/world.h"
+#include <stdlib.h>
 
 enum
 {
@@ -18,31 +21,21 @@ typedef struct // two worlds with the same calls; the second one never leaves a 
 	int left_out; // steps in which blocks were left out
 } Level;
 
-static scree_world* make_level_world(int threads)
-{
-	scree_world_def def = scree_world_def_default();
-	def.device = "cpu";
-	def.threads = threads;
-	scree_world* world;
-	assert_ok(scree_world_create(&def, &world));
-	return world;
-}
-
 // Floors of boxes in rows, and movers that fall on them.
 static void open_level(Level* level, int threads)
 {
 	*level = (Level){0};
 	for (int w = 0; w < 2; ++w)
 	{
-		scree_world* world = level->worlds[w] = make_level_world(threads);
+		scree_world* world = level->worlds[w] = open_world_on("cpu", threads, (float)-G);
 		for (int k = 0; k < STATICS; ++k)
-			level->statics[w][k] = add_box(world, SCREE_BODY_STATIC, (float)(k % 50), -3.0f * (float)(k / 50));
+			level->statics[w][k] = add_crate(world, SCREE_BODY_STATIC, (float)(k % 50), -3.0f * (float)(k / 50));
 		for (int k = 0; k < MOVERS; ++k)
-			level->movers[w][k] = add_box(world, SCREE_BODY_DYNAMIC, 1.3f * (float)k, 1.5f);
+			level->movers[w][k] = add_crate(world, SCREE_BODY_DYNAMIC, 1.3f * (float)k, 1.5f);
 		scree_collidable_def def = scree_collidable_def_default();
-		def.attribute = make_box(world, 0.5f, 0.5f);
+		def.attribute = box_attribute(world, 0.5f, 0.5f);
 		def.pose.position.y = 1.0f;
-		assert_ok(scree_collidable_create(world, &def, &level->free[w]));
+		level->free[w] = create_collidable(world, &def);
 	}
 }
 
@@ -60,7 +53,7 @@ static void advance(Level* level, int steps)
 		idle_forget(level->worlds[1]);
 		for (int w = 0; w < 2; ++w)
 		{
-			assert_ok(scree_world_step(level->worlds[w], k % 7 == 6 ? 0.0f : STEP, 4));
+			OK(scree_world_step(level->worlds[w], k % 7 == 6 ? 0.0f : STEP, 4));
 			hashes[w] = hash_of(level->worlds[w]);
 		}
 		level->left_out += level->worlds[0]->backend->active[ACTIVE_COLLIDABLES].blocks != NULL;
@@ -76,49 +69,47 @@ static void change(Level* level, int w, int kind, int k)
 	scree_world* world = level->worlds[w];
 	scree_body* body = &level->statics[w][k];
 	scree_pose pose = pose_of(world, *body);
-	scree_collidable collidable;
-	int count;
-	assert_ok(scree_body_get_collidables(world, *body, &collidable, 1, &count));
+	scree_collidable collidable = collidable_of(world, *body);
 	pose.position.y += 0.4f;
 	switch (kind)
 	{
 	case 0:
-		assert_ok(scree_body_set_pose(world, *body, pose));
+		OK(scree_body_set_pose(world, *body, pose));
 		break;
 	case 1:
 	case 2:
-		assert_ok(scree_body_set_type(world, *body, kind == 1 ? SCREE_BODY_DYNAMIC : SCREE_BODY_KINEMATIC));
-		assert_ok(scree_body_set_velocity(world, *body, (scree_velocity){{1.0f, 2.0f}, 3.0f}));
+		OK(scree_body_set_type(world, *body, kind == 1 ? SCREE_BODY_DYNAMIC : SCREE_BODY_KINEMATIC));
+		throw_body(world, *body, 1.0f, 2.0f, 3.0f);
 		break;
 	case 3:
-		assert_ok(scree_body_set_enabled(world, *body, false));
+		OK(scree_body_set_enabled(world, *body, false));
 		break;
 	case 4:
-		assert_ok(scree_body_destroy(world, *body));
-		*body = add_box(world, SCREE_BODY_STATIC, pose.position.x, pose.position.y);
+		OK(scree_body_destroy(world, *body));
+		*body = add_crate(world, SCREE_BODY_STATIC, pose.position.x, pose.position.y);
 		break;
 	case 5:
-		assert_ok(scree_body_destroy(world, *body));
-		*body = add_box(world, SCREE_BODY_DYNAMIC, pose.position.x, pose.position.y + 3.0f);
+		OK(scree_body_destroy(world, *body));
+		*body = add_crate(world, SCREE_BODY_DYNAMIC, pose.position.x, pose.position.y + 3.0f);
 		break;
 	case 6:
-		assert_ok(scree_collidable_set_attribute(world, collidable, make_box(world, 0.7f, 0.6f)));
+		OK(scree_collidable_set_attribute(world, collidable, box_attribute(world, 0.7f, 0.6f)));
 		break;
 	case 7:
-		assert_ok(scree_collidable_set_filter(world, collidable, (scree_filter){.category = 2, .mask = 0}));
+		OK(scree_collidable_set_filter(world, collidable, (scree_filter){.category = 2, .mask = 0}));
 		break;
 	case 8:
-		assert_ok(scree_collidables_set_poses(world, &level->free[w], &pose, 1));
+		OK(scree_collidables_set_poses(world, &level->free[w], &pose, 1));
 		break;
 	case 9:
-		assert_ok(scree_body_set_velocity(world, *body, (scree_velocity){{1.0f, 2.0f}, 3.0f}));
-		assert_ok(scree_body_apply_force(world, *body, (scree_vec){100.0f, 100.0f}));
+		throw_body(world, *body, 1.0f, 2.0f, 3.0f);
+		OK(scree_body_apply_force(world, *body, (scree_vec){100.0f, 100.0f}));
 		break;
 	case 10:
-		assert_ok(scree_body_set_damping(world, *body, 0.5f, 0.5f));
+		OK(scree_body_set_damping(world, *body, 0.5f, 0.5f));
 		break;
 	default:
-		assert_ok(scree_body_set_locks(world, *body, SCREE_LOCK_X));
+		OK(scree_body_set_locks(world, *body, SCREE_LOCK_X));
 	}
 }
 
@@ -139,9 +130,9 @@ static void changes_are_seen(void** state)
 				{
 					int k = 7 * kind % 50;
 					if (again && (kind == 1 || kind == 2))
-						assert_ok(scree_body_set_type(level.worlds[w], level.statics[w][k], SCREE_BODY_STATIC));
+						OK(scree_body_set_type(level.worlds[w], level.statics[w][k], SCREE_BODY_STATIC));
 					else if (again && kind == 3)
-						assert_ok(scree_body_set_enabled(level.worlds[w], level.statics[w][k], true));
+						OK(scree_body_set_enabled(level.worlds[w], level.statics[w][k], true));
 					else
 						change(&level, w, kind, k);
 				}
@@ -155,20 +146,20 @@ static void changes_are_seen(void** state)
 static void random_changes(void** state)
 {
 	(void)state;
-	srand(5);
+	uint64_t seed = 5;
 	Level level;
 	open_level(&level, 2);
 	for (int k = 0; k < 150; ++k)
 	{
-		for (int n = rand() % 3; n > 0; --n)
+		for (int n = random_below(&seed, 3); n > 0; --n)
 		{
-			int kind = rand() % KINDS, at = rand() % STATICS;
+			int kind = random_below(&seed, KINDS), at = random_below(&seed, STATICS);
 			for (int w = 0; w < 2; ++w)
 				change(&level, w, kind, at);
 		}
 		if (k % 50 == 30)
-			assert_ok(scree_world_move(level.worlds[0], "cpu"));
-		advance(&level, 1 + rand() % 4);
+			OK(scree_world_move(level.worlds[0], "cpu"));
+		advance(&level, 1 + random_below(&seed, 4));
 	}
 	close_level(&level);
 }

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_impacts.c -- bounces keep energy, nothing goes through static bodies, limits hold, no finite body is frozen.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
+// test_impacts.c -- what bounces keeps its energy, nothing goes through what is static, limits hold, nothing finite is frozen.
+#include "support/make_bodies.h"
+#include "support/scenarios.h"
+#include "tools/common/random_numbers.h"
 #include <float.h>
 #include <math.h>
-
-#define GRAVITY 10.0 // m/s^2
 
 static scree_body add(scree_world* world, scree_body_type type, scree_shape shape, scree_vec at, float radians,
                       float restitution)
@@ -21,30 +14,10 @@ static scree_body add(scree_world* world, scree_body_type type, scree_shape shap
 	return add_body(world, type, add_attribute(world, &def), at.x, at.y, radians);
 }
 
-static void throw(scree_world * world, scree_body body, float x, float y, float spin)
-{
-	OK(scree_body_set_velocity(world, body, (scree_velocity){{x, y}, spin}));
-}
-
-static scree_shape segment_shape(scree_vec from, scree_vec to)
-{
-	scree_shape shape;
-	OK(scree_shape_make_segment(from, to, &shape));
-	return shape;
-}
-
-static scree_shape capsule_shape(float half_length, float radius)
-{
-	scree_shape shape;
-	OK(scree_shape_make_capsule((scree_vec){-half_length, 0.0f}, (scree_vec){half_length, 0.0f}, radius, &shape));
-	return shape;
-}
-
 // A rim of many boxes, which several work-items of guard share.
 static scree_body add_rim(scree_world* world, int boxes, float radius, scree_vec at)
 {
-	scree_attribute_def surface = surface_of(box_shape(0.05f, 3.2f * radius / (float)boxes));
-	scree_attribute attribute = add_attribute(world, &surface);
+	scree_attribute attribute = shape_attribute(world, box_shape(0.05f, 3.2f * radius / (float)boxes));
 	scree_body rim = add_body(world, SCREE_BODY_DYNAMIC, attribute, at.x, at.y, 0.0f);
 	for (int k = 0; k < boxes; ++k)
 	{
@@ -59,22 +32,15 @@ static scree_body add_rim(scree_world* world, int boxes, float radius, scree_vec
 	return rim;
 }
 
-static double speed_of(scree_world* world, scree_body body)
-{
-	scree_velocity v = velocity_of(world, body);
-	return hypot(v.linear.x, v.linear.y);
-}
-
 // Kinetic energy and height of a body per unit of mass and gravity, m. What falls in substeps of h is on a parabola, on
 // which its speed is g h / 2 less than what it goes with.
 static double energy_of(scree_world* world, scree_body body, double resting, int substeps)
 {
 	scree_velocity v = velocity_of(world, body);
-	scree_mass mass;
-	OK(scree_body_get_mass(world, body, &mass));
-	double up = v.linear.y - 0.5 * GRAVITY * STEP / substeps;
+	scree_mass mass = mass_of(world, body);
+	double up = v.linear.y - 0.5 * G * STEP / substeps;
 	double squares = v.linear.x * v.linear.x + up * up + mass.inertia / mass.mass * v.angular * v.angular;
-	return position_of(world, body).y - resting + 0.5 * squares / GRAVITY;
+	return position_of(world, body).y - resting + 0.5 * squares / G;
 }
 
 // e^2 h: how high a ball rises that fell from h.
@@ -85,7 +51,7 @@ static void rebound_height(void** state)
 		for (int k = 0; k < 12; ++k)
 		{
 			float height = 0.5f * powf(40.0f, (float)k / 11.0f), e = k % 2 ? 0.3f + 0.06f * (float)k : 1.0f;
-			scree_world* world = open_world((float)-GRAVITY);
+			scree_world* world = open_world((float)-G);
 			add_floor(world);
 			scree_body ball =
 			    add(world, SCREE_BODY_DYNAMIC, circle_shape(0.25f), (scree_vec){0.0f, 0.25f + height}, 0.0f, e);
@@ -108,7 +74,7 @@ static void bounces_keep_energy(void** state)
 	(void)state;
 	for (int kind = 0; kind < 2; ++kind)
 	{
-		scree_world* world = open_world((float)-GRAVITY);
+		scree_world* world = open_world((float)-G);
 		add_floor(world);
 		scree_shape shape = kind ? box_shape(0.5f, 0.25f) : circle_shape(0.25f);
 		scree_body body = add(world, SCREE_BODY_DYNAMIC, shape, (scree_vec){0.0f, 1.25f}, 0.0f, 1.0f);
@@ -146,7 +112,7 @@ static void rows_of_balls(void** state)
 			float x = k == 0 ? -3.0f : (touching ? 1.0f : 1.05f) * (float)k;
 			balls[k] = add(world, SCREE_BODY_DYNAMIC, circle_shape(0.5f), (scree_vec){x, 0.0f}, 0.0f, 1.0f);
 		}
-		throw(world, balls[0], 5.0f, 0.0f, 0.0f);
+		throw_body(world, balls[0], 5.0f, 0.0f, 0.0f);
 		for (int step = 0; step < 120; ++step)
 		{
 			run_steps(world, 1);
@@ -165,7 +131,7 @@ static void rows_of_balls(void** state)
 static void slow_impacts_end(void** state)
 {
 	(void)state;
-	scree_world* world = open_world((float)-GRAVITY);
+	scree_world* world = open_world((float)-G);
 	add_floor(world);
 	scree_body ball = add(world, SCREE_BODY_DYNAMIC, circle_shape(0.25f), (scree_vec){0.0f, 0.29f}, 0.0f, 1.0f);
 	scree_body box = add(world, SCREE_BODY_DYNAMIC, box_shape(0.25f, 0.25f), (scree_vec){3.0f, 0.26f}, 0.0f, 1.0f);
@@ -187,8 +153,7 @@ static void strikes_before_a_wall(void** state)
 	for (int k = 0; k < 80; ++k)
 	{
 		scree_world* world = open_world(0.0f);
-		scree_shape wall =
-		    k % 2 ? box_shape(0.02f, 10.0f) : segment_shape((scree_vec){0.0f, -10.0f}, (scree_vec){0.0f, 10.0f});
+		scree_shape wall = k % 2 ? box_shape(0.02f, 10.0f) : segment_shape(0.0f, -10.0f, 0.0f, 10.0f);
 		add(world, SCREE_BODY_STATIC, wall, (scree_vec){0.0f, 0.0f}, 0.0f, 0.0f);
 		scree_shape shapes[4] = {box_shape(0.05f, 0.05f), circle_shape(0.05f), capsule_shape(0.04f, 0.02f),
 		                         box_shape(0.1f, 0.02f)};
@@ -197,7 +162,7 @@ static void strikes_before_a_wall(void** state)
 		    add(world, SCREE_BODY_DYNAMIC, shapes[k / 2 % 4], at, random_between(&seed, -0.3f, 0.3f), 0.0f);
 		at = (scree_vec){at.x - 0.65f - random_between(&seed, 0.1f, 1.2f), 0.0f};
 		scree_body heavy = add(world, SCREE_BODY_DYNAMIC, box_shape(0.5f, 0.5f), at, 0.0f, 0.0f);
-		throw(world, heavy, 60.0f, 0.0f, 0.0f);
+		throw_body(world, heavy, 60.0f, 0.0f, 0.0f);
 		run_steps(world, 60);
 		assert_true(position_of(world, light).x < 0.0f && position_of(world, heavy).x < 0.0f);
 		scree_world_destroy(world);
@@ -213,22 +178,19 @@ static void fast_bodies_at_walls(void** state)
 	for (int k = 0; k < 240; ++k)
 	{
 		scree_world* world = open_world(0.0f);
-		scree_shape wall =
-		    k % 2 ? box_shape(0.005f, 300.0f) : segment_shape((scree_vec){0.0f, -300.0f}, (scree_vec){0.0f, 300.0f});
+		scree_shape wall = k % 2 ? box_shape(0.005f, 300.0f) : segment_shape(0.0f, -300.0f, 0.0f, 300.0f);
 		add(world, SCREE_BODY_STATIC, wall, (scree_vec){0.0f, 0.0f}, 0.0f, 0.0f);
 		scree_shape shapes[5] = {box_shape(0.15f, 0.15f), circle_shape(0.1f), capsule_shape(0.3f, 0.05f),
 		                         box_shape(0.5f, 0.02f), box_shape(0.02f, 0.01f)};
 		scree_vec at = {-random_between(&seed, 1.0f, 8.0f), 0.0f};
 		scree_body body =
 		    add(world, SCREE_BODY_DYNAMIC, shapes[k / 2 % 5], at, random_between(&seed, -3.0f, 3.0f), 0.0f);
-		float speed = 100.0f * (float)(1 + k / 10 % 4), way = random_between(&seed, -1.0f, 1.0f);
-		throw(world, body, speed * cosf(way), speed * sinf(way), random_between(&seed, -60.0f, 60.0f));
+		float speed = 100.0f * (float)(1 + k / 10 % 4), heading = random_between(&seed, -1.0f, 1.0f);
+		throw_body(world, body, speed * cosf(heading), speed * sinf(heading), random_between(&seed, -60.0f, 60.0f));
 		bool ghost = k % 16 == 15;
 		if (ghost)
 		{
-			scree_collidable collidable;
-			int count;
-			OK(scree_body_get_collidables(world, body, &collidable, 1, &count));
+			scree_collidable collidable = collidable_of(world, body);
 			OK(scree_collidable_set_filter(world, collidable, (scree_filter){.category = 2, .mask = 2}));
 		}
 		for (int step = 0; step < 20; ++step)
@@ -256,8 +218,8 @@ static void fast_rims_at_walls(void** state)
 		scree_body rim = add_rim(world, boxes[k % 6], 2.0f, (scree_vec){-random_between(&seed, 2.5f, 8.0f), 0.0f});
 		scree_body ram = add_box(world, SCREE_BODY_DYNAMIC, 5.0f, 1.0f, -20.0f, random_between(&seed, -1.5f, 1.5f));
 		float speed = random_between(&seed, 100.0f, 300.0f);
-		throw(world, rim, 0.0f, random_between(&seed, -50.0f, 50.0f), random_between(&seed, -60.0f, 60.0f));
-		throw(world, ram, speed, 0.0f, 0.0f);
+		throw_body(world, rim, 0.0f, random_between(&seed, -50.0f, 50.0f), random_between(&seed, -60.0f, 60.0f));
+		throw_body(world, ram, speed, 0.0f, 0.0f);
 		for (int step = 0; step < 20; ++step)
 		{
 			run_steps(world, 1);
@@ -276,11 +238,11 @@ static void fast_rims_at_walls(void** state)
 static void held_by_no_mistake(void** state)
 {
 	(void)state;
-	scree_world* world = open_world((float)-GRAVITY);
+	scree_world* world = open_world((float)-G);
 	for (int k = -20; k < 0; ++k)
 	{
 		scree_vec from = {(float)k, 0.0f}, to = {(float)k + 1.0f, 0.0f};
-		add(world, SCREE_BODY_STATIC, k % 2 ? segment_shape(from, to) : box_shape(0.5f, 0.5f),
+		add(world, SCREE_BODY_STATIC, k % 2 ? segment_shape(from.x, from.y, to.x, to.y) : box_shape(0.5f, 0.5f),
 		    k % 2 ? (scree_vec){0.0f, 0.0f} : (scree_vec){(float)k + 0.5f, -0.5f}, 0.0f, 0.0f);
 	}
 	add(world, SCREE_BODY_STATIC, box_shape(50.0f, 1.0f), (scree_vec){50.0f, -1.0f}, 0.0f, 0.0f);
@@ -288,10 +250,10 @@ static void held_by_no_mistake(void** state)
 		add_box(world, SCREE_BODY_DYNAMIC, 0.05f, 0.03f, -10.0f, 0.03f + 0.06f * (float)k);
 	scree_body rod = add(world, SCREE_BODY_DYNAMIC, capsule_shape(0.3f, 0.01f), (scree_vec){1.0f, 0.01f}, 0.0f, 0.0f);
 	scree_body load = add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.3f, 1.0f, 0.32f);
-	throw(world, rod, 20.0f, 0.0f, 0.0f);
-	throw(world, load, 20.0f, 0.0f, 0.0f);
+	throw_body(world, rod, 20.0f, 0.0f, 0.0f);
+	throw_body(world, load, 20.0f, 0.0f, 0.0f);
 	scree_body inside = add_box(world, SCREE_BODY_DYNAMIC, 0.2f, 0.2f, -15.5f, -0.4f);
-	throw(world, inside, 0.0f, 20.0f, 0.0f);
+	throw_body(world, inside, 0.0f, 20.0f, 0.0f);
 	for (int step = 0; step < 60; ++step)
 	{
 		run_steps(world, 1);
@@ -316,10 +278,10 @@ static void limits_hold(void** state)
 		chips[k] =
 		    add(world, SCREE_BODY_DYNAMIC, box_shape(0.02f, 0.01f), at, random_between(&seed, -3.0f, 3.0f), 0.0f);
 		if (k % 4)
-			throw(world, chips[k], 100.0f, random_between(&seed, -40.0f, 40.0f), 0.0f);
+			throw_body(world, chips[k], 100.0f, random_between(&seed, -40.0f, 40.0f), 0.0f);
 	}
 	scree_body rod = add_box(world, SCREE_BODY_DYNAMIC, 1.5f, 0.05f, 0.0f, 0.0f);
-	throw(world, rod, 0.0f, 0.0f, 80.0f);
+	throw_body(world, rod, 0.0f, 0.0f, 80.0f);
 	for (int step = 0; step < 60; ++step)
 	{
 		run_steps(world, 1);
@@ -358,8 +320,8 @@ static void build_heap(scree_world* world, const void* context)
 	{
 		scree_vec at = {random_between(&seed, -2.0f, 2.0f), random_between(&seed, 0.5f, 4.0f)};
 		scree_body body = add(world, SCREE_BODY_KINEMATIC, box_shape(0.5f, 0.3f), at, 0.0f, 0.0f);
-		throw(world, body, random_between(&seed, -5.0f, 5.0f), random_between(&seed, -5.0f, 5.0f),
-		      random_between(&seed, -5.0f, 5.0f));
+		throw_body(world, body, random_between(&seed, -5.0f, 5.0f), random_between(&seed, -5.0f, 5.0f),
+		           random_between(&seed, -5.0f, 5.0f));
 	}
 }
 
@@ -370,7 +332,7 @@ static void heaps_do_not_explode(void** state)
 	(void)state;
 	for (uint64_t seed = 1; seed <= (quick() ? 1 : 3); ++seed)
 	{
-		scree_world* world = open_world((float)-GRAVITY);
+		scree_world* world = open_world((float)-G);
 		build_heap(world, &seed);
 		scree_body bodies[400];
 		int count;
@@ -392,8 +354,8 @@ static void build_all(scree_world* world, const void* context)
 	uint64_t seed = 5;
 	add_floor(world);
 	for (int k = -6; k <= 6; ++k)
-		add(world, SCREE_BODY_STATIC, segment_shape((scree_vec){0.0f, 0.0f}, (scree_vec){0.0f, 12.0f}),
-		    (scree_vec){2.0f * (float)k, 0.0f}, 0.0f, 0.5f);
+		add(world, SCREE_BODY_STATIC, segment_shape(0.0f, 0.0f, 0.0f, 12.0f), (scree_vec){2.0f * (float)k, 0.0f}, 0.0f,
+		    0.5f);
 	for (int k = 0; k < 80; ++k)
 	{
 		float size = random_between(&seed, 0.05f, 0.3f);
@@ -401,10 +363,10 @@ static void build_all(scree_world* world, const void* context)
 		scree_vec at = {random_between(&seed, -11.0f, 11.0f), random_between(&seed, 0.5f, 8.0f)};
 		scree_body body =
 		    add(world, SCREE_BODY_DYNAMIC, shapes[k % 3], at, random_between(&seed, -3.0f, 3.0f), k % 2 ? 1.0f : 0.0f);
-		throw(world, body, random_between(&seed, -200.0f, 200.0f), random_between(&seed, -50.0f, 50.0f), 40.0f);
+		throw_body(world, body, random_between(&seed, -200.0f, 200.0f), random_between(&seed, -50.0f, 50.0f), 40.0f);
 	}
 	scree_body rim = add_rim(world, 150, 1.5f, (scree_vec){-14.5f, 4.0f});
-	throw(world, rim, 150.0f, 0.0f, 30.0f);
+	throw_body(world, rim, 150.0f, 0.0f, 30.0f);
 }
 
 static void act_all(scree_world* world, int step, const void* context)
@@ -428,35 +390,20 @@ static void act_all(scree_world* world, int step, const void* context)
 	}
 }
 
-static void same_on_every_way(void** state)
+static void same_on_every_variant(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
 	uint64_t seed = 2;
-	Story all = {.name = "all",
-	             .def = scree_world_def_default(),
-	             .dt = STEP,
-	             .substeps = SUBSTEPS,
-	             .steps = quick() ? 6 : 20,
-	             .build = build_all,
-	             .act = act_all};
-	Story heap = {.name = "heap",
-	              .def = scree_world_def_default(),
-	              .dt = STEP,
-	              .substeps = SUBSTEPS,
-	              .steps = quick() ? 3 : 6,
-	              .build = build_heap,
-	              .context = &seed};
-	check_parity(&all, ways, count, NULL);
-	check_parity(&heap, ways, count, NULL);
+	Scenario all = scenario_of("all", quick() ? 6 : 20, build_all, act_all, NULL);
+	Scenario heap = scenario_of("heap", quick() ? 3 : 6, build_heap, NULL, &seed);
+	check_parity(&all, NULL);
+	check_parity(&heap, NULL);
 }
 
 // J: of motion
 static double motion_of(scree_world* world, scree_body body)
 {
-	scree_mass mass;
-	OK(scree_body_get_mass(world, body, &mass));
+	scree_mass mass = mass_of(world, body);
 	scree_velocity v = velocity_of(world, body);
 	double square = (double)(v.linear.x * v.linear.x + v.linear.y * v.linear.y);
 	return 0.5 * ((double)mass.mass * square + (double)(mass.inertia * v.angular * v.angular));
@@ -542,7 +489,7 @@ int main(void)
 	    cmocka_unit_test(strikes_before_a_wall), cmocka_unit_test(fast_bodies_at_walls),
 	    cmocka_unit_test(fast_rims_at_walls),    cmocka_unit_test(held_by_no_mistake),
 	    cmocka_unit_test(limits_hold),           cmocka_unit_test(heaps_do_not_explode),
-	    cmocka_unit_test(same_on_every_way),     cmocka_unit_test(gases_gain_nothing),
+	    cmocka_unit_test(same_on_every_variant), cmocka_unit_test(gases_gain_nothing),
 	    cmocka_unit_test(corners_gain_nothing),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

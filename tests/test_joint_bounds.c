@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // test_joint_bounds.c -- bounds of springs and motors: of a push and of a pull, and along and across together.
-#include "joint_support.h"
-#include "support.h"
+#include "support/make_joints.h"
 #include <float.h>
+#include <math.h>
 
 // A box of 1 kg in a world without gravity.
 static scree_body add_puck(scree_world* world, scree_velocity velocity)
 {
-	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 	OK(scree_body_set_mass(world, body, (scree_mass){1.0f, 0.2f, {0.0f, 0.0f}}));
 	OK(scree_body_set_velocity(world, body, velocity));
 	return body;
@@ -41,7 +41,7 @@ static void springs_push_or_pull(void** state)
 
 			// on the other one it comes back after half a second
 			OK(scree_body_set_pose(world, body, (scree_pose){{0.0f, 0.0f}, {1.0f, 0.0f}}));
-			OK(scree_body_set_velocity(world, body, (scree_velocity){{pulls ? 1.0f : -1.0f, 0.0f}, 0.0f}));
+			throw_body(world, body, pulls ? 1.0f : -1.0f, 0.0f, 0.0f);
 			run_steps(world, 15);
 			assert_true(pulls ? joint_state_of(world, joint).force.x < -1.0f
 			                  : joint_state_of(world, joint).force.x > 1.0f);
@@ -87,8 +87,8 @@ static void friction_in_any_direction(void** state)
 		for (int k = 0; k < 16; ++k)
 		{
 			scree_world* world = open_world(0.0f);
-			scree_rot way = scree_rot_make((float)(2.0 * PI) * (float)k / 16.0f + 0.1f);
-			scree_body body = add_puck(world, (scree_velocity){{4.0f * way.c, 4.0f * way.s}, 0.0f});
+			scree_rot direction = scree_rot_make((float)(2.0 * PI) * (float)k / 16.0f + 0.1f);
+			scree_body body = add_puck(world, (scree_velocity){{4.0f * direction.c, 4.0f * direction.s}, 0.0f});
 			scree_joint_def def = joint_def_at(world, SCREE_JOINT_MOTOR, NOBODY, body, 0.0f, 0.0f, 0.0f);
 			def.coordinates[SCREE_ALONG].motor_max = def.coordinates[SCREE_ACROSS].motor_max = 2.0f;
 			assert_true(def.elliptic);
@@ -98,11 +98,11 @@ static void friction_in_any_direction(void** state)
 			scree_vec v = velocity_of(world, body).linear;
 			if (elliptic)
 			{
-				NEAR(v.x, 2.0 * way.c, 2e-3);
-				NEAR(v.y, 2.0 * way.s, 2e-3);
+				NEAR(v.x, 2.0 * direction.c, 2e-3);
+				NEAR(v.y, 2.0 * direction.s, 2e-3);
 			}
 			else
-				NEAR(fabs(v.x), fmax(4.0 * fabs(way.c) - 2.0, 0.0), 2e-3);
+				NEAR(fabs(v.x), fmax(4.0 * fabs(direction.c) - 2.0, 0.0), 2e-3);
 			run_steps(world, 61);
 			if (elliptic)
 				assert_true(hypotf(velocity_of(world, body).linear.x, velocity_of(world, body).linear.y) < 1e-5f);
@@ -119,7 +119,7 @@ static void friction_of_a_skate(void** state)
 		for (int beyond = 0; beyond < 2; ++beyond)
 		{
 			scree_world* world = open_world(0.0f);
-			scree_rot way = scree_rot_make((float)PI / 4.0f * (float)k);
+			scree_rot direction = scree_rot_make((float)PI / 4.0f * (float)k);
 			float share = beyond ? 1.05f : 0.95f;
 			scree_body body = add_puck(world, (scree_velocity){0});
 			scree_joint_def def = joint_def_at(world, SCREE_JOINT_MOTOR, NOBODY, body, 0.0f, 0.0f, 0.0f);
@@ -128,7 +128,8 @@ static void friction_of_a_skate(void** state)
 			add_joint(world, &def);
 			for (int i = 0; i < 60; ++i)
 			{
-				OK(scree_body_apply_force(world, body, (scree_vec){share * most[0] * way.c, share * most[1] * way.s}));
+				OK(scree_body_apply_force(world, body,
+				                          (scree_vec){share * most[0] * direction.c, share * most[1] * direction.s}));
 				run_steps(world, 1);
 			}
 			scree_vec v = velocity_of(world, body).linear;
@@ -145,17 +146,17 @@ static void targets_in_any_direction(void** state)
 		for (int across = 0; across < 2; ++across)
 		{
 			scree_world* world = open_world(0.0f);
-			scree_rot way = scree_rot_make((float)PI / 4.0f * (float)k + 0.3f);
+			scree_rot direction = scree_rot_make((float)PI / 4.0f * (float)k + 0.3f);
 			scree_body body = add_puck(world, (scree_velocity){0});
 			scree_joint_def def = joint_def_at(world, SCREE_JOINT_TARGET, NOBODY, body, 0.0f, 0.0f, 0.0f);
-			def.frame_a.position = (scree_vec){1000.0f * way.c, 1000.0f * way.s};
+			def.frame_a.position = (scree_vec){1000.0f * direction.c, 1000.0f * direction.s};
 			def.coordinates[SCREE_ALONG].spring_max = 3.0f;
 			def.coordinates[SCREE_ACROSS].spring_max = across ? 3.0f : 0.0f;
 			add_joint(world, &def);
 			run_steps(world, 60);
 			scree_vec v = velocity_of(world, body).linear;
-			NEAR(v.x, across ? 3.0 * way.c : copysign(3.0, way.c), 2e-2);
-			NEAR(v.y, across ? 3.0 * way.s : 0.0, across ? 2e-2 : 0.0);
+			NEAR(v.x, across ? 3.0 * direction.c : copysign(3.0, direction.c), 2e-2);
+			NEAR(v.y, across ? 3.0 * direction.s : 0.0, across ? 2e-2 : 0.0);
 			scree_world_destroy(world);
 		}
 }
@@ -168,7 +169,7 @@ static void friction_beside_the_center(void** state)
 	for (int k = 0; k < 4; ++k)
 	{
 		scree_world* world = open_world(0.0f);
-		scree_rot way = scree_rot_make((float)PI / 2.0f * (float)k);
+		scree_rot direction = scree_rot_make((float)PI / 2.0f * (float)k);
 		scree_body body = add_puck(world, (scree_velocity){0});
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_MOTOR, NOBODY, body, 0.4f, 0.0f, 0.0f);
 		for (int c = 0; c < 3; ++c)
@@ -176,12 +177,12 @@ static void friction_beside_the_center(void** state)
 		add_joint(world, &def);
 		for (int n = 0; n < 60; ++n)
 		{
-			OK(scree_body_apply_force(world, body, (scree_vec){15.0f * way.c, 15.0f * way.s}));
+			OK(scree_body_apply_force(world, body, (scree_vec){15.0f * direction.c, 15.0f * direction.s}));
 			run_steps(world, 1);
 		}
 		NEAR(velocity_of(world, body).angular, 0.0, 1e-4);
-		NEAR(velocity_of(world, body).linear.x, 5.0 * way.c, 0.01);
-		NEAR(velocity_of(world, body).linear.y, 5.0 * way.s, 0.01);
+		NEAR(velocity_of(world, body).linear.x, 5.0 * direction.c, 0.01);
+		NEAR(velocity_of(world, body).linear.y, 5.0 * direction.s, 0.01);
 		scree_world_destroy(world);
 	}
 }

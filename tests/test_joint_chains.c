@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // test_joint_chains.c -- rows of joints, which are solved together: heavy loads, rings, rows that grow, tear and meet.
-#include "joint_support.h"
-#include "support.h"
+#include "support/make_joints.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define G    10.0 // m/s^2
 #define MOST 300
 
 static scree_body links[MOST + 1];
@@ -17,23 +16,8 @@ static void add_links(scree_world* world, int count, float x, float y)
 		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, x + 0.25f + 0.5f * (float)k, y);
 }
 
-// the largest gap of all joints whose translations are locked, m
-static double gap_of(scree_world* world)
-{
-	static scree_joint joints[2 * MOST];
-	static scree_joint_state states[2 * MOST];
-	int count;
-	double gap = 0.0;
-	OK(scree_world_get_joints(world, joints, 2 * MOST, &count));
-	OK(scree_joints_get_states(world, joints, states, count));
-	for (int k = 0; k < count; ++k)
-		if (!states[k].broken)
-			gap = fmax(gap, hypot(states[k].values[0], states[k].values[1]));
-	return gap;
-}
-
-// A load at the end of a rope, heavier than a link by a ratio, falls from the horizontal and pulls with up to three times its weight:
-// each joint of the rope is longer by 2 F / m w^2.
+// A load of so many links at the end of a rope that falls from the horizontal pulls with up to three times its weight: each joint
+// of the rope is longer by 2 F / m w^2.
 static void ropes_swing_heavy_loads(void** state)
 {
 	(void)state;
@@ -51,7 +35,7 @@ static void ropes_swing_heavy_loads(void** state)
 		for (int i = 0; i < 1200; ++i)
 		{
 			run_steps(world, 1);
-			gap = fmax(gap, gap_of(world));
+			gap = fmax(gap, joint_gap_of(world));
 			longest = fmax(longest, hypot(position_of(world, links[39]).x, position_of(world, links[39]).y));
 		}
 		print_message("rope of 20 m, load of %g links: gaps up to %.4f m, longer by %+.3f m\n", (double)ratios[k], gap,
@@ -98,11 +82,10 @@ static void whirls_keep_momentum(void** state)
 			float turn = ring ? (float)PI * 0.1f * (float)i : 0.0f, c = (float)cos(turn), s = (float)sin(turn);
 			float x = ring ? 1.6f * c : 0.5f * ((float)i - 9.5f), y = ring ? 1.6f * s : 0.0f;
 			scree_body_def def = scree_body_def_default();
-			scree_attribute_def box = surface_of(box_shape(0.24f, 0.05f));
-			def.attribute = add_attribute(world, &box);
+			def.attribute = shape_attribute(world, box_shape(0.24f, 0.05f));
 			def.pose = (scree_pose){{x, y}, scree_rot_make(turn + (ring ? (float)PI / 2.0f : 0.0f))};
 			def.velocity = (scree_velocity){{-spin * y, spin * x + (i == 0 ? 1.0f : 0.0f)}, spin};
-			OK(scree_body_create(world, &def, &links[i]));
+			links[i] = create_body(world, &def);
 		}
 		for (int i = 0; i < (ring ? 20 : 19); ++i)
 		{
@@ -114,7 +97,7 @@ static void whirls_keep_momentum(void** state)
 		for (int i = 0; i < 600; ++i)
 		{
 			run_steps(world, 1);
-			gap = fmax(gap, gap_of(world));
+			gap = fmax(gap, joint_gap_of(world));
 		}
 		Momentum after = momentum_of(world, links, 20);
 		print_message("%s at %g rad/s: angular momentum %+.1e of it, energy %.4f, gaps up to %.4f m\n",
@@ -154,7 +137,7 @@ static void ropes_tear(void** state)
 	NEAR(velocity_of(world, links[20]).linear.y - v, -0.5 * G, 0.02);
 	run_steps(world, 90);
 	NEAR(position_of(world, links[11]).y, -5.75, 0.01);
-	assert_true(gap_of(world) < 0.01);
+	assert_true(joint_gap_of(world) < 0.01);
 	scree_world_destroy(world);
 }
 
@@ -173,15 +156,14 @@ static void rows_change(void** state)
 		if (k > 0)
 		{
 			OK(scree_body_get_world_point(world, links[k - 1], (scree_vec){0.25f, 0.0f}, &end));
-			scree_pose pose;
-			OK(scree_body_get_pose(world, links[k - 1], &pose));
+			scree_pose pose = pose_of(world, links[k - 1]);
 			scree_vec middle = {end.x + 0.25f * pose.rotation.c, end.y + 0.25f * pose.rotation.s};
 			OK(scree_body_set_pose(world, links[k], (scree_pose){middle, pose.rotation}));
 			OK(scree_body_set_velocity(world, links[k], velocity_of(world, links[k - 1])));
 		}
 		joints[k] = join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : NOBODY, links[k], end.x, end.y);
 		run_steps(world, 1);
-		gap = fmax(gap, gap_of(world));
+		gap = fmax(gap, joint_gap_of(world));
 	}
 	print_message("row that grows to 60 links: gaps up to %.4f m\n", gap);
 	assert_true(gap < 0.05);
@@ -202,7 +184,7 @@ static void rows_change(void** state)
 	OK(scree_body_destroy(world, links[50]));
 	run_steps(world, 240);
 	check_finite(world);
-	gap = gap_of(world);
+	gap = joint_gap_of(world);
 	print_message("after it was cut and changed: gap %.4f m\n", gap);
 	assert_true(gap < 0.05);
 	scree_world_destroy(world);
@@ -211,22 +193,6 @@ static void rows_change(void** state)
 // ---------------------------------------------------------------------------------------------------------------
 // among contacts
 // ---------------------------------------------------------------------------------------------------------------
-
-// mean of v^2 + (r w)^2 of some bodies over a second, m^2/s^2
-static double mean_square(scree_world* world, const scree_body* bodies, int count, double reach)
-{
-	double sum = 0.0;
-	for (int k = 0; k < 60; ++k)
-	{
-		run_steps(world, 1);
-		for (int i = 0; i < count; ++i)
-		{
-			scree_velocity v = velocity_of(world, bodies[i]);
-			sum += (double)v.linear.x * v.linear.x + (double)v.linear.y * v.linear.y + pow(reach * v.angular, 2.0);
-		}
-	}
-	return sum / 60.0 / count;
-}
 
 static void damp(scree_world* world, int count, float rate)
 {
@@ -240,13 +206,13 @@ static void bridges_rest_on_boxes(void** state)
 	(void)state;
 	skip_if_quick();
 	scree_world* world = open_world((float)-G);
-	scree_body box = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	scree_body box = add_crate(world, SCREE_BODY_STATIC, 0.0f, 0.0f);
 	add_links(world, 20, 0.0f, 0.0f);
 	for (int k = 0; k <= 20; ++k)
 		join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : box, k < 20 ? links[k] : NOBODY, 0.5f * (float)k, 0.0f);
 	damp(world, 20, 0.1f);
 	run_steps(world, 3600);
-	double speed = mean_square(world, links, 20, 0.25);
+	double speed = mean_square_speed(world, links, 20, 0.25, 60);
 	print_message("bridge on a box after a minute: %.2g m^2/s^2\n", speed);
 	assert_true(speed < 5e-4);
 	scree_world_destroy(world);
@@ -258,13 +224,13 @@ static void ropes_rest_in_boxes(void** state)
 	(void)state;
 	skip_if_quick();
 	scree_world* world = open_world((float)-G);
-	scree_body box = add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	scree_body box = add_crate(world, SCREE_BODY_STATIC, 0.0f, 0.0f);
 	add_links(world, 10, 0.0f, 0.0f);
 	for (int k = 0; k < 10; ++k)
 		join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : box, links[k], 0.5f * (float)k, 0.0f);
 	damp(world, 10, 0.5f);
 	run_steps(world, 3600);
-	double speed = mean_square(world, links, 10, 0.25);
+	double speed = mean_square_speed(world, links, 10, 0.25, 60);
 	print_message("rope in a box after a minute: %.2g m^2/s^2\n", speed);
 	scree_world_destroy(world);
 	assert_true(speed < 5e-4);
@@ -288,7 +254,7 @@ static void ropes_stay_on_pegs(void** state)
 	}
 	damp(world, 42, 0.5f);
 	run_steps(world, 3600);
-	double speed = mean_square(world, links, 42, 0.12);
+	double speed = mean_square_speed(world, links, 42, 0.12, 60);
 	print_message("rope over a peg after a minute: %.2g m^2/s^2, loads at %.3f and %.3f m\n", speed,
 	              (double)position_of(world, links[0]).y, (double)position_of(world, links[41]).y);
 	assert_true(speed < 1e-4);
@@ -322,9 +288,9 @@ static void ropes_side_by_side(void** state)
 {
 	(void)state;
 	static scree_pose poses[2][MOST];
-	for (int way = 0; way < 4; ++way)
+	for (int variant = 0; variant < 4; ++variant)
 	{
-		int count = 10 + 9 * way;
+		int count = 10 + 9 * variant;
 		for (int many = 0; many < 2; ++many)
 		{
 			scree_world* world = open_world((float)-G);
@@ -337,7 +303,7 @@ static void ropes_side_by_side(void** state)
 			OK(scree_joint_destroy(world, cut));
 			run_steps(world, 60);
 			for (int k = 0; k < count; ++k)
-				OK(scree_body_get_pose(world, own[k], &poses[many][k]));
+				poses[many][k] = pose_of(world, own[k]);
 			scree_world_destroy(world);
 		}
 		assert_memory_equal(poses[0], poses[1], (size_t)count * sizeof poses[0][0]);
@@ -357,8 +323,7 @@ static void nets_hold_their_weight(void** state)
 	};
 	scree_world* world = open_world((float)-G);
 	static scree_body bodies[SIZE * SIZE];
-	scree_attribute_def circle = surface_of(circle_shape(0.4f));
-	scree_attribute attribute = add_attribute(world, &circle);
+	scree_attribute attribute = shape_attribute(world, circle_shape(0.4f));
 	for (int k = 0; k < SIZE * SIZE; ++k)
 	{
 		int column = k / SIZE, line = k % SIZE;
@@ -374,8 +339,7 @@ static void nets_hold_their_weight(void** state)
 	for (int k = 0; k < 240; ++k)
 	{
 		run_steps(world, 1);
-		scree_counters counters;
-		OK(scree_world_get_counters(world, &counters));
+		scree_counters counters = counters_of(world);
 		gap = fmax(gap, (double)counters.joint_gap);
 	}
 	print_message("net of %d x %d: gaps up to %.3f m (Box2D 0.298)\n", SIZE, SIZE, gap);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // test_joint_extremes.c -- joints in masses, at rest for long, far away, tiny and huge, light and heavy, and beside a body that is lost.
-#include "joint_support.h"
-#include "support.h"
+#include "support/make_joints.h"
+#include <math.h>
 #include <stdlib.h>
 
-#define G 10.0 // m/s^2
-
-// count boxes in a row of hinges, the first at a hinge of the world or of a body
+// so many boxes in a row of hinges, the first at a hinge of the world or of a body
 static void add_chain(scree_world* world, scree_body* links, int count, float size, scree_vec from, scree_body anchor)
 {
 	for (int k = 0; k < count; ++k)
@@ -15,36 +13,6 @@ static void add_chain(scree_world* world, scree_body* links, int count, float si
 		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f * size, 0.1f * size, x + 0.5f * size, from.y);
 		join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : anchor, links[k], x, from.y);
 	}
-}
-
-// mean of v^2 + (r w)^2 over some steps, m^2/s^2
-static double mean_square(scree_world* world, const scree_body* bodies, int count, double reach, int steps)
-{
-	double sum = 0.0;
-	for (int k = 0; k < steps; ++k)
-	{
-		run_steps(world, 1);
-		for (int i = 0; i < count; ++i)
-		{
-			scree_velocity v = velocity_of(world, bodies[i]);
-			sum += (double)v.linear.x * v.linear.x + (double)v.linear.y * v.linear.y + pow(reach * v.angular, 2.0);
-		}
-	}
-	return sum / steps / count;
-}
-
-// the largest gap of some joints along and across, m
-static double gap_of(scree_world* world)
-{
-	static scree_joint joints[12000];
-	static scree_joint_state states[12000];
-	int count;
-	double gap = 0.0;
-	OK(scree_world_get_joints(world, joints, 12000, &count));
-	OK(scree_joints_get_states(world, joints, states, count));
-	for (int k = 0; k < count; ++k)
-		gap = fmax(gap, hypot(states[k].values[0], states[k].values[1]));
-	return gap;
 }
 
 // A wheel with 200 arms has more joints than there are colors. Each arm holds, and the wheel carries them all.
@@ -66,10 +34,10 @@ static void hubs_hold(void** state)
 	}
 	run_steps(world, 600);
 	scree_mass heavy, light;
-	OK(scree_body_get_mass(world, wheel, &heavy));
-	OK(scree_body_get_mass(world, arms[0], &light));
-	double weight = (heavy.mass + ARMS * light.mass) * G, gap = gap_of(world);
-	double speed = mean_square(world, arms, ARMS, 0.1, 60);
+	heavy = mass_of(world, wheel);
+	light = mass_of(world, arms[0]);
+	double weight = (heavy.mass + ARMS * light.mass) * G, gap = joint_gap_of(world);
+	double speed = mean_square_speed(world, arms, ARMS, 0.1, 60);
 	print_message("hub of %d joints: gap %.2g m, mean square speed %.2g m^2/s^2\n", ARMS, gap, speed);
 	assert_true(gap < 2e-3 && speed < 1e-6);
 	NEAR(joint_state_of(world, pin).force.y, weight, 0.01 * weight);
@@ -85,7 +53,7 @@ static void hubs_hold(void** state)
 		join(world, SCREE_JOINT_WELD, wheel, arms[k], 6.0f * c, 6.0f * s);
 	}
 	run_steps(world, 600);
-	assert_true(gap_of(world) < 2e-3);
+	assert_true(joint_gap_of(world) < 2e-3);
 	NEAR(joint_state_of(world, pin).force.y, weight, 0.01 * weight);
 	scree_world_destroy(world);
 }
@@ -99,11 +67,10 @@ static void many_joints(void** state)
 		SIDE = 71
 	};
 	scree_world* world = open_world((float)-G);
-	scree_attribute_def surface = surface_of(circle_shape(0.1f));
 	scree_body_def* bodies = calloc(SIDE * SIDE, sizeof *bodies);
 	scree_body* made = calloc(SIDE * SIDE, sizeof *made);
 	scree_joint_def* joints = calloc(2 * SIDE * SIDE, sizeof *joints);
-	scree_attribute attribute = add_attribute(world, &surface);
+	scree_attribute attribute = shape_attribute(world, circle_shape(0.1f));
 	int count = 0;
 	for (int k = 0; k < SIDE * SIDE; ++k)
 	{
@@ -114,22 +81,22 @@ static void many_joints(void** state)
 	}
 	OK(scree_bodies_create(world, bodies, SIDE * SIDE, made));
 	for (int k = 0; k < SIDE * SIDE; ++k)
-		for (int way = 0; way < 2; ++way)
+		for (int variant = 0; variant < 2; ++variant)
 		{
-			if (way ? k + SIDE >= SIDE * SIDE : k % SIDE == SIDE - 1)
+			if (variant ? k + SIDE >= SIDE * SIDE : k % SIDE == SIDE - 1)
 				continue;
 			joints[count] = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
 			joints[count].body_a = made[k];
-			joints[count].body_b = made[way ? k + SIDE : k + 1];
-			joints[count].frame_a.position = (scree_vec){way ? 0.0f : 0.25f, way ? -0.25f : 0.0f};
-			joints[count].frame_b.position = (scree_vec){way ? 0.0f : -0.25f, way ? 0.25f : 0.0f};
+			joints[count].body_b = made[variant ? k + SIDE : k + 1];
+			joints[count].frame_a.position = (scree_vec){variant ? 0.0f : 0.25f, variant ? -0.25f : 0.0f};
+			joints[count].frame_b.position = (scree_vec){variant ? 0.0f : -0.25f, variant ? 0.25f : 0.0f};
 			++count;
 		}
 	OK(scree_joints_create(world, joints, count, NULL));
 	assert_int_equal(joints_of(world), count);
 	run_steps(world, 30);
 	scree_counters counters = counters_of(world);
-	double gap = gap_of(world);
+	double gap = joint_gap_of(world);
 	print_message("net of %d joints: %d colors, gap %.4f m after half a second\n", count, counters.colors, gap);
 	assert_true(count > 9900 && gap < 0.5);
 	check_finite(world);
@@ -197,11 +164,12 @@ static void joints_rest(void** state)
 	for (int k = 0; k < count; ++k)
 		OK(scree_body_set_damping(world, bodies[k], 0.1f, 0.1f));
 	run_steps(world, 1800);
-	double dolls = mean_square(world, bodies + 40, 40, 0.2, 60), chains = mean_square(world, bodies, 40, 0.25, 60);
+	double dolls = mean_square_speed(world, bodies + 40, 40, 0.2, 60),
+	       chains = mean_square_speed(world, bodies, 40, 0.25, 60);
 	first = position_of(world, bodies[60]).x;
 	run_steps(world, 3600);
 	last = position_of(world, bodies[60]).x;
-	double later = mean_square(world, bodies, count, 0.2, 60);
+	double later = mean_square_speed(world, bodies, count, 0.2, 60);
 	print_message("at rest after 30 s: dolls %.2g, chains %.2g; after 90 s all %.2g m^2/s^2, a doll crept %.2g m\n",
 	              dolls, chains, later, fabs(last - first));
 	assert_true(later < 1e-6);
@@ -223,7 +191,7 @@ static void far_away(void** state)
 		for (int k = 0; k < 10; ++k)
 			OK(scree_body_set_damping(world, links[k], 0.5f, 0.5f));
 		run_steps(world, 3000);
-		double speed = mean_square(world, links, 10, 0.25, 60), gap = gap_of(world);
+		double speed = mean_square_speed(world, links, 10, 0.25, 60), gap = joint_gap_of(world);
 		print_message("5 km away, at %s: mean square speed %.2g m^2/s^2, gap %.2g m\n",
 		              world_point ? "a point of the world" : "a body", speed, gap);
 		assert_true(speed < 1e-6 && gap < 2e-3);
@@ -250,10 +218,10 @@ static void tiny_and_huge(void** state)
 		for (int step = 0; step < 600; ++step)
 		{
 			run_steps(world, 1);
-			gap = fmax(gap, gap_of(world));
+			gap = fmax(gap, joint_gap_of(world));
 		}
 		run_steps(world, 12000);
-		double rest = gap_of(world);
+		double rest = joint_gap_of(world);
 		print_message("links of %g m: gaps up to %.5f m as they fall, %.5f m later\n", size, gap, rest);
 		check_finite(world);
 		double longer = G / pow(CHAIN_STIFFER * 2.0 * PI * 60.0, 2.0);
@@ -277,8 +245,7 @@ static void unequal_masses(void** state)
 				links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, 0.25f + 0.5f * (float)k, 0.0f);
 				join(world, (scree_joint_type)type, k ? links[k - 1] : NOBODY, links[k], 0.5f * (float)k, 0.0f);
 			}
-			scree_mass mass;
-			OK(scree_body_get_mass(world, links[0], &mass));
+			scree_mass mass = mass_of(world, links[0]);
 			OK(scree_body_set_mass(world, links[heavy],
 			                       (scree_mass){1000.0f * mass.mass, 1000.0f * mass.inertia, {0.0f, 0.0f}}));
 			double start = 1000.0 * mass.mass * G * 5.0, fastest = 0.0, gap = 0.0;
@@ -286,7 +253,7 @@ static void unequal_masses(void** state)
 			{
 				run_steps(world, 1);
 				fastest = fmax(fastest, momentum_of(world, links, 10).energy / start);
-				gap = fmax(gap, gap_of(world));
+				gap = fmax(gap, joint_gap_of(world));
 			}
 			print_message("%s, link %d of 1,000 times the mass: largest gap %.3f m, energy at most %.3f of the fall\n",
 			              scree_joint_type_name((scree_joint_type)type), heavy, gap, fastest);
@@ -361,7 +328,7 @@ static void a_net_hangs(void** state)
 	for (int step = 0; step < 200; ++step)
 	{
 		run_steps(world, 1);
-		gap = fmax(gap, gap_of(world));
+		gap = fmax(gap, joint_gap_of(world));
 	}
 	print_message("net: largest gap %.3f m\n", gap);
 	assert_true(gap < 0.45); // Box2D with circles: 0.34 m
@@ -379,7 +346,7 @@ static void sliders_come_together(void** state)
 		scree_joint joints[6];
 		for (int n = 0; n < 6; ++n)
 		{
-			body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.6f + 1.2f * (float)n);
+			body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.6f + 1.2f * (float)n);
 			scree_joint_def def = joint_def_at(world, SCREE_JOINT_PRISMATIC, last, body, 0.0f, 1.2f * (float)n, 0.0f);
 			def.coordinates[SCREE_ALONG].limited = true;
 			def.coordinates[SCREE_ALONG].lower = -6.0f;

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 // test_joint_limits.c -- limits, ropes, soft locks, targets and thresholds of joints against what they must hold.
-#include "joint_support.h"
-#include "support.h"
+#include "support/make_joints.h"
 #include <float.h>
+#include <math.h>
 #include <string.h>
-
-#define G 10.0 // m/s^2
 
 static double weight_of(scree_world* world, scree_body body)
 {
-	scree_mass mass;
-	OK(scree_body_get_mass(world, body, &mass));
+	scree_mass mass = mass_of(world, body);
 	return mass.mass * G;
 }
 
@@ -18,19 +15,19 @@ static double weight_of(scree_world* world, scree_body body)
 static void angles_count_turns(void** state)
 {
 	(void)state;
-	for (int way = -1; way <= 1; way += 2)
+	for (int direction = -1; direction <= 1; direction += 2)
 	{
 		scree_world* world = open_world(0.0f);
-		scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+		scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_REVOLUTE, NOBODY, body, 0.0f, 0.0f, 0.0f);
 		scree_joint_coordinate* angle = &def.coordinates[SCREE_ANGLE];
 		angle->limited = angle->motor = true;
 		angle->lower = (float)(-3.0 * PI);
 		angle->upper = (float)(5.0 * PI);
 		angle->motor_max = 10.0f;
-		angle->motor_speed = 9.0f * (float)way;
+		angle->motor_speed = 9.0f * (float)direction;
 		scree_joint joint = add_joint(world, &def);
-		double limit = way < 0 ? -3.0 * PI : 5.0 * PI;
+		double limit = direction < 0 ? -3.0 * PI : 5.0 * PI;
 		for (int k = 0; k < 240; ++k)
 		{
 			run_steps(world, 1);
@@ -39,9 +36,9 @@ static void angles_count_turns(void** state)
 		}
 		NEAR(joint_state_of(world, joint).values[SCREE_ANGLE], limit, 0.005);
 		NEAR(joint_state_of(world, joint).torque, 0.0, 0.5);
-		OK(scree_joint_set_motor_speed(world, joint, SCREE_ANGLE, -9.0f * (float)way));
+		OK(scree_joint_set_motor_speed(world, joint, SCREE_ANGLE, -9.0f * (float)direction));
 		run_steps(world, 400);
-		NEAR(joint_state_of(world, joint).values[SCREE_ANGLE], way < 0 ? 5.0 * PI : -3.0 * PI, 0.005);
+		NEAR(joint_state_of(world, joint).values[SCREE_ANGLE], direction < 0 ? 5.0 * PI : -3.0 * PI, 0.005);
 		scree_world_destroy(world);
 	}
 }
@@ -51,7 +48,7 @@ static void wheels_turn_long(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 	scree_joint joint = join(world, SCREE_JOINT_REVOLUTE, NOBODY, body, 0.0f, 0.0f);
 	OK(scree_body_set_angular_velocity(world, body, -20.0f));
 	run_steps(world, 3600);
@@ -76,7 +73,7 @@ static void sliders_stop(void** state)
 		along->lower = -1.5f;
 		along->upper = 0.5f;
 		scree_joint joint = add_joint(world, &def);
-		OK(scree_body_set_velocity(world, body, (scree_velocity){{5.0f, 0.0f}, slot ? 1.0f : 0.0f}));
+		throw_body(world, body, 5.0f, 0.0f, slot ? 1.0f : 0.0f);
 		double highest = 0.0, lowest = 0.0;
 		for (int k = 0; k < 300; ++k)
 		{
@@ -147,7 +144,7 @@ static void targets_are_held(void** state)
 {
 	(void)state;
 	scree_world* world = open_world((float)-G);
-	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_WELD);
 	def.body_b = body;
 	def.frame_a = (scree_pose){{1.0f, 2.0f}, scree_rot_make((float)PI / 3.0f)};
@@ -178,7 +175,7 @@ static void soft_locks_have_a_direction(void** state)
 	{
 		double turn = k * PI / 4.0, w = 2.0 * PI * 2.0;
 		scree_world* world = open_world((float)-G);
-		scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+		scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_WELD, NOBODY, body, 0.0f, 0.0f, (float)turn);
 		def.coordinates[SCREE_ALONG].lock_hertz = 2.0f;
 		def.coordinates[SCREE_ALONG].lock_damping_ratio = 1.0f;
@@ -204,7 +201,7 @@ static void joints_break_at_their_threshold(void** state)
 		for (int above = 0; above < 3; ++above)
 		{
 			scree_world* world = open_world((float)-G);
-			scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, -1.0f);
+			scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, -1.0f);
 			double weight = weight_of(world, body);
 			scree_joint_def def = joint_def_at(world, types[k], NOBODY, body, 0.0f, -1.0f, 0.0f);
 			if (types[k] == SCREE_JOINT_DISTANCE)
@@ -261,7 +258,7 @@ static void drives_are_limited(void** state)
 	for (int motor = 0; motor < 2; ++motor)
 	{
 		scree_world* world = open_world((float)-G);
-		scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+		scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 		float most = (float)(0.75 * weight_of(world, body));
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_PRISMATIC, NOBODY, body, 0.0f, 0.0f, (float)PI / 2.0f);
 		scree_joint_coordinate* along = &def.coordinates[SCREE_ALONG];
@@ -288,13 +285,13 @@ static void springs_of_nothing(void** state)
 	for (int k = 0; k < 8; ++k)
 	{
 		scree_world* world = open_world(0.0f);
-		scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+		scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_PRISMATIC, NOBODY, body, 0.0f, 0.0f, 0.0f);
 		def.coordinates[SCREE_ALONG].spring = true;
 		def.coordinates[SCREE_ALONG].spring_hertz = hertz[k % 4];
 		def.coordinates[SCREE_ALONG].spring_damping_ratio = k < 4 ? 0.0f : 1.0f;
 		add_joint(world, &def);
-		OK(scree_body_set_velocity(world, body, (scree_velocity){{2.0f, 1.0f}, 1.0f}));
+		throw_body(world, body, 2.0f, 1.0f, 1.0f);
 		run_steps(world, 60);
 		NEAR(velocity_of(world, body).linear.x, 2.0, 1e-4);
 		NEAR(velocity_of(world, body).linear.y, 0.0, 1e-3);
@@ -311,7 +308,7 @@ static void soft_locks_of_nothing(void** state)
 	for (int k = 0; k < 8; ++k)
 	{
 		scree_world* world = open_world((float)-G);
-		scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+		scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_WELD, NOBODY, body, 0.0f, 0.0f, 0.0f);
 		def.coordinates[SCREE_ANGLE].lock_hertz = hertz[k % 4];
 		def.coordinates[SCREE_ANGLE].lock_damping_ratio = k < 4 ? 0.0f : 1.0f;

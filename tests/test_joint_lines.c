@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_joint_lines.c -- lines of joints: where they run, their color by load, and that broken and destroyed joints vanish.
+#include "support/make_joints.h"
 #include "view/joint_lines.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
 #include <float.h>
 #include <stdlib.h>
 
@@ -16,13 +9,11 @@
 static scree_joint hang(scree_world* world, float x, float half, float above, float threshold)
 {
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
-	scree_joint joint;
 	def.body_b = add_box(world, SCREE_BODY_DYNAMIC, half, half, x, 5.0f);
 	OK(scree_joint_def_place(world, &def, (scree_pose){{x, 5.0f + above}, {1.0f, 0.0f}}));
 	def.force_threshold = threshold;
 	def.can_break = true;
-	OK(scree_joint_create(world, &def, &joint));
-	return joint;
+	return add_joint(world, &def);
 }
 
 // The loads of the boxes are their weights, 40, 10 and 10 N. The second joint breaks, the third is destroyed.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_joint_parity.c -- worlds of joints on every device, number of lanes and of threads, and moved between them: equal bits.
 #include "emulation/emulation_scenes.h"
-#include "joint_support.h"
+#include "support/make_joints.h"
+#include "support/scenarios.h"
 
 static void build_scene(scree_world* world, const void* context) { ((const FormScene*)context)->build(world); }
 
@@ -83,8 +84,8 @@ static void build_chains(scree_world* world, const void* context)
 	}
 }
 
-// Nothing is changed around the steps in which a world moves to another device (9) and back (25). Its chains have other places
-// there, without any edit.
+// Nothing is changed around the steps in which a world moves to another device (9) and back (25): its chains lie elsewhere there,
+// which no edit reports.
 static void act_chains(scree_world* world, int step, const void* context)
 {
 	(void)context;
@@ -234,12 +235,6 @@ static void act_nets(scree_world* world, int step, const void* context)
 #define WHEELS 9
 #define ROPES  12
 
-static void couple(scree_world* world, scree_joint_def* def)
-{
-	GOOD(scree_joint_def_couple(world, def));
-	add_joint(world, def);
-}
-
 // The parts of coupling k in place of a lock.
 static void vary(scree_joint_def* def, int k)
 {
@@ -284,14 +279,13 @@ static void build_couplings(scree_world* world, const void* context)
 	for (int k = 0; k < WHEELS; ++k)
 	{
 		float x = 2.0f * (float)k, radius = k % 2 ? 0.4f : 0.7f;
-		scree_attribute_def round = surface_of(circle_shape(radius));
-		scree_body wheel = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &round), x, 6.0f, 0.3f * (float)k);
+		scree_body wheel = add_shape(world, SCREE_BODY_DYNAMIC, circle_shape(radius), x, 6.0f, 0.3f * (float)k);
 		join(world, SCREE_JOINT_REVOLUTE, NOBODY, wheel, x, 6.0f);
 		scree_joint_def gear = scree_joint_def_make(SCREE_JOINT_GEAR);
 		gear.body_a = last;
 		gear.body_b = wheel;
 		gear.ratio = k % 2 ? -1.75f : 0.5f;
-		GOOD(scree_joint_def_couple(world, &gear));
+		OK(scree_joint_def_couple(world, &gear));
 		vary(&gear, k + 3);
 		add_joint(world, &gear);
 		scree_body load = add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.2f, x + 0.2f, 3.0f);
@@ -319,7 +313,7 @@ static void build_couplings(scree_world* world, const void* context)
 		rope.sides[0].base.position = (scree_vec){x - 0.6f, 6.0f};
 		rope.sides[1].base.position = (scree_vec){x + 0.6f, 6.0f};
 		rope.ratio = 1.0f + (float)(k % 3);
-		GOOD(scree_joint_def_couple(world, &rope));
+		OK(scree_joint_def_couple(world, &rope));
 		vary(&rope, k);
 		add_joint(world, &rope);
 	}
@@ -350,8 +344,7 @@ static void act_couplings(scree_world* world, int step, const void* context)
 	disturb(world, bodies, some, moved, step, 1);
 	if (step % 10 == 9)
 	{
-		scree_pose pose;
-		OK(scree_body_get_pose(world, moved, &pose));
+		scree_pose pose = pose_of(world, moved);
 		pose.rotation = scree_rot_make((float)step);
 		pose.position.y += 0.1f;
 		OK(scree_body_set_pose(world, moved, pose));
@@ -379,7 +372,7 @@ static scree_path add_wave(scree_world* world, float x, float y, float reach, bo
 	def.points = points;
 	def.count = 24;
 	def.closed = closed;
-	GOOD(scree_path_create(world, &def, &path));
+	OK(scree_path_create(world, &def, &path));
 	return path;
 }
 
@@ -388,8 +381,8 @@ static void add_bead(scree_world* world, scree_path path, scree_body a, scree_po
 {
 	float length;
 	scree_pose at;
-	GOOD(scree_path_get_length(world, path, &length));
-	GOOD(scree_path_get_pose(world, path, length * (float)(k % 37) / 37.0f, &at));
+	OK(scree_path_get_length(world, path, &length));
+	OK(scree_path_get_pose(world, path, length * (float)(k % 37) / 37.0f, &at));
 	scree_vec r = at.position;
 	scree_rot q = place.rotation;
 	scree_body bead = add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.05f, place.position.x + q.c * r.x - q.s * r.y,
@@ -400,7 +393,7 @@ static void add_bead(scree_world* world, scree_path path, scree_body a, scree_po
 	def.path = path;
 	def.initial_along = (float)(k % 5 - 2);
 	if (k % 6 == 1)
-		GOOD(scree_joint_def_mount(world, &def, length * (float)(k % 11) / 5.0f));
+		OK(scree_joint_def_mount(world, &def, length * (float)(k % 11) / 5.0f));
 	scree_joint_coordinate *along = def.coordinates, *across = along + 1, *angle = along + 2;
 	angle->locked = k % 3 == 0;
 	angle->spring = k % 3 == 1;
@@ -436,7 +429,7 @@ static void build_paths(scree_world* world, const void* context)
 	scree_path paths[] = {add_wave(world, 0.0f, 0.0f, 1.5f, true), add_wave(world, -8.0f, 3.0f, 1.0f, false),
 	                      add_wave(world, 9.0f, 4.0f, 3.0f, true)};
 	scree_body wheel = add_box(world, SCREE_BODY_DYNAMIC, 1.5f, 1.5f, 0.0f, 8.0f);
-	OK(scree_body_set_velocity(world, wheel, (scree_velocity){{0.5f, 1.0f}, 2.0f}));
+	throw_body(world, wheel, 0.5f, 1.0f, 2.0f);
 	scree_pose place = {{0.0f, 8.0f}, {1.0f, 0.0f}}, world_place = {{0.0f, 0.0f}, {1.0f, 0.0f}};
 	for (int k = 0; k < (context ? MANY_BEADS : FEW_BEADS); ++k)
 	{
@@ -447,7 +440,7 @@ static void build_paths(scree_world* world, const void* context)
 	for (int k = 0; k < 12 && context; ++k)
 	{
 		scree_pose at;
-		GOOD(scree_path_get_pose(world, paths[2], 0.4f * (float)k, &at));
+		OK(scree_path_get_pose(world, paths[2], 0.4f * (float)k, &at));
 		scree_body wagon = add_box(world, SCREE_BODY_DYNAMIC, 0.15f, 0.1f, at.position.x, at.position.y);
 		OK(scree_body_set_pose(world, wagon, at));
 		scree_joint_def def = scree_joint_def_make(SCREE_JOINT_PATH);
@@ -482,8 +475,7 @@ static void act_paths(scree_world* world, int step, const void* context)
 	int k = step * 17 % count;
 	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ALONG, 1.0f - states[k].values[SCREE_ALONG]));
 	scree_body moved = bodies[2 + step * 29 % (some - 2)];
-	scree_pose pose;
-	OK(scree_body_get_pose(world, moved, &pose));
+	scree_pose pose = pose_of(world, moved);
 	if (step % 5 == 1)
 	{
 		pose.position.x += step % 10 == 1 ? 0.3f : 3.0f;
@@ -522,34 +514,27 @@ static void act_paths(scree_world* world, int step, const void* context)
 static void joints_are_equal(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
-	scree_world_def def = scree_world_def_default();
 	const bool many = true;
-	Story stories[] = {
-	    {.name = "joints", .steps = 45, .build = build_scene, .act = act_scene, .context = form_scene("joints")},
-	    {.name = "wagons", .steps = 45, .build = build_scene, .act = act_scene, .context = form_scene("paths")},
-	    {.name = "joint hubs",
-	     .steps = 30,
-	     .build = build_scene,
-	     .act = act_scene,
-	     .context = form_scene("joint hubs")},
-	    {.name = "wheel", .steps = 30, .build = build_wheel, .act = act_wheel},
-	    {.name = "chains", .steps = 60, .build = build_chains, .act = act_chains},
-	    {.name = "carts", .steps = 60, .build = build_carts, .act = act_chains},
-	    {.name = "branches", .steps = 60, .build = build_branches, .act = act_chains},
-	    {.name = "nets", .steps = 60, .build = build_nets, .act = act_nets},
-	    {.name = "couplings", .steps = 48, .build = build_couplings, .act = act_couplings},
-	    {.name = "paths", .steps = 48, .build = build_paths, .act = act_paths},
-	    {.name = "path hubs", .steps = 30, .build = build_paths, .act = act_paths, .context = &many},
+	const FormScene *pins = form_scene("joints"), *wagons = form_scene("paths"), *hubs = form_scene("joint hubs");
+	const Scenario scenarios[] = {
+	    scenario_of("joints", 45, build_scene, act_scene, pins),
+	    scenario_of("wagons", 45, build_scene, act_scene, wagons),
+	    scenario_of("joint hubs", 30, build_scene, act_scene, hubs),
+	    scenario_of("wheel", 30, build_wheel, act_wheel, NULL),
+	    scenario_of("chains", 60, build_chains, act_chains, NULL),
+	    scenario_of("carts", 60, build_carts, act_chains, NULL),
+	    scenario_of("branches", 60, build_branches, act_chains, NULL),
+	    scenario_of("nets", 60, build_nets, act_nets, NULL),
+	    scenario_of("couplings", 48, build_couplings, act_couplings, NULL),
+	    scenario_of("paths", 48, build_paths, act_paths, NULL),
+	    scenario_of("path hubs", 30, build_paths, act_paths, &many),
 	};
-	print_ways(ways, count);
-	for (size_t k = 0; k < sizeof stories / sizeof *stories; ++k)
+	print_variants();
+	for (size_t k = 0; k < sizeof scenarios / sizeof *scenarios; ++k)
 	{
-		stories[k].def = def;
-		stories[k].dt = STEP;
-		stories[k].substeps = stories[k].build == build_chains ? 2 : SUBSTEPS;
-		check_parity(&stories[k], ways, count, NULL);
+		Scenario scenario = scenarios[k];
+		scenario.substeps = scenario.build == build_chains ? 2 : SUBSTEPS;
+		check_parity(&scenario, NULL);
 	}
 }
 

@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: MIT
 // test_joints.c -- joints against formulas: each test states the one that it checks.
-#include "joint_support.h"
-#include "support.h"
+#include "support/make_joints.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define G 10.0 // m/s^2
-#define H (1.0 / 60.0 / SUBSTEPS)
-
-static scree_body add_disc(scree_world* world, float radius, float x, float y)
-{
-	scree_attribute_def def = surface_of(circle_shape(radius));
-	return add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), x, y, 0.0f);
-}
 
 // ---------------------------------------------------------------------------------------------------------------
 // pendulums
@@ -179,7 +170,7 @@ static void ropes_carry(void** state)
 		for (int k = 0; k <= LINKS; ++k)
 		{
 			links[k] = k < LINKS ? add_box(world, SCREE_BODY_DYNAMIC, 0.05f, 0.25f, 0.0f, -0.25f - 0.5f * (float)k)
-			                     : add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, -0.5f - 0.5f * (float)k);
+			                     : add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, -0.5f - 0.5f * (float)k);
 			join(world, SCREE_JOINT_REVOLUTE, k ? links[k - 1] : NOBODY, links[k], 0.0f, -0.5f * (float)k);
 		}
 		double ratio = heavy ? 100.0 : 1.0, w = 2.0 * PI * 60.0 * CHAIN_STIFFER, theory = 0.0;
@@ -205,7 +196,7 @@ static void springs_give(void** state)
 	{
 		static const float hertz[] = {1.0f, 2.0f, 0.5f, 5.0f};
 		scree_world* world = open_world((float)-G);
-		scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 3.0f);
+		scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 3.0f);
 		scree_joint_def def = joint_def_at(world, SCREE_JOINT_WHEEL, NOBODY, body, 0.0f, 3.0f, (float)PI / 2.0f);
 		def.coordinates[SCREE_ALONG].spring_hertz = hertz[k];
 		scree_joint joint = add_joint(world, &def);
@@ -290,8 +281,8 @@ static void momentum_stays(void** state)
 			def.coordinates[SCREE_ALONG].upper = 0.3f;
 		}
 		add_joint(world, &def);
-		OK(scree_body_set_velocity(world, bodies[0], (scree_velocity){{1.0f, 2.0f}, 3.0f}));
-		OK(scree_body_set_velocity(world, bodies[1], (scree_velocity){{-2.0f, 0.5f}, -5.0f}));
+		throw_body(world, bodies[0], 1.0f, 2.0f, 3.0f);
+		throw_body(world, bodies[1], -2.0f, 0.5f, -5.0f);
 		Momentum before = momentum_of(world, bodies, 2);
 		run_steps(world, 120);
 		Momentum after = momentum_of(world, bodies, 2);

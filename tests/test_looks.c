@@ -1,37 +1,38 @@
 // SPDX-License-Identifier: MIT
 // test_looks.c -- steps of no time: what they find, and what they leave alone; on the CPU and on OpenCL.
-#include "world_support.h"
+#include "support/make_bodies.h"
 #include <float.h>
+#include <string.h>
 
 static void looking_finds_contacts(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
-	add_ground(world);
-	scree_body crate = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.49f),
-	           fast = add_box(world, SCREE_BODY_DYNAMIC, 5.0f, 3.0f);
-	assert_ok(scree_body_set_velocity(world, fast, (scree_velocity){{3, -300}, 2}));
+	scree_world* world = open_test_world(-10.0f);
+	add_floor(world);
+	scree_body crate = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.49f),
+	           fast = add_crate(world, SCREE_BODY_DYNAMIC, 5.0f, 3.0f);
+	throw_body(world, fast, 3, -300, 2);
 	assert_int_equal(contacts_of(world), 0);
 	scree_pose pose = pose_of(world, crate);
-	look(world);
+	update_contacts(world);
 	scree_contact contact;
 	int count;
-	assert_ok(scree_body_get_contacts(world, crate, &contact, 1, &count));
+	OK(scree_body_get_contacts(world, crate, &contact, 1, &count));
 	assert_int_equal(count, 1);
-	assert_near(contact.points[0].separation, -0.01, 1e-6);
+	NEAR(contact.points[0].separation, -0.01, 1e-6);
 	assert_true(contact.points[0].normal_impulse == 0.0f && contact.points[1].tangent_impulse == 0.0f);
-	assert_near(counters_of(world).penetration, 0.01, 1e-6);
+	NEAR(counters_of(world).penetration, 0.01, 1e-6);
 	assert_int_equal(contacts_with(world, fast), 0);
-	assert_pose(world, crate, pose);
-	assert_velocity(world, crate, 0, 0, 0);
-	assert_velocity(world, fast, 3, -300, 2);
+	expect_pose(world, crate, pose);
+	expect_velocity(world, crate, 0, 0, 0);
+	expect_velocity(world, fast, 3, -300, 2);
 	scree_traffic traffic;
-	assert_ok(scree_world_get_traffic(world, &traffic));
+	OK(scree_world_get_traffic(world, &traffic));
 	assert_true(traffic.constraints == 0 && traffic.constraint_bytes == 0);
 
 	// placed elsewhere, the contact ends
-	assert_ok(scree_body_set_pose(world, crate, pose_at(0.0f, 5.0f, 0.0f)));
-	look(world);
+	OK(scree_body_set_pose(world, crate, pose_at(0.0f, 5.0f, 0.0f)));
+	update_contacts(world);
 	assert_int_equal(contacts_of(world), 0);
 	assert_int_equal(counters_of(world).steps, 2);
 	assert_true(counters_of(world).penetration == 0.0f);
@@ -41,84 +42,82 @@ static void looking_finds_contacts(void** state)
 static void looking_changes_nothing_else(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
-	add_ground(world);
+	scree_world* world = open_test_world(-10.0f);
+	add_floor(world);
 	scree_body crates[5];
 	for (int k = 0; k < 5; ++k)
-		crates[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f + (float)k);
-	step(world, 100);
+		crates[k] = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f + (float)k);
+	run_steps(world, 100);
 	scree_contact before[8], after[8];
 	int count, again;
-	look(world);
-	assert_ok(scree_world_get_contacts(world, before, 8, &count));
+	update_contacts(world);
+	OK(scree_world_get_contacts(world, before, 8, &count));
 	assert_int_equal(count, 5);
 	uint64_t hash = hash_of(world);
 	for (int k = 0; k < 100; ++k)
 	{
-		look(world);
+		update_contacts(world);
 		assert_true(hash_of(world) == hash);
 	}
-	assert_ok(scree_world_get_contacts(world, after, 8, &again));
+	OK(scree_world_get_contacts(world, after, 8, &again));
 	assert_int_equal(again, count);
 	assert_memory_equal(before, after, (size_t)count * sizeof *before);
 
 	// impulses stayed, m g of what is above a substep; and a force waits for a step that takes time
 	double load = 0.0;
-	assert_ok(scree_body_get_contacts(world, crates[4], after, 8, &again));
+	OK(scree_body_get_contacts(world, crates[4], after, 8, &again));
 	assert_int_equal(again, 1);
 	for (int k = 0; k < 2; ++k)
 		load += after[0].points[k].normal_impulse;
-	assert_near(load, 10.0 * STEP / 4.0, 1e-3);
+	NEAR(load, 10.0 * STEP / 4.0, 1e-3);
 	scree_velocity v = velocity_of(world, crates[4]);
-	assert_ok(scree_body_apply_force(world, crates[4], (scree_vec){0.0f, 70.0f}));
-	look(world);
-	assert_velocity(world, crates[4], v.linear.x, v.linear.y, v.angular);
-	step(world, 1);
-	assert_near(velocity_of(world, crates[4]).linear.y, 60.0 * STEP, 1e-2);
-	step(world, 1);
-	assert_near(velocity_of(world, crates[4]).linear.y, 50.0 * STEP, 1e-2);
+	OK(scree_body_apply_force(world, crates[4], (scree_vec){0.0f, 70.0f}));
+	update_contacts(world);
+	expect_velocity(world, crates[4], v.linear.x, v.linear.y, v.angular);
+	run_steps(world, 1);
+	NEAR(velocity_of(world, crates[4]).linear.y, 60.0 * STEP, 1e-2);
+	run_steps(world, 1);
+	NEAR(velocity_of(world, crates[4]).linear.y, 50.0 * STEP, 1e-2);
 
 	// a pile at rest stays at rest, however often somebody looks between two steps
 	for (int k = 0; k < 60; ++k)
 	{
-		step(world, 1);
-		look(world);
+		run_steps(world, 1);
+		update_contacts(world);
 	}
 	for (int k = 0; k < 5; ++k)
-		assert_near(pose_of(world, crates[k]).position.y, 0.5 + k, 0.02);
+		NEAR(pose_of(world, crates[k]).position.y, 0.5 + k, 0.02);
 	scree_world_destroy(world);
 }
 
 static void no_time_is_no_error(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
-	look(world); // an empty world
-	assert_ok(scree_world_step(world, -0.0f, 1));
+	scree_world* world = open_test_world(-10.0f);
+	update_contacts(world); // of nothing
+	OK(scree_world_step(world, -0.0f, 1));
 	scree_attribute_def ball = scree_attribute_def_default();
-	scree_attribute attribute;
-	assert_ok(scree_shape_make_circle((scree_vec){0, 0}, 0.5f, &ball.shape));
+	ball.shape = circle_shape(0.5f);
 	ball.restitution = 1.0f;
 	ball.rolling_resistance = 0.1f;
-	assert_ok(scree_attribute_create(world, &ball, &attribute));
-	add_ground(world);
+	scree_attribute attribute = add_attribute(world, &ball);
+	add_floor(world);
 	scree_body_def def = scree_body_def_default();
 	def.attribute = attribute;
 	def.pose.position.y = 0.49f;
 	def.velocity.angular = 1000.0f;
-	scree_body body;
-	assert_ok(scree_body_create(world, &def, &body));
-	assert_ok(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, FLT_MAX}));
-	assert_ok(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, FLT_MAX}));
-	look(world);
+	scree_body body = create_body(world, &def);
+	OK(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, FLT_MAX}));
+	OK(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, FLT_MAX}));
+	update_contacts(world);
 	assert_int_equal(contacts_of(world), 1);
 	assert_int_equal(counters_of(world).frozen_bodies, 0);
-	assert_velocity(world, body, 0, 0, 1000.0f);
+	expect_velocity(world, body, 0, 0, 1000.0f);
 	assert_int_equal(scree_world_step(world, 1e-10f, 1), SCREE_ERROR_INVALID);
 	assert_int_equal(scree_world_step(world, 0.0f, 0), SCREE_ERROR_INVALID);
-	step(world, 1);
+	run_steps(world, 1);
 	assert_int_equal(counters_of(world).frozen_bodies, 0);
-	look(world);
+	update_contacts(world);
 	assert_int_equal(counters_of(world).frozen_bodies, 0);
 	scree_world_destroy(world);
 }
@@ -128,28 +127,28 @@ static void no_time_is_no_error(void** state)
 static void looking_lays_out_hubs(void** state)
 {
 	(void)state;
-	const char* here = device;
+	const char* here = test_device;
 	uint64_t hashes[2][8];
 	for (int w = 0; w < 2; ++w)
 	{
-		device = w ? here : "cpu";
-		scree_world* world = make_world(-10.0f);
+		test_device = w ? here : "cpu";
+		scree_world* world = open_test_world(-10.0f);
 		scree_attribute_def ball = scree_attribute_def_default();
 		scree_body_def def = scree_body_def_default();
-		assert_ok(scree_shape_make_circle((scree_vec){0, 0}, 0.5f, &ball.shape));
-		assert_ok(scree_attribute_create(world, &ball, &def.attribute));
+		ball.shape = circle_shape(0.5f);
+		def.attribute = add_attribute(world, &ball);
 		for (int k = 0; k < 40; ++k)
-			assert_ok(scree_body_create(world, &def, NULL));
-		look(world);
+			OK(scree_body_create(world, &def, NULL));
+		update_contacts(world);
 		assert_true(counters_of(world).spokes > 32);
 		for (int k = 0; k < 8; ++k)
 		{
-			assert_ok(scree_world_step(world, k == 5 ? 0.0f : 0.001f, 4));
+			OK(scree_world_step(world, k == 5 ? 0.0f : 0.001f, 4));
 			hashes[w][k] = hash_of(world);
 		}
 		scree_world_destroy(world);
 	}
-	device = here;
+	test_device = here;
 	assert_memory_equal(hashes[0], hashes[1], sizeof hashes[0]);
 }
 

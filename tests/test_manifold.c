@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 // test_manifold.c -- manifolds against worked examples, and against distances in double precision for every two shapes.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "stages/geometry/manifold.h"
+#include "support/checks.h"
+#include "tools/common/random_numbers.h"
 #include <math.h>
-#include <stdbool.h>
 #include <stdio.h>
 
 #define TAU   6.283185307179586
@@ -276,17 +270,11 @@ static void check_elsewhere(int a, int b, Vec position, Vec rotation, const Mani
 		CHECK(vec_dot(n.normal, m->normal) > 0.99f, "normal differs elsewhere");
 }
 
-static uint32_t seed;
-
-static double uniform(double low, double high)
-{
-	seed = seed * 1664525u + 1013904223u;
-	return low + (high - low) * (seed >> 8) / 16777216.0;
-}
+static uint64_t seed;
 
 static Vec random_vec(double reach)
 {
-	double x = uniform(-reach, reach), y = uniform(-reach, reach);
+	double x = random_real(&seed, -reach, reach), y = random_real(&seed, -reach, reach);
 	return vec((float)x, (float)y);
 }
 
@@ -305,14 +293,16 @@ static Vec centroid(const Attribute* shape)
 // of the way to that for overlaps. Half of the angles and directions are right angles or nearly so.
 static Vec random_pose(const Attribute* a, const Attribute* b, Vec* rotation)
 {
-	bool square = uniform(0.0, 1.0) < 0.5;
-	double grid = TAU / 8.0, noise = uniform(0.0, 1.0) < 0.5 ? 0.0 : uniform(-0.01, 0.01);
-	double angle = square ? grid * floor(uniform(0.0, 8.0)) + noise : uniform(0.0, TAU);
-	double heading = uniform(0.0, 1.0) < 0.3 ? grid * floor(uniform(0.0, 8.0)) : uniform(0.0, TAU);
+	bool square = random_real(&seed, 0.0, 1.0) < 0.5;
+	double grid = TAU / 8.0, noise = random_real(&seed, 0.0, 1.0) < 0.5 ? 0.0 : random_real(&seed, -0.01, 0.01);
+	double angle = square ? grid * floor(random_real(&seed, 0.0, 8.0)) + noise : random_real(&seed, 0.0, TAU);
+	double heading =
+	    random_real(&seed, 0.0, 1.0) < 0.3 ? grid * floor(random_real(&seed, 0.0, 8.0)) : random_real(&seed, 0.0, TAU);
 	*rotation = rotation_by(angle);
 	Vec middle = vec_sub(centroid(a), vec_turn(*rotation, centroid(b)));
-	double radius = a->radius + b->radius, target = uniform(0.0, 1.0) < 0.5 ? radius : uniform(0.0, 1.0) * radius;
-	target += uniform(-0.01, 0.03);
+	double radius = a->radius + b->radius,
+	       target = random_real(&seed, 0.0, 1.0) < 0.5 ? radius : random_real(&seed, 0.0, 1.0) * radius;
+	target += random_real(&seed, -0.01, 0.03);
 
 	double low = 0.0, high = 50.0;
 	for (int k = 0; k < 40; ++k)
@@ -325,8 +315,8 @@ static Vec random_pose(const Attribute* a, const Attribute* b, Vec* rotation)
 			low = half;
 	}
 	high += fmin(target, 0.0);
-	if (uniform(0.0, 1.0) < 0.3)
-		high *= uniform(0.0, 1.0);
+	if (random_real(&seed, 0.0, 1.0) < 0.3)
+		high *= random_real(&seed, 0.0, 1.0);
 	return vec((float)(middle.x + high * cos(heading)), (float)(middle.y + high * sin(heading)));
 }
 
@@ -343,7 +333,7 @@ static void test_random_poses(void** state)
 				Vec rotation, position = random_pose(shapes + a, shapes + b, &rotation);
 				Manifold m = check_pose(a, b, position, rotation);
 				check_order(a, b, position, rotation, &m);
-				Vec where = random_vec(10.0), turn = rotation_by(uniform(0.0, TAU));
+				Vec where = random_vec(10.0), turn = rotation_by(random_real(&seed, 0.0, TAU));
 				check_elsewhere(a, b, position, rotation, &m, where, turn);
 
 				// if cores overlap little, a motion of a ten thousandth of a millimetre seldom changes a feature
@@ -504,7 +494,7 @@ static void test_rest(void** state)
 		for (int i = 0; i < 200; ++i)
 		{
 			Vec position = vec_add(vec(r->x, r->y), random_vec(1e-4));
-			Vec rotation = rotation_by(r->angle + uniform(-1e-4, 1e-4));
+			Vec rotation = rotation_by(r->angle + random_real(&seed, -1e-4, 1e-4));
 			Manifold m = check_pose(a, b, position, rotation);
 			CHECK(m.count == r->count, "%d points", m.count);
 			CHECK(same_features(&m, &first), "features %d, %d were %d, %d", m.feature[0], m.feature[1],

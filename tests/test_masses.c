@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_masses.c -- masses of bodies: those that the user sets, bodies without mass, and motion while the center of mass changes.
-#include "world_support.h"
-
-static scree_mass mass_of(scree_world* world, scree_body body)
-{
-	scree_mass mass;
-	assert_ok(scree_body_get_mass(world, body, &mass));
-	return mass;
-}
+#include "support/make_bodies.h"
+#include <string.h>
 
 static void assert_mass(scree_world* world, scree_body body, scree_mass expected)
 {
@@ -20,14 +14,14 @@ static void assert_mass(scree_world* world, scree_body body, scree_mass expected
 static void assert_pushed(scree_world* world, scree_body body, scree_mass mass)
 {
 	scree_vec center;
-	assert_ok(scree_body_set_velocity(world, body, (scree_velocity){0}));
-	assert_ok(scree_body_get_world_point(world, body, mass.center, &center));
+	OK(scree_body_set_velocity(world, body, (scree_velocity){0}));
+	OK(scree_body_get_world_point(world, body, mass.center, &center));
 	center.x += 1.0f;
-	assert_ok(scree_body_apply_impulse_at(world, body, (scree_vec){0.0f, 1.0f}, center));
+	OK(scree_body_apply_impulse_at(world, body, (scree_vec){0.0f, 1.0f}, center));
 	scree_velocity v = velocity_of(world, body);
-	assert_near(v.linear.y, 1.0 / mass.mass, 1e-6);
-	assert_near(v.angular, mass.inertia > 0.0f ? 1.0 / mass.inertia : 0.0, 1e-5);
-	assert_ok(scree_body_set_velocity(world, body, (scree_velocity){0}));
+	NEAR(v.linear.y, 1.0 / mass.mass, 1e-6);
+	NEAR(v.angular, mass.inertia > 0.0f ? 1.0 / mass.inertia : 0.0, 1e-5);
+	OK(scree_body_set_velocity(world, body, (scree_velocity){0}));
 }
 
 // A mass that the user set holds again after other types, while the body is disabled, and after it; on another device too.
@@ -36,31 +30,31 @@ static void a_set_mass_holds(void** state)
 	(void)state;
 	const scree_mass own = {5.0f, 2.0f, {0.25f, -0.5f}};
 	static const scree_body_type types[] = {SCREE_BODY_STATIC, SCREE_BODY_KINEMATIC};
-	scree_world* world = make_world(0.0f);
-	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 3.0f, 1.0f);
-	assert_ok(scree_body_set_mass(world, body, own));
+	scree_world* world = open_test_world(0.0f);
+	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 3.0f, 1.0f);
+	OK(scree_body_set_mass(world, body, own));
 	for (int k = 0; k < 4; ++k)
 	{
-		assert_ok(scree_body_set_type(world, body, types[k % 2]));
+		OK(scree_body_set_type(world, body, types[k % 2]));
 		assert_mass(world, body, (scree_mass){0});
 		if (k >= 2)
-			step(world, 1);
-		assert_ok(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
+			run_steps(world, 1);
+		OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
 		assert_mass(world, body, own);
 		assert_pushed(world, body, own);
 	}
-	assert_ok(scree_body_set_enabled(world, body, false));
+	OK(scree_body_set_enabled(world, body, false));
 	assert_mass(world, body, own);
-	step(world, 1);
-	assert_ok(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
-	assert_ok(scree_world_move(world, "cpu"));
-	assert_ok(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
+	run_steps(world, 1);
+	OK(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
+	OK(scree_world_move(world, "cpu"));
+	OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
 	assert_pushed(world, body, own);
-	assert_ok(scree_body_set_enabled(world, body, true));
+	OK(scree_body_set_enabled(world, body, true));
 	assert_mass(world, body, own);
 	assert_pushed(world, body, own);
-	assert_near(pose_of(world, body).position.x, 3.0, 1e-6);
-	assert_near(pose_of(world, body).position.y, 1.0, 1e-6);
+	NEAR(pose_of(world, body).position.x, 3.0, 1e-6);
+	NEAR(pose_of(world, body).position.y, 1.0, 1e-6);
 	scree_world_destroy(world);
 }
 
@@ -69,24 +63,24 @@ static void without_density(void** state)
 {
 	(void)state;
 	const scree_mass one = {1.0f, 0.0f, {0.0f, 0.0f}};
-	scree_world* world = make_world(-10.0f);
-	add_ground(world);
+	scree_world* world = open_test_world(-10.0f);
+	add_floor(world);
 	scree_attribute_def surface = scree_attribute_def_default();
 	surface.density = 0.0f;
-	scree_body_def def = box_def(world, SCREE_BODY_DYNAMIC, 0.0f, 2.0f);
-	assert_ok(scree_attribute_create(world, &surface, &def.attribute));
-	scree_body light, unlocked;
-	assert_ok(scree_body_create(world, &def, &light));
+	scree_body_def def = crate_def(world, SCREE_BODY_DYNAMIC, 0.0f, 2.0f);
+	def.attribute = add_attribute(world, &surface);
+	scree_body light, bare;
+	light = create_body(world, &def);
 	def = scree_body_def_default();
 	def.pose.position.x = 5.0f;
-	assert_ok(scree_body_create(world, &def, &unlocked));
+	bare = create_body(world, &def);
 	assert_mass(world, light, one);
-	assert_mass(world, unlocked, one);
+	assert_mass(world, bare, one);
 	assert_pushed(world, light, one);
-	step(world, 120);
-	assert_near(pose_of(world, light).position.y, 0.5, 0.01);
+	run_steps(world, 120);
+	NEAR(pose_of(world, light).position.y, 0.5, 0.01);
 	assert_true(pose_of(world, light).rotation.s == 0.0f);
-	assert_near(velocity_of(world, unlocked).linear.y, -20.0, 1e-3);
+	NEAR(velocity_of(world, bare).linear.y, -20.0, 1e-3);
 	scree_world_destroy(world);
 }
 
@@ -97,38 +91,34 @@ static void without_density(void** state)
 static scree_attribute make_dense(scree_world* world, float density)
 {
 	scree_attribute_def def = scree_attribute_def_default();
-	scree_attribute attribute;
 	def.density = density;
-	assert_ok(scree_attribute_create(world, &def, &attribute));
-	return attribute;
+	return add_attribute(world, &def);
 }
 
 static scree_collidable add_part(scree_world* world, scree_body body, float x)
 {
 	scree_collidable_def def = scree_collidable_def_default();
-	scree_collidable part;
 	def.attribute = make_dense(world, 1.0f);
 	def.body = body;
 	def.pose.position.x = x;
-	assert_ok(scree_collidable_create(world, &def, &part));
-	return part;
+	return create_collidable(world, &def);
 }
 
 // The motion of a body that passes 1, 2 at 3, 4 m/s and turns by 2 rad/s: every point of it goes on as it did, whatever its center is.
 static void assert_motion(scree_world* world, scree_body body, float center)
 {
 	static const scree_vec points[] = {{1.0f, 2.0f}, {-4.0f, 7.0f}};
-	assert_near(mass_of(world, body).center.x, center, 1e-6);
+	NEAR(mass_of(world, body).center.x, center, 1e-6);
 	for (int k = 0; k < 2; ++k)
 	{
 		scree_vec v;
-		assert_ok(scree_body_get_point_velocity(world, body, points[k], &v));
-		assert_near(v.x, 3.0 - 2.0 * (points[k].y - 2.0), 1e-4);
-		assert_near(v.y, 4.0 + 2.0 * (points[k].x - 1.0), 1e-4);
+		OK(scree_body_get_point_velocity(world, body, points[k], &v));
+		NEAR(v.x, 3.0 - 2.0 * (points[k].y - 2.0), 1e-4);
+		NEAR(v.y, 4.0 + 2.0 * (points[k].x - 1.0), 1e-4);
 	}
-	assert_near(velocity_of(world, body).angular, 2.0, 1e-6);
-	assert_near(pose_of(world, body).position.x, 1.0, 1e-5);
-	assert_near(pose_of(world, body).position.y, 2.0, 1e-5);
+	NEAR(velocity_of(world, body).angular, 2.0, 1e-6);
+	NEAR(pose_of(world, body).position.x, 1.0, 1e-5);
+	NEAR(pose_of(world, body).position.y, 2.0, 1e-5);
 }
 
 // Boxes of 1 kg come and go, get heavier, and a mass is set: at once, between reads, and while the body is disabled.
@@ -138,28 +128,27 @@ static void motion_stays(void** state)
 	for (int k = 0; k < 4; ++k)
 	{
 		bool reads = k & 1, disabled = k & 2;
-		scree_world* world = make_world(0.0f);
-		scree_body_def def = box_def(world, SCREE_BODY_DYNAMIC, 1.0f, 2.0f);
+		scree_world* world = open_test_world(0.0f);
+		scree_body_def def = crate_def(world, SCREE_BODY_DYNAMIC, 1.0f, 2.0f);
 		def.pose.rotation = scree_rot_make(0.7f);
 		def.velocity = (scree_velocity){{3.0f, 4.0f}, 2.0f};
 		def.disabled = disabled;
-		scree_body body;
-		assert_ok(scree_body_create(world, &def, &body));
+		scree_body body = create_body(world, &def);
 		if (reads)
 			assert_motion(world, body, 0.0f);
-		scree_collidable first = part_of(world, body), second = add_part(world, body, 2.0f);
+		scree_collidable first = collidable_of(world, body), second = add_part(world, body, 2.0f);
 		if (reads)
 			assert_motion(world, body, 1.0f);
-		assert_ok(scree_collidable_set_attribute(world, second, make_dense(world, 3.0f)));
+		OK(scree_collidable_set_attribute(world, second, make_dense(world, 3.0f)));
 		if (reads)
 			assert_motion(world, body, 1.5f);
-		assert_ok(scree_collidable_destroy(world, first));
+		OK(scree_collidable_destroy(world, first));
 		assert_motion(world, body, 2.0f);
-		assert_ok(scree_body_set_mass(world, body, (scree_mass){1.0f, 1.0f, {-3.0f, 0.0f}}));
+		OK(scree_body_set_mass(world, body, (scree_mass){1.0f, 1.0f, {-3.0f, 0.0f}}));
 		assert_motion(world, body, -3.0f);
-		assert_ok(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
+		OK(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
 		assert_motion(world, body, 0.0f);
-		assert_ok(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
+		OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
 		assert_motion(world, body, -3.0f);
 		add_part(world, body, 6.0f);
 		assert_motion(world, body, 3.0f); // 3 kg at 2 m, 1 kg at 6 m
@@ -174,31 +163,31 @@ static void motion_stays(void** state)
 // Two bodies get boxes by turns, a few at a time, with pushes, locks and types in between. reads: all is read after each call.
 static uint64_t build(bool reads, scree_mass masses[2])
 {
-	scree_world* world = make_world(0.0f);
-	scree_body bodies[2] = {add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f),
-	                        add_box(world, SCREE_BODY_DYNAMIC, 40.0f, 0.0f)};
+	scree_world* world = open_test_world(0.0f);
+	scree_body bodies[2] = {add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f),
+	                        add_crate(world, SCREE_BODY_DYNAMIC, 40.0f, 0.0f)};
 	for (int k = 0; k < 120; ++k)
 	{
 		scree_body body = bodies[k / 7 % 2];
 		scree_collidable part = add_part(world, body, 0.1f * (float)k);
 		if (k % 11 == 3)
-			assert_ok(scree_body_apply_angular_impulse(world, body, 0.5f));
+			OK(scree_body_apply_angular_impulse(world, body, 0.5f));
 		if (k % 13 == 4)
-			assert_ok(scree_body_apply_impulse_at(world, body, (scree_vec){0.1f, 0.2f}, (scree_vec){1.0f, 1.0f}));
+			OK(scree_body_apply_impulse_at(world, body, (scree_vec){0.1f, 0.2f}, (scree_vec){1.0f, 1.0f}));
 		if (k % 17 == 5)
-			assert_ok(scree_collidable_destroy(world, part));
+			OK(scree_collidable_destroy(world, part));
 		if (k % 19 == 6)
-			assert_ok(scree_body_set_locks(world, body, k % 2 ? SCREE_LOCK_ROTATION : 0));
+			OK(scree_body_set_locks(world, body, k % 2 ? SCREE_LOCK_ROTATION : 0));
 		if (k % 23 == 7)
-			assert_ok(scree_body_set_mass(world, body, (scree_mass){3.0f, 2.0f, {1.0f, 0.0f}}));
+			OK(scree_body_set_mass(world, body, (scree_mass){3.0f, 2.0f, {1.0f, 0.0f}}));
 		if (k % 29 == 8)
-			assert_ok(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
+			OK(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
 		if (k % 29 == 11)
-			assert_ok(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
+			OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
 		if (k == 60) // another body in the slot, in the midst of it
 		{
-			assert_ok(scree_body_destroy(world, body));
-			bodies[k / 7 % 2] = add_box(world, SCREE_BODY_DYNAMIC, 80.0f, 0.0f);
+			OK(scree_body_destroy(world, body));
+			bodies[k / 7 % 2] = add_crate(world, SCREE_BODY_DYNAMIC, 80.0f, 0.0f);
 		}
 		if (reads)
 		{
@@ -209,7 +198,7 @@ static uint64_t build(bool reads, scree_mass masses[2])
 	}
 	for (int k = 0; k < 2; ++k)
 		masses[k] = mass_of(world, bodies[k]);
-	step(world, 2);
+	run_steps(world, 2);
 	uint64_t hash = hash_of(world);
 	scree_world_destroy(world);
 	return hash;
@@ -232,13 +221,13 @@ static void many_shapes(void** state)
 		COUNT = 8000
 	};
 	static scree_collidable_def defs[COUNT];
-	scree_world* world = make_world(0.0f);
+	scree_world* world = open_test_world(0.0f);
 	scree_body bodies[2];
 	double inertia = 0.0;
 	for (int k = 0; k < 2; ++k)
 	{
 		scree_body_def def = scree_body_def_default();
-		assert_ok(scree_body_create(world, &def, &bodies[k]));
+		bodies[k] = create_body(world, &def);
 	}
 	for (int k = 0; k < COUNT; ++k)
 	{
@@ -250,12 +239,12 @@ static void many_shapes(void** state)
 		add_part(world, bodies[0], 0.25f * (float)k);
 		inertia += 1.0 / 6.0 + arm * arm;
 	}
-	assert_ok(scree_collidables_create(world, defs, COUNT, NULL));
+	OK(scree_collidables_create(world, defs, COUNT, NULL));
 	scree_mass mass = mass_of(world, bodies[0]), all = mass_of(world, bodies[1]);
 	assert_memory_equal(&mass, &all, sizeof mass);
 	assert_true(mass.mass == (float)COUNT);
-	assert_near(mass.center.x, 0.125 * (COUNT - 1), 1e-3);
-	assert_near(mass.inertia / inertia, 1.0, 1e-6);
+	NEAR(mass.center.x, 0.125 * (COUNT - 1), 1e-3);
+	NEAR(mass.inertia / inertia, 1.0, 1e-6);
 	assert_pushed(world, bodies[0], mass);
 	scree_world_destroy(world);
 }

@@ -1,29 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_memory.c -- memory that runs out, at every allocation in turn.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
+#include "support/allocations.h"
 #include <stdlib.h>
-
-static int fewer_allocations;
-static void* failing_allocate(size_t bytes, size_t alignment, void* context)
-{
-	(void)context;
-	if (fewer_allocations >= 0 && fewer_allocations-- == 0)
-		return NULL;
-	return aligned_alloc(alignment, bytes);
-}
-
-static void plain_release(void* memory, void* context)
-{
-	(void)context;
-	free(memory);
-}
 
 // Makes a world of boxes, 40 more a round, and takes a step, until memory is short. Writes the number of bodies.
 static scree_status build(scree_world** world, int* bodies)
@@ -55,18 +33,17 @@ static scree_status build(scree_world** world, int* bodies)
 static void memory_runs_out(void** state)
 {
 	(void)state;
-	scree_hooks hooks = {.allocate = failing_allocate, .release = plain_release};
-	fewer_allocations = -1;
-	OK(scree_hooks_set(&hooks));
+	count_allocations();
+	shortage_passes = true;
 	int refused = 0;
 	bool done = false;
 	for (int allowed = 0; !done; ++allowed)
 	{
 		scree_world* made = NULL;
 		int bodies = 0;
-		fewer_allocations = allowed;
+		allocations_left = allowed;
 		scree_status status = build(&made, &bodies);
-		done = fewer_allocations >= 0;
+		done = allocations_left >= 0;
 		if (status != SCREE_OK)
 		{
 			assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
@@ -74,7 +51,7 @@ static void memory_runs_out(void** state)
 		}
 
 		// the next call has memory again, and all goes on, unless a step had begun (test_faults.c)
-		fewer_allocations = -1;
+		allocations_left = -1;
 		if (made)
 		{
 			int count;

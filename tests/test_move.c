@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// test_move.c -- worlds that the user moves between devices: nobody can tell by their state.
+// test_move.c -- worlds that the user moves between devices: their state does not show it.
 //
-// The formula: hash(moved, step) = hash(not moved, step). test_parity.c holds every scene to it; here are the ways in
-// which a move can go wrong.
-#include "moving.h"
+// The formula: hash(moved, step) = hash(not moved, step). test_parity.c holds every scene to it; here is how a
+// move can go wrong.
+#include "support/allocations.h"
+#include "support/faulty_device.h"
+#include "support/second_device.h"
 #include "world/device/migrate.h"
+#include "world/world.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -16,10 +20,10 @@
 static void moves_in_mid_run(void** state)
 {
 	(void)state;
-	NEEDS_OTHER();
+	NEEDS_SECOND_DEVICE();
 	scree_world* world = open_pile("cpu", false);
-	OK(scree_world_move(world, other));
-	assert_string_equal(scree_world_get_device(world), other);
+	OK(scree_world_move(world, second_device));
+	assert_string_equal(scree_world_get_device(world), second_device);
 	assert_int_equal(scree_world_get_threads(world), 0);
 	run_steps(world, 13);
 	OK(scree_world_move(world, "cpu"));
@@ -27,7 +31,7 @@ static void moves_in_mid_run(void** state)
 	assert_int_equal(scree_world_get_threads(world), 2);
 	run_steps(world, 11);
 	OK(scree_world_move(world, "cpu"));
-	OK(scree_world_move(world, other));
+	OK(scree_world_move(world, second_device));
 	OK(scree_world_move(world, "opencl"));
 	run_steps(world, 16);
 	assert_true(hash_of(world) == hash_after(40));
@@ -52,7 +56,7 @@ static void* read_all(scree_world* world, size_t* bytes)
 	OK(scree_bodies_get_poses(world, all->handles, all->poses, all->bodies));
 	OK(scree_bodies_get_velocities(world, all->handles, all->velocities, all->bodies));
 	OK(scree_world_get_contacts(world, all->list, 256, &all->contacts));
-	OK(scree_world_get_counters(world, &all->counters));
+	all->counters = counters_of(world);
 	all->counters.device_bytes = 0;
 	assert_true(all->bodies == 38 && all->contacts > 20);
 	*bytes = sizeof *all;
@@ -62,12 +66,12 @@ static void* read_all(scree_world* world, size_t* bytes)
 static void what_is_read_stays(void** state)
 {
 	(void)state;
-	NEEDS_OTHER();
+	NEEDS_SECOND_DEVICE();
 	scree_world* world = open_pile("cpu", false);
 	run_steps(world, 30);
 	size_t bytes;
 	void* before = read_all(world, &bytes);
-	const char* devices[] = {other, "cpu"};
+	const char* devices[] = {second_device, "cpu"};
 	for (int k = 0; k < 2; ++k)
 	{
 		OK(scree_world_move(world, devices[k]));
@@ -85,7 +89,7 @@ static void change(scree_world* world, scree_body* made)
 	scree_body bodies[64];
 	int count;
 	OK(scree_world_get_bodies(world, bodies, 64, &count));
-	OK(scree_body_set_velocity(world, bodies[5], (scree_velocity){{1.0f, 3.0f}, 2.0f}));
+	throw_body(world, bodies[5], 1.0f, 3.0f, 2.0f);
 	OK(scree_body_apply_force(world, bodies[6], (scree_vec){30.0f, 5.0f}));
 	OK(scree_body_destroy(world, bodies[9]));
 	scree_collidable collidable;
@@ -100,14 +104,14 @@ static void change(scree_world* world, scree_body* made)
 static void changes_go_along(void** state)
 {
 	(void)state;
-	NEEDS_OTHER();
+	NEEDS_SECOND_DEVICE();
 	scree_body made[2][40];
 	scree_world *still = open_pile("cpu", true), *moved = open_pile("cpu", false);
 	run_steps(still, 20);
 	run_steps(moved, 20);
 	change(still, made[0]);
 	change(moved, made[1]);
-	OK(scree_world_move(moved, other));
+	OK(scree_world_move(moved, second_device));
 	run_steps(still, 30);
 	run_steps(moved, 30);
 	assert_true(hash_of(still) == hash_of(moved));
@@ -158,15 +162,15 @@ static void bad_moves_change_nothing(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// moves that fail half way
+// moves that fail midway
 // ---------------------------------------------------------------------------------------------------------------
 
 static void memory_runs_out(void** state)
 {
 	(void)state;
-	NEEDS_OTHER();
+	NEEDS_SECOND_DEVICE();
 	count_allocations();
-	scree_world* world = open_pile(other, false);
+	scree_world* world = open_pile(second_device, false);
 	run_steps(world, 20);
 	uint64_t hash = hash_of(world);
 	int faults = 0;
@@ -178,7 +182,7 @@ static void memory_runs_out(void** state)
 		if (status == SCREE_OK)
 			break;
 		assert_int_equal(status, SCREE_ERROR_OUT_OF_MEMORY);
-		assert_string_equal(scree_world_get_device(world), other);
+		assert_string_equal(scree_world_get_device(world), second_device);
 		assert_true(hash_of(world) == hash);
 	}
 	assert_true(faults > 20);
@@ -198,17 +202,17 @@ static void new_device_falls(void** state)
 	run_steps(world, 20);
 	uint64_t hash = hash_of(world);
 	BackendOptions options = {.threads = 1};
-	call_status = SCREE_ERROR_DEVICE_FAILED;
+	device_fault = (Fault){.calls = FAULT_RESIZE | FAULT_COPY, .lasts = true, .status = SCREE_ERROR_DEVICE_FAILED};
 	int faults = 0;
 	for (bool moved = false; !moved; ++faults)
 	{
 		Backend* to;
 		OK(cpu_open(&options, &to));
-		BackendFunctions f = far_away(to, true);
+		BackendFunctions f = faulty_functions(to);
 		to->f = &f;
-		calls_left = faults;
+		device_fault.calls_left = faults;
 		moved = world_move(world, to) == SCREE_OK;
-		to->f = real;
+		to->f = real_functions;
 		Backend* left = moved ? from : to;
 		left->f->close(left);
 		assert_ptr_equal(world->backend, moved ? to : from);
@@ -227,18 +231,18 @@ static void old_device_falls(void** state)
 {
 	(void)state;
 	BackendOptions options = {.threads = 1};
-	call_status = SCREE_ERROR_DEVICE_FAILED;
+	device_fault = (Fault){.calls = FAULT_RESIZE | FAULT_COPY, .lasts = true, .status = SCREE_ERROR_DEVICE_FAILED};
 	for (int calls = 0;; ++calls)
 	{
 		scree_world* world = open_pile("cpu", true);
 		run_steps(world, 20);
 		Backend *from = world->backend, *to;
-		BackendFunctions f = far_away(from, true);
+		BackendFunctions f = faulty_functions(from);
 		OK(cpu_open(&options, &to));
 		from->f = &f;
-		calls_left = calls;
+		device_fault.calls_left = calls;
 		scree_status status = world_move(world, to);
-		from->f = real;
+		from->f = real_functions;
 		if (status == SCREE_OK)
 			from->f->close(from);
 		else
@@ -269,7 +273,7 @@ static void far_to_far(void** state)
 	BackendOptions options = {.threads = 1};
 	Backend *from = world->backend, *to;
 	OK(cpu_open(&options, &to));
-	BackendFunctions f = far_away(to, false);
+	BackendFunctions f = distant_functions(to);
 	from->f = to->f = &f;
 	OK(world_move(world, to));
 	from->f->close(from);
@@ -287,5 +291,5 @@ int main(void)
 	    cmocka_unit_test(memory_runs_out),  cmocka_unit_test(new_device_falls),
 	    cmocka_unit_test(old_device_falls), cmocka_unit_test(far_to_far),
 	};
-	return cmocka_run_group_tests(tests, find_other, NULL);
+	return cmocka_run_group_tests(tests, find_second_device, NULL);
 }

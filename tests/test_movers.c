@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // test_movers.c -- characters on floors, walls, slopes, steps and platforms; batches, and the same bits everywhere.
-#include "support.h"
+#include "support/make_bodies.h"
+#include "support/variants.h"
+#include "tools/common/byte_hash.h"
+#include "tools/common/random_numbers.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #define SPEED   4.0f
 #define GRAVITY 10.0f
@@ -117,8 +115,7 @@ static float along_a_slope(float degrees, float speed, int frames, scree_mover* 
 	float radians = degrees * (float)PI / 180.0f;
 	scree_rot r = scree_rot_make(radians);
 	scree_shape shape = box_shape(50.0f, 1.0f);
-	scree_attribute_def def = surface_of(shape);
-	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &def), r.s, -r.c, radians); // its surface goes through 0
+	add_shape(world, SCREE_BODY_STATIC, shape, r.s, -r.c, radians); // its surface goes through 0
 	*m = mover_at(0.0f, 0.31f / r.c + 0.3f);
 	walk_frames(world, NULL, m, 0.0f, 60);
 	scree_vec from = m->position;
@@ -153,22 +150,22 @@ static void rides_on_platforms(void** state)
 	scree_body platform = add_box(world, SCREE_BODY_KINEMATIC, 3.0f, 0.5f, 0.0f, 0.0f);
 	scree_mover m = mover_at(1.0f, 0.5f + HALF + 0.01f);
 	walk_frames(world, NULL, &m, 0.0f, 2);
-	static const scree_velocity ways[] = {
+	static const scree_velocity velocities[] = {
 	    {{3.0f, 0.0f}, 0.0f}, {{0.0f, 2.0f}, 0.0f}, {{0.0f, -4.0f}, 0.0f}, {{-2.0f, 1.0f}, 0.0f}};
-	for (size_t k = 0; k < sizeof ways / sizeof *ways; ++k)
+	for (size_t k = 0; k < sizeof velocities / sizeof *velocities; ++k)
 	{
-		OK(scree_body_set_velocity(world, platform, ways[k]));
+		OK(scree_body_set_velocity(world, platform, velocities[k]));
 		walk_frames(world, NULL, &m, 0.0f, 120);
 		scree_vec at = position_of(world, platform);
 		assert_false(scree_collidable_is_null(m.ground));
 		NEAR(m.position.x - at.x, 1.0, 2e-3);
 		NEAR(m.position.y - at.y, 0.5 + HALF + 0.01, 2e-3);
-		NEAR(m.ground_velocity.x, ways[k].linear.x, 1e-2);
-		NEAR(m.ground_velocity.y, ways[k].linear.y, 1e-2);
+		NEAR(m.ground_velocity.x, velocities[k].linear.x, 1e-2);
+		NEAR(m.ground_velocity.y, velocities[k].linear.y, 1e-2);
 	}
 	// it turns by 30 degrees: the mover stays at its place of the platform; targets carry too
 	scree_vec at = position_of(world, platform);
-	OK(scree_body_set_velocity(world, platform, (scree_velocity){{0.0f, 0.0f}, (float)PI / 6.0f}));
+	throw_body(world, platform, 0.0f, 0.0f, (float)PI / 6.0f);
 	walk_frames(world, NULL, &m, 0.0f, 60);
 	assert_false(scree_collidable_is_null(m.ground));
 	NEAR((m.position.x - at.x) * cos(PI / 6.0) + (m.position.y - at.y) * sin(PI / 6.0), 1.0 + 0.6 * sin(PI / 6.0), 0.1);
@@ -187,7 +184,7 @@ static void is_pushed(void** state)
 	scree_world* world = open_world(0.0f);
 	add_floor(world);
 	scree_body wall = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 2.0f, -2.0f, 2.1f);
-	OK(scree_body_set_velocity(world, wall, (scree_velocity){{1.0f, 0.0f}, 0.0f}));
+	throw_body(world, wall, 1.0f, 0.0f, 0.0f);
 	scree_mover m = mover_at(0.0f, HALF + 0.01f);
 	walk_frames(world, NULL, &m, 0.0f, 240);
 	NEAR(m.position.x, -2.0 + 4.0 + 0.5 + 0.3 + 0.01, 5e-3);
@@ -215,10 +212,9 @@ static void build_town(scree_world* world)
 }
 
 // A crowd in a town; alone moves them one by one.
-static uint64_t hash_crowd(const Way* way, bool alone)
+static uint64_t hash_crowd(const Variant* variant, bool alone)
 {
-	scree_world_def def = scree_world_def_default();
-	scree_world* world = open_on(way, &def);
+	scree_world* world = open_default_variant(variant);
 	build_town(world);
 	scree_mover crowd[CROWD];
 	uint64_t seed = 3, hash = HASH_BEGIN;
@@ -239,7 +235,7 @@ static uint64_t hash_crowd(const Way* way, bool alone)
 			OK(scree_movers_move(world, NULL, crowd, CROWD, STEP));
 		for (int k = 0; k < CROWD; ++k)
 			assert_true(fabsf(crowd[k].position.x) < 200.0f && crowd[k].position.y > -3.0f);
-		hash = hash_more(hash, crowd, sizeof crowd);
+		hash = hash_bytes(hash, crowd, sizeof crowd);
 	}
 	scree_world_destroy(world);
 	return hash;
@@ -248,12 +244,12 @@ static uint64_t hash_crowd(const Way* way, bool alone)
 static void crowds_are_equal_everywhere(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
-	uint64_t expected = hash_crowd(ways, true);
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants);
+	uint64_t expected = hash_crowd(variants, true);
 	for (int k = 0; k < count; ++k)
-		if (!ways[k].solver && !ways[k].other[0]) // the form of the solver makes no difference to queries
-			assert_int_equal(hash_crowd(ways + k, false), expected);
+		if (!variants[k].solver && !variants[k].other[0]) // the form of the solver makes no difference to queries
+			assert_int_equal(hash_crowd(variants + k, false), expected);
 }
 
 // Movers and definitions of all sizes, among walls at random, at one point, far away: answers stay finite and in reach.
@@ -425,7 +421,7 @@ static void lifts_crush(void** state)
 		bool crushed = false;
 		for (float top = 0.0f; top < 3.6f; top += speed * STEP)
 		{
-			OK(scree_body_set_velocity(world, lift, (scree_velocity){{0.0f, speed}, 0.0f}));
+			throw_body(world, lift, 0.0f, speed, 0.0f);
 			walk_frames(world, NULL, &m, 0.0f, 1);
 			assert_true(m.position.y + HALF < 4.0f && m.position.y > 0.0f);
 			crushed = !scree_collidable_is_null(m.wall) && m.wall_normal.x == 0.0f && m.wall_normal.y == 0.0f;
@@ -436,10 +432,10 @@ static void lifts_crush(void** state)
 		assert_true(m.velocity.x == 0.0f && m.velocity.y == 0.0f);
 		while (position_of(world, lift).y > 1.0f)
 		{
-			OK(scree_body_set_velocity(world, lift, (scree_velocity){{0.0f, -2.0f}, 0.0f}));
+			throw_body(world, lift, 0.0f, -2.0f, 0.0f);
 			walk_frames(world, NULL, &m, 0.0f, 1);
 		}
-		OK(scree_body_set_velocity(world, lift, (scree_velocity){{0.0f, 0.0f}, 0.0f}));
+		throw_body(world, lift, 0.0f, 0.0f, 0.0f);
 		walk_frames(world, NULL, &m, 0.0f, 120);
 		NEAR(m.position.y, position_of(world, lift).y + 0.25f + HALF + 0.01f, 1e-3);
 		assert_false(scree_collidable_is_null(m.ground));
@@ -467,7 +463,7 @@ static void fast_walls_push(void** state)
 		{
 			scree_pose to = {{x + speed * STEP, 0.0f}, scree_rot_make(angle)};
 			if (k % 4 < 2)
-				OK(scree_body_set_velocity(world, wall, (scree_velocity){{speed, 0.0f}, 0.0f}));
+				throw_body(world, wall, speed, 0.0f, 0.0f);
 			else
 				OK(scree_bodies_set_targets(world, &wall, &to, 1));
 			walk_frames(world, NULL, &m, 0.0f, 1);
@@ -493,7 +489,7 @@ static void fast_lifts_carry(void** state)
 		scree_body lift = add_box(world, SCREE_BODY_KINEMATIC, 2.0f, 0.25f, 0.0f, -0.25f);
 		scree_mover m = mover_at(0.0f, HALF + 0.01f);
 		walk_frames(world, NULL, &m, 0.0f, 30);
-		OK(scree_body_set_velocity(world, lift, (scree_velocity){{0.3f * speed, speed}, 0.0f}));
+		throw_body(world, lift, 0.3f * speed, speed, 0.0f);
 		for (int step = 0; step < 60; ++step)
 		{
 			walk_frames(world, NULL, &m, 0.0f, 1);

@@ -4,14 +4,9 @@
 // clang of the system checks it, with all that the standard does not have as an error. That found variadic macros, which NVIDIA's
 // driver does not have.
 #include "opencl/device.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "support/checks.h"
 #include <stdio.h>
 #include <stdlib.h>
-
-#include <cmocka.h>
 
 extern const char opencl_program[]; // written by cmake/embed.cmake
 extern const size_t opencl_program_length;

@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: MIT
-// test_paints.c -- colors of bodies, and legends: forces of contacts, starting places, ramps, the box around most bodies.
-#include "view/legend.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
+// test_paints.c -- what colors bodies, and legends: forces of contacts, starting places, ramps, the box around most bodies.
+#include "support/make_bodies.h"
 #include "view/bounds.h"
 #include "view/contact_loads.h"
+#include "view/legend.h"
 #include "view/ramp.h"
 #include "view/start_places.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-static scree_body add_crate(scree_world* world, float y)
+static scree_body add_crate_at(scree_world* world, float y)
 {
-	scree_attribute_def box = surface_of(box_shape(0.5f, 0.5f));
 	scree_body_def def = scree_body_def_default();
-	scree_body body;
-	def.attribute = add_attribute(world, &box);
+	def.attribute = shape_attribute(world, box_shape(0.5f, 0.5f));
 	def.pose.position.y = y;
-	OK(scree_body_create(world, &def, &body));
-	return body;
+	return create_body(world, &def);
 }
 
 // A column of three crates of m kg: the floor bears 3 m g, and each crate what is above it and what is below.
@@ -36,15 +26,14 @@ static void forces_are_those_of_a_column(void** state)
 	scree_body crates[3];
 	scree_contact contacts[16];
 	float forces[16] = {0};
-	scree_mass mass;
 	int count;
 	add_floor(world);
 	for (int k = 0; k < 3; ++k)
-		crates[k] = add_crate(world, 0.5f + (float)k);
+		crates[k] = add_crate_at(world, 0.5f + (float)k);
 	run_steps(world, 120);
 	OK(scree_world_get_contacts(world, contacts, 16, &count));
 	assert_int_equal(count, 3);
-	OK(scree_body_get_mass(world, crates[0], &mass));
+	scree_mass mass = mass_of(world, crates[0]);
 	loads_sum(contacts, count, STEP / 4.0f, forces, 16);
 	float weight = 10.0f * mass.mass;
 	const float expected[] = {5.0f, 3.0f, 1.0f};

@@ -4,7 +4,9 @@
 // A ball meets a thin upright wall. The ball lies in it; is thrown at it; is pushed through it within one step by a force, so that no
 // contact was made before; or is a sensor that flies through it. The table says what happens then.
 #include "platform/processor.h"
-#include "world_support.h"
+#include "support/make_joints.h"
+#include <math.h>
+#include <string.h>
 
 #define RADIUS 0.1f // m, of the ball
 
@@ -56,18 +58,17 @@ typedef struct
 static void add_wall(Pair* pair, Reason reason, scree_body_type type)
 {
 	scree_attribute_def surface = scree_attribute_def_default();
-	assert_ok(scree_shape_make_box(0.01f, 2.0f, &surface.shape));
+	surface.shape = box_shape(0.01f, 2.0f);
 	surface.density = 1000.0f;
 	surface.material = 1;
 	if (reason == BEHIND)
 		surface.one_way = (scree_vec){1.0f, 0.0f};
-	scree_attribute attribute;
-	assert_ok(scree_attribute_create(pair->world, &surface, &attribute));
+	scree_attribute attribute = add_attribute(pair->world, &surface);
 	if (reason == NO_BODY)
 	{
 		scree_collidable_def def = scree_collidable_def_default();
 		def.attribute = attribute;
-		assert_ok(scree_collidable_create(pair->world, &def, NULL));
+		OK(scree_collidable_create(pair->world, &def, NULL));
 		return;
 	}
 	scree_body_def def = scree_body_def_default();
@@ -79,16 +80,16 @@ static void add_wall(Pair* pair, Reason reason, scree_body_type type)
 		def.filter.group = -1;
 	if (reason == MASKS)
 		def.filter.category = 2;
-	assert_ok(scree_body_create(pair->world, &def, &pair->wall));
+	pair->wall = create_body(pair->world, &def);
 }
 
 static void add_ball(Pair* pair, Reason reason, float x, bool sensor)
 {
 	scree_attribute_def surface = scree_attribute_def_default();
-	assert_ok(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, RADIUS, &surface.shape));
+	surface.shape = circle_shape(RADIUS);
 	surface.material = 2;
 	scree_body_def def = scree_body_def_default();
-	assert_ok(scree_attribute_create(pair->world, &surface, &def.attribute));
+	def.attribute = add_attribute(pair->world, &surface);
 	def.pose.position.x = x;
 	def.sensor = sensor ? SCREE_SENSOR_MOVING | SCREE_SENSOR_STATIC : 0;
 	def.reports = reason == REFUSED ? SCREE_REPORT_APPROVAL : 0;
@@ -96,7 +97,7 @@ static void add_ball(Pair* pair, Reason reason, float x, bool sensor)
 		def.filter.group = -1;
 	if (reason == MASKS)
 		def.filter.mask = ~2ull;
-	assert_ok(scree_body_create(pair->world, &def, &pair->ball));
+	pair->ball = create_body(pair->world, &def);
 }
 
 static void keep_apart(const Pair* pair, Reason reason)
@@ -107,15 +108,15 @@ static void keep_apart(const Pair* pair, Reason reason)
 		scree_joint_def def = scree_joint_def_make(reason == JOINT ? SCREE_JOINT_FREE : SCREE_JOINT_FILTER);
 		def.body_a = pair->ball;
 		def.body_b = pair->wall;
-		assert_ok(scree_joint_create(pair->world, &def, NULL));
+		OK(scree_joint_create(pair->world, &def, NULL));
 	}
 	if (reason == EXCLUSION)
-		assert_ok(scree_body_set_excluded(pair->world, pair->wall, pair->ball, true));
+		OK(scree_body_set_excluded(pair->world, pair->wall, pair->ball, true));
 	if (reason == IGNORED_MATERIALS)
 	{
 		scree_material_pair materials = scree_material_pair_default();
 		materials.ignored = true;
-		assert_ok(scree_world_set_material_pair(pair->world, 1, 2, &materials));
+		OK(scree_world_set_material_pair(pair->world, 1, 2, &materials));
 	}
 }
 
@@ -123,12 +124,12 @@ static void keep_apart(const Pair* pair, Reason reason)
 static Pair begin(Reason reason, scree_body_type type, float x, bool sensor)
 {
 	scree_world_def def = scree_world_def_default();
-	def.device = device;
-	def.lanes = strcmp(device, "cpu") == 0 ? lanes : 0;
+	def.device = test_device;
+	def.lanes = strcmp(test_device, "cpu") == 0 ? lanes : 0;
 	def.threads = threads;
 	def.gravity = (scree_vec){0.0f, 0.0f};
 	Pair pair;
-	assert_ok(scree_world_create(&def, &pair.world));
+	pair.world = create_world(&def);
 	add_wall(&pair, reason, type);
 	if (reason == REFUSED && x < -RADIUS - 0.015f)
 		x = -RADIUS - 0.015f;
@@ -136,12 +137,11 @@ static Pair begin(Reason reason, scree_body_type type, float x, bool sensor)
 	keep_apart(&pair, reason);
 	if (reason != REFUSED || sensor)
 		return pair;
-	step(pair.world, 1);
-	scree_events events;
+	run_steps(pair.world, 1);
 	const bool no = false;
-	assert_ok(scree_world_get_events(pair.world, &events));
+	scree_events events = events_of(pair.world);
 	assert_int_equal(events.approval_count, 1);
-	assert_ok(scree_world_approve_contacts(pair.world, &no, 1));
+	OK(scree_world_approve_contacts(pair.world, &no, 1));
 	return pair;
 }
 
@@ -162,7 +162,7 @@ static void expect(bool value, bool expected, const char* stage, Reason reason, 
 static uint64_t contact(Reason reason, scree_body_type type)
 {
 	Pair pair = begin(reason, type, -0.05f, false);
-	step(pair.world, 1);
+	run_steps(pair.world, 1);
 	expect(contacts_with(pair.world, pair.ball) > 0, table[reason].touches, "contact", reason, type);
 	return end(pair);
 }
@@ -170,8 +170,8 @@ static uint64_t contact(Reason reason, scree_body_type type)
 static uint64_t sweep(Reason reason, scree_body_type type)
 {
 	Pair pair = begin(reason, type, -0.3f, false);
-	assert_ok(scree_body_set_linear_velocity(pair.world, pair.ball, (scree_vec){100.0f, 0.0f}));
-	step(pair.world, 1);
+	OK(scree_body_set_linear_velocity(pair.world, pair.ball, (scree_vec){100.0f, 0.0f}));
+	run_steps(pair.world, 1);
 	expect(pose_of(pair.world, pair.ball).position.x < 0.0f, table[reason].sweeps, "sweep", reason, type);
 	expect(velocity_of(pair.world, pair.ball).linear.x < 100.0f, table[reason].sweeps, "speed", reason, type);
 	return end(pair);
@@ -182,8 +182,8 @@ static uint64_t continuous(Reason reason, scree_body_type type)
 {
 	Pair pair = begin(reason, type, -0.3f, false);
 	float mass = 3.14159f * RADIUS * RADIUS;
-	assert_ok(scree_body_apply_force(pair.world, pair.ball, (scree_vec){3456.0f * mass, 0.0f}));
-	step(pair.world, 1);
+	OK(scree_body_apply_force(pair.world, pair.ball, (scree_vec){3456.0f * mass, 0.0f}));
+	run_steps(pair.world, 1);
 	expect(pose_of(pair.world, pair.ball).position.x < 0.0f, table[reason].guards, "guard", reason, type);
 	expect(counters_of(pair.world).stopped_bodies > 0, table[reason].guards, "held", reason, type);
 	return end(pair);
@@ -192,10 +192,9 @@ static uint64_t continuous(Reason reason, scree_body_type type)
 static uint64_t sensor(Reason reason, scree_body_type type)
 {
 	Pair pair = begin(reason, type, -0.3f, true);
-	assert_ok(scree_body_set_linear_velocity(pair.world, pair.ball, (scree_vec){100.0f, 0.0f}));
-	step(pair.world, 1);
-	scree_events events;
-	assert_ok(scree_world_get_events(pair.world, &events));
+	OK(scree_body_set_linear_velocity(pair.world, pair.ball, (scree_vec){100.0f, 0.0f}));
+	run_steps(pair.world, 1);
+	scree_events events = events_of(pair.world);
 	int seen = 0; // by the ball
 	for (int k = 0; k < events.visits_began_count; ++k)
 		seen += events.visits_began[k].body_sensor.index == pair.ball.index;
@@ -223,7 +222,7 @@ static void all_reasons_in_all_stages(void** state)
 	(void)state;
 	const int widest = processor_widest_lanes(), layouts[][2] = {{1, 1}, {widest, 1}, {widest, 2}};
 	static uint64_t expected;
-	if (strcmp(device, "cpu") != 0)
+	if (strcmp(test_device, "cpu") != 0)
 	{
 		assert_int_equal(all_cells(), expected);
 		return;
@@ -246,39 +245,37 @@ static void a_door_turns_in_its_frame(void** state)
 	float turned[3];
 	for (int k = 0; k < 3; ++k)
 	{
-		scree_world* world = make_world(0.0f);
+		scree_world* world = open_test_world(0.0f);
 		scree_body_def def = scree_body_def_default();
 		scree_body bar, frame;
-		def.attribute = make_box(world, 0.5f, 2.0f);
+		def.attribute = box_attribute(world, 0.5f, 2.0f);
 		def.pose.position.y = -2.0f;
 		def.velocity = (scree_velocity){{50.0f, 0.0f}, 25.0f};
-		assert_ok(scree_body_create(world, &def, &bar));
+		bar = create_body(world, &def);
 		def = scree_body_def_default();
 		def.type = SCREE_BODY_STATIC;
 		if (k > 0)
-			def.attribute = make_box(world, 4.0f, 0.5f);
-		assert_ok(scree_body_create(world, &def, &frame));
+			def.attribute = box_attribute(world, 4.0f, 0.5f);
+		frame = create_body(world, &def);
 		scree_joint_def hinge = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
 		hinge.body_a = bar;
 		hinge.body_b = frame;
 		hinge.frame_a.position.y = 2.0f;
-		scree_joint joint;
-		assert_ok(scree_joint_create(world, &hinge, &joint));
+		scree_joint joint = add_joint(world, &hinge);
 		if (k == 2)
-			assert_ok(scree_body_set_excluded(world, bar, frame, true));
+			OK(scree_body_set_excluded(world, bar, frame, true));
 		int held = 0;
 		for (int n = 0; n < 30; ++n)
 		{
-			step(world, 1);
+			run_steps(world, 1);
 			held += counters_of(world).stopped_bodies;
 		}
-		scree_joint_state now;
-		assert_ok(scree_joint_get_state(world, joint, &now));
+		scree_joint_state now = joint_state_of(world, joint);
 		turned[k] = fabsf(now.values[2]);
 		assert_int_equal(held, 0);
 		scree_world_destroy(world);
 	}
-	assert_near(turned[0], 12.5, 0.5);
+	NEAR(turned[0], 12.5, 0.5);
 	assert_true(turned[1] == turned[0] && turned[2] == turned[0]);
 }
 

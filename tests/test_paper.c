@@ -1,101 +1,51 @@
 // SPDX-License-Identifier: MIT
 // test_paper.c -- the paper's pipeline against formulas and worked answers, and its bits on CPU and OpenCL.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
+#include "support/make_bodies.h"
 #include "tools/paper/all_pairs.h"
 #include "tools/paper/paper.h"
 #include <math.h>
 #include <string.h>
 
-#define DT (1.0f / 60.0f)
-
-static void good(scree_status status)
+static scree_attribute disc(scree_world* world, float radius, float restitution)
 {
-	if (status != SCREE_OK)
-		fail_msg("%s", scree_error());
+	return add_surface(world, circle_shape(radius), 0.6f, restitution);
 }
 
-static scree_world* make_world(float gravity)
+static scree_body add_moving(scree_world* world, scree_body_type type, scree_attribute attribute, float x, float y,
+                             float angle, float vx)
 {
-	scree_world_def def = scree_world_def_default();
-	def.device = "cpu";
-	def.threads = 1;
-	def.gravity = (scree_vec){0.0f, gravity};
-	scree_world* world;
-	good(scree_world_create(&def, &world));
-	return world;
-}
-
-// the default surface: friction 0.6, no restitution
-static scree_attribute make_attribute(scree_world* world, const scree_shape* shape, float friction, float restitution)
-{
-	scree_attribute_def def = scree_attribute_def_default();
-	def.shape = *shape;
-	def.friction = friction;
-	def.restitution = restitution;
-	scree_attribute attribute;
-	good(scree_attribute_create(world, &def, &attribute));
-	return attribute;
-}
-
-static scree_attribute make_box(scree_world* world, float half_width, float half_height)
-{
-	scree_shape shape;
-	good(scree_shape_make_box(half_width, half_height, &shape));
-	return make_attribute(world, &shape, 0.6f, 0.0f);
-}
-
-static scree_attribute make_circle(scree_world* world, float radius, float restitution)
-{
-	scree_shape shape;
-	good(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, radius, &shape));
-	return make_attribute(world, &shape, 0.6f, restitution);
-}
-
-static scree_body add_body(scree_world* world, scree_body_type type, scree_attribute attribute, float x, float y,
-                           float angle, float vx)
-{
-	scree_body_def def = scree_body_def_default();
-	def.type = type;
-	def.attribute = attribute;
-	def.pose = (scree_pose){{x, y}, scree_rot_make(angle)};
+	scree_body_def def = body_def(type, attribute, x, y);
+	def.pose.rotation = scree_rot_make(angle);
 	def.velocity.linear.x = vx;
-	scree_body body;
-	good(scree_body_create(world, &def, &body));
-	return body;
+	return create_body(world, &def);
 }
 
 // The pipeline with what is in a world, which ends.
 static Paper* take(scree_world* world, const char* device)
 {
 	Paper* paper;
-	good(paper_create(world, device, false, &paper));
+	OK(paper_create(world, device, false, &paper));
 	scree_world_destroy(world);
 	return paper;
 }
 
-static void step(Paper* paper, int steps)
+static void paper_steps(Paper* paper, int steps)
 {
 	for (int k = 0; k < steps; ++k)
-		good(paper_step(paper, DT));
+		OK(paper_step(paper, STEP));
 }
 
-static scree_pose pose_of(const Paper* paper, int body)
+static scree_pose paper_pose(const Paper* paper, int body)
 {
 	scree_pose poses[64];
-	good(paper_poses(paper, poses, body + 1));
+	OK(paper_poses(paper, poses, body + 1));
 	return poses[body];
 }
 
-static scree_velocity velocity_of(const Paper* paper, int body)
+static scree_velocity paper_velocity(const Paper* paper, int body)
 {
 	scree_velocity velocities[64];
-	good(paper_velocities(paper, velocities, body + 1));
+	OK(paper_velocities(paper, velocities, body + 1));
 	return velocities[body];
 }
 
@@ -103,15 +53,15 @@ static scree_velocity velocity_of(const Paper* paper, int body)
 static void test_free_fall(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
-	add_body(world, SCREE_BODY_DYNAMIC, make_circle(world, 0.5f, 0.0f), 3.0f, 100.0f, 0.0f, 2.0f);
+	scree_world* world = open_world(-10.0f);
+	add_moving(world, SCREE_BODY_DYNAMIC, disc(world, 0.5f, 0.0f), 3.0f, 100.0f, 0.0f, 2.0f);
 	Paper* paper = take(world, "cpu");
 	int n = 120;
-	step(paper, n);
-	double dt = DT;
-	assert_true(fabs(pose_of(paper, 0).position.x - (3.0 + 2.0 * n * dt)) < 1e-4);
-	assert_true(fabs(pose_of(paper, 0).position.y - (100.0 - 10.0 * dt * dt * n * (n + 1) / 2)) < 1e-3);
-	assert_true(fabs(velocity_of(paper, 0).linear.y + 10.0 * n * dt) < 1e-3);
+	paper_steps(paper, n);
+	double dt = STEP;
+	assert_true(fabs(paper_pose(paper, 0).position.x - (3.0 + 2.0 * n * dt)) < 1e-4);
+	assert_true(fabs(paper_pose(paper, 0).position.y - (100.0 - 10.0 * dt * dt * n * (n + 1) / 2)) < 1e-3);
+	assert_true(fabs(paper_velocity(paper, 0).linear.y + 10.0 * n * dt) < 1e-3);
 	paper_destroy(paper);
 }
 
@@ -120,19 +70,18 @@ static void test_free_fall(void** state)
 static void test_accumulators(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(0.0f);
-	scree_mass mass;
-	good(scree_body_get_mass(
-	    world, add_body(world, SCREE_BODY_DYNAMIC, make_box(world, 0.5f, 1.0f), 0.0f, 0.0f, 0.0f, 0.0f), &mass));
+	scree_world* world = open_world(0.0f);
+	scree_mass mass =
+	    mass_of(world, add_moving(world, SCREE_BODY_DYNAMIC, box_attribute(world, 0.5f, 1.0f), 0.0f, 0.0f, 0.0f, 0.0f));
 	Paper* paper = take(world, "cpu");
-	good(paper_apply(paper, 0, (scree_vec){12.0f, -6.0f}, 3.0f));
+	OK(paper_apply(paper, 0, (scree_vec){12.0f, -6.0f}, 3.0f));
 	int n = 30;
-	step(paper, n);
-	double dt = DT, w = 3.0 * dt / mass.inertia;
-	assert_true(fabs(velocity_of(paper, 0).linear.x - 12.0 * dt / mass.mass) < 1e-6);
-	assert_true(fabs(velocity_of(paper, 0).linear.y + 6.0 * dt / mass.mass) < 1e-6);
-	assert_true(fabs(velocity_of(paper, 0).angular - w) < 1e-6);
-	assert_true(fabs(scree_rot_get_angle(pose_of(paper, 0).rotation) - n * w * dt) < 1e-5);
+	paper_steps(paper, n);
+	double dt = STEP, w = 3.0 * dt / mass.inertia;
+	assert_true(fabs(paper_velocity(paper, 0).linear.x - 12.0 * dt / mass.mass) < 1e-6);
+	assert_true(fabs(paper_velocity(paper, 0).linear.y + 6.0 * dt / mass.mass) < 1e-6);
+	assert_true(fabs(paper_velocity(paper, 0).angular - w) < 1e-6);
+	assert_true(fabs(scree_rot_get_angle(paper_pose(paper, 0).rotation) - n * w * dt) < 1e-5);
 	assert_int_equal(paper_apply(paper, 1, (scree_vec){0.0f, 0.0f}, 0.0f), SCREE_ERROR_INVALID);
 	assert_int_equal(paper_apply(paper, 0, (scree_vec){NAN, 0.0f}, 0.0f), SCREE_ERROR_INVALID);
 	paper_destroy(paper);
@@ -143,13 +92,13 @@ static void test_accumulators(void** state)
 static void test_rest(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
-	add_body(world, SCREE_BODY_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
-	add_body(world, SCREE_BODY_DYNAMIC, make_box(world, 0.5f, 0.5f), 0.0f, 2.0f, 0.3f, 0.0f);
+	scree_world* world = open_world(-10.0f);
+	add_moving(world, SCREE_BODY_STATIC, box_attribute(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+	add_moving(world, SCREE_BODY_DYNAMIC, box_attribute(world, 0.5f, 0.5f), 0.0f, 2.0f, 0.3f, 0.0f);
 	Paper* paper = take(world, "cpu");
-	step(paper, 300);
-	scree_pose pose = pose_of(paper, 1);
-	scree_velocity v = velocity_of(paper, 1);
+	paper_steps(paper, 300);
+	scree_pose pose = paper_pose(paper, 1);
+	scree_velocity v = paper_velocity(paper, 1);
 	assert_true(pose.position.y > 0.4985f && pose.position.y < 0.5015f);
 	assert_true(fabs(pose.rotation.s) < 0.01f);
 	assert_true(fabs(v.linear.x) < 0.01f && fabs(v.linear.y) < 0.01f && fabs(v.angular) < 0.02f);
@@ -161,15 +110,13 @@ static void test_rest(void** state)
 static void test_restitution(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(0.0f);
-	scree_body small = add_body(world, SCREE_BODY_DYNAMIC, make_circle(world, 0.5f, 0.5f), -2.0f, 0.0f, 0.0f, 3.0f);
-	scree_body large = add_body(world, SCREE_BODY_DYNAMIC, make_circle(world, 1.0f, 0.2f), 2.0f, 0.0f, 0.0f, -1.0f);
-	scree_mass a, b;
-	good(scree_body_get_mass(world, small, &a));
-	good(scree_body_get_mass(world, large, &b));
+	scree_world* world = open_world(0.0f);
+	scree_body small = add_moving(world, SCREE_BODY_DYNAMIC, disc(world, 0.5f, 0.5f), -2.0f, 0.0f, 0.0f, 3.0f);
+	scree_body large = add_moving(world, SCREE_BODY_DYNAMIC, disc(world, 1.0f, 0.2f), 2.0f, 0.0f, 0.0f, -1.0f);
+	scree_mass a = mass_of(world, small), b = mass_of(world, large);
 	Paper* paper = take(world, "cpu");
-	step(paper, 120);
-	float va = velocity_of(paper, 0).linear.x, vb = velocity_of(paper, 1).linear.x;
+	paper_steps(paper, 120);
+	float va = paper_velocity(paper, 0).linear.x, vb = paper_velocity(paper, 1).linear.x;
 	assert_true(fabs(a.mass * va + b.mass * vb - (a.mass * 3.0f - b.mass)) < 1e-4f);
 	assert_true(fabs((vb - va) - 0.5f * 4.0f) < 1e-4f);
 	paper_destroy(paper);
@@ -179,15 +126,14 @@ static void test_restitution(void** state)
 static void test_friction(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
-	scree_shape ground, flat;
-	good(scree_shape_make_box(50.0f, 1.0f, &ground));
-	good(scree_shape_make_box(1.0f, 0.1f, &flat));
-	add_body(world, SCREE_BODY_STATIC, make_attribute(world, &ground, 0.9f, 0.0f), 0.0f, -1.0f, 0.0f, 0.0f);
-	add_body(world, SCREE_BODY_DYNAMIC, make_attribute(world, &flat, 0.1f, 0.0f), 0.0f, 0.1f, 0.0f, 5.0f);
+	scree_world* world = open_world(-10.0f);
+	add_moving(world, SCREE_BODY_STATIC, add_surface(world, box_shape(50.0f, 1.0f), 0.9f, 0.0f), 0.0f, -1.0f, 0.0f,
+	           0.0f);
+	add_moving(world, SCREE_BODY_DYNAMIC, add_surface(world, box_shape(1.0f, 0.1f), 0.1f, 0.0f), 0.0f, 0.1f, 0.0f,
+	           5.0f);
 	Paper* paper = take(world, "cpu");
-	step(paper, 60);
-	assert_true(fabs(velocity_of(paper, 1).linear.x - (5.0f - 0.3f * 10.0f)) < 0.05f);
+	paper_steps(paper, 60);
+	assert_true(fabs(paper_velocity(paper, 1).linear.x - (5.0f - 0.3f * 10.0f)) < 0.05f);
 	paper_destroy(paper);
 }
 
@@ -196,21 +142,21 @@ static void test_friction(void** state)
 static void test_most_severe_first(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(0.0f);
+	scree_world* world = open_world(0.0f);
 	float nx = -0.6f, ny = 0.8f, radius = 0.5f, half = 1.0f;
-	add_body(world, SCREE_BODY_DYNAMIC, make_circle(world, radius, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
+	add_moving(world, SCREE_BODY_DYNAMIC, disc(world, radius, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
 
 	// the wall has the lower pair, so that the order of pairs would be the other one
 	float away = half + radius - 0.01f;
-	scree_attribute wall = make_box(world, 0.3f, half);
-	add_body(world, SCREE_BODY_STATIC, wall, -away * nx, -away * ny, atan2f(-nx, ny), 0.0f);
-	add_body(world, SCREE_BODY_STATIC, make_box(world, 0.2f, half), 0.0f, -(half + radius - 0.02f), 0.0f, 0.0f);
+	scree_attribute wall = box_attribute(world, 0.3f, half);
+	add_moving(world, SCREE_BODY_STATIC, wall, -away * nx, -away * ny, atan2f(-nx, ny), 0.0f);
+	add_moving(world, SCREE_BODY_STATIC, box_attribute(world, 0.2f, half), 0.0f, -(half + radius - 0.02f), 0.0f, 0.0f);
 	Paper* paper = take(world, "cpu");
-	step(paper, 1);
+	paper_steps(paper, 1);
 	assert_int_equal(paper_counters(paper).contacts, 2);
 	assert_true(fabs(paper_counters(paper).penetration - 0.02f) < 1e-5f);
-	assert_true(fabs(pose_of(paper, 0).position.x) < 1e-5f);
-	assert_true(fabs(pose_of(paper, 0).position.y - 0.02f) < 6e-4f);
+	assert_true(fabs(paper_pose(paper, 0).position.x) < 1e-5f);
+	assert_true(fabs(paper_pose(paper, 0).position.y - 0.02f) < 6e-4f);
 	paper_destroy(paper);
 }
 
@@ -218,18 +164,17 @@ static void test_most_severe_first(void** state)
 static void test_detected_only(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(0.0f);
-	add_body(world, SCREE_BODY_DYNAMIC, make_circle(world, 0.5f, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
+	scree_world* world = open_world(0.0f);
+	add_moving(world, SCREE_BODY_DYNAMIC, disc(world, 0.5f, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
 	scree_collidable_def def = scree_collidable_def_default();
-	def.attribute = make_box(world, 1.0f, 1.0f);
-	scree_collidable collidable;
-	good(scree_collidable_create(world, &def, &collidable));
+	def.attribute = box_attribute(world, 1.0f, 1.0f);
+	create_collidable(world, &def);
 	Paper* paper = take(world, "cpu");
-	step(paper, 1);
+	paper_steps(paper, 1);
 	assert_int_equal(paper_counters(paper).collidables, 2);
 	assert_int_equal(paper_counters(paper).contacts, 1);
 	assert_true(paper_counters(paper).penetration == 0.0f);
-	assert_true(pose_of(paper, 0).position.x == 0.0f && pose_of(paper, 0).position.y == 0.0f);
+	assert_true(paper_pose(paper, 0).position.x == 0.0f && paper_pose(paper, 0).position.y == 0.0f);
 	paper_destroy(paper);
 }
 
@@ -237,7 +182,7 @@ static bool no_opencl(void)
 {
 	scree_device devices[16];
 	int count;
-	good(scree_devices_get(devices, 16, &count));
+	OK(scree_devices_get(devices, 16, &count));
 	for (int i = 0; i < count && i < 16; ++i)
 		if (strncmp(devices[i].name, "opencl", 6) == 0 && devices[i].equal_bits)
 			return false;
@@ -247,29 +192,26 @@ static bool no_opencl(void)
 // 60 bodies of every kind: boxes, circles, capsules, rounded triangles, one made of two boxes, one that may not turn.
 static scree_world* make_pile(void)
 {
-	scree_world* world = make_world(-10.0f);
-	scree_shape capsule, triangle;
+	scree_world* world = open_world(-10.0f);
 	const scree_vec corners[3] = {{-0.4f, -0.3f}, {0.5f, -0.3f}, {0.0f, 0.5f}};
-	good(scree_shape_make_capsule((scree_vec){-0.4f, 0.0f}, (scree_vec){0.4f, 0.0f}, 0.25f, &capsule));
-	good(scree_shape_make_polygon(corners, 3, 0.05f, &triangle));
-	scree_attribute kinds[4] = {make_box(world, 0.4f, 0.4f), make_circle(world, 0.4f, 0.3f),
-	                            make_attribute(world, &capsule, 0.3f, 0.0f),
-	                            make_attribute(world, &triangle, 0.8f, 0.5f)};
-	add_body(world, SCREE_BODY_STATIC, make_box(world, 10.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
-	add_body(world, SCREE_BODY_KINEMATIC, kinds[2], -4.0f, 0.5f, 0.0f, 0.5f);
+	scree_shape triangle = polygon_shape(corners, 3, 0.05f);
+	scree_attribute kinds[4] = {box_attribute(world, 0.4f, 0.4f), disc(world, 0.4f, 0.3f),
+	                            add_surface(world, capsule_shape(0.4f, 0.25f), 0.3f, 0.0f),
+	                            add_surface(world, triangle, 0.8f, 0.5f)};
+	add_moving(world, SCREE_BODY_STATIC, box_attribute(world, 10.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+	add_moving(world, SCREE_BODY_KINEMATIC, kinds[2], -4.0f, 0.5f, 0.0f, 0.5f);
 	for (int i = 0; i < 56; ++i)
-		add_body(world, SCREE_BODY_DYNAMIC, kinds[i % 4], -3.5f + 1.05f * (float)(i % 7), 1.0f + 1.1f * (float)(i / 7),
-		         0.4f * (float)i, 0.3f * (float)(i % 5) - 0.6f);
-	scree_body pair = add_body(world, SCREE_BODY_DYNAMIC, kinds[0], 0.3f, 10.5f, 0.7f, 0.0f);
+		add_moving(world, SCREE_BODY_DYNAMIC, kinds[i % 4], -3.5f + 1.05f * (float)(i % 7),
+		           1.0f + 1.1f * (float)(i / 7), 0.4f * (float)i, 0.3f * (float)(i % 5) - 0.6f);
+	scree_body pair = add_moving(world, SCREE_BODY_DYNAMIC, kinds[0], 0.3f, 10.5f, 0.7f, 0.0f);
 	scree_collidable_def second = scree_collidable_def_default();
 	second.attribute = kinds[1];
 	second.body = pair;
 	second.pose.position = (scree_vec){0.7f, 0.2f};
-	scree_collidable collidable;
-	good(scree_collidable_create(world, &second, &collidable));
-	good(scree_body_set_damping(world, pair, 0.1f, 0.2f));
-	good(scree_body_set_locks(world, add_body(world, SCREE_BODY_DYNAMIC, kinds[0], 2.0f, 11.0f, 0.0f, 0.0f),
-	                          SCREE_LOCK_ROTATION));
+	create_collidable(world, &second);
+	OK(scree_body_set_damping(world, pair, 0.1f, 0.2f));
+	OK(scree_body_set_locks(world, add_moving(world, SCREE_BODY_DYNAMIC, kinds[0], 2.0f, 11.0f, 0.0f, 0.0f),
+	                        SCREE_LOCK_ROTATION));
 	return world;
 }
 
@@ -281,8 +223,8 @@ static void test_parity(void** state)
 		skip();
 	scree_world* world = make_pile();
 	Paper *cpu, *device;
-	good(paper_create(world, "cpu", false, &cpu));
-	good(paper_create(world, "opencl", false, &device));
+	OK(paper_create(world, "cpu", false, &cpu));
+	OK(paper_create(world, "opencl", false, &device));
 	scree_world_destroy(world);
 	assert_string_equal(paper_device(cpu), "cpu");
 	assert_memory_equal(paper_device(device), "opencl:", 7);
@@ -291,8 +233,8 @@ static void test_parity(void** state)
 	assert_int_equal(first, paper_hash(device));
 	for (int k = 0; k < 200; ++k)
 	{
-		step(cpu, 1);
-		step(device, 1);
+		paper_steps(cpu, 1);
+		paper_steps(device, 1);
 		assert_int_equal(paper_hash(cpu), paper_hash(device));
 	}
 	assert_true(paper_hash(cpu) != first);
@@ -309,21 +251,19 @@ static void test_parity(void** state)
 static void test_take_over(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
-	add_body(world, SCREE_BODY_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
-	scree_body box = add_body(world, SCREE_BODY_DYNAMIC, make_box(world, 0.5f, 0.5f), 0.0f, 2.0f, 0.3f, 1.0f);
+	scree_world* world = open_world(-10.0f);
+	add_moving(world, SCREE_BODY_STATIC, box_attribute(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+	scree_body box = add_moving(world, SCREE_BODY_DYNAMIC, box_attribute(world, 0.5f, 0.5f), 0.0f, 2.0f, 0.3f, 1.0f);
 	for (int k = 0; k < 30; ++k)
-		good(scree_world_step(world, DT, 4));
-	scree_pose pose;
-	scree_velocity velocity;
-	good(scree_body_get_pose(world, box, &pose));
-	good(scree_body_get_velocity(world, box, &velocity));
+		OK(scree_world_step(world, STEP, 4));
+	scree_pose pose = pose_of(world, box);
+	scree_velocity velocity = velocity_of(world, box);
 	assert_true(pose.position.y < 1.0f && velocity.linear.y < -1.0f);
 	Paper* paper = take(world, "cpu");
-	scree_pose taken = pose_of(paper, 1);
+	scree_pose taken = paper_pose(paper, 1);
 	assert_true(taken.position.x == pose.position.x && taken.position.y == pose.position.y);
 	assert_true(taken.rotation.c == pose.rotation.c && taken.rotation.s == pose.rotation.s);
-	scree_velocity v = velocity_of(paper, 1);
+	scree_velocity v = paper_velocity(paper, 1);
 	assert_true(v.linear.x == velocity.linear.x && v.linear.y == velocity.linear.y && v.angular == velocity.angular);
 	paper_destroy(paper);
 }
@@ -337,17 +277,17 @@ static void test_warm_up(void** state)
 	PaperCounters counters[2];
 	for (int k = 0; k < 2; ++k)
 	{
-		scree_world* world = make_world(-10.0f);
-		add_body(world, SCREE_BODY_STATIC, make_box(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
-		scree_attribute crate = make_box(world, 0.5f, 0.5f);
+		scree_world* world = open_world(-10.0f);
+		add_moving(world, SCREE_BODY_STATIC, box_attribute(world, 20.0f, 1.0f), 0.0f, -1.0f, 0.0f, 0.0f);
+		scree_attribute crate = box_attribute(world, 0.5f, 0.5f);
 		for (int row = 0; row < 4; ++row)
 			for (int i = 0; i < 4 - row; ++i)
-				add_body(world, SCREE_BODY_DYNAMIC, crate, 1.01f * ((float)i - 0.5f * (float)(3 - row)),
-				         0.5f + (float)row, 0.0f, 0.0f);
+				add_moving(world, SCREE_BODY_DYNAMIC, crate, 1.01f * ((float)i - 0.5f * (float)(3 - row)),
+				           0.5f + (float)row, 0.0f, 0.0f);
 		for (int n = 0; n < 60 * k; ++n)
-			good(scree_world_step(world, DT, 4));
+			OK(scree_world_step(world, STEP, 4));
 		Paper* paper = take(world, "cpu");
-		step(paper, k ? 3 : 63);
+		paper_steps(paper, k ? 3 : 63);
 		counters[k] = paper_counters(paper);
 		paper_destroy(paper);
 	}
@@ -365,12 +305,12 @@ static void test_growth(void** state)
 	int count = no_opencl() ? 1 : 2;
 	for (int k = 0; k < count; ++k)
 	{
-		scree_world* world = make_world(0.0f);
-		scree_attribute circle = make_circle(world, 0.5f, 0.0f);
+		scree_world* world = open_world(0.0f);
+		scree_attribute circle = disc(world, 0.5f, 0.0f);
 		for (int i = 0; i < 40; ++i)
-			add_body(world, SCREE_BODY_DYNAMIC, circle, 0.01f * (float)i, 0.0f, 0.0f, 0.0f);
+			add_moving(world, SCREE_BODY_DYNAMIC, circle, 0.01f * (float)i, 0.0f, 0.0f, 0.0f);
 		Paper* paper = take(world, devices[k]);
-		step(paper, 1);
+		paper_steps(paper, 1);
 		assert_int_equal(paper_counters(paper).contacts, 780);
 		hash[k] = paper_hash(paper);
 		paper_destroy(paper);
@@ -389,12 +329,12 @@ static void test_pairs(void** state)
 	const PaperPair expected[] = {{0, 1}, {0, 3}, {1, 3}, {1, 4}};
 	PaperPair pairs[4];
 	int count;
-	good(paper_pairs(boxes, 6, pairs, 4, &count));
+	OK(paper_pairs(boxes, 6, pairs, 4, &count));
 	assert_int_equal(count, 4);
 	assert_memory_equal(pairs, expected, sizeof expected);
-	good(paper_pairs(boxes, 6, NULL, 0, &count));
+	OK(paper_pairs(boxes, 6, NULL, 0, &count));
 	assert_int_equal(count, 4);
-	good(paper_pairs(NULL, 0, NULL, 0, &count));
+	OK(paper_pairs(NULL, 0, NULL, 0, &count));
 	assert_int_equal(count, 0);
 	assert_int_equal(paper_pairs(boxes, -1, NULL, 0, &count), SCREE_ERROR_INVALID);
 }
@@ -402,7 +342,7 @@ static void test_pairs(void** state)
 static void test_refusals(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
+	scree_world* world = open_world(-10.0f);
 	Paper* paper = (Paper*)world;
 	assert_int_equal(paper_create(world, "gpu", false, &paper), SCREE_ERROR_INVALID);
 	assert_null(paper);
@@ -413,7 +353,7 @@ static void test_refusals(void** state)
 
 	// a world with nothing in it can be stepped
 	paper = take(world, no_opencl() ? "cpu" : "opencl");
-	step(paper, 2);
+	paper_steps(paper, 2);
 	assert_int_equal(paper_step(paper, 0.0f), SCREE_ERROR_INVALID);
 	assert_int_equal(paper_step(paper, NAN), SCREE_ERROR_INVALID);
 	scree_pose pose;

@@ -2,46 +2,37 @@
 // test_parity.c -- every scene, and a run full of changes, on every device, number of lanes and of threads: equal bits.
 //
 // The formula: hash(device, lanes, threads, step) = hash(cpu, 1, 1, step), for each step.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "support/make_bodies.h"
+#include "support/small_scenes.h"
+#include "tools/common/clock.h"
+#include "tools/common/random_numbers.h"
+#include <string.h>
 
-#include <cmocka.h>
-
-#include "small_scenes.h"
-#include "support.h"
-#include <time.h>
-
-static Way ways[MAX_WAYS];
-static int way_count;
-
-static int find_ways(void** state)
+static int show_variants(void** state)
 {
 	(void)state;
-	way_count = list_ways(ways);
-	print_ways(ways, way_count);
+	print_variants();
 	return 0;
 }
 
-static scree_counters check(const Story* story)
+static scree_counters check(const Scenario* scenario)
 {
-	time_t begin = time(NULL);
+	double begin = seconds_now();
 	scree_counters last;
-	uint64_t hash = check_parity(story, ways, way_count, &last);
-	print_message("%-10s %3d steps, %4d bodies, %5d contacts, %2d colors, %3d spokes: %016llx, %d s\n", story->name,
-	              story->steps, last.bodies, last.contacts, last.colors, last.spokes, (unsigned long long)hash,
-	              (int)(time(NULL) - begin));
+	uint64_t hash = check_parity(scenario, &last);
+	print_message("%-10s %3d steps, %4d bodies, %5d contacts, %2d colors, %3d spokes: %016llx, %.0f s\n",
+	              scenario->name, scenario->steps, last.bodies, last.contacts, last.colors, last.spokes,
+	              (unsigned long long)hash, seconds_now() - begin);
 	return last;
 }
 
-static void check_scene(const Story* story)
+static void check_scene(const Scenario* scenario)
 {
-	scree_counters last = check(story);
+	scree_counters last = check(scenario);
 	assert_int_equal(last.frozen_bodies, 0);
 
 	// the one scene that is there for a hub
-	if (strcmp(story->name, "washer") == 0 && !quick())
+	if (strcmp(scenario->name, "washer") == 0 && !quick())
 		assert_true(last.spokes > 0);
 }
 
@@ -60,8 +51,8 @@ static scree_attribute any_attribute(scree_world* world, uint64_t* seed)
 	scree_shape shapes[5] = {box_shape(0.5f, 0.4f), circle_shape(0.45f)};
 	scree_vec corners[3] = {{-0.5f, -0.4f}, {0.6f, -0.3f}, {0.0f, 0.6f}};
 	OK(scree_shape_make_capsule((scree_vec){-0.3f, 0.0f}, (scree_vec){0.3f, 0.1f}, 0.25f, &shapes[2]));
-	OK(scree_shape_make_polygon(corners, 3, 0.0f, &shapes[3]));
-	OK(scree_shape_make_polygon(corners, 3, 0.1f, &shapes[4]));
+	shapes[3] = polygon_shape(corners, 3, 0.0f);
+	shapes[4] = polygon_shape(corners, 3, 0.1f);
 	int k = random_below(seed, 5);
 	scree_attribute_def def = surface_of(shapes[k]);
 	def.density = k == 0 ? 2.0f : 1.0f;
@@ -90,7 +81,7 @@ static void build_changes(scree_world* world, const void* context)
 	add_box(world, SCREE_BODY_STATIC, 0.5f, 10.0f, -10.0f, 9.0f);
 	add_box(world, SCREE_BODY_STATIC, 0.5f, 10.0f, 10.0f, 9.0f);
 	scree_body belt = add_box(world, SCREE_BODY_KINEMATIC, 2.0f, 0.2f, 0.0f, 2.0f);
-	OK(scree_body_set_velocity(world, belt, (scree_velocity){{0.5f, 0.0f}, 0.7f}));
+	throw_body(world, belt, 0.5f, 0.0f, 0.7f);
 	for (int k = 0; k < 120; ++k)
 	{
 		scree_body_def def = any_body(world, &seed);
@@ -205,7 +196,7 @@ static void change_motion(scree_world* world, scree_body body, uint64_t* seed)
 		OK(scree_body_apply_angular_impulse(world, body, 0.1f * v.x));
 		break;
 	case 6:
-		OK(scree_body_set_velocity(world, body, (scree_velocity){{0.2f * v.x, 0.2f * v.y}, 0.1f * v.x}));
+		throw_body(world, body, 0.2f * v.x, 0.2f * v.y, 0.1f * v.x);
 		break;
 	default:
 	{
@@ -255,14 +246,11 @@ static void make_changes(scree_world* world, int step, const void* context)
 
 	// made and destroyed between two steps
 	scree_body_def def = any_body(world, &seed);
-	scree_body brief;
-	OK(scree_body_create(world, &def, &brief));
+	scree_body brief = create_body(world, &def);
 	OK(scree_body_apply_impulse(world, brief, (scree_vec){1.0f, 2.0f}));
 	OK(scree_body_destroy(world, brief));
 
-	scree_collidable zone;
-	int zones;
-	OK(scree_body_get_collidables(world, (scree_body){0, 0}, &zone, 1, &zones));
+	scree_collidable zone = collidable_of(world, (scree_body){0, 0});
 	scree_pose pose = {{random_between(&seed, -5.0f, 5.0f), 1.0f}, scree_rot_make(0.1f * (float)step)};
 	OK(scree_collidables_set_poses(world, &zone, &pose, 1));
 }
@@ -270,16 +258,10 @@ static void make_changes(scree_world* world, int step, const void* context)
 static void changes_are_equal(void** state)
 {
 	(void)state;
-	Story story = {.name = "changes",
-	               .def = scree_world_def_default(),
-	               .dt = STEP,
-	               .substeps = SUBSTEPS,
-	               .steps = quick() ? 60 : 200,
-	               .build = build_changes,
-	               .act = make_changes};
-	story.def.body_capacity = 64;
-	story.def.contact_capacity = 64;
-	check(&story);
+	Scenario scenario = scenario_of("changes", quick() ? 60 : 200, build_changes, make_changes, NULL);
+	scenario.def.body_capacity = 64;
+	scenario.def.contact_capacity = 64;
+	check(&scenario);
 }
 
 int main(void)
@@ -288,5 +270,5 @@ int main(void)
 	    cmocka_unit_test(scenes_are_equal),
 	    cmocka_unit_test(changes_are_equal),
 	};
-	return cmocka_run_group_tests(tests, find_ways, NULL);
+	return cmocka_run_group_tests(tests, show_variants, NULL);
 }

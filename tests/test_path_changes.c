@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_path_changes.c -- joints on paths that end, cross themselves, move and change: limits, laps, branches, bodies that are placed.
-#include "path_support.h"
+#include "support/make_paths.h"
+#include <math.h>
 #include <string.h>
 
 static const scree_vec line[] = {{0.0f, 0.0f}, {10.0f, 0.0f}};
@@ -35,7 +36,7 @@ static void open_paths_end(void** state)
 			NEAR(along_of(world, joint), back ? cases[k].low : cases[k].high, 2e-3);
 			NEAR(joint_state_of(world, joint).values[SCREE_ACROSS], 0.0, 1e-3);
 			scree_joint_coordinate own;
-			GOOD(scree_joint_get_coordinate(world, joint, SCREE_ALONG, &own));
+			OK(scree_joint_get_coordinate(world, joint, SCREE_ALONG, &own));
 			assert_int_equal(own.limited, cases[k].limited); // the user's own are left alone
 			scree_world_destroy(world);
 		}
@@ -96,7 +97,7 @@ static void joints_begin_near(void** state)
 	{
 		scree_body bead = add_wagon(world, path, begins[k], 0.05f, 0.0f);
 		scree_joint_def def = path_def(path, NOBODY, bead);
-		GOOD(scree_joint_def_mount(world, &def, begins[k]));
+		OK(scree_joint_def_mount(world, &def, begins[k]));
 		NEAR(def.frame_b.position.x, 0.0, 1e-5);
 		NEAR(def.frame_b.rotation.s, 0.0, 1e-5);
 		scree_joint joint = add_joint(world, &def);
@@ -137,7 +138,7 @@ static void crossings_keep_the_branch(void** state)
 		float lap = length_of(world, path), begin = k == 0 ? 0.249f * lap : 0.0f;
 		scree_body bead = add_wagon(world, path, begin, 0.05f, speeds[k]);
 		scree_joint_def def = path_def(path, NOBODY, bead);
-		GOOD(scree_joint_def_mount(world, &def, begin));
+		OK(scree_joint_def_mount(world, &def, begin));
 		scree_joint joint = add_joint(world, &def);
 		float before = along_of(world, joint);
 		for (int n = 0; n < 300; ++n)
@@ -166,7 +167,7 @@ static void placed_bodies_look_around(void** state)
 	double theory = 0.05;
 	for (int k = 0; k < 4; ++k)
 	{
-		OK(scree_body_set_pose(world, bead, pose_at(world, path, shares[k] * lap)));
+		OK(scree_body_set_pose(world, bead, pose_on_path(world, path, shares[k] * lap)));
 		double turns = (double)shares[k] - theory;
 		theory += turns - floor(turns + 0.5);
 		NEAR(along_of(world, joint) / lap, theory, 1e-3);
@@ -174,14 +175,14 @@ static void placed_bodies_look_around(void** state)
 		NEAR(along_of(world, joint) / lap, theory, 1e-3);
 		NEAR(joint_state_of(world, joint).values[SCREE_ACROSS], 0.0, 1e-3);
 	}
-	OK(scree_body_set_pose(world, bead, pose_at(world, path, 0.25f * lap)));
+	OK(scree_body_set_pose(world, bead, pose_on_path(world, path, 0.25f * lap)));
 	run_steps(world, 5);
-	OK(scree_body_set_pose(world, bead, pose_at(world, path, 0.27f * lap)));
+	OK(scree_body_set_pose(world, bead, pose_on_path(world, path, 0.27f * lap)));
 	run_steps(world, 1);
 	float on = along_of(world, joint);
 	for (int k = 0; k < 20; ++k)
 	{
-		scree_pose at = pose_at(world, path, on - 0.04f * lap * (float)k / 19.0f);
+		scree_pose at = pose_on_path(world, path, on - 0.04f * lap * (float)k / 19.0f);
 		at.position.x += 1e-3f;
 		OK(scree_body_set_pose(world, bead, at));
 		run_steps(world, 1);
@@ -190,10 +191,10 @@ static void placed_bodies_look_around(void** state)
 	// the path itself is placed: no other part of it is less than half as far
 	scree_vec at = position_of(world, bead);
 	float nearest;
-	GOOD(scree_joint_set_frames(world, joint, (scree_pose){{-1.0f, 0.5f}, {1.0f, 0.0f}},
-	                            (scree_pose){{0.0f, 0.0f}, {1.0f, 0.0f}}));
-	GOOD(scree_path_get_nearest(world, path, (scree_vec){at.x + 1.0f, at.y - 0.5f}, &nearest));
-	scree_vec there = pose_at(world, path, nearest).position;
+	OK(scree_joint_set_frames(world, joint, (scree_pose){{-1.0f, 0.5f}, {1.0f, 0.0f}},
+	                          (scree_pose){{0.0f, 0.0f}, {1.0f, 0.0f}}));
+	OK(scree_path_get_nearest(world, path, (scree_vec){at.x + 1.0f, at.y - 0.5f}, &nearest));
+	scree_vec there = pose_on_path(world, path, nearest).position;
 	double least = hypot((double)(there.x - at.x - 1.0f), (double)(there.y - at.y + 0.5f));
 	assert_true(fabs((double)joint_state_of(world, joint).values[SCREE_ACROSS]) < 2.0 * least + 0.1);
 	scree_world_destroy(world);
@@ -208,14 +209,14 @@ static void paths_move_with_bodies(void** state)
 		scree_world* world = open_world(0.0f);
 		scree_path path = add_circle(world, 1.5, 0.3, -0.2, 48);
 		scree_body bodies[2] = {add_box(world, SCREE_BODY_DYNAMIC, 1.0f, 0.7f, 0.0f, 0.0f), NOBODY};
-		scree_pose at = pose_at(world, path, 2.0f);
+		scree_pose at = pose_on_path(world, path, 2.0f);
 		bodies[1] = add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.3f, at.position.x, at.position.y);
 		OK(scree_body_set_pose(world, bodies[1], at));
 		scree_joint_def def = path_def(path, bodies[0], bodies[1]);
 		def.coordinates[SCREE_ANGLE].locked = locked;
 		scree_joint joint = add_joint(world, &def);
-		OK(scree_body_set_velocity(world, bodies[1], (scree_velocity){{2.0f, 3.0f}, 0.5f}));
-		OK(scree_body_set_velocity(world, bodies[0], (scree_velocity){{-0.5f, 0.2f}, 1.5f}));
+		throw_body(world, bodies[1], 2.0f, 3.0f, 0.5f);
+		throw_body(world, bodies[0], -0.5f, 0.2f, 1.5f);
 		Momentum before = momentum_of(world, bodies, 2), first = before;
 		double off = 0.0;
 		for (int k = 0; k < 600; ++k)
@@ -257,7 +258,7 @@ static void paths_come_and_go(void** state)
 		if (k >= 20)
 		{
 			OK(scree_body_destroy(world, beads[n])); // and its joint with it
-			GOOD(scree_path_destroy(world, paths[n]));
+			OK(scree_path_destroy(world, paths[n]));
 			assert_false(scree_path_is_valid(world, paths[n]));
 		}
 		double radius = 0.5 + 0.1 * k;
@@ -270,11 +271,11 @@ static void paths_come_and_go(void** state)
 			NEAR(joint_state_of(world, joints[m]).values[SCREE_ACROSS], 0.0, 2e-3);
 	}
 	scree_path listed[32];
-	GOOD(scree_world_get_paths(world, listed, 32, &count));
+	OK(scree_world_get_paths(world, listed, 32, &count));
 	assert_int_equal(count, 20);
 	assert_true(scree_path_is_closed(world, listed[0]));
 	scree_vec points[100];
-	GOOD(scree_path_get_points(world, paths[0], points, 100, &count));
+	OK(scree_path_get_points(world, paths[0], points, 100, &count));
 	assert_int_equal(count, 8 + 40);
 	NEAR(points[0].y, -(0.5 + 4.0), 1e-5);
 	scree_world_destroy(world);
@@ -292,10 +293,10 @@ static void joints_rest_and_break(void** state)
 	run_steps(world, 170); // more than a lap
 	float along = along_of(world, joint);
 	assert_true(along > lap);
-	GOOD(scree_joint_set_enabled(world, joint, false));
-	OK(scree_body_set_velocity(world, bead, (scree_velocity){{0.0f, 0.0f}, 0.0f}));
+	OK(scree_joint_set_enabled(world, joint, false));
+	throw_body(world, bead, 0.0f, 0.0f, 0.0f);
 	run_steps(world, 10);
-	GOOD(scree_joint_set_enabled(world, joint, true));
+	OK(scree_joint_set_enabled(world, joint, true));
 	run_steps(world, 2);
 	NEAR(along_of(world, joint), along, 0.05); // with its laps
 	OK(scree_body_set_enabled(world, bead, false));
@@ -307,18 +308,18 @@ static void joints_rest_and_break(void** state)
 	run_steps(world, 2);
 	NEAR(along_of(world, joint), along, 0.05);
 	double m = mass_of(world, bead).mass;
-	GOOD(scree_joint_set_thresholds(world, joint, (float)(m * 15.0), 1e30f, true));
+	OK(scree_joint_set_thresholds(world, joint, (float)(m * 15.0), 1e30f, true));
 	OK(scree_body_set_velocity(world, bead, velocity_of(world, bead)));
-	OK(scree_body_set_pose(world, bead, pose_at(world, path, 0.0f)));
-	OK(scree_body_set_velocity(world, bead, (scree_velocity){{5.0f, 0.0f}, 0.0f})); // m v^2 / R is 12.5 m
+	OK(scree_body_set_pose(world, bead, pose_on_path(world, path, 0.0f)));
+	throw_body(world, bead, 5.0f, 0.0f, 0.0f); // m v^2 / R is 12.5 m
 	run_steps(world, 30);
 	assert_false(joint_state_of(world, joint).broken);
-	OK(scree_body_set_pose(world, bead, pose_at(world, path, 0.0f)));
-	OK(scree_body_set_velocity(world, bead, (scree_velocity){{7.0f, 0.0f}, 0.0f})); // 24.5 m
+	OK(scree_body_set_pose(world, bead, pose_on_path(world, path, 0.0f)));
+	throw_body(world, bead, 7.0f, 0.0f, 0.0f); // 24.5 m
 	run_steps(world, 30);
 	assert_true(joint_state_of(world, joint).broken);
-	GOOD(scree_joint_destroy(world, joint));
-	GOOD(scree_path_destroy(world, path));
+	OK(scree_joint_destroy(world, joint));
+	OK(scree_path_destroy(world, path));
 	scree_world_destroy(world);
 }
 
@@ -328,16 +329,16 @@ static void placing_moves_frame_b(void** state)
 	(void)state;
 	scree_world* world = open_world(0.0f);
 	scree_path path = add_path(world, line, 2, false);
-	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 4.0f, 1.0f);
+	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 4.0f, 1.0f);
 	scree_joint_def def = path_def(path, NOBODY, body);
 	def.frame_a.position = (scree_vec){1.0f, 0.0f};
-	GOOD(scree_joint_def_place(world, &def, (scree_pose){{4.0f, 0.0f}, {1.0f, 0.0f}}));
+	OK(scree_joint_def_place(world, &def, (scree_pose){{4.0f, 0.0f}, {1.0f, 0.0f}}));
 	NEAR(def.frame_a.position.x, 1.0, 0.0);
 	NEAR(def.frame_b.position.x, 0.0, 1e-6);
 	NEAR(def.frame_b.position.y, -1.0, 1e-6);
 	scree_joint joint = add_joint(world, &def);
 	NEAR(along_of(world, joint), 3.0, 1e-6);
-	GOOD(scree_joint_def_mount(world, &def, 2.5f)); // at (3.5, 0) in the world
+	OK(scree_joint_def_mount(world, &def, 2.5f)); // at (3.5, 0) in the world
 	NEAR(def.frame_b.position.x, -0.5, 1e-6);
 	NEAR(def.frame_b.position.y, -1.0, 1e-6);
 	NEAR(def.initial_along, 2.5, 0.0);
@@ -351,18 +352,18 @@ static void jumps_of_the_path_add_no_speed(void** state)
 	static const float jumps[][2] = {{0.5f, 0.0f},  {2.0f, 0.0f},  {2.0f, 2.0f},
 	                                 {-3.0f, 1.0f}, {10.0f, 0.0f}, {0.0f, 10.0f}};
 	for (int k = 0; k < 6; ++k)
-		for (int way = 0; way < 4; ++way)
+		for (int variant = 0; variant < 4; ++variant)
 		{
 			scree_world* world = open_world(0.0f);
-			float radius = way & 1 ? 1.0f : 5.0f;
+			float radius = variant & 1 ? 1.0f : 5.0f;
 			scree_path path = add_circle(world, (double)radius, 0.0, 0.0, 24);
 			scree_body ring = add_box(world, SCREE_BODY_KINEMATIC, 0.1f, 0.1f, 0.0f, 0.0f);
 			scree_body bead = add_wagon(world, path, 0.0f, 0.1f, 5.0f);
 			scree_joint_def def = path_def(path, ring, bead);
-			def.coordinates[SCREE_ANGLE].locked = way & 2;
+			def.coordinates[SCREE_ANGLE].locked = variant & 2;
 			scree_joint joint = add_joint(world, &def);
 			run_steps(world, 30);
-			GOOD(scree_body_set_pose(world, ring, (scree_pose){{jumps[k][0], jumps[k][1]}, {1.0f, 0.0f}}));
+			OK(scree_body_set_pose(world, ring, (scree_pose){{jumps[k][0], jumps[k][1]}, {1.0f, 0.0f}}));
 			for (int n = 0; n < 90; ++n)
 			{
 				run_steps(world, 1);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_paths.c -- joints on paths against formulas: beads on wires, wagons on rails, loops, forces, paths of all sizes.
-#include "path_support.h"
+#include "support/make_paths.h"
 #include <float.h>
+#include <math.h>
 
 // The curve through N points of a circle of radius R is within 24 R / N^4 of it (de Boor, 1978: the error of a cubic spline goes
 // with the fourth power), and so is its length by 2 pi times that.
@@ -16,7 +17,7 @@ static void circles_are_round(void** state)
 		double length = length_of(world, path), worst = 0.0, aslant = 0.0, most = 24.0 * 5.0 / pow(counts[k], 4.0);
 		for (int n = 0; n < 1000; ++n)
 		{
-			scree_pose at = pose_at(world, path, (float)(length * n / 1000.0));
+			scree_pose at = pose_on_path(world, path, (float)(length * n / 1000.0));
 			double x = (double)at.position.x - 1.0, y = (double)at.position.y - 2.0, r = sqrt(x * x + y * y);
 			worst = fmax(worst, fabs(r - 5.0));
 			aslant = fmax(aslant, fabs((x * (double)at.rotation.c + y * (double)at.rotation.s) / r));
@@ -37,7 +38,7 @@ static void few_points(void** state)
 	static const scree_vec points[] = {{-1.0f, 0.0f}, {0.0f, 1.0f}, {1.0f, 0.0f}};
 	scree_world* world = open_world(0.0f);
 	scree_path line = add_path(world, points, 2, false), arch = add_path(world, points, 3, false);
-	scree_pose middle = pose_at(world, line, 0.5f * length_of(world, line));
+	scree_pose middle = pose_on_path(world, line, 0.5f * length_of(world, line));
 	NEAR(length_of(world, line), sqrt(2.0), 1e-6);
 	NEAR(middle.position.x, -0.5, 1e-6);
 	NEAR(middle.position.y, 0.5, 1e-6);
@@ -45,7 +46,7 @@ static void few_points(void** state)
 	NEAR(length_of(world, arch), 2.957886, 1e-5);
 	for (int k = 0; k <= 20; ++k)
 	{
-		scree_pose at = pose_at(world, arch, length_of(world, arch) * (float)k / 20.0f);
+		scree_pose at = pose_on_path(world, arch, length_of(world, arch) * (float)k / 20.0f);
 		NEAR(at.position.y, 1.0 - pow((double)at.position.x, 2.0), 2e-5);
 	}
 	scree_world_destroy(world);
@@ -271,28 +272,26 @@ static void many_beads(void** state)
 	};
 	scree_world* world = open_world(0.0f);
 	scree_path path = add_circle(world, 20.0, 0.0, 0.0, 64);
-	scree_attribute_def shape = surface_of(circle_shape(0.05f));
-	scree_attribute round = add_attribute(world, &shape);
+	scree_attribute round = shape_attribute(world, circle_shape(0.05f));
 	static scree_joint joints[BEADS];
 	static scree_joint_state states[BEADS];
 	static float begins[BEADS];
 	for (int k = 0; k < BEADS; ++k)
 	{
 		begins[k] = (float)k * length_of(world, path) / (float)BEADS;
-		scree_pose at = pose_at(world, path, begins[k]);
+		scree_pose at = pose_on_path(world, path, begins[k]);
 		float speed = (float)(k % 21 - 10);
 		scree_body_def body = scree_body_def_default();
-		scree_body made;
 		body.type = SCREE_BODY_DYNAMIC;
 		body.attribute = round;
 		body.pose = at;
 		body.filter.group = -1; // they pass through each other
 		body.velocity.linear = (scree_vec){speed * at.rotation.c, speed * at.rotation.s};
-		OK(scree_body_create(world, &body, &made));
+		scree_body made = create_body(world, &body);
 		joints[k] = ride(world, path, made, false);
 	}
 	run_steps(world, 120);
-	GOOD(scree_joints_get_states(world, joints, states, BEADS));
+	OK(scree_joints_get_states(world, joints, states, BEADS));
 	for (int k = 0; k < BEADS; ++k)
 		NEAR(states[k].values[SCREE_ALONG] - begins[k], 2.0 * (k % 21 - 10), 0.02);
 	scree_world_destroy(world);

@@ -3,15 +3,9 @@
 // that a seed decides.
 //
 // The formula: hash(persistent, seed, step) = hash(cpu, step), for each step. Where a turn never comes, all work-items end and report it.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "emulation/emulated_kernels.h"
 #include "emulation/emulation_scenes.h"
+#include "support/checks.h"
 
 // One work-group needs no barrier with others; of several, the first does short runs alone.
 static const Form forms[] = {
@@ -29,7 +23,7 @@ static void all_runs_are_equal(void** state)
 			for (int seed = 1; seed <= form_seeds(k, scene); ++seed)
 			{
 				Form form = forms[k];
-				form.turns.seed = 1000003u * (uint64_t)seed + (uint64_t)k;
+				form.schedule.seed = 1000003u * (uint64_t)seed + (uint64_t)k;
 				check_form(&form_scenes[scene], &form);
 				launches += form_counts.launches;
 				runs += form_counts.runs;
@@ -43,7 +37,8 @@ static void groups_that_stay_away_are_found(void** state)
 {
 	(void)state;
 	for (int group = 1; group <= 3; ++group)
-		check_fault("pyramid", (Form){.name = "persistent", .persistent = true, .groups = 3, .turns.shunned = group});
+		check_fault("pyramid",
+		            (Form){.name = "persistent", .persistent = true, .groups = 3, .schedule.shunned = group});
 }
 
 int main(void)

@@ -2,37 +2,14 @@
 // test_physics.c -- worlds against formulas: each test states the one that it checks.
 //
 // A step of dt in S substeps is S steps of h = dt / S by semi-implicit Euler, v += h a, then x += h v.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
+#include "support/make_bodies.h"
+#include "tools/common/random_numbers.h"
 #include <math.h>
-
-#define G 10.0 // m/s^2
-#define H (1.0 / 60.0 / SUBSTEPS)
-
-static scree_attribute add_surface(scree_world* world, scree_shape shape, float friction, float restitution)
-{
-	scree_attribute_def def = surface_of(shape);
-	def.friction = friction;
-	def.restitution = restitution;
-	return add_attribute(world, &def);
-}
 
 static void run_finely(scree_world* world, double seconds)
 {
 	for (int k = (int)(240.0 * seconds + 0.5); k > 0; --k)
 		OK(scree_world_step(world, 1.0f / 240.0f, SUBSTEPS));
-}
-
-static double speed_of(scree_world* world, scree_body body)
-{
-	scree_velocity v = velocity_of(world, body);
-	return hypot(v.linear.x, v.linear.y);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -44,8 +21,8 @@ static void free_fall(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(-10.0f);
-	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 3.0f, 7.0f);
-	OK(scree_body_set_velocity(world, body, (scree_velocity){{2.0f, 4.0f}, 0.0f}));
+	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 3.0f, 7.0f);
+	throw_body(world, body, 2.0f, 4.0f, 0.0f);
 	for (int step = 1; step <= 120; ++step)
 	{
 		run_steps(world, 1);
@@ -66,7 +43,7 @@ static void gravity_scale(void** state)
 	scree_body bodies[4];
 	for (int k = 0; k < 4; ++k)
 	{
-		bodies[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 3.0f * (float)k, 0.0f);
+		bodies[k] = add_crate(world, SCREE_BODY_DYNAMIC, 3.0f * (float)k, 0.0f);
 		OK(scree_body_set_gravity_scale(world, bodies[k], scales[k]));
 	}
 	run_steps(world, 60);
@@ -81,9 +58,9 @@ static void damping(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
+	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 	OK(scree_body_set_damping(world, body, 0.7f, 1.9f));
-	OK(scree_body_set_velocity(world, body, (scree_velocity){{5.0f, 0.0f}, 3.0f}));
+	throw_body(world, body, 5.0f, 0.0f, 3.0f);
 	run_steps(world, 90);
 	double v = 5.0, w = 3.0, x = 0.0, angle = 0.0;
 	for (int k = 0; k < 90 * SUBSTEPS; ++k)
@@ -110,7 +87,7 @@ static void spin(void** state)
 	for (int k = 0; k < 4; ++k)
 	{
 		bodies[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.25f, 3.0f * (float)k, 0.0f);
-		OK(scree_body_set_velocity(world, bodies[k], (scree_velocity){{0.0f, 0.0f}, rates[k]}));
+		throw_body(world, bodies[k], 0.0f, 0.0f, rates[k]);
 	}
 	run_steps(world, 300);
 	for (int k = 0; k < 4; ++k)
@@ -159,10 +136,9 @@ static void speed_has_a_limit(void** state)
 	def.device = "cpu";
 	def.gravity.y = 0.0f;
 	def.max_speed = 50.0f;
-	scree_world* world;
-	OK(scree_world_create(&def, &world));
-	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
-	OK(scree_body_set_velocity(world, body, (scree_velocity){{300.0f, 400.0f}, 0.0f}));
+	scree_world* world = create_world(&def);
+	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
+	throw_body(world, body, 300.0f, 400.0f, 0.0f);
 	run_steps(world, 60);
 	NEAR(velocity_of(world, body).linear.x, 30.0, 1e-4);
 	NEAR(velocity_of(world, body).linear.y, 40.0, 1e-4);
@@ -177,8 +153,8 @@ static void locks(void** state)
 	(void)state;
 	scree_world* world = open_world(-10.0f);
 	add_floor(world);
-	scree_body rail_x = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 3.0f);
-	scree_body rail_y = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 5.0f, 3.0f);
+	scree_body rail_x = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 3.0f);
+	scree_body rail_y = add_crate(world, SCREE_BODY_DYNAMIC, 5.0f, 3.0f);
 	scree_body upright = add_box(world, SCREE_BODY_DYNAMIC, 0.2f, 0.5f, 10.0f, 0.6f);
 	OK(scree_body_set_locks(world, rail_x, SCREE_LOCK_Y | SCREE_LOCK_ROTATION));
 	OK(scree_body_set_locks(world, rail_y, SCREE_LOCK_X));
@@ -219,10 +195,10 @@ static double slide(double degrees, double friction, int steps)
 	scree_velocity v = velocity_of(world, box);
 	run_steps(world, steps);
 	scree_vec to = position_of(world, box);
-	double way = -((to.x - from.x) * turn.c + (to.y - from.y) * turn.s);
+	double travel = -((to.x - from.x) * turn.c + (to.y - from.y) * turn.s);
 	double begin = -(v.linear.x * turn.c + v.linear.y * turn.s);
 	scree_world_destroy(world);
-	return way - begin * steps / 60.0;
+	return travel - begin * steps / 60.0;
 }
 
 // A box holds on a slope of angle a when mu > tan a. Just below that it slides with g (sin a - mu cos a).
@@ -250,7 +226,7 @@ static void stopping_distance(void** state)
 	add_body(world, SCREE_BODY_STATIC, add_surface(world, box_shape(100.0f, 1.0f), 0.3f, 0.0f), 0.0f, -1.0f, 0.0f);
 	scree_attribute flat = add_surface(world, box_shape(0.5f, 0.1f), 0.3f, 0.0f);
 	scree_body box = add_body(world, SCREE_BODY_DYNAMIC, flat, 0.0f, 0.1f, 0.0f);
-	OK(scree_body_set_velocity(world, box, (scree_velocity){{6.0f, 0.0f}, 0.0f}));
+	throw_body(world, box, 6.0f, 0.0f, 0.0f);
 	run_steps(world, 180);
 	double distance = 6.0 * 6.0 / (2.0 * 0.3 * G);
 	NEAR(position_of(world, box).x, distance, 0.01 * distance);
@@ -281,8 +257,7 @@ static void crowd_parts(void** state)
 	for (int boxes = 0; boxes < 2; ++boxes)
 	{
 		scree_world* world = open_world(0.0f);
-		scree_attribute_def def = surface_of(boxes ? box_shape(0.5f, 0.5f) : circle_shape(0.5f));
-		scree_attribute one = add_attribute(world, &def);
+		scree_attribute one = shape_attribute(world, boxes ? box_shape(0.5f, 0.5f) : circle_shape(0.5f));
 		scree_body bodies[100];
 		for (int k = 0; k < 100; ++k)
 			bodies[k] = add_body(world, SCREE_BODY_DYNAMIC, one, 3.0f, 7.0f, 0.0f);
@@ -346,7 +321,7 @@ static void spinning_circles(void** state)
 		scree_body body = add_body(world, SCREE_BODY_DYNAMIC, small, 3.59f, 0.0f, 0.0f);
 		if (first)
 			add_body(world, SCREE_BODY_STATIC, large, 0.0f, 0.0f, 0.0f);
-		OK(scree_body_set_velocity(world, body, (scree_velocity){{0.0f, 0.0f}, spins[k % 5]}));
+		throw_body(world, body, 0.0f, 0.0f, spins[k % 5]);
 		float deepest = deepest_of(world, 120);
 		double rises = 0.09 * (1.0 - cos((double)spins[k % 5] * STEP));
 		assert_true((double)deepest < 1.01 * rises + 1e-4);
@@ -402,8 +377,8 @@ static void impact_on_a_line(void** state)
 		scree_body a = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), 0.0f, 0.0f, 0.0f);
 		def.density = (float)density;
 		scree_body b = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), 3.0f, 0.0f, 0.0f);
-		OK(scree_body_set_velocity(world, a, (scree_velocity){{4.0f, 0.0f}, 0.0f}));
-		OK(scree_body_set_velocity(world, b, (scree_velocity){{-1.0f, 0.0f}, 0.0f}));
+		throw_body(world, a, 4.0f, 0.0f, 0.0f);
+		throw_body(world, b, -1.0f, 0.0f, 0.0f);
 		run_steps(world, 90);
 		double share = (1.0 + e) * 5.0 / (1.0 + density);
 		NEAR(velocity_of(world, a).linear.x, 4.0 - share * density, 0.02);
@@ -419,7 +394,7 @@ static void momentum(void** state)
 	scree_world* world = open_world(0.0f);
 	scree_vec corners[3] = {{-0.5f, -0.3f}, {0.6f, -0.4f}, {0.1f, 0.7f}};
 	scree_shape shapes[3] = {box_shape(0.4f, 0.6f), circle_shape(0.5f)};
-	OK(scree_shape_make_polygon(corners, 3, 0.05f, &shapes[2]));
+	shapes[2] = polygon_shape(corners, 3, 0.05f);
 	scree_body bodies[49];
 	uint64_t seed = 3;
 	for (int k = 0; k < 49; ++k)
@@ -455,7 +430,7 @@ static void add_stack(scree_world* world, scree_body* boxes, int count)
 {
 	add_floor(world);
 	for (int k = 0; k < count; ++k)
-		boxes[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f + (float)k);
+		boxes[k] = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f + (float)k);
 }
 
 // A stack of 20 boxes stands for 60 s. Its contacts are soft, but their arms are held, so it does not buckle (docs/manifolds.md). It
@@ -514,7 +489,7 @@ static void mass_ratio(void** state)
 	(void)state;
 	scree_world* world = open_world(-10.0f);
 	add_floor(world);
-	scree_body light = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f);
+	scree_body light = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f);
 	scree_attribute_def def = surface_of(box_shape(0.5f, 0.5f));
 	def.density = 100.0f;
 	scree_body heavy = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), 0.0f, 1.5f, 0.0f);
@@ -534,11 +509,11 @@ static void kinematic_carries(void** state)
 	(void)state;
 	scree_world* world = open_world(-10.0f);
 	scree_body sled = add_box(world, SCREE_BODY_KINEMATIC, 3.0f, 0.5f, 0.0f, -0.5f);
-	scree_body box = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f);
+	scree_body box = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f);
 	scree_body lift = add_box(world, SCREE_BODY_KINEMATIC, 3.0f, 0.5f, 20.0f, -0.5f);
-	scree_body load = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 20.0f, 0.5f);
-	OK(scree_body_set_velocity(world, sled, (scree_velocity){{1.5f, 0.0f}, 0.0f}));
-	OK(scree_body_set_velocity(world, lift, (scree_velocity){{0.0f, 1.5f}, 0.0f}));
+	scree_body load = add_crate(world, SCREE_BODY_DYNAMIC, 20.0f, 0.5f);
+	throw_body(world, sled, 1.5f, 0.0f, 0.0f);
+	throw_body(world, lift, 0.0f, 1.5f, 0.0f);
 	run_steps(world, 60);
 	double lag = position_of(world, sled).x - position_of(world, box).x;
 	run_steps(world, 120);

@@ -1,36 +1,20 @@
 // SPDX-License-Identifier: MIT
-// test_pictures.c -- contents of pictures: the shades of a body's colors, a moving camera, the place of a detail.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
+// test_pictures.c -- what pictures show: the shades of a body's colors, a camera on its way, the place of a detail.
 #include "scene/detail.h"
 #include "scene/shades.h"
-#include "scene_text.h"
+#include "support/scene_text.h"
 #include <math.h>
 #include <string.h>
 
 #define SCRATCH "test_pictures_scratch.json"
-
-static Scene* scene_of(const char* text)
-{
-	char sentence[SCENE_SENTENCE] = "";
-	Scene* scene = load_text(SCRATCH, text, NULL, 0, sentence);
-	if (!scene)
-		fail_msg("%s", sentence);
-	return scene;
-}
 
 // Bodies of the scene are 1, 2, ...: one alone, five of one attribute, five that choose. A body alone has the middle, 31; five run
 // from 0 to 62; where there is a choice, from 62 / 4 to 3 * 62 / 4, rounded.
 static void bodies_run_through_their_shades(void** state)
 {
 	(void)state;
-	Scene* scene = scene_of(
-	    HEAD GOOD_ATTRIBUTES
+	Scene* scene = load_good_text(
+	    SCRATCH, HEAD GOOD_ATTRIBUTES
 	    "\"bodies\": [{\"attribute\": \"a\"}, {\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 5}}, "
 	    "{\"attribute\": [\"a\", \"b\"], \"choose\": \"mod(i, 2)\", \"repeat\": {\"index\": \"i\", \"to\": 5}}]}");
 	static const int expected[] = {31, 0, 16, 31, 47, 62, 16, 23, 31, 39, 47};
@@ -87,8 +71,8 @@ static void cameras_magnify_steadily(void** state)
 static void details_fill_wide_pictures(void** state)
 {
 	(void)state;
-	Scene* scene = scene_of(HEAD "\"view\": [0, 0, 10, 10], \"detail\": [4, 4, 6, 5], " GOOD_ATTRIBUTES
-	                             "\"bodies\": [{\"attribute\": \"a\"}]}");
+	Scene* scene = load_good_text(SCRATCH, HEAD "\"view\": [0, 0, 10, 10], \"detail\": [4, 4, 6, 5], " GOOD_ATTRIBUTES
+	                                            "\"bodies\": [{\"attribute\": \"a\"}]}");
 	Detail detail;
 	assert_true(detail_open(&detail, scene, 1600, 900));
 	assert_true(detail.left == 876 && detail.width == 712 && detail.top == MARGIN && detail.height == 840);

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_presses.c -- bodies that a kinematic body presses against a static one, on every device; masses that the user sets.
-#include "support.h"
+// test_presses.c -- what something kinematic presses against something static, in every variant; masses that the user sets.
+#include "support/make_joints.h"
+#include "support/scenarios.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
-
-#include <cmocka.h>
 
 #define DEPTH 0.02f // m: the most by which a body may be in something static
 
@@ -22,7 +18,7 @@ typedef enum
 typedef struct
 {
 	scree_body press, body;
-	scree_vec way; // unit vector in which it is pressed
+	scree_vec direction; // unit vector in which it is pressed
 } Press;
 
 // A body of 1 m beside what is static, or a gap before that, and a press that goes there. first: which of the two is made first.
@@ -32,7 +28,7 @@ static Press add_press(scree_world* world, Place place, scree_shape shape, float
 	scree_rot turn = scree_rot_make(angles[place] * (float)PI / 180.0f);
 	scree_attribute_def def = surface_of(shape), slab = surface_of(box_shape(0.5f, 3.0f));
 	scree_body_def press_def = scree_body_def_default();
-	Press p = {.way = {turn.c, turn.s}};
+	Press p = {.direction = {turn.c, turn.s}};
 	def.density = density;
 	press_def.type = SCREE_BODY_KINEMATIC;
 	press_def.attribute = add_attribute(world, &slab);
@@ -40,22 +36,21 @@ static Press add_press(scree_world* world, Place place, scree_shape shape, float
 	float back = 1.35f + 3.0f * gap;
 	press_def.pose.position = (scree_vec){-0.5f - gap - back * turn.c, 0.5f + gap - back * turn.s};
 	if (first)
-		OK(scree_body_create(world, &press_def, &p.press));
+		p.press = create_body(world, &press_def);
 	if (place != FLOOR)
 		add_box(world, SCREE_BODY_STATIC, 10.0f, 20.0f, 10.0f, 0.0f);
 	if (place != WALL)
 		add_box(world, SCREE_BODY_STATIC, 20.0f, 10.0f, 0.0f, -10.0f);
 	p.body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), -0.5f - gap, 0.5f + gap, 0.0f);
 	if (!first)
-		OK(scree_body_create(world, &press_def, &p.press));
+		p.press = create_body(world, &press_def);
 	return p;
 }
 
 // m: how far a body of 1 m is at most in the wall or in the floor
 static float depth_of(scree_world* world, scree_body body, Place place, bool round)
 {
-	scree_pose pose;
-	OK(scree_body_get_pose(world, body, &pose));
+	scree_pose pose = pose_of(world, body);
 	float half = round ? 0.5f : 0.5f * (fabsf(pose.rotation.c) + fabsf(pose.rotation.s));
 	float wall = place == FLOOR ? -1.0f : pose.position.x + half,
 	      floor = place == WALL ? -1.0f : half - pose.position.y;
@@ -80,14 +75,14 @@ static void static_side_wins(void** state)
 		for (int step = 0; step < steps + 90; ++step)
 		{
 			float goes = step < steps ? speed : step < steps + 60 ? 0.0f : -speed;
-			scree_pose to;
-			OK(scree_body_get_pose(world, p.press, &to));
-			to.position.x += goes * STEP * p.way.x;
-			to.position.y += goes * STEP * p.way.y;
+			scree_pose to = pose_of(world, p.press);
+			to.position.x += goes * STEP * p.direction.x;
+			to.position.y += goes * STEP * p.direction.y;
 			if (targets)
 				OK(scree_bodies_set_targets(world, &p.press, &to, 1));
 			else
-				OK(scree_body_set_velocity(world, p.press, (scree_velocity){{goes * p.way.x, goes * p.way.y}, 0.0f}));
+				OK(scree_body_set_velocity(world, p.press,
+				                           (scree_velocity){{goes * p.direction.x, goes * p.direction.y}, 0.0f}));
 			run_steps(world, 1);
 			scree_vec v = velocity_of(world, p.body).linear;
 			worst = fmaxf(worst, depth_of(world, p.body, place, round));
@@ -121,7 +116,7 @@ static void rows_yield_to_what_is_static(void** state)
 			if (step == (int)(0.25f * (float)count / speed / STEP) + 30)
 				OK(scree_body_destroy(world, press));
 			else if (scree_body_is_valid(world, press))
-				OK(scree_body_set_velocity(world, press, (scree_velocity){{speed, 0.0f}, 0.0f}));
+				throw_body(world, press, speed, 0.0f, 0.0f);
 			run_steps(world, 1);
 			assert_true(depth_of(world, bodies[0], WALL, k & 1) < DEPTH);
 			for (int n = 0; n < count; ++n)
@@ -141,16 +136,16 @@ static void types_are_exchanged(void** state)
 	for (int k = 0; k < 2; ++k)
 	{
 		scree_world* world = open_world(0.0f);
-		scree_attribute_def def = surface_of(k ? circle_shape(0.5f) : box_shape(0.5f, 0.5f));
 		scree_body left = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 4.0f, -1.5f, 0.0f);
 		scree_body right = add_box(world, SCREE_BODY_STATIC, 0.5f, 4.0f, 0.5f, 0.0f);
-		scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &def), -0.5f, 0.0f, 0.0f);
+		scree_body body =
+		    add_shape(world, SCREE_BODY_DYNAMIC, k ? circle_shape(0.5f) : box_shape(0.5f, 0.5f), -0.5f, 0.0f, 0.0f);
 		run_steps(world, 10);
 		OK(scree_body_set_type(world, left, SCREE_BODY_STATIC));
 		OK(scree_body_set_type(world, right, SCREE_BODY_KINEMATIC));
 		for (int step = 0; step < 90; ++step)
 		{
-			OK(scree_body_set_velocity(world, right, (scree_velocity){{step < 50 ? -0.5f : 0.0f, 0.0f}, 0.0f}));
+			throw_body(world, right, step < 50 ? -0.5f : 0.0f, 0.0f, 0.0f);
 			run_steps(world, 1);
 			assert_true(position_of(world, body).x > -0.5f - DEPTH);
 		}
@@ -176,15 +171,14 @@ static void joints_yield_to_what_is_static(void** state)
 		}
 		scree_body_def hand = scree_body_def_default();
 		scree_joint_def def = scree_joint_def_make(k ? SCREE_JOINT_TARGET : SCREE_JOINT_REVOLUTE);
-		scree_joint joint;
 		hand.type = SCREE_BODY_KINEMATIC;
-		OK(scree_body_create(world, &hand, &def.body_a));
+		def.body_a = create_body(world, &hand);
 		def.body_b = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &ball), 0.0f, 0.0f, 0.0f);
 		def.coordinates[SCREE_ALONG].spring_hertz = def.coordinates[SCREE_ACROSS].spring_hertz = 30.0f;
 		scree_body puller = def.body_a;
 		if (k)
 			def.body_a = SCREE_NULL_BODY;
-		OK(scree_joint_create(world, &def, &joint));
+		scree_joint joint = add_joint(world, &def);
 		for (int step = 0; step < 300; ++step)
 		{
 			scree_pose to = {{fminf(0.02f * (float)step, 5.0f), 0.3f * sinf(0.05f * (float)step)}, {1.0f, 0.0f}};
@@ -212,15 +206,14 @@ static void loads_are_no_presses(void** state)
 	wheel.density = 1.6f / (float)(PI * 0.16);
 	add_floor(world);
 	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // in the floor, so that presses are looked for
-	add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -20.0f, 2.4f);
+	add_crate(world, SCREE_BODY_DYNAMIC, -20.0f, 2.4f);
 	def.body_a = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &cart), 0.0f, 0.7f, 0.0f);
 	for (int k = 0; k < 2; ++k)
 	{
-		scree_joint joint;
 		wheels[k] = def.body_b =
 		    add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &wheel), k ? 0.7f : -0.7f, 0.4f, 0.0f);
 		OK(scree_joint_def_place(world, &def, (scree_pose){{k ? 0.7f : -0.7f, 0.4f}, {1.0f, 0.0f}}));
-		OK(scree_joint_create(world, &def, &joint));
+		add_joint(world, &def);
 	}
 	run_steps(world, 400);
 	assert_true(position_of(world, wheels[0]).y < 0.4f - 0.03f);
@@ -244,7 +237,7 @@ static scree_body add_plate(scree_world* world, scree_body* press)
 	*press = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 22.0f, -2.6f, 0.0f);
 	scree_body plate = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 22.0f, -0.5f, 0.0f);
 	for (int k = 0; k < 40; ++k)
-		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, -1.5f, 1.1f * (float)(k - 20));
+		add_crate(world, SCREE_BODY_DYNAMIC, -1.5f, 1.1f * (float)(k - 20));
 	return plate;
 }
 
@@ -255,7 +248,7 @@ static void hubs_yield_to_what_is_static(void** state)
 	scree_body press, plate = add_plate(world, &press);
 	for (int step = 0; step < 180; ++step)
 	{
-		OK(scree_body_set_velocity(world, press, (scree_velocity){{0.5f, 0.0f}, 0.0f}));
+		throw_body(world, press, 0.5f, 0.0f, 0.0f);
 		run_steps(world, 1);
 		assert_true(position_of(world, plate).x < -0.5f + DEPTH);
 	}
@@ -279,28 +272,20 @@ static void build_all(scree_world* world, const void* context)
 		add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, k < 3 ? &ball : &rod), -0.5f - (float)(k % 3),
 		         (k < 3 ? 50.0f : 60.0f) + (k & 1 ? 0.04f : -0.04f), 0.0f);
 	press = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 15.0f, -3.6f, 55.0f);
-	OK(scree_body_set_velocity(world, press, (scree_velocity){{1.0f, 0.0f}, 0.0f}));
+	throw_body(world, press, 1.0f, 0.0f, 0.0f);
 	// a hinge drags a ball against the wall
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
-	scree_joint joint;
 	def.body_b = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &ball), -0.5f, 80.0f, 0.0f);
 	def.frame_a.position = (scree_vec){0.5f, 80.2f};
-	OK(scree_joint_create(world, &def, &joint));
+	add_joint(world, &def);
 }
 
 static void presses_are_equal_everywhere(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
-	Story story = {.name = "presses",
-	               .def = scree_world_def_default(),
-	               .dt = STEP,
-	               .substeps = SUBSTEPS,
-	               .steps = 120,
-	               .build = build_all};
-	story.def.gravity = (scree_vec){0.0f, 0.0f};
-	check_parity(&story, ways, count, NULL);
+	Scenario scenario = scenario_of("presses", 120, build_all, NULL, NULL);
+	scenario.def.gravity = (scree_vec){0.0f, 0.0f};
+	check_parity(&scenario, NULL);
 }
 
 // A mass that the user set holds again after the body was kinematic, until its collidables change, then too.
@@ -308,28 +293,25 @@ static void own_mass_outlives_types(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_body body = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.0f);
-	scree_mass mass;
+	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 	OK(scree_body_set_mass(world, body, (scree_mass){2.0f, 0.5f, {1.0f, 0.0f}}));
 	OK(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
-	OK(scree_body_get_mass(world, body, &mass));
+	scree_mass mass = mass_of(world, body);
 	assert_true(mass.mass == 0.0f);
 	uint64_t kept = hash_of(world);
 	OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
-	OK(scree_body_get_mass(world, body, &mass));
+	mass = mass_of(world, body);
 	assert_true(mass.mass == 2.0f && mass.inertia == 0.5f && mass.center.x == 1.0f);
 
 	OK(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
 	assert_true(hash_of(world) == kept);
 	scree_collidable_def def = scree_collidable_def_default();
-	scree_collidable added;
-	scree_attribute_def surface = surface_of(box_shape(0.5f, 0.5f));
 	def.body = body;
-	def.attribute = add_attribute(world, &surface);
-	OK(scree_collidable_create(world, &def, &added));
+	def.attribute = shape_attribute(world, box_shape(0.5f, 0.5f));
+	create_collidable(world, &def);
 	OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
-	OK(scree_body_get_mass(world, body, &mass));
-	NEAR(mass.mass, 2.0, 1e-6); // two boxes of 1 kg
+	mass = mass_of(world, body);
+	NEAR(mass.mass, 2.0, 1e-6); // of two boxes of 1 kg
 	NEAR(mass.center.x, 0.0, 1e-6);
 	scree_world_destroy(world);
 }

@@ -4,67 +4,21 @@
 // Formulas. Sort: the output is a permutation of the input, rising in the given bits, and keys whose bits are equal keep
 // their order. Scan: out[i] = in[0] + ... + in[i - 1].
 #include "backend/backend.h"
-#include "platform/error.h"
-#include <setjmp.h>
-#include <stdarg.h>
+#include "support/each_backend.h"
+#include "tools/common/random_numbers.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#define CAPACITY (1 << 20)
 
-#define CAPACITY     (1 << 20)
-#define MAX_BACKENDS 16
+static int room_of(Per per) { return per == PER_KEY || per == PER_CONTACT ? CAPACITY : 1; }
 
-static Backend* backends[MAX_BACKENDS];
-static int backend_count;
-
-static int open_backends(void** state)
+static int open_all_backends(void** state)
 {
 	(void)state;
-	int threads[] = {1, 3};
-	for (int i = 0; i < 2; ++i)
-	{
-		BackendOptions options = {.threads = threads[i]};
-		if (cpu_open(&options, &backends[backend_count]) == SCREE_OK)
-			++backend_count;
-	}
-#ifndef SCREE_NO_OPENCL
-	scree_device devices[MAX_BACKENDS];
-	int count = opencl_devices(devices, MAX_BACKENDS - 2);
-	for (int i = 0; i < count && i < MAX_BACKENDS - 2; ++i)
-	{
-		BackendOptions options = {.device = devices[i].name + strlen("opencl:"), .allow_unequal_bits = true};
-		if (opencl_open(&options, &backends[backend_count]) == SCREE_OK)
-			++backend_count;
-		else
-			print_message("%s: %s\n", devices[i].name, scree_error());
-	}
-#endif
-	for (int i = 0; i < backend_count; ++i)
-	{
-		Backend* b = backends[i];
-		print_message("backend: %s\n", b->name);
-		if (b->f->resize(b, PER_KEY, CAPACITY) || b->f->resize(b, PER_CONTACT, CAPACITY) || b->f->resize(b, PER_ONE, 1))
-			return -1;
-	}
-	return backend_count > 0 ? 0 : -1;
-}
-
-static int close_backends(void** state)
-{
-	(void)state;
-	for (int i = 0; i < backend_count; ++i)
-		backends[i]->f->close(backends[i]);
+	open_backends(true, room_of);
 	return 0;
-}
-
-static uint64_t random_word(uint64_t* seed) // xorshift64*, George Marsaglia and Sebastiano Vigna
-{
-	*seed ^= *seed >> 12;
-	*seed ^= *seed << 25;
-	*seed ^= *seed >> 27;
-	return *seed * 0x2545f4914f6cdd1du;
 }
 
 typedef enum
@@ -210,7 +164,7 @@ static void test_sort_bits(void** state)
 			check_sort(RANDOM, 3000, 0, false, first, end, 11);
 }
 
-// the bits outside the range tell equal keys apart
+// the bits outside the range distinguish equal keys
 static void test_sort_is_stable(void** state)
 {
 	(void)state;
@@ -285,5 +239,5 @@ int main(void)
 	    cmocka_unit_test(test_scan_sizes),
 	    cmocka_unit_test(test_scan_counts_from_device),
 	};
-	return cmocka_run_group_tests(tests, open_backends, close_backends);
+	return cmocka_run_group_tests(tests, open_all_backends, close_backends);
 }

@@ -3,66 +3,42 @@
 //
 // The formula: after each call, status(device) = status(cpu, 1 thread, 1 lane), and so with answers and hashes. bench/programs.sh
 // runs thousands of programs on a GPU; build/tests/programs --help says how to run others, and one again.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "programs/program.h"
-#include "support.h"
+#include "support/variants.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 // seeds from here on; a failure prints its own
 #define FIRST_SEED 1000
 
-static void silent(scree_log_level level, const char* sentence, void* context)
-{
-	(void)level;
-	(void)sentence;
-	(void)context;
-}
-
-static int be_silent(void** state)
+static int hide_log(void** state)
 {
 	(void)state;
-	const scree_hooks hooks = {.log = silent};
-	return scree_hooks_set(&hooks) != SCREE_OK;
-}
-
-static void set_forms(const Way* way)
-{
-	unsetenv("SCREE_PERSISTENT");
-	unsetenv("SCREE_SOLVER");
-	if (way && way->persistent)
-		setenv("SCREE_PERSISTENT", way->persistent, 1);
-	if (way && way->solver)
-		setenv("SCREE_SOLVER", way->solver, 1);
+	return pair_hide_log() != SCREE_OK;
 }
 
 // Prints a program that failed, made short, and how it failed.
-static void tell_failure(Pair* pair, Program* program, const Way* way, uint64_t seed)
+static void print_failure(Pair* pair, Program* program, const Variant* variant, uint64_t seed)
 {
 	program_shrink(program, pair, 20.0);
 	pair_forget(pair);
 	Outcome outcome = pair_run(pair, program, stderr);
-	print_error("%s, program %llu, after call %d: %s\n", way->name, (unsigned long long)seed, outcome.call,
+	print_error("%s, program %llu, after call %d: %s\n", variant->name, (unsigned long long)seed, outcome.call,
 	            outcome.differs ? outcome.sentence : "differed, and does not when run again");
 	program_write(program, stderr);
 }
 
-static void check_way(const Way* way, int count, bool reads)
+static void check_variant(const Variant* variant, int count, bool reads)
 {
 	Place places[2] = {{.device = "cpu", .threads = 1, .lanes = 1},
-	                   {.threads = way->threads, .lanes = way->lanes, .reads = reads}};
-	snprintf(places[1].device, sizeof places[1].device, "%s", way->device);
-	if (way->other[0])
-		snprintf(places[1].other, sizeof places[1].other, "%s", way->other);
+	                   {.threads = variant->threads, .lanes = variant->lanes, .reads = reads}};
+	snprintf(places[1].device, sizeof places[1].device, "%s", variant->device);
+	if (variant->other[0])
+		snprintf(places[1].other, sizeof places[1].other, "%s", variant->other);
 	Pair pair;
 	Program program = {0};
-	set_forms(way);
+	set_forms(variant);
 	pair_open(&pair, places);
 	bool differs = false;
 	for (int k = 0; k < count && !differs; ++k)
@@ -71,35 +47,35 @@ static void check_way(const Way* way, int count, bool reads)
 		program_make(&program, seed, 200);
 		differs = pair_run(&pair, &program, NULL).differs;
 		if (differs)
-			tell_failure(&pair, &program, way, seed);
+			print_failure(&pair, &program, variant, seed);
 	}
 	pair_close(&pair);
 	program_close(&program);
 	set_forms(NULL);
 	if (differs)
-		fail_msg("a program of calls left other bits: %s", way->name);
+		fail_msg("a program of calls left other bits: %s", variant->name);
 }
 
 static void programs_are_equal(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants);
 	for (int k = 1; k < count; ++k)
-		check_way(&ways[k],
-		          strcmp(ways[k].device, "cpu") == 0 && !ways[k].other[0] ? (quick() ? 12 : 48)
-		          : quick()                                               ? 4
-		                                                                  : 24,
-		          false);
+		check_variant(&variants[k],
+		              strcmp(variants[k].device, "cpu") == 0 && !variants[k].other[0] ? (quick() ? 12 : 48)
+		              : quick()                                                       ? 4
+		                                                                              : 24,
+		              false);
 }
 
 // A world that is read between its calls has the bits of one that is not.
 static void reads_change_nothing(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	list_ways(ways);
-	check_way(&ways[0], quick() ? 50 : 400, true);
+	Variant variants[MAX_VARIANTS];
+	list_variants(variants);
+	check_variant(&variants[0], quick() ? 50 : 400, true);
 }
 
 // Programs that once had other bits where they were read, each with several choices of reads.
@@ -120,7 +96,7 @@ static void saved_programs_are_equal(void** state)
 		fclose(file);
 		Pair pair;
 		pair_open(&pair, places);
-		for (; pair.first_read < WAYS_TO_READ; ++pair.first_read)
+		for (; pair.first_read < READ_CHOICES; ++pair.first_read)
 		{
 			Outcome outcome = pair_run(&pair, &program, stderr);
 			if (outcome.differs)
@@ -166,5 +142,5 @@ int main(void)
 	    cmocka_unit_test(reads_change_nothing),
 	    cmocka_unit_test(saved_programs_are_equal),
 	};
-	return cmocka_run_group_tests(tests, be_silent, NULL);
+	return cmocka_run_group_tests(tests, hide_log, NULL);
 }

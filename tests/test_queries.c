@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // test_queries.c -- rays, moving shapes, overlaps and the nearest, against all pairs in double precision.
-#include "exact.h"
-#include "query_support.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
+#include "support/exact_shapes.h"
+#include "support/random_queries.h"
+#include "tools/common/random_numbers.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #define MOST 400
 
@@ -41,8 +38,7 @@ static void fill(Place* place, uint64_t* seed, int bodies, float scale)
 		scree_attribute_def surface = surface_of(random_shape(seed, scale));
 		def.attribute = add_attribute(place->world, &surface);
 		def.filter.category = 1u << random_below(seed, 4);
-		scree_body body;
-		OK(scree_body_create(place->world, &def, &body));
+		scree_body body = create_body(place->world, &def);
 		scree_collidable_def more = scree_collidable_def_default();
 		surface = surface_of(random_shape(seed, scale));
 		more.attribute = add_attribute(place->world, &surface);

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // test_query_batches.c -- batches of queries: large ones, and items of any bits.
-#include "query_support.h"
+#include "support/random_queries.h"
+#include "support/scenarios.h"
+#include "tools/common/byte_hash.h"
+#include "tools/common/random_numbers.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #define APPROVAL 500
 
@@ -25,15 +23,14 @@ static void large_batches(void** state)
 	scree_query_result* found = malloc(2 * MANY * sizeof *found);
 	scree_query_result* large = found + MANY;
 	uint64_t seed = 5;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants);
 	for (int k = 0; k < MANY; ++k)
 		rays[k] = (scree_ray){.origin = random_pose(&seed, (scree_vec){5.0f, 5.0f}, 8.0f).position,
 		                      .translation = random_path(&seed, 4.0f)};
 	for (int k = 0; k < count; ++k)
 	{
-		scree_world_def def = scree_world_def_default();
-		scree_world* world = open_on(ways + k, &def);
+		scree_world* world = open_default_variant(variants + k);
 		for (int n = 0; n < 100; ++n)
 			add_box(world, SCREE_BODY_STATIC, 0.2f, 0.4f, (float)(n % 10), (float)(n / 10));
 		for (int n = 0; n < MANY && k == 0; n += FEW)
@@ -45,11 +42,11 @@ static void large_batches(void** state)
 		assert_non_null(strstr(scree_error(), "rays[399999]"));
 		for (size_t b = 0; b < MANY * sizeof *large; ++b)
 			if (((unsigned char*)large)[b] != 0x5a)
-				fail_msg("%s wrote an answer", ways[k].name);
+				fail_msg("%s wrote an answer", variants[k].name);
 		rays[MANY - 2].translation.y = good;
 		OK(scree_world_cast_rays(world, NULL, rays, MANY, large));
 		if (memcmp(found, large, MANY * sizeof *found) != 0)
-			fail_msg("other answers on %s", ways[k].name);
+			fail_msg("other answers on %s", variants[k].name);
 		scree_world_destroy(world);
 	}
 	free(rays);
@@ -106,38 +103,34 @@ static uint64_t ask_bits(scree_world* world)
 		refused += scree_world_cast_rays(world, &def, rays, count, found) != SCREE_OK;
 		refused = 2 * refused +
 		          (scree_world_cast_shapes(world, &def, turn % 2 ? &shape : NULL, probes, count, found) != SCREE_OK);
-		hash = hash_more(hash, found, sizeof found);
+		hash = hash_bytes(hash, found, sizeof found);
 		def.any = false;
 		refused = 2 * refused + (scree_world_find_nearest(world, &def, turn % 2 ? &shape : NULL, probes, count, 3.0f,
 		                                                  found) != SCREE_OK);
-		hash = hash_more(hash, found, sizeof found);
+		hash = hash_bytes(hash, found, sizeof found);
 		refused = 2 * refused + (scree_world_list_rays(world, &def, rays, count, &list) != SCREE_OK);
 		refused = 2 * refused + (scree_world_list_shapes(world, &def, &shape, probes, count, &list) != SCREE_OK);
-		hash = hash_more(hash, &refused, sizeof refused);
+		hash = hash_bytes(hash, &refused, sizeof refused);
 	}
 	return hash;
+}
+
+static uint64_t answers_to_bits(const Variant* variant)
+{
+	scree_world* world = open_default_variant(variant);
+	add_floor(world);
+	for (int n = 0; n < 77; ++n) // a number that fills no node of a tree
+		add_box(world, n % 3 ? SCREE_BODY_DYNAMIC : SCREE_BODY_STATIC, 0.3f, 0.2f, (float)(n % 9), (float)(n / 9));
+	run_steps(world, 1);
+	uint64_t answers = ask_bits(world);
+	scree_world_destroy(world);
+	return answers;
 }
 
 static void any_bits(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
-	uint64_t first = 0;
-	for (int k = 0; k < count; ++k)
-	{
-		scree_world_def def = scree_world_def_default();
-		scree_world* world = open_on(ways + k, &def);
-		add_floor(world);
-		for (int n = 0; n < 77; ++n) // a number that fills no node of a tree
-			add_box(world, n % 3 ? SCREE_BODY_DYNAMIC : SCREE_BODY_STATIC, 0.3f, 0.2f, (float)(n % 9), (float)(n / 9));
-		OK(scree_world_step(world, STEP, SUBSTEPS));
-		uint64_t answers = ask_bits(world);
-		first = k ? first : answers;
-		if (answers != first)
-			fail_msg("other answers on %s", ways[k].name);
-		scree_world_destroy(world);
-	}
+	check_equal(answers_to_bits);
 }
 
 int main(void)

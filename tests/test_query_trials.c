@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // test_query_trials.c -- queries in hostile worlds, and with the same answers everywhere.
-#include "query_support.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
+#include "support/random_queries.h"
+#include "support/scenarios.h"
+#include "tools/common/byte_hash.h"
+#include "tools/common/random_numbers.h"
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 typedef struct
 {
@@ -41,26 +39,25 @@ static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
 		                          .translation = random_path(seed, place->size)};
 	}
 	OK(scree_world_cast_rays(place->world, &def, rays, APPROVAL, found));
-	hash = hash_more(hash, found, sizeof found);
+	hash = hash_bytes(hash, found, sizeof found);
 	OK(scree_world_cast_shapes(place->world, &def, &shape, probes, APPROVAL, found));
-	hash = hash_more(hash, found, sizeof found);
+	hash = hash_bytes(hash, found, sizeof found);
 	OK(scree_world_list_shapes(place->world, &def, &shape, probes, APPROVAL, &list));
-	hash = hash_more(hash, list.results, (size_t)list.count * sizeof *list.results);
+	hash = hash_bytes(hash, list.results, (size_t)list.count * sizeof *list.results);
 	OK(scree_world_list_rays(place->world, &def, rays, APPROVAL / 10, &list));
-	hash = hash_more(hash, list.first, (APPROVAL / 10 + 1) * sizeof *list.first);
+	hash = hash_bytes(hash, list.first, (APPROVAL / 10 + 1) * sizeof *list.first);
 	for (int k = 0; k < APPROVAL; ++k)
 		probes[k].translation = (scree_vec){0.0f, 0.0f};
 	OK(scree_world_find_nearest(place->world, &def, random_below(seed, 2) ? &shape : NULL, probes, APPROVAL, 5.0f,
 	                            found));
-	return hash_more(hash, found, sizeof found);
+	return hash_bytes(hash, found, sizeof found);
 }
 
-// A heap that falls; bodies are created, destroyed and changed, and queries run in every step or only now and then.
-static uint64_t tell_heap(const Way* way, bool asks, uint64_t* world_hash)
+// A heap that falls; bodies come, go, change, and are asked for in every step or only now and then.
+static uint64_t record_heap(const Variant* variant, bool asks, uint64_t* world_hash)
 {
 	Place place = {.center = {0.0f, 5.0f}, .size = 12.0f};
-	scree_world_def def = scree_world_def_default();
-	place.world = open_on(way, &def);
+	place.world = open_default_variant(variant);
 	uint64_t seed = 3, asked = 4, hash = HASH_BEGIN;
 	scree_body bodies[BODIES];
 	add_floor(place.world);
@@ -92,8 +89,8 @@ static uint64_t tell_heap(const Way* way, bool asks, uint64_t* world_hash)
 			bodies[k] = add_box(place.world, SCREE_BODY_DYNAMIC, 0.2f, 0.4f, 0.1f * (float)k, 9.0f);
 			break;
 		default:
-			if (way->other[0])
-				OK(scree_world_move(place.world, step % 2 ? way->other : way->device));
+			if (variant->other[0])
+				OK(scree_world_move(place.world, step % 2 ? variant->other : variant->device));
 		}
 		if (asks)
 			hash = ask_all(&place, &asked, hash);
@@ -104,20 +101,21 @@ static uint64_t tell_heap(const Way* way, bool asks, uint64_t* world_hash)
 	return hash;
 }
 
+static uint64_t heap_answers(const Variant* variant)
+{
+	uint64_t world, answers = record_heap(variant, true, &world);
+	return hash_bytes(answers, &world, sizeof world);
+}
+
 static void all_devices_agree(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
-	uint64_t silent, world, other;
-	tell_heap(ways, false, &silent);
-	uint64_t first = tell_heap(ways, true, &world);
+	const Variant reference = {.name = "reference", .device = "cpu", .threads = 1, .lanes = 1};
+	uint64_t silent, world;
+	record_heap(&reference, false, &silent);
+	record_heap(&reference, true, &world);
 	assert_true(world == silent); // queries change nothing
-	for (int k = 1; k < count; ++k)
-	{
-		if (tell_heap(ways + k, true, &other) != first || other != world)
-			fail_msg("other answers on %s", ways[k].name);
-	}
+	check_equal(heap_answers);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -134,7 +132,7 @@ static void all_at_one_point(void** state)
 	};
 	scree_world* world = open_world(0.0f);
 	for (int k = 0; k < COUNT; ++k)
-		add_box(world, SCREE_BODY_STATIC, 0.5f, 0.5f, 1.0f, 2.0f);
+		add_crate(world, SCREE_BODY_STATIC, 1.0f, 2.0f);
 	scree_query_result found;
 	scree_query_results list;
 	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, 2.0f}, (scree_vec){10.0f, 0.0f}, &found));
@@ -185,8 +183,7 @@ static void edges_and_insides(void** state)
 	scree_shape segment;
 	scree_vec corners[2] = {{-0.595454574f, -0.0290360544f}, {-0.157268897f, 1.55506301f}};
 	OK(scree_shape_make_segment(corners[0], corners[1], &segment));
-	scree_attribute_def surface = surface_of(segment);
-	add_body(world, SCREE_BODY_STATIC, add_attribute(world, &surface), 89989.7109f, -89987.7812f, 0.0f);
+	add_shape(world, SCREE_BODY_STATIC, segment, 89989.7109f, -89987.7812f, 0.0f);
 	OK(scree_world_cast_ray(world, (scree_vec){89981.8984f, -90013.6641f}, (scree_vec){16.6944351f, 59.8361893f},
 	                        &found));
 	assert_true(found.hit);
@@ -201,12 +198,11 @@ static void edges_and_insides(void** state)
 static void ignores_what_is_gone(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants);
 	for (int k = 0; k < count; ++k)
 	{
-		scree_world_def world_def = scree_world_def_default();
-		scree_world* world = open_on(ways + k, &world_def);
+		scree_world* world = open_default_variant(variants + k);
 		scree_body gone = add_box(world, SCREE_BODY_STATIC, 1.0f, 1.0f, 0.0f, 0.0f);
 		add_box(world, SCREE_BODY_STATIC, 1.0f, 1.0f, 6.0f, 0.0f);
 		scree_query_def def = scree_query_def_default();
@@ -242,8 +238,8 @@ static void ignores_what_is_gone(void** state)
 				assert_int_equal(add_box(world, SCREE_BODY_STATIC, 1.0f, 1.0f, 0.0f, 0.0f).index, gone.index);
 			mover.position = (scree_vec){0.0f, 1.612f};
 			mover.velocity = (scree_vec){0.0f, -1.0f};
-			if (ways[k].other[0])
-				OK(scree_world_move(world, round ? ways[k].device : ways[k].other));
+			if (variants[k].other[0])
+				OK(scree_world_move(world, round ? variants[k].device : variants[k].other));
 		}
 		scree_world_destroy(world);
 	}

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_reading.c -- values that a program reads of bodies and of the world, and sets of the world, between two steps.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
+// test_reading.c -- what a program reads of bodies and of the world, and what it sets of the world, between two steps.
+#include "support/make_bodies.h"
 #include <string.h>
 
 // All states in one call are those of one body after the other, of the bodies alive, by rising index.
@@ -18,7 +11,7 @@ static void states_of_all(void** state)
 	scree_body made[20];
 	for (int k = 0; k < 20; ++k)
 		made[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.25f, 1.1f * (float)k, 0.3f * (float)(k % 3));
-	OK(scree_body_set_velocity(world, made[3], (scree_velocity){{1.0f, 2.0f}, 3.0f}));
+	throw_body(world, made[3], 1.0f, 2.0f, 3.0f);
 	run_steps(world, 3);
 	OK(scree_body_destroy(world, made[5]));
 
@@ -29,11 +22,9 @@ static void states_of_all(void** state)
 	assert_int_equal(count, 19);
 	for (int k = 0; k < count; ++k)
 	{
-		scree_pose pose;
-		scree_velocity velocity;
 		assert_true(scree_body_equals(bodies[k], made[k + (k >= 5)]));
-		OK(scree_body_get_pose(world, bodies[k], &pose));
-		OK(scree_body_get_velocity(world, bodies[k], &velocity));
+		scree_pose pose = pose_of(world, bodies[k]);
+		scree_velocity velocity = velocity_of(world, bodies[k]);
 		assert_memory_equal(&pose, &states[k].pose, sizeof pose);
 		assert_memory_equal(&velocity, &states[k].velocity, sizeof velocity);
 	}
@@ -51,7 +42,7 @@ static void points_of_a_body(void** state)
 	scree_world* world = open_world(0.0f);
 	scree_body box = add_box(world, SCREE_BODY_DYNAMIC, 2.0f, 1.0f, 10.0f, 20.0f);
 	OK(scree_body_set_pose(world, box, (scree_pose){{10.0f, 20.0f}, scree_rot_make(1.57079633f)}));
-	OK(scree_body_set_velocity(world, box, (scree_velocity){{5.0f, 0.0f}, 2.0f}));
+	throw_body(world, box, 5.0f, 0.0f, 2.0f);
 	scree_vec point, local, velocity;
 	OK(scree_body_get_world_point(world, box, (scree_vec){2.0f, 1.0f}, &point));
 	NEAR(point.x, 9.0, 1e-5);
@@ -106,7 +97,7 @@ static void masses_in_a_batch(void** state)
 		scree_world* world = worlds[w] = open_world(-10.0f);
 		scree_body bodies[3], floor = add_floor(world);
 		for (int k = 0; k < 3; ++k)
-			bodies[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.6f * (float)k, 0.5f + 1.1f * (float)k);
+			bodies[k] = add_crate(world, SCREE_BODY_DYNAMIC, 0.6f * (float)k, 0.5f + 1.1f * (float)k);
 		for (int k = 0; w == 0 && k < 3; ++k)
 			OK(scree_body_set_mass(world, bodies[k], masses[k]));
 		if (w == 1)
@@ -143,7 +134,7 @@ static void contacts_name_bodies(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(-10.0f);
-	scree_body floor = add_floor(world), box = add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 0.5f);
+	scree_body floor = add_floor(world), box = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f);
 	scree_collidable part;
 	int count;
 	OK(scree_body_get_collidables(world, box, &part, 1, &count));

@@ -3,15 +3,9 @@
 //
 // The formula: hash(relay, seed, step) = hash(cpu, step), for each step; and no row has a word left after a solve. Where a
 // turn never comes, all work-items end and say so.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "emulation/emulated_kernels.h"
 #include "emulation/emulation_scenes.h"
+#include "support/make_worlds.h"
 #include <string.h>
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -23,10 +17,10 @@
 // others meet.
 static const Form plain_forms[] = {
     {.name = "registers", .groups = 16},
-    {.name = "streamed", .groups = 3, .turns = {.late = true, .pieces = 8}},
-    {.name = "registers, late words, ahead", .groups = 16, .ahead = true, .turns = {.late = true, .pieces = 8}},
+    {.name = "streamed", .groups = 3, .schedule = {.late = true, .pieces = 8}},
+    {.name = "registers, late words, ahead", .groups = 16, .ahead = true, .schedule = {.late = true, .pieces = 8}},
     {.name = "streamed, one group", .groups = 1},
-    {.name = "spread", .groups = 16, .most_spread = 8, .turns = {.leavers = true, .late = true}},
+    {.name = "spread", .groups = 16, .most_spread = 8, .schedule = {.leavers = true, .late = true}},
 };
 
 static const Form hub_forms[] = {
@@ -35,8 +29,8 @@ static const Form hub_forms[] = {
      .groups = 4,
      .group = 48,
      .hub_groups = 3,
-     .turns = {.late = true, .pieces = 8}},
-    {.name = "hubs, one group", .groups = 1, .group = 64, .turns = {.late = true}},
+     .schedule = {.late = true, .pieces = 8}},
+    {.name = "hubs, one group", .groups = 1, .group = 64, .schedule = {.late = true}},
     {.name = "hubs, spread, ahead", .groups = 4, .group = 256, .hub_groups = 2, .most_spread = 8, .ahead = true},
 };
 
@@ -49,7 +43,7 @@ static FormCounts check_forms(const Form* forms, int count, bool hubs)
 			for (int seed = 1; seed <= form_seeds(k, scene) && form_scenes[scene].hubs == hubs; ++seed)
 			{
 				Form form = forms[k];
-				form.turns.seed = 1000003u * (uint64_t)seed + (uint64_t)k;
+				form.schedule.seed = 1000003u * (uint64_t)seed + (uint64_t)k;
 				check_form(&form_scenes[scene], &form);
 				sum.solves += form_counts.solves;
 				sum.by_hubs += form_counts.by_hubs;
@@ -88,9 +82,10 @@ static void shunned_groups_are_found(void** state)
 	(void)state;
 	for (int group = 1; group <= 3; ++group)
 	{
-		check_fault("pyramid", (Form){.name = "registers", .groups = 16, .turns.shunned = group});
-		check_fault("pyramid", (Form){.name = "streamed", .groups = 3, .turns.shunned = group});
-		check_fault("hubs", (Form){.name = "hubs", .groups = 4, .group = 32, .hub_groups = 2, .turns.shunned = group});
+		check_fault("pyramid", (Form){.name = "registers", .groups = 16, .schedule.shunned = group});
+		check_fault("pyramid", (Form){.name = "streamed", .groups = 3, .schedule.shunned = group});
+		check_fault("hubs",
+		            (Form){.name = "hubs", .groups = 4, .group = 32, .hub_groups = 2, .schedule.shunned = group});
 	}
 }
 
@@ -99,11 +94,11 @@ static void lost_words_are_found(void** state)
 {
 	(void)state;
 	check_lost("pyramid", (Form){.name = "registers", .groups = 16});
-	check_lost("heap", (Form){.name = "streamed", .groups = 2, .turns.late = true});
+	check_lost("heap", (Form){.name = "streamed", .groups = 2, .schedule.late = true});
 	check_lost("hub", (Form){.name = "hub", .groups = 3, .group = 32, .hub_groups = 1});
 	check_lost("raft", (Form){.name = "raft", .groups = 1, .group = 64});
-	check_lost("joints", (Form){.name = "joints", .groups = 2, .turns.late = true});
-	check_lost("hubs", (Form){.name = "hubs", .groups = 4, .group = 32, .hub_groups = 2, .turns.late = true});
+	check_lost("joints", (Form){.name = "joints", .groups = 2, .schedule.late = true});
+	check_lost("hubs", (Form){.name = "hubs", .groups = 4, .group = 32, .hub_groups = 2, .schedule.late = true});
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -117,7 +112,7 @@ static void mailboxes_must_be_cleared(void** state)
 	(void)state;
 	const int body = 30, pass = 2, displacement = 2;
 	const FormScene* scene = form_scene("pyramid");
-	const Form form = {.name = "registers", .groups = 16, .turns.seed = 5};
+	const Form form = {.name = "registers", .groups = 16, .schedule.seed = 5};
 	for (int words = 0; words <= 3; ++words)
 	{
 		scree_world *plain = open_world(-10.0f), *emulated = open_world(-10.0f);
@@ -142,16 +137,17 @@ static void mailboxes_must_be_cleared(void** state)
 // the probe, and the emulation itself
 // ---------------------------------------------------------------------------------------------------------------
 
-static void probe_tells(void** state)
+static void probe_reports(void** state)
 {
 	(void)state;
 	for (uint64_t seed = 1; seed <= 5; ++seed)
 	{
-		assert_int_equal(probe_run(4, 32, 16, 1 << 16, &(Turns){.seed = seed}), 0);
-		assert_int_equal(probe_run(3, 32, 16, 1 << 16, &(Turns){.seed = seed, .late = true, .pieces = 8}), 0);
-		assert_int_equal(probe_run(4, 32, 16, 1 << 16, &(Turns){.seed = seed, .late = true, .pieces = 4}), fault_stale);
+		assert_int_equal(probe_run(4, 32, 16, 1 << 16, &(Schedule){.seed = seed}), 0);
+		assert_int_equal(probe_run(3, 32, 16, 1 << 16, &(Schedule){.seed = seed, .late = true, .pieces = 8}), 0);
+		assert_int_equal(probe_run(4, 32, 16, 1 << 16, &(Schedule){.seed = seed, .late = true, .pieces = 4}),
+		                 fault_stale);
 		for (int group = 1; group <= 4; ++group)
-			assert_int_equal(probe_run(4, 32, 16, 1000, &(Turns){.seed = seed, .shunned = group}), fault_timeout);
+			assert_int_equal(probe_run(4, 32, 16, 1000, &(Schedule){.seed = seed, .shunned = group}), fault_timeout);
 	}
 	items_close();
 }
@@ -173,20 +169,20 @@ static void apart_meet(const void* met)
 		items_meet(__FILE__, __LINE__);
 }
 
-// Barriers that part of a group does not reach are reported.
+// A barrier that some work-items miss is reported.
 static void barriers_are_strict(void** state)
 {
 	(void)state;
 	int met = 0;
 	char sentence[ITEMS_SENTENCE];
 	Launch launch = {3, 8, half_meet, &met};
-	assert_false(items_run(&launch, &(Turns){.seed = 3}, sentence));
+	assert_false(items_run(&launch, &(Schedule){.seed = 3}, sentence));
 	assert_non_null(strstr(sentence, "12 of 24 work-items ended"));
 	assert_int_equal(met, 0);
-	assert_true(items_run(&launch, &(Turns){.seed = 3, .leavers = true}, sentence));
+	assert_true(items_run(&launch, &(Schedule){.seed = 3, .leavers = true}, sentence));
 	assert_int_equal(met, 12);
 	launch.item = apart_meet;
-	assert_false(items_run(&launch, &(Turns){.seed = 3}, sentence));
+	assert_false(items_run(&launch, &(Schedule){.seed = 3}, sentence));
 	assert_non_null(strstr(sentence, "different barriers"));
 	items_close();
 }
@@ -194,7 +190,7 @@ static void barriers_are_strict(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(barriers_are_strict),       cmocka_unit_test(probe_tells),
+	    cmocka_unit_test(barriers_are_strict),       cmocka_unit_test(probe_reports),
 	    cmocka_unit_test(relays_are_equal),          cmocka_unit_test(relays_with_hubs_are_equal),
 	    cmocka_unit_test(shunned_groups_are_found),  cmocka_unit_test(lost_words_are_found),
 	    cmocka_unit_test(mailboxes_must_be_cleared),

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_roles.c -- whether pools have the roles that pools.def says: what stands in scratch between two steps does not matter.
-#include "world/world.h" // before cmocka, which makes a macro of fail
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
+#include "support/make_bodies.h"
+#include "tools/common/random_numbers.h"
+#include "world/world.h"
 
 // Random bytes into all scratch of a world.
 static void spoil(scree_world* world, uint64_t* seed)

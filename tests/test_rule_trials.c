@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_rule_trials.c -- rules on every way that a world can be simulated: the same bits, whatever users change in mid-run.
-#include "support.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+// test_rule_trials.c -- rules on every variant of a simulation: the same bits, whatever users change in mid-run.
+#include "support/make_bodies.h"
+#include "support/scenarios.h"
+#include "tools/common/random_numbers.h"
 #include <stdlib.h>
-
-#include <cmocka.h>
 
 #define BODIES 60
 
@@ -33,7 +29,7 @@ static scree_shape any_shape(int kind)
 		OK(scree_shape_make_capsule((scree_vec){-0.3f, 0.0f}, (scree_vec){0.3f, 0.1f}, 0.1f, &shape));
 		return shape;
 	default:
-		OK(scree_shape_make_polygon((scree_vec[]){{-0.3f, -0.2f}, {0.4f, -0.1f}, {0.0f, 0.3f}}, 3, 0.02f, &shape));
+		shape = polygon_shape((scree_vec[]){{-0.3f, -0.2f}, {0.4f, -0.1f}, {0.0f, 0.3f}}, 3, 0.02f);
 		return shape;
 	}
 }
@@ -49,9 +45,7 @@ static scree_body any_body(scree_world* world)
 	def.velocity.linear = (scree_vec){random_between(seed, -10.0f, 10.0f), random_between(seed, -60.0f, 60.0f)};
 	def.velocity.angular = random_between(seed, -9.0f, 9.0f);
 	def.reports = (uint32_t)random_below(seed, 8);
-	scree_body body;
-	OK(scree_body_create(world, &def, &body));
-	return body;
+	return create_body(world, &def);
 }
 
 static void build(scree_world* world, const void* context)
@@ -85,9 +79,8 @@ static void act(scree_world* world, int step, const void* context)
 	int k = random_below(seed, BODIES);
 	scree_collidable part;
 	int count;
-	scree_events events;
 	bool answers[1000];
-	OK(scree_world_get_events(world, &events));
+	scree_events events = events_of(world);
 	for (int i = 0; i < events.approval_count; ++i)
 		answers[i] = random_below(seed, 2);
 	if (random_below(seed, 4))
@@ -140,17 +133,9 @@ static void act(scree_world* world, int step, const void* context)
 static void all_devices_agree(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways);
-	Story story = {.name = "rules",
-	               .def = scree_world_def_default(),
-	               .dt = STEP,
-	               .substeps = SUBSTEPS,
-	               .steps = quick() ? 60 : 240,
-	               .build = build,
-	               .act = act};
+	Scenario scenario = scenario_of("rules", quick() ? 60 : 240, build, act, NULL);
 	scree_counters last;
-	check_parity(&story, ways, count, &last);
+	check_parity(&scenario, &last);
 	assert_int_equal(last.frozen_bodies, 0);
 }
 

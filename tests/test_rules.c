@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // test_rules.c -- one-way platforms: from above they hold, from elsewhere they let through, at any speed.
-#include "support.h"
+#include "support/make_bodies.h"
+#include "tools/common/random_numbers.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 static scree_attribute add_platform_surface(scree_world* world, scree_shape shape, scree_vec up)
 {
@@ -23,35 +18,6 @@ static scree_body add_platform(scree_world* world, scree_body_type type, scree_s
 {
 	scree_attribute surface = add_platform_surface(world, shape, (scree_vec){0.0f, 1.0f});
 	return add_body(world, type, surface, x, y, radians);
-}
-
-static scree_body add_thrown(scree_world* world, scree_shape shape, float x, float y, float vx, float vy)
-{
-	scree_attribute_def surface = surface_of(shape);
-	scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &surface), x, y, 0.0f);
-	OK(scree_body_set_linear_velocity(world, body, (scree_vec){vx, vy}));
-	return body;
-}
-
-static scree_pose pose_of(scree_world* world, scree_body body)
-{
-	scree_pose pose;
-	OK(scree_body_get_pose(world, body, &pose));
-	return pose;
-}
-
-static scree_shape segment_shape(float ax, float ay, float bx, float by)
-{
-	scree_shape shape;
-	OK(scree_shape_make_segment((scree_vec){ax, ay}, (scree_vec){bx, by}, &shape));
-	return shape;
-}
-
-static scree_shape capsule_shape(float half, float radius)
-{
-	scree_shape shape;
-	OK(scree_shape_make_capsule((scree_vec){-half, 0.0f}, (scree_vec){half, 0.0f}, radius, &shape));
-	return shape;
 }
 
 // platforms of 8 m whose top is at y = 0
@@ -113,8 +79,7 @@ static void fast_bodies(void** state)
 		int from = k / 60 % 2; // above, below
 		scree_world_def def = scree_world_def_default();
 		def.device = "cpu", def.threads = 1, def.gravity = (scree_vec){0.0f, 0.0f}, def.max_speed = 2000.0f;
-		scree_world* world;
-		OK(scree_world_create(&def, &world));
+		scree_world* world = create_world(&def);
 		scree_shape shape = platform_shape(platform, &y);
 		add_platform(world, SCREE_BODY_STATIC, shape, 0.0f, y, 0.0f);
 		float far = speed * STEP * random_between(&seed, 0.1f, 2.0f) + half + 0.1f;
@@ -122,8 +87,7 @@ static void fast_bodies(void** state)
 		                             from == 0 ? far : -far - 1.0f, 0.0f, from == 0 ? -speed : speed);
 		int steps = (int)(8.0f * (far + 3.0f) / (speed * STEP)) / 4;
 		run_steps(world, steps < 8 ? 8 : steps);
-		scree_velocity velocity;
-		OK(scree_body_get_velocity(world, body, &velocity));
+		scree_velocity velocity = velocity_of(world, body);
 		float now = pose_of(world, body).position.y;
 		if (from == 0 && !(now > half - 0.02f - 0.3f * size))
 			fail_msg("run %d: platform %d lets visitor %d of %g m through at %g m/s: %g", k, platform, kind, size,
@@ -273,8 +237,7 @@ static void compounds(void** state)
 	(void)state;
 	scree_world* world = open_world(-10.0f);
 	add_platform(world, SCREE_BODY_STATIC, box_shape(4.0f, 0.1f), 0.0f, -0.1f, 0.0f);
-	scree_attribute_def surface = surface_of(box_shape(0.3f, 0.3f));
-	scree_attribute part = add_attribute(world, &surface);
+	scree_attribute part = shape_attribute(world, box_shape(0.3f, 0.3f));
 	scree_body bodies[2];
 	for (int k = 0; k < 2; ++k)
 	{
@@ -299,22 +262,19 @@ static void touches(void** state)
 	(void)state;
 	scree_world* world = open_world(-10.0f);
 	add_platform(world, SCREE_BODY_STATIC, box_shape(4.0f, 0.1f), 0.0f, -0.1f, 0.0f);
-	scree_attribute_def surface = surface_of(box_shape(0.3f, 0.3f));
 	scree_body_def def = scree_body_def_default();
-	def.attribute = add_attribute(world, &surface);
+	def.attribute = shape_attribute(world, box_shape(0.3f, 0.3f));
 	def.pose.position = (scree_vec){0.0f, -2.0f};
 	def.velocity.linear.y = 10.0f;
 	def.reports = SCREE_REPORT_TOUCHES;
-	scree_body body;
-	OK(scree_body_create(world, &def, &body));
+	scree_body body = create_body(world, &def);
 	int began = 0, ended = 0;
 	for (int step = 0; step < 240; ++step)
 	{
 		if (step == 200)
 			OK(scree_body_set_linear_velocity(world, body, (scree_vec){0.0f, 5.0f}));
 		run_steps(world, 1);
-		scree_events events;
-		OK(scree_world_get_events(world, &events));
+		scree_events events = events_of(world);
 		if (began == 0 && events.touches_began_count)
 			assert_true(pose_of(world, body).position.y > 0.28f);
 		began += events.touches_began_count;
@@ -331,18 +291,15 @@ static void changed_in_mid_run(void** state)
 	(void)state;
 	scree_world* world = open_world(-10.0f);
 	scree_shape shape = box_shape(4.0f, 0.1f);
-	scree_attribute_def plain = surface_of(shape);
-	scree_attribute solid = add_attribute(world, &plain),
-	                way = add_platform_surface(world, shape, (scree_vec){0.0f, -1.0f});
+	scree_attribute solid = shape_attribute(world, shape),
+	                downward = add_platform_surface(world, shape, (scree_vec){0.0f, -1.0f});
 	scree_body platform = add_body(world, SCREE_BODY_STATIC, solid, 0.0f, -0.1f, 0.0f);
-	scree_collidable part;
-	int count;
-	OK(scree_body_get_collidables(world, platform, &part, 1, &count));
+	scree_collidable part = collidable_of(world, platform);
 	scree_body body = add_thrown(world, box_shape(0.3f, 0.3f), 0.0f, 0.3f, 0.0f, 0.0f);
 	run_steps(world, 60);
 	NEAR(pose_of(world, body).position.y, 0.3, 0.01);
 	// solid from below only: what touches stays held until it leaves, then falls through
-	OK(scree_collidable_set_attribute(world, part, way));
+	OK(scree_collidable_set_attribute(world, part, downward));
 	run_steps(world, 60);
 	NEAR(pose_of(world, body).position.y, 0.3, 0.01);
 	OK(scree_body_set_linear_velocity(world, body, (scree_vec){0.0f, 3.0f}));
@@ -431,8 +388,7 @@ static void fast_platforms(void** state)
 		scree_body body = add_thrown(world, circle_shape(0.2f), 0.0f, 0.0f, 0.0f, 0.0f);
 		OK(scree_body_set_linear_velocity(world, platform, (scree_vec){0.0f, -side * speed}));
 		run_steps(world, (int)(6.0f / speed / STEP) + 4);
-		scree_velocity velocity;
-		OK(scree_body_get_velocity(world, body, &velocity));
+		scree_velocity velocity = velocity_of(world, body);
 		// one that comes from below pushes with its top, one that comes from above does not touch
 		if (side < 0.0f)
 			assert_true(pose_of(world, body).position.y > pose_of(world, platform).position.y + 0.28f);
@@ -458,15 +414,13 @@ static int left_the_ring(int thick, int apart, int sides, scree_shape visitor, f
 		                        {10.3f * a.x, 10.3f * a.y}};
 		scree_shape shape = segment_shape(corners[0].x, corners[0].y, corners[1].x, corners[1].y);
 		if (thick)
-			OK(scree_shape_make_polygon(corners, 4, 0.0f, &shape));
+			shape = polygon_shape(corners, 4, 0.0f);
 		scree_collidable_def def = scree_collidable_def_default();
 		def.body = apart && k > 0 ? add_body(world, SCREE_BODY_STATIC, SCREE_NULL_ATTRIBUTE, 0.0f, 0.0f, 0.0f) : ring;
 		def.attribute = add_platform_surface(world, shape, (scree_vec){-a.x - b.x, -a.y - b.y});
-		scree_collidable part;
-		OK(scree_collidable_create(world, &def, &part));
+		create_collidable(world, &def);
 	}
-	scree_attribute_def rod = surface_of(box_shape(9.0f, 0.2f));
-	scree_body bar = add_body(world, SCREE_BODY_KINEMATIC, add_attribute(world, &rod), 0.0f, 0.0f, 0.0f);
+	scree_body bar = add_shape(world, SCREE_BODY_KINEMATIC, box_shape(9.0f, 0.2f), 0.0f, 0.0f, 0.0f);
 	OK(scree_body_set_angular_velocity(world, bar, spin));
 	int count = 0, out = 0;
 	for (int k = 0; k < 1600 && count < 300; ++k)
@@ -516,15 +470,13 @@ static void stairs_from_beside(void** state)
 		def.body = stairs;
 		def.attribute = add_platform_surface(world, box_shape(2.0f, 0.05f), (scree_vec){0.0f, 1.0f});
 		def.pose.position = (scree_vec){2.0f, heights[k] - 0.05f};
-		scree_collidable step;
-		OK(scree_collidable_create(world, &def, &step));
+		create_collidable(world, &def);
 		scree_attribute_def surface = surface_of(box_shape(0.3f, 0.3f));
 		surface.friction = 0.0f;
 		scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &surface), -2.0f, 0.3f, 0.0f);
 		OK(scree_body_set_linear_velocity(world, body, (scree_vec){2.0f, 0.0f}));
 		run_steps(world, 120);
-		scree_velocity velocity;
-		OK(scree_body_get_velocity(world, body, &velocity));
+		scree_velocity velocity = velocity_of(world, body);
 		NEAR(velocity.linear.x, 2.0, 1e-4);
 		NEAR(pose_of(world, body).position.y, 0.3, 0.005);
 		scree_world_destroy(world);

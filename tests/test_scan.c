@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 // test_scan.c -- rays of scenes: where they begin and end, what they hit, which are drawn; the same answers on every device.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "scene/scan.h"
-#include "scene_text.h"
-#include "small_scenes.h"
-#include "support.h"
+#include "support/scene_text.h"
+#include "support/small_scenes.h"
+#include <string.h>
 
 #define SCRATCH "test_scan_scratch.json"
 #define RAYS(bodies, rays) \
@@ -25,15 +18,8 @@ typedef struct
 
 static Setting open_setting(const char* text)
 {
-	char sentence[SCENE_SENTENCE] = "";
-	Setting s = {.scene = load_text(SCRATCH, text, NULL, 0, sentence)};
-	if (!s.scene)
-		fail_msg("%s", sentence);
-	scree_world_def def = s.scene->world;
-	def.device = "cpu";
-	def.threads = 1;
-	OK(scree_world_create(&def, &s.world));
-	OK(scene_build(s.scene, s.world));
+	Setting s = {.scene = load_good_text(SCRATCH, text)};
+	s.world = open_scene_world(s.scene);
 	OK(scan_open(&s.scan, s.scene, s.world));
 	return s;
 }
@@ -205,29 +191,29 @@ static void scan_before(scree_world* world, int step, const void* context)
 static void answers_are_equal(void** state)
 {
 	(void)state;
-	static Way ways[MAX_WAYS];
+	static Variant variants[MAX_VARIANTS];
 	static uint64_t hashes[240], plain[240];
-	int count = list_ways(ways);
-	Story story = small_scene("lidar");
-	story.steps = quick() ? 10 : 60;
-	tell(&story, &ways[0], plain, NULL);
-	story.act = scan_before;
+	int count = list_variants(variants);
+	Scenario scenario = small_scene("lidar");
+	scenario.steps = quick() ? 10 : 60;
+	record(&scenario, &variants[0], plain, NULL);
+	scenario.act = scan_before;
 	ScanSum first = {0};
 	for (int k = 0; k < count; ++k)
 	{
-		if (!way_has_turn(ways, count, k, 0))
+		if (!variant_is_due(variants, count, k, 0))
 			continue;
-		tell(&story, &ways[k], hashes, NULL);
+		record(&scenario, &variants[k], hashes, NULL);
 		first = k == 0 ? sum : first;
 		if (sum.hash != first.hash || sum.hits != first.hits)
-			fail_msg("%s: the answers have another hash than those of %s", ways[k].name, ways[0].name);
-		assert_memory_equal(hashes, plain, (size_t)story.steps * sizeof *hashes);
+			fail_msg("%s: the answers have another hash than those of %s", variants[k].name, variants[0].name);
+		assert_memory_equal(hashes, plain, (size_t)scenario.steps * sizeof *hashes);
 	}
-	print_message("%d steps, %d rays each, %d hits: %016llx\n", story.steps, scan.count, (int)first.hits,
+	print_message("%d steps, %d rays each, %d hits: %016llx\n", scenario.steps, scan.count, (int)first.hits,
 	              (unsigned long long)first.hash);
 	assert_true(first.hits > 0 && first.hits < first.rays);
 	scan_close(&scan);
-	scene_free((Scene*)story.context);
+	scene_free((Scene*)scenario.context);
 }
 
 int main(void)

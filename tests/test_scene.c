@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
 // test_scene.c -- scene files: what is built from them, churn, settings, and the scenes that we ship.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "scene/build.h"
 #include "scene/churn.h"
 #include "scene/controls.h"
 #include "scene/find.h"
 #include "scene/heading.h"
 #include "scene/load.h"
-#include "scene_text.h"
+#include "support/make_bodies.h"
+#include "support/scene_text.h"
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -117,9 +112,7 @@ static void test_shipped(void** state)
 static void test_ten_million(void** state)
 {
 	(void)state;
-	const char* quick = getenv("SCREE_QUICK");
-	if (quick && *quick == '1')
-		skip();
+	skip_if_quick();
 	char path[SCENE_PATH], sentence[SCENE_SENTENCE];
 	const SceneSetting settings[] = {{"columns", "426"}, {"rows", "427"}};
 	assert_true(scene_find("pyramids", NULL, path, sentence));
@@ -133,17 +126,8 @@ static void test_ten_million(void** state)
 // The world of a scene without mistakes; both are the caller's.
 static scree_world* open_text(const char* text, Scene** scene)
 {
-	char sentence[SCENE_SENTENCE] = "";
-	*scene = load_text(SCRATCH, text, NULL, 0, sentence);
-	if (!*scene)
-		fail_msg("%s", sentence);
-	scree_world* world;
-	scree_world_def def = (*scene)->world;
-	def.device = "cpu";
-	def.threads = 1;
-	assert_int_equal(scree_world_create(&def, &world), SCREE_OK);
-	assert_int_equal(scene_build(*scene, world), SCREE_OK);
-	return world;
+	*scene = load_good_text(SCRATCH, text);
+	return open_scene_world(*scene);
 }
 
 // The world has the values of the scene file.
@@ -162,14 +146,13 @@ static void test_build(void** state)
 	    "\"collidables\": [{\"attribute\": \"a\", \"position\": [50, 0]}]}";
 	Scene* scene;
 	scree_world* world = open_text(text, &scene);
-	scree_counters counters;
-	assert_int_equal(scree_world_get_counters(world, &counters), SCREE_OK);
+	scree_counters counters = counters_of(world);
 	assert_int_equal(counters.bodies, 8);
 	assert_int_equal(counters.dynamic_bodies, 6);
 	assert_int_equal(counters.collidables, 12);
 	assert_int_equal(counters.attributes, 2);
 	scree_vec gravity;
-	assert_int_equal(scree_world_get_gravity(world, &gravity), SCREE_OK);
+	OK(scree_world_get_gravity(world, &gravity));
 	assert_true(gravity.x == 1 && gravity.y == -3);
 
 	scree_body bodies[8];
@@ -179,22 +162,22 @@ static void test_build(void** state)
 	scree_filter filter;
 	scree_body_type type;
 	int count;
-	assert_int_equal(scree_world_get_bodies(world, bodies, 8, &count), SCREE_OK);
-	assert_int_equal(scree_bodies_get_poses(world, bodies, poses, 8), SCREE_OK);
-	assert_int_equal(scree_bodies_get_velocities(world, bodies, velocities, 8), SCREE_OK);
+	OK(scree_world_get_bodies(world, bodies, 8, &count));
+	OK(scree_bodies_get_poses(world, bodies, poses, 8));
+	OK(scree_bodies_get_velocities(world, bodies, velocities, 8));
 	// i = 2, j = 1 is the last of six
 	assert_true(poses[6].position.x == 20 && poses[6].position.y == 20);
 	assert_true(velocities[6].linear.x == 2 && velocities[6].linear.y == 2);
 	assert_true(velocities[7].angular == 0.5f);
-	assert_int_equal(scree_body_get_type(world, bodies[7], &type), SCREE_OK);
+	OK(scree_body_get_type(world, bodies[7], &type));
 	assert_int_equal(type, SCREE_BODY_KINEMATIC);
-	assert_int_equal(scree_body_get_collidables(world, bodies[7], collidables, 8, &count), SCREE_OK);
+	OK(scree_body_get_collidables(world, bodies[7], collidables, 8, &count));
 	assert_int_equal(count, 4);
-	assert_int_equal(scree_collidable_get_local_pose(world, collidables[2], &poses[0]), SCREE_OK);
+	OK(scree_collidable_get_local_pose(world, collidables[2], &poses[0]));
 	assert_true(poses[0].position.x == 2);
-	assert_int_equal(scree_collidable_get_filter(world, collidables[3], &filter), SCREE_OK);
+	OK(scree_collidable_get_filter(world, collidables[3], &filter));
 	assert_true(filter.group == -2 && filter.category == 8 && filter.mask == 0x8000000000000001u);
-	assert_int_equal(scree_body_get_collidables(world, (scree_body){0, 0}, collidables, 8, &count), SCREE_OK);
+	OK(scree_body_get_collidables(world, (scree_body){0, 0}, collidables, 8, &count));
 	assert_int_equal(count, 1);
 	scree_world_destroy(world);
 	scene_free(scene);
@@ -246,11 +229,11 @@ static void test_joints(void** state)
 	scree_body bodies[5];
 	int count;
 	assert_int_equal(scene->joint_count, 5);
-	assert_int_equal(scree_world_get_joints(world, joints, 5, &count), SCREE_OK);
+	OK(scree_world_get_joints(world, joints, 5, &count));
 	assert_int_equal(count, 5);
-	assert_int_equal(scree_world_get_bodies(world, bodies, 5, &count), SCREE_OK);
+	OK(scree_world_get_bodies(world, bodies, 5, &count));
 	for (int k = 0; k < 5; ++k)
-		assert_int_equal(scree_joint_get_def(world, joints[k], &defs[k]), SCREE_OK);
+		OK(scree_joint_get_def(world, joints[k], &defs[k]));
 
 	// the wheel at i = 2: the bodies are turned by a quarter, as the axis is, so that x in a body is y in the world
 	const scree_joint_def* d = &defs[2];
@@ -281,8 +264,8 @@ static void test_joints(void** state)
 
 	scree_collidable collidable;
 	scree_filter filter;
-	assert_int_equal(scree_body_get_collidables(world, bodies[4], &collidable, 1, &count), SCREE_OK);
-	assert_int_equal(scree_collidable_get_filter(world, collidable, &filter), SCREE_OK);
+	OK(scree_body_get_collidables(world, bodies[4], &collidable, 1, &count));
+	OK(scree_collidable_get_filter(world, collidable, &filter));
 	assert_int_equal(filter.group, -4);
 	scree_world_destroy(world);
 	scene_free(scene);
@@ -299,10 +282,10 @@ static Bodies read_bodies(scree_world* world)
 {
 	Bodies all;
 	int count;
-	assert_int_equal(scree_world_get_bodies(world, all.bodies, 12, &count), SCREE_OK);
+	OK(scree_world_get_bodies(world, all.bodies, 12, &count));
 	assert_int_equal(count, 12);
-	assert_int_equal(scree_bodies_get_poses(world, all.bodies, all.poses, 12), SCREE_OK);
-	assert_int_equal(scree_bodies_get_velocities(world, all.bodies, all.velocities, 12), SCREE_OK);
+	OK(scree_bodies_get_poses(world, all.bodies, all.poses, 12));
+	OK(scree_bodies_get_velocities(world, all.bodies, all.velocities, 12));
 	return all;
 }
 
@@ -314,7 +297,7 @@ static void check_changed(const scree_world* world, const Bodies* after, int k)
 	assert_true(pose.position.x > 1000 && pose.position.x < 2000 && pose.position.y == 7);
 	assert_true(pose.rotation.s > 0.999f);
 	assert_true(after->velocities[k].linear.y > -3 && after->velocities[k].linear.y < -1);
-	assert_int_equal(scree_body_get_locks(world, after->bodies[k], &locks), SCREE_OK);
+	OK(scree_body_get_locks(world, after->bodies[k], &locks));
 	assert_int_equal(locks, SCREE_LOCK_ROTATION);
 }
 
@@ -322,7 +305,7 @@ static void check_changed(const scree_world* world, const Bodies* after, int k)
 static void check_step(const Scene* scene, scree_world* world, int step, int turns[12])
 {
 	Bodies before = read_bodies(world);
-	assert_int_equal(scene_churn(scene, world, step), SCREE_OK);
+	OK(scene_churn(scene, world, step));
 	Bodies after = read_bodies(world);
 	int moved = 0, replaced = 0, count;
 	for (int k = 0; k < 12; ++k)
@@ -330,9 +313,9 @@ static void check_step(const Scene* scene, scree_world* world, int step, int tur
 		scree_collidable part;
 		scree_attribute attribute;
 		scree_attribute_def surface;
-		assert_int_equal(scree_body_get_collidables(world, after.bodies[k], &part, 1, &count), SCREE_OK);
-		assert_int_equal(scree_collidable_get_attribute(world, part, &attribute), SCREE_OK);
-		assert_int_equal(scree_attribute_get_def(world, attribute, &surface), SCREE_OK);
+		OK(scree_body_get_collidables(world, after.bodies[k], &part, 1, &count));
+		OK(scree_collidable_get_attribute(world, part, &attribute));
+		OK(scree_attribute_get_def(world, attribute, &surface));
 		bool is_box = k == 0 || (k < 11 && k % 2 == 0);
 		assert_int_equal(surface.shape.kind, is_box ? SCREE_SHAPE_POLYGON : SCREE_SHAPE_CIRCLE);
 		bool other = before.bodies[k].generation != after.bodies[k].generation;
@@ -386,10 +369,10 @@ static void test_contact_details(void** state)
 		         wanted ? "true" : "false");
 		Scene* scene;
 		scree_world* world = open_text(text, &scene);
-		assert_int_equal(scree_world_step(world, 1.0f / 60.0f, 4), SCREE_OK);
+		run_steps(world, 1);
 		scree_contact contact;
 		int count;
-		assert_int_equal(scree_world_get_contacts(world, &contact, 1, &count), SCREE_OK);
+		OK(scree_world_get_contacts(world, &contact, 1, &count));
 		assert_int_equal(count, 1);
 		float speed = contact.details[0].approach_speed;
 		assert_true(wanted ? fabsf(speed - 5.0f) < 0.2f : speed == 0.0f);
@@ -407,15 +390,14 @@ static void test_disabled(void** state)
 	         "{\"attribute\": \"a\", \"position\": [9, 0], \"disabled\": false}]}";
 	Scene* scene;
 	scree_world* world = open_text(text, &scene);
-	assert_int_equal(scree_world_step(world, 1.0f / 60.0f, 4), SCREE_OK);
+	run_steps(world, 1);
 	scree_body bodies[2];
 	int count;
-	assert_int_equal(scree_world_get_bodies(world, bodies, 2, &count), SCREE_OK);
+	OK(scree_world_get_bodies(world, bodies, 2, &count));
 	for (int k = 0; k < 2; ++k)
 	{
-		scree_pose pose;
 		assert_int_equal(scree_body_is_enabled(world, bodies[k]), k == 1);
-		assert_int_equal(scree_body_get_pose(world, bodies[k], &pose), SCREE_OK);
+		scree_pose pose = pose_of(world, bodies[k]);
 		assert_int_equal(pose.position.y < 0, k == 1);
 	}
 	scree_world_destroy(world);
@@ -426,41 +408,35 @@ static void test_disabled(void** state)
 static void test_fields(void** state)
 {
 	(void)state;
-	char sentence[SCENE_SENTENCE];
-	Scene* scene = load_text(
-	    SCRATCH,
-	    HEAD GOOD_ATTRIBUTES
+	Scene* scene = load_good_text(
+	    SCRATCH, HEAD GOOD_ATTRIBUTES
 	    "\"world\": {\"gravity\": [0, 0]}, \"bodies\": [{\"name\": \"row\", \"attribute\": \"a\", \"repeat\": "
 	    "{\"index\": \"i\", "
 	    "\"to\": 3}, \"position\": [\"10 * i\", 0]}], \"fields\": [{\"type\": \"drag\", \"body\": {\"body\": "
 	    "\"row\", \"index\": \"i\"}, \"attribute\": \"b\", \"repeat\": {\"index\": \"i\", \"to\": 2}, \"position\": "
 	    "[0, \"i + 2\"], \"linear_drag\": \"3 + i\"}, {\"type\": \"uniform\", \"acceleration\": [0, 6], "
 	    "\"mask\": [3]}], \"blasts\": [{\"step\": 4, \"position\": [-2, 0], \"radius\": 3, \"falloff\": 0, "
-	    "\"impulse\": 5}]}",
-	    NULL, 0, sentence);
-	assert_non_null(scene);
-	scree_world* world;
+	    "\"impulse\": 5}]}");
+	scree_world* world = open_scene_world(scene);
 	scree_field fields[4];
 	scree_field_def def;
 	scree_body bodies[4];
 	scree_velocity v;
 	int count;
-	assert_int_equal(scree_world_create(&scene->world, &world), SCREE_OK);
-	assert_int_equal(scene_build(scene, world), SCREE_OK);
-	assert_int_equal(scree_world_get_bodies(world, bodies, 4, &count), SCREE_OK);
-	assert_int_equal(scree_world_get_fields(world, fields, 4, &count), SCREE_OK);
+	OK(scree_world_get_bodies(world, bodies, 4, &count));
+	OK(scree_world_get_fields(world, fields, 4, &count));
 	assert_int_equal(count, 3);
-	assert_int_equal(scree_field_get_def(world, fields[1], &def), SCREE_OK);
+	OK(scree_field_get_def(world, fields[1], &def));
 	assert_true(scree_body_equals(def.body, bodies[1]) && def.pose.position.y == 3 && def.linear_drag == 4);
 	assert_true(def.shape.count == 4 && def.type == SCREE_FIELD_DRAG);
-	assert_int_equal(scree_field_get_def(world, fields[2], &def), SCREE_OK);
+	OK(scree_field_get_def(world, fields[2], &def));
 	assert_true(scree_body_is_null(def.body) && def.acceleration.y == 6 && def.mask == 8 && def.shape.count == 0);
 	for (int step = 0; step < 6; ++step)
 	{
-		assert_int_equal(scree_body_get_velocity(world, bodies[0], &v), SCREE_OK);
+		v = velocity_of(world, bodies[0]);
 		assert_true((v.linear.x > 0) == (step > 4));
-		assert_int_equal(scene_churn(scene, world, step), SCREE_OK);
-		assert_int_equal(scree_world_step(world, 1.0f / 60.0f, 4), SCREE_OK);
+		OK(scene_churn(scene, world, step));
+		run_steps(world, 1);
 	}
 	scree_world_destroy(world);
 	scene_free(scene);
@@ -484,14 +460,14 @@ static void test_keys(void** state)
 	scree_velocity v[3];
 	int count;
 	assert_int_equal(controls_keys(scene), 1u << SCENE_KEY_up | 1u << SCENE_KEY_left);
-	assert_int_equal(scree_world_get_bodies(world, bodies, 3, &count), SCREE_OK);
+	OK(scree_world_get_bodies(world, bodies, 3, &count));
 	uint32_t down[] = {0, 1u << SCENE_KEY_up, 1u << SCENE_KEY_left | 1u << SCENE_KEY_space};
 	for (int k = 0; k < 3; ++k)
 	{
 		assert_int_equal(controls_apply(scene, world, down[k]), SCREE_OK);
-		assert_int_equal(scree_world_step(world, 0.1f, 4), SCREE_OK);
+		OK(scree_world_step(world, 0.1f, 4));
 	}
-	assert_int_equal(scree_bodies_get_velocities(world, bodies, v, 3), SCREE_OK);
+	OK(scree_bodies_get_velocities(world, bodies, v, 3));
 	// mass pi, inertia pi / 2
 	assert_true(v[0].linear.x == 0 && v[0].linear.y == 0 && v[0].angular == 0);
 	assert_true(v[1].linear.x == 0 && v[1].linear.y == 0);
@@ -499,7 +475,7 @@ static void test_keys(void** state)
 	for (int k = 1; k < 3; ++k)
 		assert_true(fabsf(v[k].angular - 0.6f / 3.14159f) < 1e-4f);
 	// without the body that it names a key does nothing
-	assert_int_equal(scree_bodies_destroy(world, bodies + 1, 2), SCREE_OK);
+	OK(scree_bodies_destroy(world, bodies + 1, 2));
 	assert_int_equal(controls_apply(scene, world, down[1]), SCREE_OK);
 	scree_world_destroy(world);
 	scene_free(scene);

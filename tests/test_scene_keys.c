@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_scene_keys.c -- every key of scene/format.def: a good value reaches its member, bad values are refused with their sentence.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "scene/format.h"
-#include "scene_text.h"
+#include "support/scene_text.h"
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

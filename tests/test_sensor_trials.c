@@ -1,48 +1,12 @@
 // SPDX-License-Identifier: MIT
-// test_sensor_trials.c -- visits to sensors, against samples of the paths of bodies, and against a ledger of all visits.
-#include "exact.h"
-#include "support.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
+// test_sensor_trials.c -- what sensors see, against samples of the ways that bodies went, and against a ledger of all visits.
+#include "support/exact_shapes.h"
+#include "support/make_joints.h"
+#include "support/random_queries.h"
+#include "tools/common/random_numbers.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
-
-static scree_shape random_shape(uint64_t* seed, float size)
-{
-	scree_shape shape;
-	float r = size * random_between(seed, 0.1f, 0.5f), s = size * random_between(seed, 0.1f, 0.5f);
-	scree_vec at = {random_between(seed, -r, r), random_between(seed, -s, s)};
-	scree_vec corners[6] = {{-r, -s},      {r, -0.5f * s}, {r + 0.3f * s, 0.1f * r},
-	                        {0.4f * r, s}, {-0.5f * r, s}, {-r, 0.2f * s}};
-	switch (random_below(seed, 6))
-	{
-	case 0:
-		return circle_shape(r);
-	case 1:
-		return box_shape(r, s);
-	case 2:
-		OK(scree_shape_make_capsule((scree_vec){-r, at.y}, (scree_vec){r, s}, 0.3f * s, &shape));
-		return shape;
-	case 3:
-		OK(scree_shape_make_segment((scree_vec){-r, at.y}, (scree_vec){s, at.x}, &shape));
-		return shape;
-	case 4:
-		OK(scree_shape_make_circle(at, s, &shape));
-		return shape;
-	default:
-		OK(scree_shape_make_hull(corners, 3 + random_below(seed, 4), random_below(seed, 2) ? 0.2f * s : 0.0f, &shape));
-		return shape;
-	}
-}
-
-static scree_pose random_pose(uint64_t* seed, float size)
-{
-	return (scree_pose){{random_between(seed, -size, size), random_between(seed, -size, size)},
-	                    scree_rot_make(random_between(seed, -3.1f, 3.1f))};
-}
 
 // ---------------------------------------------------------------------------------------------------------------
 // ways
@@ -57,11 +21,11 @@ typedef struct // a collidable on a body, in double precision
 	scree_pose start, end; // poses of the body
 } Rider;
 
-static scree_pose pose_of(scree_world* world, const Rider* r)
+static scree_pose rider_pose(scree_world* world, const Rider* r)
 {
 	scree_pose pose = {.rotation.c = 1.0f};
 	if (!scree_body_is_null(r->body))
-		OK(scree_body_get_pose(world, r->body, &pose));
+		pose = pose_of(world, r->body);
 	return pose;
 }
 
@@ -91,12 +55,11 @@ static double apart_at(const Rider* a, const Rider* b, double time)
 static Rider add_rider(scree_world* world, uint64_t* seed, uint32_t sensor, float size, float speed, float spin,
                        scree_vec origin, bool rests, scree_collidable* collidable)
 {
-	Rider r = {.shape = random_shape(seed, size), .body = SCREE_NULL_BODY};
-	scree_attribute_def surface = surface_of(r.shape);
+	Rider r = {.shape = random_shape(seed, 0.5f * size), .body = SCREE_NULL_BODY};
 	scree_collidable_def def = scree_collidable_def_default();
-	def.attribute = add_attribute(world, &surface);
+	def.attribute = shape_attribute(world, r.shape);
 	def.sensor = sensor;
-	r.own = def.pose = random_pose(seed, 0.3f * size);
+	r.own = def.pose = random_pose(seed, (scree_vec){0.0f, 0.0f}, 0.3f * size);
 	int type = random_below(seed, 4);
 	if (rests && type == 3)
 	{
@@ -108,19 +71,18 @@ static Rider add_rider(scree_world* world, uint64_t* seed, uint32_t sensor, floa
 	{
 		scree_body_def body = scree_body_def_default();
 		body.type = rests ? SCREE_BODY_STATIC : type ? SCREE_BODY_DYNAMIC : SCREE_BODY_KINEMATIC;
-		body.pose = random_pose(seed, 1.5f * size);
+		body.pose = random_pose(seed, (scree_vec){0.0f, 0.0f}, 1.5f * size);
 		body.pose.position.x += origin.x;
 		body.pose.position.y += origin.y;
 		body.velocity.linear = (scree_vec){random_between(seed, -speed, speed), random_between(seed, -speed, speed)};
 		body.velocity.angular = random_between(seed, -spin, spin);
-		OK(scree_body_create(world, &body, &r.body));
+		r.body = create_body(world, &body);
 		def.body = r.body;
 	}
 	OK(scree_collidable_create(world, &def, collidable));
 	if (!scree_body_is_null(r.body))
 	{
-		scree_mass mass;
-		OK(scree_body_get_mass(world, r.body, &mass));
+		scree_mass mass = mass_of(world, r.body);
 		r.center = mass.center;
 	}
 	return r;
@@ -141,13 +103,12 @@ static void judge(scree_world* world, Rider* a, Rider* b, scree_collidable senso
 	int count;
 	OK(scree_collidable_get_visits(world, sensor, NULL, 0, &count));
 	bool was = count > 0;
-	a->start = pose_of(world, a);
-	b->start = pose_of(world, b);
+	a->start = rider_pose(world, a);
+	b->start = rider_pose(world, b);
 	run_steps(world, 1);
-	a->end = pose_of(world, a);
-	b->end = pose_of(world, b);
-	scree_events events;
-	OK(scree_world_get_events(world, &events));
+	a->end = rider_pose(world, a);
+	b->end = rider_pose(world, b);
+	scree_events events = events_of(world);
 	OK(scree_collidable_get_visits(world, sensor, NULL, 0, &count));
 	double least = INFINITY, first = -1.0, last = -1.0, deep_first = -1.0, deep_last = -1.0;
 	for (int k = 0; k <= SAMPLES; ++k)
@@ -210,7 +171,7 @@ static Score try_ways(int trials, float size, float speed, float spin, scree_vec
 	return score;
 }
 
-static void ways(void** state)
+static void visits_match_samples(void** state)
 {
 	(void)state;
 	// 90 km away, positions are 8 mm apart
@@ -292,18 +253,17 @@ static scree_body add_compound(scree_world* world, uint64_t* seed)
 {
 	scree_body_def def = scree_body_def_default();
 	def.type = random_below(seed, 5) ? SCREE_BODY_DYNAMIC : (scree_body_type)random_below(seed, 2);
-	def.pose = random_pose(seed, 3.0f);
+	def.pose = random_pose(seed, (scree_vec){0.0f, 0.0f}, 3.0f);
 	def.velocity.linear = (scree_vec){random_between(seed, -30.0f, 30.0f), random_between(seed, -30.0f, 30.0f)};
 	def.velocity.angular = random_between(seed, -20.0f, 20.0f);
-	scree_body body;
-	OK(scree_body_create(world, &def, &body));
+	scree_body body = create_body(world, &def);
 	for (int k = 1 + random_below(seed, 3); k > 0; --k)
 	{
-		scree_attribute_def surface = surface_of(random_shape(seed, 1.0f));
+		scree_attribute_def surface = surface_of(random_shape(seed, 0.5f * 1.0f));
 		scree_collidable_def part = scree_collidable_def_default();
 		part.attribute = add_attribute(world, &surface);
 		part.body = random_below(seed, 12) ? body : SCREE_NULL_BODY;
-		part.pose = random_pose(seed, 0.5f);
+		part.pose = random_pose(seed, (scree_vec){0.0f, 0.0f}, 0.5f);
 		part.sensor = random_below(seed, 2) ? (uint32_t)random_below(seed, 8) : 0;
 		OK(scree_collidable_create(world, &part, NULL));
 	}
@@ -327,9 +287,8 @@ static void change(scree_world* world, uint64_t* seed, scree_body* bodies)
 	scree_collidable part;
 	int parts = random_part(world, seed, random_below(seed, 6) ? bodies[k] : SCREE_NULL_BODY, &part);
 	scree_filter filter = scree_filter_default();
-	scree_attribute_def surface = surface_of(random_shape(seed, 1.0f));
+	scree_attribute_def surface = surface_of(random_shape(seed, 0.5f * 1.0f));
 	scree_joint_def joint = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
-	scree_joint made;
 	scree_body_type type;
 	switch (random_below(seed, 11))
 	{
@@ -348,7 +307,7 @@ static void change(scree_world* world, uint64_t* seed, scree_body* bodies)
 		OK(scree_body_set_type(world, bodies[k], (scree_body_type)random_below(seed, 3)));
 		break;
 	case 4:
-		OK(scree_body_set_pose(world, bodies[k], random_pose(seed, 3.0f)));
+		OK(scree_body_set_pose(world, bodies[k], random_pose(seed, (scree_vec){0.0f, 0.0f}, 3.0f)));
 		break;
 	case 5:
 		filter.mask = random_below(seed, 2) ? UINT64_MAX : 2;
@@ -367,7 +326,7 @@ static void change(scree_world* world, uint64_t* seed, scree_body* bodies)
 	case 8:
 		joint.body_a = bodies[k];
 		joint.body_b = bodies[(k + 1) % CROWD];
-		OK(scree_joint_create(world, &joint, &made));
+		add_joint(world, &joint);
 		break;
 	case 9:
 		OK(scree_body_get_type(world, bodies[k], &type));
@@ -419,15 +378,15 @@ static void every_visit_is_in_the_ledger(void** state)
 			run_steps(world, 1);
 			scree_events events;
 			if (random_below(&seed, 3) == 0)
-				change(world, &seed, bodies); // changes between a step and the reading of its events change no event
-			OK(scree_world_get_events(world, &events));
+				change(world, &seed, bodies); // what happens between a step and its events changes none
+			events = events_of(world);
 			ledger_step(&ledger, &events);
 			for (int n = random_below(&seed, 5); n > 0; --n)
 				change(world, &seed, bodies);
 			if (step % 7 == 0)
 			{
 				OK(scree_world_step(world, 0.0f, 1));
-				OK(scree_world_get_events(world, &events));
+				events = events_of(world);
 				ledger_step(&ledger, &events);
 				check_open(world, &ledger);
 			}
@@ -439,7 +398,7 @@ static void every_visit_is_in_the_ledger(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(ways),
+	    cmocka_unit_test(visits_match_samples),
 	    cmocka_unit_test(every_visit_is_in_the_ledger),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);

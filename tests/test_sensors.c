@@ -1,40 +1,21 @@
 // SPDX-License-Identifier: MIT
-// test_sensors.c -- visits to sensors, also within a step; each visit that begins ends once; all devices agree.
-#include "exact.h"
-#include "support.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
+// test_sensors.c -- what sensors see, also within a step; each visit that begins ends once; all devices agree.
+#include "support/exact_shapes.h"
+#include "support/make_bodies.h"
+#include "support/variants.h"
+#include "tools/common/byte_hash.h"
+#include "tools/common/random_numbers.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 static scree_collidable add_sensor(scree_world* world, scree_shape shape, uint32_t sees, scree_pose pose)
 {
-	scree_attribute_def surface = surface_of(shape);
 	scree_collidable_def def = scree_collidable_def_default();
-	def.attribute = add_attribute(world, &surface);
+	def.attribute = shape_attribute(world, shape);
 	def.pose = pose;
 	def.sensor = sees;
-	scree_collidable sensor;
-	OK(scree_collidable_create(world, &def, &sensor));
-	return sensor;
-}
-
-static scree_body add_mover(scree_world* world, scree_shape shape, float x, float y, scree_vec velocity)
-{
-	scree_attribute_def surface = surface_of(shape);
-	scree_body body = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &surface), x, y, 0.0f);
-	OK(scree_body_set_linear_velocity(world, body, velocity));
-	return body;
-}
-
-static scree_events events_of(scree_world* world)
-{
-	scree_events events;
-	OK(scree_world_get_events(world, &events));
-	return events;
+	return create_collidable(world, &def);
 }
 
 static int visits_of(scree_world* world, scree_collidable sensor)
@@ -43,8 +24,6 @@ static int visits_of(scree_world* world, scree_collidable sensor)
 	OK(scree_collidable_get_visits(world, sensor, NULL, 0, &count));
 	return count;
 }
-
-static scree_pose at(float x, float y) { return (scree_pose){{x, y}, {1.0f, 0.0f}}; }
 
 // ---------------------------------------------------------------------------------------------------------------
 // within a step
@@ -60,25 +39,24 @@ static void bullets_are_seen(void** state)
 	{
 		scree_world* world = open_world(0.0f);
 		bool rides = k % 2; // on a kinematic body that moves as well
-		scree_collidable sensor = add_sensor(world, box_shape(0.1f, 0.1f), SCREE_SENSOR_MOVING, at(0.0f, 0.0f));
+		scree_collidable sensor = add_sensor(world, box_shape(0.1f, 0.1f), SCREE_SENSOR_MOVING, upright_at(0.0f, 0.0f));
 		scree_vec drift = {0.0f, 0.0f};
 		if (rides)
 		{
 			OK(scree_collidable_destroy(world, sensor));
-			scree_attribute_def surface = surface_of(box_shape(0.1f, 0.1f));
 			scree_body_def def = scree_body_def_default();
 			def.type = SCREE_BODY_KINEMATIC;
-			def.attribute = add_attribute(world, &surface);
+			def.attribute = shape_attribute(world, box_shape(0.1f, 0.1f));
 			def.sensor = SCREE_SENSOR_MOVING;
 			drift = def.velocity.linear =
 			    (scree_vec){random_between(&seed, -20.0f, 20.0f), random_between(&seed, -20.0f, 20.0f)};
 			OK(scree_body_create(world, &def, NULL));
 		}
 		float angle = random_between(&seed, -3.1f, 3.1f), phase = random_between(&seed, 0.0f, 1.0f), radius = 0.05f;
-		scree_rot way = scree_rot_make(angle);
-		scree_vec velocity = {60.0f * way.c + drift.x, 60.0f * way.s + drift.y};
+		scree_rot direction = scree_rot_make(angle);
+		scree_vec velocity = {60.0f * direction.c + drift.x, 60.0f * direction.s + drift.y};
 		float back = 3.0f + phase;
-		add_mover(world, circle_shape(radius), -back * way.c, -back * way.s, velocity);
+		add_thrown(world, circle_shape(radius), -back * direction.c, -back * direction.s, velocity.x, velocity.y);
 		double begin = -1.0, end = -1.0;
 		int began = 0, ended = 0;
 		for (int step = 0; step < 8; ++step)
@@ -95,11 +73,12 @@ static void bullets_are_seen(void** state)
 		// the box as seen by the center of the circle: exact times by bisection
 		scree_shape box = box_shape(0.1f, 0.1f), ball = circle_shape(radius);
 		Exact a = exact_at(&box, 0.0, 0.0, 1.0, 0.0);
-		Exact b = exact_at(&ball, (double)(-back * way.c), (double)(-back * way.s), 1.0, 0.0);
+		Exact b = exact_at(&ball, (double)(-back * direction.c), (double)(-back * direction.s), 1.0, 0.0);
 		double least, path = 8.0;
-		double expected = path * exact_meeting(&a, &b, path * (double)way.c, path * (double)way.s, &least);
-		Exact far = exact_moved(b, path * (double)way.c, path * (double)way.s);
-		double left = path * (1.0 - exact_meeting(&a, &far, -path * (double)way.c, -path * (double)way.s, &least));
+		double expected = path * exact_meeting(&a, &b, path * (double)direction.c, path * (double)direction.s, &least);
+		Exact far = exact_moved(b, path * (double)direction.c, path * (double)direction.s);
+		double left =
+		    path * (1.0 - exact_meeting(&a, &far, -path * (double)direction.c, -path * (double)direction.s, &least));
 		seen += began == 1 && ended == 1;
 		NEAR(begin, expected, 2e-3);
 		NEAR(end, left, 2e-3);
@@ -114,9 +93,9 @@ static void behind_a_wall(void** state)
 	(void)state;
 	scree_world* world = open_world(0.0f);
 	add_box(world, SCREE_BODY_STATIC, 0.1f, 5.0f, 0.0f, 0.0f);
-	scree_collidable behind = add_sensor(world, box_shape(0.2f, 2.0f), SCREE_SENSOR_MOVING, at(0.5f, 0.0f));
-	scree_collidable before = add_sensor(world, box_shape(0.2f, 2.0f), SCREE_SENSOR_MOVING, at(-1.5f, 0.0f));
-	add_mover(world, circle_shape(0.1f), -5.3f, 0.0f, (scree_vec){90.0f, 0.0f});
+	scree_collidable behind = add_sensor(world, box_shape(0.2f, 2.0f), SCREE_SENSOR_MOVING, upright_at(0.5f, 0.0f));
+	scree_collidable before = add_sensor(world, box_shape(0.2f, 2.0f), SCREE_SENSOR_MOVING, upright_at(-1.5f, 0.0f));
+	add_thrown(world, circle_shape(0.1f), -5.3f, 0.0f, 90.0f, 0.0f);
 	int began = 0, ended = 0;
 	for (int k = 0; k < 30; ++k)
 	{
@@ -136,8 +115,8 @@ static void turning_bars(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_body bar = add_mover(world, box_shape(2.0f, 0.02f), 0.0f, 0.0f, (scree_vec){0.0f, 0.0f});
-	add_sensor(world, box_shape(0.05f, 0.05f), SCREE_SENSOR_MOVING, at(1.2f, 1.2f));
+	scree_body bar = add_shape(world, SCREE_BODY_DYNAMIC, box_shape(2.0f, 0.02f), 0.0f, 0.0f, 0.0f);
+	add_sensor(world, box_shape(0.05f, 0.05f), SCREE_SENSOR_MOVING, upright_at(1.2f, 1.2f));
 	OK(scree_body_set_angular_velocity(world, bar, 94.0f)); // 1.57 rad in a step
 	run_steps(world, 1);
 	scree_events events = events_of(world);
@@ -155,21 +134,19 @@ static void kinds_and_filters(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_collidable moving = add_sensor(world, box_shape(1.0f, 1.0f), SCREE_SENSOR_MOVING, at(0.0f, 0.0f));
-	scree_collidable still = add_sensor(world, box_shape(1.0f, 1.0f), SCREE_SENSOR_STATIC, at(0.0f, 0.0f));
-	scree_collidable all = add_sensor(world, box_shape(1.0f, 1.0f), 7, at(0.0f, 0.0f));
+	scree_collidable moving = add_sensor(world, box_shape(1.0f, 1.0f), SCREE_SENSOR_MOVING, upright_at(0.0f, 0.0f));
+	scree_collidable still = add_sensor(world, box_shape(1.0f, 1.0f), SCREE_SENSOR_STATIC, upright_at(0.0f, 0.0f));
+	scree_collidable all = add_sensor(world, box_shape(1.0f, 1.0f), 7, upright_at(0.0f, 0.0f));
 	add_box(world, SCREE_BODY_STATIC, 0.1f, 0.1f, 0.5f, 0.5f);
 	add_box(world, SCREE_BODY_KINEMATIC, 0.1f, 0.1f, -0.5f, 0.5f);
 	scree_body crate = add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.1f, -0.5f, -0.5f);
-	scree_attribute_def surface = surface_of(box_shape(0.1f, 0.1f));
 	scree_collidable_def def = scree_collidable_def_default();
-	def.attribute = add_attribute(world, &surface);
+	def.attribute = shape_attribute(world, box_shape(0.1f, 0.1f));
 	OK(scree_collidable_create(world, &def, NULL)); // without a body
 	// a sensor on a static and one on a dynamic body, which do not see their own
-	scree_collidable own;
 	def.body = crate;
 	def.sensor = 7;
-	OK(scree_collidable_create(world, &def, &own));
+	scree_collidable own = create_collidable(world, &def);
 	run_steps(world, 1);
 	assert_int_equal(visits_of(world, moving), 2);
 	assert_int_equal(visits_of(world, still), 2);
@@ -199,8 +176,8 @@ static void one_end_for_each_beginning(void** state)
 	(void)state;
 	scree_world* world = open_world(-10.0f);
 	add_floor(world);
-	scree_collidable sensor = add_sensor(world, box_shape(2.0f, 1.0f), SCREE_SENSOR_MOVING, at(0.0f, 0.5f));
-	scree_body crate = add_mover(world, box_shape(0.5f, 0.5f), 0.0f, 4.0f, (scree_vec){0.0f, 0.0f});
+	scree_collidable sensor = add_sensor(world, box_shape(2.0f, 1.0f), SCREE_SENSOR_MOVING, upright_at(0.0f, 0.5f));
+	scree_body crate = add_shape(world, SCREE_BODY_DYNAMIC, box_shape(0.5f, 0.5f), 0.0f, 4.0f, 0.0f);
 	int began = 0, ended = 0;
 	for (int k = 0; k < (quick() ? 300 : 7200); ++k)
 	{
@@ -220,10 +197,9 @@ static void one_end_for_each_beginning(void** state)
 	scree_visit visit;
 	int count;
 	OK(scree_collidable_get_visits(world, sensor, &visit, 1, &count));
-	scree_pose pose;
-	OK(scree_body_get_pose(world, crate, &pose));
+	scree_pose pose = pose_of(world, crate);
 	OK(scree_body_destroy(world, crate));
-	crate = add_mover(world, box_shape(0.5f, 0.5f), pose.position.x, pose.position.y, (scree_vec){0.0f, 0.0f});
+	crate = add_shape(world, SCREE_BODY_DYNAMIC, box_shape(0.5f, 0.5f), pose.position.x, pose.position.y, 0.0f);
 	run_steps(world, 1);
 	scree_events events = events_of(world);
 	assert_true(events.visits_ended_count == 1 && events.visits_began_count == 1);
@@ -255,11 +231,11 @@ static void placed_elsewhere(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	scree_collidable sensor = add_sensor(world, box_shape(0.5f, 0.5f), SCREE_SENSOR_MOVING, at(0.0f, 0.0f));
-	scree_body ball = add_mover(world, circle_shape(0.1f), 0.0f, 0.0f, (scree_vec){0.0f, 0.0f});
+	scree_collidable sensor = add_sensor(world, box_shape(0.5f, 0.5f), SCREE_SENSOR_MOVING, upright_at(0.0f, 0.0f));
+	scree_body ball = add_shape(world, SCREE_BODY_DYNAMIC, circle_shape(0.1f), 0.0f, 0.0f, 0.0f);
 	run_steps(world, 1);
 	assert_int_equal(visits_of(world, sensor), 1);
-	OK(scree_body_set_pose(world, ball, at(-1.1f, 0.0f)));
+	OK(scree_body_set_pose(world, ball, upright_at(-1.1f, 0.0f)));
 	OK(scree_body_set_linear_velocity(world, ball, (scree_vec){60.0f, 0.0f}));
 	run_steps(world, 1);
 	scree_events events = events_of(world);
@@ -278,8 +254,8 @@ static void slow_visits(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
-	add_sensor(world, box_shape(0.5f, 0.5f), SCREE_SENSOR_MOVING, at(0.0f, 0.0f));
-	add_mover(world, circle_shape(0.125f), -0.62825f, 0.0f, (scree_vec){0.06f, 0.0f}); // 3.25 mm before it
+	add_sensor(world, box_shape(0.5f, 0.5f), SCREE_SENSOR_MOVING, upright_at(0.0f, 0.0f));
+	add_thrown(world, circle_shape(0.125f), -0.62825f, 0.0f, 0.06f, 0.0f); // 3.25 mm before it
 	for (int k = 0; k < 4; ++k)
 	{
 		run_steps(world, 1);
@@ -297,10 +273,11 @@ static void crowds_and_distance(void** state)
 	(void)state;
 	scree_world* world = open_world(0.0f);
 	for (int k = 0; k < 300; ++k)
-		add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 0.5f, 0.0f, 0.0f);
-	scree_collidable here = add_sensor(world, circle_shape(0.2f), SCREE_SENSOR_MOVING, at(0.3f, 0.0f));
-	scree_collidable there = add_sensor(world, circle_shape(1.0f), SCREE_SENSOR_MOVING, at(90000.0f, -80000.0f));
-	add_mover(world, circle_shape(0.5f), 89997.0f, -80000.0f, (scree_vec){200.0f, 0.0f});
+		add_crate(world, SCREE_BODY_KINEMATIC, 0.0f, 0.0f);
+	scree_collidable here = add_sensor(world, circle_shape(0.2f), SCREE_SENSOR_MOVING, upright_at(0.3f, 0.0f));
+	scree_collidable there =
+	    add_sensor(world, circle_shape(1.0f), SCREE_SENSOR_MOVING, upright_at(90000.0f, -80000.0f));
+	add_thrown(world, circle_shape(0.5f), 89997.0f, -80000.0f, 200.0f, 0.0f);
 	run_steps(world, 1);
 	assert_int_equal(visits_of(world, here), 300);
 	int ended = 0;
@@ -323,7 +300,7 @@ typedef struct // results of a run
 {
 	uint64_t hash; // hash of all events
 	int began, open, deep;
-} MovedBody;
+} VisitLog;
 
 static scree_body add_random(scree_world* world, uint64_t* seed, bool sensors)
 {
@@ -331,7 +308,7 @@ static scree_body add_random(scree_world* world, uint64_t* seed, bool sensors)
 	float r = random_between(seed, 0.1f, 0.5f);
 	shapes[0] = circle_shape(r);
 	shapes[1] = box_shape(r, 0.5f * r);
-	OK(scree_shape_make_capsule((scree_vec){-r, 0.0f}, (scree_vec){r, 0.0f}, 0.3f * r, shapes + 2));
+	shapes[2] = capsule_shape(r, 0.3f * r);
 	scree_vec corners[3] = {{-r, -r}, {r, -r}, {0.0f, r}};
 	OK(scree_shape_make_polygon(corners, 3, 0.1f * r, shapes + 3));
 	scree_attribute_def surface = surface_of(shapes[random_below(seed, 4)]);
@@ -343,9 +320,7 @@ static scree_body add_random(scree_world* world, uint64_t* seed, bool sensors)
 	def.velocity.linear = (scree_vec){random_between(seed, -9.0f, 9.0f), random_between(seed, -9.0f, 9.0f)};
 	uint32_t sees = random_below(seed, 4) ? 0 : 1 + (uint32_t)random_below(seed, 7);
 	def.sensor = sensors ? sees : 0;
-	scree_body body;
-	OK(scree_body_create(world, &def, &body));
-	return body;
+	return create_body(world, &def);
 }
 
 static Exact exact_of(scree_world* world, scree_collidable collidable)
@@ -353,11 +328,10 @@ static Exact exact_of(scree_world* world, scree_collidable collidable)
 	scree_body body;
 	scree_attribute attribute;
 	scree_attribute_def surface;
-	scree_pose pose;
 	OK(scree_collidable_get_body(world, collidable, &body));
 	OK(scree_collidable_get_attribute(world, collidable, &attribute));
 	OK(scree_attribute_get_def(world, attribute, &surface));
-	OK(scree_body_get_pose(world, body, &pose));
+	scree_pose pose = pose_of(world, body);
 	return exact_at(&surface.shape, (double)pose.position.x, (double)pose.position.y, (double)pose.rotation.c,
 	                (double)pose.rotation.s);
 }
@@ -399,15 +373,10 @@ static void check_visits(scree_world* world, const scree_body* bodies)
 	}
 }
 
-static MovedBody tell_heap(const Way* way, int steps, bool checks)
+static VisitLog record_heap(const Variant* variant, int steps, bool checks)
 {
-	MovedBody moved_bodies = {.hash = HASH_BEGIN};
-	scree_world_def def = scree_world_def_default();
-	def.device = way->device;
-	def.threads = way->threads;
-	def.lanes = way->lanes;
-	scree_world* world;
-	OK(scree_world_create(&def, &world));
+	VisitLog log = {.hash = HASH_BEGIN};
+	scree_world* world = open_default_variant(variant);
 	uint64_t seed = 21;
 	scree_body bodies[HEAP];
 	add_floor(world);
@@ -417,18 +386,14 @@ static MovedBody tell_heap(const Way* way, int steps, bool checks)
 	{
 		OK(scree_world_step(world, step % 40 == 39 ? 0.0f : STEP, SUBSTEPS));
 		scree_events events = events_of(world);
-		moved_bodies.hash =
-		    hash_more(moved_bodies.hash, events.visits_began, (size_t)events.visits_began_count * sizeof(scree_visit));
-		moved_bodies.hash =
-		    hash_more(moved_bodies.hash, events.visits_ended, (size_t)events.visits_ended_count * sizeof(scree_visit));
-		moved_bodies.began += events.visits_began_count;
-		moved_bodies.open += events.visits_began_count - events.visits_ended_count;
+		log.hash = hash_bytes(log.hash, events.visits_began, (size_t)events.visits_began_count * sizeof(scree_visit));
+		log.hash = hash_bytes(log.hash, events.visits_ended, (size_t)events.visits_ended_count * sizeof(scree_visit));
+		log.began += events.visits_began_count;
+		log.open += events.visits_began_count - events.visits_ended_count;
 		if (checks && step % 10 == 0)
 			check_visits(world, bodies);
 		int k = random_below(&seed, HEAP);
-		scree_collidable own;
-		int one;
-		OK(scree_body_get_collidables(world, bodies[k], &own, 1, &one));
+		scree_collidable own = collidable_of(world, bodies[k]);
 		switch (random_below(&seed, 7))
 		{
 		case 0:
@@ -445,38 +410,38 @@ static MovedBody tell_heap(const Way* way, int steps, bool checks)
 			OK(scree_body_set_type(world, bodies[k], (scree_body_type)random_below(&seed, 3)));
 			break;
 		case 4:
-			OK(scree_body_set_pose(world, bodies[k], at(random_between(&seed, -4.0f, 4.0f), 3.0f)));
+			OK(scree_body_set_pose(world, bodies[k], upright_at(random_between(&seed, -4.0f, 4.0f), 3.0f)));
 			break;
 		case 5:
 			OK(scree_body_set_linear_velocity(world, bodies[k],
 			                                  (scree_vec){random_between(&seed, -80.0f, 80.0f), 20.0f}));
 			break;
 		default:
-			if (way->other[0])
-				OK(scree_world_move(world, step % 2 ? way->other : way->device));
+			if (variant->other[0])
+				OK(scree_world_move(world, step % 2 ? variant->other : variant->device));
 		}
 	}
-	moved_bodies.hash ^= hash_of(world);
+	log.hash ^= hash_of(world);
 	OK(scree_bodies_destroy(world, bodies, HEAP));
 	run_steps(world, 1);
-	moved_bodies.open -= events_of(world).visits_ended_count;
-	assert_int_equal(moved_bodies.open, 0);
+	log.open -= events_of(world).visits_ended_count;
+	assert_int_equal(log.open, 0);
 	scree_world_destroy(world);
-	return moved_bodies;
+	return log;
 }
 
 static void all_devices_agree(void** state)
 {
 	(void)state;
-	Way ways[MAX_WAYS];
-	int count = list_ways(ways), steps = quick() ? 60 : 300;
-	MovedBody first = tell_heap(ways, steps, true);
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants), steps = quick() ? 60 : 300;
+	VisitLog first = record_heap(variants, steps, true);
 	assert_true(first.began > steps / 2);
 	for (int k = 1; k < count; ++k)
 	{
-		MovedBody other = tell_heap(ways + k, steps, false);
+		VisitLog other = record_heap(variants + k, steps, false);
 		if (other.hash != first.hash || other.began != first.began)
-			fail_msg("other visits on %s", ways[k].name);
+			fail_msg("other visits on %s", variants[k].name);
 	}
 }
 
@@ -494,7 +459,7 @@ static void sensors_change_no_motion(void** state)
 		for (int k = 0; k < HEAP; ++k)
 			bodies[k] = add_random(world, &seed, false);
 		if (turn)
-			add_sensor(world, box_shape(20.0f, 20.0f), 7, at(0.0f, 0.0f));
+			add_sensor(world, box_shape(20.0f, 20.0f), 7, upright_at(0.0f, 0.0f));
 		run_steps(world, 200);
 		for (int k = 0; k < HEAP; ++k)
 			last[turn][k] = position_of(world, bodies[k]);

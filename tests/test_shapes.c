@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_shapes.c -- every shape against every other in whole worlds: found, read back, carried, brought to rest.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
+#include "support/make_bodies.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -60,8 +53,7 @@ static bool is_segment(int design) { return designs[design].shape.kind == SCREE_
 
 static scree_attribute attribute_of(scree_world* world, int design)
 {
-	scree_attribute_def def = surface_of(designs[design].shape);
-	return add_attribute(world, &def);
+	return shape_attribute(world, designs[design].shape);
 }
 
 // circles would roll on and on otherwise
@@ -261,13 +253,10 @@ static void impulses_carry_the_weight(void** state)
 		scree_body body =
 		    add_body(world, SCREE_BODY_DYNAMIC, attribute_of(world, design), 0.0f, (float)(0.01 - low), turn);
 		run_steps(world, 400);
-		scree_mass mass;
-		OK(scree_body_get_mass(world, body, &mass));
+		scree_mass mass = mass_of(world, body);
 		scree_contact* contacts;
 		assert_int_equal(read_contacts(world, &contacts), 1);
-		scree_collidable of_floor;
-		int one;
-		OK(scree_body_get_collidables(world, floor, &of_floor, 1, &one));
+		scree_collidable of_floor = collidable_of(world, floor);
 		assert_int_equal(contacts->b.index, of_floor.index);
 		NEAR(contacts->normal.y, -1.0, 1e-4);
 		if (contacts->count != designs[design].at_rest)
@@ -356,8 +345,7 @@ static void overlaps_are_read_back(void** state)
 			def.attribute = attribute_of(world, b);
 			def.pose.position = (scree_vec){1.0f, 2.0f};
 			def.pose.rotation = scree_rot_make(1.7f);
-			scree_collidable ghost;
-			OK(scree_collidable_create(world, &def, &ghost));
+			scree_collidable ghost = create_collidable(world, &def);
 			run_steps(world, 10);
 			scree_contact overlaps[2];
 			int count;

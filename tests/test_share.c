@@ -4,15 +4,7 @@
 // No driver of a CPU shares memory. So PoCL is taught to: its functions are wrapped, and what it imports is a file
 // that is mapped here as well. The wrapper refuses what a driver refuses: memory that was not handed over.
 #include "opencl/loader.h"
-#include "scree/scree.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
+#include "support/make_bodies.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,13 +17,10 @@ static const char* device;
 
 static scree_world* open_pile(void)
 {
-	scree_world_def def = scree_world_def_default();
-	def.device = device;
-	scree_world* world;
-	OK(scree_world_create(&def, &world));
+	scree_world* world = open_world_on(device, 0, (float)-G);
 	add_floor(world);
 	for (int k = 0; k < BODIES; ++k)
-		add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.3f * (float)(k % 5), 0.6f + 1.1f * (float)k);
+		add_crate(world, SCREE_BODY_DYNAMIC, 0.3f * (float)(k % 5), 0.6f + 1.1f * (float)k);
 	return world;
 }
 
@@ -335,8 +324,8 @@ static void test_shared_memory(void** state)
 	assert_true(((scree_render_row*)memory)[1].pose.position.y == 0.6f);
 	check_shared(world, memory);
 
-	// a world that has grown needs more memory; if the driver refuses it, the old sharing stays
-	add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 40.0f, 3.0f);
+	// a world that has grown wants more; memory that the driver refuses leaves what there was
+	add_crate(world, SCREE_BODY_DYNAMIC, 40.0f, 3.0f);
 	expect_refusal(scree_world_write_render_rows(world, &count), SCREE_ERROR_INVALID,
 	               "there are 42 rows, and the shared memory has room for 41");
 	assert_int_equal(count, BODIES + 2);
@@ -352,7 +341,7 @@ static void test_shared_memory(void** state)
 
 	// and none of it was in the way of the simulation
 	run_steps(other, 6);
-	add_box(other, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 40.0f, 3.0f);
+	add_crate(other, SCREE_BODY_DYNAMIC, 40.0f, 3.0f);
 	run_steps(other, 6);
 	assert_true(hash_of(world) == hash_of(other));
 	assert_int_equal(handovers, 2 * 7);
@@ -439,18 +428,17 @@ static void test_shared_opengl(void** state)
 	int context, display;
 	scree_world_def def = scree_world_def_default();
 	def.device = POCL;
-	scree_world* world;
-	OK(scree_world_create(&def, &world));
+	scree_world* world = create_world(&def);
 	assert_int_equal(scree_world_get_sharing(world), SCREE_SHARING_COPIED); // which context it is, nobody said
 	scree_world_destroy(world);
 
 	def.opengl = &(scree_opengl){.system = SCREE_WINDOW_EGL, .context = &context, .display = &display};
-	OK(scree_world_create(&def, &world));
+	world = create_world(&def);
 	assert_true(context_properties[0] == 0x2008 && context_properties[1] == (cl_context_properties)&context);
 	assert_true(context_properties[2] == 0x2009 && context_properties[3] == (cl_context_properties)&display);
 	assert_int_equal(scree_world_get_sharing(world), SCREE_SHARING_OPENGL);
 	add_floor(world);
-	add_box(world, SCREE_BODY_DYNAMIC, 0.5f, 0.5f, 0.0f, 3.0f);
+	add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 3.0f);
 	buffer_bytes = 4096;
 	buffer_object = aligned_alloc(4096, buffer_bytes);
 	assert_non_null(buffer_object);
@@ -466,21 +454,15 @@ static int use_device(void** state)
 	return 0;
 }
 
-static int memory_is_back(void** state)
-{
-	(void)state;
-	return scree_memory() == 0 ? 0 : -1;
-}
-
 int main(void)
 {
 	const struct CMUnitTest own[] = {
-	    cmocka_unit_test_prestate_setup_teardown(test_rows, use_device, memory_is_back, "cpu"),
-	    cmocka_unit_test_prestate_setup_teardown(test_without_sharing, use_device, memory_is_back, "cpu"),
+	    cmocka_unit_test_prestate_setup_teardown(test_rows, use_device, memory_is_released, "cpu"),
+	    cmocka_unit_test_prestate_setup_teardown(test_without_sharing, use_device, memory_is_released, "cpu"),
 	};
 	const struct CMUnitTest distant[] = {
-	    cmocka_unit_test_prestate_setup_teardown(test_rows, use_device, memory_is_back, "opencl"),
-	    cmocka_unit_test_prestate_setup_teardown(test_without_sharing, use_device, memory_is_back, "opencl"),
+	    cmocka_unit_test_prestate_setup_teardown(test_rows, use_device, memory_is_released, "opencl"),
+	    cmocka_unit_test_prestate_setup_teardown(test_without_sharing, use_device, memory_is_released, "opencl"),
 	    cmocka_unit_test_prestate_setup_teardown(test_shared_memory, teach, forget, "cl_khr_external_memory_opaque_fd"),
 	    cmocka_unit_test_prestate_setup_teardown(test_shared_queries, teach, forget,
 	                                             "cl_khr_external_memory_opaque_fd"),

@@ -2,17 +2,10 @@
 // test_share_view.c -- rows in a buffer of OpenGL are those of the world, and what is drawn of them the same each time.
 //
 // Skipped where OpenGL cannot draw without a window.
+#include "support/make_bodies.h"
 #include "view/offscreen.h"
 #include "view/renderer.h"
 #include "view/shader.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
-#include "support.h"
 #include <epoxy/gl.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,10 +16,7 @@ static Offscreen offscreen;
 
 static scree_world* open_boxes(const char* device, int count)
 {
-	scree_world_def def = scree_world_def_default();
-	def.device = device;
-	scree_world* world;
-	OK(scree_world_create(&def, &world));
+	scree_world* world = open_world_on(device, 0, (float)-G);
 	add_floor(world);
 	for (int k = 0; k < count; ++k)
 		add_box(world, SCREE_BODY_DYNAMIC, 0.4f, 0.4f, (float)(k % 10), 0.6f + (float)(k / 10));

@@ -1,41 +1,15 @@
 // SPDX-License-Identifier: MIT
 // test_small.c -- bodies of 2 to 20 mm: they rest on segments and boxes, go through neither, and stay in order.
-#include "support.h"
+#include "support/make_bodies.h"
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 
 static const float sizes[] = {0.002f, 0.003f, 0.004f, 0.005f, 0.007f, 0.01f, 0.02f};
-
-static scree_shape floor_segment(void)
-{
-	scree_shape shape;
-	OK(scree_shape_make_segment((scree_vec){-20.0f, 0.0f}, (scree_vec){20.0f, 0.0f}, &shape));
-	return shape;
-}
 
 // cubes, circles, plates of 0.5 m
 static scree_shape small_shape(int kind, float size)
 {
 	float half = 0.5f * size;
 	return kind == 0 ? box_shape(half, half) : kind == 1 ? circle_shape(half) : box_shape(0.25f, half);
-}
-
-static scree_body put(scree_world* world, scree_body_type type, scree_shape shape, float x, float y, float angle)
-{
-	scree_attribute_def surface = surface_of(shape);
-	return add_body(world, type, add_attribute(world, &surface), x, y, angle);
-}
-
-static scree_pose pose_of(scree_world* world, scree_body body)
-{
-	scree_pose pose;
-	OK(scree_body_get_pose(world, body, &pose));
-	return pose;
 }
 
 // From 0 to 2 m, flat and tilted, 1 to 8 substeps: after 5 s they lie on the floor, less deep than their size, and do not move.
@@ -48,23 +22,22 @@ static void fall_and_rest(void** state)
 		int segment = k % 2, kind = k / 2 % 3, substeps = 1 << k / 42;
 		float size = sizes[k / 6 % 7], half = 0.5f * size;
 		scree_world* world = open_world(-10.0f);
-		put(world, SCREE_BODY_STATIC, segment ? floor_segment() : box_shape(20.0f, 0.5f), 0.0f, segment ? 0.0f : -0.5f,
-		    0.0f);
+		add_shape(world, SCREE_BODY_STATIC, segment ? segment_shape(-20.0f, 0.0f, 20.0f, 0.0f) : box_shape(20.0f, 0.5f),
+		          0.0f, segment ? 0.0f : -0.5f, 0.0f);
 		scree_body bodies[10];
 		for (int n = 0; n < 10; ++n)
 		{
 			float angle = n % 2 ? 0.3f : 0.0f, swing = kind == 2 ? 0.25f : half;
 			float down = kind == 1 ? half : half * cosf(angle) + swing * sinf(angle);
-			bodies[n] = put(world, SCREE_BODY_DYNAMIC, small_shape(kind, size), 2.0f * (float)(n - 5),
-			                down + drops[n / 2], angle);
+			bodies[n] = add_shape(world, SCREE_BODY_DYNAMIC, small_shape(kind, size), 2.0f * (float)(n - 5),
+			                      down + drops[n / 2], angle);
 		}
 		for (int step = 0; step < 300; ++step)
 			OK(scree_world_step(world, STEP, substeps));
 		for (int n = 0; n < 10; ++n)
 		{
 			float y = pose_of(world, bodies[n]).position.y;
-			scree_velocity velocity;
-			OK(scree_body_get_velocity(world, bodies[n], &velocity));
+			scree_velocity velocity = velocity_of(world, bodies[n]);
 			if (!(y > 0.0f && y < 0.75f * size) || !(fabsf(velocity.linear.y) < 0.01f))
 				fail_msg("run %d: kind %d of %g mm from %g m, %d substeps: at %g m with %g m/s", k, kind,
 				         1e3 * (double)size, (double)drops[n / 2], substeps, (double)y, (double)velocity.linear.y);
@@ -80,11 +53,11 @@ static void plates_stay_in_order(void** state)
 	for (int k = 0; k < 7; ++k)
 	{
 		scree_world* world = open_world(-10.0f);
-		put(world, SCREE_BODY_STATIC, floor_segment(), 0.0f, 0.0f, 0.0f);
+		add_shape(world, SCREE_BODY_STATIC, segment_shape(-20.0f, 0.0f, 20.0f, 0.0f), 0.0f, 0.0f, 0.0f);
 		scree_body plates[10];
 		for (int n = 0; n < 10; ++n)
-			plates[n] = put(world, SCREE_BODY_DYNAMIC, small_shape(2, sizes[k]), 0.01f * (float)(n % 3),
-			                1.5f * sizes[k] * ((float)n + 0.5f) + 0.01f, 0.0f);
+			plates[n] = add_shape(world, SCREE_BODY_DYNAMIC, small_shape(2, sizes[k]), 0.01f * (float)(n % 3),
+			                      1.5f * sizes[k] * ((float)n + 0.5f) + 0.01f, 0.0f);
 		run_steps(world, 300);
 		float below = 0.0f;
 		for (int n = 0; n < 10; ++n)
@@ -108,15 +81,14 @@ static void plates_slide_over_seams(void** state)
 		scree_world* world = open_world(-10.0f);
 		float size = sizes[k % 7], speed = 0.5f * (float)(1 << k / 28);
 		for (int n = 0; n < 20; ++n)
-			put(world, SCREE_BODY_STATIC, box_shape(0.25f, 0.1f), 0.5f * (float)n, -0.1f, 0.0f);
+			add_shape(world, SCREE_BODY_STATIC, box_shape(0.25f, 0.1f), 0.5f * (float)n, -0.1f, 0.0f);
 		scree_attribute_def surface = surface_of(small_shape(2, size));
 		surface.friction = 0.0f;
 		scree_body plate = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &surface),
 		                            1.0f + 0.03f * (float)(k / 7), 0.5f * size, 0.0f);
 		OK(scree_body_set_linear_velocity(world, plate, (scree_vec){speed, 0.0f}));
 		run_steps(world, 90);
-		scree_velocity velocity;
-		OK(scree_body_get_velocity(world, plate, &velocity));
+		scree_velocity velocity = velocity_of(world, plate);
 		NEAR(velocity.linear.x, speed, 0.01 * (double)speed);
 		NEAR(pose_of(world, plate).position.y, 0.5 * (double)size, 0.0005);
 		scree_world_destroy(world);
@@ -131,19 +103,16 @@ static void shapes_far_from_their_origin(void** state)
 	for (int k = 0; k < 20; ++k)
 	{
 		scree_world* world = open_world(-10.0f);
-		put(world, SCREE_BODY_STATIC, floor_segment(), 0.0f, 0.0f, 0.0f);
+		add_shape(world, SCREE_BODY_STATIC, segment_shape(-20.0f, 0.0f, 20.0f, 0.0f), 0.0f, 0.0f, 0.0f);
 		float away = 4.0f * (float)(k + 1);
 		scree_vec points[] = {{0.04f - away, 0.0f}, {0.01f - away, 0.03f}, {-0.05f - away, 0.01f}};
-		scree_shape shape;
-		OK(scree_shape_make_polygon(points, 3, 0.0f, &shape));
-		scree_body body = put(world, SCREE_BODY_DYNAMIC, shape, away, 1.42f, 0.0f);
-		scree_mass mass;
-		OK(scree_body_get_mass(world, body, &mass));
+		scree_shape shape = polygon_shape(points, 3, 0.0f);
+		scree_body body = add_shape(world, SCREE_BODY_DYNAMIC, shape, away, 1.42f, 0.0f);
+		scree_mass mass = mass_of(world, body);
 		run_steps(world, 36);
 		scree_vec at;
-		scree_velocity velocity;
 		OK(scree_body_get_world_point(world, body, mass.center, &at));
-		OK(scree_body_get_velocity(world, body, &velocity));
+		scree_velocity velocity = velocity_of(world, body);
 		assert_true(at.y < 0.02f);
 		NEAR(velocity.linear.y, 0.0, 0.01);
 		scree_world_destroy(world);

@@ -3,8 +3,11 @@
 //
 // These are the stages whose items must agree with each other, on every backend; test_formulas.c has the ones whose
 // items stand alone, and test_colors.c the colors.
-#include "stage_support.h"
 #include "stages/geometry/box.h"
+#include "support/each_backend.h"
+#include "tools/common/random_numbers.h"
+#include <stdlib.h>
+#include <string.h>
 
 // ---------------------------------------------------------------------------------------------------------------
 // trees
@@ -27,15 +30,15 @@ static Word check_curve(Backend* b, float corner_x, float corner_y, float spacin
 		leaves[k] = k;
 	}
 	box_pack(boxes, count, make_float4(0.0f, 0.0f, 65535.0f, 65535.0f));
-	put(b, POOL_tree, 1, &tree);
-	put(b, POOL_node_box, count + ARITY, boxes);
-	put(b, POOL_leaf, count, leaves);
+	put_items(b, POOL_tree, 1, &tree);
+	put_items(b, POOL_node_box, count + ARITY, boxes);
+	put_items(b, POOL_leaf, count, leaves);
 	run_one(b, &(Step){0}, KERNEL_tree_root, 1, NO_COUNT, 0);
 	run_one(b, &(Step){0}, KERNEL_tree_code, count, NO_COUNT, 0);
 	run_sort(b, count, 32, 64);
 	run_one(b, &(Step){0}, KERNEL_tree_order, count, NO_COUNT, 0);
-	get(b, POOL_key, count, keys);
-	get(b, POOL_leaf, count, leaves);
+	get_items(b, POOL_key, count, keys);
+	get_items(b, POOL_leaf, count, leaves);
 	for (int k = 0; k < count; ++k)
 	{
 		int leaf = leaves[k];
@@ -97,12 +100,12 @@ static void slots_are_lowest_first(void** state)
 			Counters counters = {.contacts = 7, .alive = 4, .pairs = 5};
 			Step step = {.pair_capacity = 5, .contact_capacity = room, .contact_limit = 9, .key_bits = 7};
 			Int2 pairs[9];
-			put(b, POOL_counters, 1, &counters);
-			put(b, POOL_attribute, 1, &attribute);
-			put(b, POOL_collidable_attribute, 100, zeros);
-			put(b, POOL_collidable_body, 100, bodies);
-			put(b, POOL_pair, 7, before);
-			put(b, POOL_key, 5, keys);
+			put_items(b, POOL_counters, 1, &counters);
+			put_items(b, POOL_attribute, 1, &attribute);
+			put_items(b, POOL_collidable_attribute, 100, zeros);
+			put_items(b, POOL_collidable_body, 100, bodies);
+			put_items(b, POOL_pair, 7, before);
+			put_items(b, POOL_key, 5, keys);
 			run_one(b, &step, KERNEL_contact_admit, 1, NO_COUNT, 0);
 			run_one(b, &step, PRIMITIVE_SORT, 5, COUNT(sort_pairs), 14 << 8);
 			run_one(b, &step, KERNEL_contact_mark_free, room, COUNT(search), 0);
@@ -110,10 +113,10 @@ static void slots_are_lowest_first(void** state)
 			run_one(b, &step, KERNEL_contact_list_free, room, COUNT(search), 0);
 			run_one(b, &step, KERNEL_contact_reserve, 1, NO_COUNT, 0);
 			run_one(b, &step, KERNEL_contact_create, room, COUNT(created), 0);
-			get(b, POOL_counters, 1, &counters);
-			get(b, POOL_pair, 9, pairs);
+			get_items(b, POOL_counters, 1, &counters);
+			get_items(b, POOL_pair, 9, pairs);
 
-			// nine slots, and one that stays free: with less capacity nothing changes, and a counter has the capacity that is needed
+			// nine slots, and one that stays free: with less room nothing changes, and the host learns the room needed
 			bool enough = room == 10;
 			assert_int_equal(counters.stalled, !enough);
 			assert_int_equal(counters.needed, 9);
@@ -190,12 +193,12 @@ static void put_contacts(Backend* b, const Slots* s, unsigned char* bytes)
 			continue;
 		for (size_t k = 0; k < SLOTS * size; ++k)
 			bytes[k] = byte_of(pool, (int)(k / size), k % size);
-		put(b, (PoolId)pool, SLOTS, bytes);
+		put_items(b, (PoolId)pool, SLOTS, bytes);
 	}
-	put(b, POOL_counters, 1, &counters);
-	put(b, POOL_pair, SLOTS, s->pairs);
-	put(b, POOL_contact_place, SLOTS, s->constraints);
-	put(b, POOL_contact_place_slot, SLOTS, s->constraints);
+	put_items(b, POOL_counters, 1, &counters);
+	put_items(b, POOL_pair, SLOTS, s->pairs);
+	put_items(b, POOL_contact_place, SLOTS, s->constraints);
+	put_items(b, POOL_contact_place_slot, SLOTS, s->constraints);
 }
 
 // All that outlives a step moved with its contact.
@@ -206,7 +209,7 @@ static void check_pools(Backend* b, const Slots* s, unsigned char* bytes)
 		size_t size = pool_info[pool].bytes;
 		if (!is_kept(pool) || pool == POOL_pair || pool == POOL_contact_place)
 			continue;
-		get(b, (PoolId)pool, SLOTS, bytes);
+		get_items(b, (PoolId)pool, SLOTS, bytes);
 		for (size_t k = 0; k < (size_t)s->alive * size; ++k)
 			if (bytes[k] != byte_of(pool, s->from[k / size], k % size))
 				fail_msg("pool %s: slot %d does not hold what slot %d had: contact_pack forgets it",
@@ -219,11 +222,11 @@ static void check_links(Backend* b, const Slots* s, unsigned char* bytes)
 {
 	int* back = calloc(SLOTS, sizeof *back);
 	Int2* moved = (Int2*)bytes;
-	get(b, POOL_pair, SLOTS, moved);
+	get_items(b, POOL_pair, SLOTS, moved);
 	for (int k = 0; k < SLOTS; ++k)
 		assert_int_equal(moved[k].x, k < s->alive ? s->pairs[s->from[k]].x : -1);
-	get(b, POOL_contact_place, s->alive, bytes);
-	get(b, POOL_contact_place_slot, SLOTS, back);
+	get_items(b, POOL_contact_place, s->alive, bytes);
+	get_items(b, POOL_contact_place_slot, SLOTS, back);
 	for (int k = 0; k < s->alive; ++k)
 	{
 		int constraint = ((const int*)bytes)[k];
@@ -248,7 +251,7 @@ static void contacts_move_together(void** state)
 		run_one(b, &(Step){0}, KERNEL_contact_list_free, SLOTS, NO_COUNT, 0);
 		run_one(b, &(Step){0}, KERNEL_contact_pack, SLOTS, NO_COUNT, 0);
 		run_one(b, &(Step){0}, KERNEL_contact_pack_end, 1, NO_COUNT, 0);
-		get(b, POOL_counters, 1, &counters);
+		get_items(b, POOL_counters, 1, &counters);
 		assert_int_equal(counters.contacts, s.alive);
 		check_pools(b, &s, bytes);
 		check_links(b, &s, bytes);
@@ -266,5 +269,5 @@ int main(void)
 	    cmocka_unit_test(slots_are_lowest_first),
 	    cmocka_unit_test(contacts_move_together),
 	};
-	return cmocka_run_group_tests(tests, open_backends, close_backends);
+	return cmocka_run_group_tests(tests, open_stage_backends, close_backends);
 }

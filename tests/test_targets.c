@@ -1,32 +1,32 @@
 // SPDX-License-Identifier: MIT
 // test_targets.c -- velocities set apart, and kinematic bodies on their way to a pose; on the CPU and on OpenCL.
-#include "world_support.h"
+#include "support/make_bodies.h"
 
 static void velocities_are_set_apart(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(0.0f);
+	scree_world* world = open_test_world(0.0f);
 	scree_body bodies[3];
 	for (int k = 0; k < 3; ++k)
-		bodies[k] = add_box(world, (scree_body_type)k, 5.0f * (float)k, 0.0f);
+		bodies[k] = add_crate(world, (scree_body_type)k, 5.0f * (float)k, 0.0f);
 	const scree_vec linear[3] = {{1, 2}, {3, 4}, {5, 6}};
 	const float angular[3] = {7, 8, 9};
-	assert_ok(scree_bodies_set_linear_velocities(world, bodies, linear, 3));
-	assert_velocity(world, bodies[2], 5, 6, 0);
-	assert_ok(scree_bodies_set_angular_velocities(world, bodies, angular, 3));
-	assert_velocity(world, bodies[0], 0, 0, 0);
-	assert_velocity(world, bodies[1], 3, 4, 8);
-	assert_velocity(world, bodies[2], 5, 6, 9);
-	assert_ok(scree_body_set_linear_velocity(world, bodies[2], (scree_vec){-1, 0}));
-	assert_ok(scree_body_set_angular_velocity(world, bodies[1], -2));
-	assert_velocity(world, bodies[1], 3, 4, -2);
-	assert_velocity(world, bodies[2], -1, 0, 9);
+	OK(scree_bodies_set_linear_velocities(world, bodies, linear, 3));
+	expect_velocity(world, bodies[2], 5, 6, 0);
+	OK(scree_bodies_set_angular_velocities(world, bodies, angular, 3));
+	expect_velocity(world, bodies[0], 0, 0, 0);
+	expect_velocity(world, bodies[1], 3, 4, 8);
+	expect_velocity(world, bodies[2], 5, 6, 9);
+	OK(scree_body_set_linear_velocity(world, bodies[2], (scree_vec){-1, 0}));
+	OK(scree_body_set_angular_velocity(world, bodies[1], -2));
+	expect_velocity(world, bodies[1], 3, 4, -2);
+	expect_velocity(world, bodies[2], -1, 0, 9);
 
 	// nothing along what is locked
-	assert_ok(scree_body_set_locks(world, bodies[2], SCREE_LOCK_Y | SCREE_LOCK_ROTATION));
-	assert_ok(scree_body_set_linear_velocity(world, bodies[2], (scree_vec){2, 2}));
-	assert_ok(scree_body_set_angular_velocity(world, bodies[2], 2));
-	assert_velocity(world, bodies[2], 2, 0, 0);
+	OK(scree_body_set_locks(world, bodies[2], SCREE_LOCK_Y | SCREE_LOCK_ROTATION));
+	OK(scree_body_set_linear_velocity(world, bodies[2], (scree_vec){2, 2}));
+	OK(scree_body_set_angular_velocity(world, bodies[2], 2));
+	expect_velocity(world, bodies[2], 2, 0, 0);
 	scree_world_destroy(world);
 }
 
@@ -34,10 +34,10 @@ static void velocities_are_set_apart(void** state)
 static void targets_are_reached(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
+	scree_world* world = open_test_world(-10.0f);
 	scree_body bodies[3];
 	for (int k = 0; k < 3; ++k)
-		bodies[k] = add_box(world, SCREE_BODY_KINEMATIC, 3.0f * (float)k, 0.0f);
+		bodies[k] = add_crate(world, SCREE_BODY_KINEMATIC, 3.0f * (float)k, 0.0f);
 	static const struct
 	{
 		float dt;
@@ -48,19 +48,19 @@ static void targets_are_reached(void** state)
 		float x = 0.1f * (float)s;
 		scree_pose poses[3] = {pose_at(x, 0.3f, 0.1f), pose_at(3.0f + x, -x, -3.0f * x),
 		                       pose_at(90000.0f, 0.37f, 3.1f)};
-		assert_ok(scree_bodies_set_targets(world, bodies, poses, 3));
+		OK(scree_bodies_set_targets(world, bodies, poses, 3));
 		for (int k = 0; k < 3; ++k)
-			assert_velocity(world, bodies[k], 0, 0, 0);
-		assert_ok(scree_world_step(world, steps[s].dt, steps[s].substeps));
+			expect_velocity(world, bodies[k], 0, 0, 0);
+		OK(scree_world_step(world, steps[s].dt, steps[s].substeps));
 		for (int k = 0; k < 3; ++k)
 		{
-			assert_pose(world, bodies[k], poses[k]);
-			assert_velocity(world, bodies[k], 0, 0, 0);
+			expect_pose(world, bodies[k], poses[k]);
+			expect_velocity(world, bodies[k], 0, 0, 0);
 		}
 	}
 	scree_pose last = pose_of(world, bodies[0]);
-	step(world, 3);
-	assert_pose(world, bodies[0], last);
+	run_steps(world, 3);
+	expect_pose(world, bodies[0], last);
 	scree_world_destroy(world);
 }
 
@@ -68,33 +68,32 @@ static void targets_are_reached(void** state)
 static void targets_carry_and_push(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
+	scree_world* world = open_test_world(-10.0f);
 	scree_body_def def = scree_body_def_default();
 	def.type = SCREE_BODY_KINEMATIC;
-	def.attribute = make_box(world, 4.0f, 0.5f);
-	scree_body platform;
-	assert_ok(scree_body_create(world, &def, &platform));
-	scree_body crate = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
-	step(world, 30);
+	def.attribute = box_attribute(world, 4.0f, 0.5f);
+	scree_body platform = create_body(world, &def);
+	scree_body crate = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
+	run_steps(world, 30);
 	float start = pose_of(world, crate).position.x;
 	for (int k = 1; k <= 60; ++k)
 	{
 		// from rest to 2 m/s in half a second: friction of 0.6 gives 6 m/s^2
 		float t = (float)k * STEP, x = t < 0.5f ? 2.0f * t * t : 0.5f + 2.0f * (t - 0.5f);
-		assert_ok(scree_body_set_target(world, platform, pose_at(x, 0.0f, 0.0f)));
-		step(world, 1);
+		OK(scree_body_set_target(world, platform, pose_at(x, 0.0f, 0.0f)));
+		run_steps(world, 1);
 	}
-	assert_near(pose_of(world, platform).position.x, 1.5, 1e-6);
-	assert_near(pose_of(world, crate).position.x - start, 1.5, 0.02);
-	assert_near(velocity_of(world, crate).linear.x, 2.0, 0.02);
+	NEAR(pose_of(world, platform).position.x, 1.5, 1e-6);
+	NEAR(pose_of(world, crate).position.x - start, 1.5, 0.02);
+	NEAR(velocity_of(world, crate).linear.x, 2.0, 0.02);
 	scree_world_destroy(world);
 
-	world = make_world(0.0f);
-	platform = add_box(world, SCREE_BODY_KINEMATIC, 0.0f, 0.0f);
-	crate = add_box(world, SCREE_BODY_DYNAMIC, 1.2f, 0.0f);
-	assert_ok(scree_body_set_target(world, platform, pose_at(0.5f, 0.0f, 0.0f)));
-	step(world, 1);
-	assert_near(velocity_of(world, crate).linear.x, 0.5 / STEP, 0.5);
+	world = open_test_world(0.0f);
+	platform = add_crate(world, SCREE_BODY_KINEMATIC, 0.0f, 0.0f);
+	crate = add_crate(world, SCREE_BODY_DYNAMIC, 1.2f, 0.0f);
+	OK(scree_body_set_target(world, platform, pose_at(0.5f, 0.0f, 0.0f)));
+	run_steps(world, 1);
+	NEAR(velocity_of(world, crate).linear.x, 0.5 / STEP, 0.5);
 	scree_world_destroy(world);
 }
 
@@ -102,19 +101,18 @@ static void targets_carry_and_push(void** state)
 static void targets_turn_the_shorter_way(void** state)
 {
 	(void)state;
-	for (int way = -1; way <= 1; way += 2)
+	for (int direction = -1; direction <= 1; direction += 2)
 	{
-		scree_world* world = make_world(0.0f);
+		scree_world* world = open_test_world(0.0f);
 		scree_body_def def = scree_body_def_default();
 		def.type = SCREE_BODY_KINEMATIC;
-		def.attribute = make_box(world, 4.0f, 0.1f);
-		def.pose = pose_at(0.0f, 0.0f, (float)way * 3.05432619f);
-		scree_body beam;
-		assert_ok(scree_body_create(world, &def, &beam));
-		scree_body above = add_box(world, SCREE_BODY_DYNAMIC, 3.0f, (float)way * 0.5f);
-		assert_ok(scree_body_set_target(world, beam, pose_at(0.0f, 0.0f, (float)way * -3.05432619f)));
-		step(world, 1);
-		assert_true((float)way * velocity_of(world, above).linear.y > 1.0f);
+		def.attribute = box_attribute(world, 4.0f, 0.1f);
+		def.pose = pose_at(0.0f, 0.0f, (float)direction * 3.05432619f);
+		scree_body beam = create_body(world, &def);
+		scree_body above = add_crate(world, SCREE_BODY_DYNAMIC, 3.0f, (float)direction * 0.5f);
+		OK(scree_body_set_target(world, beam, pose_at(0.0f, 0.0f, (float)direction * -3.05432619f)));
+		run_steps(world, 1);
+		assert_true((float)direction * velocity_of(world, above).linear.y > 1.0f);
 		scree_world_destroy(world);
 	}
 }
@@ -122,80 +120,80 @@ static void targets_turn_the_shorter_way(void** state)
 static void targets_wait_and_are_dropped(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(0.0f);
-	scree_body body = add_box(world, SCREE_BODY_KINEMATIC, 0.0f, 0.0f);
+	scree_world* world = open_test_world(0.0f);
+	scree_body body = add_crate(world, SCREE_BODY_KINEMATIC, 0.0f, 0.0f);
 	scree_pose home = pose_of(world, body), there = pose_at(1.0f, 2.0f, 0.5f), later = pose_at(-1.0f, 0.0f, 0.0f);
 
 	// the last counts, and a step of no time does not use it up
 	uint64_t before = hash_of(world);
-	assert_ok(scree_body_set_target(world, body, there));
+	OK(scree_body_set_target(world, body, there));
 	uint64_t waiting = hash_of(world);
 	assert_true(waiting != before);
-	assert_ok(scree_body_set_target(world, body, later));
+	OK(scree_body_set_target(world, body, later));
 	assert_true(hash_of(world) != waiting);
-	look(world);
-	assert_pose(world, body, home);
-	step(world, 1);
-	assert_pose(world, body, later);
+	update_contacts(world);
+	expect_pose(world, body, home);
+	run_steps(world, 1);
+	expect_pose(world, body, later);
 
-	// the start does not matter
-	assert_ok(scree_body_set_target(world, body, there));
-	assert_ok(scree_body_set_pose(world, body, home));
-	step(world, 1);
-	assert_pose(world, body, there);
+	// where it starts does not matter
+	OK(scree_body_set_target(world, body, there));
+	OK(scree_body_set_pose(world, body, home));
+	run_steps(world, 1);
+	expect_pose(world, body, there);
 
 	// a velocity takes its place, of whatever part
 	for (int k = 0; k < 3; ++k)
 	{
-		assert_ok(scree_body_set_pose(world, body, home));
-		assert_ok(scree_body_set_target(world, body, there));
+		OK(scree_body_set_pose(world, body, home));
+		OK(scree_body_set_target(world, body, there));
 		if (k == 0)
-			assert_ok(scree_body_set_velocity(world, body, (scree_velocity){{0, 0}, 0}));
+			throw_body(world, body, 0, 0, 0);
 		else if (k == 1)
-			assert_ok(scree_body_set_linear_velocity(world, body, (scree_vec){0, 0}));
+			OK(scree_body_set_linear_velocity(world, body, (scree_vec){0, 0}));
 		else
-			assert_ok(scree_body_set_angular_velocity(world, body, 0));
-		step(world, 1);
-		assert_pose(world, body, home);
+			OK(scree_body_set_angular_velocity(world, body, 0));
+		run_steps(world, 1);
+		expect_pose(world, body, home);
 	}
-	assert_ok(scree_body_set_target(world, body, there));
-	assert_ok(scree_body_set_type(world, body, SCREE_BODY_STATIC));
-	assert_ok(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
-	step(world, 1);
-	assert_pose(world, body, home);
+	OK(scree_body_set_target(world, body, there));
+	OK(scree_body_set_type(world, body, SCREE_BODY_STATIC));
+	OK(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
+	run_steps(world, 1);
+	expect_pose(world, body, home);
 
-	// locked coordinates stay
-	assert_ok(scree_body_set_locks(world, body, SCREE_LOCK_X | SCREE_LOCK_ROTATION));
-	assert_ok(scree_body_set_target(world, body, there));
-	step(world, 1);
-	assert_pose(world, body, pose_at(0.0f, 2.0f, 0.0f));
-	assert_ok(scree_body_set_locks(world, body, 0));
+	// what is locked stays
+	OK(scree_body_set_locks(world, body, SCREE_LOCK_X | SCREE_LOCK_ROTATION));
+	OK(scree_body_set_target(world, body, there));
+	run_steps(world, 1);
+	expect_pose(world, body, pose_at(0.0f, 2.0f, 0.0f));
+	OK(scree_body_set_locks(world, body, 0));
 
 	// not while it is disabled, but then
-	assert_ok(scree_body_set_target(world, body, home));
-	assert_ok(scree_body_set_enabled(world, body, false));
-	step(world, 3);
-	assert_pose(world, body, pose_at(0.0f, 2.0f, 0.0f));
-	assert_ok(scree_body_set_enabled(world, body, true));
-	step(world, 1);
-	assert_pose(world, body, home);
+	OK(scree_body_set_target(world, body, home));
+	OK(scree_body_set_enabled(world, body, false));
+	run_steps(world, 3);
+	expect_pose(world, body, pose_at(0.0f, 2.0f, 0.0f));
+	OK(scree_body_set_enabled(world, body, true));
+	run_steps(world, 1);
+	expect_pose(world, body, home);
 
 	// one that is destroyed leaves the others theirs
 	scree_body others[3];
 	scree_pose poses[3];
 	for (int k = 0; k < 3; ++k)
 	{
-		others[k] = add_box(world, SCREE_BODY_KINEMATIC, 10.0f, 5.0f * (float)k);
+		others[k] = add_crate(world, SCREE_BODY_KINEMATIC, 10.0f, 5.0f * (float)k);
 		poses[k] = pose_at(11.0f, 5.0f * (float)k, 0.0f);
 	}
-	assert_ok(scree_bodies_set_targets(world, others, poses, 3));
-	assert_ok(scree_body_destroy(world, others[0]));
+	OK(scree_bodies_set_targets(world, others, poses, 3));
+	OK(scree_body_destroy(world, others[0]));
 	assert_int_equal(scree_body_set_target(world, others[0], home), SCREE_ERROR_STALE);
-	others[0] = add_box(world, SCREE_BODY_KINEMATIC, 20.0f, 0.0f);
-	step(world, 1);
-	assert_pose(world, others[0], pose_at(20.0f, 0.0f, 0.0f));
-	assert_pose(world, others[1], poses[1]);
-	assert_pose(world, others[2], poses[2]);
+	others[0] = add_crate(world, SCREE_BODY_KINEMATIC, 20.0f, 0.0f);
+	run_steps(world, 1);
+	expect_pose(world, others[0], pose_at(20.0f, 0.0f, 0.0f));
+	expect_pose(world, others[1], poses[1]);
+	expect_pose(world, others[2], poses[2]);
 	scree_world_destroy(world);
 }
 
@@ -204,25 +202,24 @@ static void refused_steps_keep_targets(void** state)
 {
 	(void)state;
 	scree_world_def def = scree_world_def_default();
-	def.device = device;
+	def.device = test_device;
 	def.contact_limit = 10;
-	scree_world* world;
-	assert_ok(scree_world_create(&def, &world));
-	scree_body body = add_box(world, SCREE_BODY_KINEMATIC, 50.0f, 0.0f), crowd[6];
+	scree_world* world = create_world(&def);
+	scree_body body = add_crate(world, SCREE_BODY_KINEMATIC, 50.0f, 0.0f), crowd[6];
 	for (int k = 0; k < 6; ++k)
-		crowd[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 0.1f * (float)k);
+		crowd[k] = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.1f * (float)k);
 	scree_pose there = pose_at(51.0f, 1.0f, 1.0f);
-	assert_ok(scree_body_set_target(world, body, there));
+	OK(scree_body_set_target(world, body, there));
 	uint64_t before = hash_of(world);
 	for (int k = 0; k < 2; ++k)
 	{
 		assert_int_equal(scree_world_step(world, k ? 0.0f : STEP, 4), SCREE_ERROR_CONTACT_LIMIT);
 		assert_true(hash_of(world) == before);
-		assert_velocity(world, body, 0, 0, 0);
+		expect_velocity(world, body, 0, 0, 0);
 	}
-	assert_ok(scree_bodies_destroy(world, crowd, 3));
-	step(world, 1);
-	assert_pose(world, body, there);
+	OK(scree_bodies_destroy(world, crowd, 3));
+	run_steps(world, 1);
+	expect_pose(world, body, there);
 	scree_world_destroy(world);
 }
 

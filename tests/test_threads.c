@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_threads.c -- workers: every block of a job is done once, and what one job wrote the next one reads.
-#include "platform/error.h"
 #include "platform/threads.h"
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "support/checks.h"
 #include <string.h>
-
-#include <cmocka.h>
 
 static const int worker_counts[] = {1, 2, 3, 8};
 #define WORKER_COUNTS (int)(sizeof(worker_counts) / sizeof(worker_counts[0]))

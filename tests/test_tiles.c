@@ -3,19 +3,13 @@
 //
 // The formula: hash(tiles, seed, step) = hash(cpu, step), for each step; and no row has a word left after a solve. Where a
 // turn on the border never comes, all work-items end and say so.
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "emulation/emulation_scenes.h"
+#include "support/checks.h"
 
 static const Form forms[] = {
     {.name = "tiles", .tiles = true, .groups = 8},
-    {.name = "tiles, few groups, late words", .tiles = true, .groups = 2, .turns = {.late = true, .pieces = 8}},
-    {.name = "tiles, ahead", .tiles = true, .groups = 4, .ahead = true, .turns.late = true},
+    {.name = "tiles, few groups, late words", .tiles = true, .groups = 2, .schedule = {.late = true, .pieces = 8}},
+    {.name = "tiles, ahead", .tiles = true, .groups = 4, .ahead = true, .schedule.late = true},
 };
 
 static void tiles_are_equal(void** state)
@@ -27,7 +21,7 @@ static void tiles_are_equal(void** state)
 			for (int seed = 1; seed <= form_seeds((int)k, scene) && !form_scenes[scene].hubs; ++seed)
 			{
 				Form form = forms[k];
-				form.turns.seed = 1000033u * (uint64_t)seed + k;
+				form.schedule.seed = 1000033u * (uint64_t)seed + k;
 				check_form(&form_scenes[scene], &form);
 				kept += form_counts.kept;
 				tiles = form_counts.tiles > tiles ? form_counts.tiles : tiles;
@@ -41,7 +35,7 @@ static void shunned_groups_are_found(void** state)
 {
 	(void)state;
 	for (int group = 1; group <= 4; ++group)
-		check_fault("pyramid", (Form){.name = "tiles", .tiles = true, .groups = 4, .turns.shunned = group});
+		check_fault("pyramid", (Form){.name = "tiles", .tiles = true, .groups = 4, .schedule.shunned = group});
 }
 
 static void lost_words_are_found(void** state)
@@ -49,7 +43,7 @@ static void lost_words_are_found(void** state)
 	(void)state;
 	check_lost("pyramid", (Form){.name = "tiles", .tiles = true, .groups = 3});
 	check_lost("joints", (Form){.name = "tiles, joints", .tiles = true, .groups = 3});
-	check_lost("heap", (Form){.name = "tiles, late words", .tiles = true, .groups = 8, .turns.late = true});
+	check_lost("heap", (Form){.name = "tiles, late words", .tiles = true, .groups = 8, .schedule.late = true});
 }
 
 int main(void)

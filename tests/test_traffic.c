@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: MIT
 // test_traffic.c -- bytes of the solve stage against sums made by hand, and the measured bandwidth.
-#include "world_support.h"
-
-static size_t largest; // allocation that the hook grants, bytes
-
-static void* allocate(size_t bytes, size_t alignment, void* context)
-{
-	(void)context;
-	return bytes > largest ? NULL : aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
-}
-
-static void release(void* memory, void* context)
-{
-	(void)context;
-	free(memory);
-}
-
-static void limit_allocations(size_t bytes)
-{
-	scree_hooks hooks = {.allocate = allocate, .release = release};
-	largest = bytes;
-	assert_ok(scree_hooks_set(&hooks));
-}
+#include "support/allocations.h"
+#include "support/make_bodies.h"
+#include <stdlib.h>
+#include <string.h>
 
 static scree_traffic traffic_of(scree_world* world)
 {
 	scree_traffic traffic;
-	assert_ok(scree_world_get_traffic(world, &traffic));
+	OK(scree_world_get_traffic(world, &traffic));
 	return traffic;
 }
 
@@ -34,13 +16,13 @@ static scree_traffic traffic_of(scree_world* world)
 static void a_box_on_the_floor(void** state)
 {
 	(void)state;
-	scree_world* world = make_world(-10.0f);
+	scree_world* world = open_test_world(-10.0f);
 	scree_traffic before = traffic_of(world);
 	assert_int_equal(before.constraints + before.passes, 0);
 	assert_int_equal(before.constraint_bytes + before.body_bytes, 0);
-	add_box(world, SCREE_BODY_STATIC, 0.0f, 0.0f);
-	add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
-	step(world, 1);
+	add_crate(world, SCREE_BODY_STATIC, 0.0f, 0.0f);
+	add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
+	run_steps(world, 1);
 
 	// Prepare 180: slot 4, pair 8, two places 64, points 64; normal 8, arms 24, gaps 8.
 	// Warm start 64: indices 8, normal and arms 32, impulses 24. Bias 64: 48 with gaps, normal impulses twice 16.
@@ -55,12 +37,11 @@ static void a_box_on_the_floor(void** state)
 
 	// restitution takes one more pass, and more bytes of each constraint
 	scree_attribute_def def = scree_attribute_def_default();
-	scree_attribute attribute;
 	def.restitution = 0.5f;
-	assert_ok(scree_attribute_create(world, &def, &attribute));
+	add_attribute(world, &def);
 	traffic = traffic_of(world);
 	assert_int_equal(traffic.passes, 9);
-	assert_ok(scree_world_step(world, STEP, 2));
+	OK(scree_world_step(world, STEP, 2));
 	traffic = traffic_of(world);
 	assert_int_equal(traffic.constraints, 1);
 	assert_int_equal(traffic.passes, 1 + 2 * 2 + 1);
@@ -76,38 +57,40 @@ static void a_box_on_the_floor(void** state)
 static void bandwidth_is_measured(void** state)
 {
 	(void)state;
-	limit_allocations((size_t)16 << 20);
-	scree_world* world = make_world(-10.0f);
-	add_box(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
-	step(world, 3);
+	count_allocations();
+	largest_allocation = (size_t)16 << 20;
+	scree_world* world = open_test_world(-10.0f);
+	add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
+	run_steps(world, 3);
 	uint64_t hash = hash_of(world);
 	size_t memory = scree_memory();
 	double bandwidth = -1.0;
-	assert_ok(scree_world_measure_bandwidth(world, &bandwidth));
+	OK(scree_world_measure_bandwidth(world, &bandwidth));
 	assert_true(bandwidth > 1e7 && bandwidth < 1e14);
 	assert_int_equal(scree_memory(), memory);
 	assert_true(hash_of(world) == hash);
-	step(world, 1);
+	run_steps(world, 1);
 	scree_world_destroy(world);
-	assert_ok(scree_hooks_set(NULL));
+	OK(scree_hooks_set(NULL));
 }
 
 // On the CPU the blocks come from the hook: none at all is a sentence.
 static void bandwidth_takes_what_there_is(void** state)
 {
 	(void)state;
-	if (strcmp(device, "cpu") != 0)
+	if (strcmp(test_device, "cpu") != 0)
 		return;
-	limit_allocations((size_t)16 << 20);
-	scree_world* world = make_world(-10.0f);
+	count_allocations();
+	largest_allocation = (size_t)16 << 20;
+	scree_world* world = open_test_world(-10.0f);
 	double bandwidth = -1.0;
-	largest = 100000;
+	largest_allocation = 100000;
 	assert_int_equal(scree_world_measure_bandwidth(world, &bandwidth), SCREE_ERROR_OUT_OF_MEMORY);
 	assert_non_null(strstr(scree_error(), "no memory for two blocks"));
 	assert_true(bandwidth == -1.0);
-	step(world, 1);
+	run_steps(world, 1);
 	scree_world_destroy(world);
-	assert_ok(scree_hooks_set(NULL));
+	OK(scree_hooks_set(NULL));
 }
 
 int main(void)

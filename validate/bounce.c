@@ -151,8 +151,8 @@ static void gas(Validation* v, int count, double wide)
 	double before = 0.0, now = 0.0, most = 0.0;
 	for (int k = 0; k < count; ++k)
 	{
-		scree_velocity push = {{(float)random_between(&seed, -5.0, 5.0), (float)random_between(&seed, -5.0, 5.0)},
-		                       (float)random_between(&seed, -2.0, 2.0)};
+		scree_velocity push = {{(float)random_real(&seed, -5.0, 5.0), (float)random_real(&seed, -5.0, 5.0)},
+		                       (float)random_real(&seed, -2.0, 2.0)};
 		int body = lab_throw(lab, &box, (float)(wide / 6.0 * (k % 5 - 2)), (float)(wide / 5.0 * (k / 5 - 1.5)),
 		                     0.3f * (float)k, push);
 		before += lab_kinetic(lab, body);

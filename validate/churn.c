@@ -3,9 +3,9 @@
 //
 // Times depend on the machine. The limit is on their ratio to the time of the same world without churn.
 #include "props.h"
+#include "tools/common/clock.h"
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
 #define WARM_UP 3 // steps that are not timed
 
@@ -15,13 +15,6 @@ typedef enum
 	TELEPORTED,
 	REPLACED
 } Churn;
-
-static double seconds(void)
-{
-	struct timespec now;
-	clock_gettime(CLOCK_MONOTONIC, &now);
-	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 typedef struct // ms
 {
@@ -39,9 +32,8 @@ static Medians median_steps(Validation* v, int count, Churn churn, int moved, in
 	int side = (int)ceil(sqrt(count));
 	uint64_t seed = 17;
 	for (int k = 0; k < count; ++k)
-		lab_throw(
-		    lab, &circle, 2.0f * (float)(k % side), 2.0f * (float)(k / side), 0.0f,
-		    (scree_velocity){{(float)random_between(&seed, -1.0, 1.0), (float)random_between(&seed, -1.0, 1.0)}, 0.0f});
+		lab_throw(lab, &circle, 2.0f * (float)(k % side), 2.0f * (float)(k / side), 0.0f,
+		          (scree_velocity){{(float)random_real(&seed, -1.0, 1.0), (float)random_real(&seed, -1.0, 1.0)}, 0.0f});
 	int* bodies = require_memory(malloc((size_t)moved * sizeof *bodies));
 	scree_pose* poses = require_memory(malloc((size_t)moved * sizeof *poses));
 	double* times = require_memory(malloc(2 * (size_t)steps * sizeof *times));
@@ -53,10 +45,9 @@ static Medians median_steps(Validation* v, int count, Churn churn, int moved, in
 		{
 			bodies[k] = next;
 			poses[k] = (scree_pose){
-			    {(float)random_between(&seed, 0.0, 2.0 * side), (float)random_between(&seed, 0.0, 2.0 * side)},
-			    {1.0f, 0.0f}};
+			    {(float)random_real(&seed, 0.0, 2.0 * side), (float)random_real(&seed, 0.0, 2.0 * side)}, {1.0f, 0.0f}};
 		}
-		double begin = seconds();
+		double begin = seconds_now();
 		if (jumps && churn == TELEPORTED)
 			lab_teleport(lab, bodies, poses, moved);
 		if (jumps && churn == REPLACED)
@@ -64,9 +55,9 @@ static Medians median_steps(Validation* v, int count, Churn churn, int moved, in
 		lab_step(lab, 1);
 		lab_wait(lab);
 		if (step >= WARM_UP)
-			times[step - WARM_UP] = seconds() - begin;
+			times[step - WARM_UP] = seconds_now() - begin;
 	}
-	Medians medians = {1e3 * median_of_values(times, steps), 1e3 * median_of_values(times + steps, steps)};
+	Medians medians = {1e3 * upper_median_of(times, steps), 1e3 * upper_median_of(times + steps, steps)};
 	free(bodies);
 	free(poses);
 	free(times);

@@ -105,8 +105,8 @@ static int add_card_house(Lab* lab, int levels, double left, double jitter, uint
 		for (int k = 0; k < levels - level; ++k, x += 2.0 * pitch)
 			for (int part = k < levels - level - 1 ? 0 : 1; part < 3; ++part)
 			{
-				double aside = jitter > 0.0 ? random_between(seed, -jitter, jitter) : 0.0,
-				       above = jitter > 0.0 ? random_between(seed, -jitter, jitter) : 0.0;
+				double aside = jitter > 0.0 ? random_real(seed, -jitter, jitter) : 0.0,
+				       above = jitter > 0.0 ? random_real(seed, -jitter, jitter) : 0.0;
 				last = lab_put(lab, SCREE_BODY_DYNAMIC, &card,
 				               (float)(left + x + (part == 0 ? 0.25 : pitch * (part - 1)) + aside),
 				               (float)(y + (part == 0 ? half - 0.015 : 0.0) + above),

@@ -75,9 +75,9 @@ static void throw_at(Validation* v, Kind kind, double thickness, double density,
 	for (int k = 0; k < runs; ++k)
 	{
 		double x = APART * (k % COLUMN - COLUMN / 2), y = APART * (k / COLUMN - runs / COLUMN / 2);
-		double speed = random_between(&seed, slow, fast), angle = random_between(&seed, -3.14, 3.14);
-		double off = random_between(&seed, -1.0, 1.0), spin = random_between(&seed, -20.0, 20.0);
-		double away = 0.6 + random_between(&seed, 0.0, speed / 60.0), slant = random_between(&seed, -0.3, 0.3);
+		double speed = random_real(&seed, slow, fast), angle = random_real(&seed, -3.14, 3.14);
+		double off = random_real(&seed, -1.0, 1.0), spin = random_real(&seed, -20.0, 20.0);
+		double away = 0.6 + random_real(&seed, 0.0, speed / 60.0), slant = random_real(&seed, -0.3, 0.3);
 		if (kind == ROD)
 			spin = spin < 0.0 ? -50.0 : 50.0;
 		trials[k].wall = lab_put(lab, SCREE_BODY_DYNAMIC, &barrier, (float)x, (float)y, 0.0f);

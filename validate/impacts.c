@@ -26,12 +26,12 @@ static void against_floor(Validation* v, double friction)
 	int first = lab_put(lab, SCREE_BODY_STATIC, &floor, 0.0f, -0.5f, 0.0f) + 1;
 	for (int k = 0; k < runs; ++k)
 	{
-		scree_attribute_def body = box_of(random_between(&seed, 0.1, 0.5), random_between(&seed, 0.05, 0.5));
+		scree_attribute_def body = box_of(random_real(&seed, 0.1, 0.5), random_real(&seed, 0.05, 0.5));
 		body.friction = (float)friction;
-		double speed = random_between(&seed, 1.5, 60.0), slant = random_between(&seed, -0.5, 0.5);
-		scree_velocity velocity = {{(float)(slant * speed), (float)-speed}, (float)random_between(&seed, -5.0, 5.0)};
-		lab_throw(lab, &body, (float)(APART * (k - 0.5 * runs)), (float)random_between(&seed, 1.0, 2.0),
-		          (float)random_between(&seed, -3.0, 3.0), velocity);
+		double speed = random_real(&seed, 1.5, 60.0), slant = random_real(&seed, -0.5, 0.5);
+		scree_velocity velocity = {{(float)(slant * speed), (float)-speed}, (float)random_real(&seed, -5.0, 5.0)};
+		lab_throw(lab, &body, (float)(APART * (k - 0.5 * runs)), (float)random_real(&seed, 1.0, 2.0),
+		          (float)random_real(&seed, -3.0, 3.0), velocity);
 		lab->bodies[lab->count - 1].parts[0].filter.group = -1; // they do not collide with each other
 	}
 	double most = 0.0;
@@ -73,9 +73,9 @@ static void struck(Validation* v, double ratio)
 	for (int k = 0; k < runs; ++k)
 	{
 		float x = (float)(APART * (k - runs / 2));
-		lab_put(lab, SCREE_BODY_DYNAMIC, &light, x, (float)random_between(&seed, 1.0, 1.7), 0.0f);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &light, x, (float)random_real(&seed, 1.0, 1.7), 0.0f);
 		isolate(lab, k);
-		lab_throw(lab, &heavy, x + (float)random_between(&seed, -0.3, 0.3), 0.0f, 0.0f,
+		lab_throw(lab, &heavy, x + (float)random_real(&seed, -0.3, 0.3), 0.0f, 0.0f,
 		          (scree_velocity){{0.0f, 40.0f}, 0.0f});
 		isolate(lab, k);
 	}
@@ -93,7 +93,7 @@ static void struck(Validation* v, double ratio)
 // Makes a surface of one of five kinds and a random size.
 static scree_attribute_def any_of(uint64_t* seed, int kind, double density, double friction)
 {
-	double size = random_between(seed, 0.05, 0.5), thin = size * random_between(seed, 0.2, 1.0);
+	double size = random_real(seed, 0.05, 0.5), thin = size * random_real(seed, 0.2, 1.0);
 	scree_vec corners[3] = {
 	    {(float)-size, (float)-thin}, {(float)size, (float)-thin}, {(float)(0.3 * size), (float)thin}};
 	scree_attribute_def surface = kind == 0   ? box_of(size, thin)
@@ -115,17 +115,17 @@ static void pairs(Validation* v, double friction)
 	Lab* lab = open_empty(v);
 	for (int k = 0; k < runs; ++k)
 	{
-		double x = APART * (k - runs / 2), ratio = pow(10.0, random_between(&seed, 0.0, 4.0));
-		double speed = random_between(&seed, 1.0, 60.0);
+		double x = APART * (k - runs / 2), ratio = pow(10.0, random_real(&seed, 0.0, 4.0));
+		double speed = random_real(&seed, 1.0, 60.0);
 		scree_attribute_def light = any_of(&seed, k % 5, 1.0, friction),
 		                    heavy = any_of(&seed, k / 5 % 5, ratio, friction);
-		scree_velocity turn = {{0.0f, 0.0f}, (float)random_between(&seed, -20.0, 20.0)};
-		lab_throw(lab, &light, (float)x, (float)random_between(&seed, 1.5, 3.0),
-		          (float)random_between(&seed, -3.0, 3.0), turn);
+		scree_velocity turn = {{0.0f, 0.0f}, (float)random_real(&seed, -20.0, 20.0)};
+		lab_throw(lab, &light, (float)x, (float)random_real(&seed, 1.5, 3.0), (float)random_real(&seed, -3.0, 3.0),
+		          turn);
 		isolate(lab, k);
-		scree_velocity velocity = {{0.0f, (float)speed}, (float)random_between(&seed, -20.0, 20.0)};
-		lab_throw(lab, &heavy, (float)(x + random_between(&seed, -0.4, 0.4)), 0.0f,
-		          (float)random_between(&seed, -3.0, 3.0), velocity);
+		scree_velocity velocity = {{0.0f, (float)speed}, (float)random_real(&seed, -20.0, 20.0)};
+		lab_throw(lab, &heavy, (float)(x + random_real(&seed, -0.4, 0.4)), 0.0f, (float)random_real(&seed, -3.0, 3.0),
+		          velocity);
 		isolate(lab, k);
 	}
 	lab_read(lab);
@@ -193,8 +193,8 @@ static Lab* rush_of(Validation* v, int across, double rush, double restitution, 
 		surface.restitution = k % 2 ? (float)restitution : 0.0f;
 		double x = 1.6 * (k % across - 0.5 * (across - 1)), y = 1.6 * (k / across - 0.5 * (across - 1));
 		scree_velocity velocity = {
-		    {(float)(-rush * x + random_between(&seed, -2.0, 2.0) - 0.3 * y), (float)(-rush * y + 0.3 * x)},
-		    (float)random_between(&seed, -3.0, 3.0)};
+		    {(float)(-rush * x + random_real(&seed, -2.0, 2.0) - 0.3 * y), (float)(-rush * y + 0.3 * x)},
+		    (float)random_real(&seed, -3.0, 3.0)};
 		lab_throw(lab, &surface, (float)x, (float)y, 0.3f * (float)k, velocity);
 	}
 	return lab;

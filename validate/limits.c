@@ -22,9 +22,9 @@ static void chips(Validation* v, double speed, int count)
 	uint64_t seed = 21;
 	lab_put(lab, SCREE_BODY_STATIC, &wall, 0.5f, 0.0f, 0.0f);
 	for (int k = 0; k < count; ++k)
-		lab_throw(lab, &chip, (float)(-0.5 - random_between(&seed, 0.0, 0.3 * speed)),
-		          (float)(0.15 * (k - 0.5 * count)), (float)random_between(&seed, -3.0, 3.0),
-		          (scree_velocity){{(float)speed, 0.0f}, (float)random_between(&seed, -10.0, 10.0)});
+		lab_throw(lab, &chip, (float)(-0.5 - random_real(&seed, 0.0, 0.3 * speed)), (float)(0.15 * (k - 0.5 * count)),
+		          (float)random_real(&seed, -3.0, 3.0),
+		          (scree_velocity){{(float)speed, 0.0f}, (float)random_real(&seed, -10.0, 10.0)});
 	lab_step(lab, 60);
 	where(v, "of %d", count);
 	row(v, "bodies frozen", lab->frozen, "", AT_MOST, 0.0);
@@ -49,8 +49,8 @@ static void spinner(Validation* v, scree_body_type type, double spin, int runs)
 		int body = lab_throw(lab, &rod, 0.0f, 1.3f, 0.0f, (scree_velocity){{0.0f, 0.0f}, (float)spin});
 		lab->bodies[body].def.type = type;
 		for (int k = 0; k < chips; ++k)
-			lab_put(lab, SCREE_BODY_DYNAMIC, &chip, (float)random_between(&seed, -1.2, 1.2), (float)(1.5 + 0.01 * k),
-			        (float)random_between(&seed, -3.0, 3.0));
+			lab_put(lab, SCREE_BODY_DYNAMIC, &chip, (float)random_real(&seed, -1.2, 1.2), (float)(1.5 + 0.01 * k),
+			        (float)random_real(&seed, -3.0, 3.0));
 		for (int step = 0; step < 180; ++step)
 		{
 			lab_step(lab, 1);
@@ -82,10 +82,10 @@ static void burst(Validation* v, int count, double width, int movers, double max
 	int first = lab->count;
 	for (int k = 0; k < movers; ++k)
 	{
-		scree_velocity velocity = {{(float)random_between(&seed, -20.0, 20.0), (float)random_between(&seed, 0.0, 10.0)},
-		                           (float)random_between(&seed, -20.0, 20.0)};
-		int body = lab_throw(lab, &bar, (float)random_between(&seed, -5.0, 5.0), (float)random_between(&seed, 1.0, 9.0),
-		                     0.0f, velocity);
+		scree_velocity velocity = {{(float)random_real(&seed, -20.0, 20.0), (float)random_real(&seed, 0.0, 10.0)},
+		                           (float)random_real(&seed, -20.0, 20.0)};
+		int body = lab_throw(lab, &bar, (float)random_real(&seed, -5.0, 5.0), (float)random_real(&seed, 1.0, 9.0), 0.0f,
+		                     velocity);
 		lab->bodies[body].def.type = SCREE_BODY_KINEMATIC;
 	}
 	add_jumble(lab, count, 0.1, 1.0, (scree_box){{-half, 1.0f}, {half, 1.0f + 2.0f * half}}, &seed);
@@ -141,8 +141,7 @@ static void crowd(Validation* v, int count, bool boxes, double width)
 	scree_attribute_def surface = boxes ? box_of(0.5, 0.5) : circle_of(0.5);
 	for (int k = 0; k < count; ++k)
 	{
-		double x = random_between(&seed, -0.5 * width, 0.5 * width),
-		       y = random_between(&seed, -0.5 * width, 0.5 * width);
+		double x = random_real(&seed, -0.5 * width, 0.5 * width), y = random_real(&seed, -0.5 * width, 0.5 * width);
 		lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)x, (float)y, 0.0f);
 	}
 	for (int step = 0; step < 180; ++step)

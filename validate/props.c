@@ -64,8 +64,7 @@ int add_column(Lab* lab, int count, double x, double jitter)
 	uint64_t seed = 1;
 	int first = lab->count;
 	for (int k = 0; k < count; ++k)
-		lab_put(lab, SCREE_BODY_DYNAMIC, &box, (float)(x + random_between(&seed, -jitter, jitter)), 0.5f + (float)k,
-		        0.0f);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &box, (float)(x + random_real(&seed, -jitter, jitter)), 0.5f + (float)k, 0.0f);
 	return first;
 }
 
@@ -108,9 +107,9 @@ int add_heap(Lab* lab, int count, bool all, double x)
 	int first = lab->count;
 	for (int k = 0; k < count; ++k)
 	{
-		scree_attribute_def surface = mixed(k % (all ? 6 : 2), random_between(&seed, 0.2, 0.36));
+		scree_attribute_def surface = mixed(k % (all ? 6 : 2), random_real(&seed, 0.2, 0.36));
 		lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)(x + 0.8 * (k % columns - 0.5 * (columns - 1))),
-		        (float)(0.5 + 0.8 * (k / columns)), (float)random_between(&seed, -3.0, 3.0));
+		        (float)(0.5 + 0.8 * (k / columns)), (float)random_real(&seed, -3.0, 3.0));
 	}
 	return first;
 }
@@ -120,10 +119,10 @@ int add_jumble(Lab* lab, int count, double small, double large, scree_box place,
 	int first = lab->count;
 	for (int k = 0; k < count; ++k)
 	{
-		scree_attribute_def surface = mixed(k % 6, 0.5 * random_between(seed, small, large));
-		double x = random_between(seed, (double)place.lower.x, (double)place.upper.x);
-		double y = random_between(seed, (double)place.lower.y, (double)place.upper.y);
-		lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)x, (float)y, (float)random_between(seed, -3.0, 3.0));
+		scree_attribute_def surface = mixed(k % 6, 0.5 * random_real(seed, small, large));
+		double x = random_real(seed, (double)place.lower.x, (double)place.upper.x);
+		double y = random_real(seed, (double)place.lower.y, (double)place.upper.y);
+		lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)x, (float)y, (float)random_real(seed, -3.0, 3.0));
 	}
 	return first;
 }

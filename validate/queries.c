@@ -194,11 +194,11 @@ static void ask(Validation* v, const char* name, int kind, bool rays, double pla
 		{
 			Asked asked = {.rays = rays};
 			asked.shape =
-			    scenery_shape(&seed, kind < SCENERY_KINDS ? kind : (int)random_between(&seed, 0.0, SCENERY_KINDS));
+			    scenery_shape(&seed, kind < SCENERY_KINDS ? kind : (int)random_real(&seed, 0.0, SCENERY_KINDS));
 			if (rays)
 				asked.shape = (scree_shape){.count = 1};
 			if (rays && call % 2)
-				asked.shape.radius = asked.shape.reach = (float)random_between(&seed, 0.01, 1.0);
+				asked.shape.radius = asked.shape.reach = (float)random_real(&seed, 0.01, 1.0);
 			for (int q = 0; q < BATCH; ++q)
 				asked.probes[q] = scenery_probe(&s, &seed, &asked.shape);
 			put(&s, &asked, &count);

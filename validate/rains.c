@@ -68,7 +68,7 @@ static void rain(Validation* v, int columns, int rows, double spread)
 		for (int k = 0; k < rows * GROUP && step % EVERY == 0 && column < columns; ++k)
 		{
 			double x = COLUMN * (column + 0.5) - 0.5 * span + 0.5 * (k % GROUP);
-			double y = DROP + ROW_HEIGHT * (k / GROUP) + random_between(&seed, 0.0, spread);
+			double y = DROP + ROW_HEIGHT * (k / GROUP) + random_real(&seed, 0.0, spread);
 			add_ragdoll(lab, (scree_vec){(float)x, (float)y}, k % GROUP + 1);
 		}
 		lab_step(lab, 1);
@@ -78,7 +78,7 @@ static void rain(Validation* v, int columns, int rows, double spread)
 		if (step >= LANDING)
 			gaps[step - LANDING] = gap;
 	}
-	row(v, "median of the widest gaps", 1e3 * median_of_values(gaps, steps), "mm", AT_MOST, spread > 0.0 ? 60.0 : 40.0);
+	row(v, "median of the widest gaps", 1e3 * upper_median_of(gaps, steps), "mm", AT_MOST, spread > 0.0 ? 60.0 : 40.0);
 	row(v, "widest gap", 1e3 * widest, "mm", AT_MOST, spread > 0.0 ? 250.0 : 140.0);
 	free(gaps);
 	lab_close(lab);

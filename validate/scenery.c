@@ -8,8 +8,8 @@
 
 #define HALF 20.0 // m: of the width of the scenery
 
-static float between(uint64_t* seed, double low, double high) { return (float)random_between(seed, low, high); }
-static bool often(uint64_t* seed, double share) { return random_between(seed, 0.0, 1.0) < share; }
+static float between(uint64_t* seed, double low, double high) { return (float)random_real(seed, low, high); }
+static bool often(uint64_t* seed, double share) { return random_real(seed, 0.0, 1.0) < share; }
 
 static scree_vec any_point(uint64_t* seed, double half)
 {
@@ -22,10 +22,10 @@ scree_shape scenery_shape(uint64_t* seed, int kind)
 	for (;;)
 	{
 		scree_shape shape;
-		double size = often(seed, 0.5) ? random_between(seed, 0.3, 3.0) : pow(10.0, random_between(seed, -2.5, 1.0));
+		double size = often(seed, 0.5) ? random_real(seed, 0.3, 3.0) : pow(10.0, random_real(seed, -2.5, 1.0));
 		scree_vec at = any_point(seed, size), to = any_point(seed, size), corners[SCREE_MAX_VERTICES];
-		float radius = (float)(size * (often(seed, 0.3) ? 0.01 : random_between(seed, 0.05, 0.5)));
-		int count = 3 + (int)random_between(seed, 0.0, SCREE_MAX_VERTICES - 2.0);
+		float radius = (float)(size * (often(seed, 0.3) ? 0.01 : random_real(seed, 0.05, 0.5)));
+		int count = 3 + (int)random_real(seed, 0.0, SCREE_MAX_VERTICES - 2.0);
 		double flat = often(seed, 0.3) ? 0.02 : 1.0;
 		for (int k = 0; k < count; ++k)
 		{
@@ -55,7 +55,7 @@ scree_shape scenery_small(uint64_t* seed)
 {
 	scree_shape shape;
 	do
-		shape = scenery_shape(seed, (int)random_between(seed, 0.0, SCENERY_KINDS));
+		shape = scenery_shape(seed, (int)random_real(seed, 0.0, SCENERY_KINDS));
 	while (shape.reach > 1.0f);
 	return shape;
 }
@@ -99,7 +99,7 @@ scree_query_def scenery_query_def(void)
 scree_probe scenery_probe(const Scenery* s, uint64_t* seed, const scree_shape* shape)
 {
 	scree_probe probe = {.pose.rotation = scree_rot_make(between(seed, -3.0, 3.0))};
-	int k = (int)random_between(seed, 0.0, SCENERY_SHAPES);
+	int k = (int)random_real(seed, 0.0, SCENERY_SHAPES);
 	const scree_shape* target = &s->shapes[k];
 	scree_pose at = s->poses[k];
 	scree_vec start = any_point(seed, often(seed, 0.2) ? 2.0 : HALF);
@@ -108,11 +108,11 @@ scree_probe scenery_probe(const Scenery* s, uint64_t* seed, const scree_shape* s
 	probe.pose.position.y = near ? at.position.y + 0.2f * start.y : -(float)s->place + start.y;
 	if (often(seed, 0.4)) // edges that are parallel, or nearly so
 	{
-		double turn = often(seed, 0.5) ? 0.0 : pow(10.0, random_between(seed, -7.0, -2.0));
+		double turn = often(seed, 0.5) ? 0.0 : pow(10.0, random_real(seed, -7.0, -2.0));
 		probe.pose.rotation = scree_rot_make((float)((double)scree_rot_get_angle(at.rotation) + turn));
 		probe.pose.rotation = turn == 0.0 ? at.rotation : probe.pose.rotation;
 	}
-	int i = (int)random_between(seed, 0.0, target->count), j = (i + 1) % target->count;
+	int i = (int)random_real(seed, 0.0, target->count), j = (i + 1) % target->count;
 	float share = between(seed, 0.0, 1.0), c = at.rotation.c, r = at.rotation.s;
 	float x = target->vertices[i].x + share * (target->vertices[j].x - target->vertices[i].x);
 	float y = target->vertices[i].y + share * (target->vertices[j].y - target->vertices[i].y);

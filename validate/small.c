@@ -125,7 +125,7 @@ static void heap(Validation* v, bool circles, double size)
 	uint64_t seed = 1;
 	for (int k = 0; k < HEAP; ++k)
 	{
-		double x = 1.45 * size * (k % 10 - 4.5) + random_between(&seed, 0.0, 0.1 * size), y = 1.5 * size * (k / 10 + 1);
+		double x = 1.45 * size * (k % 10 - 4.5) + random_real(&seed, 0.0, 0.1 * size), y = 1.5 * size * (k / 10 + 1);
 		lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)x, (float)y, 0.0f);
 	}
 	lab_step(lab, 300);

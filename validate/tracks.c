@@ -23,10 +23,10 @@ static Track track_open(Validation* v, uint64_t* seed, double place)
 	scree_body_def def = scree_body_def_default();
 	scree_body body;
 	def.type = SCREE_BODY_STATIC;
-	t.pose = (scree_pose){{(float)place, -(float)place}, scree_rot_make((float)random_between(seed, -3.0, 3.0))};
+	t.pose = (scree_pose){{(float)place, -(float)place}, scree_rot_make((float)random_real(seed, -3.0, 3.0))};
 	def.pose = t.pose;
 	scenery_ok(&t.s, scree_body_create(t.s.world, &def, &body));
-	double phase = random_between(seed, 0.0, 6.0);
+	double phase = random_real(seed, 0.0, 6.0);
 	for (int k = 0; k < SIDES; ++k)
 	{
 		double angle = 2.0 * 3.14159265358979 * k / SIDES, r = RADIUS * (1.0 + 0.2 * sin(3.0 * angle + phase));
@@ -62,7 +62,7 @@ static double outward(const Track* t, scree_vec at)
 
 static scree_vec somewhere(uint64_t* seed, const Track* t, double near, double far)
 {
-	double angle = random_between(seed, 0.0, 6.2831853), r = random_between(seed, near, far);
+	double angle = random_real(seed, 0.0, 6.2831853), r = random_real(seed, near, far);
 	return (scree_vec){t->pose.position.x + (float)(r * cos(angle)), t->pose.position.y + (float)(r * sin(angle))};
 }
 
@@ -78,8 +78,7 @@ static int cast_out(const Track* t, uint64_t* seed, bool rays)
 	{
 		scree_vec from = somewhere(seed, t, 0.0, 0.5 * RADIUS), to = somewhere(seed, t, 1.5 * RADIUS, 4.0 * RADIUS);
 		out[k] = (scree_ray){.origin = from, .translation = {to.x - from.x, to.y - from.y}};
-		probes[k] =
-		    (scree_probe){{from, scree_rot_make((float)random_between(seed, -3.0, 3.0))}, out[k].translation, {0}};
+		probes[k] = (scree_probe){{from, scree_rot_make((float)random_real(seed, -3.0, 3.0))}, out[k].translation, {0}};
 	}
 	if (rays)
 		scenery_ok(&t->s, scree_world_cast_rays(t->s.world, NULL, out, BATCH, found));
@@ -101,8 +100,7 @@ static int move_about(const Track* t, uint64_t* seed)
 	{
 		for (int k = 0; k < MOVERS; ++k)
 		{
-			double speed = random_between(seed, 0.0, step % 2 ? 400.0 : 10.0),
-			       angle = random_between(seed, 0.0, 6.2831853);
+			double speed = random_real(seed, 0.0, step % 2 ? 400.0 : 10.0), angle = random_real(seed, 0.0, 6.2831853);
 			movers[k].velocity = (scree_vec){(float)(speed * cos(angle)), (float)(speed * sin(angle))};
 		}
 		scenery_ok(&t->s, scree_movers_move(t->s.world, NULL, movers, MOVERS, 1.0f / 60.0f));

@@ -86,8 +86,7 @@ static void strike(Validation* v, bool thick, double speed, int runs)
 		double gap = 0.2 + 0.2 * (k + 0.37) / runs; // m, from its center to the wall
 		lab_put(lab, SCREE_BODY_STATIC, &barrier, 0.0f, y, 0.0f);
 		bool plain = k % 2 == 0; // else rotated and off center
-		double angle = plain ? 0.0 : random_between(&seed, -1.0, 1.0),
-		       off = plain ? 0.0 : random_between(&seed, -0.2, 0.2);
+		double angle = plain ? 0.0 : random_real(&seed, -1.0, 1.0), off = plain ? 0.0 : random_real(&seed, -0.2, 0.2);
 		bodies[2 * k] = lab_put(lab, SCREE_BODY_DYNAMIC, &light, (float)-gap, y, (float)angle);
 		bodies[2 * k + 1] =
 		    lab_throw(lab, &heavy, -1.5f, y + (float)off, 0.0f, (scree_velocity){{(float)speed, 0.0f}, 0.0f});
@@ -113,8 +112,8 @@ static void throw_at(Validation* v, Kind kind, double size, bool thick, int runs
 		scree_attribute_def barrier = wall(thick), body = body_of(kind, size);
 		for (int k = 0; k < runs; ++k)
 		{
-			float y = (float)(APART * (k - runs / 2)), angle = (float)random_between(&seed, -3.0, 3.0);
-			double x = -3.0 - random_between(&seed, 0.0, speeds[s] / 60.0), spin = random_between(&seed, -30.0, 30.0);
+			float y = (float)(APART * (k - runs / 2)), angle = (float)random_real(&seed, -3.0, 3.0);
+			double x = -3.0 - random_real(&seed, 0.0, speeds[s] / 60.0), spin = random_real(&seed, -30.0, 30.0);
 			lab_put(lab, SCREE_BODY_STATIC, &barrier, 0.0f, y, 0.0f);
 			bodies[k] =
 			    lab_throw(lab, &body, (float)x, y, angle, (scree_velocity){{(float)speeds[s], 0.0f}, (float)spin});
@@ -156,8 +155,8 @@ static void wedge(Validation* v, bool thick, double speed, int runs)
 	{
 		double y = APART * (k - runs / 2), half = opening(k, runs);
 		put_wedge(lab, thick, y, half);
-		bodies[k] = lab_throw(lab, &box, -3.5f, (float)(y + random_between(&seed, -0.05, 0.05)),
-		                      (float)random_between(&seed, -0.8, 0.8), (scree_velocity){{(float)speed, 0.0f}, 0.0f});
+		bodies[k] = lab_throw(lab, &box, -3.5f, (float)(y + random_real(&seed, -0.05, 0.05)),
+		                      (float)random_real(&seed, -0.8, 0.8), (scree_velocity){{(float)speed, 0.0f}, 0.0f});
 	}
 	bool crossed_once[512] = {false};
 	for (int step = 0; step < 60; ++step)

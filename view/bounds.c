@@ -4,6 +4,7 @@
 // Method: John Tukey, Exploratory Data Analysis, 1977: fences, beyond which values are outliers, lie at multiples of
 // the size of the middle half.
 #include "view/bounds.h"
+#include "tools/common/median.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -12,13 +13,7 @@
 #define FENCE 5.0f
 #define OTHER 0.1f // minimum size as a share of the size in the other direction: a column has almost no width
 
-static int compare_floats(const void* a, const void* b)
-{
-	float x = *(const float*)a, y = *(const float*)b;
-	return (x > y) - (x < y);
-}
-
-typedef struct // coordinates in ascending order
+typedef struct // sorted coordinates
 {
 	const float* list;
 	int count;
@@ -57,8 +52,8 @@ bool bounds_find(const scree_vec* points, int count, float reach, scree_box* box
 		free(x);
 		return false;
 	}
-	qsort(x, (size_t)used, sizeof *x, compare_floats);
-	qsort(y, (size_t)used, sizeof *y, compare_floats);
+	sort_floats(x, used);
+	sort_floats(y, used);
 	Sorted across = {x, used}, up = {y, used};
 	float wide = middle_half(across), high = middle_half(up), least = 2.0f * reach;
 	find_range(across, fmaxf(fmaxf(wide, OTHER * high), least), &box->lower.x, &box->upper.x);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // offscreen.c -- OpenGL without a window: a context and a framebuffer.
 #include "view/offscreen.h"
+#include "tools/common/byte_hash.h"
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <stdio.h>
@@ -68,9 +69,7 @@ uint64_t offscreen_hash(const Offscreen* o)
 	if (!pixels)
 		return 0;
 	glReadPixels(0, 0, o->width, o->height, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-	uint64_t hash = 0xcbf29ce484222325u;
-	for (size_t k = 0; k < bytes; ++k)
-		hash = (hash ^ pixels[k]) * 0x100000001b3u;
+	uint64_t hash = hash_bytes(HASH_BEGIN, pixels, bytes);
 	free(pixels);
 	return hash;
 }

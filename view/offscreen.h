@@ -18,8 +18,8 @@ typedef struct
 const char* offscreen_open(Offscreen* offscreen, int width, int height);
 void offscreen_close(Offscreen* offscreen);
 
-// Returns a hash of all pixels, FNV-1a (Glenn Fowler, Landon Curt Noll, Kiem-Phong Vo, 1991); 0 if memory is short.
-// Blocks until drawing is finished.
+// A hash of all pixels (tools/common/byte_hash.h); 0 when memory is short.
+// Waits until drawing is finished.
 uint64_t offscreen_hash(const Offscreen* offscreen);
 
 #endif

@@ -6,7 +6,9 @@
 // in a call of its own.
 #include "peer_queries.h"
 #include "engine_box2d.h"
-#include "platform/processor.h"
+#include "tools/common/clock.h"
+#include "tools/common/median.h"
+#include "tools/common/random_numbers.h"
 #include "validate/engine_scree.h"
 #include "validate/scree_world.h"
 #include <getopt.h>
@@ -69,28 +71,24 @@ typedef struct // results of an engine: equal worlds give nearly equal sums
 	double sum; // sum of fractions
 } Score;
 
-static float random_between(Contest* c, float low, float high)
-{
-	c->seed = c->seed * 6364136223846793005u + 1442695040888963407u;
-	return low + (high - low) * (float)(c->seed >> 40) / 16777216.0f;
-}
-
 static bool make_shape(Contest* c, int kind, scree_shape* shape)
 {
 	scree_vec corners[6];
 	for (int k = 0; k < 6; ++k)
 	{
-		float angle = 6.2831853f * (float)k / 6.0f, r = random_between(c, 0.6f, 1.0f);
+		float angle = 6.2831853f * (float)k / 6.0f, r = knuth_between(&c->seed, 0.6f, 1.0f);
 		corners[k] = (scree_vec){r * cosf(angle), r * sinf(angle)};
 	}
 	switch (kind)
 	{
 	case 0:
-		return report_status(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, random_between(c, 0.3f, 1.0f), shape));
+		return report_status(
+		    scree_shape_make_circle((scree_vec){0.0f, 0.0f}, knuth_between(&c->seed, 0.3f, 1.0f), shape));
 	case 1:
 		return report_status(scree_shape_make_capsule((scree_vec){-0.6f, 0.0f}, (scree_vec){0.6f, 0.0f}, 0.3f, shape));
 	case 2:
-		return report_status(scree_shape_make_box(random_between(c, 0.3f, 0.8f), random_between(c, 0.3f, 0.8f), shape));
+		return report_status(
+		    scree_shape_make_box(knuth_between(&c->seed, 0.3f, 0.8f), knuth_between(&c->seed, 0.3f, 0.8f), shape));
 	case 3:
 		return report_status(scree_shape_make_hull(corners, 6, 0.0f, shape));
 	default:
@@ -104,10 +102,10 @@ static bool add(Contest* c, int k, int row)
 	EngineBody body = {.index = k, .def = scree_body_def_default(), .parts = &part, .count = 1};
 	if (!make_shape(c, k % 5, &part.surface.shape))
 		return false;
-	body.def.type = random_between(c, 0.0f, 1.0f) < 0.2f ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC;
-	body.def.pose.position = (scree_vec){SPACING * (float)(k % row) + random_between(c, -0.4f, 0.4f),
-	                                     SPACING * (float)(k / row) + random_between(c, -0.4f, 0.4f)};
-	body.def.pose.rotation = scree_rot_make(random_between(c, -3.0f, 3.0f));
+	body.def.type = knuth_between(&c->seed, 0.0f, 1.0f) < 0.2f ? SCREE_BODY_STATIC : SCREE_BODY_DYNAMIC;
+	body.def.pose.position = (scree_vec){SPACING * (float)(k % row) + knuth_between(&c->seed, -0.4f, 0.4f),
+	                                     SPACING * (float)(k / row) + knuth_between(&c->seed, -0.4f, 0.4f)};
+	body.def.pose.rotation = scree_rot_make(knuth_between(&c->seed, -3.0f, 3.0f));
 	return scree_engine.create(c->states[0], &body, 1) && box2d_engine.create(c->states[1], &body, 1);
 }
 
@@ -147,11 +145,12 @@ static void make_queries(Contest* c, Kind kind)
 {
 	for (int k = 0; k < c->queries; ++k)
 	{
-		float angle = random_between(c, -3.14f, 3.14f), length = lengths[kind];
-		scree_vec at = {random_between(c, 0.0f, c->side), random_between(c, 0.0f, c->side)};
+		float angle = knuth_between(&c->seed, -3.14f, 3.14f), length = lengths[kind];
+		scree_vec at = {knuth_between(&c->seed, 0.0f, c->side), knuth_between(&c->seed, 0.0f, c->side)};
 		scree_vec path = {length * cosf(angle), length * sinf(angle)};
 		c->rays[k] = (scree_ray){.origin = at, .translation = path};
-		c->probes[k] = (scree_probe){.pose = {at, scree_rot_make(random_between(c, -3.0f, 3.0f))}, .translation = path};
+		c->probes[k] =
+		    (scree_probe){.pose = {at, scree_rot_make(knuth_between(&c->seed, -3.0f, 3.0f))}, .translation = path};
 	}
 }
 
@@ -229,17 +228,6 @@ static void ask_box2d(const Contest* c, Kind kind, Score* score)
 	}
 }
 
-static int rising(const void* a, const void* b)
-{
-	return (*(const double*)a > *(const double*)b) - (*(const double*)a < *(const double*)b);
-}
-
-static double middle(double* values, int count)
-{
-	qsort(values, (size_t)count, sizeof *values, rising);
-	return values[count / 2];
-}
-
 #define MAX_REPEATS 101
 
 static bool compare(Contest* c, Kind kind)
@@ -252,16 +240,16 @@ static bool compare(Contest* c, Kind kind)
 		Score one = {0};
 		scree = box2d = (Score){0};
 		int place = k < 0 ? 0 : k;
-		double t0 = processor_milliseconds();
+		double t0 = 1e3 * seconds_now();
 		if (!ask_scree(c, kind, 0, c->queries, &scree))
 			return false;
-		double t1 = processor_milliseconds();
+		double t1 = 1e3 * seconds_now();
 		ask_box2d(c, kind, &box2d);
-		double t2 = processor_milliseconds();
+		double t2 = 1e3 * seconds_now();
 		for (int i = 0; i < c->queries; ++i)
 			if (!ask_scree(c, kind, i, 1, &one))
 				return false;
-		double t3 = processor_milliseconds();
+		double t3 = 1e3 * seconds_now();
 		batch[place] = t1 - t0;
 		other[place] = t2 - t1;
 		single[place] = t3 - t2;
@@ -270,8 +258,9 @@ static bool compare(Contest* c, Kind kind)
 	}
 	double us = 1000.0 / c->queries;
 	printf("%s,%d,%d,%.3f,%.3f,%.3f,%.2f,%.2f,%d,%d,%.3f,%.3f\n", names[kind], c->bodies, c->queries,
-	       us * middle(batch, c->repeats), us * middle(single, c->repeats), us * middle(other, c->repeats),
-	       middle(ratio, c->repeats), middle(alone, c->repeats), scree.hits, box2d.hits, scree.sum, box2d.sum);
+	       us * upper_median_of(batch, c->repeats), us * upper_median_of(single, c->repeats),
+	       us * upper_median_of(other, c->repeats), upper_median_of(ratio, c->repeats),
+	       upper_median_of(alone, c->repeats), scree.hits, box2d.hits, scree.sum, box2d.sum);
 	fflush(stdout);
 	return true;
 }

@@ -9,6 +9,7 @@
 #include "peer_validate.h"
 #include "process.h"
 #include "stiffness.h"
+#include "tools/common/median.h"
 #include "trial.h"
 #include "validate/engine_scree.h"
 #include <getopt.h>
@@ -192,18 +193,6 @@ static bool start_trial(const Options* options, const char* name, const Engine* 
 	return process_run((char* const*)list, line, sizeof line) == EXIT_GOOD && result_scan(line, result);
 }
 
-static int rising(const void* a, const void* b)
-{
-	double x = *(const double*)a, y = *(const double*)b;
-	return (x > y) - (x < y);
-}
-
-static double middle(double* values, int count)
-{
-	qsort(values, (size_t)count, sizeof(double), rising);
-	return values[count / 2];
-}
-
 typedef enum
 {
 	SCREE,
@@ -234,12 +223,13 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 		first_ratio[k] = first[BOX2D][k] / first[SCREE][k];
 	}
 	printf("%s,%d,%d,%d,%.4f,%.4f,%.3f", name, threads, steps, options->options.continuous,
-	       middle(mean[SCREE], options->repeats), middle(mean[BOX2D], options->repeats),
-	       middle(ratio, options->repeats));
+	       upper_median_of(mean[SCREE], options->repeats), upper_median_of(mean[BOX2D], options->repeats),
+	       upper_median_of(ratio, options->repeats));
 	printf(",%.3f,%.3f", ratio[0], ratio[options->repeats - 1]); // sorted now: the least and the most
-	printf(",%.4f,%.4f,%.3f", middle(first[SCREE], options->repeats), middle(first[BOX2D], options->repeats),
-	       middle(first_ratio, options->repeats));
-	printf(",%.4f,%.4f", middle(median[SCREE], options->repeats), middle(median[BOX2D], options->repeats));
+	printf(",%.4f,%.4f,%.3f", upper_median_of(first[SCREE], options->repeats),
+	       upper_median_of(first[BOX2D], options->repeats), upper_median_of(first_ratio, options->repeats));
+	printf(",%.4f,%.4f", upper_median_of(median[SCREE], options->repeats),
+	       upper_median_of(median[BOX2D], options->repeats));
 	const Result *a = &measured[SCREE], *b = &measured[BOX2D];
 	printf(",%.5f,%.5f,%.5f,%.5f", (double)a->penetration, (double)b->penetration, (double)a->depth, (double)b->depth);
 	printf(",%.0f,%.0f,%.5f,%.5f", (double)a->contacts, (double)b->contacts, (double)a->sunk, (double)b->sunk);

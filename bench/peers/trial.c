@@ -3,25 +3,13 @@
 #include "trial.h"
 #include "measure.h"
 #include "mirror.h"
+#include "tools/common/clock.h"
+#include "tools/common/median.h"
 #include <inttypes.h>
 #include <stdlib.h>
-#include <time.h>
 
 // Steps at the start that are not timed: buffers grow, contacts are found for the first time, threads start.
 #define WARM_UP 2
-
-static double milliseconds(void)
-{
-	struct timespec now;
-	clock_gettime(CLOCK_MONOTONIC, &now);
-	return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
-}
-
-static int rising(const void* a, const void* b)
-{
-	double x = *(const double*)a, y = *(const double*)b;
-	return (x > y) - (x < y);
-}
 
 static bool run_timed(Mirror* mirror, const Trial* trial, Result* result)
 {
@@ -33,14 +21,14 @@ static bool run_timed(Mirror* mirror, const Trial* trial, Result* result)
 	}
 	int warm = trial->steps > WARM_UP ? WARM_UP : 0, counted = trial->steps - warm;
 	int first = trial->steps > FIRST_STEPS ? FIRST_STEPS : trial->steps;
-	double begin = milliseconds(), mark = begin;
+	double begin = 1e3 * seconds_now(), mark = begin;
 	bool good = true;
 	for (int k = 0; k < trial->steps && good; ++k)
 	{
 		good = mirror_change(mirror, k) && mirror_step(mirror);
 		if (k == warm - 1 || k == first - 1)
 			good = good && mirror->engine->wait(mirror->state);
-		double now = milliseconds();
+		double now = 1e3 * seconds_now();
 		times[k] = now - mark;
 		mark = now;
 		if (k == warm - 1)
@@ -49,9 +37,8 @@ static bool run_timed(Mirror* mirror, const Trial* trial, Result* result)
 			result->first = (now - begin) / (first - warm);
 	}
 	good = good && mirror->engine->wait(mirror->state);
-	result->mean = (milliseconds() - begin) / counted;
-	qsort(times + warm, (size_t)counted, sizeof(double), rising);
-	result->median = times[warm + counted / 2];
+	result->mean = (1e3 * seconds_now() - begin) / counted;
+	result->median = upper_median_of(times + warm, counted);
 	free(times);
 	return good;
 }

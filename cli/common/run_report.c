@@ -2,6 +2,7 @@
 // run_report.c -- the progress bar of a run, and the table of its results.
 #include "run_report.h"
 #include "scene/caption.h"
+#include "tools/common/clock.h"
 #include <inttypes.h>
 #include <unistd.h>
 

@@ -3,7 +3,7 @@
 #include "simulation.h"
 #include "scene/build.h"
 #include "scene/churn.h"
-#include <time.h>
+#include "tools/common/clock.h"
 
 scree_status simulation_open(const Scene* scene, const scree_world_def* def, Simulation* simulation)
 {
@@ -62,11 +62,4 @@ scree_status simulation_scan(Simulation* simulation, float* milliseconds)
 	if (status == SCREE_OK)
 		scan_add(&simulation->scan, &simulation->answered);
 	return status;
-}
-
-double seconds_now(void)
-{
-	struct timespec now;
-	clock_gettime(CLOCK_MONOTONIC, &now);
-	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }

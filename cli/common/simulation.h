@@ -30,7 +30,4 @@ scree_status simulation_advance(Simulation* simulation);
 // from the call until the results are on the host.
 scree_status simulation_scan(Simulation* simulation, float* milliseconds);
 
-// Returns the seconds on a monotonic clock.
-double seconds_now(void);
-
 #endif

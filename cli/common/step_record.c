@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // step_record.c -- counters and milliseconds of each step, and their medians.
 #include "step_record.h"
+#include "tools/common/clock.h"
+#include "tools/common/median.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -50,18 +52,6 @@ float deepest(const Record* records, int count)
 	for (int k = 0; k < count; ++k)
 		depth = records[k].counters.penetration > depth ? records[k].counters.penetration : depth;
 	return depth;
-}
-
-static int compare_doubles(const void* a, const void* b)
-{
-	double x = *(const double*)a, y = *(const double*)b;
-	return (x > y) - (x < y);
-}
-
-double median_of(double* values, int count)
-{
-	qsort(values, (size_t)count, sizeof(double), compare_doubles);
-	return (values[(count - 1) / 2] + values[count / 2]) / 2;
 }
 
 double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument)

@@ -26,10 +26,7 @@ scree_status record_step(Simulation* simulation, Record* record);
 // Returns the deepest overlap of all records, m.
 float deepest(const Record* records, int count);
 
-// Returns the median of at least one value. Sorts the values.
-double median_of(double* values, int count);
-
-// Returns the median of a value over records.
+// The median of a value over records.
 double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument);
 
 // Return values of a record, for median.

@@ -78,12 +78,12 @@ static void note_most(int* most, int value) { *most = value > *most ? value : *m
 static bool launch(EmulatedKernel kernel, int groups, int group)
 {
 	char sentence[ITEMS_SENTENCE];
-	form.turns.seed += 2;
-	if (emulated_run(kernel, &task, groups, group, &form.turns, sentence))
+	form.schedule.seed += 2;
+	if (emulated_run(kernel, &task, groups, group, &form.schedule, sentence))
 	{
 		note_most(&form_counts.puts, items_puts());
-		if (form.turns.shunned > 0 && form.turns.shunned <= groups)
-			note_most(&form_counts.looks, items_looks(form.turns.shunned - 1));
+		if (form.schedule.shunned > 0 && form.schedule.shunned <= groups)
+			note_most(&form_counts.looks, items_looks(form.schedule.shunned - 1));
 		return true;
 	}
 	if (!form_counts.sentence[0])

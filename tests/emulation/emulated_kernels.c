@@ -138,11 +138,11 @@ static void (*const calls[EMULATED_COUNT])(const void* arguments) = {
     ENTRY(tile_border_joints),
 };
 
-bool emulated_run(EmulatedKernel kernel, const Task* task, int group_count, int group, const Turns* turns,
+bool emulated_run(EmulatedKernel kernel, const Task* task, int group_count, int group, const Schedule* schedule,
                   char sentence[ITEMS_SENTENCE])
 {
 	const Launch launch = {group_count, group, calls[kernel], task};
-	return items_run(&launch, turns, sentence);
+	return items_run(&launch, schedule, sentence);
 }
 
 typedef struct
@@ -157,7 +157,7 @@ static void call_probe(const void* arguments)
 	relay_probe(probe->rows, probe->fault, probe->rounds, probe->spins);
 }
 
-int probe_run(int group_count, int group, int rounds, int spins, const Turns* turns)
+int probe_run(int group_count, int group, int rounds, int spins, const Schedule* schedule)
 {
 	int fault = 0;
 	size_t bytes = (size_t)(group_count * group) * sizeof(Words);
@@ -165,7 +165,7 @@ int probe_run(int group_count, int group, int rounds, int spins, const Turns* tu
 	const Launch launch = {group_count, group, call_probe, &probe};
 	char sentence[ITEMS_SENTENCE];
 	memset(probe.rows, 0, bytes);
-	bool ended = items_run(&launch, turns, sentence);
+	bool ended = items_run(&launch, schedule, sentence);
 	free(probe.rows);
 	return ended ? fault : -1;
 }

@@ -56,12 +56,12 @@ typedef enum
 	EMULATED_COUNT
 } EmulatedKernel;
 
-// Runs a kernel in a number of groups; group is the number of work-items of each.
-bool emulated_run(EmulatedKernel kernel, const Task* task, int groups, int group, const Turns* turns,
+// Runs a kernel with so many groups of so many work-items.
+bool emulated_run(EmulatedKernel kernel, const Task* task, int groups, int group, const Schedule* schedule,
                   char sentence[ITEMS_SENTENCE]);
 
 // Runs relay_probe and returns what it says: 0, FAULT_TIMEOUT or FAULT_STALE; -1 when it came to no end.
-int probe_run(int groups, int group, int rounds, int spins, const Turns* turns);
+int probe_run(int groups, int group, int rounds, int spins, const Schedule* schedule);
 
 // sizes of opencl/group_sizes.h that the host uses
 extern const int relay_group, mailbox_words, relay_tickets, stream_float4s, tile_bodies, tile_group, tile_columns,

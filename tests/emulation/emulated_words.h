@@ -5,8 +5,9 @@
 #ifndef EMULATION_EMULATED_WORDS_H
 #define EMULATION_EMULATED_WORDS_H
 #include "emulation/work_items.h"
-#include "stage_items.h"
-#include <stdbool.h>
+#include "support/checks.h"
+
+#include "support/stage_items.h"
 
 // as a device adds to the list
 #undef LIST_KERNEL
@@ -66,12 +67,12 @@ typedef Words ulong2;
 #define get_global_size(x) (get_num_groups(x) * get_local_size(x))
 
 #define barrier(memory)      items_meet(__FILE__, __LINE__)
-#define atomic_add(place, x) (items_turn(), __atomic_fetch_add(place, x, __ATOMIC_RELAXED))
+#define atomic_add(place, x) (items_yield(), __atomic_fetch_add(place, x, __ATOMIC_RELAXED))
 #define atomic_inc(place)    atomic_add(place, 1)
-#define atomic_or(place, x)  (items_turn(), __atomic_fetch_or(place, x, __ATOMIC_RELAXED))
-#define atomic_min(place, x) (items_turn(), *(place) = min(*(place), x))
-#define DEVICE_FENCE()       items_turn()
-#define read_shared(place)   (items_turn(), *(volatile int*)(place))
+#define atomic_or(place, x)  (items_yield(), __atomic_fetch_or(place, x, __ATOMIC_RELAXED))
+#define atomic_min(place, x) (items_yield(), *(place) = min(*(place), x))
+#define DEVICE_FENCE()       items_yield()
+#define read_shared(place)   (items_yield(), *(volatile int*)(place))
 
 #undef group_lane
 #undef group_width

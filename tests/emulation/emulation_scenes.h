@@ -3,7 +3,7 @@
 #ifndef EMULATION_SCENES_H
 #define EMULATION_SCENES_H
 #include "emulation/emulated_forms.h"
-#include "support.h"
+#include "support/checks.h"
 
 typedef struct
 {

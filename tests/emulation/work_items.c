@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // work_items.c -- fibers that take turns, barriers among them, and words on their way.
 #include "emulation/work_items.h"
+#include "tools/common/random_numbers.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,9 +28,9 @@
 #define STACK_BYTES ((size_t)64 << 10)
 #endif
 
-#define MOST_GROUPS 512
-#define MOST_TURNS  ((int64_t)1 << 24) // limit of a launch: some seconds, and far more than any launch needs
-#define MOST_LATE   12                 // pieces on their way at a time
+#define MOST_GROUPS   512
+#define MOST_SWITCHES ((int64_t)1 << 24) // of a launch: some seconds, and far more than any needs
+#define MOST_LATE     12                 // pieces on their way at a time
 
 typedef struct
 {
@@ -70,22 +71,16 @@ static Item** items; // as many as the largest launch had
 static int item_count;
 static Group groups[MOST_GROUPS];
 static Launch launch;
-static Turns turns;
-static Item* now; // work-item that has the turn
+static Schedule schedule;
+static Item* now; // whose turn it is
 static uint64_t state;
-static unsigned patience; // mean number of places that a work-item passes before it gives its turn away
-static int64_t turns_left, put_count;
+static unsigned patience; // a work-item gives its turn away at one place in so many
+static int64_t switches_left, put_count;
 static Piece pieces[MOST_LATE];
 static int piece_count;
 static const char* trouble;
 
-static unsigned next_random(void) // xorshift64*, as random_word
-{
-	state ^= state >> 12;
-	state ^= state << 25;
-	state ^= state >> 27;
-	return (unsigned)((state * 0x2545f4914f6cdd1du) >> 32);
-}
+static unsigned next_random(void) { return (unsigned)(random_word(&state) >> 32); }
 
 static int random_of(int count) { return (int)(((uint64_t)next_random() * (uint64_t)count) >> 32); }
 
@@ -98,15 +93,15 @@ static size_t memory_bytes(void) { return (size_t)(__stop_group_memory - __start
 // A group of which some work-item may go on; -1 for none. Mostly the same one again, for its memory stays where it is.
 static int choose_group(int last)
 {
-	if (last + 1 != turns.shunned && groups[last].ready_count > 0 && next_random() % 16 != 0)
+	if (last + 1 != schedule.shunned && groups[last].ready_count > 0 && next_random() % 16 != 0)
 		return last;
 	int found[MOST_GROUPS], count = 0;
 	for (int g = 0; g < launch.groups; ++g)
-		if (groups[g].ready_count > 0 && g + 1 != turns.shunned)
+		if (groups[g].ready_count > 0 && g + 1 != schedule.shunned)
 			found[count++] = g;
 	if (count > 0)
 		return found[random_of(count)];
-	return turns.shunned > 0 && groups[turns.shunned - 1].ready_count > 0 ? turns.shunned - 1 : -1;
+	return schedule.shunned > 0 && groups[schedule.shunned - 1].ready_count > 0 ? schedule.shunned - 1 : -1;
 }
 
 // Leaves the fiber at work for another, or for home where it is null. ends: never to come back.
@@ -136,8 +131,8 @@ static void go(Item* to, bool ends)
 
 static void go_on(bool ends)
 {
-	int last = now ? now->group : 0, g = --turns_left < 0 ? -1 : choose_group(last);
-	if (turns_left < 0)
+	int last = now ? now->group : 0, g = --switches_left < 0 ? -1 : choose_group(last);
+	if (switches_left < 0)
 		trouble = "they come to no end";
 	Item* next = g < 0 ? NULL : groups[g].ready[random_of(groups[g].ready_count)];
 	go(next, ends);
@@ -161,7 +156,7 @@ static void wait_for_others(Item* item)
 static void release(int group)
 {
 	Group* g = groups + group;
-	if (g->met == 0 || g->met + (turns.leavers ? g->ended : 0) < launch.group)
+	if (g->met == 0 || g->met + (schedule.leavers ? g->ended : 0) < launch.group)
 		return;
 	g->ready_count = 0;
 	g->met = 0;
@@ -184,7 +179,7 @@ static void item_main(void)
 	go_on(true);
 }
 
-void items_turn(void)
+void items_yield(void)
 {
 	if (next_random() % patience == 0)
 		go_on(false);
@@ -221,7 +216,7 @@ static void piece_arrives(int k)
 	for (int older = 0; older < k; ++older)
 		if (pieces[older].place == pieces[k].place)
 			k = older;
-	memcpy((void*)(uintptr_t)pieces[k].place, pieces[k].bytes, (size_t)turns.pieces);
+	memcpy((void*)(uintptr_t)pieces[k].place, pieces[k].bytes, (size_t)schedule.pieces);
 	--piece_count;
 	memmove(pieces + k, pieces + k + 1, (size_t)(piece_count - k) * sizeof *pieces);
 }
@@ -235,7 +230,7 @@ static void all_arrive(void)
 Words items_look(const volatile void* place)
 {
 	++now->looks;
-	items_turn();
+	items_yield();
 	if (piece_count > 0 && next_random() % 2)
 		piece_arrives(random_of(piece_count));
 	Words words;
@@ -245,18 +240,18 @@ Words items_look(const volatile void* place)
 
 void items_put(volatile void* place, Words words)
 {
-	items_turn();
-	if (++put_count == turns.lost)
+	items_yield();
+	if (++put_count == schedule.lost)
 		return;
-	for (int at = 0; at < 16; at += turns.pieces)
+	for (int at = 0; at < 16; at += schedule.pieces)
 	{
 		if (piece_count == MOST_LATE)
 			piece_arrives(random_of(piece_count));
 		Piece* piece = pieces + piece_count++;
 		piece->place = (volatile unsigned char*)place + at;
-		memcpy(piece->bytes, (const unsigned char*)&words + at, (size_t)turns.pieces);
+		memcpy(piece->bytes, (const unsigned char*)&words + at, (size_t)schedule.pieces);
 	}
-	if (!turns.late)
+	if (!schedule.late)
 		all_arrive();
 }
 
@@ -299,7 +294,7 @@ static void prepare(void)
 	}
 }
 
-bool items_run(const Launch* what, const Turns* how, char sentence[ITEMS_SENTENCE])
+bool items_run(const Launch* what, const Schedule* how, char sentence[ITEMS_SENTENCE])
 {
 	if (what->groups > MOST_GROUPS)
 	{
@@ -307,11 +302,11 @@ bool items_run(const Launch* what, const Turns* how, char sentence[ITEMS_SENTENC
 		return false;
 	}
 	launch = *what;
-	turns = *how;
-	turns.pieces = turns.pieces ? turns.pieces : (int)sizeof(Words);
+	schedule = *how;
+	schedule.pieces = schedule.pieces ? schedule.pieces : (int)sizeof(Words);
 	state = how->seed;
 	patience = 1u << next_random() % 4;
-	turns_left = MOST_TURNS;
+	switches_left = MOST_SWITCHES;
 	put_count = 0;
 	trouble = NULL;
 	prepare();
@@ -361,7 +356,7 @@ void items_close(void)
 const char* items_refused(void)
 {
 #ifdef TSAN
-	return "the thread sanitizer is not told of the fibers";
+	return "the thread sanitizer cannot follow the fibers";
 #else
 	return NULL;
 #endif

@@ -3,7 +3,7 @@
 //
 // A process writes which program it is at where its parent can read it, so that one that crashed or hangs is named.
 #include "programs/farm.h"
-#include "platform/processor.h"
+#include "tools/common/clock.h"
 #include <inttypes.h>
 #include <math.h>
 #include <signal.h>
@@ -15,12 +15,12 @@
 typedef struct // progress of a process, shared with its parent
 {
 	uint64_t seed;
-	double since; // ms by the clock
+	double since; // s by the clock
 	int done, failed, steps, frozen;
 	bool finished;
 } Desk;
 
-bool farm_tell(Pair* pair, const Program* program, const char* what, FILE* file)
+bool farm_print(Pair* pair, const Program* program, const char* what, FILE* file)
 {
 	pair_forget(pair);
 	Outcome outcome = pair_run(pair, program, file);
@@ -77,7 +77,7 @@ static void report(const Options* o, Pair* pair, Program* program, Program* befo
 	FILE* memory = open_memstream(&text, &length);
 	if (!memory)
 		return;
-	if (!farm_tell(pair, program, what, memory))
+	if (!farm_print(pair, program, what, memory))
 		fprintf(memory, "%s: differed, and does not when run again\n", what);
 	program_write(program, memory);
 	fprintf(memory, "again: programs --device %s --replay %s\n\n", o->places[1].device, path);
@@ -97,14 +97,14 @@ static void live(const Options* o, Pair* pair, int first, int end, double until,
 {
 	Program program = {0}, before = {0};
 	pair_forget(pair);
-	for (int k = first; k < end && processor_milliseconds() < until; ++k)
+	for (int k = first; k < end && seconds_now() < until; ++k)
 	{
 		uint64_t seed = o->seed + (uint64_t)k;
-		desk->since = processor_milliseconds();
+		desk->since = seconds_now();
 		desk->seed = seed;
 		program_make(&program, seed, o->calls);
 		pair->every = o->every;
-		pair->first_read = (uint32_t)(seed % WAYS_TO_READ);
+		pair->first_read = (uint32_t)(seed % READ_CHOICES);
 		Outcome outcome = pair_run(pair, &program, NULL);
 		pair->every = 1;
 		desk->steps += outcome.steps;
@@ -113,7 +113,7 @@ static void live(const Options* o, Pair* pair, int first, int end, double until,
 		if (outcome.differs)
 		{
 			desk->failed += 1;
-			desk->since = processor_milliseconds() + 4e3 * o->shrink;
+			desk->since = seconds_now() + 4.0 * o->shrink;
 			if ((*reports)++ < o->reports)
 				report(o, pair, &program, &before, seed);
 			pair_forget(pair);
@@ -137,9 +137,9 @@ static void work(const Options* o, int job, Desk* desk)
 	pair_open(&pair, o->places);
 	pair.infinite = o->infinite;
 	pair.limits = o->limits;
-	double until = o->seconds > 0.0 ? processor_milliseconds() + 1000.0 * o->seconds : INFINITY;
+	double until = o->seconds > 0.0 ? seconds_now() + o->seconds : INFINITY;
 	int reports = 0, stride = o->jobs * o->life;
-	for (int first = job * o->life; first < o->programs && processor_milliseconds() < until; first += stride)
+	for (int first = job * o->life; first < o->programs && seconds_now() < until; first += stride)
 	{
 		int end = first + o->life < o->programs ? first + o->life : o->programs;
 		live(o, &pair, first, end, until, desk, &reports);
@@ -152,7 +152,7 @@ static void work(const Options* o, int job, Desk* desk)
 static bool ended(const Options* o, Desk* desk, pid_t child)
 {
 	int status = 0;
-	bool late = !desk->finished && processor_milliseconds() - desk->since > 1000.0 * o->limit;
+	bool late = !desk->finished && seconds_now() - desk->since > o->limit;
 	if (late)
 		kill(child, SIGKILL);
 	if (waitpid(child, &status, late ? 0 : WNOHANG) != child)
@@ -175,7 +175,7 @@ int farm_run(const Options* o)
 		fprintf(stderr, "programs: no memory for %d processes\n", o->jobs);
 		return 2;
 	}
-	double begin = processor_milliseconds();
+	double begin = seconds_now();
 	fflush(stdout);
 	for (int k = 0; k < o->jobs; ++k)
 	{
@@ -201,6 +201,6 @@ int farm_run(const Options* o)
 			all.frozen += desks[k].frozen;
 		}
 	printf("%s: %d programs, %d steps, %d bodies frozen, %d failures, %.1f s\n", o->places[1].device, all.done,
-	       all.steps, all.frozen, all.failed, 1e-3 * (processor_milliseconds() - begin));
+	       all.steps, all.frozen, all.failed, seconds_now() - begin);
 	return all.failed > 0;
 }

@@ -20,7 +20,7 @@ typedef struct
 int farm_run(const Options* options);
 
 // Runs a program on worlds that are new, and prints how it differs.
-bool farm_tell(Pair* pair, const Program* program, const char* what, FILE* file);
+bool farm_print(Pair* pair, const Program* program, const char* what, FILE* file);
 
 // A program that differs on new worlds, made shorter, which still does; false when it does not differ.
 bool farm_shrink(Pair* pair, Program* program, double seconds);

@@ -111,13 +111,6 @@ static Options parse(int count, char** arguments)
 	return o;
 }
 
-static void quiet(scree_log_level level, const char* sentence, void* context)
-{
-	(void)level;
-	(void)sentence;
-	(void)context;
-}
-
 static int replay(const Options* o)
 {
 	char error[256];
@@ -137,9 +130,9 @@ static int replay(const Options* o)
 	pair.limits = o->limits;
 	if (o->shrink > 0.0 && farm_shrink(&pair, &program, o->shrink))
 		program_write(&program, stdout);
-	bool differs = farm_tell(&pair, &program, o->replay, stdout);
-	for (pair.first_read = 1; o->places[1].reads && !differs && pair.first_read < WAYS_TO_READ; ++pair.first_read)
-		differs = farm_tell(&pair, &program, o->replay, stdout);
+	bool differs = farm_print(&pair, &program, o->replay, stdout);
+	for (pair.first_read = 1; o->places[1].reads && !differs && pair.first_read < READ_CHOICES; ++pair.first_read)
+		differs = farm_print(&pair, &program, o->replay, stdout);
 	if (!differs)
 		printf("%s: the same on both\n", o->replay);
 	pair_close(&pair);
@@ -150,8 +143,7 @@ static int replay(const Options* o)
 int main(int count, char** arguments)
 {
 	Options o = parse(count, arguments);
-	const scree_hooks hooks = {.log = quiet};
-	scree_hooks_set(&hooks);
+	pair_hide_log();
 	if (o.replay)
 		return replay(&o);
 	o.shrink = o.shrink < 0.0 ? 20.0 : o.shrink;

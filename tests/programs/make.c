@@ -561,10 +561,10 @@ void program_make(Program* program, uint64_t seed, int calls)
 {
 	Maker m = {.program = program, .seed = seed / PROGRAM_BLOCK};
 	program->count = 0;
-	word(&m);
+	random_word(&m.seed);
 	put_world(&m);
 	m.seed = seed ^ 0x5851f42d4c957f2du;
-	word(&m);
+	random_word(&m.seed);
 	m.moves = chance(&m, 0.01);
 	m.jointed = chance(&m, 0.7);
 	m.railed = m.jointed && chance(&m, 0.5);

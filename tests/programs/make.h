@@ -3,6 +3,7 @@
 #ifndef MAKE_H
 #define MAKE_H
 #include "programs/program.h"
+#include "tools/common/random_numbers.h"
 #include <float.h>
 #include <math.h>
 
@@ -33,22 +34,13 @@ typedef struct
 // numbers
 // ---------------------------------------------------------------------------------------------------------------
 
-// Guy Steele, Doug Lea, Christine Flood, Fast Splittable Pseudorandom Number Generators, 2014
-static inline uint64_t word(Maker* m)
-{
-	uint64_t x = m->seed += 0x9e3779b97f4a7c15u;
-	x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
-	x = (x ^ x >> 27) * 0x94d049bb133111ebu;
-	return x ^ x >> 31;
-}
-
-static inline int below(Maker* m, int count) { return (int)(word(m) % (uint64_t)count); }
-static inline bool chance(Maker* m, double share) { return (double)(word(m) >> 11) < share * 9007199254740992.0; }
+static inline int below(Maker* m, int count) { return random_below(&m->seed, count); }
+static inline bool chance(Maker* m, double share) { return random_real(&m->seed, 0.0, 1.0) < share; }
 
 // eighths of a hundredth: short as text, and often equal to another
 static inline float between(Maker* m, float low, float high)
 {
-	float x = low + (high - low) * ((float)(word(m) >> 40) / 16777216.0f);
+	float x = random_between(&m->seed, low, high);
 	return chance(m, 0.5) ? floorf(x * 8.0f) / 8.0f : x;
 }
 

@@ -21,31 +21,31 @@ static uint32_t any_of(const Call* call, uint32_t first)
 
 // Reads a world between two calls, or moves it to the device where it is, or neither. That leaves no trace. It does not list the bodies that
 // moved, as that list begins with the last call for it.
-static void read_between(Pair* pair, Turn turn)
+static void read_between(Pair* pair, CallRun run)
 {
-	uint32_t any = any_of(turn.call, pair->first_read);
+	uint32_t any = any_of(run.call, pair->first_read);
 	uint64_t hash;
 	Left left;
 	Call call = call_make(CALL_read);
 	scree_query_result found;
-	turn.call = &call;
-	turn.left = &left;
+	run.call = &call;
+	run.left = &left;
 	call_set(&call, "body", (float)(any >> 16 & 63));
 	switch (any >> 29)
 	{
 	case 0:
 	case 1:
-		run_call(&turn);
+		run_call(&run);
 		break;
 	case 2:
 	case 3:
-		scree_world_cast_ray(turn.world, (scree_vec){0.0f, 20.0f}, (scree_vec){0.0f, -40.0f}, &found);
+		scree_world_cast_ray(run.world, (scree_vec){0.0f, 20.0f}, (scree_vec){0.0f, -40.0f}, &found);
 		break;
 	case 4:
-		scree_world_get_hash(turn.world, &hash);
+		scree_world_get_hash(run.world, &hash);
 		break;
 	case 5:
-		scree_world_move(turn.world, scree_world_get_device(turn.world));
+		scree_world_move(run.world, scree_world_get_device(run.world));
 		break;
 	default:
 		break;
@@ -53,11 +53,11 @@ static void read_between(Pair* pair, Turn turn)
 }
 
 // hashes: whether that of the world is part of what a step leaves
-static Left take_turn(Pair* pair, int k, const Call* call, bool hashes)
+static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 {
 	Left left = {0};
-	Turn turn = {call, pair->worlds[k], pair->names[k], &pair->places[k], pair->homes[k], &left};
-	left.status = run_call(&turn);
+	CallRun run = {call, pair->worlds[k], pair->names[k], &pair->places[k], pair->homes[k], &left};
+	left.status = run_call(&run);
 	if (left.status != SCREE_OK)
 		snprintf(left.error, sizeof left.error, "%s", scree_error());
 	uint64_t hash = 0;
@@ -65,7 +65,7 @@ static Left take_turn(Pair* pair, int k, const Call* call, bool hashes)
 		left.status = scree_world_get_hash(pair->worlds[k], &hash);
 	left.word += hash;
 	if (pair->places[k].reads)
-		read_between(pair, turn);
+		read_between(pair, run);
 	return left;
 }
 
@@ -95,7 +95,7 @@ static void* work(void* context)
 		if (h->ends)
 			break;
 		pthread_mutex_unlock(&h->mutex);
-		Left left = take_turn(pair, 0, h->call, h->hashes);
+		Left left = make_call(pair, 0, h->call, h->hashes);
 		pthread_mutex_lock(&h->mutex);
 		h->left = left;
 		h->call = NULL;
@@ -125,13 +125,13 @@ static void worker_close(struct Worker* h)
 	free(h);
 }
 
-static void take_turns(Pair* pair, const Call* call, bool hashes, Left left[2])
+static void make_calls(Pair* pair, const Call* call, bool hashes, Left left[2])
 {
 	struct Worker* h = call->kind == CALL_step ? pair->worker : NULL;
 	if (!h)
 	{
-		left[0] = take_turn(pair, 0, call, hashes);
-		left[1] = take_turn(pair, 1, call, hashes);
+		left[0] = make_call(pair, 0, call, hashes);
+		left[1] = make_call(pair, 1, call, hashes);
 		return;
 	}
 	pthread_mutex_lock(&h->mutex);
@@ -139,7 +139,7 @@ static void take_turns(Pair* pair, const Call* call, bool hashes, Left left[2])
 	h->hashes = hashes;
 	pthread_cond_broadcast(&h->changed);
 	pthread_mutex_unlock(&h->mutex);
-	left[1] = take_turn(pair, 1, call, hashes);
+	left[1] = make_call(pair, 1, call, hashes);
 	pthread_mutex_lock(&h->mutex);
 	while (h->call)
 		pthread_cond_wait(&h->changed, &h->mutex);
@@ -160,6 +160,19 @@ void pair_open(Pair* pair, const Place places[2])
 		abort();
 	if (strcmp(places[1].device, "cpu") != 0)
 		worker_open(pair);
+}
+
+static void ignore_line(scree_log_level level, const char* sentence, void* context)
+{
+	(void)level;
+	(void)sentence;
+	(void)context;
+}
+
+scree_status pair_hide_log(void)
+{
+	const scree_hooks hooks = {.log = ignore_line};
+	return scree_hooks_set(&hooks);
 }
 
 void pair_forget(Pair* pair)
@@ -223,7 +236,7 @@ static bool pair_empty(Pair* pair)
 	for (int i = 1; i < program.count && same; ++i)
 	{
 		Left left[2];
-		take_turns(pair, &program.calls[i], true, left);
+		make_calls(pair, &program.calls[i], true, left);
 		same = left[0].status == SCREE_OK && !left_differs(&left[0], &left[1], &outcome);
 	}
 	program_close(&program);
@@ -266,7 +279,7 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 		outcome.call = i;
 		outcome.steps += call->kind == CALL_step;
 		bool hashes = pair->every < 2 || outcome.steps % pair->every == 0 || i + 1 == program->count;
-		take_turns(pair, call, hashes, left);
+		make_calls(pair, call, hashes, left);
 		bool differs = left_differs(&left[0], &left[1], &outcome);
 		// a step of no time ends nothing that is not finite, and nothing that is too fast
 		bool moved = call->kind == CALL_step && call_value(call, "dt") > 0.0f;

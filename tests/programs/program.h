@@ -67,7 +67,7 @@ typedef struct // device of a world, and the device to which the call "move" tak
 } Place;
 
 // values of Pair.first_read that are tried: they choose other kinds of reads for the same calls
-#define WAYS_TO_READ 16
+#define READ_CHOICES 16
 
 typedef struct // two worlds on which programs run one after the other
 {
@@ -80,7 +80,7 @@ typedef struct // two worlds on which programs run one after the other
 	bool infinite;         // state that is not finite is no difference
 	bool limits;           // a body beyond the limits of its world is a difference
 	bool anew;             // every program gets new worlds
-	uint32_t first_read;   // which of the ways to read between calls
+	uint32_t first_read;   // one of READ_CHOICES
 	int every;             // steps after which hashes are compared, and at a program's end; 0 is 1
 } Pair;
 
@@ -99,7 +99,8 @@ void pair_close(Pair* pair);
 // Runs a program on both worlds. They are made again unless they are empty and were made with the same call. Differences are
 // written to details, unless it is null.
 Outcome pair_run(Pair* pair, const Program* program, FILE* details);
-void pair_forget(Pair* pair); // the next program gets new worlds
+void pair_forget(Pair* pair);     // the next program gets new worlds
+scree_status pair_hide_log(void); // from here on the library prints nothing
 
 // different.c: the first items of a pool, which the caller frees.
 void* read_items(scree_world* world, PoolId pool, int count);

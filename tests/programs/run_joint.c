@@ -5,192 +5,192 @@
 #include <stddef.h>
 #include <string.h>
 
-static scree_joint joint_of(const Turn* t, int k)
+static scree_joint joint_of(const CallRun* r, int k)
 {
-	return k >= 0 && k < MOST_NAMES ? t->names->joints[k] : SCREE_NULL_JOINT;
+	return k >= 0 && k < MOST_NAMES ? r->names->joints[k] : SCREE_NULL_JOINT;
 }
 
 // -1 stands for a threshold that nothing exceeds.
-static float threshold_of(const Turn* t, const char* name)
+static float threshold_of(const CallRun* r, const char* name)
 {
-	float x = call_real(t, name);
+	float x = call_real(r, name);
 	return x == -1.0f ? FLT_MAX : x;
 }
 
 // Keeps the handles of a batch that was made.
-static scree_status make(const Turn* t, const scree_joint_def* defs, int count)
+static scree_status make(const CallRun* r, const scree_joint_def* defs, int count)
 {
 	scree_joint made[MOST_BATCH];
-	int first = call_whole(t, "joint");
-	scree_status status = scree_joints_create(t->world, defs, count, made);
+	int first = call_whole(r, "joint");
+	scree_status status = scree_joints_create(r->world, defs, count, made);
 	if (status == SCREE_OK && first >= 0 && first + count <= MOST_NAMES)
-		memcpy(t->names->joints + first, made, (size_t)count * sizeof *made);
+		memcpy(r->names->joints + first, made, (size_t)count * sizeof *made);
 	return status;
 }
 
-static scree_pose second_pose(const Turn* t)
+static scree_pose second_pose(const CallRun* r)
 {
-	return (scree_pose){call_vec(t, "bx", "by"), scree_rot_make(call_real(t, "bangle"))};
+	return (scree_pose){call_vec(r, "bx", "by"), scree_rot_make(call_real(r, "bangle"))};
 }
 
 // Sides of a gear or a pulley, both with the same base.
-static void set_sides(const Turn* t, scree_joint_def* def)
+static void set_sides(const CallRun* r, scree_joint_def* def)
 {
 	static const char* const names[] = {"measure_a", "measure_b"};
-	def->ratio = call_real(t, "gear");
+	def->ratio = call_real(r, "gear");
 	for (int k = 0; k < 2; ++k)
 	{
-		int measure = call_whole(t, names[k]);
+		int measure = call_whole(r, names[k]);
 		if (measure >= 0)
 			def->sides[k].measure = (scree_measure)measure;
-		def->sides[k].base = second_pose(t);
-		def->sides[k].initial_angle = call_real(t, "near");
+		def->sides[k].base = second_pose(r);
+		def->sides[k].initial_angle = call_real(r, "near");
 	}
 }
 
-static scree_status run_one(const Turn* t)
+static scree_status run_one(const CallRun* r)
 {
-	scree_joint_def def = scree_joint_def_make((scree_joint_type)call_whole(t, "type"));
-	int a = call_whole(t, "a"), b = call_whole(t, "b");
-	def.body_a = a < 0 ? SCREE_NULL_BODY : call_body(t, a);
-	def.body_b = b < 0 ? SCREE_NULL_BODY : call_body(t, b);
-	def.hertz = call_real(t, "hertz");
-	def.damping_ratio = call_real(t, "ratio");
-	def.collide_connected = call_whole(t, "collides") != 0;
-	def.can_break = call_whole(t, "breaks") != 0;
-	def.force_threshold = threshold_of(t, "force");
-	def.torque_threshold = threshold_of(t, "torque");
-	def.frame_a = call_pose(t);
-	def.path = call_path(t);
-	def.initial_along = call_real(t, "near");
-	if (call_whole(t, "far") == 0)
+	scree_joint_def def = scree_joint_def_make((scree_joint_type)call_whole(r, "type"));
+	int a = call_whole(r, "a"), b = call_whole(r, "b");
+	def.body_a = a < 0 ? SCREE_NULL_BODY : call_body(r, a);
+	def.body_b = b < 0 ? SCREE_NULL_BODY : call_body(r, b);
+	def.hertz = call_real(r, "hertz");
+	def.damping_ratio = call_real(r, "ratio");
+	def.collide_connected = call_whole(r, "collides") != 0;
+	def.can_break = call_whole(r, "breaks") != 0;
+	def.force_threshold = threshold_of(r, "force");
+	def.torque_threshold = threshold_of(r, "torque");
+	def.frame_a = call_pose(r);
+	def.path = call_path(r);
+	def.initial_along = call_real(r, "near");
+	if (call_whole(r, "far") == 0)
 	{
-		scree_status status = scree_joint_def_place(t->world, &def, call_pose(t));
+		scree_status status = scree_joint_def_place(r->world, &def, call_pose(r));
 		if (status != SCREE_OK)
 			return status;
 	}
-	set_sides(t, &def);
-	if (call_whole(t, "couple") != 0)
+	set_sides(r, &def);
+	if (call_whole(r, "couple") != 0)
 	{
-		scree_status status = scree_joint_def_couple(t->world, &def);
+		scree_status status = scree_joint_def_couple(r->world, &def);
 		if (status != SCREE_OK)
 			return status;
 	}
-	if (call_whole(t, "mount") != 0)
+	if (call_whole(r, "mount") != 0)
 	{
-		scree_status status = scree_joint_def_mount(t->world, &def, call_real(t, "near"));
+		scree_status status = scree_joint_def_mount(r->world, &def, call_real(r, "near"));
 		if (status != SCREE_OK)
 			return status;
 	}
-	return make(t, &def, 1);
+	return make(r, &def, 1);
 }
 
 // Between neighbors of a row of bodies, or of each with the first, halfway.
-static scree_status run_row(const Turn* t)
+static scree_status run_row(const CallRun* r)
 {
 	scree_joint_def defs[MOST_BATCH];
-	int count = call_batch(t, "joint"), first = call_whole(t, "body"), hub = call_whole(t, "hub");
-	scree_vec apart = call_vec(t, "dx", "dy");
+	int count = call_batch(r, "joint"), first = call_whole(r, "body"), hub = call_whole(r, "hub");
+	scree_vec apart = call_vec(r, "dx", "dy");
 	for (int k = 0; k < count; ++k)
 	{
 		float part = hub ? (float)(k + 1) : 0.5f;
-		defs[k] = scree_joint_def_make((scree_joint_type)call_whole(t, "type"));
-		defs[k].body_a = call_body(t, hub ? first : first + k);
-		defs[k].body_b = call_body(t, first + k + 1);
+		defs[k] = scree_joint_def_make((scree_joint_type)call_whole(r, "type"));
+		defs[k].body_a = call_body(r, hub ? first : first + k);
+		defs[k].body_b = call_body(r, first + k + 1);
 		defs[k].frame_a.position = (scree_vec){part * apart.x, part * apart.y};
 		if (!hub)
 			defs[k].frame_b.position = (scree_vec){-0.5f * apart.x, -0.5f * apart.y};
 	}
-	return make(t, defs, count);
+	return make(r, defs, count);
 }
 
-static scree_joint_coordinate coordinate_of(const Turn* t)
+static scree_joint_coordinate coordinate_of(const CallRun* r)
 {
-	int has_drives = call_whole(t, "drives");
-	return (scree_joint_coordinate){.target = call_real(t, "target"),
-	                                .locked = has_drives & 1,
-	                                .limited = has_drives & 2,
-	                                .spring = has_drives & 4,
-	                                .motor = has_drives & 8,
-	                                .lock_hertz = call_real(t, "lock_hertz"),
-	                                .lock_damping_ratio = call_real(t, "lock_ratio"),
-	                                .lower = call_real(t, "lower"),
-	                                .upper = call_real(t, "upper"),
-	                                .spring_hertz = call_real(t, "spring_hertz"),
-	                                .spring_damping_ratio = call_real(t, "spring_ratio"),
-	                                .spring_max = call_real(t, "spring_max"),
-	                                .spring_push = call_real(t, "push"),
-	                                .spring_pull = call_real(t, "pull"),
-	                                .motor_speed = call_real(t, "speed"),
-	                                .motor_max = call_real(t, "motor_max")};
+	int drives = call_whole(r, "drives");
+	return (scree_joint_coordinate){.target = call_real(r, "target"),
+	                                .locked = drives & 1,
+	                                .limited = drives & 2,
+	                                .spring = drives & 4,
+	                                .motor = drives & 8,
+	                                .lock_hertz = call_real(r, "lock_hertz"),
+	                                .lock_damping_ratio = call_real(r, "lock_ratio"),
+	                                .lower = call_real(r, "lower"),
+	                                .upper = call_real(r, "upper"),
+	                                .spring_hertz = call_real(r, "spring_hertz"),
+	                                .spring_damping_ratio = call_real(r, "spring_ratio"),
+	                                .spring_max = call_real(r, "spring_max"),
+	                                .spring_push = call_real(r, "push"),
+	                                .spring_pull = call_real(r, "pull"),
+	                                .motor_speed = call_real(r, "speed"),
+	                                .motor_max = call_real(r, "motor_max")};
 }
 
 // The same value for one joint, or for each of a batch.
-static scree_status run_change(const Turn* t)
+static scree_status run_change(const CallRun* r)
 {
-	CallKind kind = t->call->kind;
-	int first = call_whole(t, "joint"), count = call_batch(t, "joint");
-	scree_coordinate which = kind == CALL_joint_enabled ? SCREE_ALONG : (scree_coordinate)call_whole(t, "which");
+	CallKind kind = r->call->kind;
+	int first = call_whole(r, "joint"), count = call_batch(r, "joint");
+	scree_coordinate which = kind == CALL_joint_enabled ? SCREE_ALONG : (scree_coordinate)call_whole(r, "which");
 	scree_joint_coordinate coordinates[MOST_BATCH];
 	scree_joint joints[MOST_BATCH];
 	float values[MOST_BATCH];
 	bool enabled[MOST_BATCH];
-	bool alone = call_whole(t, "count") == 0;
+	bool alone = call_whole(r, "count") == 0;
 	for (int k = 0; k < (alone ? 1 : count); ++k)
 	{
-		joints[k] = joint_of(t, first + k);
+		joints[k] = joint_of(r, first + k);
 		if (kind == CALL_joint_coordinate)
-			coordinates[k] = coordinate_of(t);
+			coordinates[k] = coordinate_of(r);
 		else if (kind == CALL_joint_enabled)
-			enabled[k] = call_whole(t, "enabled") != (k & 1); // neighbors by turns
+			enabled[k] = call_whole(r, "enabled") != (k & 1); // neighbors by turns
 		else
-			values[k] = call_real(t, "x");
+			values[k] = call_real(r, "x");
 	}
 	if (kind == CALL_joint_coordinate)
-		return alone ? scree_joint_set_coordinate(t->world, joints[0], which, coordinates)
-		             : scree_joints_set_coordinates(t->world, joints, which, coordinates, count);
+		return alone ? scree_joint_set_coordinate(r->world, joints[0], which, coordinates)
+		             : scree_joints_set_coordinates(r->world, joints, which, coordinates, count);
 	if (kind == CALL_joint_enabled)
-		return alone ? scree_joint_set_enabled(t->world, joints[0], enabled[0])
-		             : scree_joints_set_enabled(t->world, joints, enabled, count);
+		return alone ? scree_joint_set_enabled(r->world, joints[0], enabled[0])
+		             : scree_joints_set_enabled(r->world, joints, enabled, count);
 	if (kind == CALL_joint_target)
-		return alone ? scree_joint_set_target(t->world, joints[0], which, values[0])
-		             : scree_joints_set_targets(t->world, joints, which, values, count);
-	return alone ? scree_joint_set_motor_speed(t->world, joints[0], which, values[0])
-	             : scree_joints_set_motor_speeds(t->world, joints, which, values, count);
+		return alone ? scree_joint_set_target(r->world, joints[0], which, values[0])
+		             : scree_joints_set_targets(r->world, joints, which, values, count);
+	return alone ? scree_joint_set_motor_speed(r->world, joints[0], which, values[0])
+	             : scree_joints_set_motor_speeds(r->world, joints, which, values, count);
 }
 
-scree_status run_joint(const Turn* t)
+scree_status run_joint(const CallRun* r)
 {
-	int first = call_whole(t, "joint"), count;
-	scree_joint joint = joint_of(t, first);
-	switch (t->call->kind)
+	int first = call_whole(r, "joint"), count;
+	scree_joint joint = joint_of(r, first);
+	switch (r->call->kind)
 	{
 	case CALL_joint:
-		return run_one(t);
+		return run_one(r);
 	case CALL_joints:
-		return run_row(t);
+		return run_row(r);
 	case CALL_joint_destroy:
-		count = call_batch(t, "joint");
-		return call_whole(t, "count") == 0
-		           ? scree_joint_destroy(t->world, joint)
-		           : scree_joints_destroy(t->world, t->names->joints + (count > 0 ? first : 0), count);
+		count = call_batch(r, "joint");
+		return call_whole(r, "count") == 0
+		           ? scree_joint_destroy(r->world, joint)
+		           : scree_joints_destroy(r->world, r->names->joints + (count > 0 ? first : 0), count);
 	case CALL_joint_frames:
-		return scree_joint_set_frames(t->world, joint, call_pose(t), second_pose(t));
+		return scree_joint_set_frames(r->world, joint, call_pose(r), second_pose(r));
 	case CALL_joint_ratio:
-		return scree_joint_set_ratio(t->world, joint, call_real(t, "gear"));
+		return scree_joint_set_ratio(r->world, joint, call_real(r, "gear"));
 	case CALL_joint_bases:
-		return scree_joint_set_bases(t->world, joint, call_pose(t), second_pose(t));
+		return scree_joint_set_bases(r->world, joint, call_pose(r), second_pose(r));
 	case CALL_joint_stiffness:
-		return scree_joint_set_stiffness(t->world, joint, call_real(t, "hertz"), call_real(t, "ratio"));
+		return scree_joint_set_stiffness(r->world, joint, call_real(r, "hertz"), call_real(r, "ratio"));
 	case CALL_joint_thresholds:
-		return scree_joint_set_thresholds(t->world, joint, threshold_of(t, "force"), threshold_of(t, "torque"),
-		                                  call_whole(t, "breaks") != 0);
+		return scree_joint_set_thresholds(r->world, joint, threshold_of(r, "force"), threshold_of(r, "torque"),
+		                                  call_whole(r, "breaks") != 0);
 	case CALL_joint_elliptic:
-		return scree_joint_set_elliptic(t->world, joint, call_whole(t, "elliptic") != 0);
+		return scree_joint_set_elliptic(r->world, joint, call_whole(r, "elliptic") != 0);
 	case CALL_collide_connected:
-		return scree_joint_set_collide_connected(t->world, joint, call_whole(t, "collides") != 0);
+		return scree_joint_set_collide_connected(r->world, joint, call_whole(r, "collides") != 0);
 	default:
-		return run_change(t);
+		return run_change(r);
 	}
 }
 
@@ -203,34 +203,34 @@ static bool state_counts(const scree_joint_state* s)
 	return counts;
 }
 
-scree_status read_joints(const Turn* t, uint64_t* word)
+scree_status read_joints(const CallRun* r, uint64_t* word)
 {
 	static scree_joint joints[MOST_NAMES];
 	static scree_joint_state states[MOST_NAMES];
 	static scree_joint_event events[MOST_NAMES];
 	int counts[3] = {0};
-	scree_status status = scree_world_get_joints(t->world, joints, MOST_NAMES, &counts[0]);
+	scree_status status = scree_world_get_joints(r->world, joints, MOST_NAMES, &counts[0]);
 	int count = counts[0] < MOST_NAMES ? counts[0] : MOST_NAMES;
 	if (status == SCREE_OK)
-		status = scree_joints_get_states(t->world, joints, states, count);
+		status = scree_joints_get_states(r->world, joints, states, count);
 	for (int k = 0; k < count && status == SCREE_OK; ++k)
 	{
 		if (!state_counts(&states[k]))
 			return SCREE_ERROR_DEVICE_FAILED;
-		*word = read_mixed(*word, &joints[k], sizeof joints[k]);
-		*word = read_mixed(*word, &states[k], offsetof(scree_joint_state, broken));
-		*word = read_mixed(*word, &states[k].broken, sizeof states[k].broken);
+		*word = hash_bytes(*word, &joints[k], sizeof joints[k]);
+		*word = hash_bytes(*word, &states[k], offsetof(scree_joint_state, broken));
+		*word = hash_bytes(*word, &states[k].broken, sizeof states[k].broken);
 	}
 	if (status == SCREE_OK)
-		status = scree_world_get_joint_events(t->world, events, MOST_NAMES, &counts[1]);
+		status = scree_world_get_joint_events(r->world, events, MOST_NAMES, &counts[1]);
 	for (int k = 0; k < counts[1] && k < MOST_NAMES && status == SCREE_OK; ++k)
 	{
 		float loads[] = {events[k].force, events[k].torque, events[k].broken ? 1.0f : 0.0f};
-		*word = read_mixed(read_mixed(*word, loads, sizeof loads), &events[k].joint, sizeof events[k].joint);
+		*word = hash_bytes(hash_bytes(*word, loads, sizeof loads), &events[k].joint, sizeof events[k].joint);
 	}
-	scree_body body = call_body(t, call_whole(t, "body"));
-	if (status == SCREE_OK && scree_body_is_valid(t->world, body))
-		status = scree_body_get_joints(t->world, body, joints, 8, &counts[2]);
-	*word = read_mixed(*word, counts, sizeof counts);
+	scree_body body = call_body(r, call_whole(r, "body"));
+	if (status == SCREE_OK && scree_body_is_valid(r->world, body))
+		status = scree_body_get_joints(r->world, body, joints, 8, &counts[2]);
+	*word = hash_bytes(*word, counts, sizeof counts);
 	return status;
 }

@@ -5,31 +5,27 @@
 
 #define APPROVAL 12
 
-static float spread(uint32_t* seed, float size)
-{
-	*seed = *seed * 1664525u + 1013904223u;
-	return size * ((float)(*seed >> 8) / 8388608.0f - 1.0f);
-}
+static float spread(uint32_t* seed, float size) { return size * (2.0f * call_random_part(seed) - 1.0f); }
 
 static scree_status mix_list(scree_status status, const scree_query_results* list, uint64_t* word)
 {
 	if (status == SCREE_OK)
-		*word = read_mixed(*word, list->results, (size_t)list->count * sizeof *list->results);
+		*word = hash_bytes(*word, list->results, (size_t)list->count * sizeof *list->results);
 	return status;
 }
 
-scree_status run_ask(const Turn* t)
+scree_status run_ask(const CallRun* r)
 {
-	uint32_t seed = (uint32_t)call_whole(t, "seed");
-	scree_vec center = call_vec(t, "x", "y");
-	float size = call_real(t, "size");
-	int attribute = call_whole(t, "attribute"), body = call_whole(t, "body");
+	uint32_t seed = (uint32_t)call_whole(r, "seed");
+	scree_vec center = call_vec(r, "x", "y");
+	float size = call_real(r, "size");
+	int attribute = call_whole(r, "attribute"), body = call_whole(r, "body");
 	scree_query_def def = scree_query_def_default();
-	def.kinds = (uint32_t)call_whole(t, "kinds");
-	def.mask = (uint64_t)call_whole(t, "mask");
+	def.kinds = (uint32_t)call_whole(r, "kinds");
+	def.mask = (uint64_t)call_whole(r, "mask");
 	scree_attribute_def surface = scree_attribute_def_default();
 	bool shaped = attribute >= 0 && attribute < MOST_NAMES &&
-	              scree_attribute_get_def(t->world, t->names->attributes[attribute], &surface) == SCREE_OK;
+	              scree_attribute_get_def(r->world, r->names->attributes[attribute], &surface) == SCREE_OK;
 	const scree_shape* shape = shaped ? &surface.shape : NULL;
 	scree_ray rays[APPROVAL];
 	scree_probe probes[APPROVAL], places[APPROVAL];
@@ -39,7 +35,7 @@ scree_status run_ask(const Turn* t)
 	{
 		scree_vec at = {center.x + spread(&seed, size), center.y + spread(&seed, size)};
 		scree_vec path = {spread(&seed, size), k % 4 ? spread(&seed, size) : 0.0f};
-		scree_body ignored = k % 3 ? SCREE_NULL_BODY : call_body(t, body);
+		scree_body ignored = k % 3 ? SCREE_NULL_BODY : call_body(r, body);
 		rays[k] = (scree_ray){.origin = at, .translation = path, .radius = k % 2 ? 0.0f : fabsf(0.1f * size)};
 		rays[k].ignored = ignored;
 		places[k] = (scree_probe){.pose = {at, scree_rot_make(spread(&seed, 3.0f))}, .ignored = ignored};
@@ -47,43 +43,43 @@ scree_status run_ask(const Turn* t)
 		probes[k].translation = path;
 	}
 	uint64_t word = 0;
-	scree_status status = scree_world_cast_rays(t->world, &def, rays, APPROVAL, found);
+	scree_status status = scree_world_cast_rays(r->world, &def, rays, APPROVAL, found);
 	if (status == SCREE_OK)
 	{
-		word = read_mixed(word, found, sizeof found);
-		status = scree_world_cast_shapes(t->world, &def, shape, probes, APPROVAL, found);
+		word = hash_bytes(word, found, sizeof found);
+		status = scree_world_cast_shapes(r->world, &def, shape, probes, APPROVAL, found);
 	}
 	if (status == SCREE_OK)
 	{
-		word = read_mixed(word, found, sizeof found);
-		status = scree_world_find_nearest(t->world, &def, shape, places, APPROVAL, fabsf(size), found);
+		word = hash_bytes(word, found, sizeof found);
+		status = scree_world_find_nearest(r->world, &def, shape, places, APPROVAL, fabsf(size), found);
 	}
 	if (status == SCREE_OK)
 	{
-		word = read_mixed(word, found, sizeof found);
-		status = mix_list(scree_world_list_rays(t->world, &def, rays, APPROVAL, &list), &list, &word);
+		word = hash_bytes(word, found, sizeof found);
+		status = mix_list(scree_world_list_rays(r->world, &def, rays, APPROVAL, &list), &list, &word);
 	}
 	if (status == SCREE_OK)
-		status = mix_list(scree_world_list_shapes(t->world, &def, shape, places, APPROVAL, &list), &list, &word);
+		status = mix_list(scree_world_list_shapes(r->world, &def, shape, places, APPROVAL, &list), &list, &word);
 	scree_moved_bodies moved = {0};
 	if (status == SCREE_OK)
-		status = scree_world_get_moved_bodies(t->world, &moved);
+		status = scree_world_get_moved_bodies(r->world, &moved);
 	for (int k = 0; k < moved.count && status == SCREE_OK; ++k)
-		word = read_mixed(word, moved.bodies + k, sizeof moved.bodies[k]);
-	t->left->word = word;
+		word = hash_bytes(word, moved.bodies + k, sizeof moved.bodies[k]);
+	r->left->word = word;
 	return status;
 }
 
-scree_status run_blast(const Turn* t)
+scree_status run_blast(const CallRun* r)
 {
 	scree_blast_def def = scree_blast_def_default();
-	def.position = call_vec(t, "x", "y");
-	def.radius = call_real(t, "radius");
-	def.falloff = call_real(t, "falloff");
-	def.impulse = call_real(t, "impulse");
-	def.mask = (uint64_t)call_whole(t, "mask");
+	def.position = call_vec(r, "x", "y");
+	def.radius = call_real(r, "radius");
+	def.falloff = call_real(r, "falloff");
+	def.impulse = call_real(r, "impulse");
+	def.mask = (uint64_t)call_whole(r, "mask");
 	int count = 0;
-	scree_status status = scree_world_blast(t->world, &def, &count);
-	t->left->word = (uint64_t)count;
+	scree_status status = scree_world_blast(r->world, &def, &count);
+	r->left->word = (uint64_t)count;
 	return status;
 }

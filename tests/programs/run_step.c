@@ -4,26 +4,26 @@
 
 static uint64_t name_of(const scree_contact* c)
 {
-	return read_mixed(read_mixed(0xcbf29ce484222325u, &c->a, sizeof c->a), &c->b, sizeof c->b);
+	return hash_bytes(hash_bytes(HASH_BEGIN, &c->a, sizeof c->a), &c->b, sizeof c->b);
 }
 
 static uint64_t mix_contact(uint64_t word, const scree_contact* c)
 {
 	size_t points = (size_t)c->count;
-	word = read_mixed(read_mixed(word, &c->a, sizeof c->a), &c->b, sizeof c->b);
-	word = read_mixed(read_mixed(word, &c->normal, sizeof c->normal), c->points, points * sizeof c->points[0]);
-	return read_mixed(read_mixed(word, c->details, points * sizeof c->details[0]), &c->user_a, sizeof c->user_a);
+	word = hash_bytes(hash_bytes(word, &c->a, sizeof c->a), &c->b, sizeof c->b);
+	word = hash_bytes(hash_bytes(word, &c->normal, sizeof c->normal), c->points, points * sizeof c->points[0]);
+	return hash_bytes(hash_bytes(word, c->details, points * sizeof c->details[0]), &c->user_a, sizeof c->user_a);
 }
 
 static uint64_t mix_visit(uint64_t word, const scree_visit* v)
 {
-	word = read_mixed(read_mixed(word, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
-	return read_mixed(word, &v->time, sizeof v->time);
+	word = hash_bytes(hash_bytes(word, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
+	return hash_bytes(word, &v->time, sizeof v->time);
 }
 
 static uint64_t name_of_visit(const scree_visit* v)
 {
-	return read_mixed(read_mixed(0x9ae16a3b2f90404fu, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
+	return hash_bytes(hash_bytes(0x9ae16a3b2f90404fu, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
 }
 
 // Counts the beginnings and ends of events. In an empty world, no touch and no visit may be open.
@@ -42,15 +42,15 @@ static bool balanced(Open* open, const scree_events* events, bool empty)
 	return open->count >= 0 && (open->count > 0 ? !empty : open->sum == 0);
 }
 
-scree_status run_step(const Turn* t)
+scree_status run_step(const CallRun* r)
 {
 	scree_events events;
 	scree_counters counters;
-	scree_status status = scree_world_step(t->world, call_real(t, "dt"), call_whole(t, "substeps"));
+	scree_status status = scree_world_step(r->world, call_real(r, "dt"), call_whole(r, "substeps"));
 	if (status == SCREE_OK)
-		status = scree_world_get_events(t->world, &events);
+		status = scree_world_get_events(r->world, &events);
 	if (status == SCREE_OK)
-		status = scree_world_get_counters(t->world, &counters);
+		status = scree_world_get_counters(r->world, &counters);
 	if (status != SCREE_OK)
 		return status;
 	uint64_t word = 0;
@@ -61,11 +61,11 @@ scree_status run_step(const Turn* t)
 	for (int k = 0; k < events.approval_count; ++k)
 		word = mix_contact(word, events.approvals + k);
 	for (int k = 0; k < events.hit_count; ++k)
-		word = read_mixed(word, events.hits + k, sizeof events.hits[k]);
+		word = hash_bytes(word, events.hits + k, sizeof events.hits[k]);
 	for (int k = 0; k < events.visits_began_count; ++k)
 		word = mix_visit(word, events.visits_began + k);
 	for (int k = 0; k < events.visits_ended_count; ++k)
 		word = mix_visit(word, events.visits_ended + k);
-	t->left->word = word;
-	return balanced(&t->names->open, &events, counters.collidables == 0) ? SCREE_OK : SCREE_ERROR_DEVICE_FAILED;
+	r->left->word = word;
+	return balanced(&r->names->open, &events, counters.collidables == 0) ? SCREE_OK : SCREE_ERROR_DEVICE_FAILED;
 }

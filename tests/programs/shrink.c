@@ -3,8 +3,8 @@
 //
 // This work is based on:
 // Andreas Zeller, Ralf Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002.
-#include "platform/processor.h"
 #include "programs/program.h"
+#include "tools/common/clock.h"
 #include <math.h>
 #include <string.h>
 
@@ -13,10 +13,10 @@ typedef struct
 	Program* best;
 	Program trial;
 	Pair* pair;
-	double end; // ms by the clock
+	double end; // s by the clock
 } Shrink;
 
-static bool over(const Shrink* s) { return processor_milliseconds() > s->end; }
+static bool over(const Shrink* s) { return seconds_now() > s->end; }
 
 // Keeps the trial if it differs too, up to where it does.
 static bool keeps(Shrink* s)
@@ -83,7 +83,7 @@ static void simplify(Shrink* s)
 
 void program_shrink(Program* program, Pair* pair, double seconds)
 {
-	Shrink s = {.best = program, .pair = pair, .end = processor_milliseconds() + 1000.0 * seconds};
+	Shrink s = {.best = program, .pair = pair, .end = seconds_now() + seconds};
 	for (int before = 0; before != program->count && !over(&s);)
 	{
 		before = program->count;

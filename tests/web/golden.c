@@ -2,7 +2,7 @@
 // golden.c -- golden LANES THREADS PART: prints the hash of every scene after its steps, or a part of them, as in tests/golden.txt.
 //
 // It needs no test framework, so that it can be built for WebAssembly.
-#include "../small_sizes.h"
+#include "../support/small_sizes.h"
 #include "scene/build.h"
 #include "scene/character_motion.h"
 #include "scene/churn.h"

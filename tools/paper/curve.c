@@ -4,6 +4,7 @@
 #include "cli/common/csv.h"
 #include "cli/common/library_error.h"
 #include "scene/load.h"
+#include "tools/common/clock.h"
 #include "tools/paper/paper_simulation.h"
 #include <inttypes.h>
 #include <math.h>

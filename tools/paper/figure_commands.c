@@ -14,6 +14,7 @@
 // seconds. All devices of a pipeline must have the same hash after the same steps.
 #include "cli/common/csv.h"
 #include "cli/common/simulation.h"
+#include "tools/common/clock.h"
 #include "tools/paper/curve.h"
 #include "tools/paper/paper_commands.h"
 #include "tools/paper/paper_options.h"

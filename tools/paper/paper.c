@@ -2,6 +2,8 @@
 // paper.c -- the paper's pipeline: creates it, takes steps, reads its state.
 #include "tools/paper/paper.h"
 #include "platform/processor.h"
+#include "tools/common/byte_hash.h"
+#include "tools/common/clock.h"
 #include "tools/paper/import.h"
 #include "tools/paper/paper_cpu.h"
 #include "tools/paper/paper_opencl.h"
@@ -82,23 +84,23 @@ scree_status paper_step(Paper* paper, float dt)
 	TRY(check_pointer("paper_step", "paper", paper));
 	if (!(dt > 0.0f && dt <= 1.0f))
 		return fail(SCREE_ERROR_INVALID, "paper_step: dt is %g, must be above 0 and at most 1", (double)dt);
-	double begin = processor_milliseconds();
+	double begin = seconds_now();
 	paper->pools.step.dt = dt;
 	paper->timings = (PaperTimings){0};
 
 	// integrate, transform, detect; then resolve, on the host whatever the device
 	FloatMode found = float_mode_enter();
 	scree_status status = run(paper);
-	double resolve_begin = processor_milliseconds();
+	double resolve_begin = seconds_now();
 	if (status == SCREE_OK)
 		status = paper_resolve(paper);
 	float_mode_leave(found);
 	if (status != SCREE_OK)
 		return status;
 
-	double end = processor_milliseconds();
-	paper->timings.resolve = end - resolve_begin;
-	paper->timings.step = end - begin;
+	double end = seconds_now();
+	paper->timings.resolve = 1e3 * (end - resolve_begin);
+	paper->timings.step = 1e3 * (end - begin);
 	paper->counters.contacts = *paper->pools.contact_count;
 	++paper->counters.steps;
 	return SCREE_OK;
@@ -160,19 +162,10 @@ PaperCounters paper_counters(const Paper* paper) { return paper->counters; }
 PaperTimings paper_timings(const Paper* paper) { return paper->timings; }
 const char* paper_device(const Paper* paper) { return paper->device; }
 
-// FNV-1a: Fowler, Noll, Vo, 1991.
-static uint64_t hash_bytes(uint64_t hash, const void* memory, size_t bytes)
-{
-	const unsigned char* byte = memory;
-	for (size_t i = 0; i < bytes; ++i)
-		hash = (hash ^ byte[i]) * 1099511628211u;
-	return hash;
-}
-
 uint64_t paper_hash(const Paper* paper)
 {
 	PaperMemory bodies = paper_memory(paper, PAPER_POOL_body);
-	uint64_t hash = hash_bytes(14695981039346656037u, bodies.memory, bodies.bytes);
+	uint64_t hash = hash_bytes(HASH_BEGIN, bodies.memory, bodies.bytes);
 	size_t contacts = (size_t)paper->counters.contacts * sizeof(PaperContact);
 	return hash_bytes(hash, paper->pools.contact, contacts);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // paper_cpu.c -- the first three stages on the CPU: one thread, one item after the other.
 #include "tools/paper/paper_cpu.h"
-#include "platform/processor.h"
+#include "tools/common/clock.h"
 
 #define PAPER_STAGE(name)                                \
 	INLINE void name##_item(const PaperPools* p, int i); \
@@ -17,12 +17,12 @@
 scree_status paper_cpu_run(Paper* paper)
 {
 	PaperPools* p = &paper->pools;
-	double last = processor_milliseconds(), now;
+	double last = seconds_now(), now;
 	*p->contact_count = 0;
-#define X(name, items)                \
-	name(p, p->step.items);           \
-	now = processor_milliseconds();   \
-	paper->timings.name = now - last; \
+#define X(name, items)                        \
+	name(p, p->step.items);                   \
+	now = seconds_now();                      \
+	paper->timings.name = 1e3 * (now - last); \
 	last = now;
 	PAPER_STAGES(X)
 #undef X
@@ -35,6 +35,6 @@ scree_status paper_cpu_run(Paper* paper)
 		return status;
 	*p->contact_count = 0;
 	detect(p, p->step.collidables);
-	paper->timings.detect += processor_milliseconds() - last;
+	paper->timings.detect += 1e3 * (seconds_now() - last);
 	return SCREE_OK;
 }

@@ -3,6 +3,7 @@
 #include "tools/paper/paper_simulation.h"
 #include "cli/common/library_error.h"
 #include "scene/churn.h"
+#include "tools/common/clock.h"
 
 const char* const paper_stages[STAGE_COLUMNS] = {"to_device", "integrate",   "transform",
                                                  "detect",    "from_device", "resolve"};

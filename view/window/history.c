@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // history.c -- durations of the last frames and their steps, for the graph of the panel.
 #include "view/window/history.h"
-#include <stdlib.h>
+#include "tools/common/median.h"
 #include <string.h>
 
 #define LEAST  20.0f // ms: the line of 16.7 ms is always visible
@@ -28,12 +28,6 @@ int history_at(const History* history, int k)
 	return (history->next + HISTORY_FRAMES - history->count + k) % HISTORY_FRAMES;
 }
 
-static int compare_floats(const void* a, const void* b)
-{
-	float x = *(const float*)a, y = *(const float*)b;
-	return (x > y) - (x < y);
-}
-
 float history_top(const History* history)
 {
 	float sorted[HISTORY_FRAMES], top = LEAST;
@@ -44,7 +38,7 @@ float history_top(const History* history)
 		int at = history_at(history, k);
 		sorted[k] = history->frame[at] > history->step[at] ? history->frame[at] : history->step[at];
 	}
-	qsort(sorted, (size_t)history->count, sizeof *sorted, compare_floats);
+	sort_floats(sorted, history->count);
 	float needed = sorted[(int)(WITHIN * (float)(history->count - 1))];
 	const float factors[] = {2.5f, 2.0f, 2.0f}; // for tops of 20, 50, 100, 200, 500, ...
 	for (int k = 0; top < needed && top < 1.0e6f; ++k)

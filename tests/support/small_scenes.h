@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// small_scenes.h -- stories of every scene at a size that a test can run on many devices.
+// small_scenes.h -- scenarios of every scene at a size that a test can run on many devices.
 #ifndef SMALL_SCENES_H
 #define SMALL_SCENES_H
 #include "scene/build.h"
@@ -7,8 +7,8 @@
 #include "scene/churn.h"
 #include "scene/find.h"
 #include "scene/load.h"
-#include "small_sizes.h"
-#include "support.h"
+#include "support/scenarios.h"
+#include "support/small_sizes.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,15 +27,15 @@ static inline void churn_scene(scree_world* world, int step, const void* context
 	OK(walk_step(&small_walkers, world, step, 0));
 }
 
-// The story of a scene, which ends with scene_free of its context. A scene that has no size here fails the test.
-static inline Story small_scene(const char* name)
+// The scenario of a scene, which ends with scene_free of its context. A scene that has no size here fails the test.
+static inline Scenario small_scene(const char* name)
 {
 	const SmallScene* small = NULL;
 	for (size_t k = 0; k < sizeof small_scenes / sizeof *small_scenes; ++k)
 		if (strcmp(small_scenes[k].name, name) == 0)
 			small = small_scenes + k;
 	if (!small)
-		fail_msg("scene %s has no line in small_scenes.h", name);
+		fail_msg("scene %s has no line in small_sizes.h", name);
 	int settings = 0;
 	while (settings < 5 && small->settings[settings].name)
 		++settings;
@@ -45,27 +45,27 @@ static inline Story small_scene(const char* name)
 	Scene* scene = scene_load(path, small->settings, settings, sentence);
 	if (!scene)
 		fail_msg("%s", sentence);
-	return (Story){.name = small->name,
-	               .def = scene->world,
-	               .dt = scene->dt,
-	               .substeps = scene->substeps,
-	               .steps = quick() ? small->steps / 4 : small->steps,
-	               .build = build_scene,
-	               .act = churn_scene,
-	               .context = scene};
+	return (Scenario){.name = small->name,
+	                  .def = scene->world,
+	                  .dt = scene->dt,
+	                  .substeps = scene->substeps,
+	                  .steps = quick() ? small->steps / 4 : small->steps,
+	                  .build = build_scene,
+	                  .act = churn_scene,
+	                  .context = scene};
 }
 
-// Calls check for the story of every scene that we ship.
-static inline void for_every_scene(void (*check)(const Story* story))
+// Calls check for the scenario of every scene that we ship.
+static inline void for_every_scene(void (*check)(const Scenario* scenario))
 {
 	char **names, missing[SCENE_SENTENCE];
 	int count = scene_list(NULL, &names, missing);
 	assert_true(count > 0);
 	for (int k = 0; k < count; ++k)
 	{
-		Story story = small_scene(names[k]);
-		check(&story);
-		scene_free((Scene*)story.context);
+		Scenario scenario = small_scene(names[k]);
+		check(&scenario);
+		scene_free((Scene*)scenario.context);
 		free(names[k]);
 	}
 	free(names);

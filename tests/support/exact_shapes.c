@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: MIT
-// exact.h -- distances and meetings of shapes in double precision, by trying all pairs of corners and edges; for tests.
-#ifndef EXACT_H
-#define EXACT_H
-#include "scree/scree.h"
+// exact_shapes.c -- distances and meetings of shapes in double precision, by trying all pairs of corners and edges.
+#include "support/exact_shapes.h"
 #include <math.h>
 
-typedef struct // in the world
-{
-	int count;
-	double x[SCREE_MAX_VERTICES], y[SCREE_MAX_VERTICES], radius;
-} Exact;
-
-static inline Exact exact_at(const scree_shape* shape, double x, double y, double c, double s)
+Exact exact_at(const scree_shape* shape, double x, double y, double c, double s)
 {
 	Exact e = {.count = shape->count, .radius = shape->radius};
 	for (int k = 0; k < shape->count; ++k)
@@ -22,7 +14,7 @@ static inline Exact exact_at(const scree_shape* shape, double x, double y, doubl
 	return e;
 }
 
-static inline Exact exact_moved(Exact e, double x, double y)
+Exact exact_moved(Exact e, double x, double y)
 {
 	for (int k = 0; k < e.count; ++k)
 	{
@@ -32,8 +24,8 @@ static inline Exact exact_moved(Exact e, double x, double y)
 	return e;
 }
 
-// Returns the largest distance of b from a along the normal of an edge of a.
-static inline double exact_axes(const Exact* a, const Exact* b)
+// The largest distance of b from a along a normal of a's edges.
+static double exact_axes(const Exact* a, const Exact* b)
 {
 	double most = -INFINITY;
 	for (int k = 0; a->count > 1 && k < a->count; ++k)
@@ -48,7 +40,7 @@ static inline double exact_axes(const Exact* a, const Exact* b)
 }
 
 // The least distance of a corner of b from an edge of a.
-static inline double exact_corners(const Exact* a, const Exact* b)
+static double exact_corners(const Exact* a, const Exact* b)
 {
 	double least = INFINITY;
 	for (int i = 0; i < b->count; ++i)
@@ -63,8 +55,7 @@ static inline double exact_corners(const Exact* a, const Exact* b)
 	return least;
 }
 
-// The distance of the surfaces; where the cores overlap, minus the depth.
-static inline double exact_distance(const Exact* a, const Exact* b)
+double exact_distance(const Exact* a, const Exact* b)
 {
 	double axes = fmax(exact_axes(a, b), exact_axes(b, a)), radii = a->radius + b->radius;
 	if (axes < 0.0 && !isinf(axes))
@@ -72,9 +63,8 @@ static inline double exact_distance(const Exact* a, const Exact* b)
 	return fmin(exact_corners(a, b), exact_corners(b, a)) - radii;
 }
 
-// The fraction at which b, moving along a path, meets a; 2 if it does not. *least is the least distance on the way there: a
-// distance is convex along a line while it is positive, so its minimum is found by thirds.
-static inline double exact_meeting(const Exact* a, const Exact* b, double x, double y, double* least)
+// A distance is convex along a line while it is positive, so its minimum is found by thirds.
+double exact_meeting(const Exact* a, const Exact* b, double x, double y, double* least)
 {
 	double low = 0.0, high = 1.0;
 	*least = exact_distance(a, b);
@@ -106,5 +96,3 @@ static inline double exact_meeting(const Exact* a, const Exact* b, double x, dou
 	}
 	return after;
 }
-
-#endif

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// query_support.h -- random shapes, places and queries, for the tests of queries.
-#ifndef QUERY_SUPPORT_H
-#define QUERY_SUPPORT_H
-#include "support.h"
+// random_queries.c -- random shapes, places and queries.
+#include "support/random_queries.h"
 
-static inline scree_shape random_shape(uint64_t* seed, float scale)
+scree_shape random_shape(uint64_t* seed, float scale)
 {
 	scree_shape shape;
 	scree_vec points[6];
@@ -18,13 +16,13 @@ static inline scree_shape random_shape(uint64_t* seed, float scale)
 		OK(scree_shape_make_capsule((scree_vec){-r, 0.1f * r}, (scree_vec){r, 0.2f * r}, 0.4f * r, &shape));
 		return shape;
 	case 2:
-		OK(scree_shape_make_segment((scree_vec){-r, 0.0f}, (scree_vec){2.0f * r, r}, &shape));
+		shape = segment_shape(-r, 0.0f, 2.0f * r, r);
 		return shape;
 	case 3:
-		OK(scree_shape_make_box(r, 0.02f * scale + 0.3f * r, &shape));
+		shape = box_shape(r, 0.02f * scale + 0.3f * r);
 		return shape;
 	case 4:
-		OK(scree_shape_make_box(r, r, &shape));
+		shape = box_shape(r, r);
 		return shape;
 	default:
 		for (;;)
@@ -38,7 +36,7 @@ static inline scree_shape random_shape(uint64_t* seed, float scale)
 	}
 }
 
-static inline scree_pose random_pose(uint64_t* seed, scree_vec center, float size)
+scree_pose random_pose(uint64_t* seed, scree_vec center, float size)
 {
 	scree_vec at = {center.x + size * random_between(seed, -1.0f, 1.0f),
 	                center.y + size * random_between(seed, -1.0f, 1.0f)};
@@ -47,7 +45,7 @@ static inline scree_pose random_pose(uint64_t* seed, scree_vec center, float siz
 	return (scree_pose){at, scree_rot_make(even ? right[random_below(seed, 4)] : random_between(seed, -3.0f, 3.0f))};
 }
 
-static inline scree_vec random_path(uint64_t* seed, float size)
+scree_vec random_path(uint64_t* seed, float size)
 {
 	float length = random_below(seed, 2) ? size : 0.1f * size;
 	scree_vec path = {length * random_between(seed, -1.0f, 1.0f), length * random_between(seed, -1.0f, 1.0f)};
@@ -58,7 +56,7 @@ static inline scree_vec random_path(uint64_t* seed, float size)
 	return path;
 }
 
-static inline scree_query_def random_def(uint64_t* seed)
+scree_query_def random_def(uint64_t* seed)
 {
 	scree_query_def def = scree_query_def_default();
 	if (random_below(seed, 3) == 0)
@@ -67,5 +65,3 @@ static inline scree_query_def random_def(uint64_t* seed)
 		def.mask = 1 + (uint64_t)random_below(seed, 15);
 	return def;
 }
-
-#endif

@@ -2,7 +2,7 @@
 // bad_input.h -- a world whose functions are called with bad input, and what a refusal must be.
 #ifndef BAD_INPUT_H
 #define BAD_INPUT_H
-#include "scree/scree.h"
+#include "support/make_bodies.h"
 
 // A world of two crates on the ground, with handles of each sort.
 extern scree_world *world, *other;
@@ -16,7 +16,6 @@ static const scree_pose good_pose = {{1, 2}, {0, 1}};
 int set_up_bad_input(void** state);
 int tear_down_bad_input(void** state);
 
-void assert_ok(scree_status status);
 // The status, a sentence with each of two parts, and a world as it was.
 void assert_refused(scree_status status, scree_status expected, const char* function, const char* part_of);
 

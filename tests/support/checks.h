@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// checks.h -- cmocka, and checks of statuses and numbers.
+#ifndef CHECKS_H
+#define CHECKS_H
+#include "platform/error.h" // before cmocka, which makes a macro of fail
+#include "scree/scree.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+// true in the presets that run a smaller set of tests
+bool quick(void);
+// Skips a test that takes long in quick builds, which look for faults of memory and threads; release runs it, with the same bits.
+void skip_if_quick(void);
+
+// Fails the test with the sentence of scree_error.
+#define OK(call) check_ok((call), #call, __FILE__, __LINE__)
+void check_ok(scree_status status, const char* call, const char* file, int line);
+
+// Fails unless value is within tolerance of expected; NaN fails.
+#define NEAR(value, expected, tolerance) check_near((value), (expected), (tolerance), #value, __FILE__, __LINE__)
+void check_near(double value, double expected, double tolerance, const char* what, const char* file, int line);
+
+// Tear-down: all memory of the library must be released.
+int memory_is_released(void** state);
+
+#endif

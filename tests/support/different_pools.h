@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// different_pools.h -- the items of pools, and those in which two worlds differ.
+#ifndef DIFFERENT_POOLS_H
+#define DIFFERENT_POOLS_H
+#include "backend/tables.h"
+#include "support/checks.h"
+
+// The first items of a pool, which the caller frees.
+void* read_pool(scree_world* world, PoolId pool, int count);
+
+// Prints the names of the pools in which two worlds differ, with the first item.
+void print_different_pools(scree_world* a, scree_world* b);
+
+#endif

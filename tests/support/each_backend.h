@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// each_backend.h -- every backend of this machine, to run single stages on items made by hand.
+#ifndef EACH_BACKEND_H
+#define EACH_BACKEND_H
+#include "backend/backend.h"
+#include "support/checks.h"
+
+#define MAX_BACKENDS 16
+#define MOST_BODIES  4096
+#define MOST_ITEMS   70000 // the room of every other kind
+
+extern Backend* backends[MAX_BACKENDS];
+extern int backend_count;
+
+// The CPU by one thread and by three, and OpenCL devices; room_of says how many items of a kind each has room for.
+void open_backends(bool allow_unequal_bits, int (*room_of)(Per per));
+
+// Set-up and tear-down of tests of stages: devices of equal bits, with room for MOST_BODIES and MOST_ITEMS.
+int open_stage_backends(void** state);
+int close_backends(void** state);
+
+void put_items(Backend* b, PoolId pool, int count, const void* items);
+void get_items(Backend* b, PoolId pool, int count, void* items);
+void run_one(Backend* b, const Step* step, int kernel, int end, int count, int argument);
+void run_sort(Backend* b, int end, int low_bit, int high_bit);
+
+#endif

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// variants.c -- the devices, numbers of threads and lanes, and forms of the solver on which a world must have the same bits.
+#include "support/variants.h"
+#include "platform/processor.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int add_variant(Variant variants[MAX_VARIANTS], int count, const char* device, int threads, int lanes,
+                       const char* persistent, const char* solver)
+{
+	if (count == MAX_VARIANTS)
+		return count;
+	Variant* variant = variants + count;
+	*variant = (Variant){.threads = threads, .lanes = lanes, .persistent = persistent, .solver = solver};
+	snprintf(variant->device, sizeof variant->device, "%.127s", device);
+	if (threads > 0)
+		snprintf(variant->name, sizeof variant->name, "%d thread%s, %d lane%s", threads, threads > 1 ? "s" : "", lanes,
+		         lanes > 1 ? "s" : "");
+	else
+		snprintf(variant->name, sizeof variant->name, "%.127s, solver: %s", device, solver ? solver : "launches");
+	return count + 1;
+}
+
+static int add_moving_variant(Variant variants[MAX_VARIANTS], int count, const char* device)
+{
+	if (count == MAX_VARIANTS)
+		return count;
+	Variant* variant = variants + count;
+	*variant = (Variant){.device = "cpu", .threads = 2};
+	snprintf(variant->other, sizeof variant->other, "%.127s", device);
+	snprintf(variant->name, sizeof variant->name, "between cpu and %.127s", device);
+	return count + 1;
+}
+
+int list_variants(Variant variants[MAX_VARIANTS])
+{
+	int count = 0;
+	for (int threads = 1; threads <= 2; ++threads)
+		for (int lanes = 1; lanes <= 16; lanes *= 2)
+			if (lanes != 2 && processor_has_lanes(lanes) && !(quick() && threads == 1 && lanes > 1))
+				count = add_variant(variants, count, "cpu", threads, lanes, NULL, NULL);
+
+	scree_device devices[MAX_VARIANTS];
+	int found;
+	OK(scree_devices_get(devices, MAX_VARIANTS, &found));
+	for (int k = 0; k < found && k < MAX_VARIANTS; ++k)
+	{
+		if (strcmp(devices[k].name, "cpu") == 0 || !devices[k].equal_bits)
+			continue;
+		count = add_variant(variants, count, devices[k].name, 0, 0, "0", NULL);
+		count = add_variant(variants, count, devices[k].name, 0, 0, "1", "relay");
+		count = add_variant(variants, count, devices[k].name, 0, 0, "1", "tiles");
+		count = add_moving_variant(variants, count, devices[k].name);
+	}
+	return count;
+}
+
+void print_variants(void)
+{
+	Variant variants[MAX_VARIANTS];
+	int count = list_variants(variants);
+	for (int k = 0; k < count; ++k)
+		print_message("variant %d: %s\n", k, variants[k].name);
+	if (scree_opencl_hint()[0])
+		print_message("no OpenCL: %s\n", scree_opencl_hint());
+}
+
+bool variant_is_due(const Variant* variants, int count, int k, int round)
+{
+	int first = 0;
+	while (first < count && variants[first].threads > 0 && !variants[first].other[0])
+		++first;
+	return !quick() || k < first || k - first == round % (count - first);
+}
+
+static void set_or_clear(const char* name, const char* value)
+{
+	if (value)
+		setenv(name, value, 1);
+	else
+		unsetenv(name);
+}
+
+void set_forms(const Variant* variant)
+{
+	set_or_clear("SCREE_PERSISTENT", variant ? variant->persistent : NULL);
+	set_or_clear("SCREE_SOLVER", variant ? variant->solver : NULL);
+}
+
+scree_world* open_variant(const Variant* variant, const scree_world_def* given)
+{
+	scree_world_def def = *given;
+	def.device = variant->device;
+	def.threads = variant->threads;
+	def.lanes = variant->lanes;
+	set_forms(variant);
+	scree_world* world;
+	scree_status status = scree_world_create(&def, &world);
+	set_forms(NULL);
+	if (status != SCREE_OK)
+		fail_msg("%s: %s", variant->name, scree_error());
+	return world;
+}
+
+scree_world* open_default_variant(const Variant* variant)
+{
+	scree_world_def def = scree_world_def_default();
+	return open_variant(variant, &def);
+}
