@@ -155,7 +155,7 @@ static bool read_coupling(Reader* reader, const Location* location, const json_t
 static bool read_on(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                     JointBlock* block)
 {
-	static const char* const keys[] = {"path", "near"};
+	static const char* const keys[] = {"path", "initial_along"};
 	const char* name;
 	block->on = -1;
 	for (int k = 0; block->def.type != SCREE_JOINT_PATH && k < 2; ++k)

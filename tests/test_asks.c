@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_asks.c -- contacts about which the user is asked first: yes, no, no answer; nothing slips through while it waits.
+// test_asks.c -- contact approval: approved, refused, not answered; no body slips through while its contact is pending.
 #include "support/make_bodies.h"
 #include <math.h>
 #include <string.h>

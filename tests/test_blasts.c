@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_blasts.c -- explosions: who is pushed, how much and where, the same everywhere.
+// test_blasts.c -- explosions push the right bodies by the right impulses at the right points, the same on all devices.
 #include "support/make_bodies.h"
 #include "support/scenarios.h"
 #include <math.h>

@@ -2,8 +2,8 @@
 // test_broad_phase.c -- after every step, the contacts alive are exactly the pairs that a look at all pairs finds.
 //
 // The formula: {pairs of the contact pool} = {a < b alive : enlarged boxes overlap, filters agree, kinds meet, not of
-// one body}. Boxes are read from the device; who is alive, its filter, kind and body are what the interface says. And
-// each box holds the whole shape where transform placed it.
+// one body}. Boxes are read from the device; lifetime, filter, kind and body come from the public interface. Each box
+// also contains the whole shape at the pose that transform computed.
 #include "support/different_pools.h"
 #include "support/make_bodies.h"
 #include "support/variants.h"

@@ -67,7 +67,7 @@ static double dragged(int count, float drag, double* fastest)
 
 #define DRAGS 9 // speeds near each other: the whip of a long chain differs by a factor of ten between them
 
-// The guard against tunneling lets links slide on. Box2D: gaps up to 0.2 m, of 40 links 12 m, and 405 m/s.
+// Continuous collision lets links slide on. Box2D: gaps up to 0.2 m, of 40 links 12 m, and 405 m/s.
 static void chains_slide_over_corners(void** state)
 {
 	(void)state;

@@ -50,7 +50,7 @@ static void contacts_end_with_their_collidables(void** state)
 	run_steps(world, 30);
 	assert_int_equal(contacts_of(world), 2);
 
-	// what takes the slot at once did not touch anything in the last step
+	// a body that takes the slot at once touched nothing in the last step
 	OK(scree_body_destroy(world, low));
 	assert_int_equal(contacts_of(world), 0);
 	scree_body other = add_crate(world, SCREE_BODY_DYNAMIC, 30.0f, 0.5f);

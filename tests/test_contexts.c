@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_contexts.c -- worlds of a process share the context and the program of an OpenCL device: one after the other, at once, by
-// threads, and no more after a failure.
+// test_contexts.c -- worlds of a process share the context and the program of an OpenCL device: one after the other, at once and
+// from threads; after a failure they do not.
 #include "opencl/loader.h"
 #include "support/second_device.h"
 #include <pthread.h>

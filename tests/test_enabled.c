@@ -76,7 +76,7 @@ static void switching_twice_starts_contacts_anew(void** state)
 	OK(scree_world_get_contacts(world, &contact, 1, &count));
 	assert_true(contact.points[0].normal_impulse == 0.0f);
 
-	// what is already so stays as it is
+	// a call with the current value changes nothing
 	run_steps(world, 10);
 	uint64_t before = hash_of(world);
 	OK(scree_body_set_enabled(world, body, true));

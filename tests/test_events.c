@@ -385,7 +385,7 @@ static Ledger record_heap(const Variant* variant, int steps)
 			churn(world, bodies, k, &seed);
 		if (variant->other[0] && k % 7 == 3)
 			OK(scree_world_move(world, k % 2 ? variant->other : variant->device));
-		if (!early) // what was changed meanwhile makes no difference but for the marks
+		if (!early) // changes in between make no difference except for the marks
 		{
 			velocity_of(world, bodies[0]);
 			scree_events events = events_of(world);
@@ -466,8 +466,8 @@ static void a_body_gives_its_word(void** state)
 	scree_world_destroy(world);
 }
 
-// What leaves a body where it was: another center of mass, locks, its own pose set again, zeros of another sign, a step at rest. A
-// disabled body that is placed has the velocity that it will go on with.
+// Changes that do not move a body: another center of mass, locks, its own pose set again, zeros of the other sign, a step at rest. A
+// disabled body that is placed reports the velocity with which it will continue.
 static void bodies_at_rest_are_not_listed(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_exclusions.c -- pairs of bodies that never touch: set, asked for, with joints, destroyed, reused.
+// test_exclusions.c -- pairs of bodies that never touch: set, read, with joints, destroyed, reused.
 #include "support/make_joints.h"
 #include <math.h>
 
@@ -15,7 +15,7 @@ static int excluded_of(scree_world* world, scree_body body)
 	return count;
 }
 
-// Of two boxes, one on the other, the upper one falls through the lower one as soon as they are excluded; the touch ends once.
+// One box lies on another. As soon as they are excluded, the upper one falls through the lower one; the touch ends once.
 static void while_touching(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_fields.c -- what each type of field does to bodies, against closed forms.
+// test_fields.c -- the effect of each type of field on bodies, against closed forms.
 #include "support/make_fields.h"
 #include <math.h>
 

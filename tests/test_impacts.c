@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_impacts.c -- what bounces keeps its energy, nothing goes through what is static, limits hold, nothing finite is frozen.
+// test_impacts.c -- bounces keep energy, nothing goes through static bodies, limits hold, no finite body is frozen.
 #include "support/make_bodies.h"
 #include "support/scenarios.h"
 #include "tools/common/random_numbers.h"

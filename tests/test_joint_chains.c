@@ -16,8 +16,8 @@ static void add_links(scree_world* world, int count, float x, float y)
 		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, x + 0.25f + 0.5f * (float)k, y);
 }
 
-// A load of so many links at the end of a rope that falls from the horizontal pulls with up to three times its weight: each joint
-// of the rope is longer by 2 F / m w^2.
+// A load at the end of a rope, heavier than a link by a ratio, falls from the horizontal and pulls with up to three times its weight:
+// each joint of the rope is longer by 2 F / m w^2.
 static void ropes_swing_heavy_loads(void** state)
 {
 	(void)state;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-// so many boxes in a row of hinges, the first at a hinge of the world or of a body
+// count boxes in a row of hinges, the first at a hinge of the world or of a body
 static void add_chain(scree_world* world, scree_body* links, int count, float size, scree_vec from, scree_body anchor)
 {
 	for (int k = 0; k < count; ++k)

@@ -94,7 +94,7 @@ static void no_time_is_no_error(void** state)
 {
 	(void)state;
 	scree_world* world = open_test_world(-10.0f);
-	update_contacts(world); // of nothing
+	update_contacts(world); // a world without contacts
 	OK(scree_world_step(world, -0.0f, 1));
 	scree_attribute_def ball = scree_attribute_def_default();
 	ball.shape = circle_shape(0.5f);

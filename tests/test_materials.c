@@ -123,7 +123,7 @@ static void ignored(void** state)
 	scree_world_destroy(world);
 }
 
-// The hash knows the table before anything touches; what was set can be read, and survives moves between devices.
+// The table is in the hash before anything touches; its values can be read, and survive moves between devices.
 static void reported_and_moved(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_paints.c -- what colors bodies, and legends: forces of contacts, starting places, ramps, the box around most bodies.
+// test_paints.c -- colors of bodies, and legends: forces of contacts, starting places, ramps, the box around most bodies.
 #include "support/make_bodies.h"
 #include "view/bounds.h"
 #include "view/contact_loads.h"

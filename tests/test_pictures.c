@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_pictures.c -- what pictures show: the shades of a body's colors, a camera on its way, the place of a detail.
+// test_pictures.c -- contents of pictures: the shades of a body's colors, a moving camera, the place of a detail.
 #include "scene/detail.h"
 #include "scene/shades.h"
 #include "support/scene_text.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_presses.c -- what something kinematic presses against something static, in every variant; masses that the user sets.
+// test_presses.c -- bodies that something kinematic presses against something static, in every variant; masses that the user sets.
 #include "support/make_joints.h"
 #include "support/scenarios.h"
 #include <math.h>
@@ -311,7 +311,7 @@ static void own_mass_outlives_types(void** state)
 	create_collidable(world, &def);
 	OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
 	mass = mass_of(world, body);
-	NEAR(mass.mass, 2.0, 1e-6); // of two boxes of 1 kg
+	NEAR(mass.mass, 2.0, 1e-6); // two boxes of 1 kg
 	NEAR(mass.center.x, 0.0, 1e-6);
 	scree_world_destroy(world);
 }

@@ -53,7 +53,7 @@ static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
 	return hash_bytes(hash, found, sizeof found);
 }
 
-// A heap that falls; bodies come, go, change, and are asked for in every step or only now and then.
+// A heap that falls; bodies are created, destroyed and changed, and queries run in every step or only now and then.
 static uint64_t record_heap(const Variant* variant, bool asks, uint64_t* world_hash)
 {
 	Place place = {.center = {0.0f, 5.0f}, .size = 12.0f};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_reading.c -- what a program reads of bodies and of the world, and what it sets of the world, between two steps.
+// test_reading.c -- values that a program reads of bodies and of the world, and sets of the world, between two steps.
 #include "support/make_bodies.h"
 #include <string.h>
 

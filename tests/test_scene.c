@@ -214,7 +214,7 @@ static void test_joints(void** state)
 	    " \"along\": {\"limits\": [-1, \"i\"], \"spring\": {\"hertz\": 4, \"push\": 5, \"pull\": \"i\"}}, \"angle\": "
 	    "{\"motor\": {\"speed\": 5, "
 	    "\"max\": \"i\"}},"
-	    " \"hertz\": 30, \"breaks\": true, \"force_threshold\": \"100 + i\", \"collide_connected\": true, "
+	    " \"hertz\": 30, \"can_break\": true, \"force_threshold\": \"100 + i\", \"collide_connected\": true, "
 	    "\"disabled\": true, \"elliptic\": true},"
 	    "{\"type\": \"distance\", \"a\": {\"body\": \"link\", \"index\": 2}, \"b\": null, \"at\": [20, 20], \"to\": "
 	    "[23, 24]},"

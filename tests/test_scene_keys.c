@@ -39,7 +39,7 @@ static const Place places[] = {
     {OBJECT_churn, NULL, "bodies[0].churn.", BODY(", \"churn\": {%s}") "}", "\"position\": [0, 0]"},
     {OBJECT_collidable, NULL, "collidables[0].", SCENE("\"collidables\": [{%s}]"), "\"attribute\": \"a\""},
     {OBJECT_loop, NULL, "bodies[0].repeat.", BODY(", \"repeat\": {%s}") "}", "\"index\": \"i\";\"to\": 3"},
-    {OBJECT_joint, "near", "joints[0].", SCENE(RAIL ", \"joints\": [{%s}]"), JOINT("path") ";\"path\": \"p\""},
+    {OBJECT_joint, "initial_along", "joints[0].", SCENE(RAIL ", \"joints\": [{%s}]"), JOINT("path") ";\"path\": \"p\""},
     {OBJECT_joint, NULL, "joints[0].", SCENE("\"joints\": [{%s}]"), JOINT("gear")},
     {OBJECT_end, NULL, "joints[0].b.", SCENE("\"joints\": [{\"type\": \"weld\", \"a\": null, \"b\": {%s}}]"),
      "\"body\": \"one\""},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_sensor_trials.c -- what sensors see, against samples of the ways that bodies went, and against a ledger of all visits.
+// test_sensor_trials.c -- visits to sensors, against samples of the paths of bodies, and against a ledger of all visits.
 #include "support/exact_shapes.h"
 #include "support/make_joints.h"
 #include "support/random_queries.h"
@@ -378,7 +378,7 @@ static void every_visit_is_in_the_ledger(void** state)
 			run_steps(world, 1);
 			scree_events events;
 			if (random_below(&seed, 3) == 0)
-				change(world, &seed, bodies); // what happens between a step and its events changes none
+				change(world, &seed, bodies); // changes between a step and the reading of its events change no event
 			events = events_of(world);
 			ledger_step(&ledger, &events);
 			for (int n = random_below(&seed, 5); n > 0; --n)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_sensors.c -- what sensors see, also within a step; each visit that begins ends once; all devices agree.
+// test_sensors.c -- visits to sensors, also within a step; each visit that begins ends once; all devices agree.
 #include "support/exact_shapes.h"
 #include "support/make_bodies.h"
 #include "support/variants.h"

@@ -324,7 +324,7 @@ static void test_shared_memory(void** state)
 	assert_true(((scree_render_row*)memory)[1].pose.position.y == 0.6f);
 	check_shared(world, memory);
 
-	// a world that has grown wants more; memory that the driver refuses leaves what there was
+	// a world that has grown needs more memory; if the driver refuses it, the old sharing stays
 	add_crate(world, SCREE_BODY_DYNAMIC, 40.0f, 3.0f);
 	expect_refusal(scree_world_write_render_rows(world, &count), SCREE_ERROR_INVALID,
 	               "there are 42 rows, and the shared memory has room for 41");

@@ -136,7 +136,7 @@ static void targets_wait_and_are_dropped(void** state)
 	run_steps(world, 1);
 	expect_pose(world, body, later);
 
-	// where it starts does not matter
+	// the start does not matter
 	OK(scree_body_set_target(world, body, there));
 	OK(scree_body_set_pose(world, body, home));
 	run_steps(world, 1);
@@ -162,7 +162,7 @@ static void targets_wait_and_are_dropped(void** state)
 	run_steps(world, 1);
 	expect_pose(world, body, home);
 
-	// what is locked stays
+	// locked coordinates stay
 	OK(scree_body_set_locks(world, body, SCREE_LOCK_X | SCREE_LOCK_ROTATION));
 	OK(scree_body_set_target(world, body, there));
 	run_steps(world, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_window.c -- what the window does without one: events handed out frame by frame, times of frames, tuning of a world.
+// test_window.c -- parts of the viewer that need no window: events handed out frame by frame, times of frames, tuning of a world.
 #include "support/make_worlds.h"
 #include "view/window/event_queue.h"
 #include "view/window/history.h"

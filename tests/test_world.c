@@ -369,7 +369,7 @@ static void changes_keep_their_order(void** state)
 	NEAR(velocity_of(world, a).linear.x, 3.75, 1e-6);
 	NEAR(velocity_of(world, b).linear.x, 4.0, 1e-6);
 
-	// what was asked of a body that went is not done to the next in its slot
+	// changes to a destroyed body are not applied to the next one in its slot
 	throw_body(world, b, 9.0f, 9.0f, 9.0f);
 	OK(scree_body_destroy(world, b));
 	scree_body c = add_crate(world, SCREE_BODY_DYNAMIC, 5, 0);

@@ -94,7 +94,7 @@ const char* scree_status_name(scree_status status)
 	case SCREE_ERROR_NOT_SUPPORTED:
 		return "not supported";
 	case SCREE_ERROR_CONTACT_LIMIT:
-		return "crowded";
+		return "contact limit";
 	}
 	return "unknown";
 }

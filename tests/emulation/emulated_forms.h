@@ -13,7 +13,7 @@ typedef struct // the form of the solve, and the emulated device
 	bool persistent;   // neither: all runs by the persistent kernel, and no solve by either
 	int groups;        // that the device has room for, at most
 	int group;         // work-items of each, where there are hubs; else as many as the relay has
-	int hub_groups;    // of these take hubs, at most
+	int hub_groups;    // groups among these that take hubs, at most
 	int most_spread;   // work-items a constraint, where there is room; 0 for one
 	int spins;         // bound of a wait, 0 for what is never reached
 	bool ahead;        // the solve is listed before it is known whether the constraints stay, as on a GPU

@@ -56,7 +56,7 @@ typedef enum
 	EMULATED_COUNT
 } EmulatedKernel;
 
-// Runs a kernel with so many groups of so many work-items.
+// Runs a kernel in a number of groups; group is the number of work-items of each.
 bool emulated_run(EmulatedKernel kernel, const Task* task, int groups, int group, const Schedule* schedule,
                   char sentence[ITEMS_SENTENCE]);
 

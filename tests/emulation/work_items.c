@@ -29,7 +29,7 @@
 #endif
 
 #define MOST_GROUPS   512
-#define MOST_SWITCHES ((int64_t)1 << 24) // of a launch: some seconds, and far more than any needs
+#define MOST_SWITCHES ((int64_t)1 << 24) // most switches of a launch: some seconds, and far more than any needs
 #define MOST_LATE     12                 // pieces on their way at a time
 
 typedef struct
@@ -72,9 +72,9 @@ static int item_count;
 static Group groups[MOST_GROUPS];
 static Launch launch;
 static Schedule schedule;
-static Item* now; // whose turn it is
+static Item* now; // work-item that has the turn
 static uint64_t state;
-static unsigned patience; // a work-item gives its turn away at one place in so many
+static unsigned patience; // mean number of places that a work-item passes before it gives its turn away
 static int64_t switches_left, put_count;
 static Piece pieces[MOST_LATE];
 static int piece_count;

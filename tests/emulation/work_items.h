@@ -16,7 +16,7 @@ typedef struct // two words of a mailbox
 
 typedef struct
 {
-	uint64_t seed; // of the order in which work-items go on
+	uint64_t seed; // decides the order in which work-items go on
 	bool late;     // words that were put arrive some time later, those of different places in any order
 	int pieces;    // bytes of two words that arrive at once: 8, or 4, which tears words; 0 for both words
 	bool leavers;  // work-items that have ended do not keep others at a barrier; else each must come to each barrier

@@ -50,7 +50,7 @@ scree_pose call_pose(const CallRun* run); // x, y, angle
 scree_body call_body(const CallRun* run, int k);
 
 #define MOST_BATCH 256
-// How many names from the one on that an argument gives: none where not all can be names.
+// Returns the number of names of a batch that begins with the name in an argument; 0 if not all of them can be names.
 int call_batch(const CallRun* run, const char* first);
 
 // run_joint.c: the calls of joints, and what can be read of them, mixed into a word.

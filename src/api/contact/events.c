@@ -152,11 +152,11 @@ static int compare_pairs(const void* a, const void* b)
 	return first < second ? -1 : first > second;
 }
 
-scree_status scree_world_approve_contacts(scree_world* world, const bool* answers, int count)
+scree_status scree_world_approve_contacts(scree_world* world, const bool* approved, int count)
 {
 	const char* function = "scree_world_approve_contacts";
 	TRY(world_check(world, function));
-	TRY(check_batch(function, "answers", answers, count));
+	TRY(check_batch(function, "approved", approved, count));
 	TRY(reports_fetch(world));
 	Reports* r = &world->reports;
 	if (count != r->counts[EVENT_APPROVALS])
@@ -166,7 +166,7 @@ scree_status scree_world_approve_contacts(scree_world* world, const bool* answer
 	r->answered = count > 0;
 	r->allowed_count = 0;
 	for (int k = 0; k < count; ++k)
-		if (answers[k])
+		if (approved[k])
 			r->allowed[r->allowed_count++] = (Word64)r->asked[k].pair.x << 32 | (Word64)r->asked[k].pair.y;
 	if (r->allowed_count > 1)
 		qsort(r->allowed, (size_t)r->allowed_count, sizeof *r->allowed, compare_pairs);

@@ -141,7 +141,7 @@ scree_status check_corners(const char* function, const char* argument, const scr
 	double area = 0.0;
 	for (int i = 2; i < count; ++i)
 		area += vec_cross_from(v[0], v[i - 1], v[i]);
-	double sensor_overlap = area < 0.0 ? -1.0 : 1.0;
+	double orientation = area < 0.0 ? -1.0 : 1.0;
 
 	for (int i = 0; i < count; ++i)
 	{
@@ -154,7 +154,7 @@ scree_status check_corners(const char* function, const char* argument, const scr
 	for (int i = 0; i < count; ++i)
 	{
 		scree_vec before = v[(i + count - 1) % count], after = v[(i + 1) % count];
-		double height = sensor_overlap * vec_cross_from(before, v[i], after) / vec_distance(before, after);
+		double height = orientation * vec_cross_from(before, v[i], after) / vec_distance(before, after);
 		if (height < -tolerance.flat)
 			return refuse_corner(function, argument, v, i, "is concave: scree_shape_make_hull drops such corners");
 		if (height < tolerance.flat)
@@ -165,7 +165,7 @@ scree_status check_corners(const char* function, const char* argument, const scr
 		for (int k = 0; k < count; ++k)
 		{
 			int next = (i + 1) % count;
-			if (k != i && k != next && sensor_overlap * vec_cross_from(v[i], v[next], v[k]) <= 0.0)
+			if (k != i && k != next && orientation * vec_cross_from(v[i], v[next], v[k]) <= 0.0)
 				return refuse_corner(function, argument, v, k, "lies beyond an edge: the outline crosses itself");
 		}
 	}
