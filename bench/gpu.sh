@@ -38,14 +38,15 @@ grep -q avx512vl /proc/cpuinfo && lanes=16
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export SCREE_CACHE=$work/cache # programs are built anew
-# hash of one scene: NAME SCENE STEPS OPTION...; writes the hash or the error to $work/SCENE.NAME
-hash_of()
+# hash of one scene: NAME SCENE COMMAND...; writes the hash or the error to $work/SCENE.NAME
+keep()
 {
-	local file=$work/$2.$1 scene=$2 count=$3
-	shift 3
-	timeout "$limit" $scree hash "$scene" --steps "$count" "$@" >"$file" 2>"$file.err" || echo "failed:$(tr '\n,' '  ' <"$file.err" | cut -c 1-120)" >"$file"
+	local file=$work/$2.$1
+	timeout "$limit" "${@:3}" >"$file" 2>"$file.err" || echo "failed:$(tr '\n,' '  ' <"$file.err" | cut -c 1-120)" >"$file"
 }
-export -f hash_of
+# the same: NAME SCENE STEPS OPTION...
+hash_of() { keep "$1" "$2" $scree hash "$2" --steps "${@:3}"; }
+export -f keep hash_of
 export work scree limit
 
 # the references on the CPU, a few at a time, while the GPU runs the scenes
@@ -68,7 +69,7 @@ for scene in $($scree scenes --names); do
 		;;
 	esac
 	hash_of gpu "$scene" "$count" --device "opencl:$device"
-	SCREE_PERSISTENT=0 hash_of launches "$scene" "$count" --device "opencl:$device"
+	keep launches "$scene" build/tests/scene_hash "$scene" "$count" "opencl:$device" launches
 done
 wait $references
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# programs.sh -- on a machine with a GPU: runs random programs of calls on CPU and GPU, in each form of the solve.
+# programs.sh -- on a machine with a GPU: runs random programs of calls on CPU and GPU, in three forms of the solve.
 #
 # usage: bench/programs.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
@@ -18,12 +18,11 @@ mkdir -p "$folder/programs"
 gpus=$(nvidia-smi -L 2>/dev/null | grep -c ^GPU || true)
 [ "${gpus:-0}" -gt 0 ] || gpus=1
 
-# the forms: default, launches only, tiles; environment variables choose
-for form in SCREE_SOLVER= SCREE_PERSISTENT=0 SCREE_SOLVER=tiles; do
+for form in default launches tiles; do
 	# builds the kernels once, so that the other processes find them in the cache
-	env "$form" build/tests/programs --device "opencl:$device" --programs 1 >/dev/null || true
+	build/tests/programs --device "opencl:$device" --form $form --programs 1 >/dev/null || true
 	for ((gpu = 0; gpu < gpus; ++gpu)); do
-		env "$form" CUDA_VISIBLE_DEVICES=$gpu build/tests/programs --device "opencl:$device" --seed $((gpu * programs)) \
+		CUDA_VISIBLE_DEVICES=$gpu build/tests/programs --device "opencl:$device" --form $form --seed $((gpu * programs)) \
 			--programs $(((programs + gpus - 1) / gpus)) --jobs 2 --life 64 --every 5 --seconds "${SECONDS_EACH:-120}" \
 			--out "$folder/programs" | sed "s/^opencl:/$form &/" &
 	done

@@ -534,7 +534,7 @@ static void pairs_are_complete_on_opencl(void** state)
 	Variant variants[MAX_VARIANTS];
 	int count = list_variants(variants), found = 0;
 	for (int k = 0; k < count; ++k)
-		if (variants[k].threads == 0 && strcmp(variants[k].persistent, "0") == 0)
+		if (variants[k].form == FORM_LAUNCHES)
 		{
 			++found;
 			run_layout(layouts, variants + k);

@@ -38,7 +38,7 @@ static void check_variant(const Variant* variant, int count, bool reads)
 		snprintf(places[1].other, sizeof places[1].other, "%s", variant->other);
 	Pair pair;
 	Program program = {0};
-	set_forms(variant);
+	solve_form_setting = variant->form;
 	pair_open(&pair, places);
 	bool differs = false;
 	for (int k = 0; k < count && !differs; ++k)
@@ -51,7 +51,7 @@ static void check_variant(const Variant* variant, int count, bool reads)
 	}
 	pair_close(&pair);
 	program_close(&program);
-	set_forms(NULL);
+	solve_form_setting = FORM_ANY;
 	if (differs)
 		fail_msg("a program of calls left other bits: %s", variant->name);
 }

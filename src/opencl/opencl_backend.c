@@ -248,9 +248,10 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	b->chain_lanes = 1;
 	b->groups = d->device.about.compute_units;
 
-	form_open(d);
-	d->resident = persistent_wanted(d);
 	bool cpu = d->device.type & CL_DEVICE_TYPE_CPU;
+	d->form = solve_form_setting;
+	d->persistent.any_size = d->form == FORM_RELAY || d->form == FORM_TILES;
+	d->resident = d->persistent.any_size || (d->form == FORM_ANY && !cpu);
 	char program_options[PROGRAM_OPTIONS];
 	// PoCL compiles a kernel at its first launch, so unused kernels cost nothing and all worlds share the same program
 	bool resident = d->resident || d->device.compiles_at_launch;

@@ -2,6 +2,7 @@
 // opencl_state.h -- the state of the OpenCL backend and its types.
 #ifndef OPENCL_STATE_H
 #define OPENCL_STATE_H
+#include "backend/solve_form.h"
 #include "constraints/schedule.h"
 #include "opencl/device.h"
 #include "opencl/group_sizes.h"
@@ -90,7 +91,7 @@ typedef struct
 	Run* listed; // copy of the runs in list
 	int contact_report_count;
 	int groups;    // work-groups resident at once; 0 if the device uses launches only
-	bool any_size; // SCREE_PERSISTENT=1: use it also for runs for which launches are faster
+	bool any_size; // use it also for runs for which launches are faster
 	Counters last; // the counters as last read; they predict the item counts of runs
 } Persistent;
 
@@ -166,14 +167,6 @@ typedef struct
 	int age;              // solves since the last build
 } TileState;
 
-typedef enum // form of a solve
-{
-	FORM_ANY,
-	FORM_RELAY,
-	FORM_TILES,
-	FORM_LAUNCHES // launches by color
-} SolveForm;
-
 // type of clEnqueueAcquire... and clEnqueueRelease..., which transfer ownership of memory between OpenCL and other APIs
 typedef cl_int(CL_API_CALL* ShareFunction)(cl_command_queue, cl_uint, const cl_mem*, cl_uint, const cl_event*,
                                            cl_event*);
@@ -210,7 +203,7 @@ typedef struct
 	Persistent persistent;
 
 	// the solve
-	SolveForm form; // SCREE_SOLVER forces it; FORM_LAUNCHES after memory for a form ran out
+	SolveForm form; // solve_form_setting; FORM_LAUNCHES after memory for a form ran out
 	RelayState relay;
 	TileState tiles;
 	Kernel solve_end;

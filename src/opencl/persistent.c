@@ -5,7 +5,6 @@
 #include "opencl/launch.h"
 #include "opencl/queue.h"
 #include "platform/error.h"
-#include <stdlib.h>
 #include <string.h>
 
 // Maximum number of items in a run of the persistent kernel. For longer runs launches are faster: memory bandwidth then
@@ -69,13 +68,6 @@ static scree_status probe(OpenCl* d, bool* works)
 	             fault == FAULT_TIMEOUT ? "work-groups are not resident at once" : "work-groups see stale memory");
 	fault = 0;
 	return upload(d, counters, at, &fault, sizeof fault);
-}
-
-bool persistent_wanted(OpenCl* d)
-{
-	const char* forced = getenv("SCREE_PERSISTENT");
-	d->persistent.any_size = forced && *forced && strcmp(forced, "0") != 0;
-	return forced && *forced ? d->persistent.any_size : !(d->device.type & CL_DEVICE_TYPE_CPU);
 }
 
 scree_status persistent_open(OpenCl* d)

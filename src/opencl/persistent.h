@@ -4,8 +4,6 @@
 #define OPENCL_PERSISTENT_H
 #include "opencl/opencl_state.h"
 
-// Returns whether to try kernels whose work-groups must be resident at once.
-bool persistent_wanted(OpenCl* d);
 // Tests whether the device can run the persistent kernel.
 scree_status persistent_open(OpenCl* d);
 void persistent_close(OpenCl* d);

@@ -26,7 +26,9 @@ static scree_status counters_note(Backend* b, const Counters* counters)
 	if (!counters->fault)
 		return SCREE_OK;
 	return fail(SCREE_ERROR_DEVICE_FAILED,
-	            "The work-groups of %s timed out waiting for each other (SCREE_PERSISTENT=0 avoids it).", b->name);
+	            "A step on %s failed: its work-groups did not all run at the same time within 2 s. Another program may "
+	            "occupy the device; \"cpu\" has no such limit.",
+	            b->name);
 }
 
 scree_status opencl_read_begin(Backend* b, PoolId pool, int first, int count)

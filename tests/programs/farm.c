@@ -3,6 +3,7 @@
 //
 // A process writes which program it is at where its parent can read it, so that one that crashed or hangs is named.
 #include "programs/farm.h"
+#include "support/form_names.h"
 #include "tools/common/clock.h"
 #include <inttypes.h>
 #include <math.h>
@@ -80,7 +81,8 @@ static void report(const Options* o, Pair* pair, Program* program, Program* befo
 	if (!farm_print(pair, program, what, memory))
 		fprintf(memory, "%s: differed, and does not when run again\n", what);
 	program_write(program, memory);
-	fprintf(memory, "again: programs --device %s --replay %s\n\n", o->places[1].device, path);
+	fprintf(memory, "again: programs --device %s --form %s --replay %s\n\n", o->places[1].device,
+	        form_names[solve_form_setting], path);
 	fclose(memory);
 	fwrite(text, 1, length, stdout);
 	fflush(stdout);
@@ -161,8 +163,9 @@ static bool ended(const Options* o, Desk* desk, pid_t child)
 		return true;
 	desk->failed += 1;
 	printf("program %" PRIu64 ": %s (status %d); again: programs --seed %" PRIu64
-	       " --programs 1 --calls %d --device %s\n",
-	       desk->seed, late ? "it hangs" : "the process crashed", status, desk->seed, o->calls, o->places[1].device);
+	       " --programs 1 --calls %d --device %s --form %s\n",
+	       desk->seed, late ? "it hangs" : "the process crashed", status, desk->seed, o->calls, o->places[1].device,
+	       form_names[solve_form_setting]);
 	return true;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // main.c -- the command "programs": random programs on a device beside the reference, or one of them again.
 #include "programs/farm.h"
+#include "support/form_names.h"
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,8 +15,8 @@ static const char usage[] =
     "  --programs N    how many (100)\n"
     "  --seed N        of the first (0)\n"
     "  --calls N       of each (200)\n"
-    "  --device NAME   where they run: cpu (default), opencl, opencl:NAME; the environment chooses forms "
-    "(docs/opencl.md)\n"
+    "  --device NAME   where they run: cpu (default), opencl, opencl:NAME\n"
+    "  --form NAME     of the solve there: default, launches, relay, tiles (docs/opencl.md)\n"
     "  --threads N, --lanes N   on a CPU (0: all)\n"
     "  --jobs N        processes (1)\n"
     "  --life N        programs, one after the other, on the same worlds, up to 64 (1)\n"
@@ -67,14 +68,19 @@ static Options parse(int count, char** arguments)
 		const char* value = arguments[++k];
 		char* end = NULL;
 		double number = strtod(value, &end);
-		const char* texts[] = {"--device", "--out", "--replay"};
+		const char* texts[] = {"--device", "--form", "--out", "--replay"};
 		bool text = false;
-		for (int i = 0; i < 3; ++i)
+		for (int i = 0; i < 4; ++i)
 			text |= strcmp(name, texts[i]) == 0;
 		if (!text && (end == value || *end || number < 0.0 || number > 1e15))
 			die("programs: %s is no number\n", value);
 		if (strcmp(name, "--device") == 0)
 			snprintf(o.places[1].device, sizeof o.places[1].device, "%s", value);
+		else if (strcmp(name, "--form") == 0)
+		{
+			if (!form_choose(value))
+				die("programs: there is no form %s\n", value);
+		}
 		else if (strcmp(name, "--out") == 0)
 			o.out = value;
 		else if (strcmp(name, "--replay") == 0)

@@ -2,23 +2,23 @@
 // variants.c -- the devices, numbers of threads and lanes, and forms of the solver on which a world must have the same bits.
 #include "support/variants.h"
 #include "platform/processor.h"
+#include "support/form_names.h"
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static int add_variant(Variant variants[MAX_VARIANTS], int count, const char* device, int threads, int lanes,
-                       const char* persistent, const char* solver)
+                       SolveForm form)
 {
 	if (count == MAX_VARIANTS)
 		return count;
 	Variant* variant = variants + count;
-	*variant = (Variant){.threads = threads, .lanes = lanes, .persistent = persistent, .solver = solver};
+	*variant = (Variant){.threads = threads, .lanes = lanes, .form = form};
 	snprintf(variant->device, sizeof variant->device, "%.127s", device);
 	if (threads > 0)
 		snprintf(variant->name, sizeof variant->name, "%d thread%s, %d lane%s", threads, threads > 1 ? "s" : "", lanes,
 		         lanes > 1 ? "s" : "");
 	else
-		snprintf(variant->name, sizeof variant->name, "%.127s, solver: %s", device, solver ? solver : "launches");
+		snprintf(variant->name, sizeof variant->name, "%.127s, solver: %s", device, form_names[form]);
 	return count + 1;
 }
 
@@ -39,7 +39,7 @@ int list_variants(Variant variants[MAX_VARIANTS])
 	for (int threads = 1; threads <= 2; ++threads)
 		for (int lanes = 1; lanes <= 16; lanes *= 2)
 			if (lanes != 2 && processor_has_lanes(lanes) && !(quick() && threads == 1 && lanes > 1))
-				count = add_variant(variants, count, "cpu", threads, lanes, NULL, NULL);
+				count = add_variant(variants, count, "cpu", threads, lanes, FORM_ANY);
 
 	scree_device devices[MAX_VARIANTS];
 	int found;
@@ -48,9 +48,9 @@ int list_variants(Variant variants[MAX_VARIANTS])
 	{
 		if (strcmp(devices[k].name, "cpu") == 0 || !devices[k].equal_bits)
 			continue;
-		count = add_variant(variants, count, devices[k].name, 0, 0, "0", NULL);
-		count = add_variant(variants, count, devices[k].name, 0, 0, "1", "relay");
-		count = add_variant(variants, count, devices[k].name, 0, 0, "1", "tiles");
+		static const SolveForm forms[] = {FORM_LAUNCHES, FORM_RELAY, FORM_TILES};
+		for (int i = 0; i < 3; ++i)
+			count = add_variant(variants, count, devices[k].name, 0, 0, forms[i]);
 		count = add_moving_variant(variants, count, devices[k].name);
 	}
 	return count;
@@ -74,30 +74,16 @@ bool variant_is_due(const Variant* variants, int count, int k, int round)
 	return !quick() || k < first || k - first == round % (count - first);
 }
 
-static void set_or_clear(const char* name, const char* value)
-{
-	if (value)
-		setenv(name, value, 1);
-	else
-		unsetenv(name);
-}
-
-void set_forms(const Variant* variant)
-{
-	set_or_clear("SCREE_PERSISTENT", variant ? variant->persistent : NULL);
-	set_or_clear("SCREE_SOLVER", variant ? variant->solver : NULL);
-}
-
 scree_world* open_variant(const Variant* variant, const scree_world_def* given)
 {
 	scree_world_def def = *given;
 	def.device = variant->device;
 	def.threads = variant->threads;
 	def.lanes = variant->lanes;
-	set_forms(variant);
+	solve_form_setting = variant->form;
 	scree_world* world;
 	scree_status status = scree_world_create(&def, &world);
-	set_forms(NULL);
+	solve_form_setting = FORM_ANY;
 	if (status != SCREE_OK)
 		fail_msg("%s: %s", variant->name, scree_error());
 	return world;

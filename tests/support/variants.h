@@ -2,6 +2,7 @@
 // variants.h -- the devices, numbers of threads and lanes, and forms of the solver on which a world must have the same bits.
 #ifndef VARIANTS_H
 #define VARIANTS_H
+#include "backend/solve_form.h"
 #include "support/checks.h"
 
 typedef struct // a device and the settings of a world on it
@@ -9,9 +10,8 @@ typedef struct // a device and the settings of a world on it
 	char name[160];
 	char device[128];
 	int threads, lanes;
-	const char* persistent; // SCREE_PERSISTENT of the environment; null for the default
-	const char* solver;     // SCREE_SOLVER of the environment; null for the default
-	char other[128];        // the device to which the world moves now and then, and back; empty for none
+	SolveForm form;
+	char other[128]; // the device to which the world moves now and then, and back; empty for none
 } Variant;
 
 #define MAX_VARIANTS 32
@@ -24,9 +24,6 @@ void print_variants(void);
 
 // Whether variant k is part of a round. In quick builds, which look for faults of the host's code, the OpenCL variants rotate.
 bool variant_is_due(const Variant* variants, int count, int k, int round);
-
-// Sets persistent and solver in the environment for worlds that are created from here on; null clears both.
-void set_forms(const Variant* variant);
 
 // Creates a world there; of def all but device, threads and lanes counts.
 scree_world* open_variant(const Variant* variant, const scree_world_def* def);

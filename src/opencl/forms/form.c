@@ -7,8 +7,6 @@
 #include "opencl/launch.h"
 #include "opencl/queue.h"
 #include "platform/error.h"
-#include <stdlib.h>
-#include <string.h>
 
 // Maximum number of constraints for which a relay is faster than tiles.
 #define RELAY_CONSTRAINTS 1000000
@@ -25,16 +23,6 @@ enum
 	END_PASSES,
 	END_BOUND
 };
-
-void form_open(OpenCl* d)
-{
-	const char* forced = getenv("SCREE_SOLVER");
-	d->form = FORM_ANY;
-	if (forced && strcmp(forced, "relay") == 0)
-		d->form = FORM_RELAY;
-	if (forced && strcmp(forced, "tiles") == 0)
-		d->form = FORM_TILES;
-}
 
 // Reserves memory for a solve by relay or tiles. If that fails, the solve uses launches by color, which need none.
 static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)

@@ -4,8 +4,6 @@
 #define OPENCL_FORM_H
 #include "opencl/opencl_state.h"
 
-// Reads the environment variable SCREE_SOLVER.
-void form_open(OpenCl* d);
 scree_status opencl_solve(Backend* b, const Step* step, const Solve* solve, RunList* list);
 
 #endif
