@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // inspect.mjs -- information of the page about bodies and colors: numbers under the cursor and of a selected body, follow, legends,
 // theme. Inspection changes no world.
-import { begin, middleOf, overBody, record, step } from 'tools.mjs';
+import { begin, middleOf, overBody, record, step } from './tools.mjs';
 
 const SMALL = [['count', '40']];
 const text = (browser, id) => browser.run(`await scree.host.ask({ type: 'looked' }); const box = document.getElementById(args[0]); return box.hidden ? '' : box.innerText`, id);

@@ -3,9 +3,9 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser, startServer, stop } from './browser.mjs';
-import { checkHands, checkRecord, replay } from 'tools.mjs';
+import { checkHands, checkRecord, replay } from './tools.mjs';
 import { checkHashes, nativeHashes } from './hashes.mjs';
-import { checkLooks } from 'inspect.mjs';
+import { checkLooks } from './inspect.mjs';
 import { checkPictures } from './pictures.mjs';
 
 const [scree, page, scratch] = process.argv.slice(2);
