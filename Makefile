@@ -67,7 +67,7 @@ bench: build ## measure on the CPU, and the GPU if any, for some minutes, into b
 	@tools/packages.sh gnuplot-nox
 	@bench/bench.sh $(NAME)
 
-lists: ## the schema and the tables of keys of scene files, from scene/format.def
+lists: ## tables of docs/scenes.md and docs/view.md, and the schema of scene files, from lists of the sources
 	@tools/packages.sh $(build_packages)
 	@cmake --preset release --log-level=NOTICE
 	@cmake --build --preset release --target scene_lists

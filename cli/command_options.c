@@ -39,18 +39,21 @@ static const Option device = {"device", 'd', "NAME", "auto, cpu, opencl, or open
 static const Option renderer = {"renderer", 'R', "NAME",
                                 "renderer of pictures and video: cairo, or gl, which draws on a GPU; default cairo",
                                 OTHER(read_renderer)};
-static const Option paint = {"paint", 'a', "NAME",
-                             "with gl: color bodies by attribute, speed, graph (colors of the solver), force, start or "
-                             "type",
+static const Option paint = {"paint", 'a', "NAME", "with gl: paint of the bodies, one of"
+#define X(enumerator, name, help) " " name
+#include "view/paints.def"
+#undef X
+                             ,
                              TEXT(Options, paint)};
 static const Option theme = {"theme", 'T', "NAME", "with gl: light or dark; default light", OTHER(read_theme)};
 static const Option scale = {
     "scale", 'z', "N", "scale of the panel and its letters, 0.5 to 4; default: that of the display", OTHER(read_scale)};
-static const Option layers = {
-    "layers", 'L', "NAME,...",
-    "with gl: boxes, contacts, normals, impulses, velocities, sensors, rays, visits, touches, "
-    "hits, breaks, joints, centers, fields",
-    TEXT(Options, layers)};
+static const Option layers = {"layers", 'L', "NAME,...", "with gl: layers over the bodies, any of"
+#define X(name, key, shown, help) " " #name
+#include "view/layers.def"
+#undef X
+                              ,
+                              TEXT(Options, layers)};
 static const Option script = {"script", 'x', "FILE", "file of user actions, one per line: docs/view.md",
                               TEXT(Options, script)};
 static const Option queries = {"queries", 'Q', "N", "number of queries of each kind; default: a million",

@@ -64,11 +64,6 @@ done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9
 	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/dialect/{dialect,opencl_words,c_words,wide}.h |
 	grep -vxE '(DIALECT|OPENCL_WORDS|C_WORDS|WIDE)_H|ROW|KERNEL_JOIN_?' | sort -u)
 
-# every key of the viewer has its row in docs/view.md
-while read -r key; do
-	grep -qE "^\|.*\`$key\`.*\|" docs/view.md || complain "docs/view.md: the key $key is missing"
-done < <(sed -nE 's/^X\([a-z]+, [A-Z0-9]+, "([^"]+)".*/\1/p' view/window/keys.def)
-
 # Comments are plain English, as far as their first words and some phrases show it: the rule is in STYLE.md.
 sources=(-name '*.c' -o -name '*.h' -o -name '*.cl' -o -name '*.cpp' -o -name '*.def' -o -name '*.js' -o -name '*.mjs'
 	-o -name '*.vert' -o -name '*.frag' -o -name '*.glsl')

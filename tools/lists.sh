@@ -2,20 +2,47 @@
 # SPDX-License-Identifier: MIT
 # lists.sh -- writes the files that come from lists of the sources.
 #
-# lists.sh TESTS [FOLDER]: writes scenes/scene.schema.json and the tables of docs/scenes.md in FOLDER, by default the sources. TESTS is
-# the folder of the test programs, where scene_lists is.
+# lists.sh TESTS [FOLDER]: writes scenes/scene.schema.json and the tables of docs/scenes.md and docs/view.md in FOLDER, by default the
+# sources. TESTS is the folder of the test programs, where scene_lists is.
 set -euo pipefail
 . "${BASH_SOURCE[0]%/*}/usage.sh"
 source=${BASH_SOURCE[0]%/*}/..
 program=${1:?is the folder of the test programs}/scene_lists
 folder=${2:-$source}
 
+# replace NAME COMMAND...: puts the output of a command between the marks of this name in the document on standard input
+replace()
+{
+	local name=$1 document
+	document=$(cat)
+	sed "/^<!-- $name by make lists -->\$/q" <<<"$document"
+	"${@:2}"
+	sed -n "/^<!-- end of $name -->\$/,\$p" <<<"$document"
+}
+
+keys()
+{
+	printf '%s\n' '| key | in | what it does |' '| --- | --- | --- |'
+	sed -nE -e 's/^X\(.*, "(.+)", "(.+)"\)$/| `\1` | viewer, page | \2 |/p' \
+		-e 's/^VIEWER\(.*, "(.+)", "(.+)"\)$/| `\1` | viewer | \2 |/p' \
+		-e 's/^PAGE\(.*, "(.+)", "(.+)"\)$/| `\1` | page | \2 |/p' \
+		-e 's/^MOUSE\("(.+)", "(.+)"\)$/| \1 | viewer, page | \2 |/p' "$source/view/window/keys.def"
+}
+layers()
+{
+	printf '%s\n' '| layer | key | what it shows |' '| --- | --- | --- |'
+	sed -nE 's/^X\(([a-z]+), .*, "(.+)", "(.+)"\)$/| `\1` | `\2` | \3 |/p' "$source/view/layers.def"
+}
+paints()
+{
+	printf '%s\n' '| paint | what a color means |' '| --- | --- |'
+	sed -nE 's/^X\([A-Z]+, "(.+)", "(.+)"\)$/| `\1` | \2 |/p' "$source/view/paints.def"
+}
+
 mkdir -p "$folder/scenes" "$folder/docs"
 schema=$("$program" schema)
-document=$(
-	sed '/^<!-- tables by make lists -->$/q' "$source/docs/scenes.md"
-	"$program" tables
-	sed -n '/^<!-- end of tables -->$/,$p' "$source/docs/scenes.md"
-)
+scenes=$(replace tables "$program" tables <"$source/docs/scenes.md")
+view=$(replace keys keys <"$source/docs/view.md" | replace layers layers | replace paints paints)
 echo "$schema" >"$folder/scenes/scene.schema.json"
-echo "$document" >"$folder/docs/scenes.md"
+echo "$scenes" >"$folder/docs/scenes.md"
+echo "$view" >"$folder/docs/view.md"

@@ -13,7 +13,7 @@ const char* const paint_names[PAINTS] = {
 #undef X
 };
 const char* const layer_names[LAYERS] = {
-#define X(name, help) #name,
+#define X(name, key, shown, help) #name,
 #include "view/layers.def"
 #undef X
 };

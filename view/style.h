@@ -25,7 +25,7 @@ Color graph_color(int color);
 
 typedef enum
 {
-#define X(name, help) LAYER_##name,
+#define X(name, key, shown, help) LAYER_##name,
 #include "view/layers.def"
 #undef X
 	LAYERS,

@@ -31,11 +31,16 @@ EMSCRIPTEN_KEEPALIVE const char* page_error(void) { return page.sentence; }
 // Names, so that lists exist once
 // ---------------------------------------------------------------------------------------------------------------
 
-static const char* const layer_help[LAYERS] = {
-#define X(name, help) help,
-#include "view/layers.def"
+// name, key and help of each action
+static const char* const actions[][3] = {
+#define X(name, key, shown, help) {#name, shown, help},
+#define VIEWER(name, key, shown, help)
+#define PAGE(name, shown, help) {#name, shown, help},
+#define MOUSE(shown, help)      {"mouse", shown, help},
+#include "view/window/keys.def"
 #undef X
 };
+#define PAGE_ACTIONS (int)(sizeof actions / sizeof *actions)
 
 static const char* const paint_help[PAINTS] = {
 #define X(enumerator, name, help) help,
@@ -43,8 +48,13 @@ static const char* const paint_help[PAINTS] = {
 #undef X
 };
 
+EMSCRIPTEN_KEEPALIVE bool page_layer_is_default(int k)
+{
+	Style style;
+	return k < LAYERS && style_read(&style, NULL, NULL, page.sentence) && style.layers[k];
+}
 EMSCRIPTEN_KEEPALIVE const char* page_layer(int k) { return k < LAYERS ? layer_names[k] : ""; }
-EMSCRIPTEN_KEEPALIVE const char* page_layer_help(int k) { return k < LAYERS ? layer_help[k] : ""; }
+EMSCRIPTEN_KEEPALIVE const char* page_action(int k, int part) { return k < PAGE_ACTIONS ? actions[k][part] : ""; }
 EMSCRIPTEN_KEEPALIVE const char* page_paint(int k) { return k < PAINTS ? paint_names[k] : ""; }
 EMSCRIPTEN_KEEPALIVE const char* page_paint_help(int k) { return k < PAINTS ? paint_help[k] : ""; }
 EMSCRIPTEN_KEEPALIVE const char* page_key(int k) { return k < SCENE_KEYS ? scene_key_names[k] : ""; }

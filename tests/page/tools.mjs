@@ -200,6 +200,25 @@ async function checkTime(browser, check) {
 	check(again.step === 0 && again.hash === start.hash, 'from the start means the same world');
 }
 
+// The list of keys comes from the WebAssembly: its keys press buttons of the page, whose tooltips name them.
+async function checkList(browser, check) {
+	await browser.run(`document.getElementById('picture').focus()`);
+	const contacts = () => browser.run(`return document.getElementById('layer-contacts').checked`);
+	const before = await contacts();
+	await browser.type('2');
+	check(!before && (await contacts()), 'the key 2 shows contacts');
+	await browser.type('2');
+	check(!(await contacts()), 'the key 2 hides contacts');
+	const title = await browser.run(`return document.getElementById('once').title`);
+	check(title === 'takes one step (n)', `the tooltip of a button names its key: "${title}"`);
+	const shown = await browser.run(`return ['joints', 'rays', 'boxes'].map((name) => document.getElementById('layer-' + name).checked).join()`);
+	check(shown === 'true,true,false', `joints and rays are shown at first, boxes are not: ${shown}`);
+	await browser.type('?');
+	const words = await browser.run(`return document.getElementById('keys').open && document.getElementById('keys').textContent`);
+	check(words && words.includes('esc') && words.includes('wheel') && !words.includes('F11'), `the key ? lists the keys of the page: "${words}"`);
+	await browser.run(`document.getElementById('keys').close()`);
+}
+
 // The arrow keys play the platformer, and what they did is played again.
 async function checkKeys(browser, check) {
 	await begin(browser, 'platformer', [], 0);
@@ -276,6 +295,7 @@ export function checkRecord(check) {
 
 export async function checkHands(browser, address, expected, check) {
 	await checkTime(browser, check);
+	await checkList(browser, check);
 	await checkDrag(browser, 'mouse', check);
 	await checkDrag(browser, 'touch', check);
 	await checkFingers(browser, check);

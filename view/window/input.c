@@ -133,7 +133,7 @@ static bool style_action(Viewer* v, Action action)
 	case ACTION_paint:
 		v->style.paint = (Paint)((v->style.paint + 1) % PAINTS);
 		return true;
-#define X(name, help)                                                   \
+#define X(name, key, shown, help)                                       \
 	case ACTION_##name:                                                 \
 		v->style.layers[LAYER_##name] = !v->style.layers[LAYER_##name]; \
 		explain_layer(v, LAYER_##name);                                 \

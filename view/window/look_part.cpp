@@ -5,7 +5,6 @@ extern "C" {
 }
 #include "view/window/parts.h"
 #include "view/window/sizes.h"
-#include <cstring>
 #include <imgui.h>
 
 static const char* const paint_helps[] = {
@@ -14,30 +13,22 @@ static const char* const paint_helps[] = {
 #undef X
 };
 
-static const struct
-{
-	const char *name, *help;
-} layers[] = {
-#define X(name, help) {#name, help},
+// keys and texts of actions, and of the actions of layers
+static const char* const action_helps[] = {
+#define X(name, key, shown, help) shown ": " help,
+#include "view/window/keys.def"
+#undef X
+};
+static const char* const layer_helps[] = {
+#define X(name, key, shown, help) shown ": " help,
 #include "view/layers.def"
 #undef X
 };
 
-// Returns the key of the action with this name; empty if there is none.
-static const char* key_of(const char* name)
+static void explain(const char* help)
 {
-	static const struct
-	{
-		const char *name, *shown;
-	} keys[] = {
-#define X(name, key, shown, help) {#name, shown},
-#include "view/window/keys.def"
-#undef X
-	};
-	for (const auto& key : keys)
-		if (strcmp(key.name, name) == 0)
-			return key.shown;
-	return "";
+	if (ImGui::IsItemHovered())
+		ImGui::SetTooltip("%s", help);
 }
 
 // Begins column k of three.
@@ -55,8 +46,7 @@ static void draw_paints(Viewer* v)
 		begin_column(k);
 		if (ImGui::RadioButton(paint_names[k], v->style.paint == k))
 			v->style.paint = static_cast<Paint>(k);
-		if (ImGui::IsItemHovered())
-			ImGui::SetTooltip("%s", paint_helps[k]);
+		explain(paint_helps[k]);
 	}
 	ImGui::PopID();
 }
@@ -84,14 +74,12 @@ void part_look(Viewer* v)
 	{
 		begin_column(k);
 		ImGui::Checkbox(layer_names[k], &v->style.layers[k]);
-		if (ImGui::IsItemHovered())
-			ImGui::SetTooltip("%s: %s", key_of(layers[k].name), layers[k].help);
+		explain(layer_helps[k]);
 	}
 	begin_column(LAYERS);
 	if (ImGui::Checkbox("graph dots", &v->style.graph) && v->style.graph)
 		v->style.layers[LAYER_contacts] = true;
-	if (ImGui::IsItemHovered())
-		ImGui::SetTooltip("6: contact points in the colors of the solver's graph");
+	explain(action_helps[ACTION_graph]);
 	draw_shares(v);
 	ImGui::Separator();
 	ImGui::Checkbox("dark", &v->style.dark);
@@ -99,8 +87,7 @@ void part_look(Viewer* v)
 	bool follows = v->eye.follows;
 	if (ImGui::Checkbox("follow", &follows))
 		input_action(v, ACTION_follow);
-	if (ImGui::IsItemHovered())
-		ImGui::SetTooltip("k: the selected body stays in the middle, until the picture is moved");
+	explain(action_helps[ACTION_follow]);
 	begin_column(2);
 	if (ImGui::SmallButton("fit"))
 		input_action(v, ACTION_fit);

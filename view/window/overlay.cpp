@@ -122,8 +122,10 @@ static void draw_keys(const Viewer* v, const ImVec2& size)
 	}
 	if (v->session.scene->control_count + v->session.scene->character_count > 0)
 		ImGui::Separator();
-	ImGui::Text("left button: drag a body, or the picture; click: select;");
-	ImGui::Text("right button: the picture; wheel: zoom");
+#define X(name, key, shown, help)
+#define MOUSE(shown, help) ImGui::Text("%s: %s", shown, help);
+#include "view/window/keys.def"
+#undef X
 	ImGui::End();
 }
 

@@ -26,11 +26,10 @@ typedef struct
 
 void view_print_keys(FILE* file)
 {
-#define X(name, key, shown, help) fprintf(file, "  %-8s%s\n", shown, help);
+#define MOUSE(shown, help)        fprintf(file, "  %-14s%s\n", shown, help);
+#define X(name, key, shown, help) MOUSE(shown, help)
 #include "view/window/keys.def"
 #undef X
-	fprintf(file,
-	        "  left button: drag a body, or the picture; click: select; right button: the picture; wheel: zoom\n");
 }
 
 // Takes the steps that are due by the clock, or one per frame for a script. A failed step ends the viewer.

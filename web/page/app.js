@@ -25,12 +25,8 @@ const TOOLS = [
 	{ value: 'blast', label: 'Blast', title: 'Hold: an explosion grows; let go, it goes off', icon: 'blast' },
 	{ value: 'move', label: 'Move', title: 'Move the picture only', icon: 'move' },
 ];
-// layers that are on at first, and a key for each, as in the viewer
-const SHOWN = ['joints', 'fields', 'sensors', 'rays'];
-const LAYER_KEYS = {
-	boxes: '1', contacts: '2', normals: '3', impulses: '4', velocities: '5', centers: 'z', joints: '7', fields: 'g', sensors: '8',
-	rays: '9', visits: '0', touches: 'u', hits: 'i', breaks: 'b',
-};
+// keys whose names in browsers are not those of view/window/keys.def
+const BROWSER_KEYS = { space: ' ', esc: 'Escape' };
 
 class App {
 	constructor(scenes) {
@@ -76,17 +72,17 @@ class App {
 		this[`on_${message.type}`](message);
 	}
 
-	on_ready({ form, threads, drawn, layers, paints, keys, version }) {
+	on_ready({ form, threads, drawn, actions, layers, paints, keys, version }) {
 		this.version = version;
 		this.drawn = drawn;
 		this.layerNames = layers.map(({ name }) => name);
-		SHOWN.forEach((name) => this.setLayer(name, true));
+		layers.forEach(({ name, on }) => this.setLayer(name, on));
 		$('form').textContent = form === 'threads' ? `${threads} threads` : form === 'simd' ? 'SIMD, 1 thread' : 'no SIMD, 1 thread';
 		$('form').title = 'the form of WebAssembly that this browser runs';
 		$('form').hidden = false;
 		this.buildTransport();
 		this.buildLook(layers, paints);
-		this.keys = new Keys(this.actions(), keys, (down) => this.say({ type: 'keys', down }));
+		this.keys = new Keys(this.actions(actions), keys, (down) => this.say({ type: 'keys', down }));
 		this.numbers = new Numbers();
 		this.body = new Body((follows) => this.follow(follows), () => this.say({ type: 'forget' }));
 		this.compare = new Compare(this.say);
@@ -244,29 +240,38 @@ class App {
 		this.choose(this.names.at((this.names.indexOf(this.source.name) + by) % this.names.length));
 	}
 
-	actions() {
-		const click = (id) => () => $(id).click();
-		return [
-			{ key: ' ', shown: 'space', help: 'pause, or go on', run: () => this.pause() },
-			{ key: 'n', shown: 'n', help: 'one step', run: click('once'), repeats: true },
-			{ key: 'r', shown: 'r', help: 'from the start', run: click('restart') },
-			{ key: '-', shown: '-', help: 'slower', run: () => this.speed(-1) },
-			{ key: '=', shown: '=', help: 'faster', run: () => this.speed(1) },
-			{ key: '+', run: () => this.speed(1) },
-			{ key: 'f', shown: 'f', help: 'show the whole scene', run: click('fit') },
-			{ key: 't', shown: 't', help: 'a new body at the cursor', run: () => this.useTool('throw'), repeats: true },
-			{ key: 'x', shown: 'x', help: 'held: an explosion at the cursor grows; let go, it goes off', hold: (down) => this.holdTool('blast', down) },
-			{ key: 'm', shown: 'm', help: 'held: pours bodies like those of the scene in at the cursor', hold: (down) => this.holdTool('pour', down) },
-			{ key: 'k', shown: 'k', help: 'follow the selected body, until the picture is moved', run: () => this.follow() },
-			{ key: 'o', shown: 'o', help: 'the numbers of what is under the cursor', run: () => (this.hovers = !this.hovers) },
-			{ key: 'Escape', shown: 'esc', help: 'forget what was selected', run: () => this.say({ type: 'forget' }) },
-			{ key: 'l', shown: 'l', help: 'light or dark', run: click('theme') },
-			{ key: '[', shown: '[', help: 'the scene before', run: () => this.neighbor(-1) },
-			{ key: ']', shown: ']', help: 'the next scene', run: () => this.neighbor(1) },
-			{ key: 'c', shown: 'c', help: 'color bodies in another way', run: () => this.nextPaint() },
-			...Object.entries(LAYER_KEYS).map(([name, key]) => ({ key, shown: key, help: name, run: click(`layer-${name}`) })),
-			{ key: '?', shown: '?', help: 'this list', run: click('help') },
-		];
+	// Adds to each action of a list its key in browsers, and what the key does. Keys of layers and of some actions press a
+	// button, whose tooltip then names the key.
+	actions(list) {
+		const own = {
+			pause: { button: 'pause' },
+			step: { button: 'once', repeats: true },
+			restart: { button: 'restart' },
+			slower: { run: () => this.speed(-1) },
+			faster: { run: () => this.speed(1) },
+			earlier: { run: () => this.neighbor(-1) },
+			later: { run: () => this.neighbor(1) },
+			launch: { run: () => this.useTool('throw'), repeats: true },
+			pour: { hold: (down) => this.holdTool('pour', down) },
+			blast: { hold: (down) => this.holdTool('blast', down) },
+			fit: { button: 'fit' },
+			follow: { run: () => this.follow() },
+			paint: { run: () => this.nextPaint() },
+			theme: { button: 'theme' },
+			hover: { run: () => (this.hovers = !this.hovers) },
+			forget: { run: () => this.say({ type: 'forget' }) },
+			list: { button: 'help' },
+			mouse: {},
+		};
+		const actions = list.map(({ name, shown, help }) => {
+			const { button, ...action } = own[name] ?? { button: `layer-${name}` };
+			if (button) {
+				$(button).title = `${help} (${shown})`;
+				action.run = () => $(button).click();
+			}
+			return { key: BROWSER_KEYS[shown] ?? shown, shown, help, ...action };
+		});
+		return [...actions, { ...actions.find(({ shown }) => shown === '='), key: '+', shown: '' }];
 	}
 
 	nextPaint() {
@@ -310,17 +315,17 @@ class App {
 			this.restyle();
 		});
 		$('layers').replaceChildren(
-			...layers.map(({ name, help }) => {
+			...layers.map(({ name, on }) => {
 				const box = element('input', {
 					type: 'checkbox',
 					id: `layer-${name}`,
-					checked: SHOWN.includes(name),
+					checked: on,
 					onchange: () => {
 						this.setLayer(name, box.checked);
 						this.restyle();
 					},
 				});
-				return element('label', { title: help }, box, element('span', {}, name));
+				return element('label', {}, box, element('span', {}, name));
 			}),
 		);
 		addEventListener('theme', () => this.restyle());

@@ -27,10 +27,11 @@ export class Core {
 	}
 	lists() {
 		const m = this.module;
-		const helped = (names, help) => names.map((name, k) => ({ name, help: this.text(help(k)) }));
+		const part = (k, which) => this.text(m._page_action(k, which));
 		return {
-			layers: helped(this.names(m._page_layer), m._page_layer_help),
-			paints: helped(this.names(m._page_paint), m._page_paint_help),
+			actions: this.names((k) => m._page_action(k, 0)).map((name, k) => ({ name, shown: part(k, 1), help: part(k, 2) })),
+			layers: this.names(m._page_layer).map((name, k) => ({ name, on: Boolean(m._page_layer_is_default(k)) })),
+			paints: this.names(m._page_paint).map((name, k) => ({ name, help: this.text(m._page_paint_help(k)) })),
 			keys: this.names(m._page_key),
 			version: this.text(m._page_version()),
 		};

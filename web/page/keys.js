@@ -10,8 +10,8 @@ const CODES = {
 const ARROWS = ['left', 'up', 'down', 'right'];
 
 export class Keys {
-	// actions: [{key, shown, help, run, hold}]: run() is called at a press, hold(down) at press and release; names:
-	// names of the scene keys; hold(bits): receives the scene keys that are down
+	// actions: [{key, shown, help, run, hold}]: run() is called at a press, hold(down) at press and release; without shown
+	// the list omits the key. names: names of the scene keys; hold(bits): receives the scene keys that are down
 	constructor(actions, names, hold) {
 		this.held = new Set(); // actions whose key is down
 		this.actions = new Map(actions.map((action) => [action.key, action]));
@@ -104,11 +104,8 @@ export class Keys {
 			.filter(({ shown }) => shown)
 			.map(({ shown, help }) => element('div', {}, element('dt', {}, element('kbd', {}, shown)), element('dd', {}, help)));
 		const fingers = [
-			['mouse', 'drag a body, or the picture beside all bodies; the right button always moves the picture'],
-			['click', 'the numbers of a body; beside all bodies: forget it'],
-			['wheel', 'zoom'],
-			['one finger', 'the same as the mouse'],
-			['two fingers', 'move and zoom'],
+			['one finger', 'does what the left button does'],
+			['two fingers', 'move and zoom the picture'],
 		].map(([shown, help]) => element('div', {}, element('dt', {}, shown), element('dd', {}, help)));
 		$('keys').replaceChildren(
 			element('h2', { id: 'keys-title' }, 'Keys and fingers', close),
