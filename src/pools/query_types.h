@@ -2,7 +2,7 @@
 // query_types.h -- queries and their answers, as the device and the user exchange them.
 #ifndef QUERY_TYPES_H
 #define QUERY_TYPES_H
-#include "dialect/dialect.h"
+#include "pools/collidable_types.h"
 
 // Queries: their forms, the answers that they return, and the order of the answers.
 #define QUERY_RAYS    0
@@ -50,11 +50,18 @@ typedef struct // 32 bytes: scree_query_result
 #define FOUND_HIT    1u
 #define FOUND_INSIDE 0x100u
 
-typedef struct // 32 bytes: a body that moved, as reported to the user
+typedef struct // settings that all queries of a call share
 {
-	Float4 pose; // pose of the center of mass: x, y, cos, sin
-	float vx, vy, w;
-	int body;
-} MovedBody;
+	Word64 category, mask;
+	Word kinds;      // QueryLeaf.kinds that are found
+	int all;         // 1 if category and mask have all bits
+	int room;        // capacity of the lists of answers
+	int found;       // answers found, including those beyond the capacity
+	float most;      // m: greatest distance of a nearest collidable
+	int skips;       // 1 to skip collidables inside which a query begins
+	int rules;       // 1 to find one-way platforms from above only
+	int bodies;      // used slots of the pool body_generation
+	Attribute shape; // shape of the query; a point for rays
+} QueryPlan;
 
 #endif

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // constants.c -- the constants of a step.
 #include "step/constants.h"
+#include "platform/error.h"
 #include "step/contact_capacity.h"
 #include <math.h>
+#include <string.h>
 
 // Distance from which on small bodies have contacts, as a multiple of the distance g dt^2 that gravity moves them in a
 // step.
@@ -130,4 +132,17 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 	};
 	step_places(&step, b);
 	return step;
+}
+
+scree_status kinematics_upload(Pipeline* pipeline, const StepRequest* request)
+{
+	Backend* b = pipeline->backend;
+	Kinematics now = {{0}};
+	for (int k = 0; k < request->kinematic && k < KINEMATIC_FEW; ++k)
+		now.body[k] = request->kinematics[k];
+	if (request->kinematic > KINEMATIC_FEW || memcmp(&now, &pipeline->kinematics, sizeof now) == 0)
+		return SCREE_OK;
+	TRY(b->f->write(b, POOL_kinematics, 0, 1, &now));
+	pipeline->kinematics = now;
+	return SCREE_OK;
 }

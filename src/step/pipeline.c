@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// pipeline.c -- the order of the step.
-//
-//     detect (detect.c): transform -> broad phase -> narrow phase -> color -> (one small readback)
-//     solve (dispatch.c): solve -> finalize
-//
-// The kernels integrate_velocity and integrate_position run inside solve, once per substep.
+// pipeline.c -- the step: the stages in their order, and what surrounds them.
 #include "step/pipeline.h"
 #include "backend/solve_runs.h"
 #include "platform/error.h"
 #include "step/constants.h"
-#include "step/detect.h"
+#include "step/contact_capacity.h"
 #include "step/dispatch.h"
 #include "step/event_readback.h"
 #include "step/reserve.h"
+#include "step/solve_stage.h"
+#include "step/stage_lists.h"
 #include "step/traffic.h"
 #include "step/tree_maintenance.h"
 #include <math.h>
 #include <string.h>
+
+// Coloring rounds in excess of those that the last step needed, before the host checks whether uncolored contacts are
+// left.
+#define SPARE_ROUNDS 2
 
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
 {
@@ -33,22 +34,133 @@ scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int
 	return pipeline_reserve(pipeline, PER_COMMAND, LEAST_CAPACITY);
 }
 
-// Packs the contacts into the first slots.
-static scree_status pack(Pipeline* pipeline, const Step* step)
+// Executes the listed runs and reads the counters. This is the only time in a step that the host waits for the device.
+static scree_status read_back(Pipeline* pipeline, const Step* step)
 {
-	RunList* list = &pipeline->list;
-	Counters* c = &pipeline->counters;
-	int slots = c->contacts;
-	runs_add(list, KERNEL_contact_mark_free, 0, slots + 1, NO_COUNT, 0);
-	runs_add(list, PRIMITIVE_SCAN, 0, slots + 1, NO_COUNT, 0);
-	runs_add(list, KERNEL_contact_list_free, 0, slots, NO_COUNT, 0);
-	runs_add(list, KERNEL_contact_pack, 0, slots, NO_COUNT, 0);
-	runs_add_single(list, KERNEL_contact_pack_end);
-	c->contacts = c->alive - c->released;
-	pipeline->sparse = 0;
-	return pipeline_run(pipeline, step);
+	TRY(pipeline_run(pipeline, step));
+	Backend* b = pipeline->backend;
+	return b->f->read(b, POOL_counters, 0, 1, &pipeline->counters);
 }
 
+// Executes the listed runs, and starts the solve before the host has the counters, which are read while it runs. This
+// is used if the layout of the constraints will probably not change. If it has changed, the device clears the counter
+// that bounds the solve.
+static scree_status solve_early(Pipeline* pipeline, const Step* step, const StepRequest* request)
+{
+	Backend* b = pipeline->backend;
+	TRY(pipeline_run(pipeline, step));
+	TRY(b->f->read_begin(b, POOL_counters, 0, 1));
+	TRY(solve_start(pipeline, step, request, COUNT(kept)));
+	return b->f->read_end(b, &pipeline->counters);
+}
+
+// Ends a search for pairs that cannot be completed: restores the boxes, and thereby the world, to the state before the
+// step.
+static scree_status abandon(Pipeline* pipeline, const Step* step, scree_status why)
+{
+	runs_add(&pipeline->list, KERNEL_transform_undo, 0, step->collidables, NO_COUNT, 0);
+	pipeline->trees[0].touched = pipeline->trees[1].touched = true;
+	pipeline->trees[0].seen = pipeline->trees[1].seen = false;
+	pipeline->reverted = true;
+	scree_status status = pipeline_run(pipeline, step);
+	pipeline->started = status != SCREE_OK;
+	return status ? status : why;
+}
+
+// Enlarges the pool that was too small for the pairs or contacts.
+static scree_status grow(Pipeline* pipeline, Step* step)
+{
+	const Backend* b = pipeline->backend;
+	const Counters* c = &pipeline->counters;
+	if (c->over_limit)
+		return contact_limit_fail(pipeline, step);
+	TRY(c->pairs > step->pair_capacity ? pipeline_reserve(pipeline, PER_KEY, c->pairs)
+	                                   : pipeline_reserve(pipeline, PER_CONTACT, c->needed + 1));
+	step->pair_capacity = b->capacity[PER_KEY];
+	step->contact_capacity = b->capacity[PER_CONTACT];
+	step_places(step, b);
+	return SCREE_OK;
+}
+
+// Executes the listed stages, and starts the solve early if the layout of the constraints will probably not change. If
+// the pools were too small, grows them, and the stages must run again. Sets *solved if the solve was valid.
+static scree_status solve_or_read_back(Pipeline* pipeline, Step* step, const StepRequest* request, bool early,
+                                       bool* solved)
+{
+	const Counters* c = &pipeline->counters;
+	if (early && step->presses)
+		list_presses(pipeline, request->bodies, true);
+	TRY(early ? solve_early(pipeline, step, request) : read_back(pipeline, step));
+	*solved = early && c->kept;
+	scree_status status = c->stalled ? grow(pipeline, step) : SCREE_OK;
+	return status ? abandon(pipeline, step, status) : SCREE_OK;
+}
+
+// Returns the number of rounds that left contacts without a color; the next step runs SPARE_ROUNDS more.
+static int needed_rounds(const Counters* c, int rounds)
+{
+	int needed = 0;
+	for (int round = 0; round < rounds && round < MAX_ROUNDS; ++round)
+		if (c->uncolored[round + 1] > 0)
+			needed = round + 1;
+	return needed;
+}
+
+// Completes the layout of the constraints if the listed rounds were not enough: after a burst of new contacts that needs
+// more rounds, when the first hubs appear, or if the pools are too small for the constraints. Stores the number of
+// rounds that the next step will probably need.
+static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, int listed)
+{
+	const Backend* b = pipeline->backend;
+	Counters* c = &pipeline->counters;
+	int rounds = listed;
+	while (c->changed && !c->arranged)
+	{
+		bool colored = c->uncolored[(rounds - 1) % MAX_ROUNDS + 1] == 0;
+		if (colored)
+			for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+				TRY(pipeline_reserve(pipeline, kind_info[kind].places, c->layout[kind].begin[COLORS + 1]));
+		step_places(step, b);
+		c->hubs += c->hubs == 0 && c->entered;
+		int more = colored ? 0 : MAX_ROUNDS / 2;
+		list_color(pipeline, bodies, rounds, rounds + more);
+		rounds += more;
+		TRY(read_back(pipeline, step));
+	}
+	pipeline->dirty = false;
+	pipeline->split = pipeline->split && c->arrange[CONSTRAINT_CONTACT] == 0;
+	if (rounds > listed)
+		pipeline->rounds = rounds < MAX_ROUNDS ? rounds : MAX_ROUNDS;
+	else
+		pipeline->rounds = needed_rounds(c, rounds);
+	return SCREE_OK;
+}
+
+// Executes the stages. docs/step.md describes each of them.
+static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest* request)
+{
+	const Counters* c = &pipeline->counters;
+	int bodies = request->bodies, rounds = pipeline->rounds + SPARE_ROUNDS;
+	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // other runs come before the solve, or replace it
+	bool early = pipeline->backend->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split), solved;
+	TRY(apply_commands(pipeline, step, &request->commands, request->commands.begin));
+	TRY(list_transform(pipeline, step));
+	for (;; early = false)
+	{
+		list_broad_phase(pipeline, step, bodies);
+		list_narrow_phase(pipeline, step, bodies);
+		list_color(pipeline, bodies, 0, rounds);
+		TRY(solve_or_read_back(pipeline, step, request, early, &solved));
+		if (!c->stalled)
+			break;
+		runs_add_single(&pipeline->list, KERNEL_broad_phase_begin); // with the larger pools
+	}
+	TRY(finish_colors(pipeline, step, bodies, rounds));
+	TRY(solve_finish(pipeline, step, request, solved));
+	return events_list(pipeline, step);
+}
+
+// Updates the host's estimates of the trees.
 static scree_status count_trees(Pipeline* pipeline)
 {
 	const Counters* c = &pipeline->counters;
@@ -61,124 +173,38 @@ static scree_status count_trees(Pipeline* pipeline)
 	return SCREE_OK;
 }
 
-// Applies commands of the step.
-static scree_status command(Pipeline* pipeline, const Step* step, const StepCommands* all, const Command* commands)
+// Reserves memory for the step, so that lack of memory cannot interrupt it, and sends what the stages read.
+static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 {
-	Backend* b = pipeline->backend;
-	if (all->count == 0)
-		return SCREE_OK;
-	TRY(pipeline_reserve(pipeline, PER_COMMAND, all->count + 1));
-	TRY(b->f->write(b, POOL_command, 0, all->count, commands));
-	TRY(b->f->write(b, POOL_command_group, 0, all->count + 1, all->groups));
-	Run run = {.kernel_id = KERNEL_command, .end = all->count, .count = NO_COUNT, .argument = all->count};
-	return b->f->run(b, step, &run, 1);
-}
-
-// Sends the kinematic bodies if there are few, and they differ from those sent last.
-static scree_status kinematics_upload(Pipeline* pipeline, const StepRequest* request)
-{
-	Backend* b = pipeline->backend;
-	Kinematics now = {{0}};
-	for (int k = 0; k < request->kinematic && k < KINEMATIC_FEW; ++k)
-		now.body[k] = request->kinematics[k];
-	if (request->kinematic > KINEMATIC_FEW || memcmp(&now, &pipeline->kinematics, sizeof now) == 0)
-		return SCREE_OK;
-	TRY(b->f->write(b, POOL_kinematics, 0, 1, &now));
-	pipeline->kinematics = now;
-	return SCREE_OK;
-}
-
-// Recomputes the surfaces of all contacts, after some collidable got another attribute.
-static scree_status mix(Pipeline* pipeline, const Step* step)
-{
-	runs_add(&pipeline->list, KERNEL_contact_mix, 0, pipeline->counters.contacts, NO_COUNT, 0);
-	pipeline->mixed = false;
-	return pipeline_run(pipeline, step);
-}
-
-// Ends a step with dt 0, instead of the solve: measures how deep bodies overlap, for the user's counters. Spokes are
-// split in the step that lays them out, because the next step reads back whether any body is split.
-static scree_status look(Pipeline* pipeline, const Step* step, int bodies)
-{
-	RunList* list = &pipeline->list;
-	const Counters* c = &pipeline->counters;
-	if (c->hubs > 0 && !pipeline->split)
-		TRY(pipeline_split(pipeline, step, bodies));
-	runs_add_single(list, KERNEL_solve_begin); // its first item clears the counts of the last finalize
-	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-	{
-		int constraints = c->layout[kind].begin[COLORS + 1];
-		runs_add(list, kind_info[kind].prepare, 0, constraints, NO_COUNT, 0);
-		if (step->details && kind == CONSTRAINT_CONTACT)
-			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, NO_COUNT, 0);
-	}
-	return pipeline_run(pipeline, step);
-}
-
-// Moves bodies with pending contacts back to where they met.
-static scree_status hold(Pipeline* pipeline, const Step* step, int bodies)
-{
-	runs_add(&pipeline->list, KERNEL_approval_find, 0, step->contact_capacity, COUNT(waiting), 0);
-	runs_add(&pipeline->list, KERNEL_approval_stop, 0, bodies, COUNT(holds), 0);
-	return pipeline_run(pipeline, step);
-}
-
-// Executes the stages from the boxes to the final poses.
-static scree_status work(Pipeline* pipeline, Step* step, const StepRequest* request)
-{
-	bool moves = request->dt > 0.0f, solved = false;
-	TRY(pipeline_detect(pipeline, step, request, &solved));
-	int taut = pipeline->counters.taut;
-	if (pipeline->mixed)
-		TRY(mix(pipeline, step));
-	if (!moves)
-		TRY(look(pipeline, step, request->bodies));
-	else if (!solved)
-		TRY(pipeline_solve(pipeline, step, request, NO_COUNT));
-	// one step late: a solve that starts before the host has read the counters depends on those of the last step
-	pipeline->taut = moves ? taut : pipeline->taut;
-	if (moves && pipeline->asks)
-		TRY(hold(pipeline, step, request->bodies));
-	if (moves)
-		TRY(command(pipeline, step, &request->commands, request->commands.end));
-	if (moves && pipeline_sparse(pipeline))
-		TRY(pack(pipeline, step));
-	return events_list(pipeline, step);
-}
-
-scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
-{
-	Backend* b = pipeline->backend;
-	int solve_most = solve_runs_most(request->substeps);
-	bool moves = request->dt > 0.0f;
-	pipeline->started = false;
-	pipeline->trees[0].seen = false;
-
-	// the longest list is reserved before the step begins, so that lack of memory cannot interrupt the step
-	TRY(runs_reserve(&pipeline->list, solve_most > DETECT_RUNS_MOST ? solve_most : DETECT_RUNS_MOST));
+	int solve_most = solve_runs_most(request->substeps), pairs = pipeline->counters.joints + pipeline->excluded;
+	TRY(runs_reserve(&pipeline->list, solve_most > STAGE_RUNS_MOST ? solve_most : STAGE_RUNS_MOST));
 	TRY(tree_upload(pipeline));
 	TRY(kinematics_upload(pipeline, request));
 	TRY(events_reserve(pipeline, request));
 	if (request->field_shapes)
 		TRY(pipeline_reserve(pipeline, PER_FIELD_SHAPE, request->collidables));
-	int pairs = pipeline->counters.joints + pipeline->excluded;
-	if (pairs > 0)
-	{
-		TRY(pipeline_reserve(pipeline, PER_JOINED, pairs));
-		TRY(pipeline_reserve(pipeline, PER_KEY, pairs));
-	}
+	if (pairs == 0)
+		return SCREE_OK;
+	TRY(pipeline_reserve(pipeline, PER_JOINED, pairs));
+	return pipeline_reserve(pipeline, PER_KEY, pairs);
+}
+
+scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
+{
+	Backend* b = pipeline->backend;
+	pipeline->started = false;
+	pipeline->trees[0].seen = false;
+	TRY(prepare(pipeline, request));
 	Step step = step_constants(pipeline, request);
-	scree_status status = command(pipeline, &step, &request->commands, request->commands.begin);
-	if (!status)
-		status = work(pipeline, &step, request);
+	scree_status status = run_stages(pipeline, &step, request);
 	if (status && !pipeline->started &&
-	    command(pipeline, &step, &request->commands, request->commands.undo) == SCREE_ERROR_DEVICE_FAILED)
+	    apply_commands(pipeline, &step, &request->commands, request->commands.undo) == SCREE_ERROR_DEVICE_FAILED)
 		status = SCREE_ERROR_DEVICE_FAILED;
 	TRY(status);
 	if (request->timings)
 		TRY(b->f->timings(b, pipeline->stage_times));
 	pipeline->traffic = (scree_traffic){0};
-	if (moves)
+	if (request->dt > 0.0f)
 	{
 		pipeline->traffic = traffic_of_solve(&pipeline->counters, request->bodies, request->substeps, &step);
 		pipeline->step = step;
@@ -190,67 +216,6 @@ scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request)
 	pipeline_trim(pipeline);
 	++pipeline->steps;
 	return SCREE_OK;
-}
-
-scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint64_t* hash)
-{
-	Backend* b = pipeline->backend;
-	Step step = {0};
-	Run runs[2 + CONSTRAINT_KINDS] = {
-	    {.kernel_id = KERNEL_hash_bodies, .end = HASH_SUMS, .count = NO_COUNT, .argument = bodies},
-	    {.kernel_id = KERNEL_hash_collidables, .end = HASH_SUMS, .count = NO_COUNT, .argument = collidables},
-	};
-	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
-		runs[2 + kind] = (Run){.kernel_id = kind_info[kind].hash, .end = HASH_SUMS, .count = NO_COUNT};
-	uint64_t sums[HASH_SUMS];
-	scree_status status = b->f->run(b, &step, runs, 2 + CONSTRAINT_KINDS);
-	if (!status)
-		status = b->f->read(b, POOL_hash, 0, HASH_SUMS, sums);
-	if (status)
-		return status;
-	*hash = 0;
-	for (int i = 0; i < HASH_SUMS; ++i)
-		*hash += sums[i];
-	return SCREE_OK;
-}
-
-scree_status pipeline_render(Pipeline* pipeline, int collidables, bool shared)
-{
-	Backend* b = pipeline->backend;
-	Run run = {.kernel_id = KERNEL_render_row, .end = collidables, .count = NO_COUNT};
-	if (shared)
-		return b->f->render(b, &run);
-	TRY(pipeline_reserve(pipeline, PER_RENDER_ROW, run.end));
-	return b->f->run(b, &pipeline->step, &run, 1);
-}
-
-scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count)
-{
-	Backend* b = pipeline->backend;
-	Run run = {.kernel_id = KERNEL_joint_report, .begin = first, .end = first + count, .count = NO_COUNT};
-	Step step = pipeline->step;
-	step.has_drives = pipeline->has_drives;
-	step.springs = pipeline->springs;
-	step.couplings = pipeline->couplings;
-	step.paths = pipeline->paths;
-	return b->f->run(b, &step, &run, 1);
-}
-
-scree_status pipeline_list_contacts(Pipeline* pipeline, int body, bool details, int* count)
-{
-	Backend* b = pipeline->backend;
-	Step step = pipeline->step; // constants of the last step that took time, if there was one
-	step.details = details;
-	int slots = pipeline->counters.contacts;
-	Run mark[] = {{.kernel_id = KERNEL_contact_mark, .end = slots + 1, .count = NO_COUNT, .argument = body},
-	              {.kernel_id = PRIMITIVE_SCAN, .end = slots + 1, .count = NO_COUNT}};
-	TRY(b->f->run(b, &step, mark, 2));
-	TRY(b->f->read(b, POOL_scan, slots, 1, count));
-	if (*count == 0)
-		return SCREE_OK;
-	TRY(pipeline_reserve(pipeline, PER_CONTACT_REPORT, *count));
-	Run list = {.kernel_id = KERNEL_contact_list, .end = slots, .count = NO_COUNT, .argument = *count};
-	return b->f->run(b, &step, &list, 1);
 }
 
 void pipeline_move(Pipeline* pipeline, Backend* backend)

@@ -66,10 +66,11 @@ typedef struct
 	int idle;            // steps since pools were last checked for unused capacity
 	int sparse;          // consecutive steps with few contacts for their slots
 	bool jumps;          // the user placed or created something since the last step, so boxes may jump
-	bool mixed;     // some collidable got another attribute of its shape, or reports other events, since the last step
-	bool reports;   // some collidable has ever reported touches or hits
-	bool rules;     // some attribute is a one-way platform, or some pair of materials or bodies was set
-	bool platforms; // some attribute is a one-way platform
+	bool
+	    surfaces_changed; // some collidable got another attribute of its shape, or reports other events, since the last step
+	bool reports;         // some collidable has ever reported touches or hits
+	bool rules;           // some attribute is a one-way platform, or some pair of materials or bodies was set
+	bool platforms;       // some attribute is a one-way platform
 	int material_pairs, excluded; // rows of these pools
 	bool asks;                    // some collidable has ever required contact approval
 	bool started;                 // the current step has changed data on the device

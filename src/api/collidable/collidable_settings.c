@@ -69,7 +69,7 @@ scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable
 	if (same)
 	{
 		edits_command(world, COMMAND_ATTRIBUTE, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), now);
-		world->pipeline.mixed = true;
+		world->pipeline.surfaces_changed = true;
 	}
 	else
 	{
@@ -154,7 +154,7 @@ static scree_status set_reports(scree_world* world, const char* function, const 
 		host->reports = reports[k];
 		reports_note(world, host->reports);
 		edits_command(world, COMMAND_REPORTS, index, make_float4(0.0f, 0.0f, 0.0f, 0.0f), (int)report_bits(host));
-		world->pipeline.mixed = true;
+		world->pipeline.surfaces_changed = true;
 	}
 	return SCREE_OK;
 }

@@ -3,6 +3,7 @@
 #include "api/contact/contact_result.h"
 #include "constraints/constraint_kinds.h"
 #include "constraints/contact_report_points.h"
+#include "step/state_readback.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/memory.h"

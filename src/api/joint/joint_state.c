@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // joint_state.c -- reads coordinates, forces and events of joints from the device.
 #include "api/joint/joint_state.h"
+#include "step/state_readback.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/memory.h"

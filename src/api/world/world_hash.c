@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // world_hash.c -- the hash of a world: the sum of the device, plus data that only the host has.
 #include "pools/hash_types.h"
+#include "step/state_readback.h"
 #include "world/check.h"
 #include "world/device/auto.h"
 #include "world/failure.h"

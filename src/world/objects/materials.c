@@ -31,7 +31,7 @@ scree_status material_set(scree_world* world, const char* function, int a, int b
 	}
 	m->rows[place_of(a, b)] = row;
 	m->waiting = true;
-	pipeline->rules = pipeline->mixed = true;
+	pipeline->rules = pipeline->surfaces_changed = true;
 	pipeline->has_rolling |= row.restitution != 0.0f || row.tangent_speed != 0.0f;
 	pipeline->belts |= row.tangent_speed != 0.0f;
 	pipeline->bounces |= row.restitution != 0.0f;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// collidable_types.h -- collidables: their kinds and flags, attributes, surfaces and filters.
+#ifndef COLLIDABLE_TYPES_H
+#define COLLIDABLE_TYPES_H
+#include "pools/limits.h"
+
+// Events of a collidable that are listed for the user.
+#define REPORT_TOUCHES  1u // begin and end of its touches
+#define REPORT_HITS     2u // hits that it gives or receives
+#define REPORT_APPROVAL 4u // contacts that need approval before they act
+
+// Collidables that a sensor detects; bits of the same word.
+#define SENSOR_MOVING  0x100u // those of dynamic and kinematic bodies
+#define SENSOR_STATIC  0x200u // those of static bodies, or without a body
+#define SENSOR_SENSORS 0x400u // other sensors
+#define SENSOR_SHIFT   8
+#define SENSOR_BITS    (SENSOR_MOVING | SENSOR_STATIC | SENSOR_SENSORS)
+
+// Bits of the pool collidable_flags.
+#define COLLIDABLE_NEW_BOX 1 // the box differs from old_box
+#define COLLIDABLE_FAST    2 // the motion of this step may exceed the speculative distance
+#define COLLIDABLE_MOVING  4 // the collidable is not at rest in this step
+// m: dynamic collidables that are thinner have finer tolerances; twice the speculative distance
+#define GRAIN_SIZE (2.0f * SPECULATIVE_DISTANCE)
+// Bit k of these is set for a dynamic collidable that is thinner than GRAIN_SIZE / 2^k. The tolerances of a contact are
+// halved once for each bit that either collidable has, because they would exceed the smaller body.
+#define COLLIDABLE_GRAIN 8 // bit 0
+#define GRAIN_LEVELS     5
+// The same bits for the reach of a collidable. They scale the distance from which on a pair has points: a long thin
+// body needs the points of both ends.
+#define COLLIDABLE_REACH  (COLLIDABLE_GRAIN << GRAIN_LEVELS)
+#define COLLIDABLE_GRAINS (COLLIDABLE_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
+
+// Kinds of collidables.
+#define KIND_DEAD      0
+#define KIND_STATIC    1
+#define KIND_KINEMATIC 2
+#define KIND_DYNAMIC   3
+#define KIND_FREE      4 // no body
+#define KIND_SENSOR    8 // flag that a sensor adds to its kind
+
+typedef struct // 160 bytes
+{
+	Float2 vertices[8]; // m, counter-clockwise
+	Float2 normals[8];  // outward normal of the edge from vertex i to i + 1
+	float radius;       // m
+	int count;          // number of vertices: 1 circle, 2 capsule and segment, 3 to 8 polygon
+	float friction, restitution, rolling_resistance;
+	float tangent_speed; // m/s
+	float margin;        // m: distance by which an enlarged box exceeds the tight one
+	float reach;         // m: largest distance of a point from the origin
+} Attribute;
+
+typedef struct // 16 bytes: properties of an attribute that rules read
+{
+	float up_x, up_y; // unit vector in the frame of the shape, to the side from which a one-way platform is solid
+	int one_way;      // 1 for a one-way platform
+	int material;
+} Rule;
+
+#define MATERIALS 256
+
+// Bits of MaterialPair.sets.
+#define MATERIAL_FRICTION    1
+#define MATERIAL_RESTITUTION 2
+#define MATERIAL_SPEED       4
+#define MATERIAL_IGNORED     8
+
+typedef struct // 16 bytes: surface of a pair of materials, which replaces the mix of their attributes
+{
+	float friction, restitution;
+	float tangent_speed; // m/s, as in Attribute
+	int sets;            // MATERIAL_* bits of the values that are set
+} MaterialPair;
+
+// Index of the pair of materials low and high in the pool material_pair. Pairs with the same higher material are
+// adjacent.
+#define MATERIAL_PLACE(low, high) ((high) * ((high) + 1) / 2 + (low))
+
+typedef struct // 24 bytes
+{
+	Word64 category, mask;
+	int group;
+	Word reports; // REPORT_* and SENSOR_* bits
+} Filter;
+
+typedef struct // 32 bytes: one memory sector
+{
+	float x, y, c, s;         // world pose
+	float center_x, center_y; // from here to the body's center of mass, world axes, m
+	int attribute, body;
+} WorldShape;
+
+#endif

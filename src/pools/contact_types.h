@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// contact_types.h -- contacts: their flags, manifolds, reports and events, and the spokes of hubs.
+#ifndef CONTACT_TYPES_H
+#define CONTACT_TYPES_H
+#include "pools/collidable_types.h"
+
+// Count of a contact with a kinematic collidable in the pool fixed_contacts, in which one with a static collidable
+// counts 1.
+#define KINEMATIC_CONTACT         65536
+#define STATIC_CONTACTS(fixed)    ((fixed) & (KINEMATIC_CONTACT - 1))
+#define KINEMATIC_CONTACTS(fixed) ((Word)(fixed) / KINEMATIC_CONTACT)
+
+// Bits of the pool contact_flags.
+#define CONTACT_COUNT    3u    // mask of the number of points
+#define CONTACT_FRESH    4u    // created in this step
+#define CONTACT_DETECTED 8u    // detection only: one side has no body, so there are no impulses
+#define CONTACT_TOUCHING 16u   // has points
+#define CONTACT_JOINED   8192u // a joint or an exclusion keeps the two bodies from touching
+#define CONTACT_REPORT   14    // first of the REPORT_* bits that it takes from its collidables
+#define CONTACT_REPORTS  ((REPORT_TOUCHES | REPORT_HITS) << CONTACT_REPORT)
+#define CONTACT_TOUCHED  65536u  // its touch began, so an end will follow
+#define CONTACT_PASSES   131072u // one side is a one-way platform that lets the other one through
+#define CONTACT_IGNORED  262144u // the pair of materials is set to ignored
+// States of a contact that needs the user's approval.
+#define CONTACT_PENDING   524288u  // pending: gets no impulses yet
+#define CONTACT_WAITED    1048576u // listed for the user in the last step
+#define CONTACT_REFUSED   2097152u // refused, or left without an answer
+#define CONTACT_APPROVED  4194304u // approved: acts until the two part
+#define CONTACT_APPROVALS (CONTACT_PENDING | CONTACT_WAITED | CONTACT_REFUSED | CONTACT_APPROVED)
+#define CONTACT_HIGH      8388608u // passes, but was higher than its platform, so it may be stopped as if it were new
+// One side was static, or kinematic, when the contact was created.
+#define CONTACT_STATIC    16777216u
+#define CONTACT_KINEMATIC 33554432u
+#define CONTACT_FIXED     (CONTACT_STATIC | CONTACT_KINEMATIC)
+#define CONTACT_SUNK      67108864u // its depth in a platform is already found in this step
+#define CONTACT_APART     (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // no points, whatever the poses
+#define CONTACT_LASTS                                                                                          \
+	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_APPROVALS | CONTACT_HIGH | CONTACT_FIXED | \
+	 CONTACT_SUNK) // bits that narrow_phase preserves
+// Marks within the narrow phase.
+#define CONTACT_LOOK 2048u // narrow_phase must process the contact
+#define CONTACT_ANEW 4096u // narrow_phase must compute a new manifold
+// Bits of the same word that define how the manifold follows the bodies.
+#define MANIFOLD_ROLLS    32   // the points follow the corners of the shapes; otherwise they stay as they were found
+#define MANIFOLD_CORNER1  64   // point 1 is at a corner of a, otherwise of b
+#define MANIFOLD_CORNER2  128  // the same for point 2
+#define MANIFOLD_TURNS_B  256  // the normal turns with b, otherwise with a
+#define MANIFOLD_CORNERS  512  // the normal points from a corner to a corner
+#define MANIFOLD_OVERLAPS 1024 // some point overlapped
+
+typedef struct // 64 bytes: the points of a contact, as they were found
+{
+	Float4 normal;   // x, y from a to b in the frame of a; separations of the points, m, NO_POINT for a missing one
+	Float4 on_a;     // points 1 and 2 in the frame of a, m
+	Float4 relative; // pose of b in the frame of a at that time: x, y (m), cos, sin
+	// Rotation of a in the world at that time: cos, sin; reach of a, m; shift up to which the manifold is kept, m,
+	// negative for a predicted manifold.
+	Float4 then;
+} LocalManifold;
+
+typedef struct // 96 bytes: a contact as reported to the user
+{
+	Int2 pair, feature;
+	Word flags;
+	int color;
+	float normal_x, normal_y;       // unit normal from a to b
+	Float4 point;                   // points 1 and 2: x, y, m
+	Float4 impulse;                 // normal 1, 2, tangent 1, 2, N s
+	Float4 detail;                  // normal impulses of all substeps, N s, and approach speeds, m/s, of points 1 and 2
+	float separation1, separation2; // m
+	float unused[2];
+} ContactReport;
+
+typedef struct // MAX_LANES spokes; all but the first two rows are working data of a pass
+{
+	float parts[MAX_LANES];     // parts of the neighbor: one per spoke, and one if it is a hub itself
+	float hub_parts[MAX_LANES]; // parts of the hub, at its first spoke
+	float hub_x[MAX_LANES], hub_y[MAX_LANES], hub_w[MAX_LANES]; // velocity of the hub's part, at its first spoke
+	float vx[MAX_LANES], vy[MAX_LANES], w[MAX_LANES];           // velocity of the neighbor's part
+	float inv_mass[MAX_LANES], inv_inertia[MAX_LANES];          // masses of the whole neighbor
+	float gap1[MAX_LANES], gap2[MAX_LANES];                     // m
+	float push_x[MAX_LANES], push_y[MAX_LANES], arm1[MAX_LANES], arm2[MAX_LANES]; // effect of a unit impulse on the hub
+	float slope1[MAX_LANES], slope2[MAX_LANES];                                   // m/s: slopes of the energy
+	float mass1[MAX_LANES], mass2[MAX_LANES], cross[MAX_LANES];               // 1/kg: velocity changes by unit impulses
+	float inverse1[MAX_LANES], inverse2[MAX_LANES], inverse[MAX_LANES];       // inverses of mass1, mass2, determinant
+	float old1[MAX_LANES], old2[MAX_LANES], new1[MAX_LANES], new2[MAX_LANES]; // N s
+	float limit1[MAX_LANES], limit2[MAX_LANES];
+} Spokes;
+
+// A component of spoke k of the pools p.
+#define spoke_at(p, component, k) ((p)->spokes[(k) / MAX_LANES].component[(k) % MAX_LANES])
+
+// Lists of events.
+#define EVENT_TOUCH_BEGAN 0
+#define EVENT_TOUCH_ENDED 1
+#define EVENT_HIT         2
+#define EVENT_APPROVALS   3
+#define EVENT_LISTS       4
+
+#endif

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// joint_types.h -- joints: their flags, modes and data, samples of paths, and what the user reads.
+#ifndef JOINT_TYPES_H
+#define JOINT_TYPES_H
+#include "dialect/dialect.h"
+
+// Bits of the pool joint_flags.
+#define JOINT_THERE     1   // the slot holds a joint
+#define JOINT_ACTIVE    2   // both bodies are enabled, and at least one can move
+#define JOINT_RESTARTS  4   // its constraint has to end and begin again
+#define JOINT_BROKEN    8   // it broke
+#define JOINT_COLLIDES  16  // its bodies may touch each other
+#define JOINT_CAN_BREAK 32  // it breaks when its force or torque exceeds its threshold
+#define JOINT_ACTS      64  // it has a lock, a limit, a spring or a motor
+#define JOINT_NEW       128 // the slot holds another joint than before
+#define JOINT_SEEKS     256 // flag of an edit: a body or a frame was placed, so another part of its path may be nearer
+
+// JointData.modes: a whole number with four bits for each coordinate, followed by other bits.
+#define JOINT_LOCKED(k)     (1 << (4 * (k)))
+#define JOINT_LIMITED(k)    (2 << (4 * (k)))
+#define JOINT_SPRING(k)     (4 << (4 * (k)))
+#define JOINT_MOTOR(k)      (8 << (4 * (k)))
+#define JOINT_HAS_DRIVES(k) (JOINT_LIMITED(k) | JOINT_SPRING(k) | JOINT_MOTOR(k))
+#define JOINT_EXTRAS        0xeee           // limits, springs and motors
+#define JOINT_RADIAL        0x1000          // the axis lies along the line between the two anchors
+#define JOINT_SOFT(k)       (0x2000 << (k)) // the lock is a spring
+#define JOINT_SPRINGS       0xe444          // springs and soft locks
+#define JOINT_TURNS         0x10000         // the axis turns with body a
+#define JOINT_COUPLED       0x20000         // a gear or a pulley: the coordinate along is that of the coupling
+
+// Measure of a side of a coupling, 0 for a: a translation, a distance, or else an angle.
+#define JOINT_SLIDES(side) (0x40000 << (side))
+#define JOINT_HOISTS(side) (0x100000 << (side))
+#define JOINT_LINEAR(side) (JOINT_SLIDES(side) | JOINT_HOISTS(side))
+#define JOINT_ELLIPTIC     0x400000 // springs and motors along and across have a common bound
+#define JOINT_RAILED       0x800000 // the axis is the tangent of a path at anchor b
+
+// Coordinates of frame b in frame a.
+#define JOINT_ALONG       0
+#define JOINT_ACROSS      1
+#define JOINT_ANGLE       2
+#define JOINT_COORDINATES 3
+
+typedef struct // 16 bytes: the lock of a coordinate, in m or rad
+{
+	float target;       // value at which a lock holds the coordinate, and to which a spring pulls it
+	float hertz, ratio; // frequency and damping ratio of a soft lock; 0 Hz: as stiff as the joint
+	float unused;
+} JointLock;
+
+typedef struct // 32 bytes: limits, spring and motor of a coordinate, in m or rad, N or N m
+{
+	float lower, upper;
+	float spring_hertz, spring_ratio, spring_least, spring_most;
+	float speed, motor_most;
+} JointDriveData;
+
+// Offsets in JointData, in rows of four floats.
+#define JOINT_QUADS       16
+#define JOINT_AT_MODES    0
+#define JOINT_AT_FRAME(s) (1 + (s))
+#define JOINT_AT_HERTZ    3
+#define JOINT_AT_LOCK(k)  (4 + (k))
+#define JOINT_AT_BASE(s)  (7 + (s))
+#define JOINT_AT_DRIVE(k) (9 + 2 * (k))
+
+typedef struct // 256 bytes; most joints need only the first half
+{
+	int body_a, body_b;            // index of a body, 0 for the world
+	float modes;                   // JOINT_* bits, as a float
+	float gear_ratio;              // ratio of a coupling
+	Float4 frame[2];               // joint frames in the frames of the bodies: x, y (m), cos, sin
+	float hertz, ratio;            // stiffness of rigid locks and limits
+	float most_force, most_torque; // thresholds, N, N m
+	JointLock lock[JOINT_COORDINATES];
+	Float4 base[2]; // bases of a coupling, in the world
+	JointDriveData drive[JOINT_COORDINATES];
+	// Values with which a new joint begins. Coupling: the angles of its sides are those nearest to these, rad. Path:
+	// arc length from which the search starts, m.
+	float near[2];
+	float path_first, path_segments; // first sample of its path, and number of its samples minus 1
+} JointData;
+
+// 32 bytes: a sample of a path, in the frame of the path. The last sample of a closed path equals the first one.
+typedef struct
+{
+	float x, y, tangent_x, tangent_y; // position, m; unit tangent
+	float along;                      // m: arc length from the start of the path
+	float length;                     // m: length of the curve to the next sample; 0 for the last one of an open path
+	float bend;                       // 1/m: curvature, positive to the left
+	float unused;
+} PathSample;
+
+typedef struct // 272 bytes: a joint as the user defined it
+{
+	int slot, flags, spot, unused;
+	JointData data;
+} JointEdit;
+
+typedef struct // 48 bytes: the state of a joint that the user reads
+{
+	float value[3], speed[3]; // coordinates and their speeds: m, m, rad; m/s, m/s, rad/s
+	float force_x, force_y;   // N: force on body b
+	float torque;             // N m
+	int broken;
+	float unused[2];
+} JointState;
+
+typedef struct // 16 bytes
+{
+	int slot;
+	float force, torque; // N, N m: largest of the step
+	int broken;
+} JointEvent;
+
+#endif

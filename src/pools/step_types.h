@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// step_types.h -- the step: kinds of constraints, trees, constants of a step, and runs.
+#ifndef STEP_TYPES_H
+#define STEP_TYPES_H
+#include "pools/body_types.h"
+
+// Kinds of constraints. An edge is a constraint of any kind: its kind is in the bits above its slot.
+enum
+{
+#define CONSTRAINT_KIND(kind, Kind, KIND) CONSTRAINT_##KIND,
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	CONSTRAINT_KINDS
+};
+#define EDGE_KIND 27 // bits of a slot: the range of MAX_CONTACTS
+
+// Rows of constraints, listed in src/constraints/: blocks of MAX_LANES constraints, with one row per component. A wide
+// pass reads the rows of one contiguous block, and a GPU addresses all components of a constraint from one base instead
+// of seventeen. The kept types hold the values that survive a change of the layout.
+#define CONSTRAINT_KIND(kind, Kind, KIND)         \
+	typedef struct Kind##Rows Kind##Rows;         \
+	typedef struct Kind##RareRows Kind##RareRows; \
+	typedef struct Kind##Kept Kind##Kept;         \
+	typedef struct Kind##RareKept Kind##RareKept;
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+
+typedef struct // one tree of the broad phase, as the host fills it
+{
+	int leaf_begin;        // first item in the leaf pool
+	int leaves;            // leaves in use
+	int top;               // highest level, the first with at most ARITY nodes; level 0 contains the leaves
+	int begin[MAX_LEVELS]; // first item of each level in the pool node_box
+	int count[MAX_LEVELS]; // nodes of each level; the pool is padded with empty boxes to a multiple of ARITY
+} Tree;
+
+typedef struct // stiffness of a contact: Erin Catto, Soft Constraints, GDC 2011
+{
+	float bias_rate, mass_scale, impulse_scale;
+	float firm, depth; // up to the overlap depth, m, bias_rate is larger by the share firm of itself
+} Softness;
+
+typedef struct // constants of one step, passed by value to every kernel
+{
+	float dt, h, inv_h; // s; substep, s; 1/s
+	float gravity_x, gravity_y;
+	float max_speed, max_spin; // m/s, rad/s
+	float push_speed;          // m/s
+	float restitution_threshold;
+	float fall;             // m: distance that gravity may move a resting body in a step, with a margin
+	Softness pair, fixed;   // softness of contacts between bodies that can move; and with one that cannot
+	float h_ratio;          // h divided by that of the last step with dt above 0
+	int has_rolling;        // some attribute has restitution, rolling resistance or tangent speed
+	int belts;              // some attribute, or pair of materials, has a tangent speed
+	int segments;           // some attribute is a segment
+	int details;            // contacts must store details of the step for the user
+	int reports;            // some collidable reports touches or hits
+	int rules;              // some pair may be subject to a rule
+	int material_pairs;     // rows of the pool material_pair
+	int excluded;           // rows of the pool excluded
+	int asks;               // some collidable requires contact approval
+	int request_again;      // the contacts that the last step listed have no answer yet, and are listed again
+	int allowed;            // rows of the pool allowed
+	float hit_speed;        // m/s: slower approaches are not hits
+	float hit_impulse;      // N s: smaller impulses are not hits
+	int bounces;            // some attribute has restitution
+	int joints;             // there may be joints among the constraints
+	int calm;               // bodies without contacts and forces move as predicted from their velocities, within 5 mm
+	int chain_places;       // number of spots of chains
+	int has_drives;         // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
+	int springs;            // some joint has a spring or a soft lock
+	int couplings;          // some joint is a gear or a pulley
+	int paths;              // some joint follows a path
+	int kinematic;          // number of kinematic bodies
+	int presses;            // static bodies exist, and a kinematic body or a joint may press others against them
+	int round;              // some attribute has a radius
+	int small;              // some dynamic collidable may be thinner than GRAIN_SIZE
+	float continuous_way;   // m: lower bound of all ContinuousBody.way of the world
+	float continuous_reach; // m: upper bound of all ContinuousBody.reach
+	int collidables;        // slots in use
+	int pair_capacity, contact_capacity;
+	int place_capacity[CONSTRAINT_KINDS];
+	int contact_limit; // most contacts of the world
+	// Nodes over leaves that a traversal visits before its rest is split, and number of work-items for the rest.
+	int traversal_nodes, traversal_items;
+	int key_bits; // bits of a collidable's index in the key of a pair
+} Step;
+
+// Returns whether the rare rows of contacts are used.
+#define STEP_RARE(step) ((step).has_rolling | (step).details)
+
+typedef struct // one entry of the list that a backend executes in order
+{
+	int kernel_id;  // KERNEL_* or PRIMITIVE_*
+	int begin, end; // range of items
+	int count;      // index in Counters of an upper bound of end, or -1
+	int argument;   // argument of the kernel
+} Run;
+
+#endif

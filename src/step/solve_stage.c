@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// solve_stage.c -- the solve, and the work that follows it at the end of a step.
+#include "step/solve_stage.h"
+#include "constraints/constraint_kinds.h"
+#include "platform/error.h"
+#include "step/dispatch.h"
+#include "step/reserve.h"
+#include "step/stage_lists.h"
+
+// Finds the bodies that are neighbors of several hubs. The host must have the layout of the constraints.
+static scree_status split_spokes(Pipeline* pipeline, const Step* step, int bodies)
+{
+	int spokes = layout_spokes(&pipeline->counters);
+	TRY(pipeline_reserve(pipeline, PER_KEY, spokes));
+	TRY(pipeline_reserve(pipeline, PER_SPOKE, spokes));
+	TRY(pipeline_reserve(pipeline, PER_SPOKE_BLOCK, spokes / MAX_LANES));
+
+	// bodies that cannot move have a key with all bits set, which no body index has
+	int body_bits = index_bits(bodies + 1);
+	RunList* list = &pipeline->list;
+	runs_add(list, KERNEL_hub_key, 0, spokes, NO_COUNT, 0);
+	runs_add_sort(list, spokes, NO_COUNT, pipeline->counters.hubs > 1 ? HUB_KEY_COLOR : 32, 32 + body_bits);
+	runs_add(list, KERNEL_hub_order, 0, spokes, NO_COUNT, spokes);
+	pipeline->split = true;
+	return pipeline_run(pipeline, step);
+}
+
+scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound)
+{
+	Backend* b = pipeline->backend;
+	const Counters* c = &pipeline->counters;
+	if (c->hubs > 0 && !pipeline->split)
+		TRY(split_spokes(pipeline, step, request->bodies));
+	// a solve with a bound, which may do nothing, follows runs that already include the presses
+	if (step->presses && bound == NO_COUNT)
+	{
+		list_presses(pipeline, request->bodies, false);
+		TRY(pipeline_run(pipeline, step));
+	}
+	if (request->fields > 0)
+	{
+		list_fields(pipeline, request, bound);
+		TRY(pipeline_run(pipeline, step));
+	}
+	Solve solve = {.bodies = request->bodies,
+	               .collidables = request->collidables,
+	               .substeps = request->substeps,
+	               .bounces = step->bounces,
+	               .unlocked = pipeline->unlocked,
+	               .chains = pipeline->chains,
+	               .carried = pipeline->carried,
+	               .branches = pipeline->branches,
+	               .chain_places = pipeline->chain_places,
+	               .taut = pipeline->taut && c->layout[CONSTRAINT_JOINT].begin[COLORS] > 0,
+	               .counters = c,
+	               .bound = bound};
+#define CONSTRAINT_KIND(kind, Kind, KIND) solve.rare[CONSTRAINT_##KIND] = KIND##_RARE(step);
+#include "pools/kinds.def"
+#undef CONSTRAINT_KIND
+	pipeline->started = true;
+	return b->f->solve(b, step, &solve, &pipeline->list);
+}
+
+// Recomputes the surfaces of all contacts, after some collidable got another attribute.
+static scree_status recompute_surfaces(Pipeline* pipeline, const Step* step)
+{
+	runs_add(&pipeline->list, KERNEL_contact_mix, 0, pipeline->counters.contacts, NO_COUNT, 0);
+	pipeline->surfaces_changed = false;
+	return pipeline_run(pipeline, step);
+}
+
+// Ends a step with dt 0, instead of the solve: measures how deep bodies overlap, for the user's counters. Spokes are
+// split in the step that lays them out, because the next step reads back whether any body is split.
+static scree_status measure_only(Pipeline* pipeline, const Step* step, int bodies)
+{
+	RunList* list = &pipeline->list;
+	const Counters* c = &pipeline->counters;
+	if (c->hubs > 0 && !pipeline->split)
+		TRY(split_spokes(pipeline, step, bodies));
+	runs_add_single(list, KERNEL_solve_begin); // its first item clears the counts of the last finalize
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+	{
+		int constraints = c->layout[kind].begin[COLORS + 1];
+		runs_add(list, kind_info[kind].prepare, 0, constraints, NO_COUNT, 0);
+		if (step->details && kind == CONSTRAINT_CONTACT)
+			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, NO_COUNT, 0);
+	}
+	return pipeline_run(pipeline, step);
+}
+
+// Moves bodies with pending contacts back to where they met.
+static scree_status stop_waiting_bodies(Pipeline* pipeline, const Step* step, int bodies)
+{
+	runs_add(&pipeline->list, KERNEL_approval_find, 0, step->contact_capacity, COUNT(waiting), 0);
+	runs_add(&pipeline->list, KERNEL_approval_stop, 0, bodies, COUNT(holds), 0);
+	return pipeline_run(pipeline, step);
+}
+
+// Packs the contacts into the first slots.
+static scree_status pack_contacts(Pipeline* pipeline, const Step* step)
+{
+	RunList* list = &pipeline->list;
+	Counters* c = &pipeline->counters;
+	int slots = c->contacts;
+	runs_add(list, KERNEL_contact_mark_free, 0, slots + 1, NO_COUNT, 0);
+	runs_add(list, PRIMITIVE_SCAN, 0, slots + 1, NO_COUNT, 0);
+	runs_add(list, KERNEL_contact_list_free, 0, slots, NO_COUNT, 0);
+	runs_add(list, KERNEL_contact_pack, 0, slots, NO_COUNT, 0);
+	runs_add_single(list, KERNEL_contact_pack_end);
+	c->contacts = c->alive - c->released;
+	pipeline->sparse = 0;
+	return pipeline_run(pipeline, step);
+}
+
+scree_status solve_finish(Pipeline* pipeline, const Step* step, const StepRequest* request, bool solved)
+{
+	int taut = pipeline->counters.taut;
+	if (pipeline->surfaces_changed)
+		TRY(recompute_surfaces(pipeline, step));
+	if (step->dt == 0.0f)
+		return measure_only(pipeline, step, request->bodies);
+	if (!solved)
+		TRY(solve_start(pipeline, step, request, NO_COUNT));
+	// one step late: a solve that starts before the host has read the counters depends on those of the last step
+	pipeline->taut = taut;
+	if (pipeline->asks)
+		TRY(stop_waiting_bodies(pipeline, step, request->bodies));
+	TRY(apply_commands(pipeline, step, &request->commands, request->commands.end));
+	return pipeline_sparse(pipeline) ? pack_contacts(pipeline, step) : SCREE_OK;
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// solve_stage.h -- the solve, and the work that follows it at the end of a step.
+#ifndef SOLVE_STAGE_H
+#define SOLVE_STAGE_H
+#include "step/pipeline_state.h"
+
+// Executes solve and finalize, which a backend may merge. bound is a counter that is 0 if the layout of the constraints
+// is not that of the counters that the host has, or NO_COUNT.
+scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound);
+
+// Executes the solve unless solved is set, then moves waiting and kinematic bodies. A step with dt 0 only measures how
+// deep bodies overlap.
+scree_status solve_finish(Pipeline* pipeline, const Step* step, const StepRequest* request, bool solved);
+
+#endif

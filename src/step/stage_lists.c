@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// stage_lists.c -- lists of the runs of the stages.
+#include "step/stage_lists.h"
+#include "platform/error.h"
+#include "step/dispatch.h"
+#include "step/tree_maintenance.h"
+
+// Recomputes the boxes of a tree: always (NO_COUNT), or if a counter is not 0.
+static void tree_refit(RunList* list, const Tree* tree, int t, int count)
+{
+	if (tree->leaves == 0)
+		return;
+	runs_add(list, KERNEL_tree_leaf, 0, tree_padded(tree->count[0]), count, t);
+	for (int level = 1; level <= tree->top; ++level)
+		runs_add(list, KERNEL_tree_node, 0, tree_padded(tree->count[level]), count, t | level << 1);
+}
+
+// Sorts the leaves of a tree: always, or if a counter is not 0.
+static void tree_order(RunList* list, const Tree* tree, int t, int count)
+{
+	tree_refit(list, tree, t, count);
+	runs_add(list, KERNEL_tree_root, 0, 1, count, t);
+	runs_add(list, KERNEL_tree_code, 0, tree->leaves, count, t);
+	runs_add_sort(list, tree->leaves, count, 32, 64);
+	runs_add(list, KERNEL_tree_order, 0, tree->leaves, count, t);
+}
+
+// Sorts the leaves if the traversals of this step would take longer than sorting, because boxes that jumped widen the
+// nodes above them. The device decides, because it has the boxes.
+static void tree_refit_all(RunList* list, const Tree* tree, int t)
+{
+	if (tree->leaves <= ARITY)
+		return;
+	runs_add(list, KERNEL_tree_outlier, 0, (tree->leaves + ARITY - 1) / ARITY, COUNT(jumped), t);
+	runs_add(list, KERNEL_tree_measure_quality, 0, 1, COUNT(jumped), t);
+	tree_order(list, tree, t, COUNT(order) + t);
+}
+
+scree_status list_transform(Pipeline* pipeline, const Step* step)
+{
+	RunList* list = &pipeline->list;
+	runs_add_single(list, KERNEL_step_begin);
+	runs_add(list, KERNEL_transform, 0, step->collidables, NO_COUNT, 0);
+	for (int t = 0; t < 2; ++t)
+	{
+		TreeState* state = &pipeline->trees[t];
+		state->ordered = false;
+		if (!tree_wants_order(state))
+		{
+			state->ordered = pipeline->jumps && tree_churns(state);
+			if (state->ordered)
+				tree_order(list, &state->tree, t, NO_COUNT);
+			else if (pipeline->jumps)
+				tree_refit_all(list, &state->tree, t);
+			state->touched = state->touched || state->ordered;
+			continue;
+		}
+		tree_order(list, &state->tree, t, NO_COUNT);
+		TRY(pipeline_run(pipeline, step));
+		TRY(tree_ordered(pipeline, t));
+		state->touched = true;
+	}
+	// the static tree changes only if the user moved something in it, or the device sorted its leaves
+	tree_refit(list, &pipeline->trees[0].tree, 0, pipeline->trees[0].touched ? NO_COUNT : COUNT(refit));
+	if (pipeline->trees[1].touched || pipeline->jumps)
+		tree_refit(list, &pipeline->trees[1].tree, 1, pipeline->trees[1].touched ? NO_COUNT : COUNT(order) + 1);
+	pipeline->trees[0].touched = pipeline->trees[1].touched = false;
+	return SCREE_OK;
+}
+
+// Returns whether pairs of bodies may begin or cease to be kept apart in this step.
+static bool pairs_may_change(const Pipeline* pipeline)
+{
+	return pipeline->counters.joints + pipeline->excluded > 0 && (pipeline->dirty || pipeline->can_break);
+}
+
+// Collects the pairs of bodies that joints or the user keep apart, sorted by two indices of bodies.
+static void list_joined(RunList* list, int joints, int excluded, int bodies)
+{
+	int bits = index_bits(bodies), count = COUNT(joints_dirty), pairs = joints + excluded;
+	runs_add(list, KERNEL_joint_pair_key, 0, joints, count, 0);
+	runs_add(list, KERNEL_excluded_key, 0, excluded, count, joints);
+	runs_add_sort(list, pairs, count, 0, bits);
+	runs_add_sort(list, pairs, count, 32, 32 + bits);
+	runs_add(list, KERNEL_joint_pair, 0, pairs, count, pairs);
+}
+
+void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies)
+{
+	RunList* list = &pipeline->list;
+	bool joints = pairs_may_change(pipeline);
+	if (joints)
+		list_joined(list, pipeline->counters.joints, pipeline->excluded, bodies);
+	int contacts = step->contact_capacity;
+	runs_add(list, KERNEL_broad_phase, 0, step->collidables, COUNT(updated_boxes), 0);
+	runs_add(list, KERNEL_broad_phase_rest, 0, step->traversal_items, COUNT(rest), 0);
+	runs_add(list, KERNEL_contact_admit, 0, 1, COUNT(pairs), 0);
+	runs_add_sort(list, step->pair_capacity, COUNT(sort_pairs), 0, 2 * step->key_bits);
+	runs_add(list, KERNEL_contact_mark_free, 0, contacts, COUNT(search), 0);
+	runs_add(list, PRIMITIVE_SCAN, 0, contacts, COUNT(search), 0);
+	runs_add(list, KERNEL_contact_list_free, 0, contacts, COUNT(search), 0);
+	runs_add(list, KERNEL_contact_reserve, 0, 1, COUNT(pairs), 0);
+	runs_add(list, KERNEL_contact_create, 0, contacts, COUNT(created), 0);
+	if (joints)
+		runs_add(list, KERNEL_contact_join, 0, contacts, COUNT(joints_dirty), 0);
+}
+
+// Lists the contacts that need approval, and sorts refused pairs, and pairs that one-way platforms let through, for
+// continuous collision.
+static void list_approvals(RunList* list, const Step* step, int bodies, bool platforms)
+{
+	int contacts = step->contact_capacity;
+	runs_add(list, KERNEL_approval_request, 0, contacts, COUNT(live), platforms);
+	runs_add_sort(list, contacts, COUNT(refused), 0, 2 * step->key_bits);
+	runs_add(list, KERNEL_refused_pair, 0, contacts, COUNT(refused), 0);
+	if (step->asks)
+		runs_add(list, KERNEL_approval_begin, 0, bodies, COUNT(holds), 0);
+}
+
+void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
+{
+	RunList* list = &pipeline->list;
+	if (pipeline->platforms)
+	{
+		runs_add(list, KERNEL_sunk_begin, 0, bodies, NO_COUNT, 0);
+		runs_add(list, KERNEL_contact_sunk, 0, step->contact_capacity, COUNT(live), 0);
+	}
+	if (step->rules)
+		runs_add(list, KERNEL_contact_rule, 0, step->contact_capacity, COUNT(live), 0);
+	if (pipeline->reports)
+		runs_add(list, KERNEL_touch_part, 0, step->contact_capacity, COUNT(live), 0);
+	runs_add(list, KERNEL_narrow_phase_keep, 0, step->contact_capacity, COUNT(live), 0);
+	runs_add(list, KERNEL_narrow_phase, 0, step->contact_capacity, COUNT(look), 0);
+	if (step->asks || pipeline->platforms)
+		list_approvals(list, step, bodies, pipeline->platforms);
+}
+
+// Lets constraints of joints begin and end.
+static void list_joint_constraints(RunList* list, int joints)
+{
+	runs_add(list, KERNEL_joint_update, 0, joints, COUNT(joints_dirty), 0);
+	runs_add(list, KERNEL_joint_updated, 0, 1, COUNT(joints_dirty), 0);
+}
+
+// Returns the bits of the sort key of contacts: the color, and with hubs also an index of a body.
+static int color_bits(const Pipeline* pipeline, int bodies)
+{
+	int bits = COLOR_BITS;
+	if (pipeline->counters.hubs > 0)
+		for (bits = COLOR_BITS + 1; 1LL << bits < COLORS + 1LL + bodies;)
+			++bits;
+	return bits;
+}
+
+// Lays out the constraints of a kind by color, if some began or ended. bits: size of the keys.
+static void lay_out(RunList* list, const Backend* b, int kind, int bits)
+{
+	const KindInfo* info = &kind_info[kind];
+	int items = b->capacity[info->items], count = COUNT(arrange) + kind;
+	runs_add(list, info->key, 0, items, count, bits);
+	runs_add_sort(list, items, count, 32, 32 + bits);
+	runs_add(list, info->edge, 0, items, count, bits);
+	if (bits > COLOR_BITS)
+		runs_add(list, PRIMITIVE_SCAN, 0, items, count, 0);
+	runs_add(list, info->range, 0, 1, count, 0);
+	if (kind == CONSTRAINT_JOINT)
+		runs_add(list, KERNEL_chain_pad, 0, items, count, 0);
+	runs_add(list, info->layout, 0, items, count, bits);
+}
+
+void list_color(Pipeline* pipeline, int bodies, int from, int to)
+{
+	RunList* list = &pipeline->list;
+	const Backend* b = pipeline->backend;
+	const Counters* c = &pipeline->counters;
+	int edges = b->capacity[PER_EDGE], bits = color_bits(pipeline, bodies);
+	if (from == 0)
+	{
+		if (pairs_may_change(pipeline))
+			list_joint_constraints(list, c->joints);
+		runs_add(list, KERNEL_hub_enter, 0, b->capacity[PER_CONTACT], COUNT(gathered), 0);
+	}
+	for (int round = from; round < to; ++round)
+	{
+		if (round > 0 && round % MAX_ROUNDS == 0)
+			runs_add_single(list, KERNEL_color_wrap);
+		int count = round == 0 ? COUNT(began) : COUNT(uncolored) + round % MAX_ROUNDS;
+		runs_add(list, KERNEL_color_claim, 0, edges, count, round);
+		runs_add(list, KERNEL_color_assign, 0, edges, count, round);
+	}
+	runs_add(list, KERNEL_color_reset, 0, edges, COUNT(began), 0);
+	runs_add(list, KERNEL_color_arrange, 0, 1, COUNT(changed), ((to - 1) % MAX_ROUNDS + 1) | bits << 8);
+	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
+		if (kind == CONSTRAINT_CONTACT || kind_items(c, kind) > 0)
+			lay_out(list, b, kind, kind == CONSTRAINT_CONTACT ? bits : COLOR_BITS);
+	// each layout may move the rows of joints
+	if (pipeline->paths || pipeline->couplings)
+		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);
+}
+
+// Contacts by which a press propagates in a step. With one, a press of 1 m/s moves a row of 5 capsules 2.01 cm into a
+// wall before the wall stops them.
+#define PRESS_ROUNDS 2
+
+void list_presses(Pipeline* pipeline, int bodies, bool may_wait)
+{
+	RunList* list = &pipeline->list;
+	const Counters* c = &pipeline->counters;
+	int places = c->layout[CONSTRAINT_CONTACT].begin[COLORS + 1], waits = may_wait ? PRESS_MAY_WAIT : 0;
+	runs_add(list, KERNEL_press_begin, 0, bodies, COUNT(presses), waits);
+	if (c->joints > 0)
+		runs_add(list, KERNEL_press_joint, 0, c->joints, COUNT(presses), waits);
+	for (int round = 0; round < PRESS_ROUNDS; ++round)
+	{
+		runs_add(list, KERNEL_press_gather, 0, places, COUNT(presses), waits | (round > 0 ? PRESS_AGAIN : 0));
+		runs_add(list, KERNEL_press_hand_on, 0, places, COUNT(presses), waits);
+	}
+}
+
+void list_fields(Pipeline* pipeline, const StepRequest* request, int bound)
+{
+	RunList* list = &pipeline->list;
+	int fields = request->fields, padded = (fields + ARITY - 1) / ARITY * ARITY;
+	runs_add(list, KERNEL_field_place, 0, padded, bound, fields);
+	if (fields > FIELD_FEW)
+		runs_add(list, KERNEL_field_gather, 0, (padded / ARITY + ARITY - 1) / ARITY * ARITY, bound, padded);
+	if (request->field_shapes)
+		runs_add(list, KERNEL_field_shape, 0, request->collidables, bound, fields);
+	runs_add(list, KERNEL_field_body, 0, request->bodies, bound, 2 * fields + request->field_shapes);
+}
