@@ -53,11 +53,17 @@ typedef struct // 32 bytes: one memory sector, gathered at random by the solver
 
 typedef struct // 32 bytes
 {
-	float fx, fy, torque;                  // N, N m; finalize clears them
-	float gravity_scale;                   // 0 for static and kinematic bodies
-	float linear_damping, angular_damping; // 1/s
-	float free_x, free_y;                  // 1, or 0 for a locked axis
+	float fx, fy, torque;                       // N, N m; finalize clears them
+#define X(name, least, most, value) float name; // 0 for static and kinematic bodies
+#include "pools/body_values.def"
+	float free_x, free_y; // 1, or 0 for a locked axis
 } Motion;
+
+typedef struct
+{
+#define X(name, least, most, value) float name;
+#include "pools/body_values.def"
+} BodyValues;
 
 typedef struct // 16 bytes: the velocity of a disabled body
 {

@@ -25,8 +25,10 @@ INLINE Word64 hash_BodyState(Word64 h, BodyState v)
 }
 INLINE Word64 hash_Motion(Word64 h, Motion v)
 {
-	h = hash_float(hash_float(hash_float(hash_float(h, v.fx), v.fy), v.torque), v.gravity_scale);
-	return hash_float(hash_float(hash_float(hash_float(h, v.linear_damping), v.angular_damping), v.free_x), v.free_y);
+	h = hash_float(hash_float(hash_float(h, v.fx), v.fy), v.torque);
+#define X(name, least, most, value) h = hash_float(h, v.name);
+#include "pools/body_values.def"
+	return hash_float(hash_float(h, v.free_x), v.free_y);
 }
 // Adds nothing for an enabled body.
 INLINE Word64 hash_StoredVelocity(Word64 h, StoredVelocity v)

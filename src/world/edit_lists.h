@@ -14,7 +14,7 @@ typedef struct // row of a body; for a destroyed body all zero except the rotati
 	scree_vec center;
 	scree_velocity velocity;
 	float inv_mass, inv_inertia;
-	float gravity_scale, linear_damping, angular_damping;
+	BodyValues values;
 	uint32_t locks;
 	bool disabled;
 } BodyRow;

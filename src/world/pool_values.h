@@ -4,6 +4,7 @@
 #define POOL_VALUES_H
 #include "pools/pools.h"
 #include "world/world.h"
+#include <string.h>
 
 // Returns the bits of a collidable that share a word on the device.
 static inline uint32_t report_bits(const HostCollidable* host) { return host->reports | host->sensor << SENSOR_SHIFT; }
@@ -22,6 +23,15 @@ static inline void shape_row(const scree_shape* shape, Attribute* row)
 		row->vertices[k] = make_float2(shape->vertices[k].x, shape->vertices[k].y);
 		row->normals[k] = make_float2(shape->normals[k].x, shape->normals[k].y);
 	}
+}
+
+// Returns the value of COMMAND_MOTION.
+static inline Float4 body_values_row(const BodyValues* values)
+{
+	_Static_assert(sizeof *values <= sizeof(Float4), "a command has four numbers");
+	Float4 row = {0};
+	memcpy(&row, values, sizeof *values);
+	return row;
 }
 
 static inline Float4 pose_row(scree_pose pose)

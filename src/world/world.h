@@ -13,7 +13,7 @@ typedef struct // host data of a body
 {
 	scree_body_type type;
 	uint32_t locks;
-	float gravity_scale, linear_damping, angular_damping;
+	BodyValues values;
 	scree_mass mass;
 	scree_mass own_mass; // mass set by the user, which a dynamic body has until its collidables change; mass 0 for none
 	int first_collidable, last_collidable; // -1 for none

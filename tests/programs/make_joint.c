@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // make_joint.c -- the calls of joints in a random program: all types, between bodies near and far, and all that changes them.
 #include "programs/make.h"
+#include "world/objects/joints.h"
 
 static float any_joint(Maker* m) { return (float)below(m, m->joints + 1); } // now and then one that is not there
 
@@ -105,7 +106,7 @@ static void set_path(Maker* m, Call* call)
 void put_joint(Maker* m)
 {
 	Call call = call_make(CALL_joint);
-	int type = m->paths > 0 && chance(m, 0.15) ? SCREE_JOINT_PATH : below(m, 13 + chance(m, 0.01));
+	int type = m->paths > 0 && chance(m, 0.15) ? SCREE_JOINT_PATH : below(m, JOINT_TYPES + chance(m, 0.01));
 	float a = any_body(m);
 	call_set(&call, "joint", (float)m->joints++);
 	call_set(&call, "type", (float)type);

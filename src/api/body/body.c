@@ -21,7 +21,8 @@ void scree_body_def_default_sized(scree_body_def* def, size_t size)
 	const scree_body_def made = {.size = (uint32_t)size,
 	                             .type = SCREE_BODY_DYNAMIC,
 	                             .pose.rotation.c = 1.0f,
-	                             .gravity_scale = 1.0f,
+#define X(name, least, most, value) .name = value,
+#include "pools/body_values.def"
 	                             .filter = scree_filter_default()};
 	write_result(def, size, &made, sizeof made);
 }
@@ -42,9 +43,8 @@ static scree_status check_def(const scree_world* world, ArgumentPlace at, const 
 	TRY(check_type(at, ".type", def->type));
 	TRY(check_pose(at, ".pose", &pose));
 	TRY(check_velocity(at, ".velocity", def->velocity));
-	TRY(check_real(at, ".gravity_scale", def->gravity_scale, -FLT_MAX, FLT_MAX));
-	TRY(check_real(at, ".linear_damping", def->linear_damping, 0.0f, FLT_MAX));
-	TRY(check_real(at, ".angular_damping", def->angular_damping, 0.0f, FLT_MAX));
+#define X(name, least, most, value) TRY(check_real(at, "." #name, def->name, least, most));
+#include "pools/body_values.def"
 	TRY(check_locks(at, ".locks", def->locks));
 	TRY(check_reports(at, ".reports", def->reports));
 	TRY(check_sensor(at, ".sensor", def->sensor));
@@ -88,9 +88,8 @@ static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def,
 	HostBody* host = world->host_bodies + index;
 	*host = (HostBody){.type = def->type,
 	                   .locks = def->locks,
-	                   .gravity_scale = def->gravity_scale,
-	                   .linear_damping = def->linear_damping,
-	                   .angular_damping = def->angular_damping,
+#define X(name, least, most, value) .values.name = def->name,
+#include "pools/body_values.def"
 	                   .first_collidable = -1,
 	                   .stands = def->pose,
 	                   .still = def->velocity.linear.x == 0.0f && def->velocity.linear.y == 0.0f &&
@@ -123,9 +122,7 @@ static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def,
 	                            .velocity = body_velocity_allowed(host, def->velocity),
 	                            .inv_mass = mass_inverse(host),
 	                            .inv_inertia = mass_inverse_inertia(host),
-	                            .gravity_scale = moves ? def->gravity_scale : 0.0f,
-	                            .linear_damping = moves ? def->linear_damping : 0.0f,
-	                            .angular_damping = moves ? def->angular_damping : 0.0f,
+	                            .values = moves ? host->values : (BodyValues){0},
 	                            .locks = def->locks,
 	                            .disabled = def->disabled});
 }

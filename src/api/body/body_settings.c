@@ -88,8 +88,8 @@ scree_status scree_body_set_damping(scree_world* world, scree_body body, float l
 	TRY(lookup_to_set(world, function, body, 1, &index));
 	TRY(check_real((ArgumentPlace){function, "linear", ALONE}, "", linear, 0.0f, FLT_MAX));
 	TRY(check_real((ArgumentPlace){function, "angular", ALONE}, "", angular, 0.0f, FLT_MAX));
-	world->host_bodies[index].linear_damping = linear;
-	world->host_bodies[index].angular_damping = angular;
+	world->host_bodies[index].values.linear_damping = linear;
+	world->host_bodies[index].values.angular_damping = angular;
 	body_send_motion(world, index);
 	return SCREE_OK;
 }
@@ -100,8 +100,8 @@ scree_status scree_body_get_damping(const scree_world* world, scree_body body, f
 	HostBody* host;
 	TRY(lookup(world, function, body, "linear", linear, &host));
 	TRY(check_pointer(function, "angular", angular));
-	*linear = host->linear_damping;
-	*angular = host->angular_damping;
+	*linear = host->values.linear_damping;
+	*angular = host->values.angular_damping;
 	return SCREE_OK;
 }
 
@@ -111,7 +111,7 @@ scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, f
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 1, &index));
 	TRY(check_real((ArgumentPlace){function, "scale", ALONE}, "", scale, -FLT_MAX, FLT_MAX));
-	world->host_bodies[index].gravity_scale = scale;
+	world->host_bodies[index].values.gravity_scale = scale;
 	body_send_motion(world, index);
 	return SCREE_OK;
 }
@@ -120,7 +120,7 @@ scree_status scree_body_get_gravity_scale(const scree_world* world, scree_body b
 {
 	HostBody* host;
 	TRY(lookup(world, "scree_body_get_gravity_scale", body, "scale", scale, &host));
-	*scale = host->gravity_scale;
+	*scale = host->values.gravity_scale;
 	return SCREE_OK;
 }
 

@@ -10,31 +10,20 @@
 #include <math.h>
 #include <stddef.h>
 
-static const char* const type_names[JOINT_TYPES] = {
-    [SCREE_JOINT_FREE] = "free",           [SCREE_JOINT_DISTANCE] = "distance", [SCREE_JOINT_REVOLUTE] = "revolute",
-    [SCREE_JOINT_PRISMATIC] = "prismatic", [SCREE_JOINT_SLOT] = "slot",         [SCREE_JOINT_WELD] = "weld",
-    [SCREE_JOINT_WHEEL] = "wheel",         [SCREE_JOINT_MOTOR] = "motor",       [SCREE_JOINT_TARGET] = "target",
-    [SCREE_JOINT_FILTER] = "filter",       [SCREE_JOINT_GEAR] = "gear",         [SCREE_JOINT_PULLEY] = "pulley",
-    [SCREE_JOINT_PATH] = "path",
+// Values that scree_joint_def_make presets for a type.
+static const struct
+{
+	const char* name;
+	unsigned locks; // coordinates, one bit each
+} presets[JOINT_TYPES] = {
+#define X(NAME, name, locks) [SCREE_JOINT_##NAME] = {name, locks},
+#include "world/objects/joint_presets.def"
 };
 
 const char* scree_joint_type_name(scree_joint_type type)
 {
-	return (unsigned)type < JOINT_TYPES ? type_names[type] : "unknown";
+	return (unsigned)type < JOINT_TYPES ? presets[type].name : "unknown";
 }
-
-// Coordinates that each type locks, one bit each.
-static const unsigned locks[JOINT_TYPES] = {
-    [SCREE_JOINT_DISTANCE] = 1 << SCREE_ALONG,
-    [SCREE_JOINT_REVOLUTE] = 1 << SCREE_ALONG | 1 << SCREE_ACROSS,
-    [SCREE_JOINT_PRISMATIC] = 1 << SCREE_ACROSS | 1 << SCREE_ANGLE,
-    [SCREE_JOINT_SLOT] = 1 << SCREE_ACROSS,
-    [SCREE_JOINT_WELD] = 1 << SCREE_ALONG | 1 << SCREE_ACROSS | 1 << SCREE_ANGLE,
-    [SCREE_JOINT_WHEEL] = 1 << SCREE_ACROSS,
-    [SCREE_JOINT_GEAR] = 1 << SCREE_ALONG,
-    [SCREE_JOINT_PULLEY] = 1 << SCREE_ALONG,
-    [SCREE_JOINT_PATH] = 1 << SCREE_ACROSS,
-};
 
 // Bytes of a definition in the version that added gears and pulleys.
 #define COUPLED_SIZE (offsetof(scree_joint_def, sides) + sizeof((scree_joint_def*)0)->sides)
@@ -67,7 +56,7 @@ void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, siz
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
 		made.coordinates[k].spring_max = made.coordinates[k].spring_push = made.coordinates[k].spring_pull = FLT_MAX;
-		made.coordinates[k].locked = (unsigned)type < JOINT_TYPES && locks[type] >> k & 1;
+		made.coordinates[k].locked = (unsigned)type < JOINT_TYPES && presets[type].locks >> k & 1;
 		made.coordinates[k].motor = type == SCREE_JOINT_MOTOR;
 	}
 	if (type == SCREE_JOINT_DISTANCE)

@@ -19,7 +19,7 @@ static Word64 hash_pose(Word64 h, scree_pose pose) { return hash_float4(h, pose_
 static Word64 hash_disabled(const scree_world* world, int body)
 {
 	const HostBody* host = world->host_bodies + body;
-	Word64 sum = hash_float(hash_word(hash_begin(HASH_DISABLED, body), (Word)host->type), host->gravity_scale);
+	Word64 sum = hash_float(hash_word(hash_begin(HASH_DISABLED, body), (Word)host->type), host->values.gravity_scale);
 	for (int k = host->first_collidable; k >= 0; k = world->host_collidables[k].next)
 	{
 		const HostCollidable* c = world->host_collidables + k;

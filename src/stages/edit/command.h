@@ -62,13 +62,14 @@ INLINE void command_mass(const Pools* p, int i, Float4 value)
 	command_velocity(p, i, v);
 }
 
-// Sets damping, gravity scale and locks. locks: bits of scree_body_def.locks: 1 x, 2 y, 4 rotation.
+// Sets the values of body_values.def and locks. locks: bits of scree_body_def.locks: 1 x, 2 y, 4 rotation.
 INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 {
 	GLOBAL Motion* motion = p->motion + i;
-	motion->gravity_scale = value.x;
-	motion->linear_damping = value.y;
-	motion->angular_damping = value.z;
+	const float values[4] = {value.x, value.y, value.z, value.w};
+	int k = 0;
+#define X(name, least, most, value) motion->name = values[k++];
+#include "pools/body_values.def"
 	motion->free_x = locks & 1 ? 0.0f : 1.0f;
 	motion->free_y = locks & 2 ? 0.0f : 1.0f;
 	command_velocity(p, i, vec(p->body[i].vx, p->body[i].vy));

@@ -5,6 +5,7 @@
 #include "step/tree_maintenance.h"
 #include "world/edits.h"
 #include "world/objects/collidables.h"
+#include "world/pool_values.h"
 
 scree_velocity body_velocity_allowed(const HostBody* host, scree_velocity velocity)
 {
@@ -22,10 +23,9 @@ scree_velocity body_velocity_allowed(const HostBody* host, scree_velocity veloci
 void body_send_motion(scree_world* world, int index)
 {
 	const HostBody* host = world->host_bodies + index;
-	Float4 value = make_float4(0.0f, 0.0f, 0.0f, 0.0f);
-	if (host->type == SCREE_BODY_DYNAMIC)
-		value = make_float4(host->gravity_scale, host->linear_damping, host->angular_damping, 0.0f);
-	edits_command(world, COMMAND_MOTION, index, value, (int)host->locks);
+	BodyValues none = {0};
+	Float4 values = body_values_row(host->type == SCREE_BODY_DYNAMIC ? &host->values : &none);
+	edits_command(world, COMMAND_MOTION, index, values, (int)host->locks);
 }
 
 scree_status body_insert_leaves(scree_world* world, const HostBody* host)

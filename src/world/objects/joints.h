@@ -25,7 +25,12 @@ void body_joints_remove(scree_world* world, int body);
 // Lets the joints on paths of a body search for the nearest part of their paths, because the body was placed elsewhere.
 void body_joints_seek(scree_world* world, int body);
 
-#define JOINT_TYPES (SCREE_JOINT_PATH + 1)
+enum
+{
+	JOINT_TYPES = 0
+#define X(NAME, name, locks) +1
+#include "world/objects/joint_presets.def"
+};
 
 // Returns whether a joint is a gear or a pulley, which has only the coordinate along.
 static inline bool joint_couples(scree_joint_type type)

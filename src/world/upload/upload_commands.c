@@ -17,9 +17,8 @@ static int body_commands(scree_world* world, const BodyRow* row, Command* to)
 	to[1] = (Command){.kind = COMMAND_MASS,
 	                  .whole = {0, row->disabled},
 	                  .value = make_float4(row->inv_mass, row->inv_inertia, row->center.x, row->center.y)};
-	to[2] = (Command){.kind = COMMAND_MOTION,
-	                  .whole = {(int)row->locks, row->disabled},
-	                  .value = make_float4(row->gravity_scale, row->linear_damping, row->angular_damping, 0.0f)};
+	to[2] = (Command){
+	    .kind = COMMAND_MOTION, .whole = {(int)row->locks, row->disabled}, .value = body_values_row(&row->values)};
 	to[3] = (Command){.kind = COMMAND_VELOCITY,
 	                  .whole = {0, row->disabled},
 	                  .value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f)};

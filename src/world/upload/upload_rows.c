@@ -35,11 +35,12 @@ static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void*
 		*(Float4*)item = body_pose(row);
 		break;
 	case POOL_motion:
-		*(Motion*)item = (Motion){.gravity_scale = row->disabled ? 0.0f : row->gravity_scale,
-		                          .linear_damping = row->linear_damping,
-		                          .angular_damping = row->angular_damping,
-		                          .free_x = row->locks & SCREE_LOCK_X ? 0.0f : 1.0f,
-		                          .free_y = row->locks & SCREE_LOCK_Y ? 0.0f : 1.0f};
+		*(Motion*)item = (Motion){
+#define X(name, least, most, value) .name = row->values.name,
+#include "pools/body_values.def"
+		    .free_x = row->locks & SCREE_LOCK_X ? 0.0f : 1.0f, .free_y = row->locks & SCREE_LOCK_Y ? 0.0f : 1.0f};
+		if (row->disabled)
+			((Motion*)item)->gravity_scale = 0.0f;
 		break;
 	case POOL_local_center:
 		*(Float2*)item = make_float2(row->center.x, row->center.y);
