@@ -124,7 +124,7 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 		get_items(b, POOL_counters, 1, counters);
 	} while (counters->uncolored[(done - 1) % MAX_ROUNDS + 1] > 0);
 	run_one(b, &(Step){0}, KERNEL_color_reset, g->contacts, COUNT(began), 0);
-	run_one(b, &step, KERNEL_color_arrange, 1, NO_COUNT, ((done - 1) % MAX_ROUNDS + 1) | KEY_BITS << 8);
+	run_one(b, &step, KERNEL_color_arrange, 1, NO_COUNT, RUN_PAIR((done - 1) % MAX_ROUNDS + 1, KEY_BITS));
 	run_one(b, &step, KERNEL_contact_key, g->contacts, COUNT(arrange), KEY_BITS);
 	run_sort(b, g->contacts, 32, 32 + KEY_BITS);
 	run_one(b, &step, KERNEL_contact_edge, g->contacts, COUNT(arrange), KEY_BITS);

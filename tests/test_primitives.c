@@ -98,7 +98,7 @@ static void check_sort(Input input, int end, int bound, bool use_bound, int firs
 	char what[128];
 	snprintf(what, sizeof what, "sort of input %d, %d keys, bound %d, bits %d to %d", (int)input, end,
 	         use_bound ? bound : -1, first_bit, end_bit);
-	Run run = {PRIMITIVE_SORT, 0, end, use_bound ? COUNT(contacts) : NO_COUNT, first_bit | end_bit << 8};
+	Run run = {PRIMITIVE_SORT, 0, end, use_bound ? COUNT(contacts) : NO_COUNT, RUN_PAIR(first_bit, end_bit)};
 	for (int k = 0; k < backend_count; ++k)
 	{
 		Backend* b = backends[k];

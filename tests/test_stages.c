@@ -107,7 +107,7 @@ static void slots_are_lowest_first(void** state)
 			put_items(b, POOL_pair, 7, before);
 			put_items(b, POOL_key, 5, keys);
 			run_one(b, &step, KERNEL_contact_admit, 1, NO_COUNT, 0);
-			run_one(b, &step, PRIMITIVE_SORT, 5, COUNT(sort_pairs), 14 << 8);
+			run_one(b, &step, PRIMITIVE_SORT, 5, COUNT(sort_pairs), RUN_PAIR(0, 14));
 			run_one(b, &step, KERNEL_contact_mark_free, room, COUNT(search), 0);
 			run_one(b, &step, PRIMITIVE_SCAN, room, COUNT(search), 0);
 			run_one(b, &step, KERNEL_contact_list_free, room, COUNT(search), 0);

@@ -30,7 +30,7 @@ void runs_add_single(RunList* list, int kernel) { runs_add(list, kernel, 0, 1, N
 
 void runs_add_sort(RunList* list, int end, int count, int low, int high)
 {
-	runs_add(list, PRIMITIVE_SORT, 0, end, count, low | high << 8);
+	runs_add(list, PRIMITIVE_SORT, 0, end, count, RUN_PAIR(low, high));
 }
 
 int index_bits(int count)

@@ -26,7 +26,7 @@ static void add_pass(RunList* list, const Solve* solve, int pass)
 	int bound = solve->bound, spokes = layout_spokes(c);
 	for (int turn = 0; turn < HUB_COLORS && turn < c->hubs; ++turn)
 	{
-		runs_add(list, KERNEL_hub, 0, (c->hubs - turn + HUB_COLORS - 1) / HUB_COLORS, bound, pass | turn << 8);
+		runs_add(list, KERNEL_hub, 0, (c->hubs - turn + HUB_COLORS - 1) / HUB_COLORS, bound, RUN_PAIR(pass, turn));
 		if (bound == NO_COUNT)
 			runs_add(list, KERNEL_hub_merge, 0, spokes, COUNT(split), turn);
 		else if (c->split > 0)

@@ -23,7 +23,7 @@ typedef enum
 #undef X
 	KERNEL_COUNT,
 	// Primitives, not kernels: each backend has its own implementation, with equal results. SORT: sorts items 0 to end
-	// of pool key by the bits from argument & 255 up to, not including, argument >> 8; stable.
+	// of pool key by the bits from RUN_LOW up to, not including, RUN_HIGH of argument; stable.
 	PRIMITIVE_SORT = KERNEL_COUNT,
 	// SCAN: replaces items 0 to end of pool scan by the sum of the items before each.
 	PRIMITIVE_SCAN,

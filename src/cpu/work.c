@@ -213,7 +213,7 @@ void cpu_work(Cpu* cpu, const Run* runs, int count, int grain)
 		}
 		if (run->kernel_id == PRIMITIVE_SORT)
 			sort_keys(&cpu->shared, cpu->threads, blocks, cpu->pools.key, cpu->pools.key_other, cpu->end,
-			          run->argument & 255, run->argument >> 8);
+			          RUN_LOW(run->argument), RUN_HIGH(run->argument));
 		else if (run->kernel_id == PRIMITIVE_SCAN)
 			scan_values(&cpu->shared, cpu->threads, blocks, cpu->pools.scan, cpu->end);
 		else

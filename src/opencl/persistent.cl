@@ -95,7 +95,7 @@ INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL
 {
 	uint n = item_count(run, (__global const int*)p->counters), part = part_size(n, SORT_BLOCKS, SORT_GRAIN);
 	uint first = (uint)get_group_id(0), groups = alone ? 1u : (uint)get_num_groups(0), blocks = (n + part - 1) / part;
-	int from = run.argument & 255, end = run.argument >> 8;
+	int from = RUN_LOW(run.argument), end = RUN_HIGH(run.argument);
 	__global Word64 *key = p->key, *other = p->key_other;
 	if (n <= SORT_FEW && !alone)
 	{

@@ -92,7 +92,7 @@ static scree_status sort_pass(OpenCl* d, const Run* run, cl_ulong from, cl_ulong
 
 static scree_status sort_run(OpenCl* d, const Run* run)
 {
-	int first = run->argument & 255, end = run->argument >> 8;
+	int first = RUN_LOW(run->argument), end = RUN_HIGH(run->argument);
 	int passes = (end - first + SORT_DIGIT_BITS - 1) / SORT_DIGIT_BITS;
 	cl_ulong from = pool_offset(d, POOL_key), to = pool_offset(d, POOL_key_other);
 	for (int pass = 0; pass < passes; ++pass)

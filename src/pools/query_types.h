@@ -29,6 +29,10 @@ typedef struct // 32 bytes: a collidable as a leaf of queries
 	// Bits: the kind, with KIND_STATIC at bit 0, or LEAF_SENSOR for a sensor; and LEAF_LISTENS.
 	Word kinds;
 } QueryLeaf;
+// Bits of the arguments of kernels of trees, whose bit 0 is the tree.
+#define TREE_QUERIES 2 // the boxes for queries, not those of the step
+#define TREE_PATHS   2 // query_leaf: boxes around the motion of the step
+#define TREE_STALE   4 // query_leaf: the boxes of the step do not fit its poses
 #define LEAF_SENSOR  0x10u
 #define LEAF_LISTENS 0x100u // its category and mask are not 0
 

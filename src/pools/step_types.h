@@ -97,4 +97,9 @@ typedef struct // one entry of the list that a backend executes in order
 	int argument;   // argument of the kernel
 } Run;
 
+// Run.argument as two numbers: low below 128, high below 2^25.
+#define RUN_PAIR(low, high) ((low) | (int)((Word)(high) << 7))
+#define RUN_LOW(argument)   ((argument)&127)
+#define RUN_HIGH(argument)  ((int)((Word)(argument) >> 7))
+
 #endif

@@ -56,7 +56,7 @@ static scree_status sort(Pipeline* pipeline, int which, int count, int bits)
 	if (contacts)
 		TRY(pipeline_reserve(pipeline, PER_CONTACT_REPORT, count));
 	Run runs[] = {{.kernel_id = KERNEL_event_key, .end = count, .count = NO_COUNT, .argument = which},
-	              {.kernel_id = PRIMITIVE_SORT, .end = count, .count = NO_COUNT, .argument = bits << 8},
+	              {.kernel_id = PRIMITIVE_SORT, .end = count, .count = NO_COUNT, .argument = RUN_PAIR(0, bits)},
 	              {.kernel_id = KERNEL_event_list, .end = count, .count = NO_COUNT}};
 	return b->f->run(b, &step, runs, contacts ? 3 : 2);
 }

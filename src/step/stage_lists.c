@@ -12,7 +12,7 @@ static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 		return;
 	runs_add(list, KERNEL_tree_leaf, 0, tree_padded(tree->count[0]), count, t);
 	for (int level = 1; level <= tree->top; ++level)
-		runs_add(list, KERNEL_tree_node, 0, tree_padded(tree->count[level]), count, t | level << 1);
+		runs_add(list, KERNEL_tree_node, 0, tree_padded(tree->count[level]), count, RUN_PAIR(t, level));
 }
 
 // Sorts the leaves of a tree: always, or if a counter is not 0.
@@ -189,7 +189,7 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to)
 		runs_add(list, KERNEL_color_assign, 0, edges, count, round);
 	}
 	runs_add(list, KERNEL_color_reset, 0, edges, COUNT(began), 0);
-	runs_add(list, KERNEL_color_arrange, 0, 1, COUNT(changed), ((to - 1) % MAX_ROUNDS + 1) | bits << 8);
+	runs_add(list, KERNEL_color_arrange, 0, 1, COUNT(changed), RUN_PAIR((to - 1) % MAX_ROUNDS + 1, bits));
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		if (kind == CONSTRAINT_CONTACT || kind_items(c, kind) > 0)
 			lay_out(list, b, kind, kind == CONSTRAINT_CONTACT ? bits : COLOR_BITS);
@@ -226,5 +226,5 @@ void list_fields(Pipeline* pipeline, const StepRequest* request, int bound)
 		runs_add(list, KERNEL_field_gather, 0, (padded / ARITY + ARITY - 1) / ARITY * ARITY, bound, padded);
 	if (request->field_shapes)
 		runs_add(list, KERNEL_field_shape, 0, request->collidables, bound, fields);
-	runs_add(list, KERNEL_field_body, 0, request->bodies, bound, 2 * fields + request->field_shapes);
+	runs_add(list, KERNEL_field_body, 0, request->bodies, bound, RUN_PAIR(request->field_shapes, fields));
 }

@@ -19,10 +19,10 @@ static void list_refit(Pipeline* pipeline, int t, bool ways)
 {
 	RunList* list = &pipeline->list;
 	const Tree* tree = &pipeline->trees[t].tree;
-	int how = (ways ? 2 : 0) | (pipeline->reverted ? 4 : 0);
+	int how = (ways ? TREE_PATHS : 0) | (pipeline->reverted ? TREE_STALE : 0);
 	runs_add(list, KERNEL_query_leaf, 0, tree_padded(tree->count[0]), NO_COUNT, t | how);
 	for (int level = 1; level <= tree->top; ++level)
-		runs_add(list, KERNEL_query_node, 0, tree_padded(tree->count[level]), NO_COUNT, t | level << 1);
+		runs_add(list, KERNEL_query_node, 0, tree_padded(tree->count[level]), NO_COUNT, RUN_PAIR(t, level));
 }
 
 // Sorts the leaves of a tree. A tree of a world that never made a step has its leaves in the order of creation.
@@ -31,8 +31,8 @@ static scree_status order(Pipeline* pipeline, int t)
 	RunList* list = &pipeline->list;
 	const Tree* tree = &pipeline->trees[t].tree;
 	list_refit(pipeline, t, false);
-	runs_add(list, KERNEL_tree_root, 0, 1, NO_COUNT, t | 2);
-	runs_add(list, KERNEL_tree_code, 0, tree->leaves, NO_COUNT, t | 2);
+	runs_add(list, KERNEL_tree_root, 0, 1, NO_COUNT, t | TREE_QUERIES);
+	runs_add(list, KERNEL_tree_code, 0, tree->leaves, NO_COUNT, t | TREE_QUERIES);
 	runs_add_sort(list, tree->leaves, NO_COUNT, 32, 64);
 	runs_add(list, KERNEL_tree_order, 0, tree->leaves, NO_COUNT, t);
 	TRY(pipeline_run(pipeline, &pipeline->step));

@@ -78,5 +78,5 @@ void run_one(Backend* b, const Step* step, int kernel, int end, int count, int a
 
 void run_sort(Backend* b, int end, int low_bit, int high_bit)
 {
-	run_one(b, &(Step){0}, PRIMITIVE_SORT, end, NO_COUNT, low_bit | high_bit << 8);
+	run_one(b, &(Step){0}, PRIMITIVE_SORT, end, NO_COUNT, RUN_PAIR(low_bit, high_bit));
 }

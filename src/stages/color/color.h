@@ -178,15 +178,15 @@ INLINE int color_of_key(Word64 key, int bits)
 
 // Selects the kinds to lay out after a constraint began or ended. A layout needs a color for every constraint, and keys
 // with bits for hubs if there are hubs. argument: index in uncolored of the number of edges left after the last round,
-// plus 256 times the number of bits of contacts' keys.
+// and the number of bits of contacts' keys.
 KERNEL(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
-	int left = c->uncolored[p->argument & 255];
+	int left = c->uncolored[RUN_LOW(p->argument)];
 	c->kept = 0;
 	c->overflow_first = 0x7fffffff;
 	c->entered = c->entered || c->layout[CONSTRAINT_CONTACT].count[COLORS] > 0;
-	c->arranged = left == 0 && (!c->entered || p->argument >> 8 > COLOR_BITS);
+	c->arranged = left == 0 && (!c->entered || RUN_HIGH(p->argument) > COLOR_BITS);
 #define CONSTRAINT_KIND(kind, Kind, KIND) \
 	c->arrange[CONSTRAINT_##KIND] = c->arranged && c->dirty[CONSTRAINT_##KIND] ? c->kind##s : 0;
 #include "pools/kinds.def"

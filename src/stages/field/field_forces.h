@@ -102,17 +102,17 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 	}
 }
 
-// Item: a body. argument: twice the number of fields, plus 1 if some act on shapes.
+// Item: a body. argument: 1 if some fields act on shapes, and the number of fields.
 KERNEL(field_body)
 {
 	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f)
 		return;
 	FieldForce sum = field_nothing();
-	for (int k = p->argument & 1 ? p->continuous_body[i].first : 0; k > 0; k = p->next_collidable[k - 1])
+	for (int k = RUN_LOW(p->argument) ? p->continuous_body[i].first : 0; k > 0; k = p->next_collidable[k - 1])
 		if (p->collidable_kind[k - 1] == KIND_DYNAMIC)
 			field_add(&sum, p->field_force[k - 1]);
 	Float4 pose = field_body_pose(p, i);
-	FieldTraversal traversal = field_traverse(p->argument >> 1, make_float4(pose.x, pose.y, pose.x, pose.y));
+	FieldTraversal traversal = field_traverse(RUN_HIGH(p->argument), make_float4(pose.x, pose.y, pose.x, pose.y));
 	for (int field = field_next(p, &traversal); field >= 0; field = field_next(p, &traversal))
 		field_act_body(p, i, field, vec(pose.x, pose.y), &sum);
 	field_soften(p, i, &sum);

@@ -40,8 +40,7 @@ INLINE int query_holds(const Pools* p, int k, WorldShape at)
 	return shift <= 0.5f * SPECULATIVE_DISTANCE && !box_is_empty(p->box[k]);
 }
 
-// Writes the row and the box of a leaf. argument: the tree; plus 2 for boxes around the motion of the step; plus 4 if
-// the step's boxes do not fit its poses.
+// Writes the row and the box of a leaf. argument: the tree, and TREE_* bits.
 KERNEL(query_leaf)
 {
 	int t = p->argument & 1;
@@ -55,9 +54,9 @@ KERNEL(query_leaf)
 			WorldShape at = collidable_place(p, k);
 			Filter filter = p->filter[k];
 			float out = absolute(at.x) + absolute(at.y);
-			if (!(p->argument & 4) && query_holds(p, k, at))
+			if (!(p->argument & TREE_STALE) && query_holds(p, k, at))
 				box = box_grow(p->box[k], QUERY_SPACING * out);
-			else if (p->argument & 2)
+			else if (p->argument & TREE_PATHS)
 				box = query_way_box(p, k, at);
 			else
 				box = world_box(at, p->attribute + at.attribute, QUERY_MARGIN + QUERY_SPACING * out);
@@ -77,8 +76,8 @@ KERNEL(query_leaf)
 	box_pack(p->query_box, tree->begin[0] + i, box);
 }
 
-// Item: a node of a level. argument: the tree, plus 2 times the level.
-KERNEL(query_node) { tree_join(p->query_box, p->tree + (p->argument & 1), p->argument >> 1, i); }
+// Item: a node of a level. argument: the tree and the level.
+KERNEL(query_node) { tree_join(p->query_box, p->tree + RUN_LOW(p->argument), RUN_HIGH(p->argument), i); }
 
 // Returns whether a query may find a leaf.
 INLINE int query_accepts(const Pools* p, const GLOBAL QueryPlan* plan, QueryLeaf seen, int ignored)

@@ -57,7 +57,7 @@ INLINE Int tree_cell(Real lower, Real upper, float begin, float cells)
 WIDE_KERNEL(tree_code)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
-	GLOBAL Float4* boxes = p->argument & 2 ? p->query_box : p->node_box;
+	GLOBAL Float4* boxes = p->argument & TREE_QUERIES ? p->query_box : p->node_box;
 	Float4 bounds = box_unpack(boxes, tree->begin[tree->top] + ARITY);
 	float width = bounds.z - bounds.x, height = bounds.w - bounds.y, side = width > height ? width : height;
 	float cells = side > 0.0f ? TREE_CELLS / side : 0.0f;

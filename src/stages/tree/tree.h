@@ -67,11 +67,11 @@ INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int 
 	return movers;
 }
 
-// Item: a node of a level. argument: the tree, plus 2 times the level.
+// Item: a node of a level. argument: the tree and the level.
 KERNEL(tree_node)
 {
-	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
-	int level = p->argument >> 1;
+	const GLOBAL Tree* tree = p->tree + RUN_LOW(p->argument);
+	int level = RUN_HIGH(p->argument);
 	tree_join(p->node_box, tree, level, i);
 	if (p->step.kinematic > 0 && i < tree->count[level])
 		p->node_movers[tree->begin[level - 1] / ARITY + i] = tree_movers(p, tree, level, i);
@@ -144,7 +144,7 @@ KERNEL(tree_measure_quality)
 KERNEL(tree_root)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
-	GLOBAL Float4* boxes = p->argument & 2 ? p->query_box : p->node_box;
+	GLOBAL Float4* boxes = p->argument & TREE_QUERIES ? p->query_box : p->node_box;
 	int top = tree->begin[tree->top];
 	box_pack(boxes, top + ARITY, box_around(boxes + top));
 	(void)i;

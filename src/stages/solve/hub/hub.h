@@ -331,7 +331,7 @@ INLINE void hub_pass(const Pools* p, int n, int pass, LOCAL float* bench)
 	}
 }
 
-// Item: a hub of a turn. argument: the pass, plus 256 times the turn.
-GROUP_KERNEL(hub) { hub_pass(p, HUB_COLORS * i + (p->argument >> 8), p->argument & 255, bench); }
+// Item: a hub of a turn. argument: the pass and the turn.
+GROUP_KERNEL(hub) { hub_pass(p, HUB_COLORS * i + RUN_HIGH(p->argument), RUN_LOW(p->argument), bench); }
 
 #endif
