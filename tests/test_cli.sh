@@ -200,7 +200,7 @@ refuse 2 'no scene is called "nothing"' bench pyramid nothing
 expect 0 'motion,free spin for a minute,scree,change of spin,' validate --quick --device cpu --threads 1 motion
 expect 0 'motion' validate --names
 [ "$(wc -w <out)" = "$(wc -l <out)" ] || fail "validate --names: more than one word a line"
-expect 0 'what is right stays right' validate --help
+expect 0 'textbook motion' validate --help
 refuse 2 'no experiment is called "nothing"' validate motion nothing
 refuse 2 'scree validate: takes no --steps' validate --steps 3
 refuse 2 'scree bench: takes no --quick' bench --quick
