@@ -1,4 +1,4 @@
-# Makefile -- the front door. Each target installs what it lacks (Debian packages), then calls CMake.
+# Makefile -- short commands for users. Each target installs the Debian packages that it lacks, then calls CMake.
 .DEFAULT_GOAL := help
 .PHONY: help run view clip gallery web test test-full bench build packages lists format check release clean
 
@@ -11,16 +11,16 @@ web_packages := cmake ninja-build emscripten binaryen node-acorn nodejs terser
 test_packages := $(view_packages) xvfb twm xdotool git clang-format-14 libcmocka-dev gnuplot-nox ffmpeg jq
 full_packages := $(web_packages) clang libclang-rt-14-dev chromium chromium-driver
 
-help: ## this list
+help: ## print this list
 	@echo 'make TARGET, where TARGET is one of'
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 12
 
-build: ## the library and the command line: build/libscree.a, build/libscree.so, build/scree
+build: ## build the library and the command line: build/libscree.a, build/libscree.so, build/scree
 	@tools/packages.sh $(build_packages)
 	@cmake --preset release --log-level=NOTICE $(build_options)
 	@cmake --build --preset release
 
-run: build ## drop a pile of mixed shapes and make a picture of where they rest
+run: build ## simulate a pile of mixed shapes and draw its end
 	@build/scree run pile --picture build/pile.png
 	@echo 'The picture is build/pile.png'
 
@@ -28,17 +28,17 @@ view: build_packages += $(view_packages)
 view: build ## open a window on a scene (SCENE=pile)
 	@build/scree view $(or $(SCENE),pile)
 
-clip: build ## a video of 600 steps of a scene, ten seconds of pile (SCENE=pile)
+clip: build ## make a video of 600 steps of a scene, ten seconds of pile (SCENE=pile)
 	@tools/packages.sh ffmpeg
 	@build/scree run $(or $(SCENE),pile) --steps 600 --video build/clip.mp4
 	@echo 'The video is build/clip.mp4'
 
 gallery: build_packages += ffmpeg jq
-gallery: build ## all scenes as pictures and short clips on one page, build/gallery/index.html (SCENES=...)
+gallery: build ## draw all scenes as pictures and short clips on one page, build/gallery/index.html (SCENES=...)
 	@tools/gallery.sh build/gallery $(SCENES)
 
 web: build_packages += $(web_packages)
-web: build ## the page build/web and the npm package build/web/package, by WebAssembly
+web: build ## build the page build/web and the npm package build/web/package, by WebAssembly
 	@tools/source.sh jansson build/sources/jansson
 	@for form in scalar simd threads; do \
 		cmake --preset wasm-$$form --log-level=NOTICE && cmake --build --preset wasm-$$form || exit 1; \
@@ -46,41 +46,41 @@ web: build ## the page build/web and the npm package build/web/package, by WebAs
 	@node web/make_page.mjs build/scree build build/web
 	@node web/package/pack.mjs . build/wasm-scalar build/wasm-simd build/web/package
 	@echo 'The npm package is build/web/package'
-	@echo 'The page is build/web, for any web server. To look at it: node web/serve.mjs build/web'
+	@echo 'The page is build/web, for any web server. To open it: node web/serve.mjs build/web'
 
 packages:
 	@tools/packages.sh $(build_packages) $(test_packages)
 
-test: packages ## the tests, on the CPU and through OpenCL: minutes
+test: packages ## run the tests, on the CPU and through OpenCL: minutes
 	@cmake --preset test --log-level=NOTICE
 	@cmake --build --preset test
 	@ctest --preset test --parallel $(cores)
 
 test-full: test_packages += $(full_packages)
-test-full: packages ## the full set, also with clang, sanitizers, one lane, WebAssembly and a browser: an hour
+test-full: packages ## run all tests, also with clang, sanitizers, one lane, WebAssembly and a browser: an hour
 	@tools/source.sh jansson build/sources/jansson
 	@cmake --preset test-full --log-level=NOTICE
 	@cmake --build --preset test-full
 	@ctest --preset test-full --parallel $(cores)
 
-bench: build ## measure on the CPU, and the GPU if any, for some minutes, into bench/results/NAME (NAME=local)
+bench: build ## measure on the CPU, and on the GPU if there is one, for some minutes, into bench/results/NAME (NAME=local)
 	@tools/packages.sh gnuplot-nox
 	@bench/bench.sh $(NAME)
 
-lists: ## tables of docs/scenes.md and docs/view.md, and the schema of scene files, from lists of the sources
+lists: ## write the tables of docs/scenes.md and docs/view.md, and the schema of scene files
 	@tools/packages.sh $(build_packages)
 	@cmake --preset release --log-level=NOTICE
 	@cmake --build --preset release --target scene_lists
 	@tools/lists.sh build/tests
 
-format: ## put every C file into the house style
+format: ## format every C file
 	@tools/packages.sh git clang-format-14
 	@git ls-files --cached --others --exclude-standard '*.c' '*.h' | xargs clang-format-14 -i
 
-check: packages build ## the tests that need seconds: documents, format, units; no scenes, no other presets
+check: packages build ## run the tests that take seconds: documents, format, units; no scenes, no other presets
 	@ctest --preset release --label-exclude parity --parallel $(cores)
 
-release: ## sources, page and npm package of this version as tarballs in build/release, with SHA256SUMS
+release: ## make tarballs of sources, page and npm package of this version in build/release, with SHA256SUMS
 	@tools/release.sh
 
 clean: ## remove build/

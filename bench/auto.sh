@@ -2,9 +2,9 @@
 # auto.sh -- measures the cost of device "auto": whole runs of 500 steps on the CPU, on the GPU and on auto, by size.
 #
 # usage: bench/auto.sh SCREE [DEVICE]
-#   SCREE   the command line, as build/scree
+#   SCREE   path of the command line, for example build/scree
 #   DEVICE  --device of the other device; default opencl
-# Each run is a process, and the devices alternate. Variables and their defaults: STEPS (500), REPEATS (5), SCENES ("pyramids
+# Each run is a process of its own, and the devices take turns. Variables and their defaults: STEPS (500), REPEATS (5), SCENES ("pyramids
 # smash"), SIZES ("100 1000 10000 100000"). Prints one row for each scene and size with the medians of ms_wait: the time from
 # scree_world_create to the end of the last step, without the creation of the bodies. CSV_ALL names a file for the rows of all
 # runs. Exit 1 when hashes differ.
@@ -27,7 +27,7 @@ settings_of()
 	smash-10000) echo -s columns=125 -s rows=80 ;;
 	smash-30000) echo -s columns=220 -s rows=136 ;;
 	smash-100000) echo -s columns=400 -s rows=250 ;;
-	*) echo "no $1" >&2; return 1 ;;
+	*) echo "auto.sh: there are no settings for $1" >&2; return 1 ;;
 	esac
 }
 

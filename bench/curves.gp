@@ -1,4 +1,4 @@
-# curves.gp -- draws the curves for bench/plot.sh: data has one block a curve (title; bodies, ms a step), count is their number.
+# curves.gp -- draws the curves for bench/plot.sh: data has one block for each curve (title; bodies, ms per step), count is the number of blocks.
 set output out
 set logscale xy
 set xtics ("100" 100, "1,000" 1e3, "10,000" 1e4, "100,000" 1e5, "1 million" 1e6, "10 million" 1e7) rotate by 30 right
@@ -8,7 +8,7 @@ set mxtics 10
 set mytics 10
 set grid
 set xlabel 'bodies' offset 0, 1
-# colors that also the color-blind can tell apart (Okabe, Ito, 2008), and shapes that need no colors
+# colors that color-blind readers can distinguish (Okabe, Ito, 2008); the shapes of the points differ too
 array color[6] = ['#0072b2', '#d55e00', '#009e73', '#e69f00', '#56b4e9', '#000000']
 array shape[6] = [7, 5, 9, 6, 4, 8]
 set pointsize 0.9

@@ -2,10 +2,10 @@
 # curves.sh -- measures the cost of a step over the number of bodies: 100 to 10 million, at rest and in a storm.
 #
 # usage: bench/curves.sh [FOLDER [DEVICE...]]
-#   FOLDER  where curves.csv, curves.svg and curves.png go; default bench/results/local
+#   FOLDER  gets curves.csv, curves.svg and curves.png; default bench/results/local
 #   DEVICE  as for scree --device; default cpu
-# Variables and their defaults: SIZES (100 1k 10k 100k 1M 10M), CPU_SIZES of the CPU (those up to 1M), SCENES (pyramids storm),
-# LIMIT in seconds of one run (600), SCREE, the command line (build/scree).
+# Variables and their defaults: SIZES (100 1k 10k 100k 1M 10M); CPU_SIZES, the sizes on the CPU (those up to 1M); SCENES (pyramids
+# storm); LIMIT, seconds for one run (600); SCREE, the command line (build/scree).
 # bench/plot.sh draws the curves. Exit 1 when a row is invalid or missing.
 set -uo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
@@ -19,7 +19,7 @@ csv=$folder/curves.csv
 known=()
 [ -e bench/known.csv ] && [ "${KNOWN:-}" != write ] && known=(--known bench/known.csv)
 
-# Prints the settings of a scene and size: 55 boxes a pyramid, 364 bodies and a rotor a cell of the storm.
+# Prints the settings of a scene and size: a pyramid has 55 boxes, a cell of the storm 364 bodies and a rotor.
 settings_of()
 {
 	case $1.$2 in
@@ -39,8 +39,8 @@ settings_of()
 	esac
 }
 
-# The storm begins within 30 steps. The large sizes are not repeated: their times vary little, and building them takes longer
-# than running them.
+# Prints the options of a size. The storm begins within 30 steps. The large sizes are not repeated: their times vary little, and
+# building them takes longer than running them.
 steps_of()
 {
 	case $1 in
@@ -58,11 +58,11 @@ for device in "$@"; do
 	[ "$device" = cpu ] && sizes=${CPU_SIZES:-${sizes/10M/}}
 	for scene in ${SCENES:-pyramids storm}; do
 		for size in $sizes; do
-			settings=$(settings_of "$scene" "$size") || { echo "curves.sh: no settings for $scene of $size" >&2; exit 2; }
+			settings=$(settings_of "$scene" "$size") || { echo "curves.sh: there are no settings for the scene $scene with the size $size" >&2; exit 2; }
 			read -ra options <<<"$(steps_of "$size") --set ${settings// / --set }"
 			rows=$(timeout "${LIMIT:-600}" "$scree" bench "$scene" --device "$device" "${options[@]}" "${known[@]}") || failed=1
 			row=$(sed -n 2p <<<"$rows")
-			[ -n "$row" ] || { echo "curves.sh: no row of $scene of $size on $device" >&2; failed=1; continue; }
+			[ -n "$row" ] || { echo "curves.sh: scree bench printed no row for $scene with the size $size on $device" >&2; failed=1; continue; }
 			[ -s "$csv" ] || head -n 1 <<<"$rows" | tee "$csv"
 			echo "$row" | tee -a "$csv"
 		done

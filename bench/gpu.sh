@@ -4,12 +4,13 @@
 #
 # usage: bench/gpu.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
-#   FOLDER  where parity.csv, programs.txt, bench.csv, queries.csv, rays.csv, frames.csv, machine.txt and the curves go; default bench/results/DEVICE
-# Hashes are compared after STEPS (300) steps; for the scenes in HEAVY the slowest reference takes HEAVY_STEPS (10) instead.
-# PROGRAMS and SECONDS_EACH are those of bench/programs.sh; PROGRAMS=0 leaves it out.
-# BENCH names the scenes to measure ("none" for none), FRAMES those to draw, QUERIES the one in which a million queries are asked, RAYS
-# the one whose rays are cast after every step;
-# CURVES=yes runs bench/curves.sh as well, and FIGURES=yes the figures of docs/paper.md. Exit 1 when any hash or picture differs or any row is invalid.
+#   FOLDER  gets parity.csv, programs.txt, bench.csv, queries.csv, rays.csv, frames.csv, machine.txt and the curves; default
+#           bench/results/DEVICE
+# Variables and their defaults: STEPS, after which hashes are compared (300); HEAVY, the scenes that one thread simulates for only
+# HEAVY_STEPS (10) steps; PROGRAMS and SECONDS_EACH, as for bench/programs.sh, which PROGRAMS=0 leaves out.
+# BENCH lists the scenes to measure, FRAMES those to draw, QUERIES the scene for a million queries, RAYS the scene whose rays are
+# cast after every step; none leaves the part out. CURVES=yes also runs bench/curves.sh, and FIGURES=yes draws the figures of
+# docs/paper.md. Exit 1 when a hash or a picture differs or a row is invalid.
 set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."
@@ -18,7 +19,7 @@ folder=${2:-bench/results/$(echo "$device" | tr 'A-Z ' 'a-z-')}
 steps=${STEPS:-300}
 heavy=" ${HEAVY:-million} "
 heavy_steps=${HEAVY_STEPS:-10}
-limit=${LIMIT:-240} # seconds, of any one run: a hung kernel must not take the machine with it
+limit=${LIMIT:-240} # s for each run, so that a kernel that hangs does not block the machine
 mkdir -p "$folder"
 
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release >build.log 2>&1 && ninja -C build >>build.log 2>&1 ||
@@ -37,19 +38,19 @@ lanes=8
 grep -q avx512vl /proc/cpuinfo && lanes=16
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export SCREE_CACHE=$work/cache # programs are built anew
-# hash of one scene: NAME SCENE COMMAND...; writes the hash or the error to $work/SCENE.NAME
+export SCREE_CACHE=$work/cache # an empty cache, so that programs are built again
+# keep NAME SCENE COMMAND...: writes the hash that a command prints, or the error, to $work/SCENE.NAME
 keep()
 {
 	local file=$work/$2.$1
 	timeout "$limit" "${@:3}" >"$file" 2>"$file.err" || echo "failed:$(tr '\n,' '  ' <"$file.err" | cut -c 1-120)" >"$file"
 }
-# the same: NAME SCENE STEPS OPTION...
+# hash_of NAME SCENE STEPS OPTION...: the same for the hash of a scene
 hash_of() { keep "$1" "$2" $scree hash "$2" --steps "${@:3}"; }
 export -f keep hash_of
 export work scree limit
 
-# the references on the CPU, a few at a time, while the GPU runs the scenes
+# the references, computed on the CPU by several processes while the GPU runs the scenes
 jobs=$work/jobs
 for scene in $($scree scenes --names); do
 	count=$steps
@@ -111,9 +112,9 @@ if [ "$queries" != none ]; then
 	for where in "opencl:$device" cpu; do
 		timeout "$limit" $scree bench queries "$queries" --steps 60 --device "$where" || differ=1
 	done | awk 'NR == 1 || !/^scene,/' | tee "$folder/queries.csv"
-	# both have the same answers
+	# the results on CPU and GPU must be equal
 	answers=$(sed 1d "$folder/queries.csv" | awk -F, '{ print $4, $NF }' | sort | uniq -c | grep -c '^ *2 ')
-	[ "$answers" = 5 ] || { echo "queries.csv: answers differ, or are missing"; differ=1; }
+	[ "$answers" = 5 ] || { echo "queries.csv: results differ, or are missing"; differ=1; }
 fi
 rays=${RAYS:-lidar}
 if [ "$rays" != none ]; then
@@ -122,7 +123,7 @@ if [ "$rays" != none ]; then
 	done | awk 'NR == 1 || !/^scene,/' | tee "$folder/rays.csv"
 	# hash_rays, penetration and hash are the columns before the last one
 	hashes=$(sed 1d "$folder/rays.csv" | rev | cut -d, -f 2-4 | sort | uniq -c | grep -c '^ *2 ')
-	[ "$hashes" = 1 ] || { echo "rays.csv: answers differ, or are missing"; differ=1; }
+	[ "$hashes" = 1 ] || { echo "rays.csv: results differ, or are missing"; differ=1; }
 fi
 frames=${FRAMES:-million pile pyramids tumbler}
 if [ "$frames" != none ]; then

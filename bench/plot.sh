@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# plot.sh -- draws the curves that bench/curves.sh measured, here or on a machine without gnuplot.
+# plot.sh -- draws the curves that bench/curves.sh measured, on this machine or on one without gnuplot.
 #
 # usage: bench/plot.sh FOLDER
 #   FOLDER  has curves.csv and gets curves.svg and curves.png
@@ -7,10 +7,10 @@ set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."
 folder=${1:?is the folder with curves.csv}
-command -v gnuplot >/dev/null || { echo "plot.sh: no plots, because there is no gnuplot (Debian: gnuplot-nox)" >&2; exit 0; }
+command -v gnuplot >/dev/null || { echo "plot.sh: draws no curves, because gnuplot was not found (Debian: gnuplot-nox)" >&2; exit 0; }
 data=$(mktemp)
 trap 'rm -f "$data"' EXIT
-# "Intel Xeon" of the line "processor: Intel(R) Xeon(R) Processor, 16 cores"
+# the short name of the processor, "Intel Xeon" for the line "processor: Intel(R) Xeon(R) Processor, 16 cores"
 processor=CPU
 [ -e "$folder/machine.txt" ] && processor=$(sed -n 's/^processor: //p' "$folder/machine.txt" | sed 's/(R)\|(TM)\| Processor\| CPU//g; s/ *[,(@].*//')
 awk -F, -v processor="${processor:-CPU}" 'NR == 1 { for (k = 1; k <= NF; ++k) column[$k] = k; next }

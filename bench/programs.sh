@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# programs.sh -- on a machine with a GPU: runs random programs of calls on CPU and GPU, in three forms of the solve.
+# programs.sh -- on a machine with a GPU: runs random sequences of API calls on CPU and GPU, in three forms of the solve.
 #
 # usage: bench/programs.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
-#   FOLDER  for programs.txt and for programs that fail, shortened; default bench/results/DEVICE
-# PROGRAMS (1000) run in each form, for at most SECONDS_EACH (120) seconds. Exit 1 when bits differ from those of the CPU.
+#   FOLDER  gets programs.txt, and a shortened copy of each program that fails; default bench/results/DEVICE
+# PROGRAMS (1000) programs run in each form, for at most SECONDS_EACH (120) seconds. Exit 1 when bits differ from those of the CPU.
 # build/tests/programs must have been built.
 set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
@@ -14,7 +14,7 @@ folder=${2:-bench/results/$(echo "$device" | tr 'A-Z ' 'a-z-')}
 programs=${PROGRAMS:-1000}
 mkdir -p "$folder/programs"
 
-# the programs are distributed over the GPUs, because processes on one GPU alternate
+# the programs are distributed over all GPUs, because processes on one GPU run in turns
 gpus=$(nvidia-smi -L 2>/dev/null | grep -c ^GPU || true)
 [ "${gpus:-0}" -gt 0 ] || gpus=1
 

@@ -152,7 +152,7 @@ int queries_command(const Options* options)
 	double* times[2] = {malloc((size_t)repeats * sizeof(double)), malloc((size_t)repeats * sizeof(double))};
 	if (status == SCREE_OK && (!batch.rays || !batch.probes || !batch.found || !times[0] || !times[1] || !fill(&batch)))
 	{
-		fprintf(stderr, "scree bench: no memory for %d queries, or no bodies to ask for\n", batch.count);
+		fprintf(stderr, "scree bench: no memory for %d queries, or the scene has no bodies\n", batch.count);
 		code = EXIT_FAILED;
 	}
 	else

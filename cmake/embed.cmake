@@ -2,10 +2,10 @@
 #
 # Run at build time: cmake -DROOT=. -DENTRY=opencl/kernels.cl -DNAME=opencl_program -DOUT=program.c -P embed.cmake
 #
-# An include is looked for in src, then in ROOT. A header is inlined where it is first included, a .def (a list of X lines) wherever it is. Each piece comes after a
-# #line with its true name and line, so that a compiler's message leads to the source. Comments stay behind. What
-# the CPU alone includes (dialect/extremes.h, dialect/box_overlaps.h, dialect/transpose.h) is left out. Text is only ever quoted and searched with FIND: CMake would split it at
-# semicolons and join it at brackets if it were taken for a list.
+# Includes are searched in src, then in ROOT. A header is inlined at its first include, a .def (a list of X lines) at each. Each
+# piece begins with a #line of its file and line, so that messages of a compiler name the source. Comments are left out, and so are
+# the headers that only the CPU uses (dialect/extremes.h, dialect/box_overlaps.h, dialect/transpose.h). Text is always quoted and
+# searched with FIND: as a list, CMake would split it at semicolons and join it at brackets.
 
 function(inline path out)
 	set(file "${ROOT}/src/${path}")
@@ -43,8 +43,8 @@ function(inline path out)
 endfunction()
 
 # The arguments of every kernel: buffers, each of which holds the pools of some kinds of items one behind the other
-# (src/pools/buffers.def), and for each kind where it begins and how many items it has room for. One argument a pool would
-# cost 15 us a launch (75 buffers, NVIDIA).
+# (src/pools/buffers.def), and for each kind its offset and its capacity in items. One argument for each pool would cost 15 us per
+# launch (75 buffers, NVIDIA).
 file(READ "${ROOT}/src/pools/buffers.def" sharing)
 string(REGEX REPLACE "//[^\n]*" "" sharing "${sharing}")
 string(REGEX MATCHALL "SHARES\\([A-Z_]+, [A-Z_]+\\)" sharing "${sharing}")

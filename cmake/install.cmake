@@ -1,4 +1,4 @@
-# install.cmake -- what `cmake --install` puts where: header, libraries, package files, scenes, the command line.
+# install.cmake -- the files of `cmake --install` and their folders: header, libraries, package files, scenes, the command line.
 include(CMakePackageConfigHelpers)
 
 set(forms "")

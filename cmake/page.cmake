@@ -1,7 +1,7 @@
-# page.cmake -- the WebAssembly of the page: scenes, and the renderer of view/ for WebGL 2. docs/web_page.md tells of the page.
+# page.cmake -- the WebAssembly of the page: scenes, and the renderer of view/ for WebGL 2. docs/web_page.md describes the page.
 include(cmake/glsl.cmake)
 
-# what opens OpenGL, shares memory with it or reads pictures back has no counterpart in a page
+# files that open OpenGL, share memory with it or read pictures back are not used in a page
 file(GLOB page_view CONFIGURE_DEPENDS view/*.c)
 list(FILTER page_view EXCLUDE REGEX "/(shared_rows|exported_memory|offscreen|framebuffer|gl_picture)\\.c$")
 
@@ -24,7 +24,7 @@ target_link_options(scree_page PRIVATE -O2 -sMODULARIZE -sEXPORT_ES6 -sEXPORT_NA
 	-sFORCE_FILESYSTEM -sINCOMING_MODULE_JS_API=locateFile,print,printErr,workers
 	-sEXPORTED_RUNTIME_METHODS=GL,FS,UTF8ToString,allocateUTF8 -sEXPORTED_FUNCTIONS=_malloc,_free -sABORTING_MALLOC=0)
 if(form STREQUAL threads)
-	# all workers are there before the first world, because who waits for a thread cannot start one
+	# all workers are created before the first world, because a thread that waits for another cannot start it
 	target_link_options(scree_page PRIVATE -pthread -sPTHREAD_POOL_SIZE=Module.workers -Wno-pthreads-mem-growth
 		-sEXPORTED_RUNTIME_METHODS=GL,FS,UTF8ToString,allocateUTF8,PThread)
 endif()

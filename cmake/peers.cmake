@@ -1,7 +1,7 @@
-# peers.cmake -- scree_peers, the benchmark against Box2D v3, where a CMake package of it is installed.
+# peers.cmake -- scree_peers, the benchmark against Box2D v3, built if a CMake package of Box2D is installed.
 find_package(box2d CONFIG QUIET)
 if(NOT TARGET box2d::box2d)
-	message(STATUS "Peers: left out, because Box2D v3 was not found; CMAKE_PREFIX_PATH may say where it is installed")
+	message(STATUS "Peers: left out, because Box2D v3 was not found; CMAKE_PREFIX_PATH may name the folder of its installation")
 elseif(NOT TARGET scree_scene)
 	message(STATUS "Peers: left out, because scenes need Jansson")
 else()

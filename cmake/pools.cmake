@@ -1,5 +1,5 @@
-# pools.cmake -- scree_pools(out root): what src/pools/pools.def lists, as "type name kind-of-item" entries in order; what it lists
-# for each kind of constraint stands there once, and comes here once a kind.
+# pools.cmake -- scree_pools(out root): the pools of src/pools/pools.def in order, as entries "type name kind-of-item". A pool of
+# each kind of constraint has one line there, and one entry for each kind here.
 function(scree_pools out root)
 	file(READ "${root}/src/pools/kinds.def" kinds)
 	string(REGEX REPLACE "//[^\n]*" "" kinds "${kinds}")

@@ -2,7 +2,7 @@
 file(GLOB scene_sources CONFIGURE_DEPENDS scene/*.c)
 
 if(EMSCRIPTEN)
-	# Debian builds neither for WebAssembly; Jansson comes from its sources
+	# Debian has neither library for WebAssembly; Jansson is built from its sources
 	include(cmake/jansson.cmake)
 else()
 	find_package(PkgConfig)
@@ -27,7 +27,7 @@ elseif(scene_sources)
 	elseif(NOT EMSCRIPTEN)
 		message(NOTICE "scree: pictures are left out, because Cairo was not found; Debian has it in libcairo2-dev")
 	endif()
-	# looked up first in the sources, then where they are installed
+	# scenes are searched first in the sources, then in the folder of the installation
 	target_compile_definitions(scree_scene PUBLIC SCREE_SCENE_DIR="${PROJECT_SOURCE_DIR}/scenes"
 		SCREE_INSTALLED_SCENE_DIR="${CMAKE_INSTALL_FULL_DATADIR}/scree/scenes")
 endif()

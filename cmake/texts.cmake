@@ -1,4 +1,4 @@
-# texts.cmake -- writes text files as arrays of chars in one C file: view/glsl/body.vert becomes glsl_body_vert.
+# texts.cmake -- writes text files as arrays of chars into one C file: view/glsl/body.vert becomes glsl_body_vert.
 #
 # Run at build time: cmake "-DFILES=view/glsl/body.vert view/glsl/body.frag" -DOUT=glsl.c -P texts.cmake
 string(REPLACE " " ";" FILES "${FILES}")

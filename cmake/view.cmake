@@ -1,4 +1,4 @@
-# view.cmake -- drawing with OpenGL: needs libepoxy; shares memory through Vulkan where its headers are found.
+# view.cmake -- drawing with OpenGL, which needs libepoxy; it shares memory through Vulkan if the headers of Vulkan are found.
 file(GLOB view_sources CONFIGURE_DEPENDS view/*.c)
 include(cmake/glsl.cmake)
 

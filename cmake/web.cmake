@@ -1,9 +1,10 @@
-# web.cmake -- what is made for WebAssembly besides the libraries: the engine of the npm package, and the program whose hashes tests compare.
+# web.cmake -- targets for WebAssembly besides the libraries: the engine of the npm package, and the program whose hashes tests
+# compare.
 
-# optimizers of JavaScript that Emscripten runs when it links need acorn, which node finds when it is told where Debian has it
+# the JavaScript optimizers that Emscripten runs at link time need acorn; node finds it with the path of Debian's modules
 set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
 
-# the package: scree.js and its types from the header; the engine without JavaScript of Emscripten, so without its threads
+# the package: scree.js and its types, made from the header; the engine has no JavaScript of Emscripten, so no threads
 if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 	find_program(SCREE_NODE NAMES node nodejs REQUIRED)
 	set(package ${PROJECT_BINARY_DIR}/package)
@@ -14,18 +15,18 @@ if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 		DEPENDS ${PROJECT_SOURCE_DIR}/include/scree/scree.h ${tools}/generate.mjs ${tools}/header.mjs ${tools}/types.mjs
 			${tools}/runtime.js
 		COMMENT "Making the package from scree.h" VERBATIM)
-	# layout.c holds the assertions that the compiler lays structs out as the package does
+	# layout.c asserts that the offsets of members in the compiler are those in the package
 	add_executable(engine ${tools}/auto.c ${tools}/libc.c ${package}/layout.c)
 	scree_flags(engine)
 	set_target_properties(engine PROPERTIES SUFFIX .wasm LINK_DEPENDS ${package}/exports.json)
 	target_link_libraries(engine PRIVATE scree_internals)
-	# 1 kB less: no code of the engine relies on a trap
+	# saves 1 kB; no code of the engine relies on a trap
 	find_program(SCREE_WASM_OPT wasm-opt REQUIRED)
 	set(features --mvp-features)
 	if(CMAKE_C_FLAGS MATCHES "-msimd128")
 		list(APPEND features --enable-simd --enable-bulk-memory --enable-sign-ext --enable-nontrapping-float-to-int)
 	endif()
-	# strips first: behind -Oz the package is 0.3 kB larger
+	# strips before -Oz; after it the package would be 0.3 kB larger
 	add_custom_command(TARGET engine POST_BUILD COMMAND ${SCREE_WASM_OPT} ${features} --strip-producers --strip-target-features
 		-Oz --traps-never-happen --low-memory-unused --converge $<TARGET_FILE:engine> -o $<TARGET_FILE:engine>)
 	target_link_options(engine PRIVATE -O2 --no-entry -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -sERROR_ON_UNDEFINED_SYMBOLS=0
@@ -36,7 +37,7 @@ if(TARGET scree_scene)
 	add_executable(golden tests/web/golden.c)
 	scree_flags(golden)
 	target_link_libraries(golden PRIVATE scree_scene scree_internals)
-	# real files; main in a thread of its own, so that it can wait for others
+	# real files; main runs in a thread of its own, so that it can wait for others
 	target_link_options(golden PRIVATE -O1 -sALLOW_MEMORY_GROWTH -sNODERAWFS -sEXIT_RUNTIME)
 	if(CMAKE_C_FLAGS MATCHES "-pthread")
 		target_link_options(golden PRIVATE -sPROXY_TO_PTHREAD -Wno-pthreads-mem-growth)

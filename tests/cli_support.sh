@@ -30,7 +30,7 @@ expect()
 	grep -qF -- "$text" out err || fail "${program##*/} $*: does not say \"$text\""
 }
 
-# refuse CODE TEXT words...: the same, and nothing stands on standard output
+# refuse CODE TEXT words...: the same, and nothing is on standard output
 refuse()
 {
 	expect "$@"

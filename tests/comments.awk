@@ -1,6 +1,6 @@
 # comments.awk -- comments that are not plain English, by their first word or by a phrase: file:line: why: text.
 #
-# STYLE.md has the rule. A comment is all lines that follow each other and begin with //; one behind code stands alone.
+# STYLE.md has the rule. Consecutive lines that begin with // are one comment; a comment behind code is one too.
 function check(text, first)
 {
 	gsub(/`[^`]*`|"[^"]*"/, "CODE", text)

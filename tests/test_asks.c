@@ -173,7 +173,7 @@ static void between(void** state)
 	assert_true(pose_of(world, again).position.y > 0.98f);
 	assert_int_equal(events_of(world).approval_count, 0);
 	assert_int_equal(scree_world_approve_contacts(world, yes, 2), SCREE_ERROR_INVALID);
-	assert_non_null(strstr(scree_error(), "count is 2, and 0 contacts wait for an answer"));
+	assert_non_null(strstr(scree_error(), "count is 2, and 0 contacts wait for approval"));
 	assert_int_equal(scree_world_approve_contacts(world, NULL, 1), SCREE_ERROR_INVALID);
 	scree_world_destroy(world);
 }

@@ -237,7 +237,7 @@ static void build_huge(scree_world* world, uint64_t* seed)
 		    random_between(seed, -70.0f, 70.0f));
 }
 
-// bodies whose walks are so long that they are cut, among each other and across both trees
+// bodies whose traversals are so long that they are divided, among each other and across both trees
 static void build_huges(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 6; ++k)

@@ -70,7 +70,7 @@ expect 0 'pyramid' scenes --names
 expect 0 'equal bits' devices
 expect 0 'drawing     copied' devices
 head -n 1 out | grep -qx 'cpu' || fail "devices: the CPU is not the first"
-# where tests are to run on OpenCL, its absence must not pass for success
+# if tests are to run on OpenCL, they fail without it
 [[ " ${SCREE_EXPECT:-} " != *" opencl "* ]] || grep -q '^opencl:' out || fail "devices: no OpenCL, which tests are to run on"
 mkdir own
 printf '{"name":"ball","title":"One ball","attributes":{"a":{"circle":1}},"bodies":[{"attribute":"a"}]}' >own/ball.json
@@ -83,12 +83,12 @@ SCREE_SCENES=own expect 0 'pyramid' scenes --names
 SCREE_SCENES=nowhere refuse 1 'SCREE_SCENES is "nowhere", which is no folder' scenes
 SCREE_SCENES=nowhere refuse 2 'SCREE_SCENES is "nowhere", which is no folder' run pyramid "${small[@]}"
 
-# the first scene of docs/scenes.md is one
+# the first scene of docs/scenes.md is valid
 sed -n '/^```json$/,/^```$/p' "$SCREE_SOURCE/docs/scenes.md" | sed '1d;$d' >wall.json
 expect 0 'bodies         82' run wall.json --steps 2 --device cpu
 expect 0 'bodies         10' run wall.json --steps 2 --device cpu --set rows=1
 
-# frames: both ways draw the same picture of the same world, unless there is nothing to draw with
+# frames: both ways draw the same picture of the same world, if the build can draw
 if "$scree" bench frames pyramid "${small[@]}" --size 320x200 >out 2>err; then
 	[ "$(sed 1d out | wc -l)" = 2 ] || fail "bench frames: not two rows"
 	[ "$(sed 1d out | cut -d, -f 11,12 | sort -u | wc -l)" = 1 ] || fail "bench frames: two pictures"
@@ -97,14 +97,14 @@ else
 fi
 refuse 2 'no scene is called "nothing"' bench frames nothing
 
-# queries: five kinds of them, with the same answers on one thread and on two
+# queries: five kinds, with the same results on one thread and on two
 "$scree" bench queries pyramid --steps 5 --queries 500 --repeats 1 --device cpu --threads 1 >one || fail "bench queries: failed"
 "$scree" bench queries pyramid --steps 5 --queries 500 --repeats 1 --device cpu --threads 2 --lanes 1 >two
 [ "$(sed 1d one | wc -l)" = 5 ] || fail "bench queries: not five rows"
 cmp -s <(cut -d, -f 4-6,9 one) <(cut -d, -f 4-6,9 two) || fail "bench queries: other answers on two threads"
 refuse 2 'no scene is called "nothing"' bench queries nothing
 
-# rays of a scene: the same answers on one thread and on two; steps as they are without rays
+# rays of a scene: the same results on one thread and on two; steps are the same without rays
 few=(lidar --set robots=8 --set rays=20 --steps 10 --device cpu)
 expect 0 'rays           180 a step, ' run "${few[@]}" --threads 1 --lanes 1 --csv rows.csv
 head -n 1 rows.csv | grep -q ',rays,ray_hits,ms_rays$' || fail "run --csv: no columns of rays"
@@ -138,7 +138,7 @@ refuse 1 'cannot write nowhere/rows.csv' run pyramid "${small[@]}" --csv nowhere
 if "$scree" run pyramid "${small[@]}" --picture picture.png >out 2>err; then
 	[ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "run --picture: not a PNG"
 	expect 0 '' run pyramid "${small[@]}" --picture picture.png --size 320x200
-	# at the end of a zoom is the view that it leads to
+	# the last frame of a zoom is its view
 	expect 0 '' run pyramid "${small[@]}" --picture view.png --size 320x200 --view 0,0,4,2
 	expect 0 '' run pyramid "${small[@]}" --picture zoom.png --size 320x200 --zoom 0,0,4,2
 	cmp -s view.png zoom.png || fail "run --zoom: its end is another picture than --view"
@@ -174,7 +174,7 @@ grep -qE "^pyramid,rows=6,cpu,1,[0-9]+,22,.*,$hash,1\$" <<<"$row" || fail "bench
 awk -F, '{ exit !($12 <= $11 && $11 <= $13 && $20 > 200 && $21 > 0 && $22 > 0 && $23 > 0 && $24 > 0) }' <<<"$row" ||
 	fail "bench: columns that cannot be"
 
-# a row that proves too little is marked, and said to be
+# a row that is invalid is marked, and a message names it
 cp out known.csv
 expect 0 ",$hash,1" bench pyramid "${small[@]}" --repeats 1 --known known.csv
 sed "s/,$hash,/,0123456789abcdef,/" known.csv >other.csv
@@ -182,7 +182,7 @@ expect 1 "its hash is $hash, but other.csv has 0123456789abcdef" bench pyramid "
 grep -q ",$hash,0\$" out || fail "bench --known: an invalid row is not marked"
 expect 0 ',1' bench pyramid --device cpu --steps 4 --set rows=6 --repeats 1 --known other.csv
 refuse 2 'cannot read nothing.csv' bench pyramid "${small[@]}" --known nothing.csv
-# bench/known.csv is of this version
+# bench/known.csv has the hashes of this version
 expect 0 ',1' bench pyramid pile --steps 300 --repeats 1 --device cpu --known "$SCREE_SOURCE/bench/known.csv"
 printf 'scene,steps,hash\n' >other.csv
 refuse 2 'other.csv: its first line must name the columns' bench pyramid "${small[@]}" --known other.csv
@@ -196,11 +196,11 @@ grep -q ',0$' out || fail "bench: a sunk pile is not marked"
 refuse 2 'no scene is called "nothing"' hash nothing --steps 1
 refuse 2 'no scene is called "nothing"' bench pyramid nothing
 
-# validate: one experiment, and what it does not take; tests/test_validate.sh looks at its rows
+# validate: one experiment, and arguments that are refused; tests/test_validate.sh checks its rows
 expect 0 'motion,free spin for a minute,scree,change of spin,' validate --quick --device cpu --threads 1 motion
 expect 0 'motion' validate --names
 [ "$(wc -w <out)" = "$(wc -l <out)" ] || fail "validate --names: more than one word a line"
-expect 0 'what is right stays right' validate --help
+expect 0 'textbook motion' validate --help
 refuse 2 'no experiment is called "nothing"' validate motion nothing
 refuse 2 'scree validate: takes no --steps' validate --steps 3
 refuse 2 'scree bench: takes no --quick' bench --quick

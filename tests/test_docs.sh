@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# test_docs.sh -- the documents tell the truth about paths, kernels, words and the first program.
+# test_docs.sh -- checks paths, kernels, words of the dialect and the first program in documents, and the words of comments.
 set -euo pipefail
 cd "$SCREE_SOURCE"
 failed=0
@@ -9,7 +9,7 @@ complain()
 	failed=1
 }
 
-# whatever stands in back quotes and looks like a path of this repository is there; a * may stand for files of one kind
+# text in back quotes that looks like a path of this repository exists; a * may stand for files of one kind
 for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md CONTRIBUTING.md SECURITY.md .github/*.md docs/*.md; do
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
@@ -21,14 +21,14 @@ for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md CONTRIBUTING.md 
 	done < <(sed '/^```/,/^```/d' "$document" | grep -oE '\]\([^)#]+' | cut -c 3- | grep -v '^https\?:' | sort -u)
 done
 
-# the index has each page once, because a page has one reader
+# the index lists each page once
 for page in docs/*.md; do
 	page=${page#docs/}
 	[ "$page" = README.md ] || [ "$(grep -c "^| \[$page\]($page) |" docs/README.md)" = 1 ] ||
 		complain "docs/README.md: $page must have one row"
 done
 
-# the README shows the first program as it is
+# the README shows the first program unchanged
 sed -n '/^```c$/,/^```$/p' README.md | sed '1d;$d' | diff -u examples/hello.c - ||
 	complain "README.md: its program is not examples/hello.c"
 
@@ -38,7 +38,7 @@ exists()
 	compgen -G "${1%/}" >/dev/null || compgen -G "src/${1%/}" >/dev/null || compgen -G "$2/${1%/}" >/dev/null
 }
 
-# each folder that has a table of what to change where has it in its README, whose paths are there
+# these folders have a README with a table of files for each change; its paths exist
 for folder in bench cli scene tests view web src/*/; do
 	document=${folder%/}/README.md
 	[ -e "$document" ] || { complain "$document: does not exist"; continue; }
@@ -48,7 +48,7 @@ for folder in bench cli scene tests view web src/*/; do
 		grep -E '\.(awk|c|cl|cmake|cpp|def|frag|glsl|h|html|js|json|md|mjs|sh|txt|vert)$|/$' | sort -u)
 done
 
-# every kernel has its line in docs/step.md, those of a kind of constraint for each kind
+# docs/step.md has a line for every kernel; a kernel of constraints has one for each kind
 steps=$(<docs/step.md)
 while read -r kernel; do
 	[[ $steps = *"\`$kernel\`"* ]] || complain "docs/step.md: kernel $kernel is missing"
@@ -56,7 +56,7 @@ done < <(sed -nE 's/^CONSTRAINT_KIND\(([a-z]+),.*/\1/p' src/pools/kinds.def | wh
 	sed -nE -e '/^\/\//d' -e "s/kind##/$kind/" -e 's/^.*X\(([a-z_0-9]*),.*/\1/p' src/stages/kernels.def
 done | sort -u)
 
-# every word of the dialect has its line in docs/dialect.md, but for what only other words use
+# docs/dialect.md has a line for every word of the dialect, except those that only other words use
 words=$(<docs/dialect.md)
 while read -r word; do
 	[[ $words = *"\`$word"[\`\(]* ]] || complain "docs/dialect.md: the word $word is missing"
@@ -64,7 +64,7 @@ done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9
 	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/dialect/{dialect,opencl_words,c_words,wide}.h |
 	grep -vxE '(DIALECT|OPENCL_WORDS|C_WORDS|WIDE)_H|ROW|KERNEL_JOIN_?' | sort -u)
 
-# Comments are plain English, as far as their first words and some phrases show it: the rule is in STYLE.md.
+# Comments are plain English: STYLE.md has the rule, of which first words and some phrases are checked.
 sources=(-name '*.c' -o -name '*.h' -o -name '*.cl' -o -name '*.cpp' -o -name '*.def' -o -name '*.js' -o -name '*.mjs'
 	-o -name '*.vert' -o -name '*.frag' -o -name '*.glsl')
 scripts=(-name '*.sh' -o -name '*.awk' -o -name '*.cmake' -o -name CMakeLists.txt)
@@ -73,8 +73,8 @@ while read -r line; do
 	complain "$line"
 done < <(find "${folders[@]}" \( "${sources[@]}" \) -print0 | sort -z | xargs -0 awk -f tests/comments.awk)
 
-# Paths in comments are there: those with a folder relative to the root, to src/, to include/ or to the folder of the file; a name
-# alone is that of some file. NAME.c and the like stand for any name.
+# Paths in comments exist. A path with a folder is relative to the root, to src/, to include/ or to the folder of the file; a name
+# without a folder is that of any file. Names with capitals, as NAME.c, are placeholders.
 others=' shared/human.c shared/benchmarks.c ' # files of Box2D
 files=$(find . -path ./build -prune -o -type f -printf '/%f\n' | sort -u)
 while read -r place path; do
@@ -100,13 +100,13 @@ done < <(find cmake "${folders[@]}" \( "${sources[@]}" -o "${scripts[@]}" \) -pr
 		}
 	}')
 
-# only one file of the stages asks which compiler is reading it
-asks=$(grep -rlE "__OPENCL|__GNUC__|__clang__" src/stages src/constraints src/pools | tr '\n' ' ' || true)
-[ -z "$asks" ] || complain "only src/dialect/dialect.h asks which compiler reads it: $asks"
+# only src/dialect distinguishes compilers
+found=$(grep -rlE "__OPENCL|__GNUC__|__clang__" src/stages src/constraints src/pools | tr '\n' ' ' || true)
+[ -z "$found" ] || complain "only src/dialect/dialect.h may distinguish compilers, not $found"
 
-# every file says what it is
+# every file begins with its licence and a sentence about its content
 while read -r file; do
-	complain "$file: does not begin with its licence and what it is"
+	complain "$file: does not begin with its licence and a line \"// NAME -- CONTENT\""
 done < <(find include src cli scene tools validate view tests examples \( -name '*.c' -o -name '*.h' \) -print0 | xargs -0 awk '
 	FNR == 1 { if (last && !good) print last; last = FILENAME; first = $0; good = 0 }
 	FNR == 2 { name = FILENAME; sub(".*/", "", name); good = first $0 ~ "^// SPDX-License-Identifier: MIT// " name " -- " }

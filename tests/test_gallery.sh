@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_gallery.sh -- tools/gallery.sh on two small scenes: its files, what the page says of them, and what it refuses.
+# test_gallery.sh -- tools/gallery.sh on two small scenes: its files, the text of the page, and arguments that it refuses.
 set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 build=${SCREE_BUILD:?is the build folder}
@@ -40,7 +40,7 @@ done
 grep -q '<td>degrees<td>25<td>of the slopes' "$page" || fail "slope: no parameters"
 grep -qi '<script\|http' "$page" && fail "the page has a script or an address"
 
-# a scene that is not there is told, and the others are drawn
+# a scene that does not exist is an error, and the others are drawn
 timeout 300 bash "$source/tools/gallery.sh" "$folder/other" slope nowhere >"$folder/out" 2>"$folder/err"
 [ $? = 1 ] || fail "an unknown scene: no failure"
 grep -q 'there is no scene nowhere' "$folder/err" || fail "an unknown scene: no sentence"

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# test_layers.sh -- the order of the files: folders of src/ include only themselves and what lies below them, no includes
-# form a circle, and a function that a header declares is defined in the .c file of the same name.
+# test_layers.sh -- the order of the files: folders of src/ include only files of their own and of folders below, no includes form a
+# circle, and a function that a header declares is defined in the .c file of the same name.
 set -euo pipefail
 cd "$SCREE_SOURCE"
 
-# From the ground up; ARCHITECTURE.md says what each room holds. Rooms of one line do not include each other. A line may name single
-# files of a folder: they lie above the rest of it.
+# The rooms in order, the lowest first; ARCHITECTURE.md describes them. Rooms of one line do not include each other. A line may name
+# single files of a folder: they are above the rest of it.
 layers='platform dialect
 pools
 constraints
@@ -37,11 +37,11 @@ world/create world/pool_read
 api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover'
 
-# folders beside the library; of these only circles are looked for
+# folders beside the library, which are only searched for circles
 beside='cli scene tools validate view'
 
-# folders of src/ whose headers are not checked for definitions: the stages and what they are written in have their functions
-# in headers, and headers of the backends declare those of several files
+# folders of src/ whose headers are not checked for definitions: functions of the stages, the constraints, the pools and the dialect
+# are in headers, and headers of the backends declare functions of several files
 unpaired='^(opencl|stages|constraints|pools|dialect|cpu)/'
 
 # functions that are defined elsewhere, each with the reason
@@ -58,7 +58,7 @@ includes()
 		sed -E 's#^([^:]+):\#include "([^"]+)"#\1 \2#'
 }
 
-# Circles among lines of two files. A file and its header count as one. tsort names the files of a circle, one a line.
+# Reads lines of two files, and prints the circles. A file and its header count as one. tsort prints one file of a circle per line.
 circles()
 {
 	sed -E 's/\.(c|h|cpp)( |$)/\2/g' | awk '$1 != $2' | sort -u | tsort 2>&1 >/dev/null |
@@ -112,15 +112,14 @@ check_rooms()
 	done
 }
 
-# Names that two files have which are not one thing: the backends have files of the same names for the same things, an experiment
-# of validate/ has the name that the command line gives it, and a list (.def, .cl) has that of the files that use it.
+# Prints files that have the name of another file. A header and its .c file count as one, and each program has a main.
 check_names()
 {
 	find src cli scene view bench/peers tools tests -name '*.[ch]' -o -name '*.cpp' | grep -v '/primitives\.' |
 		sed -E 's/\.[a-z]+$//' | sort -u | awk -F/ '{ if ($NF in first && $NF != "main") print $0 " has the name of " first[$NF]; first[$NF] = $0 }'
 }
 
-# the tree in the current folder
+# Checks the tree in the current folder.
 check()
 {
 	check_names
@@ -145,7 +144,7 @@ if [ -n "$found" ]; then
 	exit 1
 fi
 
-# the check sees what it is for: a change of one file, and the complaint that it causes
+# the check finds each kind of error: a change of one file, and the complaint about it
 mkdir "$work/tree"
 # shellcheck disable=SC2086
 cp -r --parents src $beside bench/peers tests "$work/tree"
@@ -167,7 +166,7 @@ expect src/world/objects/handles.h 'void world_missing(void);' 'handles.h declar
 expect src/world/objects/handles.h 'scree_status world_upload(scree_world* world);' 'handles.h declares world_upload, which'
 expect cli/common/options.h '#include "csv.h"' '^cli/common/options is part of a circle'
 
-# and a file in the wrong room, as the files that include it find it there
+# the same for a file in the wrong room; the files that include it get its new path
 misplace()
 {
 	local file=$1 room=$2 complaint=$3

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_names.sh -- builds the static library in several ways: a program may use every name that does not begin with scree_.
+# test_names.sh -- builds the static library in several ways; a program may define every name that does not begin with scree_.
 set -euo pipefail
 scratch=$SCREE_BUILD/names_test
 rm -rf "$scratch"
 mkdir -p "$scratch"
 trap 'rm -rf "$scratch"' EXIT
 
-# names that the library has inside, in a program of its own
+# a program that defines names of internal functions of the library
 cat >"$scratch/game.c" <<'C'
 #include <scree/scree.h>
 #include <stdio.h>
@@ -30,7 +30,7 @@ int main(void)
 }
 C
 
-# usage: check NAME COMPILER FLAGS OPTION...; one width is enough to see names, and compiles soon
+# check NAME COMPILER FLAGS OPTION...: builds for one number of lanes, which is enough for names and compiles fast
 check()
 {
 	local name=$1 compiler=$2 flags=$3 build=$scratch/$1 strangers

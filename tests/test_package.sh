@@ -28,7 +28,7 @@ done
 export PKG_CONFIG_PATH=$libdir/pkgconfig
 [ "$(pkg-config --modversion scree)" = "$(sed -n 's/^#define SCREE_VERSION_[A-Z]* //p' "$SCREE_SOURCE/include/scree/scree.h" | paste -sd .)" ]
 hello=$SCREE_SOURCE/examples/hello.c
-# word splitting of what pkg-config prints is meant
+# word splitting of the output of pkg-config is intended
 $CC -std=c17 -Wall -Wextra -Werror "$hello" -o "$scratch/hello_shared" $(pkg-config --cflags --libs scree)
 $CC -std=c17 -Wall -Wextra -Werror "$hello" -o "$scratch/hello_static" $(pkg-config --cflags scree) "$libdir/libscree.a" \
 	$(pkg-config --static --libs scree | sed 's/-lscree//')
@@ -39,7 +39,7 @@ for other in cmake_ON pc_shared pc_static; do
 	cmp "$scratch/cmake_OFF.txt" "$scratch/$other.txt"
 done
 grep -q 'the box rests at .*, 0\.[45]' "$scratch/cmake_OFF.txt"
-# the car gets over the bump, and stays on its wheels
+# the car drives over the bump and stays on its wheels
 cmp "$scratch/car_OFF.txt" "$scratch/car_ON.txt"
 grep -q '^3\.0 s: the car is at 1[0-9]\..*, 0\.[89]' "$scratch/car_OFF.txt"
 
@@ -49,12 +49,12 @@ strangers=$(nm -D --defined-only "$libdir/libscree.so" | awk '{print $3}' | grep
 strangers=$(nm -g --defined-only "$libdir/libscree.a" | awk 'NF == 3 { print $3 }' | grep -v '^scree_' || true)
 [ -z "$strangers" ] || { echo "libscree.a has the global names" $strangers; exit 1; }
 
-# the header is C++ as well
+# the header compiles as C++ too
 if command -v c++ >/dev/null; then
 	echo '#include <scree/scree.h>' | c++ -x c++ -fsyntax-only -Wall -Wextra -Werror $(pkg-config --cflags scree) -
 fi
 
-# the installed command line finds its scenes
+# the installed command line finds the installed scenes
 if [ -x "$prefix/bin/scree" ]; then
 	"$prefix/bin/scree" scenes --names | grep -qx pile
 fi

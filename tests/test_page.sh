@@ -5,7 +5,7 @@ set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 build=${SCREE_BUILD:?is the build folder}
 source=${SCREE_SOURCE:?is the folder of the sources}
-# skip WHY...: fails where the page is expected
+# skip WHY...: skips the test, or fails if SCREE_EXPECT requires the page
 skip()
 {
 	echo "skipped: $*"

@@ -26,11 +26,11 @@ typedef enum
 	REFUSED,
 } Reason;
 
-// whether the two collide: in a contact, in the sweep of what is thrown, by guard; and whether a sensor sees the wall
+// true if the two collide: in a contact, in the sweep of a thrown body, in continuous collision; and if a sensor reports the wall
 static const struct
 {
 	const char* name;
-	bool touches, sweeps, guards, sees;
+	bool touches, sweeps, stops, sees;
 } table[] = {
     [NONE] = {"none", true, true, true, true},
     [JOINT] = {"a joint", false, false, false, true},
@@ -184,8 +184,8 @@ static uint64_t continuous(Reason reason, scree_body_type type)
 	float mass = 3.14159f * RADIUS * RADIUS;
 	OK(scree_body_apply_force(pair.world, pair.ball, (scree_vec){3456.0f * mass, 0.0f}));
 	run_steps(pair.world, 1);
-	expect(pose_of(pair.world, pair.ball).position.x < 0.0f, table[reason].guards, "guard", reason, type);
-	expect(counters_of(pair.world).stopped_bodies > 0, table[reason].guards, "held", reason, type);
+	expect(pose_of(pair.world, pair.ball).position.x < 0.0f, table[reason].stops, "continuous collision", reason, type);
+	expect(counters_of(pair.world).stopped_bodies > 0, table[reason].stops, "stopped bodies", reason, type);
 	return end(pair);
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_paper_commands.sh -- the command line of the paper's pipeline: its commands and figures, and what it cannot do.
+# test_paper_commands.sh -- the command line of the paper's pipeline: its commands, its figures and its refusals.
 set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 . "${SCREE_SOURCE:?}/tests/cli_support.sh"
@@ -41,7 +41,7 @@ done
 head -n 1 rows.csv | grep -q ',ms_resolve$' || fail "run --csv: another heading"
 if "$program" run pyramid "${small[@]}" --picture picture.png --size 320x200 >out 2>err; then
 	[ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "run --picture: not a PNG"
-	# the picture shows the bodies where the pipeline has them
+	# the picture shows the bodies at the poses of the pipeline
 	expect 0 "$("$program" hash pyramid "${small[@]}" --steps 60)" run pyramid "${small[@]}" --steps 60 --picture end.png --size 320x200
 	cmp -s picture.png end.png && fail "run --picture: the same after 5 and 60 steps"
 	expect 0 '' run pyramid "${small[@]}" --picture view.png --size 320x200 --view 0,0,4,2
@@ -59,7 +59,7 @@ expect 0 ',1' bench drift --set boxes=20 --steps 5 --repeats 1 --known known.csv
 sed -E 's/,[0-9a-f]{16},1$/,0123456789abcdef,1/' known.csv >other.csv
 expect 1 'but other.csv has 0123456789abcdef' bench drift --set boxes=20 --steps 5 --repeats 1 --known other.csv
 
-# the figures: both pipelines on one thread and on OpenCL, ours on all threads as well
+# the figures: both pipelines on one thread and on OpenCL, Scree's also on all threads
 columns=scene,settings,pipeline,device,threads,bodies,contacts,contacts_a_body,steps,repeats,ms_step,ms_least,ms_most
 stages=,ms_to_device,ms_from_device,ms_integrate,ms_transform,ms_detect,ms_resolve
 stages+=,ms_broad_phase,ms_narrow_phase,ms_color,ms_solve,ms_finalize
@@ -81,7 +81,7 @@ else
 	crossover='(no crossover of OpenCL and [12] threads? of the CPU|OpenCL is faster than [12] threads? of the CPU from [0-9]+ bodies on)'
 	[ "$(grep -cE ": $crossover\$" out)" = 6 ] || fail "figure5: not a crossover of each curve, or none"
 fi
-# what was timed had been simulated for a second: the hash is that of any run of so many steps
+# measurements begin after one second of simulation; the hash is that of a run with as many steps
 hash=$("$scree" hash drift --set boxes=46 --steps 63 --device cpu)
 [ "$(grep -cE "^drift,boxes=46,scree,.*,$hash\$" figure5.csv)" = $((devices + 1)) ] ||
 	fail "figure5: not the hash after a second and three steps"

@@ -25,7 +25,7 @@ expect()
 	grep -qF -- "$text" out || { fail "rename.sh $*: does not say \"$text\", but"; cat out; }
 }
 
-# the table: new names are in the header, in the struct that the table names, and old ones are not
+# the table: new names are in the header, in the struct of their row, and old ones are not
 struct_of()
 {
 	sed -n "/^typedef struct $1\b/,/^} $1;/p" "$header" | sed 's://.*::'
@@ -43,7 +43,7 @@ while read -r struct old new; do
 done < <(sed -nE 's/^\| `(scree_[a-z_]+)` \| `([a-z_]+)` \| `([a-z_]+)` \| (by struct|everywhere) \|$/\1 \2 \3/p' "$source/docs/names.md")
 [ $rows -ge 28 ] || fail "docs/names.md: has only $rows names"
 
-# a program with every old name; a name that is the program's own stays
+# a program with every old name; a name of the program's own stays
 cat >game.c <<'C'
 // game.c -- scree_world_get_moved fills a scree_moved_list; SCREE_HUGE bounds it.
 #include <scree/scree.h>
@@ -107,7 +107,7 @@ chmod 750 game.c
 cp game.c old.c
 cp game.mjs old.mjs
 
-# nothing is changed as long as an argument is wrong
+# a wrong argument prevents all changes
 mkdir folder.c
 printf 'a\0b' >binary.c
 expect 2 'rename.sh: names no file'
@@ -121,7 +121,7 @@ expect 0 'usage: tools/rename.sh FILE...' -h
 expect 0 'usage: tools/rename.sh FILE...' --help
 cmp game.c old.c || fail "rename.sh: changes a file in spite of an error"
 
-# what is certain is changed; the rest is reported
+# certain names are changed; the others are reported
 expect 0 'rename.sh: changed 2 of 2 files; 8 names are left to you' game.c game.mjs
 cat >wanted <<'TEXT'
 game.c:43: held may be stopped_bodies instead
@@ -148,7 +148,7 @@ cp game.c once.c
 expect 0 'rename.sh: changed 0 of 1 files' game.c
 cmp game.c once.c || fail "rename.sh: changes the new names"
 
-# the program compiles, with the one member that is left to a person
+# the program compiles after the one reported member is changed by hand
 sed -i 's/counters\.grown/counters.reallocations/' game.c
 compiler=$(command -v "${CC:-cc}" || command -v gcc || command -v clang) || { echo "skipped: there is no compiler"; exit 77; }
 "$compiler" -std=c17 -Wall -Wextra -Werror -fsyntax-only -I "$source/include" game.c || fail "the ported program does not compile"

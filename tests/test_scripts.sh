@@ -47,7 +47,7 @@ if command -v node >/dev/null; then
 	done < <(grep -lE 'process\.argv' "$source"/bench/web/*.mjs | grep -v '/usage\.mjs$')
 fi
 
-# releases, of a tree whose make web only writes the files
+# releases of a small tree, whose make web only creates the files
 command -v git >/dev/null || { echo "skipped: there is no git"; exit 77; }
 export GIT_CONFIG_GLOBAL=/dev/null GIT_AUTHOR_NAME=test GIT_COMMITTER_NAME=test GIT_AUTHOR_EMAIL=test GIT_COMMITTER_EMAIL=test
 mkdir -p tree/tools tree/include/scree

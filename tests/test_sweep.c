@@ -207,8 +207,9 @@ static Drum open_drum(void)
 	return d;
 }
 
-// Guard compares paths with each kinematic body as long as they are few, and searches when they are many: what turns with a drum, and what
-// hits its walls, moves alike, bit for bit, while bodies far away become kinematic and static again. Nothing leaves the drum.
+// Continuous collision compares paths with each kinematic body if there are few, and searches the trees if there are many. Bodies that turn
+// with a drum or hit its walls have the same motion in both cases, bit for bit, while bodies far away become kinematic and static again. No
+// body leaves the drum.
 static void drum(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_validate.sh -- what must hold does, in the short form of scree validate, with equal end states wherever it runs.
+# test_validate.sh -- the rows of scree validate --quick hold, and end states are equal on all devices, threads and lanes.
 set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 [ -x "$scree" ] || { echo "no command line was built"; exit 77; }
@@ -23,7 +23,7 @@ for name in $("$scree" validate --names); do
 	*) names+=("$name") ;;
 	esac
 done
-# in the slow builds of the other presets not what is large
+# the slow builds of the other presets leave out large experiments
 [ "${SCREE_QUICK:-0}" = 1 ] && names=(bounce motion)
 
 "$scree" validate --quick --device cpu --threads 1 "${names[@]}" >rows.csv 2>err
@@ -34,7 +34,7 @@ head -n 1 rows.csv | grep -qx 'experiment,case,engine,quantity,value,unit,limit,
 awk -F, 'NF != 11 { exit 1 }' rows.csv || fail "scree validate: not a column for each name"
 awk -F, 'NR > 1 && $8 !~ /^(pass|fail|shown)$/ { exit 1 }' rows.csv || fail "scree validate: another result"
 
-# what must hold
+# rows that must hold
 while IFS=, read -r experiment case _ quantity value unit limit _ _ _ where; do
 	fail "$experiment: $case: $quantity is $value $unit, must be $limit ($where)"
 done < <(awk -F, '$8 == "fail"' rows.csv)
@@ -45,8 +45,8 @@ for name in "${names[@]}"; do
 	grep -q "^$name," rows.csv || fail "scree validate: no row of $name"
 done
 
-# The same end states with other threads and lanes, and on OpenCL where there is one; times are left out. The crowds of limits
-# take a minute on PoCL: there the walls and bounces stand for them.
+# The same end states with other threads and lanes, and on an OpenCL device if there is one; times are left out. The experiment
+# limits is left out on OpenCL, because it takes a minute on PoCL.
 equal="limits bounce motion walls"
 [ "${SCREE_QUICK:-0}" = 1 ] && equal="bounce"
 others=("cpu --threads 2 --lanes 1")

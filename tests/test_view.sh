@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_view.sh -- the viewer in a virtual display: scripts, keys and mouse, pictures, other devices, and what cannot be done.
+# test_view.sh -- the viewer in a virtual display: scripts, keys and mouse, pictures, other devices, and refusals.
 set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 build=${SCREE_BUILD:?is the build folder}
-# skip WHY...: fails where the viewer is expected
+# skip WHY...: skips the test, or fails if SCREE_EXPECT requires the viewer
 skip()
 {
 	echo "skipped: $*"
@@ -22,7 +22,7 @@ scratch=$(mktemp -d "$build/test_view.XXXXXX")
 cd "$scratch" || exit 1
 failures=0
 unset WAYLAND_DISPLAY
-# GLFW closes the driver before the end, so that no suppression could name what it leaves behind
+# GLFW unloads the driver before the process ends, so a suppression could not name the functions that leak
 export ASAN_OPTIONS=detect_leaks=0
 
 # a virtual display of Mesa's software renderer, with a window manager that can minimize
@@ -36,7 +36,7 @@ done
 [ -s display ] || skip "Xvfb does not start: $(tail -n 1 xvfb.log)"
 export DISPLAY=":$(cat display)" LIBGL_ALWAYS_SOFTWARE=1
 printf 'RandomPlacement\nNoTitle\n' >twmrc
-LC_ALL=C twm -f twmrc >twm.log 2>&1 & # in other locales it wants fonts that a server may not have
+LC_ALL=C twm -f twmrc >twm.log 2>&1 & # in other locales it needs fonts that the server may lack
 manager=$!
 
 fail()
@@ -57,19 +57,19 @@ view()
 	[ "$got" = "$code" ] || fail "scree view $*: exit code $got instead of $code"
 }
 
-# says TEXT: in what the last one printed
+# says TEXT: the last view printed the text
 says()
 {
 	grep -qF -- "$1" out err || fail "it does not say \"$1\""
 }
 
-# nth COLUMN LINE: of the lines that "print" has left
+# nth COLUMN LINE: a column of one of the lines that "print" wrote
 nth()
 {
 	sed -n "$2p" out | tr ',' '\n' | sed -n "s/^ *$1 //p"
 }
 
-# within ONE OTHER MEAN SHARE: whether two pictures differ by no more than that
+# within ONE OTHER MEAN SHARE: succeeds if two pictures differ by at most this mean and share
 within()
 {
 	"$build/tests/difference" "$1" "$2" >out 2>err && awk -v mean="$3" -v share="$4" '{exit !($1 <= mean && $2 <= share)}' out
@@ -77,8 +77,8 @@ within()
 
 small=(pyramid --set rows=3)
 
-# what one sees is what a run computes, and what it draws without a window; a run adds the detail of the scene, unless it has a view
-whole=(--view -1.68,-3,1.68,6) # of the small scene: 0.56 * 3 is 1.68
+# the window shows the picture that a run draws without a window; a run adds the detail of the scene, unless it has a view
+whole=(--view -1.68,-3,1.68,6) # the view of the small scene: 0.56 * 3 is 1.68
 view 0 "${small[@]}" <<'END'
 frames 30
 print
@@ -112,7 +112,7 @@ if [ -x "$build/tests/difference" ]; then
 	within layers.png window.png 0.1 0 && fail "layers do not show"
 fi
 
-# what lies under the cursor; a click selects, and a drag does not; Escape forgets, then ends. None of it changes a bit
+# the body under the cursor; a click selects, a drag does not; Escape ends the selection, then the viewer. No bit changes
 view 0 "${small[@]}" <<'END'
 key tab
 frames 1
@@ -168,7 +168,7 @@ print
 END
 [ "$(nth hash 1)" = "$("$scree" hash "${small[@]}" --steps 30 --device cpu)" ] || fail "hovering, selecting or looking for events changes the hash"
 
-# the end of a body that was selected is told: churn makes each anew before long
+# the viewer reports that a selected body was destroyed; churn replaces each body soon
 view 0 churn --set columns=4 --set rows=4 --set moved=0 --set replaced=4 <<'END'
 key tab
 frames 1
@@ -242,7 +242,7 @@ END
 [ "$(nth rays 1 | cut -d ' ' -f 1)" -le 3000 ] || fail "too many rays for a software renderer"
 says 'of 20050'
 
-# narrow and flat windows: nothing but the size differs
+# narrow and flat windows: only the size differs
 view 0 "${small[@]}" <<'END'
 key tab
 frames 1
@@ -264,7 +264,7 @@ END
 says 'selected crate of body'
 rm -f scree-*
 
-# scenes, restart, devices: the bits stay
+# scenes, restart, devices: equal bits
 view 0 "${small[@]}" <<'END'
 frames 20
 print
@@ -295,7 +295,7 @@ END
 	[ "$(nth hash 2)" = "$("$scree" hash "${small[@]}" --steps 30 --device cpu)" ] || fail "another hash after OpenCL"
 fi
 
-# a body thrown in, single steps, slow motion, saving
+# a body that is thrown into the scene, single steps, slow motion, saving
 view 0 "${small[@]}" <<'END'
 cursor 400 100
 key t
@@ -327,7 +327,7 @@ for file in scree-1.png scree-2.png; do
 done
 command -v ffmpeg >/dev/null && [ ! -s scree-1.mp4 ] && fail "v: there is no video"
 
-# single steps: as many as were asked for, also in one frame
+# single steps: one for each key, even if the keys come in one frame
 view 0 "${small[@]}" <<'END'
 frames 4
 key space
@@ -340,7 +340,7 @@ print
 END
 [ "$(nth steps 2)" = $(($(nth steps 1) + 3)) ] || fail "n three times in a frame takes not three steps"
 
-# a key that could change nothing says why
+# a key that has no effect prints the reason
 if ! grep -q '^opencl' <<<"$("$scree" devices)"; then
 	view 0 "${small[@]}" <<'END'
 frames 2
@@ -350,7 +350,7 @@ END
 	says 'says there is no other device than cpu'
 fi
 
-# what is painted in the window is painted in pictures of a run, on both grounds; every paint differs
+# pictures of a run have the paint of the window, on both grounds; every paint differs
 paints=(attribute speed graph force start type)
 for k in "${!paints[@]}"; do
 	theme=light
@@ -386,7 +386,7 @@ frames 2
 END
 says 'dark, panel at 2.00'
 
-# a scene is shown beside the panel, and few bodies that fly away do not shrink it
+# a scene is shown beside the panel, and a few bodies that fly away do not shrink it
 view 0 "${small[@]}" <<'END'
 frames 2
 print
@@ -419,7 +419,7 @@ print
 END
 awk -v scale="$(nth scale 1)" 'BEGIN {exit !(scale > 10)}' || fail "fit: a body that flew away makes all others tiny"
 
-# the window fills the screen, and is as it was again; twm cannot do that, a display without a manager can
+# the window fills the screen and returns to its size; that fails with twm and works on a display without a window manager
 Xvfb -displayfd 4 -screen 0 1280x900x24 4>bare 2>>xvfb.log &
 bare=$!
 for _ in $(seq 100); do
@@ -439,7 +439,7 @@ kill $bare
 [ "$(nth size 1)" = 1280x900 ] || fail "F11: the window does not fill the screen"
 [ "$(nth size 2)" = 800x600 ] || fail "F11: the window is not as it was"
 
-# what is selected is followed until the picture is moved
+# the view follows the selected body until the picture is moved
 view 0 "${small[@]}" <<'END'
 key tab
 key k
@@ -493,7 +493,7 @@ awk -v a="$(nth bodies 3)" -v b="$(nth bodies 4)" 'BEGIN {exit !(b > a && b <= a
 [ "$(nth scene 6)" = pyramids ] || fail "] shows not the next scene"
 [ "$(nth scene 7)" = pyramid ] || fail "[ shows not the scene before"
 
-# the display's own events: wheel, keys, a body in the hand, the picture in the hand
+# events of the display: wheel, keys, a held body, a moved picture
 cat >script <<'END'
 key tab
 frames 2
@@ -512,7 +512,7 @@ END
 timeout 120 "$scree" view "${small[@]}" --device cpu --size 800x600 --script script >out 2>err &
 viewer=$!
 window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree:' | head -n 1)
-# printed N: waits for so many lines, and so for the frame that has seen what was done before
+# printed N: waits for N lines, so for the frame that has handled all input before
 printed()
 {
 	for _ in $(seq 300); do
@@ -525,7 +525,7 @@ moved() { xdotool mousemove --window "$window" "$@"; }
 printed 1
 xdotool windowfocus "$window"
 moved 400 500
-sleep 0.3 # the panel learns in the next frame that the cursor has left it
+sleep 0.3 # the panel handles in the next frame that the cursor has left it
 xdotool click 4 click 4 click 5 key space
 printed 2
 xdotool key f key space
@@ -545,7 +545,7 @@ wait $viewer || fail "events: exit code $?"
 	fail "events: the hand has moved nothing"
 [ "$(nth middle 5)" != "$(nth middle 4)" ] || fail "events: the picture does not follow the mouse"
 
-# a click of the display selects, Escape forgets, and keys that the scene asked for push while they are down
+# a click of the display selects, Escape ends the selection, and keys of the scene push while they are down
 cat >script <<'END'
 key tab
 frames 2
@@ -577,7 +577,7 @@ sed -n 3p out | grep -q selected && fail "keys: Escape does not forget"
 [ "$(wc -l <out)" = 4 ] || fail "keys: a key that was let go still pushes"
 [ "$(nth hash 3)" != "$("$scree" hash ./eyes.json --steps "$(nth steps 3)" --device cpu)" ] || fail "keys: nothing was pushed"
 
-# the panel: a parameter and a paint of one name are two
+# the panel: a parameter and a paint of the same name are different fields
 cat >script <<'END'
 frames 5
 print
@@ -595,7 +595,7 @@ moved 126 572 click 1 # the paint "speed"
 wait $viewer || fail "panel: exit code $?"
 says 'painted by speed'
 
-# keys and clicks that come while a frame takes long are not lost: those of a field of the panel, in their order
+# keys and clicks during a long frame are not lost: a field of the panel gets them in their order
 cat >script <<'END'
 frames 5
 print
@@ -622,7 +622,7 @@ wait $viewer || fail "frozen: exit code $?"
 [ "$(nth hash 2)" = "$("$scree" hash billiards --set speed=60 --steps "$(nth steps 2)" --device cpu)" ] ||
 	fail "frozen: what was typed into the panel is lost"
 
-# a video ends when the window changes its size, and a tiny window spoils no camera
+# a video ends when the window changes its size, and a tiny window does not damage the camera
 if command -v ffmpeg >/dev/null; then
 	rm -f scree-*
 	view 0 "${small[@]}" <<'END'
@@ -650,7 +650,7 @@ END
 	[ "$(nth scale 1)" = 60.000 ] || fail "a tiny window spoils the camera"
 fi
 
-# other sizes, also none
+# other sizes, zero too
 kill -0 $manager || { cat twm.log; failures=$((failures + 1)); }
 view 0 "${small[@]}" <<'END'
 frames 2
@@ -668,7 +668,7 @@ print
 END
 [ "$(nth hash 1)" = "$("$scree" hash "${small[@]}" --steps "$(nth steps 1)" --device cpu)" ] || fail "another hash than scree hash"
 
-# what cannot be done
+# refusals
 view 2 "${small[@]}" <<'END'
 frames 2
 dance

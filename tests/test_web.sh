@@ -13,11 +13,11 @@ rm -rf "$scratch"
 mkdir -p "$scratch/node_modules"
 trap 'rm -rf "$scratch"' EXIT
 
-# Emscripten's own loader takes fetch for a browser's
+# the loader of Emscripten mistakes the fetch of node for that of a browser
 golden() { timeout 300 node --no-experimental-fetch "$build/wasm-$1/golden.js" "$2" "$3" "$4" >"$scratch/hashes"; }
 lines=$(($(grep -vc '^#' "$SCREE_SOURCE/tests/golden.txt") / 2))
 for run in "scalar 1 1 1" "simd 4 1 1" "threads 4 1 4" "threads 4 2 4"; do
-	# word splitting of $run is meant
+	# word splitting of $run is intended
 	golden $run
 	[ "$(wc -l <"$scratch/hashes")" = "$lines" ] || { echo "$run: $(wc -l <"$scratch/hashes") scenes, golden.txt has $lines"; exit 1; }
 	if wrong=$(grep -vxFf "$SCREE_SOURCE/tests/golden.txt" "$scratch/hashes"); then

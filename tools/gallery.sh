@@ -4,38 +4,38 @@
 #
 # usage: tools/gallery.sh FOLDER [SCENE...]
 #   FOLDER  gets index.html and for each scene NAME.png, NAME.jpg, NAME.mp4
-#   SCENE   as in scenes/; default all
+#   SCENE   name of a scene in scenes/; default all
 # Variables and their defaults: SCREE, the command line (build/scree); SIZE of pictures (1600x900) and CLIP_SIZE of clips
-# (640x360), px; SHOWN, seconds of the world in a clip (4); WORK, most bodies and rays times steps (25000000), so that a scene of a
-# million bodies takes few steps. Needs ffmpeg and jq. Exit 1 when a scene fails; the page then has the others.
+# (640x360), px; SHOWN, simulated seconds in a clip (4); WORK, the maximum of bodies and rays times steps (25000000), so that a scene
+# of a million bodies runs for few steps. Needs ffmpeg and jq. Exit 1 when a scene fails; the page then has the others.
 set -uo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.." || exit 1
 folder=${1:?is the folder for the page}
 shift
 scree=${SCREE:-build/scree} size=${SIZE:-1600x900} clip_size=${CLIP_SIZE:-640x360} shown=${SHOWN:-4} work=${WORK:-25000000}
-least=3 # s: a clip of fewer seconds is slowed down to so many
+least=3 # s; a shorter clip is slowed down to this length
 for tool in ffmpeg jq; do
-	command -v $tool >/dev/null || { echo "gallery.sh: needs $tool, which was not found (Debian: apt install $tool)" >&2; exit 1; }
+	command -v $tool >/dev/null || { echo "gallery.sh: $tool was not found (Debian: apt install $tool)" >&2; exit 1; }
 done
 [ $# -gt 0 ] || mapfile -t names < <("$scree" scenes --names) && [ $# -eq 0 ] && set -- "${names[@]}"
 mkdir -p "$folder" || exit 1
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# result NAME: the first word after a name in the table that scree run printed
+# result NAME: prints the value of a row in the table of scree run
 result()
 {
 	awk -v name="$1" '$1 == name { print $2; exit }' "$scratch/table"
 }
 
-# least_of A B...: the least of these whole numbers
+# least_of A B...: prints the least of these whole numbers
 least_of()
 {
 	printf '%s\n' "$@" | sort -n | head -n 1
 }
 
-# draw NAME: the picture and the clip of a scene; sets steps, bodies, hash
+# draw NAME: draws the picture and the clip of a scene; sets steps, bodies, hash
 draw()
 {
 	local name=$1 file=scenes/$1.json dt rays slower
@@ -53,7 +53,7 @@ draw()
 		ffmpeg -loglevel error -y -i "$folder/$name.png" -vf 'scale=min(iw\,960):-2' -q:v 4 "$folder/$name.jpg" </dev/null
 }
 
-# card NAME: the part of the page about a scene that was drawn
+# card NAME: prints the part of the page about a scene that was drawn
 card()
 {
 	jq -r --arg name "$1" --arg steps "$steps" --arg bodies "$bodies" --arg hash "$hash" --arg size "$size" '

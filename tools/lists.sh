@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# lists.sh -- writes the files that come from lists of the sources.
+# lists.sh -- writes the files that are generated from lists of the sources.
 #
-# lists.sh TESTS [FOLDER]: writes scenes/scene.schema.json and the tables of docs/scenes.md and docs/view.md in FOLDER, by default the
-# sources. TESTS is the folder of the test programs, where scene_lists is.
+# usage: tools/lists.sh TESTS [FOLDER]
+#   TESTS   folder of the test programs, which contains scene_lists
+#   FOLDER  gets scenes/scene.schema.json, and docs/scenes.md and docs/view.md with their tables; default the sources
 set -euo pipefail
 . "${BASH_SOURCE[0]%/*}/usage.sh"
 source=${BASH_SOURCE[0]%/*}/..

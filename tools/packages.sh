@@ -1,14 +1,14 @@
 #!/bin/sh
-# packages.sh -- installs the Debian packages that are missing, and nothing when none is.
+# packages.sh -- installs the Debian packages that are missing.
 #
 # usage: tools/packages.sh PACKAGE...
 set -eu
 . "$(dirname "$0")/usage.sh"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
-	# not Debian: the user has what is needed, or CMake says what it misses
+	# not Debian: CMake reports other packages that are missing
 	if ! command -v cmake >/dev/null 2>&1 || ! command -v ninja >/dev/null 2>&1; then
-		echo "scree: this is not Debian, so install what these Debian packages hold, then try again: $*" >&2
+		echo "scree: this is not Debian, so install the software of these Debian packages, then try again: $*" >&2
 		exit 1
 	fi
 	exit 0
@@ -28,7 +28,7 @@ if [ "$(id -u)" -eq 0 ]; then
 elif command -v sudo >/dev/null 2>&1; then
 	as_root=sudo
 else
-	echo "scree: packages are missing, and neither root nor sudo is here to install them. As root: apt-get install$missing" >&2
+	echo "scree: packages are missing, and only root can install them; sudo was not found. As root: apt-get install$missing" >&2
 	exit 1
 fi
 
@@ -37,10 +37,10 @@ log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 install_missing()
 {
-	# word splitting of $as_root and $missing is meant
+	# word splitting of $as_root and $missing is intended
 	$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing >"$log" 2>&1 </dev/null
 }
-# the lists may be there and fresh enough: fetch them only when the first attempt fails
+# the package lists are fetched only if the first attempt fails, because they may be recent enough
 if ! install_missing; then
 	$as_root apt-get update >"$log" 2>&1 </dev/null || true
 	if ! install_missing; then

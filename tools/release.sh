@@ -3,9 +3,9 @@
 # release.sh -- makes the files of a release in build/release: sources, page, npm package, SHA256SUMS.
 #
 # usage: tools/release.sh
-# The version is that of include/scree/scree.h. Refuses a tree with changes that are not committed, a version that CHANGELOG.md has
-# no section for, and a tag of that version on another commit. Page and package are built from the unpacked sources, so that nothing
-# of an older build gets into them. Prints the command for the tag and sets none.
+# The version is that of include/scree/scree.h. Refuses a tree with changes that are not committed, a version without a section in
+# CHANGELOG.md, and a tag of the version on another commit. Page and package are built from the unpacked sources, so they contain
+# nothing of an older build. Prints the command that sets the tag, and does not set it.
 set -euo pipefail
 . "$(dirname "$0")/usage.sh"
 cd "$(dirname "$0")/.."
@@ -29,20 +29,20 @@ rm -rf "$folder"
 mkdir -p "$folder"
 git archive --prefix="$name/" "$commit" | gzip -9n >"$folder/$name.tar.gz"
 tar -xzf "$folder/$name.tar.gz" -C "$folder"
-# the native build only draws thumbnails
+# the native build is only needed for thumbnails
 make -C "$tree" web build_options="-DSCREE_BUILD_TESTS=OFF -DSCREE_BUILD_PEERS=OFF"
-# the page has the code of both in it
+# the page contains code of Scree and of Jansson
 cp LICENSE "$tree/build/web/LICENSE"
 cp "$tree/build/sources/jansson/LICENSE" "$tree/build/web/LICENSE.jansson"
 
-# pack FOLDER PREFIX FILE: neither the order nor the owner, the time or the mode of a file depends on the machine
+# pack FOLDER PREFIX FILE: packs a folder; order, owner, time and mode of files do not depend on the machine
 pack()
 {
 	tar --sort=name --format=ustar --mtime="@$(git log -1 --format=%ct "$commit")" --owner=0 --group=0 --numeric-owner \
 		--mode=u=rwX,go=rX --exclude=./package --transform="s,^\.,$2," -C "$1" -cf - . | gzip -9n >"$folder/$3"
 }
 pack "$tree/build/web" "scree-page-$version" "scree-page-$version.tar.gz"
-# npm expects this prefix
+# npm requires this prefix
 pack "$tree/build/web/package" package "scree-npm-$version.tgz"
 rm -rf "$tree"
 (cd "$folder" && sha256sum -- *.t*gz >SHA256SUMS && cat SHA256SUMS)

@@ -1,4 +1,4 @@
-# rename.awk -- ports one file to the new names: prints the file; the names that are left to a person go to the file `report`.
+# rename.awk -- ports one file to the new names: prints the file, and writes the uncertain names to the file `report`.
 #
 # usage: awk -v language=c|js -v file=NAME -v report=FILE -v open_end=0|1 -f rename.awk docs/names.md FILE
 # The first input is the page with the tables of names. The second is read as tokens: identifiers, numbers, spaces, signs, and text,
@@ -63,7 +63,7 @@ input == 1 && /^## / { section = substr($0, 4) }
 input == 1 && /^\| `/ { split($0, cell, "|"); read_row(cell) }
 
 # ---------------------------------------------------------------------------------------------------------------
-# the tokens: text[k] of kind[k] on line[k]; code[c] is the place of the c-th one that is no space, comment or string
+# the tokens: text[k], kind[k] and line[k]; code[c] is the k of the c-th token that is not space, comment or string
 # ---------------------------------------------------------------------------------------------------------------
 
 function add(token, k)

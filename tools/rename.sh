@@ -3,9 +3,9 @@
 # rename.sh -- ports programs that use Scree to the names of docs/names.md: C, C++ and JavaScript files, in place.
 #
 # usage: tools/rename.sh FILE...
-# Names of functions, types and constants are changed as whole words, members of structs where the struct is certain. Other members
-# of such names are left to you, and reported as FILE:LINE: NAME may be NEW instead. If one of the files cannot be read or written,
-# none is changed. Exit 2 then, and on wrong arguments.
+# Names of functions, types and constants are changed as whole words, members of structs if the struct is certain. Other members with
+# such names are not changed, but reported as FILE:LINE: NAME may be NEW instead. If a file cannot be read or written, no file is
+# changed. Exit 2 then, and on wrong arguments.
 set -euo pipefail
 . "$(dirname "$0")/usage.sh"
 tools=$(cd "$(dirname "$0")" && pwd)
@@ -43,7 +43,7 @@ k=0
 for file in "$@"; do
 	k=$((k + 1))
 	: >"$work/$k.report"
-	# awk takes a path with = in it for a variable, unless it begins with a folder
+	# awk mistakes a path with = for a variable, unless it begins with a folder
 	path=$([[ $file = /* ]] && echo "$file" || echo "./$file")
 	LC_ALL=C awk -v language="$(language "$file")" -v file="$file" -v report="$work/$k.report" \
 		-v open_end="$([ -z "$(tail -c 1 "$file")" ] && echo 0 || echo 1)" -f "$tools/rename.awk" "$names" "$path" >"$work/$k" ||

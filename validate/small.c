@@ -145,8 +145,8 @@ static void heap(Validation* v, bool circles, double size)
 	lab_close(lab);
 }
 
-// Plates that fall onto each other stay in order. One pair may change places, where guard stops the lower one within the step; up to
-// four do with Box2D.
+// Plates that fall onto each other stay in order. One pair may change places, if continuous collision stops the lower plate within the step;
+// up to four do with Box2D.
 static void stack(Validation* v, double size)
 {
 	begin(v, "ten plates of 1 m x %g mm fall onto each other", 1e3 * size);

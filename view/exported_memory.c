@@ -83,7 +83,7 @@ static const char* choose_gpu(Vulkan* v, const uint8_t uuid[16])
 		if (memcmp(id.deviceUUID, uuid, sizeof id.deviceUUID) == 0)
 			v->physical = gpus[k];
 	}
-	return v->physical ? NULL : "Vulkan does not know the world's device";
+	return v->physical ? NULL : "Vulkan has no device with the UUID of the world's device";
 }
 
 static const char* open_device(Vulkan* v)

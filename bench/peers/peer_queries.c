@@ -25,7 +25,7 @@ static const char* const help = "usage: scree_peers queries [OPTION]...\n"
                                 "\n"
                                 "  -b, --bodies N      in the world, 10000 without it\n"
                                 "  -n, --queries N     of each kind, 10000 without it\n"
-                                "  -r, --repeats N     times that each engine is asked, 9 without it\n"
+                                "  -r, --repeats N     runs of each engine, 9 without it\n"
                                 "  -h, --help          this text\n";
 
 static const struct option words[] = {{"bodies", required_argument, NULL, 'b'},

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# bench.sh -- times steps under node beside engines of npm, into bench/results/web/steps.csv.
+# bench.sh -- measures steps of Scree and of other npm engines under node, into bench/results/web/steps.csv.
 #
 # usage: bench/web/bench.sh [ENGINE...]
 #   ENGINE  scree, scree-scalar, native, native-4, box2d3-wasm, rapier2d-simd, matter-js or planck; default all
-# make web comes first. The other engines go to build/web-bench; nothing of Scree depends on them. Engines take turns, three times;
-# the run with the middle step counts, for each engine and scene. native is build/scree with one thread, native-4 with four lanes
-# too: their steps are means of processor time, from step 101 on.
+# Run make web before. The other engines are installed in build/web-bench; Scree does not depend on them. The engines take turns,
+# three times; the median counts, for each engine and scene. native is build/scree with one thread, native-4 the same with four
+# lanes: the time of a step is the mean of processor time from step 101 on.
 set -euo pipefail
 . "$(dirname "$0")/../../tools/usage.sh"
 cd "$(dirname "$0")/../.."

@@ -13,7 +13,7 @@ Threads* threads_open(int workers)
 	static Threads alone;
 	if (workers == 1)
 		return &alone;
-	fail(SCREE_ERROR_OUT_OF_MEMORY, "threads is %d, but there are none here: ask for 1", workers);
+	fail(SCREE_ERROR_OUT_OF_MEMORY, "threads is %d, must be 1 in a build without threads", workers);
 	return NULL;
 }
 

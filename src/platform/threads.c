@@ -217,7 +217,7 @@ Threads* threads_open(int workers)
 		condition_close(&seat->woken);
 		mutex_close(&seat->mutex);
 		threads_close(t);
-		fail(SCREE_ERROR_OUT_OF_MEMORY, "the system refuses to start thread %d of %d: ask for fewer threads",
+		fail(SCREE_ERROR_OUT_OF_MEMORY, "the system refuses to start thread %d of %d; create the world with fewer",
 		     started + 1, workers);
 		return NULL;
 	}

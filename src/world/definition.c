@@ -55,7 +55,7 @@ scree_status check_definition(ArgumentPlace at, const void* defs, int k, const D
 	{
 		if (def[i] != 0)
 			return refuse(SCREE_ERROR_INVALID, at, "",
-			              "sets a member that version %s of the library does not know, at byte %u", scree_version(), i);
+			              "sets a member at byte %u, which version %s of the library lacks", i, scree_version());
 	}
 	return SCREE_OK;
 }

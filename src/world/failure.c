@@ -9,8 +9,9 @@ scree_status world_check(const scree_world* world, const char* function)
 	TRY(check_pointer(function, "world", world));
 	if (world->broken)
 		return fail(world->broken, "%s: %s; the world can only be destroyed", function,
-		            world->broken == SCREE_ERROR_DEVICE_FAILED ? "the device of this world has failed"
-		                                                       : "a step of this world broke off for want of memory");
+		            world->broken == SCREE_ERROR_DEVICE_FAILED
+		                ? "the device of this world has failed"
+		                : "a step of this world failed because memory was exhausted");
 	return SCREE_OK;
 }
 

@@ -10,7 +10,7 @@ typedef struct
 } PaperPair;
 
 // Tests every box against every other, the edges included. Writes up to capacity overlapping pairs, by rising a, then b,
-// and how many there are.
+// and the number of all overlapping pairs.
 scree_status paper_pairs(const scree_box* boxes, int box_count, PaperPair* pairs, int capacity, int* count);
 
 #endif

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #define WARM_UP    1.0 // s of the world's time, after which contacts a body in drift are steady (docs/paper.md)
-#define WARM_LIMIT 1.0 // s of CPU time for it; if it would take longer, the GPU does it and the world moves
+#define WARM_LIMIT 1.0 // s of CPU time for it; if it would take longer, it runs on the GPU and the world is migrated
 #define SETTLE     2   // steps of the pipeline before the measured ones: kernels are built, buffers grow
 #define STEPS      40  // measured steps of a run that no time limit ends
 #define FEWEST     3   // measured steps at least; 1 in a run that takes longer than LONG_LIMIT
@@ -87,8 +87,8 @@ double curve_estimate(const Curve* curve, int bodies)
 	return curve->ms * (curve->pipeline == PAPER_PIPELINE ? growth * growth : growth);
 }
 
-// Chooses device and threads of the warm-up. The paper's pipeline is warmed up on all threads of the CPU, ours on the device
-// that is measured. If the CPU would need too long the GPU does it, because the bits are the same.
+// Chooses device and threads of the warm-up. The paper's pipeline is warmed up on all threads of the CPU, Scree's on the device
+// that is measured. If the CPU would need too long, the GPU warms up, because the bits are the same.
 static Options plan_warm_up(const Figure* figure, const Curve* curve, const Options* sized, int steps, double expected)
 {
 	Options options = *sized;
@@ -155,7 +155,7 @@ static scree_status take_steps(PaperSimulation* run, int most, Rows* rows)
 			continue;
 		measured += 1e-3 * (double)record->milliseconds;
 		++rows->count;
-		// only the first measured step is one that all devices take
+		// all devices take only the first measured step
 		if (step == SETTLE && status == SCREE_OK)
 			status = hash_run(run, &rows->hash);
 	}

@@ -3,7 +3,7 @@
 #ifndef FIGURE_H
 #define FIGURE_H
 
-// Columns of stages: those of the paper, with its copies over the bus, then ours. Stages that a pipeline lacks are 0.
+// Columns of stages: those of the paper, with its copies over the bus, then those of Scree. Stages that a pipeline lacks are 0.
 #define FIGURE_STAGES(X) \
 	X(to_device)         \
 	X(from_device)       \

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// figure_commands.c -- scree_paper figure5 and figure6: measures again what two figures of the paper show.
+// figure_commands.c -- scree_paper figure5 and figure6: measures two figures of the paper again.
 //
 // Falco Girgis and Earl Wells, GPGPU Acceleration for Video Game Physics Engines. Figure 5: processing time over the
 // number of bodies, on the CPU and on OpenCL. Figure 6: share of each stage in the time at 100 bodies. Here both figures have
-// the paper's pipeline and ours, and go on to a million bodies. Where a step would take too long, the row has an estimate.
+// the paper's pipeline and Scree's, and go on to a million bodies. If a step would take too long, the row has an estimate.
 //
 // The paper does not describe its scene. It says that detection took most of the time "under normal conditions", and that
 // many contacts, as of stacked bodies, move the bottleneck to resolution. So there are two scenes: boxes that drift, with
 // few contacts, and pyramids of ten boxes.
 //
 // Every run begins with one second of the world's time that is not measured, for all sizes, pipelines and devices: before
-// that, drifting bodies have not met. Our own pipeline simulates it, because the paper's would need minutes where a step takes
-// seconds. All devices of a pipeline must have the same hash after the same steps.
+// that, drifting bodies have not met. Scree simulates it, because the paper's pipeline would need minutes if a step takes seconds. All devices of a pipeline must have the same hash after the same steps.
 #include "cli/common/csv.h"
 #include "cli/common/simulation.h"
 #include "tools/common/clock.h"
@@ -64,7 +63,7 @@ static Options with_size(const Options* options, const Size* size, char text[3][
 	return sized;
 }
 
-// Each pipeline has a curve on one thread of the CPU and one on OpenCL, and ours one on all threads. Curves of missing devices
+// Each pipeline has a curve on one thread of the CPU and one on OpenCL, and Scree one on all threads. Curves of missing devices
 // are left out; --device cpu leaves out OpenCL, --threads 1 leaves out all threads.
 static int curves_of(Figure* figure, Curve curves[FIGURE_PIPELINES * FIGURE_PLACES])
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// main.c -- scree_paper, the command line of the pipeline of the paper that Scree began with, and of the paper's figures.
+// main.c -- scree_paper, the command line of the pipeline of the paper that Scree started from, and of the paper's figures.
 #include "cli/common/command_line.h"
 #include "tools/paper/paper_commands.h"
 #include "tools/paper/paper_options.h"
@@ -18,8 +18,9 @@ static const Command commands[] = {
 
 int main(int count, char** words)
 {
-	const CommandLine line = {"scree_paper", "the pipeline of the paper that Scree began with, and the paper's figures",
-	                          commands, (int)(sizeof commands / sizeof commands[0]), paper_options};
+	const CommandLine line = {"scree_paper",
+	                          "the pipeline of the paper that Scree started from, and the paper's figures", commands,
+	                          (int)(sizeof commands / sizeof commands[0]), paper_options};
 	PaperOptions options = {.common = {.width = 1600, .height = 900, .repeats = 3}};
 	return command_line_run(&line, &options.common, count, words);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper.h -- the pipeline of the paper that Scree began with, kept as a reference.
+// paper.h -- the pipeline of the paper that Scree started from, kept as a reference.
 //
 // Falco Girgis and Earl Wells, GPGPU Acceleration for Video Game Physics Engines: integrate, transform, detect, resolve.
 // The first three run on a device, to which the pools are copied in every step and from which they come back; contacts

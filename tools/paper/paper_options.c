@@ -6,14 +6,15 @@
 #define ALL (RUN | HASH | BENCH | FIGURE)
 
 static const Option device = {"device", 'd', "NAME",
-                              "cpu, opencl, or opencl:NAME with part of a device's name; cpu without it, in figures "
-                              "all",
+                              "cpu, opencl, or opencl:NAME with part of a device's name; cpu without it, but all "
+                              "devices for figures",
                               TEXT(Options, device)};
 static const Option repeats = {"repeats", 'r', "N", "runs of each scene or row, 3 without it",
                                NUMBER(Options, repeats, 1000)};
-static const Option limit = {"limit", 'm', "N", "most bodies, a million without it",
+static const Option limit = {"limit", 'm', "N", "maximum number of bodies, a million without it",
                              NUMBER(PaperOptions, limit, 1000000000)};
-static const Option draw = {"draw", 'D', "FILE.csv", "draw an earlier measurement", TEXT(PaperOptions, draw)};
+static const Option draw = {"draw", 'D', "FILE.csv", "draw this measurement, without a new one",
+                            TEXT(PaperOptions, draw)};
 
 static const OptionRow rows[] = {
     {&option_steps, ALL},

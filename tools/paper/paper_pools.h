@@ -46,7 +46,7 @@ typedef struct // constants of one step, by value to every stage
 	int attributes, bodies, collidables, contact_capacity;
 } PaperStep;
 
-// X(type, name, items): items is how many there are, with a PaperStep* step at hand.
+// X(type, name, items): items is the number of items, an expression in a PaperStep* step.
 #define PAPER_POOLS(X)                                                                           \
 	X(Attribute, attribute, step->attributes)                                                    \
 	X(PaperCollidable, collidable, step->collidables)                                            \

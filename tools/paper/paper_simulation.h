@@ -8,7 +8,7 @@
 
 extern const char* const paper_stages[STAGE_COLUMNS]; // names of Record.stages
 
-// Whether the pipeline can simulate a scene; if not, prints why.
+// Returns true if the pipeline can simulate a scene; else prints the reason.
 bool paper_takes(const Scene* scene);
 
 typedef struct

@@ -58,7 +58,7 @@ int plot_figure(const char* csv, int number)
 	if (code == EXIT_GOOD && number == 5)
 		table_print_crossovers(table);
 	if (code == EXIT_GOOD && system("command -v gnuplot >/dev/null 2>&1") != 0)
-		fprintf(stderr, "scree_paper: %s is not drawn, because there is no gnuplot (Debian: gnuplot-nox)\n", csv);
+		fprintf(stderr, "scree_paper: %s is not drawn, because gnuplot was not found (Debian: gnuplot-nox)\n", csv);
 	else if (code == EXIT_GOOD)
 		code = draw(table, csv, number);
 	free(table);

@@ -13,7 +13,7 @@ static const struct
 	FigurePlace place;
 } curves[CURVES] = {{0, ON_ONE_THREAD}, {0, ON_OPENCL}, {1, ON_ONE_THREAD}, {1, ON_THREADS}, {1, ON_OPENCL}};
 
-// colors that also the color-blind can tell apart: Okabe, Ito, Color Universal Design, 2008
+// colors that color-blind readers can distinguish: Okabe, Ito, Color Universal Design, 2008
 #define CURVE_COLORS "array color[5] = ['#d55e00', '#e69f00', '#56b4e9', '#0072b2', '#009e73']\n"
 // labels of the axes of time, whose numbers are ms
 #define TIMES "set ytics ('1 µs' 1e-3, '10 µs' 1e-2, '0.1 ms' 0.1, '1 ms' 1, '10 ms' 10, '0.1 s' 100, '1 s' 1e3)\n"
@@ -127,7 +127,7 @@ static void put_legend(FILE* to, const Table* table)
 		curve_title(table, row, c, title);
 		fprintf(to, ", NaN with linespoints lc rgb color[%d] pt shape[%d] title '%s'", c + 1, c + 1, title);
 	}
-	fputs(", NaN with lines dt 2 lc rgb '#555555' title 'not run: at most so long'"
+	fputs(", NaN with lines dt 2 lc rgb '#555555' title 'not run: upper estimate'"
 	      ", NaN with points pt 9 ps 1.1 lc rgb '#000000' title 'OpenCL becomes faster than the CPU'\n",
 	      to);
 }

@@ -188,7 +188,7 @@ class Engine {
 				if (item === undefined)
 					continue;
 				if (!m)
-					throw new TypeError(`${where} has a member ${key}, which ${type} does not know`);
+					throw new TypeError(`${where} has a member ${key}, which ${type} lacks`);
 				if (m.type === "*") {
 					const of = m.of, size = layouts[of].size, list = this.take(size * item.length);
 					this.putAll(of, list, item, world, `${where}.${key}`);
@@ -264,7 +264,7 @@ class Engine {
 				else
 					value[key] = m.count ? this.getAll(m.type, place, m.count, world) : this.get(m.type, place, world);
 			}
-			// reduces the eight places of a polygon to the used ones
+			// shortens the eight places of a polygon to the used ones
 			if (type === "shape")
 				value.vertices.length = value.normals.length = value.count;
 			return value;

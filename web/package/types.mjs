@@ -47,7 +47,7 @@ export function types({header, structs, described, enumerations, short}) {
 		};
 		const name = title(short(s.name));
 		text += `\n${doc(s.comment)}export interface ${name} {\n${shown.map((m) => `${doc(m.comment, "\t")}\t${camel(m.name)}: ${of(m, false)};`).join("\n")}\n}\n`;
-		text += `/** ${name} as an argument: what is missing has its default. */\nexport interface Partial${name} {\n${shown.map((m) => `\t${camel(m.name)}?: ${of(m, true)};`).join("\n")}\n}\n`;
+		text += `/** ${name} as an argument: missing members have their defaults. */\nexport interface Partial${name} {\n${shown.map((m) => `\t${camel(m.name)}?: ${of(m, true)};`).join("\n")}\n}\n`;
 	}
 
 	const lists = {World: [], Scree: []};
@@ -79,53 +79,53 @@ export function types({header, structs, described, enumerations, short}) {
 	}
 	for (const name of header.handles) {
 		const own = title(short(name));
-		text += `\n/** The same object wherever the engine names the same ${short(name)}; programs may add members. */\nexport declare class ${own} {\n\treadonly world: World;\n\treadonly index: number;\n\treadonly generation: number;\n${name === "scree_joint" ? "\tgetState(): JointState;\n" : ""}${(lists[own] ?? []).join("\n")}\n}\n`;
+		text += `\n/** Equal handles are the same object, so each ${short(name)} has one; programs may add members. */\nexport declare class ${own} {\n\treadonly world: World;\n\treadonly index: number;\n\treadonly generation: number;\n${name === "scree_joint" ? "\tgetState(): JointState;\n" : ""}${(lists[own] ?? []).join("\n")}\n}\n`;
 	}
 	for (const plural in plurals)
 		text += `\nexport interface ${title(plural)} {\n${(lists[title(plural)] ?? []).join("\n")}\n}\n`;
 	return `${text}
-/** A world and all in it. destroy() frees it; a world that is forgotten is freed some time later. */
+/** A world with its bodies and other objects. destroy() frees it at once; the garbage collector frees it some time later. */
 export declare class World {
 ${Object.keys(plurals).map((plural) => `\treadonly ${plural}: ${title(plural)};`).join("\n")}
 	/** Frees the world now. */
 	destroy(): void;
-	/** The poses of bodies: x, y, cosine and sine of bodies[k] from 4 * k on. A view of the engine's memory: fetch it again after a step. */
+	/** Returns the poses of bodies: x, y, cosine and sine of bodies[k] begin at 4 * k. The array is a view of the engine's memory, so call this again after a step. */
 	poses(bodies: ArrayLike<Body>): Float32Array;
-	/** What a renderer needs: eight numbers for each collidable, from 8 * (collidable.index - 1) on. A view, as poses(). */
+	/** Returns the data for a renderer: eight numbers for each collidable begin at 8 * (collidable.index - 1). A view, as poses(). */
 	rows(): Float32Array;
-	/** All collidables that overlap a shape at a pose. */
+	/** Returns all collidables that overlap a shape at a pose. */
 	overlapShape(shape: PartialShape | null, pose: PartialPose): QueryResults;
-	/** All collidables that overlap a point. */
+	/** Returns all collidables that overlap a point. */
 	overlapPoint(point: PartialVec): QueryResults;
-	/** Collidables without a body. */
+	/** Returns the collidables without a body. */
 	getFreeCollidables(): Collidable[];
 ${lists.World.join("\n")}
 }
 
-/** The engine, from load(). What needs no world is a method of it. */
+/** The engine, which load() returns. Its methods are the functions that need no world. */
 export declare class Scree {
-	/** "simd" or "scalar" */
+	/** "simd" or "scalar". */
 	readonly form: string;
 	createWorld(def?: PartialWorldDef): World;
 ${lists.Scree.join("\n")}
 }
 
-/** What every function throws that fails, with the sentence that names the argument and its value. */
+/** The error that every failing function throws. Its message names the argument and its value. */
 export declare class ScreeError extends Error {
 	/** One of Status. */
 	readonly status: number;
 }
 
 export interface LoadOptions {
-	/** The engine instead of the one inside the package: bytes, an address, a response, a module. */
+	/** The engine to use instead of that of the package: bytes, a URL, a response or a module. */
 	wasm?: BufferSource | string | URL | Response | WebAssembly.Module;
-	/** Whether vectors are used, instead of what the browser has. */
+	/** True: with vector instructions; false: without. Default: with them if the browser supports them. */
 	simd?: boolean;
-	/** What gets warnings; console.warn by default. */
+	/** Receives warnings; console.warn by default. */
 	log?: (sentence: string) => void;
 }
 
-/** Loads the engine, once for all callers without options. */
+/** Loads the engine. All calls without options share one engine. */
 export declare function load(options?: LoadOptions): Promise<Scree>;
 `;
 }

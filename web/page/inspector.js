@@ -6,7 +6,6 @@
 const REACH = 3;
 // Delay until the next reading, as a multiple of the duration of the last one. The first query after a step computes
 // boxes of all bodies that move, which for many bodies takes as long as a step.
-// long as it took, nothing is looked at again.
 const REST = 9;
 const SOONEST = 50; // ms: digits that change faster cannot be read
 

@@ -160,7 +160,7 @@ scree_status scree_world_approve_contacts(scree_world* world, const bool* approv
 	TRY(reports_fetch(world));
 	Reports* r = &world->reports;
 	if (count != r->counts[EVENT_APPROVALS])
-		return fail(SCREE_ERROR_INVALID, "%s: count is %d, and %d contacts wait for an answer", function, count,
+		return fail(SCREE_ERROR_INVALID, "%s: count is %d, and %d contacts wait for approval", function, count,
 		            r->counts[EVENT_APPROVALS]);
 	TRY(GROW(function, r->allowed, r->allowed_capacity, count));
 	r->answered = count > 0;
