@@ -39,8 +39,7 @@
 // Members for the values of one constraint that outlive the layout.
 #define ROW_KEPT_MEMBER(name, gate, life, inert, read, written) ROW_IF_KEPT_##life(float name;)
 
-// Kept rows are copied whole, 16 bytes at a time.
-#define KEPT_ALIGNED __attribute__((aligned(16)))
+#define KEPT_ALIGNED __attribute__((aligned(16))) // kept rows are copied whole, 16 bytes at a time
 
 // The macros below process constraint `lane` of the block `rows`, and registers `u` or kept values `kept`.
 #define ROW_PAD(name, gate, life, inert, read, written) rows->name[lane] = inert;

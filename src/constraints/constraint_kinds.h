@@ -76,7 +76,6 @@
 			EACH_RARE_ROW(kind, Kind, KIND, ROW_PUT_BACK);             \
 		}                                                              \
 	}                                                                  \
-	/* Clears the kept values of a constraint that ended. */           \
 	INLINE void kind##_forget(const Pools* p, int slot)                \
 	{                                                                  \
 		const Kind##Kept none = {0};                                   \
@@ -84,7 +83,6 @@
 		p->kind##_kept[slot] = none;                                   \
 		p->kind##_rare_kept[slot] = rare_none;                         \
 	}                                                                  \
-	/* Prefetches the kept values of place i. */                       \
 	INLINE void kind##_fetch_kept(const Pools* p, int i)               \
 	{                                                                  \
 		EACH_ROW(kind, Kind, KIND, ROW_FETCH);                         \

@@ -32,8 +32,7 @@ INLINE Approach prepare_velocities(const Pools* p, int i, const Contact* u)
 	return at;
 }
 
-// m/s^2: Returns the acceleration of a body by gravity and the user's forces. A body that touches something else and is
-// slower than the speed that gravity adds in one step is assumed to be supported: 0.
+// m/s^2: Returns the acceleration of a body by gravity and forces; 0 if it is slow and touches others, its support.
 INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 {
 	Real row[8], zero = splat(0.0f);
@@ -46,10 +45,9 @@ INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 	return vec_blend(fall, vec(zero, zero), supported);
 }
 
-// m/s: Returns the speed at which a point leaves, by Newton's law of impact. It approaches with a normal velocity
-// (negative) and is a gap away. Semi-implicit Euler puts a falling body on a parabola on which its velocity is that of
-// the middle of a substep. Therefore half of a substep's acceleration is added before the impact and subtracted after
-// it (bounce_speed), which conserves energy.
+// m/s: Returns the speed at which a point leaves, by Newton's law of impact. velocity: normal, negative; gap: m.
+// Semi-implicit Euler puts a falling body on a parabola on which its velocity is that of the middle of a substep. Half
+// of a substep's acceleration is added before the impact and subtracted after it (bounce_speed), to conserve energy.
 INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, Real fall, Real gap)
 {
 	Real before = velocity + 0.5f * step->h * fall, zero = splat(0.0f);
@@ -70,8 +68,7 @@ INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Re
 	return blend(splat(MOST_FLOAT), energy, energy <= splat(MOST_FLOAT));
 }
 
-// m/s^2: with the largest gap and step, the square of a speed is still finite
-#define MOST_FALL 1.0e18f
+#define MOST_FALL 1.0e18f // m/s^2: with the largest gap and step, the square of a speed is still finite
 
 // Computes the rebound speeds of the points that may bounce within the step, except those that hardly move.
 INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contact_constraint.h -- a contact as a constraint: normal impulses at two points, friction, rolling resistance and
-// restitution.
+// contact_constraint.h -- a contact as a constraint: impulses at two points, friction, rolling resistance, restitution.
 //
 // This work is based on:
 // Erin Catto, Soft Constraints, GDC 2011: bias rate, mass scale and impulse scale of a constraint with a frequency.
@@ -73,13 +72,11 @@
 	PAIR(2, IN_PASSES, IN_GAPS, u->normal_impulse1, u->normal_impulse2) \
 	PAIR(3, IN_TANGENTS | IN_BOUNCE, IN_RELAX, u->tangent_impulse1, u->tangent_impulse2)
 
-// Bytes that prepare gathers for a contact: collidables, world shapes, manifold, and flags if there are round shapes;
-// then bytes that it gathers for its bodies in a world with restitution.
+// Bytes that prepare gathers for a contact, with flags if shapes are round; then for its bodies, with restitution.
 #define CONTACT_GATHERS(step) \
 	(sizeof(Int2) + 2 * sizeof(WorldShape) + sizeof(LocalManifold) + ((step)->round ? sizeof(Word) : 0))
 #define CONTACT_BOUNCE_GATHERS (2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64)))
 
-// Returns whether a step uses the rare rows.
 #define CONTACT_RARE(step) STEP_RARE(*(step))
 
 struct ContactRows
@@ -100,7 +97,6 @@ struct ContactRareKept
 	CONTACT_RARE_ROWS(ROW_KEPT_MEMBER)
 };
 
-// A component of contact i of the pools p.
 #define contact_row(p, name, i)  ((p)->contact_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 #define contact_rare(p, name, i) ((p)->contact_rare_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 
@@ -160,10 +156,9 @@ typedef struct // the goal of a point's impulse: a velocity bias, m/s, and softn
 	Real bias, mass_scale, impulse_scale;
 } PairGoal;
 
-// Returns the goal of a point with separation s. Without soft, in the relaxing pass, the overlap is ignored, which
-// removes the velocity that the biased pass added to push the bodies apart. Contacts with an immovable body (fixed) are
-// firmer, so that nothing sinks into the ground. exact: the contact is solved together with the other constraints of
-// its bodies, so it is firm at any depth.
+// Returns the goal of a point with separation s. The relaxing pass (soft is 0) ignores the overlap, which removes the
+// velocity by which the biased pass pushed the bodies apart. Contacts with an immovable body (fixed) are firmer, so
+// nothing sinks into the ground. exact: other constraints of its bodies are solved with it, so it is firm at any depth.
 INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exact)
 {
 	Int apart = s > splat(0.0f);
@@ -200,8 +195,7 @@ INLINE Int pair_waits(Real s, Real old, Real rebound)
 	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
 }
 
-// Points whose own share of the effective mass is smaller than this nearly coincide, and are not solved together.
-#define PAIR_OWN 0.001f
+#define PAIR_OWN 0.001f // points with a smaller own share of the effective mass nearly coincide, and are solved alone
 
 // 1/kg: Returns the normal velocity that a unit impulse at one point causes at the other.
 INLINE Real pair_cross(const ContactArms* c)
@@ -210,11 +204,10 @@ INLINE Real pair_cross(const ContactArms* c)
 	       c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
 }
 
-// Solves the normal impulses of both points together; they are never negative. This is a linear complementarity problem
-// with two unknowns. Solved point by point, each pass would turn a box, and a push that is taken back would leave a
-// part of itself. gap: separations, m; mass: effective masses, kg. In the relaxing pass, a point that will bounce
-// (rebound > 0) and has not touched in this substep gets no impulse. Otherwise it would bounce too early, or not at
-// all.
+// Solves the normal impulses of both points together; they are never negative: a linear complementarity problem with
+// two unknowns. Solved point by point, each pass would turn a box, and a push that is taken back would leave a part of
+// itself. gap: separations, m; mass: effective masses, kg. In the relaxing pass, a point that will bounce (rebound > 0)
+// and has not touched in this substep gets no impulse; otherwise it would bounce too early, or not at all.
 INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], const Step* step, int soft,
                          const Real rebound[2], Real impulse[2])
 {
@@ -276,14 +269,12 @@ INLINE void pair_roll(const Pools* p, int i, ContactArms* c, Real weight)
 	store(&contact_rare(p, rolling_impulse, i), 0, impulse);
 }
 
-// Adds up the impulses of all substeps.
 INLINE void pair_total(const Pools* p, int i, Real normal1, Real normal2)
 {
 	store(&contact_rare(p, total_impulse1, i), 0, load(&contact_rare(p, total_impulse1, i), 0) + normal1);
 	store(&contact_rare(p, total_impulse2, i), 0, load(&contact_rare(p, total_impulse2, i), 0) + normal2);
 }
 
-// Applies all impulses at once.
 INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real normal2, Real tangent1, Real tangent2)
 {
 	body_push(&c->a, c->ra[0], &c->b, c->rb[0], vec_add(vec_scale(normal1, c->n), vec_scale(tangent1, c->t)));
@@ -296,8 +287,7 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 	}
 }
 
-// Solves both points at once: computes the impulses that add lack1 and lack2 (m/s) to their normal velocities. If the
-// points nearly coincide, the first takes the whole impulse.
+// Computes impulses that add lack1 and lack2 (m/s) to the normal speeds; point 1 takes all if both nearly coincide.
 INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1,
                        Real* impulse2)
 {
@@ -359,8 +349,7 @@ INLINE Real pair_gained(const ContactArms* c, Real more1, Real more2)
 }
 
 // Returns the share of two bounces with which the energy of the bodies does not exceed that before they met (most).
-// Contacts of a body that bounce in one step are solved one after the other, so later ones may have to push harder than
-// the bodies approached.
+// Contacts of a body that bounce in one step are solved in turn, so later ones may push harder than it approached.
 INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], const Real mass[2], Real impulse1,
                        Real impulse2)
 {
@@ -376,8 +365,7 @@ INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], con
 	return blend(one, minimum(maximum(part, zero), one), more);
 }
 
-// Applies restitution to the points that got an impulse. A point that bounces separates, so its impulse must not warm
-// start the next step.
+// Applies restitution to points with an impulse. They separate, so their impulses must not warm start the next step.
 INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
                         Real* normal1, Real* normal2)
 {
@@ -432,8 +420,7 @@ INLINE void pair_bias(const Pools* p, int i, const ContactReady* ready, ContactA
 	u->normal_impulse2 = impulse[1];
 }
 
-// Masses and separations that the caller does not hold are derived immediately before use. Deriving all of them first
-// needs more registers than a CPU has; the pass then takes 5 % longer.
+// Values not held are derived just before use; all at once would exceed a CPU's registers and take 5 % longer.
 INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactArms* c, Contact* u)
 {
 	Real speed = splat(0.0f), rebound[2] = {splat(0.0f), splat(0.0f)};
@@ -454,8 +441,7 @@ INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactA
 	u->normal_impulse1 = impulse[0];
 	u->normal_impulse2 = impulse[1];
 
-	// friction follows the load, because the impulses of the biased pass also push overlap out, which causes no
-	// friction
+	// friction follows the load: impulses of the biased pass also push overlap out, which causes no friction
 	Real mass = held ? u->tangent_mass1 : pair_mass(c, 0, c->t);
 	u->tangent_impulse1 = pair_tangent(c, 0, mass, speed, u->friction * u->normal_impulse1, u->tangent_impulse1);
 	mass = held ? u->tangent_mass2 : pair_mass(c, 1, c->t);
@@ -466,9 +452,7 @@ INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactA
 		pair_total(p, i, u->normal_impulse1, u->normal_impulse2);
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// functions that every kind of constraint has
-// ---------------------------------------------------------------------------------------------------------------
+// Functions that every kind of constraint has.
 
 // Derives the effective masses that the given passes need; they are constant within a step.
 INLINE void contact_derive(int passes, const Body* a, const Body* b, Contact* u)
@@ -490,7 +474,6 @@ INLINE void contact_start(const Step* step, Contact* u)
 	u->normal_impulse2 = pair_start(step, u->normal_impulse2, u->normal_mass2);
 }
 
-// Derives the separations from the positions of the bodies. It does not read their velocities.
 INLINE void contact_ready(const Pools* p, int pass, int i, const Body* a, const Body* b, const Contact* u,
                           ContactReady* ready)
 {
@@ -502,8 +485,7 @@ INLINE void contact_ready(const Pools* p, int pass, int i, const Body* a, const 
 	ready->gap[1] = pair_gap(&c, 1, u->separation2);
 }
 
-// Executes a pass of constraint i. A caller that holds u in registers over a step has called contact_derive, and
-// contact_ready for this pass, and passes the result as held. If held is 0, the pass derives these values itself.
+// Executes a pass. held: result of contact_ready after contact_derive, if the caller keeps u in registers; else 0.
 INLINE void contact_pass(const Pools* p, int pass, int i, const ContactReady* held, Contact* u, Body* a, Body* b)
 {
 	ContactArms c = pair_of(u, a, b);

@@ -4,11 +4,9 @@
 #define CONTACT_ONE_H
 #include "constraints/contact_constraint.h"
 
-// Returns whether a slot holds a contact.
 INLINE int contact_in_use(const Pools* p, int slot) { return p->pair[slot].x >= 0; }
 
-// Counts a contact with these flags at its bodies, or removes it from the count if by is -1. A collidable without a
-// body has body 0.
+// Counts a contact with these flags at its bodies; by is -1 to remove it. A collidable without a body has body 0.
 INLINE void contact_count(const Pools* p, Int2 bodies, Word flags, int by)
 {
 	GLOBAL int* count = flags & CONTACT_FIXED ? p->fixed_contacts : p->other_contacts;
@@ -19,7 +17,6 @@ INLINE void contact_count(const Pools* p, Int2 bodies, Word flags, int by)
 		atomic_add_int(count + bodies.y, by);
 }
 
-// Sets the rows that depend on the surfaces of the two collidables.
 INLINE void contact_set_surface(const Pools* p, int i, Float4 surface)
 {
 	contact_row(p, friction, i) = surface.x;

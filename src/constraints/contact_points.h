@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// contact_points.h -- normal, arms and gaps of a contact for the step, from a held manifold, which stays as it was
-// found.
+// contact_points.h -- normal, arms and gaps of a contact for the step, from a held manifold, kept as it was found.
 //
 // A held manifold keeps its normal and its arms in the world while bodies turn and shift; only the gap follows them.
-// Therefore the forces of a column that leans a little still act straight down through it, and it does not buckle. A
-// contact yields like a spring: with arms that follow the bodies, a column of more than 28 boxes would buckle (A. G.
-// Greenhill, Determination of the greatest height consistent with stability that a vertical pole or mast can be made,
-// 1881).
+// Therefore the forces of a leaning column still act straight down through it, and it does not buckle. A contact yields
+// like a spring: with arms that follow the bodies, a column of more than 28 boxes would buckle (A. G. Greenhill,
+// Determination of the greatest height consistent with stability that a vertical pole or mast can be made, 1881).
 #ifndef CONTACT_POINTS_H
 #define CONTACT_POINTS_H
 #include "constraints/angle.h"
@@ -22,7 +20,6 @@ typedef struct // the points of a contact, along world axes
 	Real separation[2]; // m
 } ContactPoints;
 
-// Returns b in the lanes where c is set, else a.
 INLINE ContactPoints contact_points_blend(ContactPoints a, ContactPoints b, Int c)
 {
 	a.normal = vec_blend(a.normal, b.normal, c);
@@ -36,19 +33,16 @@ INLINE ContactPoints contact_points_blend(ContactPoints a, ContactPoints b, Int 
 	return a;
 }
 
-// Returns the difference between two motions of an arm within the rest of the step: the solver's (body_shift) minus the
-// real one. The body turns by an angle (turn: its cos, sin), and has the arm at the end.
+// Returns an arm's motion in the solver (body_shift) minus the real one, for a body that has the arm at the end.
 INLINE Vec contact_points_predicted(Vec turn, Real angle, Vec arm)
 {
 	return vec_sub(vec_spin(angle, arm), vec_sub(arm, vec_turn_back(turn, arm)));
 }
 
 // Computes the points from rows of the pools world_shape and contact_manifold; manifold contains both rows of the
-// contact, one after the other.
-//
-// The two places of a point coincided when it was found. Their distance along the normal since then is added to the
-// separation. The solver turns arms by the turns of bodies within the step. For a predicted manifold, whose poses are
-// in the future, that motion is subtracted from the separation.
+// contact, one after the other. The two places of a point coincided when it was found. Their distance along the normal
+// since then is added to the separation. The solver turns arms by the turns of bodies within the step. For a predicted
+// manifold, whose poses are in the future, that motion is subtracted from the separation.
 INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const Real manifold[16])
 {
 	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), from_a = vec(b[0] - a[0], b[1] - a[1]);

@@ -5,15 +5,13 @@
 #include "constraints/contact_constraint.h"
 #include "constraints/rolling.h"
 
-// Updates the deepest overlap, a counter for the user.
 INLINE void prepare_depth(const Pools* p, Real separation)
 {
 	Word deeper = lane_bits(separation < splat(-bits_float(read_shared(&p->counters->penetration))));
 	raise_lanes(&p->counters->penetration, -separation, deeper);
 }
 
-// Marks whether some body is deep in a static body, and in a kinematic one. The second collidable of a pair is the one
-// that cannot move.
+// Marks a body that is deep in a static or a kinematic one, which is the second collidable of its pair.
 INLINE void prepare_press(const Pools* p, int i, Real separation)
 {
 	Word deep = p->step.presses ? lane_bits(separation < splat(-PRESS_FROM)) : 0;
@@ -69,8 +67,7 @@ INLINE ContactPoints prepare_points(const Pools* p, int i, Int slot)
 	return points;
 }
 
-// Distance, in constraints, at which data is prefetched before it is prepared.
-#define PREPARE_SOON 32
+#define PREPARE_SOON 32 // distance, in constraints, at which data is prefetched before it is prepared
 
 INLINE void contact_prepare_fetch(const Pools* p, int i)
 {

@@ -13,8 +13,7 @@
 #define COUPLING_H
 #include "constraints/joint_constraint.h"
 
-typedef struct // one side: derivatives of its measure by the body's translation and rotation, and its change in the
-               // step
+typedef struct // one side: derivatives of its measure by the body's motion, and its change in the step
 {
 	Vec direction; // 0 for an angle
 	Real lever, value;
@@ -62,7 +61,6 @@ OUT_OF_LINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose*
 	c->given_a = vec(load(&joint_rare(p, given_a_x, i), 0), load(&joint_rare(p, given_a_y, i), 0));
 }
 
-// Stores the impulse that the pass applied to a.
 INLINE void coupling_store(const Pools* p, int i, const JointPose* c)
 {
 	if (!c->couples)

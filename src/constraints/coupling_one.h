@@ -22,7 +22,6 @@ typedef struct // one side of a coupling in the world
 	float value, added; // m, rad: its measure; rad: change since the last count
 } CouplingMeasure;
 
-// Returns the counts of a new joint.
 INLINE CouplingCount coupling_count_new(const Pools* p, int slot)
 {
 	const GLOBAL JointData* data = p->joint_data + slot;
@@ -50,7 +49,6 @@ INLINE void coupling_count_put(const Pools* p, int place, const CouplingCount* c
 	joint_rare(p, geared, place) = count->geared;
 }
 
-// Measures a side, and counts its angle.
 INLINE CouplingMeasure coupling_measure(const Pools* p, int slot, int side, CouplingCount* count)
 {
 	const GLOBAL JointData* data = p->joint_data + slot;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_constraint.h -- a joint as a constraint: three coordinates of a frame of body b in a frame of body a, some of
-// them locked.
+// joint_constraint.h -- a joint as a constraint: three coordinates of a frame of body b in one of body a, some locked.
 //
 //     d = anchor of b - anchor of a      u = axis      w = left of u
 //     along = u . d      across = w . d      angle = angle of b - angle of a
@@ -60,8 +59,7 @@
 	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
-// Rows of a limit, a spring and a motor along one coordinate, in m or rad, 1/s, N s or N m s. For a soft lock,
-// spring_relaxes is its softness in the relaxing pass.
+// Drive of a coordinate: m or rad, 1/s, N s or N m s. spring_relaxes is also the softness of a soft lock in relax.
 #define JOINT_DRIVE_ROWS(X, of)                                              \
 	X(of##_lower, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
 	X(of##_upper, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
@@ -165,7 +163,6 @@ struct JointRareKept
 	JOINT_RARE_ROWS(ROW_KEPT_MEMBER)
 };
 
-// A component of joint i of the pools p.
 #define joint_row(p, name, i)  ((p)->joint_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 #define joint_rare(p, name, i) ((p)->joint_rare_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 
@@ -175,7 +172,6 @@ enum
 {
 	JOINT_DRIVE_ROWS(DRIVE_NUMBER, DRIVE) DRIVE_ROW_COUNT
 };
-// A component of the drive of coordinate k.
 #define joint_drive_row(p, k, name, i)       \
 	(((GLOBAL float*)((p)->joint_rare_rows + \
 	                  (i) / MAX_LANES))[((k)*DRIVE_ROW_COUNT + DRIVE_##name) * MAX_LANES + (i) % MAX_LANES])
@@ -192,15 +188,13 @@ typedef struct // the bodies and the current coordinates of a joint
 	Vec arm_a, arm_b;                    // arms from the centers of mass to the anchor of b
 	Real lever_a[2], lever_b[2];         // levers of a unit impulse along the axes
 	Real mass, value[JOINT_COORDINATES]; // 1/kg: sum of the inverse masses; m, m, rad
-	// Lanes with a coupling: axis of the coordinate along on the side of a, and impulse applied to a.
 	Word couples;
 	Int coupled;
-	Int torn; // springs hold both translations, and are stretched so far that the arm of a is shortened
-	Vec axis_a, given_a;
-	// Lanes on a path: curvature at the current point, 1/m.
+	Int torn;            // springs hold both translations, and are stretched so far that the arm of a is shortened
+	Vec axis_a, given_a; // in lanes with a coupling: axis along on the side of a, and impulse applied to a
 	Word rails;
 	Int railed;
-	Real bend;
+	Real bend; // in lanes on a path: curvature at the current point, 1/m
 } JointPose;
 
 // Returns the lanes that have one of these modes.
@@ -231,8 +225,7 @@ INLINE void joint_alone(JointPose* c)
 	c->axis_a = c->given_a = vec(splat(0.0f), splat(0.0f));
 }
 
-// Error of locks that makes the arm of body a too long, in units of the radius of gyration of a.
-#define JOINT_FAR 2.0f
+#define JOINT_FAR 2.0f // error of locks that makes the arm of body a too long, in units of the radius of gyration of a
 
 // Returns whether springs hold both translations, and d is that far off. Then the axes are those of the world, and the
 // impulses keep their direction there. Because the arm of a is shortened, a cannot take the torque of a force that
@@ -361,8 +354,7 @@ INLINE Real joint_yield_turning(const JointPose* c, int k)
 	return c->a.inv_inertia * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k];
 }
 
-// 1/kg, 1/(kg m^2): Returns the yield of coordinate k, its speed by a unit impulse along it (the inverse effective
-// mass).
+// 1/kg, 1/(kg m^2): Returns the yield of coordinate k: its speed by a unit impulse, the inverse effective mass.
 INLINE Real joint_yield(const JointPose* c, int k)
 {
 	if (k != JOINT_ANGLE)
@@ -407,7 +399,6 @@ INLINE void joint_give(Joint* u, JointPose* c, JointImpulse j)
 		c->given_a = vec_add(c->given_a, j.push_a);
 }
 
-// Applies impulses only to the joints that a mask selects.
 INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
 {
 	Joint now = *u;

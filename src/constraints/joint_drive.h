@@ -46,13 +46,11 @@ INLINE void joint_drive_store(const Pools* p, int i, int k, const JointDrive* d)
 	store(&joint_drive_row(p, k, motor_impulse, i), 0, d->motor_impulse);
 }
 
-// Returns the lanes that have a limit, a spring or a motor along coordinate k.
 INLINE Word joint_drives(const Pools* p, const Joint* u, int k)
 {
 	return p->step.has_drives ? lane_bits(joint_has(u, JOINT_HAS_DRIVES(k))) : 0u;
 }
 
-// Returns the impulses along coordinate k.
 INLINE Real joint_drive_sum(const JointDrive* d) { return d->spring_impulse + d->motor_impulse + d->limit_impulse; }
 
 // Returns the impulse of a spring in the biased pass (joint_spring.h).
@@ -76,8 +74,7 @@ INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
 	return minimum(d->spring_most, maximum(d->spring_least, impulse));
 }
 
-// Returns the part of a spring's impulse that is left after the opposite impulses of the motor and the limit of its
-// coordinate.
+// Returns the rest of a spring's impulse after opposite impulses of the motor and the limit of its coordinate.
 INLINE Real joint_spring_left(const JointDrive* d)
 {
 	Real zero = splat(0.0f), whole = d->spring_impulse, left = joint_drive_sum(d);
@@ -99,8 +96,7 @@ INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, int k, Real a
 	return blend(soft ? maximum(d->limit_rate * ahead, -most) : zero, p->step.inv_h * ahead, ahead > zero);
 }
 
-// Returns the impulse of a limit, the nearer one of the two, which pushes away from it. It ends an approach exactly at
-// the limit (s > 0), and behind the limit it is as soft as a lock.
+// Returns the impulse of the nearer limit. It ends an approach exactly there (s > 0); beyond, it is as soft as a lock.
 INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, Real speed, Real value, int soft)
 {
 	Real zero = splat(0.0f), below = value - d->lower, above = d->upper - value;
@@ -112,9 +108,8 @@ INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, 
 	return sign * push_of(old - back / (yield + yields * yield));
 }
 
-// Returns the speed to which a motor drives: that of the user, but not through the nearer limit. Opposite impulses of a
-// motor and a limit would both grow up to the maximum of the motor, under which the limit, a spring, gives way: a
-// slider of 1 kg moves by 29 m at 1e8 N.
+// Returns the speed of a motor: that of the user, but not through the nearer limit. Opposite impulses of motor and
+// limit would both grow to the motor's maximum, and the limit would give way: a slider of 1 kg moves 29 m at 1e8 N.
 INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, int k, Real value, Int limit, int soft)
 {
 	Real below = value - d->lower, above = d->upper - value;
@@ -124,8 +119,7 @@ INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, int k, Real v
 	return blend(d->speed, sign * maximum(sign * d->speed, least), limit);
 }
 
-// Solves the spring, the motor and the limit of coordinate k, one after the other. full: lanes whose springs have a
-// common bound and have reached it.
+// Solves spring, motor and limit of coordinate k in turn. full: lanes whose springs have reached their common bound.
 INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint* u, JointPose* c)
 {
 	JointDrive d = joint_drive_load(p, i, k), old = d;
@@ -198,10 +192,8 @@ INLINE void joint_drive_together(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_give_where(u, c, j, together);
 }
 
-// Square of the share of an ellipse that counts as reaching it, despite rounding.
-#define JOINT_FULL 0.9999f
+#define JOINT_FULL 0.9999f // square of the share of an ellipse that counts as reaching it, despite rounding
 
-// Returns whether the springs along and across, which have a common bound, have reached it.
 INLINE Int joint_springs_full(const Pools* p, int i)
 {
 	JointDrive x = joint_drive_load(p, i, JOINT_ALONG), y = joint_drive_load(p, i, JOINT_ACROSS);
@@ -210,7 +202,6 @@ INLINE Int joint_springs_full(const Pools* p, int i)
 	return share_x * share_x + share_y * share_y > splat(JOINT_FULL);
 }
 
-// Solves springs, motors and limits.
 OUT_OF_LINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, JointPose* c)
 {
 	Int full = splat(0.0f) > splat(0.0f);
@@ -244,7 +235,6 @@ OUT_OF_LINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOIN
 	}
 }
 
-// Scales all impulses of the last step with which this one starts.
 OUT_OF_LINE void joint_scale(const Pools* p, int i, Joint* u, Real part)
 {
 	u->impulse_along = part * u->impulse_along;

@@ -4,13 +4,11 @@
 #define JOINT_LOCKS_H
 #include "constraints/joint_drive.h"
 
-// Least share of a coordinate's own yield that remains while the others are held; smaller values are rounding errors.
-#define JOINT_LEAST_YIELD 1.0e-6f
+#define JOINT_LEAST_YIELD 1.0e-6f // least share of a coordinate's yield while others are held; less is rounding error
 
 // m/s, rad/s: greatest speed at which errors are corrected in a chain. With it, frames that are far apart, because a
 // body was teleported or a contact held it back, come together without a blow. Other joints correct distances at up to
-// START_SHARE of max_speed: in the corner of a large net, where a joint carries the whole net, it must follow its
-// error.
+// START_SHARE of max_speed: the joint in the corner of a large net carries all of it, and must follow its error.
 #define JOINT_CORRECTION 10.0f
 
 typedef struct // equations of the locks: yield x = goal
@@ -24,8 +22,7 @@ typedef struct // equations of the locks: yield x = goal
 	Int locked[3];
 } JointSystem;
 
-// Softness of a nearly free lock, as a multiple of its own yield. It must not overflow, because it would spoil the
-// other locks.
+// Softness of a nearly free lock, as a multiple of its own yield. An overflow would spoil the other locks.
 #define JOINT_NOTHING 1.0e12f
 
 INLINE Real joint_softer(Real softness, Real own)
@@ -42,8 +39,7 @@ INLINE Real joint_soft_pair(const Joint* u, const Real softness[3], int i, int j
 	return blend(minimum(softness[i], softness[j]), splat(0.0f), joint_has(u, JOINT_SOFT(i) | JOINT_SOFT(j)));
 }
 
-// Computes the softness of the locks. In the relaxing pass, locks that are not springs are rigid; springs damp
-// (joint_spring.h).
+// Computes the softness of locks. In the relaxing pass, springs damp (joint_spring.h) and other locks are rigid.
 INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Real softness[3])
 {
 	Real zero = splat(0.0f);
@@ -57,7 +53,6 @@ INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Re
 		softness[k] = blend(zero, load(&joint_drive_row(p, k, spring_relaxes, i), 0), joint_has(u, JOINT_SOFT(k)));
 }
 
-// Returns whether a joint has springs, and no other constraint holds its bodies.
 INLINE Int joint_springs_alone(const Pools* p, int i)
 {
 	return load(&joint_rare(p, springs_alone, i), 0) > splat(0.0f);
@@ -102,9 +97,8 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 	s->cross[2] = blend(s->cross[2], blend(zero, cross[2], s->locked[1] & s->locked[2]), rigid[1] | rigid[2]);
 }
 
-// Computes the equations of the locks without their goals: the part that does not depend on velocities. A coordinate
-// that is not locked has a row of the identity. Only rigid locks correct errors at a bounded speed; springs pull with
-// their full force. chained: other joints are solved together with this one.
+// Computes the equations of the locks without goals, which depend on velocities. Free coordinates have rows of the
+// identity. Springs pull with their full force, not at a bounded speed. chained: other joints are solved with it.
 OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chained, float fastest, const Joint* u,
                                      const JointPose* c)
 {
@@ -142,7 +136,6 @@ OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chaine
 	return s;
 }
 
-// Computes the goals of the locks from the velocities.
 INLINE void joint_goals(int soft, const JointPose* c, JointSystem* s, Real speed[3])
 {
 	UNROLL

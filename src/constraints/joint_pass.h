@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_pass.h -- a pass over a joint: the parts before and after its velocities, and the functions that every kind of
-// constraint has.
+// joint_pass.h -- a pass over a joint: the parts before and after its velocities, and functions that every kind has.
 #ifndef JOINT_PASS_H
 #define JOINT_PASS_H
 #include "constraints/contact_constraint.h"
@@ -8,16 +7,14 @@
 #include "constraints/joint_locks.h"
 #include "constraints/path_constraint.h"
 
-// Factor by which the bound of a joint's warm start may grow from step to step.
-#define JOINT_CARRIES 1.5f
+#define JOINT_CARRIES 1.5f // factor by which the bound of a joint's warm start may grow from step to step
 
 // Lower limit of that bound, in units of START_SHARE: all of max_speed and max_spin. The limbs of a ragdoll that lands
 // are held by impulses that balance each other, but each alone would spin a hand by more than a fifth of max_spin. With
 // less, a joint opens again after the impact.
 #define JOINT_BLOW 5.0f
 
-// Adds a solution to the impulses of the locks. Coordinates that are not locked have none; turns: lanes whose angle has
-// one.
+// Adds a solution to the impulses of the locks; other coordinates have none. turns: lanes whose angle has one.
 INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
 {
 	Real zero = splat(0.0f), old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
@@ -44,8 +41,7 @@ INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, 
 	return pull;
 }
 
-// Share of a body's own inertia from which on the pull of a single joint causes the sums to be computed (taut.h). A
-// body has few joints.
+// Share of a body's inertia from which on the pull of one of its few joints causes taut.h to compute the sums.
 #define JOINT_TAUT 0.25f
 
 INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Vec push)
@@ -111,14 +107,12 @@ INLINE JointImpulse joint_turn_impulse(const Pools* p, int i, Joint* u, const Jo
 	return j;
 }
 
-// Applies that change to the bodies.
 INLINE void joint_turn(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	JointImpulse j = joint_turn_impulse(p, i, u, c);
 	joint_give(u, c, j);
 }
 
-// Updates the largest force and torque of all substeps, for thresholds and the user.
 INLINE void joint_peak(const Pools* p, int i, const Joint* u, const JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
@@ -136,9 +130,7 @@ INLINE void joint_peak(const Pools* p, int i, const Joint* u, const JointPose* c
 	store(&joint_rare(p, peak_torque, i), 0, maximum(load(&joint_rare(p, peak_torque, i), 0), torque));
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// functions that every kind of constraint has
-// ---------------------------------------------------------------------------------------------------------------
+// Functions that every kind of constraint has.
 
 INLINE void joint_derive(int passes, const Body* a, const Body* b, Joint* u)
 {
@@ -158,10 +150,9 @@ INLINE void joint_start(const Step* step, Joint* u)
 // substep. Larger corrections pull back a body that was placed elsewhere.
 #define JOINT_BENDS 8.0f
 
-// Keeps the speed along of a bead that is pulled back to its path from afar. The bead turns around the center of the
-// path's circle, and would get faster as its circle shrinks. If it is pulled faster than the bend requires, an impulse
-// keeps its speed along. Without it, the axis along, which turns by bend h along in the substep, would turn that share
-// of the speed across into speed along. The impulse is applied once, and is not warm started.
+// Keeps the speed along of a bead that is pulled back to its path from afar. It turns around the center of the path's
+// circle and would get faster as it shrinks: the axis along turns by bend h along in the substep, and would turn
+// that share of the speed across into speed along. The impulse is applied once, and is not warm started.
 INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), along = joint_speed_linear(c, JOINT_ALONG), across = joint_speed_linear(c, JOINT_ACROSS);
@@ -221,8 +212,7 @@ INLINE void joint_locks(const Pools* p, int pass, int i, JointReady* ready, Join
 	joint_hold(u, c, x, joint_has(u, JOINT_LOCKED(JOINT_ANGLE)));
 }
 
-// Executes a pass of joint i. held: the result of joint_ready for this pass. Without it (0), all values are derived
-// immediately before use, which needs fewer registers.
+// Executes a pass of joint i. held: the result of joint_ready; 0 derives values just before use, with fewer registers.
 INLINE void joint_pass(const Pools* p, int pass, int i, const JointReady* held, Joint* u, Body* a, Body* b)
 {
 	if (pass == PASS_BOUNCE)

@@ -14,14 +14,12 @@ INLINE void joint_quad(const Pools* p, Int slot, int place, Real out[4])
 // Returns the nearest whole number of a number below 2^22.
 INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(12582912.0f); }
 
-// Bound of 1 / a2, which may be infinite.
-#define JOINT_SOFTEST 1.0e30f
+#define JOINT_SOFTEST 1.0e30f // bound of 1 / a2, which may be infinite
 // Stiffness of joints in a chain relative to other joints; it can be higher because chains are solved exactly. Their
 // errors are corrected at the rate of other joints, because at a higher rate a chain whose end is suddenly moved whips.
 #define JOINT_CHAIN_STIFFER 4.0f
 
-// Computes the softness of a rigid lock or a limit with a frequency in hertz and a damping ratio, whose velocity is
-// removed in the relaxing pass: Catto, Soft Constraints, GDC 2011. rate is 1/s.
+// Computes the softness of a rigid lock or a limit: Catto, Soft Constraints, GDC 2011. hertz: Hz; rate: 1/s.
 INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer, Real* rate, Real* soft)
 {
 	Real omega = splat(TURN) * (stiffer * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h)));
@@ -62,8 +60,7 @@ OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body
 	const GLOBAL float *center = (const GLOBAL float*)p->local_center, *low = (const GLOBAL float*)p->pose_low;
 	Vec own = vec(placed[0], placed[1]), frame = vec(placed[2], placed[3]), turn = vec(pose[2], pose[3]);
 	own = vec_add(vec_sub(own, vec(gather(center, body * 2), gather(center, body * 2 + 1))), vec_turn(frame, offset));
-	// a point of the world far from the origin is exact as a position, but not as an arm from which another is
-	// subtracted
+	// a far point of the world is exact as a position, but not as an arm from which another is subtracted
 	Int world = body == 0;
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	end.arm = vec_blend(vec_turn(turn, own), zero, world);
@@ -73,7 +70,6 @@ OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body
 	return end;
 }
 
-// Returns the vector from the anchor of a to that of b.
 INLINE Vec joint_gap(const JointFrame* a, const JointFrame* b)
 {
 	return vec_add(vec_add(vec_sub(b->position, a->position), vec_sub(b->rest, a->rest)), vec_sub(b->arm, a->arm));
@@ -86,8 +82,7 @@ INLINE Real joint_turned(const JointFrame* a, const JointFrame* b, Real last)
 	return angle + splat(TURN) * joint_round((last - angle) * splat(1.0f / TURN));
 }
 
-// Returns frame A. If the joint is on a path, it lies at the point of the path that joint_follow found, along the
-// tangent. Locks do not move it.
+// Returns frame A; on a path it lies at the point that joint_follow found, along the tangent, and locks do not move it.
 INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, Vec offset, Int railed)
 {
 	Vec foot = vec(load(&joint_rare(p, foot_x, i), 0), load(&joint_rare(p, foot_y, i), 0));
@@ -97,8 +92,7 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 	return a;
 }
 
-// Updates the widest gap, a counter for the user: the error of rigid locks of translations. gap is from anchor to
-// anchor.
+// Updates the widest gap for the user: the error of rigid locks of translations. gap: from anchor to anchor.
 INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 {
 	Vec axis = joint_line(vec(u->axis_x, u->axis_y), gap, joint_has(u, JOINT_RADIAL));

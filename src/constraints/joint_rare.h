@@ -23,8 +23,7 @@ INLINE JointDriven joint_driven(const Pools* p, Int slot, int k)
 // Returns the impulse of a force within a substep.
 INLINE Real joint_most(const Pools* p, Real force) { return minimum(splat(MOST_IMPULSE), force * p->step.h); }
 
-// m: Returns the arc length that is subtracted from the coordinate along a path, so that it counts from the foot within
-// a step. Far along a path, a float has few digits left for the motion of a substep.
+// m: Returns the arc length of the foot, from which along counts: far along a path, a float has few digits left.
 INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 {
 	Real zero = splat(0.0f);
@@ -34,9 +33,8 @@ INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 	return blend(zero, load(&joint_rare(p, foot_along, i), 0), railed);
 }
 
-// Keeps the impulse of a drive from the last step, or clears it if the user has removed the drive since. Otherwise the
-// result would depend on the joints beside it, because they decide whether a pass processes a coordinate without
-// drives.
+// Keeps the impulse of a drive, or clears it if the user has removed the drive. Otherwise the result would depend on
+// the joints beside it, because they decide whether a pass processes a coordinate without drives.
 #define JOINT_DRIVE_KEPT(k, name, mode)       \
 	store(&joint_drive_row(p, k, name, i), 0, \
 	      blend(splat(0.0f), load(&joint_drive_row(p, k, name, i), 0), joint_has(u, mode)))
@@ -61,8 +59,7 @@ INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Join
 	JOINT_DRIVE_KEPT(k, motor_impulse, JOINT_MOTOR(k));
 }
 
-// m: Returns the value of coordinate k, a translation, with locks and springs at their targets. A lock moves the frame
-// to its target.
+// m: Returns translation k with locks and springs at their targets. A lock moves the frame to its target.
 INLINE Real joint_aim(const Joint* u, const JointPose* c, int k, Real target)
 {
 	Real aim = blend(c->value[k], target, joint_has(u, JOINT_SPRING(k)));
@@ -70,9 +67,8 @@ INLINE Real joint_aim(const Joint* u, const JointPose* c, int k, Real target)
 }
 
 // Returns the stiffness of a spring of coordinate k relative to one of the same frequency with the current arms: the
-// root of a ratio of yields. The stiffness is that of the arms with locks and springs at their targets. The arm of body
-// a ends at the anchor of b: a spring whose stiffness followed its length would pull less the longer it is, and lose
-// its load.
+// root of a ratio of yields. It is that of the arms with locks and springs at their targets. The arm of body a ends at
+// the anchor of b: a spring whose stiffness followed its length would pull less the longer it is, and lose its load.
 INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const JointPose* c, int k)
 {
 	Real one = splat(1.0f), zero = splat(0.0f), lock[4];
@@ -131,8 +127,7 @@ INLINE Real joint_springs_of(const Joint* u)
 	return sum;
 }
 
-// Computes springs and soft locks. Their coefficients depend on the yield of the coordinate at the poses at the start
-// of the step.
+// Computes springs and soft locks from the yields of their coordinates at the start of the step.
 INLINE void joint_setup_springs(const Pools* p, int i, Int slot, Joint* u)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
@@ -168,7 +163,6 @@ INLINE void joint_setup_springs(const Pools* p, int i, Int slot, Joint* u)
 	store(&joint_row(p, soft_angle, i), 0, u->soft_angle);
 }
 
-// m: Writes the target of the lock across a path.
 INLINE void joint_setup_path(const Pools* p, int i, Int slot, const Joint* u)
 {
 	Real lock[4];

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_spring.h -- springs and soft locks of a joint: coefficients with which substeps follow the differential
-// equation exactly.
+// joint_spring.h -- springs and soft locks of a joint, whose substeps follow the differential equation exactly.
 //
 // A coordinate C with the speed v, a frequency o (rad/s) and a damping ratio z obeys C" + 2 z o C' + o^2 C = 0. Within
 // h it changes by the eigenvalues e^(h l), l^2 + 2 z o l + o^2 = 0, whose product D and sum T are known. A substep is
@@ -18,8 +17,7 @@
 
 #define TURN 6.28318531f
 
-// Frequency of the stiffest spring, as a share of the substep rate. A stiffer one would shake.
-#define JOINT_STIFFEST 0.25f
+#define JOINT_STIFFEST 0.25f // largest frequency of a spring, as a share of the substep rate: stiffer ones shake
 // Bounds of the square of the angle per substep, o h, up to which springs have exactly the damping that they are given:
 // SPRING_FREE, a twelfth of the substep rate; or, if that is less, SPRING_SHARED divided by the number of constraints.
 // If all constraints of a body were such springs, their sum would then stay below 2^2, the limit of stability of a
@@ -31,14 +29,10 @@
 // Least damping ratio of springs of a joint whose bodies have other constraints, as a factor of the cube of their angle
 // per substep: 0.06 at 20 Hz and 4 substeps, 0.0009 at 5 Hz. The rigid locks of the other joints answer these springs
 // only in the next pass, which adds energy: arms in a row, welded with 20 Hz, gained 17 % in a second without this.
-#define SPRING_AMONG 0.4f
-// Square of the angle per substep below which a spring does next to nothing, and counts as absent.
-#define SPRING_LEAST 1.0e-20f
-// Least share of its own yield to which the rigid locks of a joint reduce that of a coordinate; smaller values are
-// rounding errors.
-#define SPRING_LEAST_YIELD 1.0e-6f
-// Least share of a velocity that a soft lock answers, because the equations of locks divide by it.
-#define SPRING_LEAST_ANSWER 1.0e-6f
+#define SPRING_AMONG        0.4f
+#define SPRING_LEAST        1.0e-20f // square of the angle per substep below which a spring counts as absent
+#define SPRING_LEAST_YIELD  1.0e-6f // least share of its yield that rigid locks leave to a coordinate; less is rounding
+#define SPRING_LEAST_ANSWER 1.0e-6f // least share of a velocity that a soft lock answers: its equations divide by it
 
 // Returns 1 - e^-x for x >= 0, by the series at x / 256. Beyond 64 it is 1.
 INLINE Real spring_lost(Real x)
@@ -67,10 +61,9 @@ typedef struct
 	Real keeps, pull, relaxes; // coefficients; pull: A
 } JointSpring;
 
-// Returns the spring with a frequency in hertz and a damping ratio. share: yield of the coordinate while the rigid
-// locks of its joint hold, as a share of its own yield. Frequency and ratio are defined for the latter. beside: largest
-// number of constraints of a body of the joint, times the springs of the joint; alone: lanes in which these bodies have
-// no other constraints.
+// Returns the spring with a frequency in hertz and a damping ratio, both defined for the own yield of the coordinate.
+// share: yield while the rigid locks of its joint hold, as a share of its own. beside: largest number of constraints of
+// a body of the joint, times the springs of the joint; alone: lanes whose bodies have no other constraints.
 INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real share, Real beside, Real alone)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
@@ -113,7 +106,6 @@ INLINE void joint_crosses(const JointPose* c, Real cross[3])
 	cross[2] = blend(cross[2], cross[2] - c->bend * cross[0], c->railed);
 }
 
-// Returns whether the lock of coordinate k is rigid, and its coordinate can move.
 INLINE Int joint_rigid(const Joint* u, const JointPose* c, int k)
 {
 	return joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k)) == 0) & (joint_yield(c, k) > splat(0.0f));

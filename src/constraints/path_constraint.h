@@ -16,12 +16,9 @@
 #include "constraints/angle.h"
 #include "constraints/joint_constraint.h"
 
-// Square of the sine up to which the series of asin is exact to a float.
-#define PATH_SERIES 0.01f
-// rad: largest turn of the tangent within a step by the change of the curvature; its sine and cosine are series
-#define PATH_MOST_SWAY 0.5f
-// Least c^2 + s^2. Nearer to the center of the circle the normal has no direction.
-#define PATH_CENTER 1.0e-4f
+#define PATH_SERIES    0.01f   // square of the sine up to which the series of asin is exact to a float
+#define PATH_MOST_SWAY 0.5f    // rad: largest turn by the change of curvature; its sine and cosine are series
+#define PATH_CENTER    1.0e-4f // least c^2 + s^2; nearer to the center of the circle the normal has no direction
 
 typedef struct // a point of the circle
 {

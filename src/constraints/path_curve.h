@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path_curve.h -- a curve of samples: its points and tangents, and the search for the point nearest to another; for one
-// item at a time, and for the host.
+// path_curve.h -- a curve of samples, its tangents, and the search for the nearest point, for one item or the host.
 //
 // Between two samples the curve is the cubic of Charles Hermite with their points and tangents. The samples are so
 // dense that its speed is nearly constant, so the parameter is a share of the arc length.
@@ -36,15 +35,13 @@ INLINE PathCurve path_curve(const GLOBAL PathSample* samples, int segments)
 INLINE Vec path_point(const PathCurve* c, int k) { return vec(c->samples[k].x, c->samples[k].y); }
 INLINE Vec path_tangent(const PathCurve* c, int k) { return vec(c->samples[k].tangent_x, c->samples[k].tangent_y); }
 
-// m: Returns the distance by which a point is ahead of sample k. If it is above 0, the point is nearer to the next
-// segment.
+// m: Returns the distance of a point ahead of sample k; above 0, the point is nearer to the next segment.
 INLINE float path_ahead(const PathCurve* c, int k, Vec point)
 {
 	return vec_dot(vec_sub(point, path_point(c, k)), path_tangent(c, k));
 }
 
-// Finds the segment in which the distance to a point no longer decreases, starting at a segment; counts the laps of a
-// closed curve.
+// Follows the curve from a segment while the distance to a point decreases; counts the laps of a closed curve.
 INLINE int path_descend(const PathCurve* c, Vec point, int segment, float* laps)
 {
 	int last = c->segments - 1, forward = path_ahead(c, segment + 1, point) > 0.0f;
@@ -82,7 +79,6 @@ INLINE int path_nearest(const PathCurve* c, Vec point)
 	return nearest;
 }
 
-// Returns the segment in which an arc length lies.
 INLINE int path_segment(const PathCurve* c, float along)
 {
 	int low = 0, high = c->segments;
@@ -139,9 +135,8 @@ INLINE PathFoot path_foot_at(const PathCurve* c, int segment, float t)
 	return foot;
 }
 
-// Finds the point of a segment that is nearest to a point, where the vector between them is perpendicular to the curve,
-// by a secant and two steps of Newton. The remaining error is along the curve, where it has no effect. Beyond its ends
-// an open curve is straight.
+// Finds the nearest point of a segment, by a secant and two steps of Newton. The remaining error is along the curve,
+// where it has no effect. Beyond its ends an open curve is straight.
 INLINE PathFoot path_foot(const PathCurve* c, int segment, Vec point)
 {
 	float before = path_ahead(c, segment, point), behind = path_ahead(c, segment + 1, point);
@@ -161,7 +156,6 @@ INLINE PathFoot path_foot(const PathCurve* c, int segment, Vec point)
 	return foot;
 }
 
-// m: Returns the distance from a point of a curve to another point.
 INLINE float path_distance(const PathFoot* foot, Vec point)
 {
 	Vec d = vec_sub(point, foot->point);

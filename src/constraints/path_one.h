@@ -9,18 +9,14 @@
 #include "constraints/joint_prepare.h"
 #include "constraints/path_curve.h"
 
-// Start of the next search: at the last position; at the last position, but another part of the path may be nearer; at
-// near.
-#define PATH_GOES_ON 0.0f
-#define PATH_SEEKS   1.0f
-#define PATH_NEW     2.0f
+#define PATH_GOES_ON 0.0f // the next search starts at the last position
+#define PATH_SEEKS   1.0f // the same, but another part of the path may be nearer
+#define PATH_NEW     2.0f // at JointData.near
 
-// Factor by which another part of the path must be nearer to replace the current one. Near a crossing, a smaller factor
-// would change branches.
+// Factor by which another part of the path must be nearer to be taken; near a crossing, less would change branches.
 #define PATH_NEARER 2.0f
 
-// Distance from the seam of a closed path at which a joint begins at the seam, as a share of the distance of two
-// samples.
+// Distance from the seam of a closed path at which a joint begins at it, as a share of the spacing of samples.
 #define PATH_SEAM 0.0625f
 
 typedef struct // last position of a joint
@@ -55,7 +51,6 @@ INLINE float path_lap(const PathCurve* curve, float along)
 	return curve->closed && along < laps * curve->length ? laps - 1.0f : laps;
 }
 
-// m: Returns the approximate distance of two samples.
 INLINE float path_spacing(const PathCurve* curve) { return curve->length / (float)curve->segments; }
 
 // Returns the lap of a new joint: that of near, unless the seam is between near and the joint.

@@ -14,8 +14,7 @@
 #include "constraints/contact_points.h"
 #include "constraints/sweep_closing.h"
 
-// Largest k dt^2 with which a contact follows fully. It is small because bodies and their neighbors have several
-// contacts.
+// Largest k dt^2 with which a contact follows fully; small, because bodies and their neighbors have several contacts.
 #define ROLLING_STIFFNESS 0.3f
 
 // Rolling resistance: the load acts at most this far ahead of the center, in units of the reach. This is a coefficient
@@ -25,8 +24,7 @@
 #define ROLLING_TURN  0.3f
 #define ROLLING_LIGHT 0.003f // k dt^2: bodies with less load are not braked harder than at this value
 
-// A stiff contact is partly held, and its manifold is sometimes recomputed, which would keep it swinging. Therefore its
-// lever may be longer.
+// A stiff contact is partly held and sometimes recomputed, which keeps it swinging; its lever may be longer.
 #define ROLLING_STIFF_LEVER 0.05f
 
 typedef struct // motion of a body until the end of the step, from the origin of collidable a
@@ -38,7 +36,6 @@ typedef struct // motion of a body until the end of the step, from the origin of
 	Vec origin;       // origin of its collidable now, m
 } Rolling;
 
-// Computes the motion of a body; world_shape is a row of the pool world_shape.
 INLINE Rolling rolling_of(Vec origin, const Real world_shape[8], Advance advance)
 {
 	Rolling r;
@@ -60,8 +57,7 @@ INLINE Vec rolling_arm(Rolling r, Vec place)
 // Returns the displacement that the solver assigns to the point at an arm.
 INLINE Vec rolling_moves(Rolling r, Vec arm) { return vec_add(vec_sub(r.then, r.center), vec_spin(r.angle, arm)); }
 
-// Returns the corner of a core that a feature identifies, which is more exact than the stored point. Not every feature
-// is a corner.
+// Returns the corner of a core that a feature names, more exact than the stored point. Not every feature is a corner.
 INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, Vec point, Int wanted)
 {
 	Int vertex = shape * (int)(sizeof(Attribute) / sizeof(float)) + 2 * (name & (MAX_CORNERS - 1));
@@ -69,8 +65,7 @@ INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, V
 	return vec_blend(point, vec(gather(vertices, vertex), gather(vertices, vertex + 1)), wanted & (name < MAX_CORNERS));
 }
 
-// Computes the points of a round contact. a, b, manifold, flags and feature are those of contact_points.h, from the
-// pools of these names.
+// Computes the points of a round contact. The rows are those of contact_points.h and of the pools with these names.
 INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
                                     const Real manifold[16], Int flags, const Int feature[2], Advance advance_a,
                                     Advance advance_b)
@@ -108,8 +103,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 		}
 		Real gap = vec_dot(points.normal, between) - radius_a - radius_b;
 
-		// anchors start at the center of the body that has the corner, because the other body may be large, with its
-		// center far away
+		// anchors start at the center of the body with the corner: the other one may be large, with its center far away
 		Vec from_a = vec_add(arm_a, vec_scale(radius_a + 0.5f * gap, points.normal));
 		Vec from_b = vec_sub(vec_sub(arm_b, vec_scale(radius_b + 0.5f * gap, points.normal)), points.offset);
 		arm_a = vec_blend(from_b, from_a, by_a);

@@ -3,13 +3,11 @@
 //
 //     warm start; in each substep accelerate, bias, move, relax; then bounce, if something can bounce
 //
-// Passes are numbered from 0. The CPU, launches by color, the relay, the tiles and the count of memory traffic use this
-// file.
+// Passes are numbered from 0. The CPU, all forms of OpenCL and the count of memory traffic use this file.
 #ifndef SCHEDULE_H
 #define SCHEDULE_H
 #include "dialect/dialect.h"
 
-// Kinds of passes.
 #define PASS_WARM_START 0 // applies the impulses of the last step
 #define PASS_BIAS       1 // pushes overlaps apart
 #define PASS_RELAX      2 // removes the velocity that the bias pass added
@@ -21,10 +19,8 @@
 #define BODY_ACCELERATES 1
 #define BODY_MOVES       2
 
-// Returns the number of passes of a solve.
 INLINE int schedule_passes(int substeps, int bounces) { return 1 + 2 * substeps + (bounces != 0); }
 
-// Returns the kind of pass q.
 INLINE int schedule_pass(int substeps, int q)
 {
 	return q == 0 ? PASS_WARM_START : q > 2 * substeps ? PASS_BOUNCE : q & 1 ? PASS_BIAS : PASS_RELAX;

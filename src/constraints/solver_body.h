@@ -14,8 +14,7 @@ typedef struct
 	Real sine, versine; // sine of da, and cosine minus 1
 } Body;
 
-// Computes sine, and cosine minus 1, of the turn within a step, by their series to the fifth and sixth power. The error
-// is 2e-4 at 1 rad, and 0.53 at most at pi, the largest turn that max_spin allows.
+// Computes sine and cosine - 1 of the turn by series. Error: 2e-4 at 1 rad, 0.53 at pi, the most that max_spin allows.
 INLINE void body_turn(Body* b)
 {
 	Real square = b->da * b->da;

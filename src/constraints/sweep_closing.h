@@ -7,11 +7,8 @@
 #include "dialect/finite.h"
 #include "pools/pools.h"
 
-// m per step: slower motions and approaches count as rest
-#define SWEEP_REST (0.03f * LINEAR_SLOP)
-
-// m per step: a loaded pair that approaches more slowly keeps its manifold
-#define SWEEP_SLOP LINEAR_SLOP
+#define SWEEP_REST (0.03f * LINEAR_SLOP) // m per step: slower motions and approaches count as rest
+#define SWEEP_SLOP LINEAR_SLOP           // m per step: a loaded pair that approaches more slowly keeps its manifold
 
 // m per step: a loaded pair keeps its manifold only while it slides more slowly. If its arms turn by more, they are
 // turned with it. Arms that lag behind cost angular momentum, and let bodies that turn with a drum overlap.
@@ -42,8 +39,6 @@ typedef struct // motion of b relative to a
 	Real within; // m: separation from which on the pair has points
 } Closing;
 
-// Returns the factor of the tolerances of a pair, from the COLLIDABLE_* bits of both sides, in a world with small
-// bodies.
 RARE Real sweep_halves(Int moved)
 {
 	Real grain = splat(1.0f);
@@ -85,7 +80,6 @@ INLINE Vec sweep_velocity(const Step* step, Vec v)
 	return vec(number_of(v.x), number_of(v.y));
 }
 
-// Computes the motion from the velocities at the start of the step.
 INLINE Advance sweep_advance_of(const Step* step, Vec v, Real w)
 {
 	Advance advance;

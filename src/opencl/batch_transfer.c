@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// batch_transfer.c -- a batch: sends many items to a GPU, runs a kernel over them, and fetches the answers, all at the
-// same time.
+// batch_transfer.c -- a batch: sends many items to a GPU, runs a kernel over them, fetches the answers, all at once.
 //
-// Items are sent in parts. While the kernel works on one part, the next part is sent and the answers of the previous
-// part are fetched: a bus transfers in both directions at once. Each direction has its own queue; events order the
-// three queues.
+// Items are sent in parts: while the kernel works on one, the next one is sent and the answers of the previous one are
+// fetched; a bus transfers in both directions at once. Each direction has its own queue; events order the three.
 #include "opencl/batch_transfer.h"
 #include "backend/batch.h"
 #include "opencl/launch.h"
@@ -12,8 +10,7 @@
 #include "opencl/transfer.h"
 #include "platform/error.h"
 
-// parts in flight, each with a block for its items and one for its answers
-#define DEPTH (TRANSFER_BLOCKS / 2)
+#define DEPTH (TRANSFER_BLOCKS / 2) // parts in flight, each with a block for its items and one for its answers
 
 // Parts of a batch, unless the size of a block requires more: transfers and work can overlap, and each part still has
 // enough work-items for a GPU. A million rays took an H200 1.9 ms in one part, 2.3 ms in four and 3.0 ms in eight.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// batch_transfer.h -- a batch: sends many items to a GPU, runs a kernel over them, and fetches the answers, all at the
-// same time.
+// batch_transfer.h -- a batch: sends many items to a GPU, runs a kernel over them, fetches the answers, all at once.
 #ifndef BATCH_TRANSFER_H
 #define BATCH_TRANSFER_H
 #include "opencl/opencl_state.h"

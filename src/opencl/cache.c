@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cache.c -- compiled programs on disk, one file per key; a file is checked when read, and renamed into place when
-// written.
+// cache.c -- compiled programs on disk: one file per key, checked when read, renamed into place when written.
 #include "opencl/cache.h"
 #include "platform/error.h"
 #include <errno.h>
@@ -37,8 +36,7 @@ static const char magic[8] = "scree-1";
 
 Digest digest_begin(void) { return (Digest){0xcbf29ce484222325u, 0x9e3779b97f4a7c15u}; }
 
-// a: FNV-1a (Fowler, Noll, Vo, 1991). b: the same with another prime and a rotation, so that it depends on the order of
-// bytes.
+// a: FNV-1a (Fowler, Noll, Vo, 1991); b: with another prime and a rotation, so that the order of bytes matters.
 void digest_add(Digest* digest, const void* bytes, size_t count)
 {
 	const unsigned char* byte = bytes;

@@ -24,8 +24,7 @@ typedef struct
 	bool stays;   // true: it is kept when no world uses it
 } SharedContext;
 
-// written by cmake/embed.cmake
-extern const char opencl_program[];
+extern const char opencl_program[]; // written by cmake/embed.cmake
 extern const size_t opencl_program_length;
 
 static SharedContext contexts[SHARED_CONTEXTS];

@@ -4,8 +4,7 @@
 #define OPENCL_CONTEXT_H
 #include "opencl/opencl_state.h"
 
-// Gives a device its context and its program. options are compiler options. opengl is null, or an OpenGL context to
-// share memory with; then the device gets a context and a program of its own.
+// Gives a device its context and program. opengl: null, or a context to share memory with; then both are its own.
 scree_status context_open(OpenCl* d, const char* options, const scree_opengl* opengl);
 
 // Releases the context and the program, unless another world uses them.

@@ -10,8 +10,7 @@
 #define MAX_PLATFORMS 16
 #define MAX_DEVICES   64
 
-// a constant of cl_khr_device_uuid, which OpenCL 1.2 headers lack
-#define DEVICE_UUID 0x106a
+#define DEVICE_UUID 0x106a // a constant of cl_khr_device_uuid, which OpenCL 1.2 headers lack
 
 static void platform_text(cl_platform_id platform, cl_platform_info what, char* text, size_t size)
 {
@@ -36,7 +35,6 @@ static cl_ulong device_number(cl_device_id device, cl_device_info what)
 	return number;
 }
 
-// Determines which ways the device has to share memory with OpenGL.
 static void find_sharing(Device* d)
 {
 	char extensions[8192] = "";
@@ -142,8 +140,7 @@ static int list(Device* devices, int capacity)
 
 int device_list(Device* devices, int capacity)
 {
-	// two worlds may list devices at the same time, and PoCL 3.1 crashes if its first queries come from two threads at
-	// once
+	// two worlds may list devices at a time, and PoCL 3.1 crashes if its first queries come from two threads at once
 	static Mutex mutex = MUTEX_OPEN;
 	mutex_lock(&mutex);
 	int count = list(devices, capacity);

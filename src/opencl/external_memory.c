@@ -11,8 +11,7 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// a constant of cl_khr_external_memory, revision 1.0, which OpenCL 1.2 headers lack
-#define MEMORY_OPAQUE_FD 0x2060
+#define MEMORY_OPAQUE_FD 0x2060 // a constant of cl_khr_external_memory, revision 1.0, which OpenCL 1.2 headers lack
 
 typedef cl_ulong MemoryProperty;
 typedef cl_mem(CL_API_CALL* CreateFromFile)(cl_context, const MemoryProperty*, cl_mem_flags, size_t, void*, cl_int*);

@@ -5,8 +5,7 @@
 #include "platform/error.h"
 #include <string.h>
 
-// Maximum work-groups per compute unit in a launch. They occupy any device. If there are more items, each work-item
-// processes several.
+// Maximum groups per compute unit in a launch, enough for any device; each work-item then processes several items.
 #define GROUPS_A_UNIT 64
 
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel)
@@ -37,8 +36,7 @@ size_t pool_offset(const OpenCl* d, PoolId pool)
 
 scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 {
-	// Capacities as cmake/embed.cmake declares it: the beginnings of kinds that share a buffer, then the capacities of
-	// all kinds
+	// Capacities of cmake/embed.cmake: beginnings of kinds that share a buffer, then capacities of all kinds
 	struct
 	{
 		cl_ulong begins[PER_COUNT - BUFFERS];

@@ -20,8 +20,7 @@
 #include <limits.h>
 #include <stdio.h>
 
-// Granularity of a pool's capacity, items: with it, every pool begins at a multiple of 256 bytes.
-#define CAPACITY_ITEMS 64
+#define CAPACITY_ITEMS 64 // granularity of a pool's capacity: with it, every pool begins at a multiple of 256 bytes
 
 static void opencl_close(Backend* b)
 {
@@ -60,7 +59,6 @@ static void opencl_close(Backend* b)
 	scree_release(b);
 }
 
-// Returns the bytes of an item of a kind in all its pools.
 static size_t item_bytes(Per per)
 {
 	size_t bytes = 0;
@@ -138,7 +136,6 @@ static scree_status kind_reserve(Backend* b, Per per, int capacity)
 	return SCREE_OK;
 }
 
-// Sets the buffer of a kind as an argument of all kernels, after the buffer was replaced.
 static scree_status kernels_bind(OpenCl* d, Per per)
 {
 	for (int k = 0; k < KERNEL_COUNT; ++k)
@@ -222,8 +219,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
-// Returns the work-items per work-group of a kernel. A CPU solves a branch with one, because PoCL would compile the
-// barriers between several for two minutes.
+// Returns the work-items per group. A CPU solves a branch with one: PoCL would compile barriers for two minutes.
 static size_t kernel_group(const OpenCl* d, int stage)
 {
 	if (kernel_widths[stage] == WIDTH_TEAM && d->device.type & CL_DEVICE_TYPE_CPU)

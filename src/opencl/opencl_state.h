@@ -159,7 +159,6 @@ typedef struct
 	bool stale;                 // constraints or motion constants may have changed since the tiles were built
 	bool pushed, pushed_before; // fields have changed forces since the last solve; the same at the last build
 	int rows;                   // tiles at the last build
-
 	// the number of border constraints at the last build; the host reads it asynchronously
 	cl_event edges_event; // null unless the read is in flight
 	cl_int edges[2];      // begin and end of the border; valid when the event is complete
@@ -202,13 +201,11 @@ typedef struct
 	bool resident; // true: the program has the kernels whose work-groups must be resident at once
 	Persistent persistent;
 
-	// the solve
 	SolveForm form; // solve_form_setting; FORM_LAUNCHES after memory for a form ran out
 	RelayState relay;
 	TileState tiles;
 	Kernel solve_end;
 
-	// transfers
 	Staging staging;
 	Transfer transfer;
 	AsyncRead read;

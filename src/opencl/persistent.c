@@ -14,8 +14,7 @@
 #define PERSISTENT_SOLVE 150000
 #define PERSISTENT_ITEMS 1000000
 
-// Limits of a spin-wait, in reads of about 0.5 us: 2 s, and 30 ms for the probe. A step must never reach its limit. The
-// probe may reach it; the device then uses launches.
+// Limits of a spin-wait, in reads of about 0.5 us: 2 s, which no step reaches, and 30 ms for the probe, which may fail.
 #define SPINS       (1 << 22)
 #define PROBE_SPINS (1 << 16)
 #define PROBE_RUNS  64
@@ -73,8 +72,7 @@ static scree_status probe(OpenCl* d, bool* works)
 scree_status persistent_open(OpenCl* d)
 {
 	Persistent* own = &d->persistent;
-	// number of work-groups that are certainly resident at once: per compute unit, as many as make up one group of the
-	// largest size
+	// work-groups that are certainly resident at once: per compute unit, as many as make up one of the largest size
 	size_t most = 0;
 	TRY(CALL(GetKernelWorkGroupInfo, own->kernel.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
 	         NULL));
@@ -112,7 +110,6 @@ void persistent_close(OpenCl* d)
 
 static int item_count(const Run* run) { return run->end - run->begin; }
 
-// Returns whether the persistent kernel excludes the kernel of a run.
 static bool is_left_out(const Run* run)
 {
 	return run->kernel_id < KERNEL_COUNT && kernel_widths[run->kernel_id] >= WIDTH_ALONE;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // persistent.cl -- many runs in one launch: a device-wide barrier follows each run that has items.
 //
-// A run may change the counter that bounds a later run of the list, so bounds are read after each barrier.
-//
-// The barrier costs a quarter of a launch. It needs all work-groups resident at once, which OpenCL does not
-// guarantee. The host tests it when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
+// A run may change the counter that bounds a later run of the list, so bounds are read after each barrier. The barrier
+// costs a quarter of a launch. It needs all work-groups resident at once, which OpenCL does not guarantee. The host
+// tests it when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
@@ -27,8 +26,7 @@ typedef struct // device-wide barrier
 	int spins;    // limit of a spin-wait
 } DeviceBarrier;
 
-// Waits until all work-groups have arrived. Returns false if a spin-wait reached its limit, here or in another
-// work-group.
+// Waits until all work-groups have arrived. Returns false if a spin-wait reached its limit, here or in another group.
 INLINE bool device_barrier(DeviceBarrier* b)
 {
 	b->arrivals = (int)((uint)b->arrivals + (uint)get_num_groups(0));
@@ -49,8 +47,7 @@ INLINE bool device_barrier(DeviceBarrier* b)
 	return *b->healthy;
 }
 
-// Waits, in the first work-group, until all others have arrived at the next barrier. Returns false as device_barrier
-// does.
+// Waits, in the first work-group, until all others have arrived at the next barrier; returns as device_barrier does.
 INLINE bool device_barrier_await(const DeviceBarrier* b)
 {
 	if (get_local_id(0) == 0)
@@ -140,8 +137,7 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, LOCAL
 	return true;
 }
 
-// Runs a kernel over the items of a run, one per work-item. Kernels that use a work-group per item, and rare ones, are
-// launched separately.
+// Runs a kernel over the items of a run, one per work-item. Team kernels and rare ones are launched separately.
 #define CASE_ONE(name, p)                                \
 	case KERNEL_##name:                                   \
 		for (int i = run.begin + from; i < end; i += by) \
@@ -174,8 +170,7 @@ INLINE Run run_at(__global const int* list, int count, int i)
 	return run;
 }
 
-// Returns the index of the first run from next on that has items, or count, and copies this run to chosen. mine is the
-// run that this work-item holds.
+// Returns the first run from next on that has items, or count, and copies it to chosen. mine: run of this work-item.
 INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile LOCAL int* found, LOCAL Run* chosen)
 {
 	int lane = (int)get_local_id(0);
@@ -207,10 +202,8 @@ INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __globa
 // Executes the runs of a list. list begins with PERSISTENT_HEADER ints: arrivals at the barrier, arrivals at the end of
 // the last launch, and the next run of the first work-group. count runs follow, at most one per work-item of a group.
 // Each work-item holds a run and reads its bound after every barrier: all bounds together cost one memory access, and
-// runs without items cost nothing.
-//
-// The first work-group executes consecutive short runs alone, while the others wait at the next device-wide barrier. It
-// begins when all others have arrived there, because its runs change bounds that the others read.
+// runs without items cost nothing. The first group executes consecutive short runs alone, while the others wait at the
+// next device-wide barrier. It begins when they have arrived there, because its runs change bounds that they read.
 __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global uint* table,
                          __global int* probes, int spins)
 {

@@ -50,7 +50,6 @@ typedef struct __attribute__((aligned(8))) // local memory of a work-group; memb
 	uint place[SORT_WORDS][SORT_DIGITS];
 } SortMemory;
 
-// Counts the keys of a part by digit.
 INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* table, uint block, int shift, uint mask,
                             LOCAL uint* count)
 {
@@ -68,10 +67,9 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 	table[block * SORT_DIGITS + t] = count[t];
 }
 
-// Writes the keys of a part to their places by one digit. The sort is stable.
-//
-// Within PRIMITIVE_GROUP consecutive keys, a bit mask per digit gives the rank of a key among equal digits: each
-// work-item sets its bit, in any order, and counts the lower bits. Work-item t also tracks the next place of digit t.
+// Writes the keys of a part to their places by one digit. The sort is stable. Within PRIMITIVE_GROUP consecutive keys,
+// a bit mask per digit gives the rank of a key among equal digits: each work-item sets its bit, in any order, and
+// counts the lower bits. Work-item t also tracks the next place of digit t.
 INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
                             uint block, int shift, uint mask, LOCAL SortMemory* bench)
 {
@@ -151,7 +149,6 @@ INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uin
 	}
 }
 
-// Sums a part.
 INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table, uint block, LOCAL uint* sum)
 {
 	uint t = (uint)get_local_id(0);

@@ -4,11 +4,9 @@
 #define OPENCL_QUEUE_H
 #include "opencl/opencl_state.h"
 
-// Bytes of Staging.pinned. A step that replaces 4,000 bodies uploads 1 MB. If uploads do not fit, the host waits for
-// the queue.
+// Bytes of Staging.pinned; if uploads exceed it, the host waits. A step that replaces 4,000 bodies uploads 1 MB.
 #define STAGING_BYTES ((size_t)8 << 20)
 
-// Allocates memory for the times of launches.
 scree_status timing_open(OpenCl* d);
 
 // Returns the number of work-groups for the given items, at least one.

@@ -2,16 +2,14 @@
 // transfer.c -- transfers large arrays to and from a GPU, by several threads through pinned memory.
 //
 // A driver copies a user's array through its own pinned memory with one thread: 7 GB/s on the host of an H200, an
-// eighth of the bandwidth of the bus. Here several threads copy one block of pinned memory while the device transfers
-// another one.
+// eighth of the bandwidth of the bus. Here several threads copy one pinned block while the device transfers another.
 #include "opencl/transfer.h"
 #include "opencl/buffer.h"
 #include "platform/error.h"
 #include "platform/processor.h"
 #include <string.h>
 
-// bytes of a part of an array; while the first part is copied to its block, the bus is idle
-#define TRANSFER_PART    (TRANSFER_BLOCK / 2)
+#define TRANSFER_PART    (TRANSFER_BLOCK / 2) // bytes of a part; while the first one is copied, the bus is idle
 #define TRANSFER_THREADS 6
 
 typedef struct

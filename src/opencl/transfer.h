@@ -4,8 +4,7 @@
 #define TRANSFER_H
 #include "opencl/opencl_state.h"
 
-// Bytes of a block of pinned memory.
-#define TRANSFER_BLOCK ((size_t)8 << 20)
+#define TRANSFER_BLOCK ((size_t)8 << 20) // bytes of a block of pinned memory
 
 // Returns whether a transfer of count bytes is faster in this way.
 bool transfer_wanted(const OpenCl* d, size_t count);
@@ -15,8 +14,7 @@ bool transfer_wanted(const OpenCl* d, size_t count);
 scree_status transfer_up(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);
 scree_status transfer_down(OpenCl* d, cl_mem buffer, size_t offset, void* bytes, size_t count);
 
-// Allocates the blocks and starts the threads; later calls do nothing. This function and the next ones are the parts of
-// a transfer.
+// Allocates the blocks and starts the threads, once. This function and the next ones are the parts of a transfer.
 scree_status transfer_open(OpenCl* d);
 unsigned char* transfer_block(const OpenCl* d, int block);
 // Waits until the device no longer uses a block, by the event of its last command.

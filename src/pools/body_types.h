@@ -4,26 +4,18 @@
 #define BODY_TYPES_H
 #include "pools/limits.h"
 
-// Share of its thickness that a body may travel in a step before continuous collision tests its path.
-#define CONTINUOUS_TRAVEL 0.2f
-#define CONTINUOUS_CROSS  1.0f // the same if only moving shapes are near: the body must get past the middle of one
-// Most kinematic bodies with which continuous collision compares a path directly; with more, it searches the tree for
-// those nearby.
-#define KINEMATIC_FEW 8
-// m: overlap with a kinematic or static body from which on a contact starts a press
-#define PRESS_FROM  2.0e-5f
-#define PRESS_START 0.0001f // m: the same for a static body, in the search for bodies that may be pressed
-// m: distance of the anchors of a joint from which on it drags a body that cannot follow
-#define PRESS_GAP 0.01f
-// m: greatest depth in a static body to which a kinematic one presses a body. A smaller value would remove the small
-// overlap at which contacts carry a load.
-#define PRESS_MOST 0.015f
-// Bits of the argument of the press kernels: the constraint layout may have changed; this is not the first round.
-#define PRESS_MAY_WAIT 1
-#define PRESS_AGAIN    2
-// Fewest collidables of a body per work-item of continuous, and most work-items per body.
-#define CONTINUOUS_SHARE 2
-#define CONTINUOUS_PARTS 64
+#define CONTINUOUS_TRAVEL 0.2f    // share of its thickness that a body may travel in a step before its path is tested
+#define CONTINUOUS_CROSS  1.0f    // the same if only moving shapes are near: the body must get past the middle of one
+#define KINEMATIC_FEW     8       // with more kinematic bodies, continuous collision searches the tree for those nearby
+#define PRESS_FROM        2.0e-5f // m: overlap with a kinematic or static body from which on a contact starts a press
+#define PRESS_START       0.0001f // m: the same for a static body, in the search for bodies that may be pressed
+#define PRESS_GAP         0.01f   // m: gap of a joint from which on it drags a body that cannot follow
+// m: greatest depth of a press into a static body; less would remove the small overlap at which contacts carry a load
+#define PRESS_MOST       0.015f
+#define PRESS_MAY_WAIT   1  // bit of the argument of the press kernels: the constraint layout may have changed
+#define PRESS_AGAIN      2  // the same: this is not the first round
+#define CONTINUOUS_SHARE 2  // fewest collidables of a body per work-item of continuous
+#define CONTINUOUS_PARTS 64 // most work-items per body
 
 typedef struct // 16 bytes: data of a dynamic body for continuous collision
 {
@@ -78,8 +70,7 @@ typedef struct // 32 bytes: a body that moved, as reported to the user
 	int body;
 } MovedBody;
 
-// The kinematic bodies of a world that has at most KINEMATIC_FEW. They are not in Step, because an index that is not
-// constant would put Step on a GPU's stack.
+// Step does not contain them, because an index that is not constant would put Step on a GPU's stack.
 typedef struct
 {
 	int body[KINEMATIC_FEW];

@@ -21,13 +21,11 @@ typedef struct // 32 bytes: a chain, or several interleaved ones
 	int item;   // for entry i: the range at which item i of a pass begins
 } ChainRange;
 
-// The spot of joint k of a ChainRange.
 #define CHAIN_SPOT(c, k)                                                                           \
 	((c)->first + ((k)&1) * (c)->odds + (((k) >> 1) & ((1 << (c)->bits >> 1) - 1)) * (c)->length + \
 	 ((k) >> (c)->bits) * (c)->stride)
 
-// 32 bytes: a body of a branch, and its joint toward the root. Nodes are sorted by their distance from the root.
-typedef struct
+typedef struct // 32 bytes: a body of a branch and its joint toward the root; nodes are sorted by their distance from it
 {
 	int body;         // index of the body
 	int side;         // side of the joint at which the body is: 0 for a, 1 for b
@@ -55,7 +53,6 @@ typedef struct // MAX_LANES joints in the linear systems of their chains: workin
 	float slack[MAX_LANES];                      // 1/(kg m^2): softness of the damping of a free angle; 0 for none
 } ChainBlock;
 
-// A component of the joint at a spot.
 #define chain_at(p, component, spot) ((p)->chain_joints[(spot) / MAX_LANES].component[(spot) % MAX_LANES])
 
 #endif

@@ -17,21 +17,18 @@
 #define SENSOR_BITS    (SENSOR_MOVING | SENSOR_STATIC | SENSOR_SENSORS)
 
 // Bits of the pool collidable_flags.
-#define COLLIDABLE_NEW_BOX 1 // the box differs from old_box
-#define COLLIDABLE_FAST    2 // the motion of this step may exceed the speculative distance
-#define COLLIDABLE_MOVING  4 // the collidable is not at rest in this step
-// m: dynamic collidables that are thinner have finer tolerances; twice the speculative distance
-#define GRAIN_SIZE (2.0f * SPECULATIVE_DISTANCE)
+#define COLLIDABLE_NEW_BOX 1                             // the box differs from old_box
+#define COLLIDABLE_FAST    2                             // the motion of this step may exceed the speculative distance
+#define COLLIDABLE_MOVING  4                             // the collidable is not at rest in this step
+#define GRAIN_SIZE         (2.0f * SPECULATIVE_DISTANCE) // m: thinner dynamic collidables have finer tolerances
 // Bit k of these is set for a dynamic collidable that is thinner than GRAIN_SIZE / 2^k. The tolerances of a contact are
 // halved once for each bit that either collidable has, because they would exceed the smaller body.
 #define COLLIDABLE_GRAIN 8 // bit 0
 #define GRAIN_LEVELS     5
-// The same bits for the reach of a collidable. They scale the distance from which on a pair has points: a long thin
-// body needs the points of both ends.
+// The same for the reach, which scales the distance from which on a pair has points: long thin bodies need both ends.
 #define COLLIDABLE_REACH  (COLLIDABLE_GRAIN << GRAIN_LEVELS)
 #define COLLIDABLE_GRAINS (COLLIDABLE_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
 
-// Kinds of collidables.
 #define KIND_DEAD      0
 #define KIND_STATIC    1
 #define KIND_KINEMATIC 2
@@ -73,8 +70,7 @@ typedef struct // 16 bytes: surface of a pair of materials, which replaces the m
 	int sets;            // MATERIAL_* bits of the values that are set
 } MaterialPair;
 
-// Index of the pair of materials low and high in the pool material_pair. Pairs with the same higher material are
-// adjacent.
+// Index of a pair of materials in the pool material_pair. Pairs with the same higher material are adjacent.
 #define MATERIAL_PLACE(low, high) ((high) * ((high) + 1) / 2 + (low))
 
 typedef struct // 24 bytes

@@ -4,8 +4,7 @@
 #define CONTACT_TYPES_H
 #include "pools/collidable_types.h"
 
-// Count of a contact with a kinematic collidable in the pool fixed_contacts, in which one with a static collidable
-// counts 1.
+// The pool fixed_contacts counts a contact with a static collidable as 1, one with a kinematic collidable as this.
 #define KINEMATIC_CONTACT         65536
 #define STATIC_CONTACTS(fixed)    ((fixed) & (KINEMATIC_CONTACT - 1))
 #define KINEMATIC_CONTACTS(fixed) ((Word)(fixed) / KINEMATIC_CONTACT)
@@ -27,17 +26,15 @@
 #define CONTACT_REFUSED   2097152u // refused, or left without an answer
 #define CONTACT_APPROVED  4194304u // approved: acts until the two part
 #define CONTACT_APPROVALS (CONTACT_PENDING | CONTACT_WAITED | CONTACT_REFUSED | CONTACT_APPROVED)
-#define CONTACT_HIGH      8388608u // passes, but was higher than its platform, so it may be stopped as if it were new
-// One side was static, or kinematic, when the contact was created.
-#define CONTACT_STATIC    16777216u
-#define CONTACT_KINEMATIC 33554432u
+#define CONTACT_HIGH      8388608u  // passes, but was higher than its platform, so it may be stopped as if it were new
+#define CONTACT_STATIC    16777216u // one side was static when the contact was created
+#define CONTACT_KINEMATIC 33554432u // the same for kinematic
 #define CONTACT_FIXED     (CONTACT_STATIC | CONTACT_KINEMATIC)
 #define CONTACT_SUNK      67108864u // its depth in a platform is already found in this step
 #define CONTACT_APART     (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // no points, whatever the poses
 #define CONTACT_LASTS                                                                                          \
 	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_APPROVALS | CONTACT_HIGH | CONTACT_FIXED | \
-	 CONTACT_SUNK) // bits that narrow_phase preserves
-// Marks within the narrow phase.
+	 CONTACT_SUNK)         // bits that narrow_phase preserves
 #define CONTACT_LOOK 2048u // narrow_phase must process the contact
 #define CONTACT_ANEW 4096u // narrow_phase must compute a new manifold
 // Bits of the same word that define how the manifold follows the bodies.
@@ -53,8 +50,7 @@ typedef struct // 64 bytes: the points of a contact, as they were found
 	Float4 normal;   // x, y from a to b in the frame of a; separations of the points, m, NO_POINT for a missing one
 	Float4 on_a;     // points 1 and 2 in the frame of a, m
 	Float4 relative; // pose of b in the frame of a at that time: x, y (m), cos, sin
-	// Rotation of a in the world at that time: cos, sin; reach of a, m; shift up to which the manifold is kept, m,
-	// negative for a predicted manifold.
+	// rotation of a at that time: cos, sin; reach of a, m; shift up to which it is kept, m, negative if predicted
 	Float4 then;
 } LocalManifold;
 
@@ -87,10 +83,8 @@ typedef struct // MAX_LANES spokes; all but the first two rows are working data 
 	float limit1[MAX_LANES], limit2[MAX_LANES];
 } Spokes;
 
-// A component of spoke k of the pools p.
 #define spoke_at(p, component, k) ((p)->spokes[(k) / MAX_LANES].component[(k) % MAX_LANES])
 
-// Lists of events.
 #define EVENT_TOUCH_BEGAN 0
 #define EVENT_TOUCH_ENDED 1
 #define EVENT_HIT         2

@@ -12,8 +12,7 @@ typedef struct // places of the constraints of a kind
 	int last[COLORS + 2];
 } KindLayout;
 
-// Counters on the device. All are ints, so that Run.count can identify one by its position.
-typedef struct
+typedef struct // all are ints, so that Run.count can identify one by its position
 {
 	// Values that persist between steps.
 #define CONSTRAINT_KIND(kind, Kind, KIND) int kind##s; // end of the used slots of the kind's pool

@@ -12,8 +12,7 @@
 #define FIELD_WIND     4 // acts on shapes, as the next kind; the others act on bodies
 #define FIELD_BUOYANCY 5
 
-// With more fields, boxes around ARITY boxes are tested first.
-#define FIELD_FEW (ARITY * ARITY)
+#define FIELD_FEW (ARITY * ARITY) // with more fields, boxes around ARITY boxes are tested first
 
 // Falloff of a radial field and a vortex, as in scree_field_falloff.
 #define FALLOFF_CONSTANT       0

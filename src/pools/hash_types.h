@@ -30,7 +30,6 @@ INLINE Word64 hash_Motion(Word64 h, Motion v)
 #include "pools/body_values.def"
 	return hash_float(hash_float(h, v.free_x), v.free_y);
 }
-// Adds nothing for an enabled body.
 INLINE Word64 hash_StoredVelocity(Word64 h, StoredVelocity v)
 {
 	return v.stored != 0.0f ? hash_float4(h, make_float4(v.vx, v.vy, v.w, v.stored)) : h;

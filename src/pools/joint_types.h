@@ -75,14 +75,12 @@ typedef struct // 256 bytes; most joints need only the first half
 	JointLock lock[JOINT_COORDINATES];
 	Float4 base[2]; // bases of a coupling, in the world
 	JointDriveData drive[JOINT_COORDINATES];
-	// Values with which a new joint begins. Coupling: the angles of its sides are those nearest to these, rad. Path:
-	// arc length from which the search starts, m.
+	// Start values: a coupling takes the angles nearest to these, rad; a path is searched from this arc length on, m.
 	float near[2];
 	float path_first, path_segments; // first sample of its path, and number of its samples minus 1
 } JointData;
 
-// 32 bytes: a sample of a path, in the frame of the path. The last sample of a closed path equals the first one.
-typedef struct
+typedef struct // 32 bytes: a sample of a path, in its frame; the last sample of a closed path equals the first one
 {
 	float x, y, tangent_x, tangent_y; // position, m; unit tangent
 	float along;                      // m: arc length from the start of the path

@@ -14,8 +14,7 @@
 #define QUERY_ANY     1 // some answer, or none
 #define QUERY_ALL     2
 
-// Most answers of a list. Work-items add to their counter before they compare it with this limit, so the limit is far
-// below the largest int.
+// Most answers of a list, far below the largest int: work-items add to the counter before they compare it with this.
 #define QUERY_MOST 1000000000
 
 #define QUERY_BY_COLLIDABLE 0
@@ -26,8 +25,7 @@ typedef struct // 32 bytes: a collidable as a leaf of queries
 {
 	float x, y, c, s; // world pose
 	int attribute, body, collidable;
-	// Bits: the kind, with KIND_STATIC at bit 0, or LEAF_SENSOR for a sensor; and LEAF_LISTENS.
-	Word kinds;
+	Word kinds; // bits: the kind, with KIND_STATIC at bit 0, or LEAF_SENSOR for a sensor; and LEAF_LISTENS
 } QueryLeaf;
 // Bits of the arguments of kernels of trees, whose bit 0 is the tree.
 #define TREE_QUERIES 2 // the boxes for queries, not those of the step

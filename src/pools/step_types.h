@@ -15,8 +15,7 @@ enum
 #define EDGE_KIND 27 // bits of a slot: the range of MAX_CONTACTS
 
 // Rows of constraints, listed in src/constraints/: blocks of MAX_LANES constraints, with one row per component. A wide
-// pass reads the rows of one contiguous block, and a GPU addresses all components of a constraint from one base instead
-// of seventeen. The kept types hold the values that survive a change of the layout.
+// pass reads one contiguous block, and a GPU addresses all components of a constraint from one base, not seventeen.
 #define CONSTRAINT_KIND(kind, Kind, KIND)         \
 	typedef struct Kind##Rows Kind##Rows;         \
 	typedef struct Kind##RareRows Kind##RareRows; \
@@ -80,14 +79,12 @@ typedef struct // constants of one step, passed by value to every kernel
 	int collidables;        // slots in use
 	int pair_capacity, contact_capacity;
 	int place_capacity[CONSTRAINT_KINDS];
-	int contact_limit; // most contacts of the world
-	// Nodes over leaves that a traversal visits before its rest is split, and number of work-items for the rest.
-	int traversal_nodes, traversal_items;
-	int key_bits; // bits of a collidable's index in the key of a pair
+	int contact_limit;                    // most contacts of the world
+	int traversal_nodes, traversal_items; // nodes over leaves before a traversal is split; work-items for its rest
+	int key_bits;                         // bits of a collidable's index in the key of a pair
 } Step;
 
-// Returns whether the rare rows of contacts are used.
-#define STEP_RARE(step) ((step).has_rolling | (step).details)
+#define STEP_RARE(step) ((step).has_rolling | (step).details) // true if the rare rows of contacts are used
 
 typedef struct // one entry of the list that a backend executes in order
 {

@@ -8,11 +8,9 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// Maximum number of constraints for which a relay is faster than tiles.
-#define RELAY_CONSTRAINTS 1000000
+#define RELAY_CONSTRAINTS 1000000 // maximum number of constraints for which a relay is faster than tiles
 
-// Maximum work-groups of the kernel continuous per compute unit. The kernel usually has few items. Each item gets its
-// own work-group while the limit allows, because work-items of one group would wait for each other.
+// Most groups of continuous per compute unit. Items of one group would wait for each other, so each gets its own.
 #define CONTINUOUS_GROUPS 12
 
 // arguments of the kernel solve_end, which follow the step
@@ -30,7 +28,6 @@ static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 	return form == FORM_RELAY ? relay_reserve(d, solve) : tiles_reserve(d, solve);
 }
 
-// Returns the fastest form that the device supports.
 static SolveForm solve_form(OpenCl* d, const Solve* solve)
 {
 	// joints without a color are solved by separate runs, which relay and tiles do not have

@@ -9,9 +9,7 @@
 // registers, so its occupancy is higher. A plain world has no joints, radii, restitution, rolling resistance or tangent
 // speed. On an H200 the solve of a million stacked boxes takes 1.379 ms with its kernel and 1.420 ms without.
 #define STEP_JOINTS(step)   ((void)0)
-// Specialization for worlds whose joints have no springs, couplings and paths.
 #define STEP_HINGES(step)   ((step).springs = (step).couplings = (step).paths = 0)
-// Specialization for worlds without joints.
 #define STEP_CONTACTS(step) ((step).joints = (step).has_drives = (step).springs = (step).couplings = (step).paths = 0)
 #define STEP_PLAIN(step)    (STEP_CONTACTS(step), (step).has_rolling = (step).details = (step).bounces = (step).round = 0)
 
@@ -62,10 +60,8 @@ INLINE bool all_zero(const float* values, int count)
 }
 
 // Computes the state of a body without constraints at pass q. Every reader computes it, because a state in memory could
-// only be replaced after its last reader.
-//
-// Most such bodies rest and need only the first substep. If body_accelerate maps rest to rest, it does so in every
-// later substep, because the same function gets the same bits; body_move then adds nothing.
+// only be replaced after its last reader. Most such bodies rest and need only the first substep: if body_accelerate
+// maps rest to rest, it does so in every later one, because it gets the same bits; body_move then adds nothing.
 INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[8])
 {
 	float m[8], base[4];
@@ -189,7 +185,6 @@ INLINE Registers registers_prepare(const Pools* p, int t, bool hubs)
 	return u;
 }
 
-// Derives the values of a pass that depend on the positions of the bodies.
 INLINE void registers_ready(const Pools* p, int pass, Registers* u, AnyReady* ready)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
@@ -199,7 +194,6 @@ INLINE void registers_ready(const Pools* p, int pass, Registers* u, AnyReady* re
 #undef CONSTRAINT_KIND
 }
 
-// Runs a pass of solve_pass.h over a constraint in registers.
 OUT_OF_LINE void registers_pass(const Pools* p, int pass, const AnyReady* ready, Registers* u)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
@@ -209,7 +203,6 @@ OUT_OF_LINE void registers_pass(const Pools* p, int pass, const AnyReady* ready,
 #undef CONSTRAINT_KIND
 }
 
-// Stores the values that the next step uses.
 OUT_OF_LINE void registers_store_kept(const Pools* p, const Registers* u)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \
@@ -219,13 +212,10 @@ OUT_OF_LINE void registers_store_kept(const Pools* p, const Registers* u)
 #undef CONSTRAINT_KIND
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// the stream: constraints that are not in registers, in STREAM_QUADS columns of float4, then STREAM_PAIRS of float2
-// ---------------------------------------------------------------------------------------------------------------
+// The stream: constraints that are not in registers, in STREAM_QUADS columns of float4, then STREAM_PAIRS of float2.
 
-// the last column of each type is common to all kinds: inverse masses, bodies
-#define EDGE_QUAD (STREAM_QUADS - 1)
-#define EDGE_PAIR (STREAM_PAIRS - 1)
+#define EDGE_QUAD (STREAM_QUADS - 1) // last column, common to all kinds: inverse masses
+#define EDGE_PAIR (STREAM_PAIRS - 1) // the same: bodies
 
 INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 {
@@ -280,8 +270,7 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// Stores constraint j of the stream: registers_store stores all columns, registers_update only those that a pass
-// writes.
+// Stores constraint j of the stream: registers_store all columns, registers_update only those that a pass writes.
 OUT_OF_LINE void registers_store(const Registers* u, __global float4* stream, int n, int j)
 {
 	if (u->inert)

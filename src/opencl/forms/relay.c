@@ -53,7 +53,6 @@ bool solve_plain(const OpenCl* d)
 	       !d->constants.step.round;
 }
 
-// Returns whether the kernels for hinges are sufficient for all joints.
 static bool solve_hinges(const OpenCl* d)
 {
 	const Step* step = &d->constants.step;
@@ -73,8 +72,7 @@ static Kernel* hubs_kernel(OpenCl* d)
 	return &d->relay.kernels[d->constants.step.joints ? joints : RELAY_HUBS];
 }
 
-// Returns the number of work-groups for hubs, at least one. The other groups solve the other constraints. If only one
-// group is resident, it solves both.
+// Returns the number of groups for hubs. Others solve the other constraints; if only one is resident, it solves both.
 static size_t hub_groups(OpenCl* d, const Solve* solve)
 {
 	size_t most = hubs_kernel(d)->groups > 1 ? (size_t)hubs_kernel(d)->groups / 2 : 1,
@@ -137,8 +135,7 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem 
 	return SCREE_OK;
 }
 
-// Counts the work-groups that are resident at once. A CPU runs work-items one after the other, so it gets one group of
-// one work-item, which is sufficient for tests.
+// Counts the groups resident at once. A CPU runs items in turn and gets one group of one item, enough for tests.
 static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 {
 	size_t most = 0;

@@ -16,16 +16,14 @@
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-// Pauses a spin-wait, so that work-items with the next tickets get more of the memory bandwidth.
-#define PAUSE_NS 50
+#define PAUSE_NS 50 // pause of a spin-wait, so that work-items with the next tickets get more of the memory bandwidth
 #ifdef __NV_CL_C_VERSION
 #define PAUSE(ns) asm volatile("nanosleep.u32 %0;" ::"r"((uint)(ns)))
 #else
 #define PAUSE(ns)
 #endif
 
-// Accesses to two words of a mailbox; each word is read and written atomically. The emulation in the tests defines its
-// own.
+// Accesses to two words of a mailbox, each read and written atomically. Tests that emulate them define their own.
 #ifndef MAILBOX_READ
 #define MAILBOX_READ(words)                 (*(volatile __global const ulong2*)(words))
 #define MAILBOX_WRITE(words, first, second) (*(volatile __global ulong2*)(words) = (ulong2)((first), (second)))
@@ -39,13 +37,10 @@ typedef struct // constants of all tasks
 	int spins;  // limit of a spin-wait
 } Relay;
 
-// Two words hold three 32-bit components, and a 16-bit ticket in each word.
-
-// Returns the ticket in pass q of a constraint that follows `before` others of the body. A pass has RELAY_TICKETS
-// tickets.
+// Returns the ticket in pass q of a constraint that follows `before` others of the body.
 INLINE uint relay_ticket(int q, int before) { return RELAY_TICKETS * (uint)q + (uint)before + 1u; }
 
-// Unpacks three components from two words. Returns false if the words have another ticket.
+// Unpacks three 32-bit components from two words, each with a 16-bit ticket. Returns false for another ticket.
 INLINE bool mailbox_unpack(ulong2 words, uint ticket, float* x, float* y, float* z)
 {
 	*x = as_float((uint)(words.x >> 32));
@@ -68,7 +63,6 @@ INLINE void mailbox_clear(volatile __global ulong* words)
 		words[k] = 0;
 }
 
-// Sends a body to its next constraint in the pass.
 INLINE void relay_send_next(const Relay* r, Side side, int q, Body body)
 {
 	if (side.moves && !side.last)
@@ -76,8 +70,7 @@ INLINE void relay_send_next(const Relay* r, Side side, int q, Body body)
 		              body.v.y, body.w);
 }
 
-// Finishes pass q of a body after its last constraint: integrates the body and sends it to the next pass, or writes it
-// to the pool after the last pass.
+// Finishes pass q of a body after its last constraint: integrates it and sends it on, or after the last pass stores it.
 INLINE void relay_finish_pass(const Pools* p, const Relay* r, Side side, int q, Body body, float m[8], float base[4])
 {
 	if (!side.moves || !side.last)
@@ -126,8 +119,7 @@ INLINE void relay_load_motion(const Pools* p, const Relay* r, Side side, int q, 
 	}
 }
 
-// Loads the values of a side that do not depend on its ticket: the state of a body for which it need not wait, and the
-// constants of its integration.
+// Loads the parts of a side that need no ticket: a body for which it need not wait, and constants of integration.
 INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body* body, float m[8], float base[4])
 {
 	if (!side.moves || (q == 0 && side.before == 0))
@@ -142,8 +134,7 @@ INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body
 	relay_load_motion(p, r, side, q, m, base);
 }
 
-// Spin-waits for three components from each of two mailboxes. Returns false if a wait reached its limit, here or in
-// another work-item.
+// Spin-waits for three components of each of two mailboxes. Returns false at a limit, here or in another work-item.
 INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __global ulong* mailbox_a, uint ticket_a,
                        Vec* a, float* wa, bool wait_b, volatile __global ulong* mailbox_b, uint ticket_b, Vec* b,
                        float* wb)
@@ -211,9 +202,8 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool
 	return true;
 }
 
-// Runs all passes of all constraints. The kernel solve_end integrates the bodies without constraints. If there are more
-// constraints than work-items, stream holds STREAM_FLOAT4S float4s per constraint. Does nothing if the counter at bound
-// is zero.
+// Runs all passes of all constraints; solve_end integrates bodies without any. If there are more constraints than
+// work-items, stream holds STREAM_FLOAT4S float4s for each. Does nothing if the counter at bound is 0.
 INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream, int constraints, int bound, int spread,
                         volatile LOCAL int* fault)
 {

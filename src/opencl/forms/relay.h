@@ -4,13 +4,11 @@
 #define OPENCL_RELAY_H
 #include "opencl/opencl_state.h"
 
-// relay_create creates the kernels, relay_bind sets their buffer of one kind of item, relay_open tests whether the
-// device can run them.
+// relay_create creates the kernels, relay_bind sets a buffer of theirs, relay_open tests if the device can run them.
 scree_status relay_create(OpenCl* d);
 scree_status relay_bind(OpenCl* d, Per per);
 scree_status relay_open(OpenCl* d);
 void relay_close(OpenCl* d);
-// Reserves the memory of a solve.
 scree_status relay_reserve(OpenCl* d, const Solve* solve);
 scree_status mailboxes_reserve(OpenCl* d, const Solve* solve); // also for tiles, whose border constraints are a relay
 scree_status relay_run(OpenCl* d, const Solve* solve);

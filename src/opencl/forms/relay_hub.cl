@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relay_hub.cl -- the relay for a world with hubs: some work-groups solve the hubs, the others the constraints with
-// colors.
+// relay_hub.cl -- the relay for a world with hubs: some work-groups solve hubs, the others constraints with colors.
 //
 // In each pass the hubs of a body precede its colors. The work-group of a hub waits for the mailboxes of the hub and of
 // all its neighbors, solves them together (hub.h), and sends each body to its next hub or its first color. If a body is
@@ -123,8 +122,7 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 	}
 }
 
-// Collects the parts of a split body in pass q of a hub color, like hub_merge. The run of sorted spokes of the body
-// begins at i.
+// Collects the parts of a split body in pass q of a hub color, like hub_merge. Its run of sorted spokes begins at i.
 OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q, int turn)
 {
 	int spoke = hub_merged(p, i, turn);
@@ -187,7 +185,6 @@ INLINE HubTasks hub_tasks(const Pools* p, __global float4* stream, int spread, i
 	return t;
 }
 
-// Prepares the spokes of all hubs of a work-group.
 INLINE void hub_tasks_prepare_hubs(const Pools* p, const HubTasks* t)
 {
 	for (int n = t->group; n < t->hub_count; n += t->hub_groups)

@@ -88,8 +88,7 @@ INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
 
 #define TILE_LAST_COLUMN (TILE_COLUMNS - 1)
 
-// Returns the place of the next constraints of a work-group: in the same column, or in the next column that is not
-// empty.
+// Returns the place of the next constraints of a work-group, in the same column or the next one that is not empty.
 INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column)
 {
 	if (at < range[*column + 1])
@@ -135,7 +134,6 @@ INLINE void tile_fetch_ahead(const Pools* p, const Tiles* t, int kind, int j, in
 #undef CONSTRAINT_KIND
 }
 
-// Runs a pass over a tile in a work-group.
 INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, LOCAL Tile* tile,
                       LOCAL int* range, int q, int pass)
 {
@@ -212,8 +210,7 @@ INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, B
 		mailbox_clear(r->mailboxes + MAILBOX_WORDS * (ulong)side.body);
 }
 
-// Runs pass q of a border constraint. A body comes from its pool, or from its previous border constraint through its
-// mailbox.
+// Runs pass q of a border constraint. A body comes from its pool, or from its previous border constraint by mailbox.
 INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile LOCAL int* fault)
 {
 	Registers u = registers_load(p, t->order[j], t->stream, t->stride, j);
@@ -270,7 +267,6 @@ INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int
 	return true;
 }
 
-// Runs pass q of the border constraints of a work-item.
 INLINE void tile_border_work(const Pools* p, const Relay* r, const Tiles* t, int q, volatile LOCAL int* fault)
 {
 	if (get_local_id(0) == 0)

@@ -12,8 +12,7 @@
 #define BORDER_SHARE 0.1
 #define BORDER_AGE   64
 
-// Border constraints per work-group of the relay, if there are few of them. More groups make the launch longer.
-#define BORDER_GRAIN 64
+#define BORDER_GRAIN 64 // border constraints per relay group if there are few; more groups make the launch longer
 
 // kernel names, and maximum work-items per work-group
 static const struct

@@ -2,29 +2,21 @@
 // tiles.cl -- the solve of a large world, one launch per pass: a work-group keeps a tile of bodies in local memory.
 //
 // A pass by colors reads and writes each body in global memory once per constraint. Here the bodies are divided into
-// tiles of neighbors along the Hilbert curve of the broad phase's tree. A work-group loads a tile once per pass and
-// solves the constraints inside it color by color, with barriers between the colors.
+// tiles of neighbors along the Hilbert curve of the broad phase's tree. A work-group loads a tile once per pass,
+// integrates its bodies, and solves the constraints inside it color by color, with barriers between the colors.
 //
 // The constraints of each body must still be solved in the order of their colors. A constraint between two tiles is a
 // border constraint, and so is each one that follows a border constraint on either body. A second launch solves the
 // border as a relay (relay.cl). The result does not depend on the tiles.
-//
-// Integration needs no separate pass: a tile integrates its bodies when it loads them.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-// place in local memory of all bodies that rest and cannot move
-#define TILE_RESTS TILE_BODIES
-// Flag of a resident. A resident is the index of its body, plus this bit if the constants of its motion have their
-// usual values (tile_plain).
-#define TILE_PLAIN 0x40000000
+#define TILE_RESTS TILE_BODIES // place in local memory of all bodies that rest and cannot move
+#define TILE_PLAIN 0x40000000  // flag in a resident, a body's index: its motion has the usual constants (tile_plain)
 
-// ---------------------------------------------------------------------------------------------------------------
-// tiles and their constraints
-// ---------------------------------------------------------------------------------------------------------------
+// Tiles and their constraints.
 
-// Returns false if the counter at bound is zero. The constraints then differ from those that the host assumed, and
-// nothing may be done.
+// Returns false if the counter at bound is 0: constraints differ from those assumed by the host; nothing is done.
 INLINE bool tile_wanted(const Pools* p, int bound)
 {
 	return bound < 0 || ((__global const int*)p->counters)[bound] != 0;
@@ -40,9 +32,8 @@ INLINE int tile_body_of(const Pools* p, int leaf)
 	return leaf < p->tree[0].leaves ? p->collidable_body[p->leaf[p->tree[0].leaf_begin + leaf]] : -1;
 }
 
-// Returns TILE_PLAIN if a body has no force, damping or lock, and gravity scale 1. The passes do not read the constants
-// of such a body. Only the forces of fields can change before the tiles are rebuilt, because every change by the user
-// rebuilds them.
+// Returns TILE_PLAIN if a body has no force, damping or lock, and gravity scale 1: passes do not read its constants.
+// Only forces of fields can change before the tiles are rebuilt, because every change by the user rebuilds them.
 INLINE int tile_plain(const Pools* p, int body)
 {
 	Motion m = p->motion[body];
@@ -63,8 +54,7 @@ __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __globa
 	border[body] = COLORS + 1;
 }
 
-// Lists the bodies by place: resident has an item per place, -1 for none. pushed is 1 with fields, which change forces
-// in every step.
+// Lists the bodies by place: resident has an item per place, -1 for none. pushed: 1 with fields, which change forces.
 __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places,
                         int bound, int pushed)
 {
@@ -89,7 +79,6 @@ INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 	return tile_still(first) && tile_still(second) ? -1 : rows;
 }
 
-// Returns the table column of a constraint.
 INLINE int tile_column(int color, int kind) { return color * CONSTRAINT_KINDS + kind; }
 
 // Returns the table row of a constraint: that of its tile, or the last one for a border constraint. border holds, for
@@ -112,8 +101,7 @@ INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int*
 }
 
 // Counts the constraints of one color, and finds the border constraints. Each color has its own launch, because it
-// depends on the colors before it. The count so far becomes the rank of the constraint, so the order of ranks is
-// arbitrary.
+// depends on the colors before it. The count so far becomes a constraint's rank, so ranks have any order.
 __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
                          __global int* rank, int rows, int bound, int begin, int end)
 {
@@ -217,9 +205,7 @@ __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __
 	order[table[row * TILE_COLUMNS + tile_column(color, at.kind)] + rank[i]] = i;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// the stream of constraints, which the passes read
-// ---------------------------------------------------------------------------------------------------------------
+// The stream of constraints, which the passes read.
 
 typedef struct
 {

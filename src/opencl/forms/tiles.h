@@ -9,7 +9,6 @@ void tiles_close(OpenCl* d);
 scree_status tiles_bind(OpenCl* d, Per per); // binds all kernels of the tiles, like kernel_bind
 // Returns whether tiles are faster than launches by color.
 bool tiles_pay(OpenCl* d, const Solve* solve);
-// Reserves the memory of a solve.
 scree_status tiles_reserve(OpenCl* d, const Solve* solve);
 scree_status tiles_run(OpenCl* d, const Solve* solve);
 

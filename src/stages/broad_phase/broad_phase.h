@@ -12,9 +12,8 @@
 #include "stages/tree/tree.h"
 #include "stages/tree/tree_packet.h"
 
-// Clears the bits of the leaves, from first on, that overlapped collidable i before: most did. With prefetching
-// (FETCHES) the caller tests them one by one. Without it nothing else hides the latency of memory, so the eight old
-// boxes are loaded together.
+// Clears the bits of the leaves, from first on, that overlapped collidable i before: most did. With FETCHES the caller
+// tests them; without, the eight old boxes are loaded together to hide the latency of memory.
 INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 {
 	int leaf[ARITY];
@@ -31,8 +30,7 @@ INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 	return leaves;
 }
 
-// Adds pair i, j if it is new. Returns 0 if the traversal must stop, because the world has reached its limit of
-// contacts.
+// Adds pair i, j if it is new. Returns 0 if the traversal must stop, because the limit of contacts is reached.
 INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 {
 	// early exit: most neighbors are known pairs
@@ -47,9 +45,8 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 	return place < p->step.contact_limit;
 }
 
-// Visits the leaves of tree t that overlap the box of collidable i: from (included) to end (excluded), or all if end is
-// 0. nodes: limit of visited nodes over leaves. Returns the leaf at which the traversal must continue, 0 if it is
-// complete.
+// Visits the leaves of tree t, from (included) to end (excluded, 0 for all), that overlap the box of collidable i.
+// nodes: limit of visited nodes over leaves. Returns the leaf at which it must continue, 0 if it is complete.
 INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end, int nodes)
 {
 	const GLOBAL Tree* tree = p->tree + t;
@@ -83,15 +80,13 @@ KERNEL(broad_phase_begin)
 	(void)i;
 }
 
-// Returns the number of trees to traverse: static collidables have no pairs in the static tree, sensors have no pairs
-// at all.
+// Returns the number of trees to traverse: static collidables have no pairs in the static tree, sensors have no pairs.
 INLINE int broad_phase_trees(int kind)
 {
 	return kind & KIND_SENSOR ? 0 : kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1;
 }
 
-// Traverses tree t for one collidable, up to a limit of nodes, and lists the rest. A box over thousands of leaves would
-// keep one work-item busy after all others have finished.
+// Traverses tree t for one collidable, up to a limit of nodes; lists the rest of a large box for other work-items.
 INLINE void broad_phase_alone(const Pools* p, int k, int t)
 {
 	int next = broad_phase_traverse(p, k, t, 0, 0, p->step.traversal_nodes);
@@ -168,8 +163,7 @@ INLINE void broad_phase_packet(const Pools* p, int i, int t)
 			broad_phase_alone(p, collidables[k], t);
 }
 
-// Item: an updated collidable. On a CPU, the first item of each PACKET_TRAVERSALS runs a packet; chunks begin at a
-// multiple of it.
+// Item: an updated collidable. On a CPU, the first item of each PACKET_TRAVERSALS, which divides chunks, runs a packet.
 KERNEL(broad_phase)
 {
 	if (FETCHES)

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// contact_slots.h -- puts new pairs into slots of the contact pool: in the order of their keys, lowest free slots
-// first.
+// contact_slots.h -- puts new pairs into slots of the contact pool, by their keys, lowest free slots first.
 //
-// Slots identify contacts where an order is needed (priorities of colors, readback), so they must not depend on the
-// device.
+// Slots order contacts (priorities of colors, readback), so they must not depend on the device.
 #ifndef CONTACT_SLOTS_H
 #define CONTACT_SLOTS_H
 #include "constraints/contact_one.h"
@@ -12,8 +10,7 @@
 #include "stages/edit/pool_item.h"
 #include "stages/rules/apart.h"
 
-// Checks two limits: that of the contacts of the world, which is the same on all devices, and the capacity for new
-// pairs, which is not.
+// Checks the limit of contacts of the world, equal on all devices, and the capacity for new pairs, which is not.
 KERNEL(contact_admit)
 {
 	GLOBAL Counters* c = p->counters;
@@ -80,10 +77,8 @@ KERNEL(contact_pack_end)
 
 INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
 
-// Returns friction, restitution, rolling lever and tangent speed of a pair; the order of the two does not matter.
-//
-// Friction is the geometric mean, so ice stays slippery on anything. Restitution is the larger one. The lever of
-// rolling resistance uses the larger radius. Speeds of opposed belts add up.
+// Returns friction, restitution, rolling lever and tangent speed of a pair, in any order. Friction is the geometric
+// mean, so ice stays slippery on anything. The lever uses the larger radius. Speeds of opposed belts add up.
 INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attribute* sb)
 {
 	float lever =
@@ -144,8 +139,7 @@ KERNEL(contact_join)
 	contact_anew(p, i, flags, joined | (flags & CONTACT_REPORTS));
 }
 
-// Recomputes the surface and the report bits that contact i takes from its collidables, also in rows that are already
-// laid out. Runs when a collidable got another attribute or reports other events.
+// Recomputes surface and report bits of contact i, also in laid out rows, after a change of attributes or reports.
 KERNEL(contact_mix)
 {
 	Int2 pair = p->pair[i];

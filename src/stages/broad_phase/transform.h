@@ -6,8 +6,7 @@
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
 
-// fraction of the reach that is compared with GRAIN_SIZE, as the thickness is
-#define REACH_SHARE 0.125f
+#define REACH_SHARE 0.125f // fraction of the reach that is compared with GRAIN_SIZE, as the thickness is
 
 // Clears the counters of the step.
 KERNEL(step_begin)
@@ -95,7 +94,6 @@ INLINE WorldShape collidable_place(const Pools* p, int i)
 	return world_shape;
 }
 
-// Returns vertex k of a shape in the world.
 INLINE Vec world_vertex(WorldShape world_shape, const GLOBAL Attribute* attribute, int k)
 {
 	Vec vertex = vec(attribute->vertices[k].x, attribute->vertices[k].y);
@@ -114,8 +112,7 @@ INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribut
 	return box_grow(box, attribute->radius + extra);
 }
 
-// Returns a bit for each level at which 2^level times length is below half of GRAIN_SIZE; first: bit of level 0.
-// length, m: half of a size of the collidable.
+// Returns a bit per level at which length (half a size, m) times 2^level is below GRAIN_SIZE / 2; first: bit 0.
 INLINE int transform_bits(float length, int first)
 {
 	int bits = 0;
@@ -125,8 +122,7 @@ INLINE int transform_bits(float length, int first)
 }
 
 // Returns the COLLIDABLE_GRAIN and COLLIDABLE_REACH bits of a dynamic collidable. thickness, m: distance of its nearest
-// side from its centroid. A collidable without thickness is a segment and gets none: others come to rest on it, it does
-// not rest on others.
+// side from its centroid. A segment, without thickness, gets none: others come to rest on it.
 INLINE int transform_grains(float thickness, float reach)
 {
 	if (!(thickness < 0.5f * GRAIN_SIZE) || thickness == 0.0f)
@@ -171,8 +167,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 			how |= COLLIDABLE_MOVING;
 		if (travel > 0.5f * within)
 		{
-			// covers the pose at the end of the step too. A collidable that leaves its box in every step needs no
-			// margin
+			// covers the pose at the end of the step; if a collidable leaves its box in every step, it needs no margin
 			Float4 then = make_float4(tight.x + path.x, tight.y + path.y, tight.z + path.x, tight.w + path.y);
 			tight = box_grow(box_union(tight, then), swing);
 			margin = travel < margin ? margin : 0.0f;
@@ -192,15 +187,13 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	p->box[i] = grown;
 	p->collidable_flags[i] = COLLIDABLE_NEW_BOX | how;
 	raise_int(&p->counters->refit, 0x7fffffff);
-	// separate boxes mean that the user placed the collidable: a box covers the motion of its step, so motion alone
-	// never separates the old box from the new one
+	// a box covers the motion of its step, so separate boxes mean that the user placed the collidable
 	if (!box_overlap(box, grown))
 		raise_int(&p->counters->jumped, 0x7fffffff);
 	return 1;
 }
 
-// Restores the boxes after a step that stopped before it found all contacts, so that the next step finds the same
-// pairs.
+// Restores the boxes after a step that stopped before it found all contacts, so that the next one finds the same pairs.
 KERNEL(transform_undo)
 {
 	if (!(p->collidable_flags[i] & COLLIDABLE_NEW_BOX) || p->collidable_kind[i] == KIND_DEAD)
@@ -209,8 +202,7 @@ KERNEL(transform_undo)
 	p->collidable_flags[i] = 0;
 }
 
-// Writes the current pose of a collidable. The pool world_shape has the pose at which the contacts of the last step
-// were found.
+// Writes the current pose of a collidable; world_shape has that at which the last step found contacts.
 KERNEL(render_row)
 {
 	WorldShape world_shape = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};

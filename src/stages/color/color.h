@@ -20,9 +20,8 @@
 #include "stages/color/edge.h"
 #include "stages/color/spoke.h"
 
-// Returns the priority of an edge, by a bijection of the 32-bit numbers without visible order. (Odd multipliers and
-// xor-shifts are invertible, so no two edges share a priority.) With priorities in the order of slots, a row of
-// contacts would be colored at one contact per round.
+// Returns the priority of an edge: odd multipliers and xor-shifts are invertible, so no two edges share one, and it has
+// no visible order. In the order of slots, a row of contacts would be colored at one contact per round.
 INLINE Word color_priority(int edge)
 {
 	Word x = (Word)edge + 0x9e3779b9u;
@@ -34,14 +33,12 @@ INLINE Word color_priority(int edge)
 	return x;
 }
 
-// Returns the entry of edge i among those without a color after a round. Work-items write components of one vector as
-// scalars.
+// Returns the entry of edge i among those left after a round. Work-items write components of one vector as scalars.
 INLINE GLOBAL int* color_left(const Pools* p, int round, int i)
 {
 	return (GLOBAL int*)p->uncolored + 2 * i + (round & 1);
 }
 
-// Returns edge i of a round.
 INLINE int color_source(const Pools* p, int i)
 {
 	if (p->argument == 0)
@@ -49,7 +46,6 @@ INLINE int color_source(const Pools* p, int i)
 	return *color_left(p, p->argument + 1, i);
 }
 
-// Returns whether an edge becomes a spoke; only contacts do.
 INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
 {
 	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
@@ -73,8 +69,7 @@ INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 // of four collidables of a level that meet in a corner gets a color of its own.
 #define STATIC_COLORS 8
 
-// Returns whether an edge is a contact with a static body. The collidable that does not move is the second one of a
-// pair.
+// Returns whether an edge is a contact with something static, which is the second collidable of a pair.
 INLINE int color_holds(const Pools* p, int edge)
 {
 	return edge_kind(edge) == CONSTRAINT_CONTACT && p->collidable_kind[p->pair[edge_slot(edge)].y] == KIND_STATIC;
@@ -161,13 +156,9 @@ KERNEL(color_reset)
 	write_shared_word(&p->claim1[bodies.y], 0);
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// layout: the constraints of a kind by color
-// ---------------------------------------------------------------------------------------------------------------
+// Layout: the constraints of a kind by color.
 
-// Sort key of a constraint: its color; for a spoke, COLORS plus the body of its hub. All bits are set where there is no
-// constraint. argument: the number of bits.
-
+// Sort key: the color; for a spoke, COLORS plus the body of its hub; all bits set for none. argument: number of bits.
 INLINE Word64 color_none(int bits) { return ((Word64)1 << bits) - (Word64)1; }
 
 INLINE int color_of_key(Word64 key, int bits)
@@ -176,9 +167,8 @@ INLINE int color_of_key(Word64 key, int bits)
 	return name == color_none(bits) ? COLORS + 1 : name < (Word64)COLORS ? (int)name : COLORS;
 }
 
-// Selects the kinds to lay out after a constraint began or ended. A layout needs a color for every constraint, and keys
-// with bits for hubs if there are hubs. argument: index in uncolored of the number of edges left after the last round,
-// and the number of bits of contacts' keys.
+// Selects the kinds to lay out. A layout needs a color for every constraint, and keys with bits for hubs if there are
+// any. argument: index in uncolored of the edges left after the last round, and number of bits of contacts' keys.
 KERNEL(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
@@ -204,8 +194,7 @@ KERNEL(color_arrange)
 INLINE int contact_group(const Pools* p, int i) { return hub_owner(p, p->contact_bodies[i]); }
 INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 
-// prefetch distance, in edges
-#define KEY_SOON 12
+#define KEY_SOON 12 // prefetch distance, in edges
 
 // Writes the sort key of each slot, and copies the kept values of a constraint from its rows to its slot.
 #define COLOR_KEY(kind, KIND)                                                    \
@@ -223,8 +212,7 @@ INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 	if (place >= 0)                                                              \
 		kind##_keep(p, i, place);
 
-// Writes the first and last sorted keys of each color and each hub. scan is 1 where a hub begins, so that the scan
-// counts hubs.
+// Writes the first and last sorted keys of each color and hub. scan is 1 where a hub begins, so that it counts hubs.
 INLINE void color_edge(const Pools* p, int kind, int i)
 {
 	GLOBAL KindLayout* layout = &p->counters->layout[kind];
@@ -249,8 +237,7 @@ INLINE void color_edge(const Pools* p, int kind, int i)
 		return;
 	}
 	p->scan[i] = begins;
-	// two scalars, because two work-items write the two halves, and an OpenCL compiler may write a whole vector for one
-	// component
+	// two scalars: two work-items write the halves, and an OpenCL compiler may write a whole vector for one component
 	GLOBAL int* keys = (GLOBAL int*)&p->hub_keys[(int)name - COLORS];
 	if (begins)
 		keys[0] = i;
@@ -265,8 +252,7 @@ INLINE int color_hub(const Pools* p, int i)
 	return p->scan[i] - !begins;
 }
 
-// Computes the first place of each color of a kind. If the capacity is too small, the host grows the pools and runs
-// this again.
+// Computes the first place of each color of a kind. If places run out, the host grows the pools and runs this again.
 INLINE void color_range(const Pools* p, int kind)
 {
 	GLOBAL Counters* c = p->counters;
@@ -332,8 +318,7 @@ INLINE int joint_place_rest(const Pools* p, int i)
 	return begin + (spot >= 0 ? spot : p->step.chain_places + (i - p->counters->overflow_first));
 }
 
-// Makes the places of joints without a color inert, before joints are laid out there. There may be many more places
-// than joints, and the number of items is that of joints.
+// Makes places of joints without a color inert before joints are laid out there; there may be more places than items.
 KERNEL(chain_pad)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];

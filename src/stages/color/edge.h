@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// edge.h -- edges: a constraint of any kind in the form that coloring uses, and the relay and tiles forms of the
-// solver.
+// edge.h -- edges: a constraint of any kind, as coloring and the relay and tiles forms of the solver use it.
 #ifndef EDGE_H
 #define EDGE_H
 #include "constraints/constraint_kinds.h"
@@ -21,15 +20,13 @@ INLINE Int2 edge_bodies(const Pools* p, int edge)
 	return make_int2(0, 0);
 }
 
-// Marks a kind for a new layout after a constraint of it began or ended.
 INLINE void edge_mark_dirty(const Pools* p, int kind)
 {
 	raise_int(&p->counters->changed, 1);
 	raise_int(&p->counters->dirty[kind], 1);
 }
 
-// Returns the value that a contact adds to the pool belts for each of its bodies, by its tangent speed. Relative to
-// either body, a belt runs the same way.
+// Returns the value of a contact in the pool belts, for both bodies: relative to either, a belt runs the same way.
 INLINE int edge_belt(float speed) { return speed > 0.0f ? 1 : speed < 0.0f ? BELT_BACK : 0; }
 
 INLINE int edge_belt_of(const Pools* p, int kind, int slot)
@@ -45,9 +42,8 @@ INLINE void edge_add_belt(const Pools* p, Int2 bodies, int belt)
 	atomic_add_int(&p->belts[bodies.y], belt);
 }
 
-// Counts a constraint that begins at a body. If the body may now have too many constraints, or is on opposed belts, and
-// some of its contacts have colors, requests the search for hubs (spoke.h). Each constraint that begins tests this
-// itself while others begin and end, so the search may be requested without need; then it finds no hub.
+// Counts a constraint that begins at a body. Requests the search for hubs (spoke.h) if the body may now be one and some
+// of its contacts have colors. Others begin and end at the same time, so the search may find no hub.
 INLINE void edge_count(const Pools* p, int body, int belt)
 {
 	int over_limit = atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS;
@@ -66,7 +62,6 @@ INLINE void edge_begin(const Pools* p, int edge, Int2 bodies)
 	edge_mark_dirty(p, edge_kind(edge));
 }
 
-// Frees the color of an edge on its bodies.
 INLINE void edge_free_color(const Pools* p, Int2 bodies, int color)
 {
 	Word64 others = ~((Word64)1 << color);
@@ -139,9 +134,7 @@ INLINE Int2 edge_bodies_at(const Pools* p, int kind, int place)
 	return make_int2(0, 0);
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// tasks: the places of all kinds in the order of a pass, by color, then by kind
-// ---------------------------------------------------------------------------------------------------------------
+// Tasks: the places of all kinds in the order of a pass, by color, then by kind.
 
 typedef struct
 {

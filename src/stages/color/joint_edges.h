@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_edges.h -- joints that the user created or changed: their rows, their begin and end, and the pairs of bodies
-// that they keep apart.
+// joint_edges.h -- joints that the user created or changed: rows, begin and end, and the bodies that they keep apart.
 #ifndef JOINT_EDGES_H
 #define JOINT_EDGES_H
 #include "constraints/joint_one.h"
@@ -9,8 +8,7 @@
 #include "stages/color/touch.h"
 #include "stages/geometry/box.h"
 
-// Moves the counted angle of a joint by whole turns to the one nearest to its limits or its target, if the angle gets a
-// limit, a spring or a lock and had none of them.
+// Moves a joint's angle by whole turns to its limits or target if it gets a limit, a spring or a lock and had none.
 INLINE void joint_count_turns(const Pools* p, int slot, const JointData* changed)
 {
 	int k = JOINT_ANGLE, users = JOINT_LOCKED(k) | JOINT_LIMITED(k) | JOINT_SPRING(k), place = p->joint_place[slot];
@@ -35,8 +33,7 @@ INLINE void joint_seek(const Pools* p, int slot)
 	path_count_store(p, slot, p->joint_place[slot], &count);
 }
 
-// Item: a joint that the user created or changed since the last step. argument: number of slots that were in use
-// before. A joint that broke stays broken.
+// Item: a joint that the user created or changed. argument: slots in use before. A joint that broke stays broken.
 KERNEL(joint_apply)
 {
 	JointEdit edit = p->joint_edit[i];
@@ -96,9 +93,8 @@ KERNEL(joint_update)
 	edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
 }
 
-// Item: a joint. For a joint on a path, finds the point of the path that is nearest to anchor b, for the rows of the
-// step. For a coupling, computes the measures of its bodies. Runs after the layout, and gives the same result when it
-// runs again.
+// Item: a joint. Finds the point of its path nearest to anchor b, or measures the bodies of a coupling, for the step.
+// Runs after the layout; a second run gives the same result.
 KERNEL(joint_follow)
 {
 	int place = p->joint_place[i], modes = (int)p->joint_data[i].modes;
@@ -119,9 +115,7 @@ KERNEL(joint_updated)
 	(void)i;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// pairs of bodies that joints or the user keep from touching
-// ---------------------------------------------------------------------------------------------------------------
+// Pairs of bodies that joints or the user keep from touching.
 
 INLINE Word64 joint_pair_of(int a, int b)
 {
@@ -165,13 +159,10 @@ INLINE int joint_parts(const Pools* p, Int2 bodies)
 	return at < count && p->joined[at] == key;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// end of a step: turns of couplings, thresholds
-// ---------------------------------------------------------------------------------------------------------------
+// End of a step: turns of couplings, thresholds.
 
-// Item: a place of joints. Reports the joint, and breaks it, if its force or torque exceeded its threshold. Counts the
-// rotation of the sides of a coupling in the step with the ratio of this step, because the user may set another one
-// before the next.
+// Item: a place of joints. Reports and breaks the joint if its force or torque exceeded its threshold. Counts the turns
+// of a coupling with the ratio of this step, because the user may set another one.
 KERNEL(joint_finalize)
 {
 	int slot = p->joint_place_slot[i];
@@ -186,8 +177,7 @@ KERNEL(joint_finalize)
 	}
 	JointEvent event;
 	event.slot = slot;
-	// the largest float is no threshold: nothing may exceed it, or the step would depend on whether other joints have
-	// one
+	// the largest float is no threshold: nothing exceeds it, or the step would depend on thresholds of other joints
 	event.force = finite_or_most(joint_rare(p, peak_force, i) * p->step.inv_h);
 	event.torque = finite_or_most(joint_rare(p, peak_torque, i) * p->step.inv_h);
 	event.broken = (p->joint_flags[slot] & JOINT_CAN_BREAK) != 0;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // spoke.h -- hubs and spokes: tests for hubs, the hub of each spoke, and the places of the spokes of a hub.
 //
-// A body with more than HUB_CONTACTS constraints, including joints, becomes a hub: all of its contacts become spokes,
-// and stay spokes as long as they touch. This is a hysteresis: a varying number of contacts does not switch the layout
-// back and forth.
+// A body with more than HUB_CONTACTS constraints, including joints, becomes a hub: all of its contacts become spokes as
+// long as they touch, so that a varying number of contacts does not switch the layout back and forth.
 //
 // A body on belts that run against each other becomes a hub too. Its friction is the difference of the loads on the
 // belts. Of two contacts that are solved one after the other, the first takes every change of the load; it is shared
@@ -50,8 +49,7 @@ typedef struct
 	int body, first, count; // first place and number of its spokes among the constraints, padding included
 } HubSpan;
 
-// Returns the first place of hub number n; key: its first sorted key. Each hub begins at a block of its own. One block
-// is reserved per preceding hub, so that no sum over them is needed.
+// Returns the first place of hub n, a block of its own; key: its first sorted key. A spare block per hub avoids sums.
 INLINE int hub_first(const Pools* p, int n, int key)
 {
 	const GLOBAL Counters* c = p->counters;
@@ -59,7 +57,6 @@ INLINE int hub_first(const Pools* p, int n, int key)
 	return c->layout[CONSTRAINT_CONTACT].begin[COLORS] + MAX_LANES * (before + n);
 }
 
-// Returns the places of the spokes of hub number n.
 INLINE HubSpan hub_span_of(const Pools* p, int n)
 {
 	HubSpan span;
@@ -70,7 +67,6 @@ INLINE HubSpan hub_span_of(const Pools* p, int n)
 	return span;
 }
 
-// Returns the turn of a pass in which hub number n is solved.
 INLINE int hub_color(int n) { return n % HUB_COLORS; }
 
 // Returns the number of places of spokes, padding included.

@@ -25,8 +25,7 @@ INLINE void touch_end(const Pools* p, Int2 pair, Word flags)
 		p->touch_ended[atomic_add_int(&p->counters->touches_ended, 1)] = (Word64)pair.x << 32 | (Word64)pair.y;
 }
 
-// Ends contact i and restarts it, as if its boxes met for the first time. flags: its old flags; kept: flags that it
-// keeps.
+// Ends contact i and restarts it as if its boxes met for the first time. flags: its old ones; kept: those to keep.
 RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 {
 	contact_end(p, i);

@@ -45,8 +45,7 @@ OUT_OF_LINE float command_moment(const Pools* p, int body, Vec force, float x, f
 	return finite_or_most(1.8446744e19f * vec_cross(arm, vec_scale(5.4210109e-20f, force)));
 }
 
-// Sets mass, inertia and center of mass of a body. The rigid body keeps its motion; the stored velocity becomes that of
-// the new center.
+// Sets mass, inertia and center of mass. The rigid body keeps its motion: the velocity becomes that of the new center.
 INLINE void command_mass(const Pools* p, int i, Float4 value)
 {
 	Float2 old = p->local_center[i];
@@ -137,8 +136,7 @@ INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 	p->body[i].w = 0.0f;
 }
 
-// Initializes a new body: at rest, without mass, forces or locks. pose: that of the center of mass, computed by the
-// host as for rows that it uploads directly.
+// Initializes a new body at rest, without mass, forces or locks. pose: that of the center of mass, from the host.
 INLINE void command_body(const Pools* p, int i, Float4 pose, Float2 center)
 {
 	item_clear(p, PER_BODY, i);
@@ -162,7 +160,6 @@ INLINE void command_collidable(const Pools* p, int i, Float4 pose, int attribute
 
 INLINE Word64 command_word64(float low, float high) { return (Word64)float_word(high) << 32 | (Word64)float_word(low); }
 
-// Applies a command that sets the pose or a property of a body.
 INLINE void command_body_change(const Pools* p, Command c)
 {
 	int i = c.index;
@@ -209,7 +206,6 @@ INLINE void command_body_change(const Pools* p, Command c)
 	}
 }
 
-// Applies a command of a collidable.
 INLINE void command_collidable_change(const Pools* p, Command c)
 {
 	int i = c.index;
@@ -296,8 +292,7 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_rest(p, c.index);
 }
 
-// distance between the group that is applied and the group whose rows are prefetched
-#define COMMAND_SOON 6
+#define COMMAND_SOON 6 // distance between the group that is applied and the group whose rows are prefetched
 
 // Item: a group, the commands of one body or one collidable. argument: number of groups.
 KERNEL(command)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pool_item.h -- operations on an item in all its pools at once, selected by the roles of the pools: hash, clear, move,
-// fetch.
+// pool_item.h -- operations on an item in all its pools at once, selected by their roles: hash, clear, move, fetch.
 #ifndef POOL_ITEM_H
 #define POOL_ITEM_H
 #include "constraints/constraint_kinds.h"
@@ -14,7 +13,6 @@
 #define HASH_SCRATCH(x)
 
 // per is a constant in all functions below, so the compiler removes the lines of other pools.
-
 INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h)
 {
 #define X(type, name, of, role) HASH_##role(if (per == PER_##of) h = hash_##type(h, p->name[i]);)
@@ -23,8 +21,7 @@ INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h)
 	return h;
 }
 
-// Clears a new item; the caller then writes the values that are not zero. OpenCL C does not accept {0} for a vector, so
-// the zero is the implicit second member of a struct.
+// Clears a new item. OpenCL C does not accept {0} for a vector, so the zero is the implicit second member of a struct.
 INLINE void item_clear(const Pools* p, Per per, int i)
 {
 #define X(type, name, of, role)           \
@@ -41,7 +38,6 @@ INLINE void item_clear(const Pools* p, Per per, int i)
 #undef X
 }
 
-// Copies every pool that outlives a step.
 INLINE void item_move(const Pools* p, Per per, int to, int from)
 {
 #define X(type, name, of, role)              \
@@ -51,7 +47,6 @@ INLINE void item_move(const Pools* p, Per per, int to, int from)
 #undef X
 }
 
-// Prefetches the pools that item_clear writes.
 INLINE void item_fetch(const Pools* p, Per per, int i)
 {
 #define X(type, name, of, role)           \

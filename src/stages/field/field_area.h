@@ -3,10 +3,8 @@
 //
 // The outline of a shape is a sequence of edges and arcs. The axes lie on the surface of the fluid: x along it, y = 0
 // on it. The integrals of x dy, x^2 / 2 dy and x y dy around the immersed part are its area and its first moments. They
-// are 0 along the surface itself, so it is enough to sum over the outline below it. The result is exact for every
-// shape.
-// A shape that several edges of a region cut is clipped by one edge after the other, with its arcs replaced by corners.
-// This is exact for shapes without arcs.
+// are 0 along the surface itself, so it is enough to sum over the outline below it, which is exact. A shape that
+// several edges of a region cut is clipped by one edge after the other, with corners in place of its arcs.
 //
 // This work is based on:
 // George Green, An Essay on the Application of Mathematical Analysis, 1828: areas from integrals along outlines.
@@ -62,8 +60,7 @@ INLINE void field_area_piece(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 	sum->y = sum->y + r * (center.y * width + r * (center.x * mixed + r * mixed2));
 }
 
-// Adds the part of an arc that is below y = 0. An arc whose ends are both below still leaves the fluid if it contains
-// the top of the circle.
+// Adds the part of an arc below y = 0. An arc with both ends below may still leave the fluid at the top of its circle.
 INLINE void field_area_arc(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 {
 	float sine = -center.y / r; // sine of the directions in which the circle crosses the surface

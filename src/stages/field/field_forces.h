@@ -42,9 +42,8 @@ KERNEL(field_gather)
 	box_pack(p->field_group, i, box);
 }
 
-// Returns the acceleration toward a center divided by the distance to it, 1/s^2. way: vector to the center. The
-// acceleration is limited so that no step carries a body past the center: a field that is too strong for the step has a
-// soft center and ejects nothing.
+// Returns the acceleration toward a center divided by the distance to it, 1/s^2. way: vector to the center. It is
+// limited so that no step carries a body past the center: a field too strong for the step ejects nothing.
 INLINE float field_pull(const Pools* p, const GLOBAL Field* field, Vec way)
 {
 	float r = square_root(vec_dot(way, way) + field->softening * field->softening), share = 1.0f;

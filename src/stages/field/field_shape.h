@@ -3,8 +3,7 @@
 //
 // This work is based on:
 // Archimedes, On Floating Bodies: the force of a fluid is the weight of the displaced fluid, and acts at its centroid.
-// Ludwig Prandtl, Oskar Tietjens, Fundamentals of Hydro- and Aeromechanics, 1934: drag and lift grow with the square of
-// the speed.
+// Ludwig Prandtl, Oskar Tietjens, Fundamentals of Hydro- and Aeromechanics, 1934: drag and lift by the square of speed.
 #ifndef FIELD_SHAPE_H
 #define FIELD_SHAPE_H
 #include "stages/field/field_area.h"
@@ -81,8 +80,7 @@ INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSample* spot, 
 	return edge;
 }
 
-// Returns the height of the highest point of a shape above an edge; with sign -1, the depth of its lowest point below
-// the edge.
+// Returns the height of a shape's highest point above an edge; with sign -1, the depth of its lowest point below it.
 INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 {
 	Vec normal = vec_turn_back(t->turn, vec_scale(sign, edge.normal));
@@ -119,10 +117,9 @@ INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* sp
 	return field_area_below(t->shape, t->turn, line);
 }
 
-// Returns the limit of the force of a fluid at a point of a body, N. A body that is much lighter than the fluid would
-// be thrown out of it. So the force of a step may not give the point more speed than takes the shape out of the fluid
-// within a step, nor more than 2 sqrt(g width), about the speed of a ball that is released under water. The body still
-// carries a load of dozens of times its weight.
+// N: Returns the limit of the force of a fluid at a point, which would throw a much lighter body out. A step gives the
+// point at most the speed that takes the shape out of the fluid within a step, and at most 2 sqrt(g width), about that
+// of a ball released under water. The body still carries dozens of times its weight.
 INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, float weight, float depth, float width)
 {
 	BodyState state = p->body[body];
@@ -132,8 +129,7 @@ INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, flo
 	return (weight + most) / easy;
 }
 
-// Adds buoyancy and drag at the centroid of the displaced fluid: the weight of that fluid, drag by the area, and drag
-// by the square of the speed as for a disc of the same area.
+// Adds buoyancy at the centroid of the displaced fluid, with drag by its area, and by v^2 as for a disc of that area.
 INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSample* spot, int body,
                         const FieldTarget* t, FieldForce* sum)
 {

@@ -3,20 +3,17 @@
 //
 // Fields act once per step. A substep adds the force to the velocity, then the velocity to the position. So with n
 // substeps of h s a constant force moves a body by n (n + 1) / 2 h^2 times its acceleration in a step. If the force is
-// evaluated at the pose that the body reaches by itself after (n - 1) / 2 h, the step is equivalent to a drift, a kick
-// and a drift, and motion in a conservative field keeps its energy. With the pose at the start of the step, orbits
-// would grow.
+// evaluated at the pose that the body reaches by itself after (n - 1) / 2 h, the step is a drift, a kick and a drift,
+// and motion in a conservative field keeps its energy. With the pose at the start of the step, orbits would grow.
 //
 // This work is based on:
-// Ernst Hairer, Christian Lubich, Gerhard Wanner, Geometric Numerical Integration, 2006, I.1.4: the scheme of Stoermer
-// and Verlet.
+// Ernst Hairer, Christian Lubich, Gerhard Wanner, Geometric Numerical Integration, 2006, I.1.4: Stoermer and Verlet.
 #ifndef FIELD_SUM_H
 #define FIELD_SUM_H
 #include "pools/pools.h"
 #include "stages/broad_phase/transform.h"
 
-// N, N m: limit of the force of all fields on a body
-#define FIELD_MOST 1.0e35f
+#define FIELD_MOST 1.0e35f // N, N m: limit of the force of all fields on a body
 
 // s: time from the start of a step to the poses at which fields act
 INLINE float field_ahead(const Pools* p) { return 0.5f * (p->step.dt - p->step.h); }
@@ -57,7 +54,6 @@ INLINE FieldSample field_sample_of(const Pools* p, const GLOBAL Field* field)
 	return spot;
 }
 
-// Rotates a vector from the frame of a field to the world.
 INLINE Vec field_turn(const FieldSample* spot, float x, float y)
 {
 	return vec_turn(vec(spot->pose.z, spot->pose.w), vec(x, y));
@@ -71,7 +67,6 @@ INLINE Vec field_flow(const GLOBAL Field* field, const FieldSample* spot, Vec at
 	return vec_add(own, field_turn(spot, field->velocity_x, field->velocity_y));
 }
 
-// Returns whether a point is in the region of a field.
 INLINE int field_holds(const GLOBAL Field* field, const FieldSample* spot, Vec at)
 {
 	const GLOBAL Attribute* shape = &field->shape;

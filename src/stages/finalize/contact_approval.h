@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contact_approval.h -- contact approval: lists contacts for the user's decision, and stops their bodies where they
-// would meet.
+// contact_approval.h -- contact approval: lists contacts for the user's decision, and stops their bodies as they meet.
 //
 // A contact of a collidable that requires approval has points but no impulses until the user approves it. In the step
 // in which it gets points it is listed and becomes pending. Its bodies move only to where they meet, so that nothing
@@ -41,17 +40,14 @@ KERNEL(approval_request)
 
 KERNEL(refused_pair) { p->refused[i] = p->key[i]; }
 
-// Lists contact i if it is pending. Runs at the end of the step, when contacts are in the slots that they keep until
-// the next step.
+// Lists contact i if it is pending, at the end of the step, in the slot that it keeps until the next one.
 KERNEL(approval_list)
 {
 	if (p->contact_flags[i] & CONTACT_WAITED)
 		p->asked[atomic_add_int(&p->counters->asked, 1)] = i;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// bodies of pending contacts
-// ---------------------------------------------------------------------------------------------------------------
+// Bodies of pending contacts.
 
 // Stores the pose of body i before the solve.
 KERNEL(approval_begin)

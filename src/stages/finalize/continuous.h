@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // continuous.h -- continuous collision: stops a body that the solver would move through something.
 //
-// Contacts are created before bodies meet, from the velocities at the start of a step (sweep.h). A body that is hit or
-// rotated within the step moves elsewhere, where it may have no contact, or none at the corner that it rotates to. So
-// the path of a body that moved further than a fraction of its thickness is swept against the collidables along it. The
-// body moves along its path until it is slightly inside the surface. It keeps its velocity, and the next step has a
-// contact for it.
+// Contacts are created before bodies meet, from the velocities at the start of a step (sweep.h). A body that is hit
+// within the step moves elsewhere, where it may have no contact, or none at a corner that it rotates to. So the path of
+// a body that moved further than a fraction of its thickness is swept against the collidables along it. It moves until
+// it is slightly inside the surface. It keeps its velocity, and the next step has a contact for it.
 //
 // Static collidables stop it by its own displacement alone. Dynamic ones move at the same time by theirs. Of two such
 // bodies, one stops if it moves toward the other where they meet; one that moves away continues, or it would be run
@@ -22,8 +21,7 @@
 #define CONTINUOUS_H
 #include "stages/finalize/continuous_search.h"
 
-// fraction of the thickness: a path that leaves the box of the step by more is swept against moving collidables without
-// a contact
+// fraction of the thickness: paths that leave the step's box by more are swept against moving ones without a contact
 #define CONTINUOUS_OUTLIER 0.5f
 
 // Returns the path of collidable i, which moves with its body. path, turn: displacement and rotation of the body.
@@ -43,7 +41,6 @@ INLINE ContinuousPath continuous_path(const Pools* p, int i, int pressed, Vec pa
 	return g;
 }
 
-// Returns the box around a path.
 INLINE Float4 continuous_box(const Pools* p, const ContinuousPath* g)
 {
 	Float4 box = world_box(g->from, p->attribute + g->from.attribute, 0.0f);
@@ -52,8 +49,7 @@ INLINE Float4 continuous_box(const Pools* p, const ContinuousPath* g)
 	return box_grow(box_union(box, then), g->swing);
 }
 
-// Returns whether a collidable moves far relative to a kinematic body. With more than KINEMATIC_FEW such bodies it
-// returns 1, and the search tests each.
+// Returns whether a collidable moves far relative to a kinematic body, or 1 with more than KINEMATIC_FEW such bodies.
 RARE int continuous_far_from_some(const Pools* p, const ContinuousPath* g)
 {
 	int far = p->step.kinematic > KINEMATIC_FEW;
@@ -66,10 +62,9 @@ RARE int continuous_far_from_some(const Pools* p, const ContinuousPath* g)
 }
 
 // Returns a bit for each kind that may obstruct a collidable; if there is one, sets the box of its path. While the path
-// stays in the box of the step, everything near has a contact. The boxes of two collidables without a contact are
-// apart, so neither gets past the middle of the other as long as each leaves its box by less than CONTINUOUS_OUTLIER of
-// its thickness. lists: 1 if any kind is enough to list the body. Then a GPU does not compare the path with kinematic
-// bodies, which would cost registers of finalize; the kernel continuous does that.
+// stays in the box of the step, everything near has a contact. Boxes of collidables without a contact are apart, so
+// neither gets past the middle of the other while each leaves its box by less than CONTINUOUS_OUTLIER of its thickness.
+// lists: 1 if any kind is enough; then a GPU leaves kinematic bodies to the kernel continuous, to save registers.
 INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 {
 	float far = continuous_far(g->way.path, g->swing);
@@ -95,23 +90,20 @@ INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
 
-// Returns whether a body without contacts, on which no forces acted, moved as its boxes predicted at the start of the
-// step: it is inside them.
+// Returns whether a body without contacts and forces moved as its boxes predicted at the start: it is inside them.
 INLINE int continuous_foreseen(const Pools* p, int body, float gravity_scale)
 {
 	return p->step.calm && absolute(gravity_scale) <= 1.0f && p->fixed_contacts[body] == 0 &&
 	       p->other_contacts[body] == 0;
 }
 
-// Returns whether a body of one collidable, near which there is nothing but one static collidable, passes it. On a CPU
-// most bodies that roll or slide end here and need no search.
+// Returns whether a body of one collidable passes the only static one near it. On a CPU most bodies that roll end here.
 RARE int continuous_passes_only(const Pools* p, int body, Vec path, float turn)
 {
 	int k = p->continuous_body[body].first - 1, c = p->static_contact[body];
 	if (k < 0 || p->next_collidable[k] != 0 || c < 0 || c >= p->counters->live)
 		return 0;
-	// the slot may hold another contact by now; a contact of this body with something static is the right one, because
-	// it has only one
+	// the slot may hold another contact by now; the only one of this body with something static is the right one
 	Int2 pair = p->pair[c];
 	if (pair.x != k || p->collidable_kind[pair.y] != KIND_STATIC)
 		return 0;
@@ -141,8 +133,7 @@ INLINE int continuous_clear(const Pools* p, int body, Vec path, float turn)
 	return !seeks;
 }
 
-// Returns the end of the path of collidable i, which moves with its body. path, turn: displacement and rotation of the
-// body.
+// Returns the end of the path of collidable i. path, turn: displacement and rotation of its body.
 INLINE ContinuousStop continuous_collidable(const Pools* p, int i, int pressed, Vec path, float turn)
 {
 	ContinuousPath g = continuous_path(p, i, pressed, path, turn);
@@ -150,8 +141,7 @@ INLINE ContinuousStop continuous_collidable(const Pools* p, int i, int pressed, 
 	return continuous_search(p, &g);
 }
 
-// Returns the collidable that follows k by count places in the list of a body. Collidables are numbered 1 + index; 0 is
-// the end.
+// Returns the collidable count places after k in the list of a body. They are numbered 1 + index; 0 is the end.
 INLINE int continuous_skip(const Pools* p, int k, int count)
 {
 	for (; k > 0 && count > 0; --count)
@@ -159,9 +149,8 @@ INLINE int continuous_skip(const Pools* p, int k, int count)
 	return k;
 }
 
-// Returns the first end among the paths of those collidables of a body that belong to a part; part -1 is a pressed
-// body. Neighboring parts test their collidables in the same iteration, because work-items of a GPU wait for each
-// other.
+// Returns the first end among the paths of the collidables of a part of a body; part -1 is a pressed body. Neighboring
+// parts test theirs in the same iteration, because work-items of a GPU wait for each other.
 INLINE ContinuousStop continuous_part(const Pools* p, ContinuousBody continuous_body, int part, Vec path, float turn)
 {
 	ContinuousStop least = continuous_stop(1.0f, vec(0.0f, 0.0f), 0);
@@ -176,8 +165,7 @@ INLINE ContinuousStop continuous_part(const Pools* p, ContinuousBody continuous_
 	return least;
 }
 
-// Returns whether something static may be near the path of a body. reach, m: limit of the distance of its points from
-// its center of mass. A GPU tests this in the kernel continuous.
+// Returns whether something static may be near a body's path; a GPU tests that later. reach: as in ContinuousBody.
 INLINE int continuous_near_statics(const Pools* p, int body, Vec path, float reach)
 {
 	const GLOBAL Tree* tree = p->tree + 1;
@@ -189,8 +177,7 @@ INLINE int continuous_near_statics(const Pools* p, int body, Vec path, float rea
 	return tree_hits(p, tree->begin[tree->top], box_grow(box, reach)) != 0;
 }
 
-// Returns whether a body moves far enough to be tested. The bounds in Step rule out most bodies before their own rows
-// are read.
+// Returns whether a body moves far enough to be tested. Bounds in Step rule out most before their own rows are read.
 INLINE int continuous_wanted(const Pools* p, int body, Vec path, float turn)
 {
 	float far = absolute(path.x) + absolute(path.y), swing = absolute(turn);
@@ -210,8 +197,7 @@ INLINE int continuous_presses(const Pools* p, int body, float depth, Vec path, f
 	return depth + continuous_far(path, absolute(turn) * p->continuous_body[body].reach) > PRESS_MOST;
 }
 
-// Lists a body for the kernel continuous, once per part. One part has a branch of its own, because a GPU combines
-// atomics of neighboring work-items that add 1 each.
+// Lists a body for continuous, once per part. One part has a branch: a GPU combines neighbors' atomics that add 1.
 INLINE void continuous_enlist(const Pools* p, int body)
 {
 	int parts = p->continuous_body[body].parts;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// continuous_search.h -- end of a collidable's path: the first obstacle on it, and the distance that the collidable
-// moves.
+// continuous_search.h -- end of a collidable's path: the first obstacle, and the distance that the collidable moves.
 #ifndef CONTINUOUS_SEARCH_H
 #define CONTINUOUS_SEARCH_H
 #include "stages/broad_phase/transform.h"
@@ -8,18 +7,11 @@
 #include "stages/rules/apart.h"
 #include "stages/tree/tree.h"
 
-// fractions of the thickness: limits of the depth of a body at the end of the step. CONTINUOUS_DEPTH: increase over the
-// start of the step. CONTINUOUS_DEEPEST: total, so that its middle stays outside
-#define CONTINUOUS_DEPTH   0.25f
-#define CONTINUOUS_DEEPEST 0.75f
-// fraction of the thickness: limit of the depth of a body that is pressed into something static, if it is less than
-// PRESS_MOST
-#define CONTINUOUS_PRESSED 0.5f
-// fraction of the thickness: increase that is always allowed in something dynamic, so that a body that is squeezed in
-// between can slide
-#define CONTINUOUS_SLACK 0.15f
-// m: limit of the increase in something static; a lower limit stops more bodies of a pile, which then overlap more
-#define CONTINUOUS_MOST 0.015f
+#define CONTINUOUS_DEPTH   0.25f  // fraction of the thickness: limit of the increase of depth in a step
+#define CONTINUOUS_DEEPEST 0.75f  // the same for the total depth, so that its middle stays outside
+#define CONTINUOUS_PRESSED 0.5f   // the same for a body pressed into something static, if less than PRESS_MOST
+#define CONTINUOUS_SLACK   0.15f  // fraction: increase always allowed in dynamic ones, so that squeezed bodies slide
+#define CONTINUOUS_MOST    0.015f // m: limit of the increase in something static; less makes piles overlap more
 
 typedef struct // end of a path
 {
@@ -40,7 +32,6 @@ INLINE ContinuousStop continuous_stop(float share, Vec normal, int index)
 // Returns a bound of the distance that points of something move, m. swing: part of it by rotation.
 INLINE float continuous_far(Vec path, float swing) { return absolute(path.x) + absolute(path.y) + swing; }
 
-// Returns the motion of a body in the step.
 INLINE Advance continuous_went(const Pools* p, int body)
 {
 	const GLOBAL BodyState* state = p->body + body;
@@ -50,19 +41,16 @@ INLINE Advance continuous_went(const Pools* p, int body)
 	return advance;
 }
 
-// Returns the motion of a collidable. advance: motion of its body.
 INLINE Sweep continuous_way(const Pools* p, WorldShape s, Advance advance)
 {
 	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
 	return sweep_with(advance, vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
-// factor of a length that exceeds the effect of rounding
-#define CONTINUOUS_ROUNDING 1.00001f
+#define CONTINUOUS_ROUNDING 1.00001f // factor of a length that exceeds the effect of rounding
 
-// Returns the same motion with the exact reach of the corners. The bound of sweep_with is many times as large for a
-// shape that is far from its origin: a small body that spins would take more rounds than the limit, and stay in the
-// air.
+// Returns the motion with the exact reach of the corners. The bound of sweep_with is much larger for a shape far from
+// its origin: a small body that spins would take more rounds than the limit, and stay in the air.
 INLINE Sweep continuous_near(const Pools* p, WorldShape s, Sweep way)
 {
 	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
@@ -76,7 +64,6 @@ INLINE Sweep continuous_near(const Pools* p, WorldShape s, Sweep way)
 	return way;
 }
 
-// Returns the motion of a collidable at rest.
 INLINE Sweep continuous_rest(const Pools* p, WorldShape s)
 {
 	Advance rests;
@@ -123,8 +110,7 @@ INLINE float continuous_follows(const ContinuousPath* g, WorldShape other, Sweep
 	return met.time + (1.0f - met.time) * maximum(keeps, 0.0f);
 }
 
-// leaves whose data is read together: on a GPU their latencies overlap, a CPU gains nothing
-#define CONTINUOUS_LEAVES (FETCHES ? 1 : 4)
+#define CONTINUOUS_LEAVES (FETCHES ? 1 : 4) // leaves read together: GPU latencies overlap, a CPU gains nothing
 
 typedef struct // data that rules out most leaves
 {
@@ -142,9 +128,8 @@ INLINE ContinuousLeaf continuous_leaf_at(const Pools* p, int place)
 	return leaf;
 }
 
-// Returns a bound of the distance that points of a collidable move relative to a kinematic body, in the frame that
-// rotates with that body, m. other: a shape of that body. A body that turns with a drum does not move far, and nothing
-// obstructs it.
+// m: Returns a bound of the motion of a collidable's points relative to a kinematic body, in its rotating frame. other:
+// a shape of that body. A body that turns with a drum does not move far, so nothing obstructs it.
 INLINE float continuous_far_from(const Pools* p, const ContinuousPath* g, WorldShape other)
 {
 	Advance went = continuous_went(p, other.body);
@@ -157,8 +142,7 @@ INLINE float continuous_far_from(const Pools* p, const ContinuousPath* g, WorldS
 }
 
 // Returns whether a leaf may stop a collidable: it is static, or the two move so far relative to each other that one
-// may get past the middle of the other. Quick tests exclude the collidable itself and collidables that its filter
-// rejects.
+// may get past the middle of the other. Quick tests exclude the collidable itself and those that its filter rejects.
 INLINE int continuous_meets(const Pools* p, const ContinuousPath* g, const ContinuousLeaf* leaf)
 {
 	if (!(g->seeks >> leaf->kind & 1))
@@ -265,7 +249,6 @@ INLINE ContinuousTraversal continuous_traverse(void)
 	return w;
 }
 
-// Returns whether something in a tree may stop a collidable.
 INLINE int continuous_seeks_in(const Pools* p, const ContinuousPath* g, int t)
 {
 	int statics = 1 << KIND_STATIC;

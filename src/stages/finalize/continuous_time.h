@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
-// continuous_time.h -- time at which two collidables are too deep in each other, from the motions of their bodies in
-// the step.
+// continuous_time.h -- time at which two collidables get too deep into each other, from the motions in the step.
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Here each
 // corner has its own speed, and all share a bound of their acceleration. With one bound of all speeds, bodies that spin
-// close to a wall took more than 20 rounds, and bodies that slide along a rotating side were classified as moving
-// apart.
+// close to a wall took more than 20 rounds, and bodies that slide along a rotating side counted as moving apart.
 #ifndef CONTINUOUS_TIME_H
 #define CONTINUOUS_TIME_H
 #include "stages/geometry/sweep.h"
 
-// m: tolerance of the target depth
-#define CONTINUOUS_TOLERANCE (0.1f * SWEEP_DEPTH)
+#define CONTINUOUS_TOLERANCE (0.1f * SWEEP_DEPTH) // m: tolerance of the target depth
 
 typedef struct // first time at which two collidables a and b are too deep
 {
@@ -28,8 +25,7 @@ INLINE Vec continuous_bend(Closing c, float time)
 	return vec_sub(c.bend, vec_spin(frame, vec_add(c.near, vec_scale(time, c.bend))));
 }
 
-// Returns the separation up to which points count from a time on, in the frame of a, including points that only a
-// curved path reaches.
+// Returns the separation up to which points count from a time on, in the frame of a, also those on a curved path.
 INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 {
 	Reach reach = sweep_reach(c, axes, time);
@@ -69,8 +65,7 @@ INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Clos
 	return soon;
 }
 
-// fraction of a path: a point that approaches by less slides
-#define CONTINUOUS_SLIDES 1.0e-5f
+#define CONTINUOUS_SLIDES 1.0e-5f // fraction of a path: a point that approaches by less slides
 
 // Returns whether a point of a manifold at a depth of at least deep, m, gets deeper at once.
 INLINE int continuous_sinks(Closing c, Manifold m, Vec axes, Vec position, float deep)
@@ -143,9 +138,8 @@ INLINE ContinuousSide continuous_side(const GLOBAL Attribute* shape, Vec point)
 	return side;
 }
 
-// Returns whether the depth of b in a along one normal of a stays below deep, m, on the whole path; then that of the
-// shapes does too. Nearly all pairs end here. Between start and end a corner gets no lower than at the lower one of the
-// two, except by its bow (continuous_bow).
+// Returns whether the depth of b in a along one normal stays below deep, m, on the whole path, as for nearly all pairs.
+// A corner gets no lower than at the lower end of its path, except by its bow (continuous_bow).
 RARE int continuous_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
@@ -172,7 +166,6 @@ RARE int continuous_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape
 	return low - side.surface - shape_b->radius - continuous_bow(closing, between) > -deep;
 }
 
-// Returns the time at which b gets too deep in a.
 RARE ContinuousMeeting continuous_time(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b,
                                        ContinuousDepth deep)
 {

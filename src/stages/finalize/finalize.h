@@ -12,7 +12,6 @@ INLINE int finalize_finite(Vec v, float w, Vec d, float da)
 	return 0.0f * v.x + 0.0f * v.y + 0.0f * w + 0.0f * d.x + 0.0f * d.y + 0.0f * da == 0.0f;
 }
 
-// Moves a body to its pose at the end of the step.
 INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 {
 	Vec turn = vec(p->pose[i].z, p->pose[i].w);
@@ -24,9 +23,8 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 	pose_move(p, i, d, turn);
 }
 
-// Limits the speed of a body that is or was pressed between two others: it leaves no faster than the body that presses
-// it, unless it was faster at the start of the step, or falls. Returns whether it is pressed too deep into something
-// static.
+// Limits the speed of a body that is or was pressed between two others to that of the presser, unless it was faster at
+// the start of the step, or falls. Returns whether it is pressed too deep into something static.
 INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, float da)
 {
 	Press press = p->press[i];

@@ -9,8 +9,7 @@ INLINE int box_is_empty(Float4 b) { return b.x > b.z; }
 
 INLINE int box_overlap(Float4 a, Float4 b) { return a.x <= b.z && b.x <= a.z && a.y <= b.w && b.y <= a.w; }
 
-// Returns whether the boxes of a pair have parted. Old boxes that do not overlap mean that one of the collidables was
-// created again in its slot.
+// Returns whether the boxes of a pair have parted, or old boxes do not overlap: one was created again in its slot.
 INLINE int box_parted(const Pools* p, Int2 pair)
 {
 	return !(box_overlap(p->box[pair.x], p->box[pair.y]) && box_overlap(p->old_box[pair.x], p->old_box[pair.y]));
@@ -28,8 +27,7 @@ INLINE Float4 box_union(Float4 a, Float4 b)
 	return make_float4(b.x < a.x ? b.x : a.x, b.y < a.y ? b.y : a.y, b.z > a.z ? b.z : a.z, b.w > a.w ? b.w : a.w);
 }
 
-// Returns the index of a bound of box i, for boxes that are packed eight at a time (dialect.h). which: 0 lower x, 1
-// lower y, 2 upper x, 3 upper y.
+// Returns the index of bound which (0 lower x, 1 lower y, 2 upper x, 3 upper y) of box i, packed by eight (dialect.h).
 INLINE int box_bound(int i, int which) { return (i & ~7) * 4 + 8 * which + (i & 7); }
 
 INLINE Float4 box_unpack(const GLOBAL Float4* boxes, int i)

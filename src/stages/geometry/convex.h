@@ -6,10 +6,8 @@
 // of two shapes is that of the second one's origin from this sum. So these functions answer all queries.
 //
 // This work is based on:
-// Mike Cyrus, Jay Beck, Generalized Two- and Three-dimensional Clipping, 1978: a line against the half-planes of a
-// convex polygon.
-// Christer Ericson, Real-Time Collision Detection, 2005, chapters 5.1 and 5.3: Voronoi regions, the line against a
-// sphere.
+// Mike Cyrus, Jay Beck, Generalized Two- and Three-dimensional Clipping, 1978: a line against half-planes.
+// Christer Ericson, Real-Time Collision Detection, 2005, 5.1 and 5.3: Voronoi regions, the line against a sphere.
 #ifndef CONVEX_H
 #define CONVEX_H
 #include "stages/geometry/manifold_axis.h"
@@ -63,9 +61,8 @@ INLINE Real convex_along(const Convex* c, int k, int from, Vec q)
 	return vec_cross(up, vec_sub(q, convex_corner(c, from)));
 }
 
-// Returns the edge of the Voronoi region of a point outside; *corner: the corner of the region, or -1. The search
-// begins at an edge that the point is above. Of two nearly parallel edges, each may assign the point to the other, so
-// the search ends after one turn around the core.
+// Returns the edge of the Voronoi region of a point outside; *corner: its corner, or -1. It begins at an edge that the
+// point is above. Nearly parallel edges may assign the point to each other, so it ends after one turn around the core.
 INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
 {
 	*corner = -1;
@@ -96,8 +93,7 @@ INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
 	return edge;
 }
 
-// Returns the separation of a point from the surface around a corner. For a point exactly on the corner the normal is
-// up.
+// Returns the separation of a point from the surface around a corner; up is the normal of a point exactly on it.
 INLINE ConvexNearest convex_at_corner(const Convex* c, int edge, int corner, Vec q, Vec up)
 {
 	Vec d = vec_sub(q, convex_corner(c, corner));

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 // convex_sum.h -- the Minkowski sum of the core of a shape and the mirrored core of another one.
 //
-// The edges of the sum are those of both cores, sorted by angle (Mark de Berg et al., Computational Geometry, 2008,
-// theorem 13.11).
+// Its edges are those of both cores, by angle (Mark de Berg et al., Computational Geometry, 2008, theorem 13.11).
 #ifndef CONVEX_SUM_H
 #define CONVEX_SUM_H
 #include "stages/geometry/convex.h"
 
 #define SUM_CORNERS (2 * MAX_CORNERS)
 
-// sine of an angle: edges that differ by less than SUM_PARALLEL are merged; two segments that differ by less than
-// SUM_FLAT have no area between them
-#define SUM_PARALLEL 2e-7f
-#define SUM_FLAT     1e-4f
+#define SUM_PARALLEL 2e-7f // sine: edges that differ by less are merged
+#define SUM_FLAT     1e-4f // sine: two segments that differ by less have no area between them
 
 // source of an edge of a sum
 #define SUM_OF_A    1
@@ -26,8 +23,7 @@ typedef struct // Minkowski sum, in the frame of a
 	int count, thin;
 } Sum;
 
-// Returns the first corner of a core in the order of angles from 0 on: the lowest one, and of these the leftmost. sign
-// -1: corner of the mirror image.
+// Returns the first corner of a core by angle from 0: the lowest one, then the leftmost. sign -1: of the mirror image.
 INLINE int sum_first(const GLOBAL Attribute* shape, Vec turn, float sign)
 {
 	int first = 0;
@@ -114,8 +110,7 @@ INLINE Convex sum_convex(const Sum* sum, Real radius)
 	return c;
 }
 
-// Returns the point on the surface of a that is nearest to b. q: origin of b. The shapes are apart or touch, at this
-// edge or corner of the sum.
+// Returns the point of a's surface nearest to b, for shapes apart or touching at this edge or corner. q: origin of b.
 INLINE Vec sum_point(const Sum* sum, const GLOBAL Attribute* a, const GLOBAL Attribute* b, Vec turn, Vec q, int edge,
                      int corner, Vec normal)
 {

@@ -12,23 +12,18 @@
 #include "stages/geometry/manifold_nearest.h"
 
 // m: if two edges face each other, the edge of a is the reference edge only if its separation is larger by this.
-// Otherwise the choice between nearly parallel edges would alternate. b is the shape that does not move, or the larger
-// one. If the edges do not face each other, the one with the larger separation is used, because the other may not be at
-// the nearest points.
+// Otherwise the choice between nearly parallel edges would alternate. b does not move, or is larger. If the edges do
+// not face each other, the one with the larger separation is used, because the other may not be at the nearest points.
 #define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
-// m: tolerance between a manifold on an edge and the distance of the cores; a shorter vector counts as having no
-// direction
+// m: tolerance between a manifold on an edge and the distance of the cores; shorter vectors have no direction
 #define NEAREST_TOLERANCE (0.01f * LINEAR_SLOP)
-// m: for circles whose centers are closer no direction is computed. Finer than NEAREST_TOLERANCE, so that the normals
-// of many bodies at nearly one place are consistent with their positions
+// m: circles with closer centers get no direction. It is small, so that bodies near one place have fitting normals.
 #define CENTERS_APART (0.0002f * LINEAR_SLOP)
 
-// cosine: edges face each other if the product of their normals is below -FACING. Then the feature of a point is two
-// corners, because equal boxes in a stack must keep their features while one slides over the other's corner; otherwise
-// it is a corner and an edge.
-#define FACING 0.9f
-// feature index of a shape's first edge; smaller indices are corners
-#define FEATURE_EDGE MAX_CORNERS
+// cosine: edges face each other if the product of their normals is below -FACING. Then a point's feature is two
+// corners, so that boxes of a stack keep it while one slides over a corner; otherwise a corner and an edge.
+#define FACING       0.9f
+#define FEATURE_EDGE MAX_CORNERS // feature index of a shape's first edge; smaller indices are corners
 
 typedef struct // manifold in the frame of a
 {
@@ -57,8 +52,7 @@ INLINE Reach reach_of(Real within)
 	return r;
 }
 
-// Returns the separation up to which points count along a normal from a to b: a distance that the velocity cannot close
-// in time does not count.
+// Returns the separation up to which points count along a normal from a to b: within, plus the approach that is left.
 INLINE Real reach_along(Reach r, Vec normal) { return r.within + maximum(r.swing - vec_dot(normal, r.near), 0.0f); }
 
 INLINE Manifold no_manifold(void)
@@ -209,8 +203,7 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 	if (cut_low)
 		low = vec(0.0f, low.y + low.x / along.x * -along.y);
 
-	// distance of clipped points >= distance of the cores >= separation; if the clipped points are farther apart than
-	// the separation, a corner faces a corner
+	// distance of clipped points >= that of the cores >= separation; if it is larger, a corner faces a corner
 	if (!overlap || minimum(high.y, low.y) > separation + NEAREST_TOLERANCE)
 		return nearest_manifold(a, b, &r, incident, separation, reach);
 
@@ -250,8 +243,7 @@ INLINE Manifold manifold_swap(Manifold m, Frame f)
 	return m;
 }
 
-// Returns the manifold of two shapes, in the frame of a: points with a separation within reach. f: pose of b in the
-// frame of a.
+// Returns the manifold of two shapes in the frame of a: points with a separation within reach. f: pose of b there.
 INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f, Reach reach)
 {
 	if (a->count == 1 && b->count == 1)

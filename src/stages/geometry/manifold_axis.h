@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // manifold_axis.h -- separating axis test: the edge along whose normal one convex core is furthest from another.
 //
-// S. Gottschalk, Separating Axis Theorem, 1996. Two cores overlap if they overlap along the normals of all edges of
-// both.
+// S. Gottschalk, Separating Axis Theorem, 1996: cores overlap if they overlap along the normals of all edges of both.
 #ifndef MANIFOLD_AXIS_H
 #define MANIFOLD_AXIS_H
 #include "dialect/vec.h"
 #include "pools/pools.h"
 
-// lower than any separation
-#define NO_AXIS (-1.0e30f)
+#define NO_AXIS (-1.0e30f) // lower than any separation
 
 typedef struct // pose of one shape in the frame of another
 {
@@ -55,8 +53,7 @@ INLINE Frame frame_inverse(Frame f)
 	return back;
 }
 
-// Returns the edge of a along whose normal b is furthest. A circle has no edges. Normals are rotated into the frame of
-// the vertices, so no array of rotated vertices has to be stored per item.
+// Returns the edge of a along whose normal b is furthest. Normals are rotated, so no rotated vertices are stored.
 INLINE Axis best_axis(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
 {
 	Axis best = {NO_AXIS, 0, 0};

@@ -13,8 +13,7 @@
 #include "dialect/finite.h"
 #include "pools/pools.h"
 
-// m: edge of the world, where bodies stop. Every product of two lengths within it is finite.
-#define POSE_EDGE 1.0e8f
+#define POSE_EDGE 1.0e8f // m: edge of the world, where bodies stop; every product of two lengths within it is finite
 
 // Returns a + b, clamped to the world. *lack: rounding error of the sum.
 INLINE float pose_sum(float a, float b, float* lack)

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// predicted_manifold.h -- manifolds at future poses: of fast bodies where they will meet, of corners that pass each
-// other, of belts.
+// predicted_manifold.h -- manifolds at future poses: of fast bodies that will meet, of corners that pass, of belts.
 #ifndef PREDICTED_MANIFOLD_H
 #define PREDICTED_MANIFOLD_H
 #include "stages/geometry/sweep.h"
 
-// cosine of the angle between the normals at two poses; below it the shape has gone through. Passing a corner turns the
-// normal by at most a right angle, plus rounding
+// cosine between normals at two poses; below, the shape went through: a corner turns it by a right angle at most
 #define PAST_THROUGH (-0.5f)
 
 // values of Prediction.ahead: poses at which the two meet; poses of another time
@@ -29,8 +27,7 @@ typedef struct // manifold, and the poses for which it was computed
 // far. Otherwise a body that sags by less at a seam would appear to meet its side.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
-// Returns the manifold of a later pose if it overlaps much less than the current manifold predicts for that time;
-// otherwise now. said, m: separation that now predicts.
+// Returns the manifold of a later pose if it overlaps much less than now predicts (said, m) for that time; else now.
 RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now, Real time,
                               Real said)
 {
@@ -40,8 +37,7 @@ RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closin
 	if (minimum(later.m.separation[0], later.m.separation[1]) - said < PAST_ERROR)
 		return now;
 	later.axes = vec_turn(turn, now.axes);
-	// a thin shape that went through, instead of passing a corner, has the opposite normal and would be pushed out on
-	// the wrong side
+	// a thin shape that went through has the opposite normal, and would be pushed out on the wrong side
 	if (vec_dot(vec_turn(later.axes, later.m.normal), vec_turn(now.axes, now.m.normal)) < PAST_THROUGH)
 		return now;
 	later.ahead = PREDICT_LATER;
@@ -49,8 +45,7 @@ RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closin
 }
 
 // Returns the manifold of a later pose if the pair passes a corner. A manifold pushes along its normal as if both
-// shapes were flat. At a corner it predicts an overlap that will not happen, and would stop a body that slides over a
-// seam between two floors.
+// shapes were flat, and would stop a body that slides over a seam between two floors.
 INLINE Prediction predict_past(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now)
 {
 	if (now.m.count == 0)
@@ -63,8 +58,7 @@ INLINE Prediction predict_past(const Pools* p, WorldShape a, WorldShape b, Closi
 	return said > -PAST_ERROR ? now : predict_later(p, a, b, closing, now, time, said);
 }
 
-// Returns whether a pair is farther apart than it can approach in the step, so that it has no manifold at any of its
-// poses. Circles around the shapes bound their distance; the additions to it cover rounding.
+// Returns whether a pair is too far apart to meet in the step, by circles around the shapes, enlarged for rounding.
 INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Closing closing, Vec apart)
 {
 	Real most = closing.within + closing.swing + root(vec_dot(closing.near, closing.near));
@@ -72,16 +66,13 @@ INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Cl
 	return vec_dot(apart, apart) > reach * reach;
 }
 
-// OVER_DEPTH: fraction of its radius by which a round shape may be below a corner that it rolls over; OVER_SAME: cosine
-// of normals that differ by rounding only.
-#define OVER_DEPTH 0.075f
-#define OVER_SAME  0.9999f
+#define OVER_DEPTH 0.075f  // fraction of its radius by which a round shape may be below a corner that it rolls over
+#define OVER_SAME  0.9999f // cosine of normals that differ by rounding only
 
 // Returns whether predict_end may replace the manifold of a round shape that meets a corner. A loaded wheel on a row of
-// segments is slightly below their ends, so it meets the end of the next segment and would be thrown up as by a step.
-// If it will roll over the corner no deeper than OVER_DEPTH, the later manifold is used. A pair alone cannot
-// distinguish a seam from a low step, so such steps push wheels up softly. The segment must not be able to move: arms
-// other than those at the impact would change the angular momentum.
+// segments is slightly below their ends, and the next end would throw it up like a step. If it will roll over the
+// corner no deeper than OVER_DEPTH, the later manifold is used. A seam looks like a low step, so low steps push softly.
+// The segment must not be able to move: arms other than those at the impact would change the angular momentum.
 INLINE int predict_rolls(const Pools* p, WorldShape a, WorldShape b)
 {
 	const GLOBAL Attribute* attribute = p->attribute + b.attribute;
@@ -95,18 +86,16 @@ INLINE int predict_rolled(const Pools* p, WorldShape a, const Closing* closing, 
 	Real deepest = OVER_DEPTH * (p->attribute + a.attribute)->radius;
 	Vec normal = vec_turn(later->axes, later->m.normal);
 	Real turned = vec_dot(normal, vec_turn(met->axes, met->m.normal));
-	// separation at the later poses. If the pair approaches along the later normal, current separation from the later
-	// plane, because a contact with this plane removes that approach
+	// separation at the later poses, or now from the later plane, whose contact removes an approach along its normal
 	Real deep =
 	    minimum(later->m.separation[0], later->m.separation[1]) - time * minimum(vec_dot(normal, closing->near), 0.0f);
 	return deep >= -deepest && turned > 1.0f - OVER_DEPTH && turned < OVER_SAME;
 }
 
-// Returns the manifold at a later time. has_rolling 1: the pair meets at a corner; the time is that of the last
-// relaxation pass, and the manifold is used if the round shape then rolls over the corner. has_rolling 0: a surface of
-// the pair is a belt; the time is the end of the step. The difference of the loads on two belts drives a body and
-// depends on its arms; arms that lag behind its motion would add energy (rolling.h has the same rule). Both cases share
-// one call of collide, because each call uses registers of a GPU.
+// Returns the manifold at a later time. has_rolling 1, a pair meets at a corner: after the last relaxation pass, if the
+// round shape then rolls over it. has_rolling 0, a surface is a belt: at the end of the step. The difference of the
+// loads on two belts drives a body and depends on its arms; arms that lag behind its motion would add energy, as in
+// rolling.h. Both cases share one call of collide, because each call uses registers of a GPU.
 RARE Prediction predict_end(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now,
                             int has_rolling)
 {
@@ -139,8 +128,7 @@ INLINE Prediction predict_meeting(const Pools* p, WorldShape a, WorldShape b, Cl
 			then.ahead = PREDICT_MEETS;
 			return then;
 		}
-		// keeps a pair that the forces of one step may bring together, even if it will not meet; otherwise nothing
-		// could roll or slide fast on a floor
+		// keeps a pair that forces may bring together; otherwise nothing could roll or slide fast on a floor
 		if (round == 0 && gap <= LINEAR_SLOP * closing.grain)
 			now.m = then.m;
 		Real speed = sweep_speed(closing, vec_turn(then.axes, then.m.normal), time);

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-// sweep.h -- poses of collidables within the step, from their velocities, and bounds for the time at which two of them
-// meet.
+// sweep.h -- poses of collidables within the step, from their velocities, and bounds for the time at which two meet.
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Two shapes at
 // some distance along a direction cannot meet before the speed along it has closed that distance.
-// Paul Firth, Speculative Contacts, 2011: a contact that is created before bodies meet removes the speed that exceeds
-// the gap.
-// Erin Catto, Continuous Collision, GDC 2013: ghost collisions of speculative points, and a target slightly inside the
-// surface.
+// Paul Firth, Speculative Contacts, 2011: a contact before bodies meet removes the speed that exceeds the gap.
+// Erin Catto, Continuous Collision, GDC 2013: ghost collisions of speculative points, a target inside the surface.
 //
 // Times are fractions of the step, velocities are per step, as in sweep_closing.h.
 #ifndef SWEEP_H

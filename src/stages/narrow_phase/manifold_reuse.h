@@ -2,24 +2,20 @@
 // manifold_reuse.h -- selects the contacts that keep their manifold, and marks the others for narrow_phase.
 //
 // If the collidables of a pair have hardly moved relative to each other, the points keep their places on both, and
-// nothing is written (contact_points.h computes the points). In a settled pile that is nearly every pair. A pair that
-// rotates together, as bodies in a drum do, keeps the places too, but its normal and arms rotate with it: only the
-// rotation is written.
+// nothing is written (contact_points.h computes the points). In a settled pile that is nearly all. A pair that rotates
+// together, as in a drum, keeps the places too, but its normal and arms rotate with it: only the rotation is written.
 #ifndef MANIFOLD_REUSE_H
 #define MANIFOLD_REUSE_H
 #include "constraints/constraint_kinds.h"
 #include "constraints/sweep_closing.h"
 
-// cosine: a manifold is kept while neither collidable has rotated by more than 3.6 degrees in the world, and no point
-// has moved too far relative to the other collidable (narrow_phase_distance).
+// cosine of 3.6 degrees: a manifold is kept up to this rotation of either side, and up to narrow_phase_distance
 #define HOLD_COSINE 0.998f
 
-// fraction of the motion limit up to which a pair that rotates together keeps the places of its points
-#define TURN_SHARE 0.3f
+#define TURN_SHARE 0.3f // fraction of the motion limit up to which a pair that rotates together keeps its points
 
 // Returns a bound of the motion of any point of b near a, in the frame of a, since b had position and rotation: the
-// motion of the point at the origin of a, plus reach times the rotation. reach: that of a. Sums of components bound
-// lengths.
+// motion of the point at the origin of a, plus reach (of a) times the rotation. Sums of components bound lengths.
 INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec rotation_now, Real reach)
 {
 	Vec turn = vec_turn_back(rotation, rotation_now);
@@ -56,8 +52,7 @@ INLINE Int narrow_phase_loaded(const Pools* p, int i)
 	return there & ((load1 > zero) | (load2 > zero));
 }
 
-// prefetch distance, in contacts
-#define KEEP_SOON 32
+#define KEEP_SOON 32 // prefetch distance, in contacts
 
 INLINE void narrow_phase_keep_fetch(const Pools* p, int i, int live)
 {
@@ -113,8 +108,7 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 	return anew;
 }
 
-// Marks the contacts that narrow_phase processes: those that are new, moved too far, will meet or pass by within the
-// step, and those whose boxes may have parted.
+// Marks the contacts for narrow_phase: new, moved too far, to meet or pass by within the step, or with parted boxes.
 WIDE_KERNEL(narrow_phase_keep)
 {
 	int live = p->counters->live;

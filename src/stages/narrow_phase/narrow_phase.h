@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// narrow_phase.h -- computes manifolds of contacts, transfers impulses to new points, releases contacts whose boxes
-// parted.
+// narrow_phase.h -- computes manifolds of contacts, transfers impulses to new points, releases contacts that parted.
 #ifndef NARROW_PHASE_H
 #define NARROW_PHASE_H
 #include "constraints/contact_one.h"
@@ -9,12 +8,10 @@
 #include "stages/geometry/predicted_manifold.h"
 #include "stages/narrow_phase/manifold_reuse.h"
 
-// m: a new point inherits the impulse of an old point of another feature only within this distance
-#define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
+#define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE) // m: limit for impulses of old points of other features
 
-// m: a pair without points is not tested again until a point has moved by more than this relative to the other
-// collidable, plus the distance by which the pair was farther apart than the speculative distance. It is a quarter of
-// the speculative distance, so that no contact can be missed.
+// m: a pair without points is tested again when a point has moved by more than this, plus the distance by which the
+// pair was beyond the speculative distance. A quarter of that distance, so that no contact can be missed.
 #define STAY_DISTANCE LINEAR_SLOP
 
 // HOLD_DISTANCE, m, and HOLD_SHARE, a fraction of the reach of the smaller collidable: limits of the motion of a point
@@ -76,13 +73,10 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	return 1;
 }
 
-// m: the direction between two bodies whose centers of mass are closer than PLACE_APART is undefined. For their
-// manifold they are displaced by at most PLACE_ASIDE, each by an offset of its own
-#define PLACE_APART CENTERS_APART
-#define PLACE_ASIDE (10.0f * CENTERS_APART)
+#define PLACE_APART CENTERS_APART           // m: bodies with closer centers of mass have no direction between them
+#define PLACE_ASIDE (10.0f * CENTERS_APART) // m: largest displacement of such bodies, each by an offset of its own
 
-// Returns a pseudo-random offset for a body, m. The hash has no visible order, because neighbors in a pool are often
-// created together.
+// m: Returns a pseudo-random offset for a body, without visible order: neighbors in a pool are often created together.
 INLINE Vec narrow_phase_place(int body)
 {
 	Word x = (Word)body * 0x9e3779b9u;
@@ -108,10 +102,9 @@ INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 	return b;
 }
 
-// Returns the manifold of a pair and the poses for which it was computed. answers: 1 if the contact gets impulses, 0
-// for detection only. far: 1 if the pair may approach by more than the speculative distance. belt: not 0 if a surface
-// has a tangent speed. within, m: separation from which on the pair has points. *has_rolling: MANIFOLD_* bits of a
-// rolling manifold.
+// Returns the manifold of a pair and its poses. answers: 1 if the contact gets impulses, 0 for detection only. far: 1
+// if the pair may approach by more than the speculative distance. belt: not 0 if a surface has a tangent speed. within,
+// m: separation from which on the pair has points. *has_rolling: MANIFOLD_* bits of a rolling manifold.
 INLINE Prediction narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt,
                                     int moved, float within, Word* has_rolling)
 {

@@ -5,7 +5,6 @@
 #include "constraints/constraint_kinds.h"
 #include "constraints/contact_report_points.h"
 
-// Writes contact i to a row.
 INLINE void contact_report_write(const Pools* p, int i, int row)
 {
 	ContactReport listed;

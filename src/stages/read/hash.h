@@ -5,8 +5,7 @@
 #include "constraints/contact_one.h"
 #include "stages/edit/pool_item.h"
 
-// Item: a sum over items i, i + HASH_SUMS, ... below argument. hash_bodies writes the sums, the other kernels add to
-// them.
+// Item: a sum over items i, i + HASH_SUMS, ... below argument. hash_bodies writes sums, the other kernels add to them.
 KERNEL(hash_bodies)
 {
 	Word64 sum = 0;

@@ -5,8 +5,7 @@
 #include "constraints/constraint_kinds.h"
 #include "constraints/joint_one.h"
 
-// Returns the place of a joint, -1 for one that has not been in a step, although its slot has the place of an older
-// joint.
+// Returns the place of a joint, -1 for one that was in no step yet, although its slot has the place of an older one.
 INLINE int joint_report_place(const Pools* p, int i)
 {
 	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// moved_bodies.h -- lists the bodies whose poses differ from those last reported to the user, on request. No step reads
-// or writes this.
+// moved_bodies.h -- lists the bodies whose poses differ from those last reported to the user. No step reads this.
 //
 // Poses are those of origins, as the user reads them, and are compared as numbers. So another center of mass, or the
 // rounding error of a pose, does not make a body a moved one.

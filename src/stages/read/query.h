@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // query.h -- queries of the user: rays, moving or resting shapes, and the nearest collidable; one item per query.
 //
-// docs/queries.md defines the results. Of equal fractions or distances the lower index wins, so a result does not
-// depend on the order of the search.
+// docs/queries.md defines the results. Of equal fractions or distances the lower index wins, in any order of search.
 #ifndef QUERY_H
 #define QUERY_H
 #include "stages/geometry/convex_sum.h"
@@ -88,8 +87,7 @@ INLINE void query_place(QueryResult* found, QueryLeaf seen, Vec point, Vec norma
 }
 
 // Tests the shape of a query against a leaf: finds where they meet or, with form QUERY_NEAREST, where they are nearest.
-// Returns whether they do. Both are computed for a point at q in the frame of the leaf, against the core of both shapes
-// together.
+// Returns whether they do. Both use a point at q in the frame of the leaf and the core of both shapes.
 INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 {
 	if (form != QUERY_NEAREST)
@@ -107,8 +105,7 @@ INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 	return 1;
 }
 
-// Returns whether a leaf is a one-way platform that lets a query through. f, path: pose and motion of the query in the
-// frame of the platform.
+// Returns whether a leaf is a one-way platform that lets a query through. f, path: pose and motion in its frame.
 INLINE int query_passes(const Pools* p, QueryLeaf seen, Frame f, float radius, Vec path, const ConvexHit* hit, int form)
 {
 	Rule rule = p->rule[seen.attribute];
@@ -170,8 +167,7 @@ INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, 
 	return 1;
 }
 
-// Returns the distance of a result in the unit of the boxes: a fraction, or a squared distance. It is at least that of
-// its box.
+// Returns the distance of a result in units of the boxes, a fraction or a square; at least that of its box.
 INLINE float query_measure(QueryResult* found, int form, float apart)
 {
 	if (form != QUERY_NEAREST)
@@ -195,8 +191,7 @@ INLINE int query_before(QueryResult a, QueryResult b)
 // counter: 16 of them took ten times as long. A GPU combines the additions of neighbors.
 #define QUERY_HELD (FETCHES ? 16 : 1)
 
-// Lists count results of query i. Returns 0 if there are more than QUERY_MOST: then the list is useless, and the
-// counter stays above the limit without an overflow.
+// Lists count results of query i. Returns 0 above QUERY_MOST: the list is useless, and the counter must not overflow.
 INLINE int query_append(const Pools* p, int i, const QueryResult* held, int count)
 {
 	GLOBAL QueryPlan* plan = p->query_plan;
@@ -214,12 +209,10 @@ INLINE int query_append(const Pools* p, int i, const QueryResult* held, int coun
 	return 1;
 }
 
-// m: exceeds the sum of all components of a query that the host accepts
-#define QUERY_FAR 1.0e7f
+#define QUERY_FAR 1.0e7f // m: exceeds the sum of all components of a query that the host accepts
 
-// Returns whether a query has finite numbers. The host refuses others, but only while the device already works, and it
-// does not check data that the user writes into shared memory. NaN would hit the empty boxes that pad a node, which
-// have no children.
+// Returns whether a query has finite numbers. The host refuses others, but only while the device already works, and not
+// in shared memory. NaN would hit the empty boxes that pad a node, which have no children.
 INLINE int query_finite(Query query)
 {
 	return absolute(query.a.x) + absolute(query.a.y) + absolute(query.a.z) + absolute(query.a.w) + absolute(query.b.x) +
@@ -298,8 +291,7 @@ KERNEL(query_ray) { query_run(p, i, QUERY_RAYS, p->argument); }
 KERNEL(query_shape) { query_run(p, i, QUERY_SHAPES, p->argument); }
 KERNEL(query_nearest) { query_run(p, i, QUERY_NEAREST, QUERY_CLOSEST); }
 
-// Writes the keys of one of several sorts of all results. argument: QUERY_BY_*, the criterion of the next sort. The
-// lower half of a key is the index of the result.
+// Writes the keys of the next sort of all results. argument: QUERY_BY_*. The lower half of a key is the result's index.
 KERNEL(query_key)
 {
 	Word place = p->argument == QUERY_BY_COLLIDABLE ? (Word)i : (Word)p->key[i];

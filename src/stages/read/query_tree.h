@@ -5,18 +5,15 @@
 // which are computed on request. The step never reads them, so no query changes it.
 //
 // A search visits near nodes first, and skips nodes that are farther than the best result so far. A result is never
-// nearer than the box of its leaf, so a skipped leaf cannot have a better one: the order of the leaves changes no
-// result.
+// nearer than the box of its leaf, so a skipped leaf cannot have a better one, in any order of the leaves.
 #ifndef QUERY_TREE_H
 #define QUERY_TREE_H
 #include "stages/broad_phase/transform.h"
 #include "stages/geometry/filter.h"
 #include "stages/tree/tree.h"
 
-// m: margin of a box around its collidable, larger than any rounding of a query before it reaches the surface.
-// QUERY_SPACING: relative spacing of floats, which grows with the distance from the origin.
-#define QUERY_MARGIN  LINEAR_SLOP
-#define QUERY_SPACING 4.0e-7f
+#define QUERY_MARGIN  LINEAR_SLOP // m: margin of a box, larger than any rounding of a query on its way
+#define QUERY_SPACING 4.0e-7f     // relative spacing of floats
 
 // Returns the box around the motion of a collidable from the start of the step to a pose. A rotation moves points off
 // the straight line by less than their distance from the center of mass times 1 minus its cosine.
@@ -79,7 +76,6 @@ KERNEL(query_leaf)
 // Item: a node of a level. argument: the tree and the level.
 KERNEL(query_node) { tree_join(p->query_box, p->tree + RUN_LOW(p->argument), RUN_HIGH(p->argument), i); }
 
-// Returns whether a query may find a leaf.
 INLINE int query_accepts(const Pools* p, const GLOBAL QueryPlan* plan, QueryLeaf seen, int ignored)
 {
 	if (!(plan->kinds & seen.kinds & ~LEAF_LISTENS) || seen.body == ignored)

@@ -15,19 +15,14 @@
 #include "stages/read/query_tree.h"
 #include "stages/rules/apart.h"
 
-// m: shapes that overlap by less, and only within the step, have not met
-#define SENSOR_DEPTH (0.05f * LINEAR_SLOP)
+#define SENSOR_DEPTH (0.05f * LINEAR_SLOP) // m: shapes that overlap by less, and only within the step, have not met
 // rounds of conservative advancement. In the second half each round advances by at least an equal part of the rest of
 // the step: where something rotates fast close to a sensor, a visit that is shorter than this part may be missed
-#define SENSOR_ROUNDS 64
-// further rounds, which halve the interval within which such an advance passed the beginning of a visit
-#define SENSOR_HALVINGS 10
-// fraction of the sizes of two shapes, which exceeds the rounding error of positions in them
-#define SENSOR_ROUNDING 1e-6f
-// time beyond the step
-#define SENSOR_NEVER 2.0f
+#define SENSOR_ROUNDS   64
+#define SENSOR_HALVINGS 10    // rounds that halve the interval in which an advance passed the beginning of a visit
+#define SENSOR_ROUNDING 1e-6f // fraction of the sizes of two shapes that exceeds rounding errors of positions
+#define SENSOR_NEVER    2.0f  // time beyond the step
 
-// Returns the motion of a collidable from one pose to another.
 INLINE Sweep sensor_sweep(const Pools* p, WorldShape from, WorldShape to)
 {
 	const GLOBAL Attribute* shape = p->attribute + from.attribute;
@@ -58,9 +53,8 @@ INLINE Frame sensor_frame(WorldShape a, WorldShape b)
 	return frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
 }
 
-// Returns whether a corner of b is well inside a, so that they overlap without a test of the other corners. This holds
-// for most visitors of a large sensor. The margin exceeds rounding, so the result is never 1 if the separation is
-// positive.
+// Returns whether a corner of b is well inside a, so that they overlap; this holds for most visitors of a large sensor.
+// The margin exceeds rounding, so the result is never 1 if the separation is positive.
 INLINE int sensor_within(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
 {
 	Vec corner = frame_point(f, shape_corner(b, 0));
@@ -103,9 +97,8 @@ INLINE float sensor_speed(SensorPace pace, Vec normal)
 	return minimum(pace.turns - vec_dot(normal, pace.path), pace.along);
 }
 
-// Returns the time at which two moving collidables first overlap, SENSOR_NEVER if they do not. An advance ends
-// SENSOR_DEPTH inside, which is a long distance for a slow pair. So the time is interpolated to a separation of 0
-// between the last two times.
+// Returns the time at which two moving collidables first overlap, SENSOR_NEVER for none. An advance ends SENSOR_DEPTH
+// inside, which is long for a slow pair, so the time is interpolated to a separation of 0.
 RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closing)
 {
 	SensorPace pace = sensor_pace(closing);
@@ -144,8 +137,7 @@ RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closi
 	return met;
 }
 
-// Computes the visit of leaf b to sensor a, both at their poses at the end: its begin and end, and whether it
-// continues. Returns whether there is one.
+// Computes the visit of leaf b to sensor a, at their poses at the end. Returns whether there is one.
 INLINE int sensor_visit(const Pools* p, int sensor, WorldShape a, QueryLeaf seen, QueryResult* visit)
 {
 	WorldShape b = collidable_place(p, seen.collidable), start_a = p->world_shape[sensor],

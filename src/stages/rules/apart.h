@@ -25,9 +25,8 @@
 #define APART_SEEN     (APART_BODY | APART_FILTER)                                     // no sensor overlap
 
 // Returns a pair in order: a moving collidable before one that does not move, then the smaller one, then the lower
-// index. The manifold is computed in the frame of the first one, and the solver's arms begin at its center, so both are
-// precise where it matters: far from the center of a floor, the arms of a circle would be off by 1e-7 of the distance,
-// and it would roll.
+// index. The manifold is computed in the frame of the first one, and the solver's arms begin at its center, where both
+// are precise: far from the center of a floor, a circle's arms would be off by 1e-7 of the distance, and it would roll.
 INLINE Int2 apart_pair(const Pools* p, int i, int j)
 {
 	int a = i < j ? i : j, b = i < j ? j : i;
@@ -41,8 +40,7 @@ INLINE Int2 apart_pair(const Pools* p, int i, int j)
 // Returns a pair as a number of few bits, which is fast to sort.
 INLINE Word64 apart_key(const Pools* p, Int2 pair) { return (Word64)pair.x << p->step.key_bits | (Word64)pair.y; }
 
-// Returns the first of these reasons that keeps i and j apart, 0 if there is none. One-way platforms are tested
-// separately, in apart_lets, because their geometry takes long to compute.
+// Returns the first of these reasons that keeps i and j apart, or 0. apart_lets, which is slow, tests platforms.
 INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 {
 	int a = p->collidable_body[i], b = p->collidable_body[j];
@@ -64,14 +62,12 @@ INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 	return 0;
 }
 
-// Returns the key of a contact that a one-way platform lets through. It is stored among the keys of refused contacts,
-// with the pair reversed.
+// Returns the key of a contact that a one-way platform lets through: the pair reversed, among refused contacts.
 INLINE Word64 apart_passes_key(const Pools* p, Int2 pair) { return apart_key(p, make_int2(pair.y, pair.x)); }
 
 // Returns whether platform a lets b through, for continuous collision. A contact that the platform holds stays held. A
-// visitor that passes, or whose box does not overlap that of the platform, is held if it is above the platform, or gets
-// there by its motion in the step. way, m: displacement of b relative to a in the step. swing, m: largest additional
-// displacement of its points.
+// visitor that passes, or whose box is apart from it, is held if it is above the platform, or gets there in the step.
+// way, m: displacement of b relative to a in the step. swing, m: largest additional displacement of its points.
 RARE int apart_lets(const Pools* p, int a, int b, Vec way, float swing)
 {
 	if (!rule_platform(p, a, b))

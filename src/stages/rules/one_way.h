@@ -2,15 +2,13 @@
 // one_way.h -- one-way platforms: tests whether a visitor is on the side from which a platform is solid.
 //
 // A platform has a direction, up. A visitor that is not held yet becomes held when it is above: no point of it is
-// deeper below one of the platform's upper sides than a small slop, and it is over that side, or gets there in the step
-// by its velocity. So a visitor that comes from below or from beside, or starts halfway through, passes at any speed. A
-// visitor that comes from above is held in the step in which it meets the platform. It stays held while it touches the
-// platform, and while it is neither below nor beside it: a tilted plank may reach below the platform before the two
-// touch.
+// deeper below one of the platform's upper sides than a small slop, and it is over that side, or gets there in the
+// step. So a visitor that comes from below or from beside, or starts halfway through, passes at any speed. One that
+// comes from above is held in the step in which it meets the platform. It stays held while it touches the platform, and
+// while it is neither below nor beside it: a tilted plank may reach below the platform before the two touch.
 //
 // This work is based on:
-// Erin Catto, Box2D's sample Platform, and Rapier's ContactModificationContext::update_as_oneway_platform: a state for
-// each contact.
+// Erin Catto, Box2D's sample Platform; Rapier's update_as_oneway_platform: a state for each contact.
 #ifndef ONE_WAY_H
 #define ONE_WAY_H
 #include "stages/geometry/sweep.h"
@@ -22,16 +20,13 @@
 #define ONE_WAY_SLOP  SPECULATIVE_DISTANCE
 #define ONE_WAY_SHARE 0.5f
 #define ONE_WAY_FRESH 0.3f
-// m: least depth of a visitor that touches a platform
-#define ONE_WAY_TOUCH 1.0e-9f
+#define ONE_WAY_TOUCH 1.0e-9f // m: least depth of a visitor that touches a platform
 
-// states of a contact before the test. ONE_WAY_NEW: the boxes did not overlap in the last step, or the visitor was
-// higher than the platform, but not over it
-#define ONE_WAY_NEW  0
+// states of a contact before the test
+#define ONE_WAY_NEW  0 // boxes did not overlap in the last step, or the visitor was higher, but not over the platform
 #define ONE_WAY_PAST 1 // the platform let the visitor through
 #define ONE_WAY_HELD 2 // the platform held the visitor, but the two do not touch
-// cosine: a side is an upper side if its normal and up have a larger product. The walls of a box must not count,
-// whatever the rounding of its corners
+// cosine: sides with a larger product of normal and up are upper sides; walls of a box must not be, despite rounding
 #define ONE_WAY_UPPER 0.1f
 
 // heights of a visitor relative to a platform
@@ -74,8 +69,7 @@ typedef struct // depth up to which a visitor counts as above, m
 	float late; // value for the place where it gets over the platform in the step
 } OneWayDepth;
 
-// Returns the height of a visitor relative to a side of the platform. n: normal of the side. way, m: displacement of
-// the visitor relative to the platform in the step.
+// Returns the height of a visitor relative to a side. n: its normal. way, m: relative motion in the step.
 RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWayDepth depth)
 {
 	float gap = visitor.low - side.high, closes = -vec_dot(n, way), slides = vec_cross(n, way), from = 0.0f, to = 1.0f;
@@ -92,8 +86,7 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	return one_way_meet(side, visitor) ? ONE_WAY_ABOVE : ONE_WAY_HIGH;
 }
 
-// Returns whether the side with normal n is an upper side. A normal equal to up is left out: the test of the whole
-// width covers it.
+// Returns whether n is the normal of an upper side, but not up itself, which the test of the whole width covers.
 INLINE int one_way_upper(Vec n, Vec up) { return vec_dot(n, up) > ONE_WAY_UPPER && !(n.x == up.x && n.y == up.y); }
 
 typedef struct // extents of a platform and a visitor along up, in the frame of the platform
@@ -117,8 +110,7 @@ INLINE OneWaySpan one_way_grow(OneWaySpan span, float margin)
 	return span;
 }
 
-// Returns the largest height of a visitor relative to the whole width of a platform and to each of its upper sides. f:
-// pose of the visitor in the frame of the platform. margin, m: enlargement of the visitor.
+// Returns a visitor's largest height over a platform's width and upper sides. f: its pose there; margin, m: its growth.
 INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f,
                           OneWayWhole whole, float margin, Vec way, OneWayDepth depth)
 {
@@ -155,7 +147,6 @@ typedef struct // position of a visitor relative to a platform
 	int below, beside;
 } OneWayPlace;
 
-// Returns the pose of visitor b in the frame of platform a.
 INLINE Frame one_way_frame(WorldShape a, WorldShape b)
 {
 	Vec axes = vec(a.c, a.s);
@@ -167,9 +158,8 @@ INLINE Vec one_way_up(const Pools* p, WorldShape a)
 	return vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y);
 }
 
-// Returns the position of visitor b relative to platform a at their current poses. way, m: displacement relative to a
-// in the step, in world axes. swing, m: largest additional displacement of its points. known: state of the contact,
-// ONE_WAY_*.
+// Returns the position of visitor b relative to platform a now. way, m: displacement relative to a in the step, in
+// world axes. swing, m: largest additional displacement of its points. known: state, ONE_WAY_*.
 RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, float swing, int known)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
@@ -185,9 +175,8 @@ RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec w
 	return place;
 }
 
-// Returns the depth of visitor b in platform a, which held it, at their current poses, m. It is measured from the upper
-// side below which b is least deep, and is at most the thickness of b, because the middle of b is outside. 0 if b has
-// left the platform.
+// m: Returns the depth of visitor b in platform a, which held it, or 0 if it has left. It is that below the upper side
+// with the least depth, at most the thickness of b, because the middle of b is outside.
 RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
 {
 	const GLOBAL Attribute* platform = p->attribute + a.attribute;
@@ -207,8 +196,7 @@ RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
 	return depth;
 }
 
-// Returns whether another collidable of the visitor's body is neither above nor beside the platform: a body is held as
-// a whole or not at all.
+// Returns whether another collidable of the visitor's body is neither above nor beside: bodies are held as a whole.
 INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, float swing, int known)
 {
 	for (int k = p->continuous_body[p->collidable_body[b]].first; k > 0; k = p->next_collidable[k - 1])
@@ -224,8 +212,7 @@ INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, float s
 
 INLINE int one_way_is(const Pools* p, int a) { return p->rule[p->collidable_attribute[a]].one_way; }
 
-// Returns ONE_WAY_HELD if platform a holds b in the step, else the state of the contact for the next step. known: its
-// current state, ONE_WAY_*.
+// Returns ONE_WAY_HELD if platform a holds b in the step, else the next state of the contact. known: its state now.
 INLINE int one_way_finds(const Pools* p, int a, int b, Vec way, float swing, int known)
 {
 	WorldShape platform = p->world_shape[a];

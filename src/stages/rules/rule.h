@@ -8,7 +8,6 @@
 #include "stages/color/joint_edges.h"
 #include "stages/rules/one_way.h"
 
-// Returns the settings for the materials of a pair.
 RARE MaterialPair rule_materials(const Pools* p, int i, int j)
 {
 	MaterialPair pair = {0.0f, 0.0f, 0.0f, 0};
@@ -30,8 +29,7 @@ INLINE Float4 rule_surface(MaterialPair pair, Float4 surface)
 	                   pair.sets & MATERIAL_SPEED ? pair.tangent_speed : surface.w);
 }
 
-// Returns whether a is a one-way platform for b. A dynamic platform is solid for everything that is not dynamic, so
-// that it can land.
+// Returns whether a is a one-way platform for b. A dynamic one is solid for all that is not dynamic, so that it lands.
 INLINE int rule_platform(const Pools* p, int a, int b)
 {
 	return one_way_is(p, a) && (p->collidable_kind[a] != KIND_DYNAMIC || p->collidable_kind[b] == KIND_DYNAMIC);
@@ -54,8 +52,7 @@ INLINE Vec rule_way(const Pools* p, int a, int b)
 	return vec_sub(vec_sub(second.path, first.path), vec_spin(first.turn, arm));
 }
 
-// Returns CONTACT_PASSES if a one-way platform lets the other collidable of a contact through, with CONTACT_HIGH if it
-// may later be held as if it were new; 0 if the platform holds it.
+// Returns CONTACT_PASSES if a platform lets a contact pass, CONTACT_HIGH too if it may later be held as if new, or 0.
 RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 {
 	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED | CONTACT_HIGH) ? ONE_WAY_NEW
@@ -79,8 +76,7 @@ RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 // Clears the depth of body i in the platforms that hold it.
 KERNEL(sunk_begin) { p->sunk[i] = 0; }
 
-// Raises the depth of a visitor in a platform to depth, m, or to that of the manifold of their contact if it is larger.
-// slot: that of the contact.
+// Raises a visitor's depth in a platform to depth, m, or to that of the manifold of their contact (slot) if larger.
 INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 {
 	if (p->contact_flags[slot] & CONTACT_COUNT)
@@ -93,16 +89,14 @@ INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 		atomic_max_int(&p->sunk[p->collidable_body[visitor]], float_bits(depth));
 }
 
-// Raises the depth of visitor b in platform a, by their contact in a slot. found: 1 if the depth was already computed
-// for the current poses.
+// Raises the depth of visitor b in platform a. slot: of their contact. found: 1 if computed for these poses already.
 RARE void sunk_by(const Pools* p, int slot, int a, int b, int found)
 {
 	if (rule_platform(p, a, b))
 		sunk_to(p, slot, b, found ? 0.0f : one_way_sunk(p, p->world_shape[a], p->world_shape[b]));
 }
 
-// Raises the depths of the visitors of contact i in its platforms. flags: those of the contact. found: 1 if the depths
-// were already computed for the current poses.
+// Raises the depths of the visitors of contact i in its platforms. flags: of the contact; found: as in sunk_by.
 INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 {
 	Int2 pair = p->pair[i];
@@ -120,8 +114,7 @@ INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 		p->contact_flags[i] = flags | CONTACT_SUNK;
 }
 
-// Computes the depths for contact i, before contact_rule, in its state of the last step. approval_request repeats this
-// for continuous collision.
+// Computes the depths for contact i in its last state, before contact_rule; approval_request repeats it for continuous.
 KERNEL(contact_sunk)
 {
 	if (i < p->counters->live)
@@ -148,8 +141,7 @@ RARE Word rule_answer(const Pools* p, Int2 pair, Word flags)
 	if (flags & CONTACT_WAITED)
 		return approval_finds(p->allowed, p->step.allowed, approval_key(pair)) ? CONTACT_APPROVED
 		                                                                       : CONTACT_PENDING | CONTACT_REFUSED;
-	// without points the two have parted, and approval starts again; a contact that touched before approval was
-	// required keeps acting
+	// without points the two have parted, and approval starts again; a contact that touched before keeps acting
 	if (!(flags & CONTACT_COUNT))
 		return CONTACT_PENDING;
 	return flags & CONTACT_APPROVALS ? flags & CONTACT_APPROVALS : CONTACT_APPROVED;

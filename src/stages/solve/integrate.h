@@ -3,16 +3,14 @@
 //
 // Warm starting needs no pass over the contacts. Anchors and normals are constant within a step, so the contacts'
 // impulses of one substep would change a body's velocity by the same amount in the next one: the velocity after the
-// relaxation pass minus the velocity before any impulse (the pool base). integrate_velocity adds this amount in the
-// next substep.
+// relaxation pass minus the velocity before any impulse (the pool base). integrate_velocity adds this amount then.
 #ifndef INTEGRATE_H
 #define INTEGRATE_H
 #include "constraints/solver_body.h"
 #include "dialect/finite.h"
 
-// Adds the acceleration and, as warm start, the change of velocity by the contacts in the last substep. b: row of the
-// pool body; m: of motion; base: of base. In the first substep base still contains the velocity of the body alone, and
-// the warm start has already been added to the body.
+// Adds the acceleration and, as warm start, the change of velocity by the contacts in the last substep. b, m, base:
+// pool rows. In the first substep base is still the velocity of the body alone, and the body has its warm start.
 INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base, int first)
 {
 	Vec v = vec(b[0], b[1]), contacts = vec_sub(v, vec(base[0], base[1]));
@@ -30,8 +28,7 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	v.y = m[7] * finite_of(linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
 	w = number_of(angular * w + h * (b[7] * m[2])); // the limit below makes it finite
 
-	// limits for the velocity of the body alone. The contacts' change must match their impulses, or contacts would take
-	// back impulses that they have not given
+	// limits only the body's own velocity: the contacts' change must match their impulses, or they take back more
 	v = vec_scale(vec_shrink(v, step->max_speed), v);
 	w = within(w, splat(step->max_spin));
 	base[0] = v.x;
@@ -47,8 +44,7 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 
 INLINE void body_move(const Step* step, Real* b, const Real* m)
 {
-	// limits for the motion, although impulses may exceed them within a substep: a larger rotation could not be
-	// distinguished from one in the other direction, and the body would jump
+	// limits the motion: a larger rotation would look like one in the other direction, and the body would jump
 	float h = step->h;
 	b[4] = b[4] + h * (m[6] * within(b[0], splat(step->max_speed)));
 	b[5] = b[5] + h * (m[7] * within(b[1], splat(step->max_speed)));

@@ -17,8 +17,7 @@ INLINE void overflow_solve(const Pools* p, int k, int pass)
 	body_scatter(p, ib, b);
 }
 
-// Runs a pass over the joints without a chain and a color, one after the other in the order of their slots, before the
-// colors. argument: the pass.
+// Runs a pass over joints without a chain and a color, in order of slots, before the colors. argument: the pass.
 KERNEL(joint_overflow)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];

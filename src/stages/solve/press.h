@@ -1,40 +1,32 @@
 // SPDX-License-Identifier: MIT
-// press.h -- finds the bodies that something kinematic presses against something static, directly or through other
-// bodies.
+// press.h -- finds bodies that something kinematic presses against something static, directly or through others.
 //
 // A body may overlap a static one because something kinematic presses it there, which no force stops, or because of the
 // load on it. Its own contacts do not distinguish the two. So each press is propagated as a way: a direction, with a
 // number of hops left. A body that overlaps something kinematic is pressed along the normal, and presses the bodies
 // that it touches in about that direction, and so on: contacts pass ways on. Each hop reduces the number, from
 // PRESS_HOPS on, so that a way without its source fades. Static bodies start ways of their own, in the opposite
-// directions. A body with opposite ways of both kinds is pressed between the two.
-//
-// A contact stores its hops between steps; bodies collect their ways again in each step.
+// directions. A body with opposite ways of both kinds is pressed between the two. A contact stores its hops between
+// steps; bodies collect their ways again in each step.
 #ifndef PRESS_H
 #define PRESS_H
 #include "constraints/contact_report_points.h"
 #include "constraints/joint_prepare.h"
 #include "stages/geometry/sweep.h"
 
-// cosine of the angle between a normal and the direction of a way, above which the way continues along the normal. With
-// less, a cart that is pushed along presses the floor.
+// cosine between a normal and a way, above which the way continues along the normal; with less, carts press the floor
 #define PRESS_ALONG 0.15f
 
-// Largest number of hops of a way, and so of bodies in a row through which a press acts.
-#define PRESS_HOPS 63
-
-// Number of steps after a press in which a body leaves no faster than it was pressed.
-#define PRESS_STEPS 32
-// Fraction of its speed that a body keeps per step if it was faster when it came between the two.
-#define PRESS_SLOWER 0.9f
+#define PRESS_HOPS   63   // largest number of hops of a way, and so of bodies in a row through which a press acts
+#define PRESS_STEPS  32   // steps after a press in which a body leaves no faster than it was pressed
+#define PRESS_SLOWER 0.9f // fraction of its speed that a body keeps per step if it came between the two faster
 
 // Way of a contact in the pool contact_press, of kind 0 (static) or 1 (kinematic): 6 bits of hops, and PRESS_BACK if it
 // goes from b to a.
 #define PRESS_WAY(bits, kind) ((int)((bits) >> (kind)*7 & 127u))
 #define PRESS_BACK            64
 
-// First bit of the speed of the pressing body, above both ways: the upper bits of a float, rounded up.
-#define PRESS_SPEED 16
+#define PRESS_SPEED 16 // first bit of the speed of the presser, above both ways: the upper bits of a float, rounded up
 
 INLINE float press_speed(Word bits) { return bits_float((int)(bits >> PRESS_SPEED << 15)); }
 
@@ -61,14 +53,12 @@ INLINE int press_left(int code, Vec normal)
 	return along && code >> 16 > 1 ? (code >> 16) - 1 : 0;
 }
 
-// Returns whether the press kernels must do nothing: they were started before the host had read the counters, and the
-// layout changed.
+// Returns whether the press kernels do nothing: they began before the host read the counters, and the layout changed.
 INLINE int press_waits(const Pools* p) { return (p->argument & PRESS_MAY_WAIT) && !p->counters->kept; }
 
 // Returns the slot of the contact at place i, -1 for none.
 INLINE int press_slot(const Pools* p, int i) { return press_waits(p) ? -1 : p->contact_place_slot[i]; }
 
-// Returns the points of the contact in a slot.
 RARE ContactPoints press_points(const Pools* p, int slot)
 {
 	Int2 pair = p->pair[slot];
@@ -86,8 +76,7 @@ typedef struct // data of a contact that the rounds share
 	float gap; // m: smaller gap of its points
 } PressContact;
 
-// value of normal_x for a contact whose data is not computed yet
-#define PRESS_NONE 2.0f
+#define PRESS_NONE 2.0f // value of normal_x for a contact whose data is not computed yet
 
 // Stores the data of the contact at place i in its rows, which the solve prepares later.
 INLINE PressContact press_keep(const Pools* p, int i, const ContactPoints* at)
@@ -154,8 +143,7 @@ KERNEL(press_begin)
 	press->spun = minimum(absolute(number_of(state.w)), p->step.max_spin);
 }
 
-// Starts a way at the contact in a slot, at place i, with a body that does not move. lasts: 1 if the speed of the
-// pressed body is still limited.
+// Starts a way at a contact with a body that does not move. lasts: 1 while the pressed body's speed is limited.
 RARE void press_start(const Pools* p, int i, int slot, int lasts)
 {
 	ContactPoints at = press_points(p, slot);
@@ -170,8 +158,7 @@ RARE void press_start(const Pools* p, int i, int slot, int lasts)
 		raise_int(&p->press[body].speed, float_bits(press_pushes(p, slot, at)));
 }
 
-// Item: a place of contacts. Gives its bodies the ways of the contact: those of the last step, and those that start at
-// it.
+// Item: a place of contacts. Gives its bodies the ways of the contact: of the last step, and those that start there.
 KERNEL(press_gather)
 {
 	int slot = press_slot(p, i);
@@ -215,11 +202,9 @@ KERNEL(press_gather)
 	}
 }
 
-// modes of a joint that hold its anchors together along coordinate k
-#define PRESS_HOLDS(k) (JOINT_LOCKED(k) | JOINT_SPRING(k))
+#define PRESS_HOLDS(k) (JOINT_LOCKED(k) | JOINT_SPRING(k)) // modes that hold the anchors together along coordinate k
 
-// Item: a joint. A body is dragged if the joint connects it to a body that cannot move, and its anchors cannot meet.
-// This counts as a press of any speed.
+// Item: a joint to a body that cannot move. Drags the other body, as a press of any speed, if the anchors cannot meet.
 KERNEL(press_joint)
 {
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
@@ -256,8 +241,7 @@ INLINE PressWays press_ways(const Pools* p, int body)
 	return ways;
 }
 
-// Item: a place of contacts. Passes the ways of its bodies on, and marks a body that is pressed into something static
-// for continuous collision.
+// Item: a place of contacts. Passes ways on, and marks bodies pressed into something static for continuous collision.
 KERNEL(press_hand_on)
 {
 	int slot = press_slot(p, i), way[2] = {0, 0};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// taut.h -- inertia that the pull of joints requires, summed over all colored joints of a body, as in a net under a
-// heavy load.
+// taut.h -- inertia that the pull of joints requires, summed over all colored joints of a body, as in a loaded net.
 //
 // A short body between two joints that pull at it is like a piece of a string: it swings faster than substeps can
 // resolve, and the corner of a net opens. As in a chain (chain_stiff.h), its inertia for the step is that of an

@@ -4,8 +4,7 @@
 #define HILBERT_H
 #include "stages/geometry/box.h"
 
-// last cell along a side
-#define TREE_CELLS 65535.0f
+#define TREE_CELLS 65535.0f // last cell along a side
 
 // Spreads the 16 bits of x to every second bit.
 INLINE Int hilbert_spread(Int x)
@@ -52,8 +51,7 @@ INLINE Int tree_cell(Real lower, Real upper, float begin, float cells)
 }
 
 // Writes the key of each leaf: the distance of its box's center along the curve, then the collidable. argument: the
-// tree, plus 2 for the boxes of queries. Dead leaves get the largest keys and are sorted to the end, where the host
-// drops them.
+// tree, plus 2 for boxes of queries. Dead leaves get the largest keys, and the host drops them.
 WIDE_KERNEL(tree_code)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);

@@ -16,14 +16,12 @@
 #include "stages/geometry/filter.h"
 #include "stages/tree/hilbert.h"
 
-// A node is wide if its area exceeds the mean area of its leaves by more than this factor: twice the factor of a row of
-// eight leaves with one bend.
+// A node is wide above this ratio of its area to the mean of its leaves: twice that of a row of eight with one bend.
 #define OUTLIER_BOXES 64.0f
 
 INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC; }
 
-// prefetch distance, in leaves
-#define LEAF_SOON 16
+#define LEAF_SOON 16 // prefetch distance, in leaves
 
 // Item: a leaf. argument: the tree. A leaf whose collidable is dead or has moved to the other tree gets an empty box.
 KERNEL(tree_leaf)
@@ -45,16 +43,14 @@ KERNEL(tree_leaf)
 	box_pack(p->node_box, tree->begin[0] + i, box);
 }
 
-// Computes the box of node i of a level from those of its children.
 INLINE void tree_join(GLOBAL Float4* boxes, const GLOBAL Tree* tree, int level, int i)
 {
 	Float4 box = i < tree->count[level] ? box_around(boxes + tree->begin[level - 1] + ARITY * i) : box_empty();
 	box_pack(boxes, tree->begin[level] + i, box);
 }
 
-// Returns a bit for each child of node i of a level that contains a collidable with which a kinematic one can collide.
-// Traversals of kinematic collidables skip the other children; otherwise each shape of a kinematic body of 40,000
-// shapes would visit its neighbors.
+// Returns a bit for each child of node i of a level over something that a kinematic collidable can touch. Others are
+// skipped: otherwise each of 40,000 shapes of a kinematic body would visit its neighbors.
 INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int i)
 {
 	Word movers = 0;
@@ -85,10 +81,9 @@ INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, i
 
 INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
 
-// Adds to the estimate of wasted visits. A leaf that is new or jumped makes the nodes above it wide, and traversals
-// visit these in vain. The expected fraction of traversals that meet a wide node is its area over the area of all
-// leaves. Item: a node of level 1. argument: the tree. Nodes that are no wider than those over leaves in rows do not
-// count.
+// Item: a node of level 1. argument: the tree. Adds to the estimate of wasted visits: a leaf that is new or jumped
+// makes the nodes above it wide, and traversals visit these in vain. The expected fraction of traversals that meet one
+// is its area over that of all leaves. Nodes no wider than rows of leaves do not count.
 KERNEL(tree_outlier)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
@@ -128,8 +123,7 @@ KERNEL(tree_outlier)
 		atomic_add_int(&p->counters->outliers[p->argument], outliers);
 }
 
-// Orders sorting of the leaves if the wasted visits of this step alone cost more. Smaller costs add up over steps
-// (src/step/tree_maintenance.c).
+// Orders a sort if this step's waste alone costs more; smaller costs add up (src/step/tree_maintenance.c).
 KERNEL(tree_measure_quality)
 {
 	GLOBAL Counters* c = p->counters;
@@ -160,8 +154,7 @@ KERNEL(tree_order)
 // Returns a mask: bit k is set if the box overlaps child k of the eight nodes from first on.
 INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
 
-// Returns a mask: bit k is set if node first + k of a level contains one of the leaves from (included) to end
-// (excluded).
+// Returns a mask: bit k is set if node first + k of a level contains a leaf from (included) to end (excluded).
 INLINE Word64 tree_span(int level, int first, int from, int end)
 {
 	int low = (from >> (ARITY_BITS * level)) - first, high = ((end - 1) >> (ARITY_BITS * level)) - first;
@@ -181,8 +174,7 @@ typedef struct // traversal of the nodes over leaves that overlap a box, by risi
 	int movers;       // 1: visit only nodes that contain something with which a kinematic collidable can collide
 } TreeTraversal;
 
-// Starts a traversal of the leaves from (included) to end (excluded), or of all leaves if end is 0. The tree must not
-// be empty.
+// Starts a traversal of a tree, not empty, over the leaves from (included) to end (excluded), or all if end is 0.
 INLINE TreeTraversal tree_traverse(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
 {
 	TreeTraversal traversal;
@@ -200,9 +192,8 @@ INLINE TreeTraversal tree_traverse(const Pools* p, const GLOBAL Tree* tree, Floa
 	return traversal;
 }
 
-// Advances to the next node over leaves and returns its first leaf; traversal->leaves has a bit for each leaf that
-// overlaps the box. Returns TREE_DONE after the last node, and TREE_LEFT when the limit of nodes is reached; then
-// traversal->first is the leaf at which the traversal must continue.
+// Advances to the next node over leaves and returns its first leaf; traversal->leaves has a bit per leaf that overlaps.
+// Returns TREE_DONE after the last, TREE_LEFT at the limit of nodes; then it must continue at traversal->first.
 #define TREE_DONE (-1)
 #define TREE_LEFT (-2)
 INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeTraversal* traversal)

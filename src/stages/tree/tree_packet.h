@@ -12,9 +12,7 @@
 #define PACKET_SHARE      16  // limit of nodes of one level per traversal; a traversal with more leaves the packet
 #define PACKET_LEAVES     128 // overlapping leaves that are collected before they are processed
 
-// remaining nodes of one level, grouped by traversal. Each is stored as 4 times the first of its eight siblings, plus
-// the traversal
-typedef struct
+typedef struct // remaining nodes of one level, by traversal: 4 times the first of eight siblings, plus the traversal
 {
 	int count;
 	int node[PACKET_TRAVERSALS * PACKET_SHARE + ARITY];
@@ -24,9 +22,8 @@ INLINE int packet_traverse(int node) { return node & (PACKET_TRAVERSALS - 1); }
 INLINE int packet_first(int node) { return node >> 2 & ~(ARITY - 1); }
 INLINE int packet_node(int traversal, int first) { return first << 2 | traversal; }
 
-// Tests the nodes of one level and collects the children that overlap. kinematic: mask of the traversals of kinematic
-// collidables. alone: mask of the traversals that have left the packet. Returns alone, with those added that have too
-// many nodes.
+// Tests the nodes of one level and collects the children that overlap. kinematic, alone: masks of the traversals of
+// kinematic collidables, and of those that left the packet. Returns alone with those that have too many nodes.
 INLINE Word packet_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word kinematic,
                            Word alone, const PacketFront* from, PacketFront* to)
 {

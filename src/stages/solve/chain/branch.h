@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// branch.h -- a pass over a branch: joints whose bodies form a tree, solved together, exactly, from the ends of the
-// tree to its root.
+// branch.h -- a pass over a branch: joints whose bodies form a tree, solved exactly, from the ends to the root.
 //
 // A pass from joint to joint over a light body that carries heavy ones leaves an error that travels around it, in the
 // order of the joints. The warm start extrapolates this error, and the bias integrates it: wheels with heavy spokes
@@ -14,8 +13,7 @@
 // x = B (goal - K A^-1 f - J u),     B = (softness + K A^-1 K^T)^-1
 //
 // so the node acts on its parent like the inertia J^T B J and the push J^T B (goal - K A^-1 f). These are summed from
-// the ends to the root; then the changes are computed from the root to the ends. The number of steps is that of the
-// joints.
+// the ends to the root; then the changes are computed from the root to the ends, in as many steps as joints.
 //
 // This work is based on:
 // Roy Featherstone, The Calculation of Robot Dynamics Using Articulated-Body Inertias, 1983.
@@ -24,11 +22,9 @@
 #define BRANCH_H
 #include "stages/solve/chain/branch_drive.h"
 
-// Fraction of the upper body's yield that is added for a lower body that cannot move, whose own yield is 0. It
-// multiplies changes of impulses only, so the joint does not get softer.
-#define BRANCH_GIVE 1.0e-3f
-// Limit of repeated solutions of a pass after motors or limits reached their bounds.
-#define BRANCH_TRIALS 4
+// Fraction of the upper body's yield for a lower body that cannot move. It multiplies changes of impulses only.
+#define BRANCH_GIVE   1.0e-3f
+#define BRANCH_TRIALS 4 // limit of repeated solutions of a pass after motors or limits reached their bounds
 
 typedef struct
 {
@@ -49,15 +45,11 @@ INLINE Branch branch_number(const Pools* p, int i)
 #define BRANCH_NODE(p, tree, k)    ((p)->branch[(tree)->nodes + (k)])
 #define BRANCH_AT(p, tree, row, k) chain_at(p, row, (tree)->chain.at.first + (k))
 
-// Loops over the children of a node.
 #define BRANCH_BELOW(c, node) for (int c = (node).first; c < (node).first + (node).count; ++c)
 
-// ---------------------------------------------------------------------------------------------------------------
-// impulses of joints on their bodies
-// ---------------------------------------------------------------------------------------------------------------
+// Impulses of joints on their bodies.
 
-// Loads the joint of a node with its bodies. The joint is inert if the node is a root without a joint, or if the joint
-// broke.
+// Loads the joint of a node with its bodies; it is inert for a root without a joint, or if it broke.
 INLINE void branch_load(const Pools* p, const Branch* branch, int k, ChainLink* link)
 {
 	chain_load_posed(p, branch->chain.begin + branch->chain.at.first + k, link);
@@ -101,8 +93,7 @@ INLINE void branch_gather(const Pools* p, const Branch* branch)
 	group_meet();
 }
 
-// Runs the warm start and its correction for rotated arms, which do not depend on velocities. Then solves limits,
-// springs and motors, which do, one after the other.
+// Runs the warm start and its correction for rotated arms; then solves limits, springs and motors, one by one.
 INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
 {
 	int begin = branch->chain.begin + branch->chain.at.first;
@@ -133,9 +124,7 @@ INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
 	group_meet();
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// elimination from the ends to the root, and substitution back
-// ---------------------------------------------------------------------------------------------------------------
+// Elimination from the ends to the root, and substitution back.
 
 // Inverts a symmetric block, 00, 01, 02, 11, 12, 22, by L D L^T. least1, least2: lower limits of the pivots.
 INLINE void branch_invert(const float m[6], float least1, float least2, float b[6])
@@ -159,8 +148,7 @@ INLINE void branch_times(const float b[6], const float x[3], float y[3])
 	y[2] = b[2] * x[0] + b[4] * x[1] + b[5] * x[2];
 }
 
-// Computes the rows of a joint for its body at side b: row[k] maps the velocity x, y, angular to the speed of
-// coordinate k.
+// Computes the rows of a joint for its body at side b: row[k] maps x, y, angular velocity to speed k.
 INLINE void branch_rows(const JointPose* c, int b, const int locked[3], float row[3][3])
 {
 	float sign = b ? 1.0f : -1.0f;
@@ -339,8 +327,7 @@ INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int has
 	}
 }
 
-// Sets drives to their bounds where the solution exceeds these, and applies nothing else of it. Returns whether there
-// are any.
+// Sets drives beyond their bounds to these, and applies nothing else of the solution. Returns whether there are any.
 INLINE int branch_bound(const Pools* p, const Branch* branch)
 {
 	int found = 0;
@@ -362,8 +349,7 @@ INLINE int branch_bound(const Pools* p, const Branch* branch)
 
 INLINE void branch_locks(const Pools* p, const Branch* branch, int pass)
 {
-	// drives that reach their bounds are left out, and the rest is solved again; the last trial has only the locks,
-	// which have no bounds
+	// drives at their bound are left out and the rest is solved again; the last trial has only unbounded locks
 	int trials = p->step.has_drives ? BRANCH_TRIALS : 0;
 	branch_solve(p, branch, pass, trials > 0);
 	while (trials > 0 && branch_bound(p, branch))

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // branch_drive.h -- motors and limits of a branch that are part of its equations: those that are not at a bound.
 //
-// Each drive is first solved by itself, one after the other, as everywhere. A motor below its maximum, and a limit that
-// pushes, then hold their coordinate like a lock: friction in the hinges of a light body couples its ends as much as
-// the hinges do. A drive whose impulse in the solution exceeds its bound stays at the bound, and the rest is solved
-// again.
+// Each drive is first solved by itself, as everywhere. A motor below its maximum, and a limit that pushes, then hold
+// their coordinate like a lock: friction in the hinges of a light body couples its ends as much as the hinges do. A
+// drive whose impulse in the solution exceeds its bound stays at the bound, and the rest is solved again.
 #ifndef BRANCH_DRIVE_H
 #define BRANCH_DRIVE_H
 #include "stages/solve/chain/chain.h"
@@ -23,8 +22,7 @@ INLINE int branch_holder(const JointDrive* d, int modes, int k)
 	return modes & JOINT_MOTOR(k) && absolute(d->motor_impulse) < d->motor_most ? HELD_BY_MOTOR : HELD_BY_NONE;
 }
 
-// Adds the equations of motors and limits to those of the locks. Returns the drives that hold the coordinates, two bits
-// each.
+// Adds the equations of motors and limits to those of the locks. Returns the holding drives, two bits per coordinate.
 INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* link, JointSystem* s)
 {
 	int modes = (int)link->u.modes, held = 0;

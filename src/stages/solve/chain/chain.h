@@ -11,8 +11,7 @@
 #define CHAIN_H
 #include "stages/solve/chain/chain_stiff.h"
 
-// Runs the part of a joint that does not depend on velocities: the warm start, and its correction for arms that have
-// rotated.
+// Runs the part of a joint that does not depend on velocities: the warm start and its correction for rotated arms.
 INLINE void chain_start(const Pools* p, int place, int pass, ChainLink* link)
 {
 	if (pass == PASS_WARM_START)
@@ -25,8 +24,7 @@ INLINE void chain_start(const Pools* p, int place, int pass, ChainLink* link)
 		joint_turn(p, place, &link->u, &link->c);
 }
 
-// Runs the part of a joint that does not depend on the other joints of the chain: chain_start, and limits, springs,
-// motors.
+// Runs the part of a joint that does not depend on the other ones: chain_start, and limits, springs, motors.
 INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 {
 	chain_start(p, place, pass, link);
@@ -34,9 +32,8 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 		joint_drive_all(p, place, pass == PASS_BIAS, &link->u, &link->c);
 }
 
-// Factor of the diagonal. If joints hold a body more than once, as in a welded bridge, the system has no single
-// solution. A slightly larger diagonal selects the smallest one. It multiplies changes of impulses only, so the chain
-// does not get softer.
+// Factor of the diagonal. If joints hold a body more than once, as in a welded bridge, many solutions exist; a slightly
+// larger diagonal selects the smallest. It multiplies changes of impulses only: the chain gets no softer.
 #define CHAIN_GIVE 1.00001f
 
 // Returns whether the free angle of a joint is damped, in both passes, by an impulse of its own.
@@ -84,8 +81,7 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 	CHAIN_PUT(p, holds, spot, holds);
 }
 
-// Computes the coupling of a joint with the joint before it: the velocities along its coordinates that impulses along
-// the other's cause, through their common body.
+// Computes the coupling of a joint with the one before: velocities along its coordinates by impulses of the other.
 INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 {
 	int spot = place.spot;

@@ -20,8 +20,7 @@ typedef struct // LANES joints of a row: those from number n on, or the joints n
 INLINE int chain_first(const Chain* chain) { return chain_side(chain) ? 0 : group_lane(); }
 INLINE int chain_stride(const Chain* chain) { return chain_side(chain) ? 1 : group_width(); }
 
-// Returns the first place of one half. chain_goes continues with the next row where one has ended, and returns whether
-// there are joints.
+// Returns the first place of one half. chain_goes moves on to the next row, and returns whether there are joints.
 INLINE ChainPlace chain_half_begin(const Chain* chain, int odd)
 {
 	ChainPlace place;
@@ -51,7 +50,6 @@ INLINE int chain_goes(const Chain* chain, ChainPlace* place)
 #define CHAIN_PUT_INT(p, member, spot, x) store_int(&chain_at(p, member, spot), 0, x)
 #define CHAIN_INT(p, member, spot)        load_int(&chain_at(p, member, spot), 0)
 
-// Loads the rows and the bodies of a joint.
 INLINE void chain_load(const Pools* p, int place, ChainLink* link)
 {
 	link->ia = load_int(&joint_row(p, body_a, place), 0);
@@ -61,7 +59,6 @@ INLINE void chain_load(const Pools* p, int place, ChainLink* link)
 	link->c.b = body_gather(p, link->ib);
 }
 
-// Loads a joint and computes its current pose.
 INLINE void chain_load_posed(const Pools* p, int place, ChainLink* link)
 {
 	chain_load(p, place, link);
@@ -80,8 +77,7 @@ INLINE void chain_keep_pose(const Pools* p, int spot, const JointPose* c)
 	}
 }
 
-// Loads a joint with its stored pose. The inertias of the step are stored beside the pose, so that only half of a
-// body's state is gathered.
+// Loads a joint with its stored pose and inertias of the step, so that only half of a body's state is gathered.
 INLINE void chain_load_kept(const Pools* p, const Chain* chain, int spot, ChainLink* link)
 {
 	JointPose* c = &link->c;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// chain_solve.h -- the linear system of a chain of joints, by cyclic reduction: a work-group eliminates every second
-// joint at once.
+// chain_solve.h -- the linear system of a chain, by cyclic reduction: a work-group eliminates every second joint.
 //
 // The system is symmetric and block tridiagonal, with one row of 3 x 3 blocks per joint. Its solution is exact, so a
 // load at one end acts on the other end within a pass, whatever the masses between them. A CPU processes LANES joints
@@ -14,8 +13,7 @@
 #define CHAIN_SOLVE_H
 #include "pools/pools.h"
 
-// lower limit of a pivot as a fraction of its diagonal: a smaller pivot is a rounding error
-#define CHAIN_PIVOT 1.0e-6f
+#define CHAIN_PIVOT 1.0e-6f // lower limit of a pivot as a fraction of its diagonal: a smaller one is a rounding error
 
 typedef struct
 {
@@ -29,8 +27,7 @@ typedef struct // position of LANES joints
 	int shift;      // 1 or -1: each is one further or back in its row, which continues at next
 } ChainNear;
 
-// Number of rows of a ChainBlock. chain_offset returns the offset of a spot in a row of the pool chain_joints, in
-// floats.
+// Number of rows of a ChainBlock. chain_offset returns the offset of a spot in such a row, in floats.
 #define CHAIN_ROWS ((int)(sizeof(ChainBlock) / sizeof(float)) / MAX_LANES)
 
 INLINE int chain_offset(int spot)
@@ -113,8 +110,7 @@ INLINE int chain_row_spot(const Chain* chain, int row, int n)
 	return at->first + (row & 1) * at->odds + (row >> 1) * at->length + n * at->stride;
 }
 
-// Returns the position of the joints that come far joints behind those from number n of a row on, or before them if far
-// is negative. |far| is at most the number of rows.
+// Returns the position far joints behind joint n of a row, or before it if far < 0. |far| <= chain_rows.
 INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 {
 	ChainNear near;
@@ -138,8 +134,7 @@ INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 	for (int row = (from); row < chain_rows(chain); row += (by)) \
 		for (int n = 0; n < (chain)->at.length; n += LANES)
 
-// Eliminates every second one of the joints that are top joints apart, by rows. chain_reduce_joints does so joint by
-// joint.
+// Eliminates every second one of the joints that are top apart, by rows; chain_reduce_joints does so one by one.
 INLINE void chain_reduce_rows(const Pools* p, const Chain* chain, int top)
 {
 	CHAIN_BLOCKS(row, n, chain, top, 2 * top)

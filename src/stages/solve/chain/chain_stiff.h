@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: MIT
-// chain_stiff.h -- start of a step of a chain: the inertias that the tension of its joints requires, and the bodies
-// that neighbors share.
+// chain_stiff.h -- start of a step of a chain: inertias that the tension requires, and bodies that neighbors share.
 //
-// Stiff axes. A link under tension is like a string: its sideways vibration may be faster than substeps can resolve,
-// and the rope whips apart. So for the step a link's inertia is enlarged to that of an implicit integration of the
-// tension, if this exceeds its own. All constraints of the link use the same inertia; otherwise they would add energy
-// in turns.
+// A link under tension is like a string: its sideways vibration may be faster than substeps can resolve, and the rope
+// whips apart. So for the step a link's inertia is enlarged to that of an implicit integration of the tension, if this
+// exceeds its own. All constraints of the link use the same inertia; otherwise they would add energy in turns.
 //
 // This work is based on:
-// Sheldon Andrews, Marek Teichmann, Jozsef Kovecses, Geometric Stiffness for Real-time Constrained Multibody Dynamics,
-// 2017.
+// S. Andrews, M. Teichmann, J. Kovecses, Geometric Stiffness for Real-time Constrained Multibody Dynamics, 2017.
 #ifndef CHAIN_STIFF_H
 #define CHAIN_STIFF_H
 #include "stages/solve/chain/chain_link.h"
 
-// CHAIN_SLACKEST: a free angle is not damped if its damping is below its inertia over this. Otherwise the softness, the
-// inverse of the damping, could overflow the sums to which it is added. CHAIN_SLOW: factor in chain_slack.
+// A free angle is damped if its damping exceeds its inertia over this; else softness, its inverse, could overflow sums.
 #define CHAIN_SLACKEST 1.0e12f
-#define CHAIN_SLOW     0.02f
+#define CHAIN_SLOW     0.02f // factor in chain_slack
 
-// Computes the tension of a joint, kg m^2: the addition of its pull to the inertia of each of its bodies. Stores these
-// bodies too.
+// Computes the tension of a joint, kg m^2, which its pull adds to the inertia of its bodies. Stores these bodies too.
 INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 {
 	ChainLink link;
@@ -48,8 +43,7 @@ typedef struct // masks of the sides of a moving body that a joint shares with a
 	Int here_a, here_b, there_a;
 } ChainShared;
 
-// Returns the sides of the body that joints share with their neighbors at a position, and adds the neighbors' tension
-// to theirs.
+// Returns the sides of the body that joints share with neighbors at a position; adds the neighbors' tension to theirs.
 INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* bodies)
 {
 	Int a = chain_near_int(p->chain_joints->body_a, neighbor), b = chain_near_int(p->chain_joints->body_b, neighbor);
@@ -72,11 +66,10 @@ INLINE Real chain_inertia(Real inverse, Real tension)
 	return blend(inverse, 1.0f / tension, (more > zero) & (more <= splat(MOST_FLOAT)));
 }
 
-// Returns the softness that damps a free angle between two moving links, 0 for none. It damps the motion of the string
-// that substeps do not resolve. An implicit integration of the tension damps rotations by its inertia t in a substep.
-// The fraction of t that is used is t / (CHAIN_SLOW I + t), similar to that by which t enlarges the inertia I. It is
-// small for a pendulum, which loses nothing, and large for neighbors that swing against each other. The impulse acts
-// between the two links, so that a whirled rope keeps its momentum.
+// Returns the softness that damps a free angle between two links, 0 for none. An implicit integration of the tension
+// damps rotations by its inertia t in a substep. The fraction used of t is t / (CHAIN_SLOW I + t), similar to that by
+// which t enlarges the inertia I. It is small for a pendulum, which loses nothing, and large for neighbors that swing
+// against each other. The impulse acts between the two links, so a whirled rope keeps its momentum.
 INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
 {
 	Real zero = splat(0.0f), inverse = CHAIN_AT(p, own_a, spot) + CHAIN_AT(p, own_b, spot);

@@ -14,18 +14,14 @@
 #include "stages/solve/hub/spoke_answer.h"
 
 // Sums over spokes have a fixed order on every device: HUB_COLUMNS columns, each over every HUB_COLUMNS-th spoke, then
-// a reduction by halves. The number of columns is that of the work-items in a work-group of a GPU, so that all of them
-// are used.
+// a reduction by halves. A work-group of a GPU has as many work-items as there are columns.
 #define HUB_LEVELS  8
 #define HUB_COLUMNS (1 << HUB_LEVELS)
 
-// HUB_ROUNDS: limit of rounds of Newton's method. HUB_CLOSE: it has converged when a round changes the hub's velocity
-// by a smaller fraction.
-#define HUB_ROUNDS 2
-#define HUB_CLOSE  1.0e-5f
+#define HUB_ROUNDS 2       // limit of rounds of Newton's method
+#define HUB_CLOSE  1.0e-5f // fraction of the hub's velocity: a smaller change ends the rounds
 
-// m^2: limit of inertia over mass; its product with the square of HUB_SPEED is a finite float
-#define HUB_GYRATION 1.0e13f
+#define HUB_GYRATION 1.0e13f // m^2: limit of inertia over mass, whose product with the square of HUB_SPEED is finite
 
 // loops over the spokes k of hub h, by columns
 #define HUB_EACH_COLUMN(c, h) for (int c = group_lane(); c < HUB_COLUMNS && c < (h)->count; c += group_width())
@@ -165,8 +161,7 @@ INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 	d[0] = x / xx - yx * d[1] - wx * d[2];
 }
 
-// Returns whether Newton's method has converged: the change is small relative to the velocity, or to a substep of
-// gravity. Returns 1 also for a change that is not finite, which must not be applied.
+// Returns whether Newton's method has converged, relative to the velocity or to gravity in a substep; 1 if not finite.
 INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 {
 	float x = step->h * step->gravity_x, y = step->h * step->gravity_y, most = step->max_speed;
@@ -195,9 +190,8 @@ INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 	HUB_EACH_OF(i, c, h) spoke_give(p, h, i, what, part);
 }
 
-// Returns the fraction of the impulses of the last step with which a hub is warm started. gain: velocity that they give
-// it. The fraction is 1 unless gain exceeds START_SHARE of max_speed, as in a jam after some bodies have left. A spin
-// counts by its energy.
+// Returns the fraction of the last step's impulses with which a hub starts. gain: velocity that they give it. It is 1
+// unless gain exceeds START_SHARE of max_speed, as in a jam after bodies have left. Spin counts by its energy.
 INLINE float hub_start(const Step* step, const Hub* h, const float gain[3])
 {
 	float square = hub_energy(h, gain), most = START_SHARE * step->max_speed;
@@ -295,8 +289,7 @@ INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 	return h;
 }
 
-// Writes the velocity of the neighbor back to its pool. For a neighbor that is split into parts, hub_merge adds their
-// changes instead.
+// Writes the velocity of the neighbor back to its pool; hub_merge adds the changes of one that is split into parts.
 INLINE void spoke_end(const Pools* p, const Hub* h, int i)
 {
 	int m = spoke_of(p, i);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hub_one.h -- kernels over single items of hubs: contacts become spokes; neighbors are split into parts and merged
-// again.
+// hub_one.h -- kernels over single items of hubs: contacts become spokes; neighbors are split into parts and merged.
 #ifndef HUB_ONE_H
 #define HUB_ONE_H
 #include "constraints/solver_body.h"
@@ -55,8 +54,7 @@ INLINE int spoke_neighbor_of(const Pools* p, int k)
 
 INLINE int hub_key_spoke(Word64 key) { return (int)(key & (((Word64)1 << HUB_KEY_COLOR) - (Word64)1)); }
 
-// Writes the key of spoke i: its neighbor, and the turn of its hub. Neighbors that cannot move, and padding, are sorted
-// last.
+// Writes the key of spoke i: its neighbor, and the turn of its hub; padding and immovable neighbors are sorted last.
 KERNEL(hub_key)
 {
 	Word64 name = (Word64)0xffffffffu, turn = 0;
@@ -77,9 +75,8 @@ KERNEL(hub_key)
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
 
-// Item: a sorted neighbor. Computes its number of parts. It has an equal part for each hub of a turn, and that part is
-// split equally among the spokes that it shares with this hub. argument: number of spokes. The keys are sorted by body,
-// then by turn, then by hub.
+// Item: a sorted neighbor. Computes its parts: an equal one for each hub of a turn, split equally among the spokes that
+// it shares with this hub. argument: number of spokes. Keys are sorted by body, then turn, then hub.
 KERNEL(hub_order)
 {
 	Word64 body = p->key[i] >> 32, group = p->key[i] >> HUB_KEY_COLOR;

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-// spoke_answer.h -- response of a spoke: the impulses that solve it for a fixed velocity of its hub, while nothing else
-// pushes its neighbor.
-//
-// docs/hubs.md has the formulas.
+// spoke_answer.h -- response of a spoke: impulses that solve it for a fixed velocity of its hub (docs/hubs.md).
 #ifndef SPOKE_ANSWER_H
 #define SPOKE_ANSWER_H
 #include "stages/solve/hub/spoke_pose.h"
 
-// Number of sums of the responses. 0 to 2: impulse on the hub (x, y, angular). 3 to 8: minus its derivatives with
-// respect to the hub's velocity (xx, xy, yy, xw, yw, ww). 9 and 10: first and second derivative of the energy along the
-// responses.
+// Number of sums of the responses. 0 to 2: impulse on the hub (x, y, angular). 3 to 8: minus its derivatives by the
+// hub's velocity (xx, xy, yy, xw, yw, ww). 9, 10: first and second derivative of the energy along the responses.
 #define HUB_SUMS 11
 
 typedef struct // response: impulses, and minus their derivatives with respect to the hub's velocity at each point

@@ -117,8 +117,7 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 // Returns whether a spoke may add x to a sum; 0 for a NaN.
 INLINE Int spoke_adds(const Hub* h, Real x) { return (x >= splat(-h->most)) & (x <= splat(h->most)); }
 
-// Computes the contribution of impulses at both points to the hub's sums. Returns whether it, and the velocity of the
-// neighbor, stay finite.
+// Computes the share of impulses in the hub's sums. Returns whether it, and the neighbor's velocity, stay finite.
 INLINE Int spoke_sum(const Hub* h, const SpokeArms* s, const Real impulse[2], Real push[3])
 {
 	Real both = impulse[0] + impulse[1];
@@ -156,8 +155,7 @@ INLINE void spoke_impulses(const Pools* p, int i, int what, Real old[2])
 	                              : load(&contact_row(p, normal_impulse2, i), 0);
 }
 
-// Stores the impulses of a bounce. A point that bounces separates, so the next step must not be warm started with its
-// impulse.
+// Stores the impulses of a bounce. A point that bounces separates, so its impulse must not warm start the next step.
 INLINE void spoke_keep_bounce(const Pools* p, int i, Real impulse1, Real impulse2)
 {
 	int m = spoke_of(p, i);

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spoke_pose.h -- the problem of a spoke for one kind of impulse: limits, target velocities, masses; its warm start.
-//
-// docs/hubs.md has the formulas.
+// spoke_pose.h -- the problem of a spoke for one kind of impulse (docs/hubs.md): limits, targets, masses, warm start.
 #ifndef SPOKE_POSE_H
 #define SPOKE_POSE_H
 #include "stages/solve/hub/spoke_arms.h"
@@ -10,15 +8,11 @@
 // be infinitely stiff. The solution stays the same, because the term multiplies changes of impulses only.
 #define HUB_YIELD 0.1f
 
-// Same fraction for restitution, which is solved once: no later pass corrects the impulse that is missing because of
-// this term.
+// Same fraction for restitution, which is solved once: no later pass corrects the impulse that this term removes.
 #define BOUNCE_YIELD 0.001f
 
-// 1/kg: a smaller inverse mass counts as immovable. The inverse of this limit is a finite float
-#define LEAST_RESISTS 1.0e-37f
-
-// m/s, rad/s: a faster body is not solved
-#define HUB_SPEED 1.0e12f
+#define LEAST_RESISTS 1.0e-37f // 1/kg: a smaller inverse mass is immovable; the inverse of this limit is finite
+#define HUB_SPEED     1.0e12f  // m/s, rad/s: a faster body is not solved
 
 // Returns whether a block is friction or rolling resistance: impulses of both signs, within limits.
 INLINE int spoke_limited(int what) { return what == HUB_FRICTION || what == HUB_ROLL; }
@@ -60,8 +54,7 @@ INLINE Real spoke_resists(const Hub* h, const SpokeArms* s, int k)
 	       s->whole_inertia * s->neighbor[k] * s->neighbor[k];
 }
 
-// Computes the target of a spoke at point k. *bias, m/s: minus its target velocity. *soft, 1/kg: addition of softness
-// to the inverse mass.
+// Computes the target at point k. *bias, m/s: minus its target velocity. *soft, 1/kg: softness added to inverse mass.
 INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const SpokeArms* s, int k, Real* bias,
                         Real* soft)
 {
@@ -82,8 +75,7 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 	*soft = spoke_resists(h, s, k) * goal.impulse_scale / goal.mass_scale;
 }
 
-// Returns whether only some points take part in a block. In restitution these are the points that were pushed; in
-// relaxation, all but the points that will bounce and have not met yet.
+// Returns whether only some points take part: those pushed, in restitution; in relaxation, not those yet to bounce.
 INLINE int spoke_chooses(const Pools* p, int what)
 {
 	return what == HUB_BOUNCE || (what == HUB_NORMAL && p->step.bounces);
@@ -115,9 +107,8 @@ typedef struct // problem of a spoke for one kind of impulse
 	Int well;                  // mask: velocities and masses are finite
 } SpokeProblem;
 
-// Removes impulses beyond their limits, because no solution may keep them. Removes all impulses of a spoke whose
-// velocity is not finite or exceeds HUB_SPEED, because it has no other solution. Adds the effect on the hub to taken,
-// and updates the velocity of the neighbor.
+// Removes impulses beyond their limits, and all of a spoke whose velocity is not finite or exceeds HUB_SPEED, because
+// no solution may keep them. Adds the effect on the hub to taken, and updates the velocity of the neighbor.
 INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, SpokeArms* s, SpokeProblem* r, Real taken[3])
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), held[2], beyond[2], push[3], speed[2];
@@ -249,7 +240,6 @@ INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[
 	spoke_keep(p, i, what, old[0], old[1]);
 }
 
-// Scales the warm start of a spoke down to a fraction.
 INLINE void spoke_scale(const Pools* p, const Hub* h, int i, int what, float share)
 {
 	Real old[2];
