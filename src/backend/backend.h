@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// backend.h -- the functions of a device, which stores the pools, executes lists of runs, and solves; the caller
-// defines the order of the stages.
+// backend.h -- functions of a device: it stores pools, executes lists of runs, solves; the caller orders the stages.
 #ifndef BACKEND_H
 #define BACKEND_H
 #include "backend/run_list.h"
@@ -54,9 +53,8 @@ typedef struct
 	int count;
 } ActiveBlocks;
 
-// Distribution of long items to workers, the longest first, in boustrophedon order: forward in even rounds, backward in
-// odd ones. Thus all workers have similar amounts of work, and each has the same items in every pass. dealt returns the
-// position of a worker in a round, or the worker at a position.
+// Distribution of long items, the longest first: forward in even rounds, backward in odd ones. So workers have similar
+// amounts of work, and the same items in every pass. Maps a worker to its position in a round, and back.
 static inline int dealt(int round, int place, int workers) { return round & 1 ? workers - 1 - place : place; }
 
 typedef struct // upload of many items, a kernel over each, and readback of an answer for each
@@ -81,8 +79,7 @@ typedef struct // every function that returns a status sets the error's sentence
 	scree_status (*resize)(Backend* b, Per per, int capacity);
 	// executes runs in order, each complete before the next begins; may return before the device has finished
 	scree_status (*run)(Backend* b, const Step* step, const Run* runs, int count);
-	// executes a solve, to the final poses, as listed by solve_list, or in another form with the same result. list is
-	// empty, and has the capacity for that list
+	// executes a solve to the final poses, with the result of solve_list; list is empty, with capacity for that list
 	scree_status (*solve)(Backend* b, const Step* step, const Solve* solve, RunList* list);
 	// copy items first to first + count - 1 to and from the device, in order with the runs; read returns after the copy
 	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
@@ -94,11 +91,9 @@ typedef struct // every function that returns a status sets the error's sentence
 	// combines write, run and read, which may overlap
 	scree_status (*batch)(Backend* b, const Step* step, const Batch* batch);
 	scree_status (*wait)(Backend* b);
-	// returns the milliseconds spent in each stage since the last call, and clears them; zeros without
-	// BackendOptions.timings. Waits until all work is complete.
+	// returns and clears the milliseconds of each stage, after all work; zeros without BackendOptions.timings
 	scree_status (*timings)(Backend* b, double milliseconds[STAGE_COUNT]);
-	// replaces the memory of a use, null for none; on failure keeps the previous memory. Waits until all work is
-	// complete.
+	// replaces the memory of a use, null for none, after all work; on failure keeps the previous memory
 	scree_status (*share)(Backend* b, SharedUse use, const SharedMemory* memory);
 	// runs a kernel with the pool render_row in that memory, and returns when OpenGL may read it
 	scree_status (*render)(Backend* b, const Run* run);
@@ -106,35 +101,29 @@ typedef struct // every function that returns a status sets the error's sentence
 	// the pool. upload: from the pool into that memory; returns when others may read it
 	scree_status (*download)(Backend* b, PoolId pool, int count, size_t offset);
 	scree_status (*upload)(Backend* b, PoolId pool, int count, size_t offset);
-	// returns the address of a pool in the host's memory, valid until the next resize. Null if pools are not in host
-	// memory.
+	// returns a pool's address in host memory, valid until the next resize; null if pools are not in host memory
 	void* (*address)(Backend* b, PoolId pool);
-	// frees a core for other work of this process, or uses it again, between two lists of runs. Null if the backend
-	// uses no cores.
+	// frees a core for other work of this process, or uses it again, between lists; null if no cores are used
 	void (*spare)(Backend* b, bool core);
-	// allocate and release two blocks beside the pools, to measure the speed of copies; release also works without
-	// blocks
+	// allocate and release two blocks, to measure the speed of copies; release also works without blocks
 	scree_status (*copy_reserve)(Backend* b, size_t bytes);
 	void (*copy_release)(Backend* b);
-	// copies one block to the other the given number of times, with all cores or units of the device; returns after the
-	// copies
+	// copies one block to the other the given number of times, with the whole device; returns after the copies
 	scree_status (*copy)(Backend* b, int times);
 } BackendFunctions;
 
 struct Backend
 {
 	const BackendFunctions* f;
-	char name[160];      // "cpu", "opencl:NVIDIA H200"
-	int threads, lanes;  // 0 on OpenCL
-	int traversal_items; // work-items among which the rest of a long traversal is split, at least 1
-	int traversal_nodes; // nodes over leaves in a short traversal; a traversal that visits more is long
-	int chain_lanes;     // chains that are interleaved, at least 1
-	int groups;          // work-groups that run at the same time, at least 1
-	bool distant;        // a read takes as long as many runs
-	bool skips;          // the backend skips blocks that are not in active
-	// Memory that share accepts. With SCREE_SHARING_COPIED it accepts none, and share, render, download and upload are
-	// null.
-	scree_sharing sharing;
+	char name[160];                    // "cpu", "opencl:NVIDIA H200"
+	int threads, lanes;                // 0 on OpenCL
+	int traversal_items;               // work-items among which the rest of a long traversal is split, at least 1
+	int traversal_nodes;               // nodes over leaves in a short traversal; a traversal that visits more is long
+	int chain_lanes;                   // chains that are interleaved, at least 1
+	int groups;                        // work-groups that run at the same time, at least 1
+	bool distant;                      // a read takes as long as many runs
+	bool skips;                        // the backend skips blocks that are not in active
+	scree_sharing sharing;             // if SCREE_SHARING_COPIED, share, render, download and upload are null
 	int capacity[PER_COUNT];           // capacity of the pools of each kind
 	ActiveBlocks active[ACTIVE_KINDS]; // the caller sets them before a step
 	uint64_t bytes;                    // memory of the pools

@@ -4,7 +4,6 @@
 #define BATCH_H
 #include "backend/backend.h"
 
-// Executes a batch in sequence: uploads all items, runs the kernel, reads all answers.
 scree_status batch_whole(Backend* b, const Step* step, const Batch* batch);
 
 #endif

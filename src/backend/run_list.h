@@ -17,8 +17,6 @@ void runs_close(RunList* list);
 
 // Adds a run over items begin to end - 1; a counter may bound the end (COUNT, NO_COUNT).
 void runs_add(RunList* list, int kernel, int begin, int end, int count, int argument);
-
-// Adds a run of one item, for updates of the counters.
 void runs_add_single(RunList* list, int kernel);
 
 // Returns the bits of the indices below count in a sort key, at least 1.

@@ -10,16 +10,14 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 
 int solve_runs_most(int substeps)
 {
-	// per pass: a run for each color and kind, two for each hub color, two of chains, branches, overflow, and one over
-	// the bodies; a few before and after
+	// per pass: one run per color and kind, two per hub color, two of chains; branches, overflow and bodies
 	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_COLORS + 5) + 2 * CONSTRAINT_KINDS +
 	       COLORS + 14;
 }
 
-// Adds a pass over the hubs, then the colors, then chains and branches. Heavy chains between light bodies relax before
-// the colors. Thus they remove the velocity with which the bias pass pulled their frames together, before the contacts
-// of the light bodies relax. Otherwise these contacts would stop that motion with impulses that remain, and a cart that
-// lands would be thrown up again. On the host, Counters.split is up to date only if nothing changed.
+// Adds a pass. Heavy chains between light bodies relax before the colors: they remove the velocity with which the bias
+// pass pulled their frames together. Otherwise contacts of the light bodies would stop it with impulses that remain,
+// and a landing cart would be thrown up again. On the host, Counters.split is up to date only if nothing changed.
 static void add_pass(RunList* list, const Solve* solve, int pass)
 {
 	const Counters* c = solve->counters;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // solve_runs.h -- a whole solve, from velocities and constraints to final poses: its data, and its list of runs.
 //
-// The pipeline passes a solve to a backend as a whole, and the backend chooses the form: run by run, or in fewer
-// launches. Every form has the order of constraints/schedule.h.
+// The backend chooses the form: run by run, or in fewer launches, always in the order of constraints/schedule.h.
 #ifndef SOLVE_RUNS_H
 #define SOLVE_RUNS_H
 #include "backend/run_list.h"
@@ -16,8 +15,7 @@ typedef struct
 	bool bounces;                // as in Step
 	bool unlocked;               // some body with joints may have no collidables, and therefore no leaf in a tree
 	int chains, chain_places;    // items of a pass over chains; spots of chains and branches
-	int carried;                 // first of these items with a heavy chain between light bodies; all items after it
-	                             // have such chains too
+	int carried;                 // first item with a heavy chain between light bodies; all items after it have one too
 	int branches;                // items of a pass over branches, which follow the chains
 	bool taut;                   // colored joints may pull so hard that bodies need other inertias for the step
 	const Counters* counters;    // counters, with the layout of the constraints
@@ -39,17 +37,13 @@ static inline int solve_first(const Solve* solve, int color)
 	return sum;
 }
 
-// Returns the number of constraints of all kinds, including padding.
 static inline int solve_constraints(const Solve* solve) { return solve_first(solve, COLORS + 1); }
 
 // Returns the items of a kernel over bodies, rounded up to whole blocks of lanes.
 int solve_bodies(const Solve* solve);
-
-// Returns the most runs of a solve with this number of substeps.
 int solve_runs_most(int substeps);
 
-// Add the runs that set the inertias for a step in which joints are taut, and those that restore them. solve_begin runs
-// before the first; solve_slack comes after the passes.
+// Add the runs that set other inertias for taut joints, after solve_begin, and that restore them after the passes.
 void solve_taut(const Solve* solve, RunList* list);
 void solve_slack(const Solve* solve, RunList* list);
 

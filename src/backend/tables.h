@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tables.h -- enumerators and tables of the pools, kernels and kinds of constraints in pools.def, kernels.def and
-// kinds.def.
+// tables.h -- enumerators and tables of pools.def, kernels.def and kinds.def.
 #ifndef TABLES_H
 #define TABLES_H
 #include "constraints/schedule.h"
@@ -25,8 +24,7 @@ typedef enum
 	// Primitives, not kernels: each backend has its own implementation, with equal results. SORT: sorts items 0 to end
 	// of pool key by the bits from RUN_LOW up to, not including, RUN_HIGH of argument; stable.
 	PRIMITIVE_SORT = KERNEL_COUNT,
-	// SCAN: replaces items 0 to end of pool scan by the sum of the items before each.
-	PRIMITIVE_SCAN,
+	PRIMITIVE_SCAN, // replaces items 0 to end of pool scan by the sum of the items before each
 	RUN_KINDS
 } KernelId;
 

@@ -4,21 +4,15 @@
 #include "platform/processor.h"
 #include <limits.h>
 
-// A solve with more items per run is always shared.
-#define ALWAYS_SHARED 2048
-// Solves until the slower method is measured again, times the square of the ratio of the times.
-#define REST 64
-// Limit of that ratio, because a busy machine can make one method seem slow.
-#define MOST_SLOWER 4.0
-// Consecutive solves in a measurement of a method. The fastest one except the first counts: any may be interrupted, and
-// in the first one other workers may have to wake up.
-#define TURN 4
-// Initial measurements, in which the two methods alternate.
-#define FIRST_TURNS 4
+#define ALWAYS_SHARED 2048 // a solve with more items per run is always shared
+#define REST          64 // solves until the slower method is measured again, times the square of the ratio of the times
+#define MOST_SLOWER   4.0 // limit of that ratio, because a busy machine can make one method seem slow
+// Solves in a measurement. The fastest counts, because any may be interrupted, but not the first, which wakes workers.
+#define TURN        4
+#define FIRST_TURNS 4 // initial measurements, in which the two methods alternate
 
-// Counts the cost of a solve by the chosen method, and decides about the next one. A cost that is higher than the last
-// may be due to an interruption, so it is averaged in with a weight of a quarter. The other method is measured again at
-// times, less often if it was slower.
+// Counts the cost of a solve, and decides about the next one. A cost higher than the last may be due to an
+// interruption, so it has a weight of a quarter. The other method is measured again, less often if it was slower.
 static void count_cost(Choice* c, double cost)
 {
 	bool first = c->turns < FIRST_TURNS, measures = first || c->tries;

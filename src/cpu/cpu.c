@@ -11,8 +11,7 @@
 // Nodes of a traversal, about 5 us, beyond which its rest is split, and number of its parts per worker.
 #define TRAVERSAL_NODES 128
 #define TRAVERSAL_ITEMS 4
-// Number of colored constraints that take as long as a joint of a chain.
-#define CHAIN_ITEM 8
+#define CHAIN_ITEM      8 // colored constraints that take as long as a joint of a chain
 
 static void set_step(Cpu* cpu, const Step* step)
 {
@@ -67,8 +66,7 @@ static scree_status cpu_timings(Backend* b, double milliseconds[STAGE_COUNT])
 	return SCREE_OK;
 }
 
-// Frees a core by using one worker fewer. A step has a hundred jobs, and a worker whose core is busy with other work
-// delays the others whenever it has claimed a block.
+// Frees a core by using one worker fewer: a worker whose core is busy delays the others if it has claimed a block.
 static void cpu_spare(Backend* b, bool core)
 {
 	Cpu* cpu = b->state;
@@ -108,8 +106,7 @@ static const BackendFunctions functions = {
     .copy = cpu_copy,
 };
 
-// Selects the functions of all kernels. SCREE_LANES is the sum of the numbers of lanes for which this build has
-// kernels.
+// Selects the functions of all kernels. SCREE_LANES is the sum of the lane counts for which this build has kernels.
 static void choose_kernels(Cpu* cpu, int lanes)
 {
 	const KernelFunction *wide = kernels_lanes1, *one = kernels_lanes1;

@@ -12,8 +12,7 @@
 // In the solve, reading data that another core wrote last costs more, so nearly all runs are shared, or none (Choice).
 #define GRAIN       512
 #define SOLVE_GRAIN 64
-// The same if the other workers sleep, and there is too little work to wake them: in steps with fewer items than
-// WAKE_ITEMS, after a solve by one worker.
+// The same in steps of fewer than WAKE_ITEMS items, too few to wake the workers, after a solve by one worker.
 #define ALONE_GRAIN 65536
 #define WAKE_ITEMS  4096
 
@@ -43,20 +42,17 @@ typedef struct // the state of the backend
 	double mark; // ms: end of the last run
 	double milliseconds[STAGE_COUNT];
 
-	// Data between read_begin and read_end.
-	size_t async_count;
+	size_t async_count; // from read_begin to read_end
 	unsigned char async_bytes[READ_ASYNC_BYTES];
 
-	// Data between copy_reserve and copy_release.
-	char *copy_from, *copy_to;
+	char *copy_from, *copy_to; // from copy_reserve to copy_release
 	size_t copy_bytes;
 	int copy_times;
 
-	// The current list, and the items of its run number at.
 	const Run* runs;
-	int at, begin, end;
-	int grain;    // fewest items of a run that is shared
-	double items; // sum over the runs of the list so far
+	int at, begin, end; // number of the current run in runs, and its items
+	int grain;          // fewest items of a run that is shared
+	double items;       // sum over the runs of the list so far
 
 	_Alignas(64) atomic_int next; // for a run in chunks: first item that no worker has taken
 	Shared shared;

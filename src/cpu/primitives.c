@@ -3,8 +3,7 @@
 #include "cpu/primitives.h"
 #include <string.h>
 
-// Most keys that are sorted by insertion rather than by digits; with 64, both take about as long.
-#define FEW_KEYS 64
+#define FEW_KEYS 64 // most keys that are sorted by insertion; with 64, both methods take about as long
 
 static void count_digits(int counts[RADIX], const uint64_t* keys, int begin, int end, int shift, uint64_t mask)
 {
@@ -13,9 +12,8 @@ static void count_digits(int counts[RADIX], const uint64_t* keys, int begin, int
 		++counts[keys[i] >> shift & mask];
 }
 
-// Computes the position of a block's first key of each digit: behind all smaller digits, and behind the equal digits of
-// the blocks before it, so the sort is stable. Returns false if all keys have the same digit, so that nothing has to
-// move.
+// Computes the position of a block's first key of each digit: behind all smaller digits, and behind equal digits of the
+// blocks before it, so the sort is stable. Returns false if all digits are equal, so that no key moves.
 static bool place_digits(int place[RADIX], const Shared* shared, int block, int blocks, int count)
 {
 	int sum = 0;
@@ -34,7 +32,6 @@ static bool place_digits(int place[RADIX], const Shared* shared, int block, int 
 	return true;
 }
 
-// Sorts by insertion: for few keys, counting every digit takes longer than all comparisons.
 static void insert_keys(uint64_t* keys, int count, int low, int high)
 {
 	uint64_t mask = ((uint64_t)2 << (high - low - 1)) - 1;

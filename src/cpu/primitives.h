@@ -8,8 +8,7 @@
 #define RADIX_BITS 8
 #define RADIX      (1 << RADIX_BITS)
 
-// Data that the blocks of a sort or scan share.
-typedef struct
+typedef struct // data that the blocks of a sort or scan share
 {
 	_Alignas(64) int counts[MAX_WORKERS][RADIX]; // keys of each digit in each block
 	int sums[MAX_WORKERS];
@@ -18,9 +17,7 @@ typedef struct
 	bool moves; // the keys are not all equal in this digit, so they move
 } Shared;
 
-// Sort and scan are split into `blocks` blocks, at most as many as workers.
-
-// Sorts keys[0] to keys[count - 1] by their bits from low up to, not including, high; stable. other is scratch.
+// Sorts keys by their bits from low to high - 1, in at most as many blocks as workers; stable. other is scratch.
 void sort_keys(Shared* shared, Threads* threads, int blocks, uint64_t* keys, uint64_t* other, int count, int low,
                int high);
 

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: MIT
 // work.c -- lists of runs on the CPU: each run is executed in blocks by several workers, or by one.
 //
-// Worker 0 processes a list: it reads the bound of a run, executes a small run itself, and shares others as jobs of
-// several blocks. Thus a bound is read once, by one worker, while no worker writes it, and a small world never wakes a
-// thread.
+// Worker 0 processes a list: it reads the bound of a run, executes a small run itself, and shares others in blocks.
+// Thus one worker reads a bound, while none writes it, and a small world never wakes a thread.
 #include "cpu/cpu.h"
 #include "platform/processor.h"
 #include <limits.h>
 
-// Number of items for which an item of a kernel in chunks counts, because runs with long items are worth sharing from
-// fewer items on.
-#define CHUNK_ITEM 8
-// Value instead of the items per chunk: items are distributed by dealt (src/backend/backend.h).
-#define DEALT (-1)
-// Fewest items for which a sort and a scan are shared.
-#define SORT_GRAIN 8192
-#define SCAN_GRAIN 16384
-// Blocks of a run that is just worth sharing.
-#define BLOCKS_A_GRAIN 2
+#define CHUNK_ITEM     8    // one item in chunks is worth this many, because few long items are worth sharing
+#define DEALT          (-1) // instead of the items per chunk: dealt distributes the items (src/backend/backend.h)
+#define SORT_GRAIN     8192 // fewest items for which a sort is shared
+#define SCAN_GRAIN     16384
+#define BLOCKS_A_GRAIN 2 // blocks of a run that is just worth sharing
 
 // Items per chunk. Chunks of a kernel whose items take long, and unequal times, are given to workers that are free.
 // Other kernels are split evenly and in order, so that a worker has the same bodies and constraints in every pass.
@@ -52,7 +46,6 @@ static const int kinds[KERNEL_COUNT] = {
     [KERNEL_body_slack] = 1 + ACTIVE_BODIES,
 };
 
-// Returns the blocks to which a run of a kernel is limited, or null.
 static const ActiveBlocks* active_blocks(const Cpu* cpu, int kernel)
 {
 	int kind = kernel < KERNEL_COUNT ? kinds[kernel] : 0;
@@ -85,7 +78,6 @@ static void do_dealt(Cpu* cpu, KernelFunction function, int block, int blocks)
 	}
 }
 
-// Executes the rest of a run in chunks, one chunk after the other.
 static void do_chunks(Cpu* cpu, KernelFunction function, int chunk)
 {
 	int items = cpu->end - cpu->begin, begin;
@@ -93,7 +85,6 @@ static void do_chunks(Cpu* cpu, KernelFunction function, int chunk)
 		function(&cpu->pools, cpu->begin + begin, cpu->begin + (items - begin < chunk ? items : begin + chunk));
 }
 
-// Executes a block of the current run of a kernel.
 static void do_block(void* context, int block, int blocks)
 {
 	Cpu* cpu = context;

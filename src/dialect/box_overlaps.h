@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// box_overlaps.h -- tests of one box, at rest or moving, against eight, with AVX2 or in WebAssembly; a part of
-// dialect.h, whose names it uses.
+// box_overlaps.h -- tests of one box, at rest or moving, against eight, with AVX2 or in WebAssembly; for dialect.h.
 #ifndef BOX_OVERLAPS_H
 #define BOX_OVERLAPS_H
 #ifdef __wasm_simd128__
@@ -23,7 +22,6 @@ static inline Word overlaps8(const Float4* boxes, Float4 box)
 #else
 #include <immintrin.h>
 
-// Loads one bound of eight packed boxes.
 static inline __m256 bound8_wide(const Float4* boxes, int which) { return _mm256_load_ps(&boxes[2 * which].x); }
 
 // Always inlined: as a call in the traversals of the broad phase, it cost scene storm 2 % more instructions.

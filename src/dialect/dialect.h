@@ -1,37 +1,31 @@
 // SPDX-License-Identifier: MIT
-// dialect.h -- the types, macros and functions that hide the differences between C and OpenCL C; no other file of the
-// kernels tests the compiler.
+// dialect.h -- hides the differences between C and OpenCL C; no other file of the kernels tests the compiler.
 //
-// A wide kernel computes in Real and Int. On a GPU they are float and int. On a CPU they are LANES floats and LANES
-// ints, so that one call computes one block. A kernel that branches on an item is compiled with LANES 1; a branch on a
-// vector does not compile, so such a mistake is always noticed.
-//
+// A wide kernel computes in Real and Int: float and int on a GPU; LANES of them on a CPU, so that one call computes one
+// block. A kernel that branches on an item is compiled with LANES 1, because a branch on a vector does not compile.
 // docs/dialect.md has the table of all names.
 #ifndef DIALECT_H
 #define DIALECT_H
 
 // Functions of wide passes are always inlined: calls that clang left in them cost 18 to 36 % at 8 and 16 lanes. With
-// one lane, always inlining made the code of gcc half as fast again, for lack of registers. On a GPU, one call that is
-// left in a kernel keeps the pools on the stack of every work-item: a step of 93,000 bodies of ragdolls took 0.08 ms
-// longer on an H200. CALLS is defined for OpenCL on a CPU, where PoCL takes over 40 % longer to build functions that
-// are always inlined.
+// one lane, always inlining made the code of gcc half as fast again, for lack of registers. On a GPU, one call keeps
+// the pools on the stack of every work-item: a step of 93,000 bodies of ragdolls took 0.08 ms longer on an H200. CALLS
+// is for OpenCL on a CPU, where PoCL takes over 40 % longer to build functions that are always inlined.
 #if (defined(LANES) && LANES > 1) || (defined(__OPENCL_C_VERSION__) && !defined(CALLS))
 #define INLINE static inline __attribute__((always_inline))
 #else
 #define INLINE static inline
 #endif
 
-// Inlines parts of hot kernels with one lane that gcc would not inline, because they are long; a call writes its result
-// to memory.
+// Inlines long parts of hot kernels with one lane, which gcc would not; a call would write its result to memory.
 #ifdef CALLS
 #define INLINE_LONG INLINE
 #else
 #define INLINE_LONG static inline __attribute__((always_inline))
 #endif
 
-// Marks large parts of large kernels, without barriers. If CALLS is defined they are calls: PoCL makes three copies of
-// a kernel, and in each of them three copies of the code between barriers that not all work-items reach. They are calls
-// in WebAssembly too, because a page downloads the code.
+// Marks large parts of large kernels, without barriers. With CALLS they are calls: PoCL makes three copies of a kernel,
+// and in each three of code between barriers that not all work-items reach. In WebAssembly calls make a page smaller.
 #if defined(CALLS) || defined(__EMSCRIPTEN__)
 #define OUT_OF_LINE static __attribute__((noinline))
 #else
@@ -45,9 +39,8 @@
 #define RARE static __attribute__((noinline))
 #endif
 
-// Unrolls a loop of two or three iterations over arrays, even if it is long, so that the arrays stay in registers.
-// Without it, joint_bias needed 185 registers on an H200, with it 89. WebAssembly does not unroll, because a page
-// downloads the code.
+// Unrolls a loop of two or three iterations over arrays, so that the arrays stay in registers: with it, joint_bias
+// needed 89 registers on an H200, without it 185. WebAssembly does not unroll, because a page downloads the code.
 #if defined(__OPENCL_C_VERSION__) || (defined(__clang__) && !defined(__EMSCRIPTEN__))
 #define UNROLL _Pragma("unroll")
 #elif defined(__GNUC__) && !defined(__clang__)
@@ -56,8 +49,7 @@
 #define UNROLL
 #endif
 
-// Kernels between these two are compiled for small size in WebAssembly, because a page downloads the code, and most
-// worlds do not run them. This saves 1.5 kB, compressed.
+// Kernels between these have small code in WebAssembly, 1.5 kB less compressed, because most worlds do not run them.
 #ifdef __EMSCRIPTEN__
 #define SMALL_BEGIN _Pragma("clang attribute push(__attribute__((minsize)), apply_to = function)")
 #define SMALL_END   _Pragma("clang attribute pop")
@@ -67,7 +59,6 @@
 #endif
 
 // Macros of kernels, which opencl_words.h and c_words.h define:
-//
 // KERNEL(name) { ... }: the code for item i of the pools p. WIDE_KERNEL(name): the code for items i to i + LANES - 1.
 //
 // LIST_KERNEL(name, list, length) { ... }: a kernel that appends the items for which it returns 1 to a list of the
@@ -107,15 +98,13 @@ typedef int Int;
 #define store(array, i, x)     ((array)[i] = (x))
 #define store_int(array, i, x) ((array)[i] = (x))
 #define real_bits(x)           float_bits(x)
-// Returns b if c is set, else a.
 INLINE Real blend(Real a, Real b, Int c) { return c ? b : a; }
 INLINE Int blend_int(Int a, Int b, Int c) { return c ? b : a; }
 // Conversions of values from 0 to below 2^31.
 #define whole(x)   ((Int)(x))
 #define real_of(x) ((Real)(x))
 // Shifts left, also into the sign bit.
-#define shifted(x, bits) ((Int)((Word)(x) << (bits)))
-// Writes 64-bit keys from their upper and lower halves.
+#define shifted(x, bits)                ((Int)((Word)(x) << (bits)))
 #define store_keys(array, i, high, low) ((array)[i] = (Word64)(Word)(high) << 32 | (Word64)(Word)(low))
 #define root(x)                         square_root(x)
 
@@ -125,8 +114,7 @@ INLINE Int blend_int(Int a, Int b, Int c) { return c ? b : a; }
 #define following_int(a, b) (b)
 #define preceding_int(a, b) (a)
 
-// indices: the numbers i to i + LANES - 1. gather: items of an array by index. load_int2: the members of rows of two
-// integers.
+// indices: numbers i to i + LANES - 1. gather: items by index. load_int2: the members of rows of two integers.
 #define indices(i)                  (i)
 #define gather(array, index)        ((array)[index])
 #define gather_int(array, index)    ((array)[index])

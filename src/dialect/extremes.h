@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// extremes.h -- minimum and maximum of vectors by one instruction, if its results are those of the dialect; a part of
-// wide.h.
+// extremes.h -- minimum and maximum of vectors by one instruction with the dialect's results; a part of wide.h.
 //
-// The instruction of x86 returns its second operand unless the first is larger, or smaller: also for NaN, and for two
-// zeros.
+// The instruction of x86 returns its second operand unless the first is larger, or smaller: also for NaN and two zeros.
 #ifndef EXTREMES_H
 #define EXTREMES_H
 

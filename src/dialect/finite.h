@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// finite.h -- functions that keep state finite: NaN is never stored, and sums of the user's calls end at the largest
-// number.
+// finite.h -- functions that keep state finite: NaN is never stored, and sums of the user end at the largest number.
 //
-// Devices agree on which results are NaN, but not on the sign and the payload of a NaN, so a stored NaN would be a
-// difference between devices. docs/determinism.md has the rule, and the methods by which each stage follows it.
+// Devices agree on which results are NaN, but not on their sign and payload, so none is stored: docs/determinism.md.
 #ifndef FINITE_H
 #define FINITE_H
 #include "dialect/vec.h"

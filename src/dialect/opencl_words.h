@@ -30,9 +30,8 @@ typedef int2 Int2;
 #define atomic_and_word64(place, x)                                 \
 	((void)atomic_and((volatile __global uint*)(place), (uint)(x)), \
 	 (void)atomic_and((volatile __global uint*)(place) + 1, (uint)((x) >> 32)))
-// Orders the memory accesses of this work-item for the whole device, not only for its group, and invalidates its
-// first-level cache. OpenCL C 1.2 has no such fence. On other compilers mem_fence is used; persistent.cl tests whether
-// it suffices.
+// Orders memory accesses for the whole device, not only for the group, and invalidates the first-level cache. OpenCL C
+// 1.2 has no such fence; other compilers use mem_fence, and persistent.cl tests whether it suffices.
 #ifdef __NV_CL_C_VERSION
 #define DEVICE_FENCE() asm volatile("membar.gl;" ::: "memory")
 #else
@@ -56,8 +55,7 @@ INLINE int arrive_int(GLOBAL int* place)
 #define FETCHES           0
 #define fetch_soon(place) ((void)0)
 
-// Rows of 8 and 4 floats. Reads bypass the first-level cache, which in a kernel of several passes may contain values
-// that another compute unit has changed since.
+// Rows of 8 and 4 floats. Reads bypass the first-level cache, which may lack changes of another compute unit.
 #define ROW volatile __global float4*
 INLINE void row_parts(float4 low, float4 high, float out[8])
 {
@@ -121,14 +119,11 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 #define group_width() ((int)get_local_size(0))
 #define part_lane()   group_lane()
 #define part_width()  group_width()
-// Executes a work-group barrier for bench and pools.
-#define group_meet() barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE)
-// Executes a work-group barrier for bench only.
-#define bench_meet() barrier(CLK_LOCAL_MEM_FENCE)
+#define group_meet()  barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE)
+#define bench_meet()  barrier(CLK_LOCAL_MEM_FENCE)
 
 // Defines an OpenCL kernel; specialize may set members of pools.step to constants. Only one in spread(items) work-items
-// executes items, so that few long items do not wait for each other. The name of a kernel is in parentheses, because a
-// macro may have the same name (store).
+// executes items, so that few long items do not wait for each other. Parentheses keep macros (store) out of the name.
 #define KERNEL_FUNCTION(kernel_name, name, specialize, spread)                                        \
 	__kernel void(kernel_name)(POOL_ARGUMENTS Step step, Run run)                                     \
 	{                                                                                                 \

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// packed.h -- tests of one box, at rest or moving, against eight packed ones, one after the other; a part of dialect.h,
-// whose names it uses.
+// packed.h -- tests of one box, at rest or moving, against eight packed ones in turn; a part of dialect.h.
 #ifndef PACKED_H
 #define PACKED_H
 
-// Eight boxes are packed bound by bound: the lower x of all eight, their lower y, upper x, upper y. Thus a vector of
-// eight contains one bound of all boxes, without a transposition, and a GPU reads four bounds at a time.
-// src/stages/geometry/box.h packs them.
+// Eight boxes are packed bound by bound: all lower x, lower y, upper x, upper y (src/stages/geometry/box.h). So a
+// vector of eight contains one bound of all boxes without a transposition, and a GPU reads four bounds at a time.
 
 // Returns which of eight packed boxes overlap another one: bit k for box k.
 #ifndef OVERLAPS8
@@ -26,10 +24,9 @@ INLINE Word overlaps8(const GLOBAL Float4* boxes, Float4 box)
 }
 #endif
 
-// Returns which of eight packed boxes a moving box meets: bit k for box k. sides: x and y of the moving box's sides
-// that enter first, then of those that leave last; inverse: inverse of its path. enter: receives the fraction of the
-// path at which each is entered, at least 0; boxes with fractions above most do not count. Each operation is monotonic,
-// so a box around others is entered no later than these.
+// Returns which of eight packed boxes a moving box meets: bit k for box k. sides: x and y of its sides that enter
+// first, then of those that leave last; inverse: of its path. enter: the fraction of the path at which each is entered,
+// at least 0; fractions above most do not count. All operations are monotonic: a box around others is entered no later.
 #ifndef BEAM8
 INLINE Word beam8(const GLOBAL Float4* boxes, Float4 sides, Float2 inverse, float most, float enter[8])
 {
@@ -53,8 +50,7 @@ INLINE Word beam8(const GLOBAL Float4* boxes, Float4 sides, Float2 inverse, floa
 	return hits;
 }
 
-// Returns which of eight packed boxes are near a box; boxes with squares above most do not count. square: receives the
-// square of each distance.
+// Returns which of eight packed boxes are near a box. square: squares of the distances; those above most do not count.
 INLINE Word apart8(const GLOBAL Float4* boxes, Float4 box, float most, float square[8])
 {
 	Word hits = 0;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// transpose.h -- transfer between LANES items of 4 or 8 floats in memory and one Real per component; a part of wide.h,
-// for LANES 4, 8 and 16.
+// transpose.h -- transfer between LANES items of 4 or 8 floats in memory and one Real per component; part of wide.h.
 //
 // Items are moved in quads of 16 bytes. Real j of four contains the quads of items j, j + 4, j + 8, ... side by side,
-// so a 4 by 4 transposition inside each quad puts component j of all items into Real j, in order. For a gather of eight
-// floats on AVX2 that is 8 loads, 8 loads with insert, and 16 shuffles. Loading whole rows of 32 bytes would need 24
-// shuffles, and the shuffle port is the bottleneck.
+// so a 4 by 4 transposition inside each quad puts component j of all items into Real j. A gather of eight floats on
+// AVX2 takes 8 loads, 8 inserts and 16 shuffles; whole rows would need 24, and the shuffle port is the bottleneck.
 #ifndef TRANSPOSE_H
 #define TRANSPOSE_H
 #define ALL_LANES ((1u << LANES) - 1)
@@ -37,15 +35,13 @@ WIDE_INLINE void quad_store(float* to, Quad q) { *(Quad*)to = q; }
 #define EACH_LANE(f)    FOUR_LANES(f, 0), FOUR_LANES(f, 4), FOUR_LANES(f, 8), FOUR_LANES(f, 12)
 #endif
 
-// Returns i, i + 1, ...
 WIDE_INLINE Int indices(int i)
 {
 	Int k = {EACH_QUAD(0, 1, 2, 3)};
 	return k + i;
 }
 
-// Lane k of the result is array[index[k]]. Compilers turn a list of all lanes into inserts, and a loop over lanes into
-// masks.
+// Lane k is array[index[k]]. Compilers turn a list of all lanes into inserts, and a loop over lanes into masks.
 #define NAMED(k) array[index[k]]
 WIDE_INLINE Real gather(const float* array, Int index) { return (Real){EACH_LANE(NAMED)}; }
 WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE(NAMED)}; }
@@ -59,8 +55,7 @@ WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE
 #endif
 #define SHUFFLE(a, b, ...) SHUFFLE_ALL(a, b, EACH_QUAD(__VA_ARGS__))
 
-// following: the items after those of a; the last one is the first of b. preceding: the items before those of b; the
-// first one is the last of a.
+// following: items after those of a; the last is the first of b. preceding: items before b; the first is the last of a.
 #define NEXT(k) k + 1
 #define LAST(k) k + LANES - 1
 WIDE_INLINE Real following(Real a, Real b) { return SHUFFLE_ALL(a, b, EACH_LANE(NEXT)); }
@@ -70,7 +65,6 @@ WIDE_INLINE Int preceding_int(Int a, Int b) { return SHUFFLE_ALL(a, b, EACH_LANE
 #undef NEXT
 #undef LAST
 
-// Loads the members of rows i to i + LANES - 1 of two integers.
 WIDE_INLINE void load_int2(const Int2* array, int i, Int* x, Int* y)
 {
 	Int low, high;
@@ -102,7 +96,6 @@ WIDE_INLINE Real quads_load(const float* base, Words at, int j)
 #endif
 }
 
-// Returns quad k of those side by side.
 WIDE_INLINE Quad quads_get(Real r, int k)
 {
 #if LANES == 4
@@ -190,7 +183,6 @@ WIDE_INLINE void gather_rows8(const float* base, Int index, Real out[8])
 	quads_gather(base + 4, at, out + 4);
 }
 
-// Loads items first to first + LANES - 1 of eight floats.
 WIDE_INLINE void load_rows8(const float* base, int first, Real out[8])
 {
 	const float* rows = base + 8 * (size_t)first;
@@ -208,7 +200,6 @@ WIDE_INLINE void store_rows8(float* base, int first, const Real in[8])
 // Gathers items of four floats, aligned to 16 bytes: out[j], lane k, is float j of item index[k].
 WIDE_INLINE void gather_rows4(const float* base, Int index, Real out[4]) { quads_gather(base, (Words)index * 4u, out); }
 
-// Loads items first to first + LANES - 1 of four floats.
 WIDE_INLINE void load_rows4(const float* base, int first, Real out[4])
 {
 	quads_gather(base + 4 * (size_t)first, neighbors(4), out);
@@ -219,7 +210,6 @@ WIDE_INLINE void store_rows4(float* base, int first, const Real in[4])
 	quads_scatter(base + 4 * (size_t)first, neighbors(4), in, ALL_LANES);
 }
 
-// Returns a bit mask of the lanes that are not zero.
 WIDE_INLINE Word lane_bits(Int lanes)
 {
 #if LANES == 16 && defined(__AVX512F__)
@@ -238,7 +228,6 @@ WIDE_INLINE Word lane_bits(Int lanes)
 #endif
 }
 
-// Returns the square root of each lane.
 WIDE_INLINE Real root(Real x)
 {
 #if LANES == 4 && defined(__wasm_simd128__)
@@ -250,8 +239,7 @@ WIDE_INLINE Real root(Real x)
 #endif
 }
 
-// Writes the first four floats of item index[k], of eight, for each lane k whose mask is not zero. These items must be
-// different; the others may be equal.
+// Writes the first four of eight floats of item index[k] for each lane of the mask; these items must be different.
 WIDE_INLINE void scatter_rows4of8(float* base, Int index, const Real in[4], Int wanted)
 {
 	Words at = (Words)index * 8u;

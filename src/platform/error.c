@@ -146,8 +146,7 @@ scree_status scree_hooks_set(const scree_hooks* new_hooks)
 
 size_t scree_memory(void) { return atomic_load(&memory_in_use); }
 
-// Header in front of every block. It holds the function that releases the block, because the hooks may have changed
-// since.
+// Header in front of every block. It holds the function that releases it, because the hooks may have changed since.
 typedef struct
 {
 	_Alignas(ALIGNMENT) size_t bytes; // size of the block, header included

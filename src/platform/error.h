@@ -13,7 +13,6 @@
 // Sets the message that scree_error returns on this thread. Returns status.
 scree_status fail(scree_status status, const char* format, ...) FORMAT(2, 3);
 
-// Returns the status from the enclosing function, unless it is SCREE_OK.
 #define TRY(expression)                         \
 	do                                          \
 	{                                           \
@@ -22,14 +21,11 @@ scree_status fail(scree_status status, const char* format, ...) FORMAT(2, 3);
 			return try_status;                  \
 	} while (0)
 
-// Passes one message to the log hook.
 void log_sentence(scree_log_level level, const char* format, ...) FORMAT(2, 3);
 
-// Allocates zeroed memory, aligned to 64 bytes, with the allocator hook. Returns null if there is no memory. bytes may
-// be 0.
+// Allocates zeroed memory, aligned to 64 bytes, with the allocator hook, or returns null. bytes may be 0.
 void* scree_allocate(size_t bytes);
-// Reallocates memory: keeps the first old_bytes, zeroes the rest. Returns null, and leaves memory untouched, if there
-// is no memory.
+// Keeps the first old_bytes of memory, zeroes the rest. Returns null, and leaves memory untouched, if there is none.
 void* scree_reallocate(void* memory, size_t old_bytes, size_t bytes);
 void scree_release(void* memory); // memory may be null
 

@@ -16,9 +16,8 @@ bool processor_has_lanes(int lanes);
 int processor_widest_lanes(void);
 const char* processor_instructions(int lanes); // name of the instruction set for a lane count: "AVX2"
 
-// Equal bits need rounding to nearest, denormals and no traps. Other libraries of the process may have set another
-// mode, and a thread inherits the mode of its creator. So a call enters the mode before it computes, and restores the
-// old one afterwards; the threads of threads.h enter it once.
+// Mode of equal bits: rounding to nearest, denormals, no traps. Other libraries may have set another one, and a thread
+// inherits that of its creator. So a call enters the mode and restores the old one; threads of threads.h enter it once.
 typedef uint64_t FloatMode;
 FloatMode float_mode_enter(void);
 void float_mode_leave(FloatMode found);

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // threads.c -- workers that share the blocks of a job.
 //
-// The caller publishes a job: its number and its number of blocks, in one word, the turn. Each worker claims the block
-// of its own number, processes it, and counts it as done. An idle worker soon claims blocks that are still unclaimed.
-// So a worker that sleeps, or whose core the system took away, delays nobody unless it has claimed a block. A claim
-// contains the number of the job: a worker that arrives late finds all blocks of its job claimed, and continues with
-// the current job. Erin Catto describes a similar method: SIMD Matters, box2d.org, 2024.
+// The caller publishes a job, its number and its number of blocks in one word, the turn. Each worker claims the block
+// of its own number and processes it; idle workers soon claim those that are still unclaimed. So a worker that sleeps,
+// or has lost its core, delays nobody unless it has claimed a block. A claim contains the job's number: a late worker
+// finds all blocks of its job claimed, and does the current job. Similar: Erin Catto, SIMD Matters, box2d.org, 2024.
 //
-// A waiting worker spins first, because a step has hundreds of jobs of about 1 us. After a short spin it yields its
-// core: on a busy machine another worker may need this core. If yielding helps repeatedly, the spin is shortened, until
-// every worker has a core of its own again. Then the worker sleeps, but not between threads_begin and threads_end,
-// where nothing would wake it.
+// A waiting worker spins first, because a step has hundreds of jobs of about 1 us. Then it yields its core, which
+// another worker may need on a busy machine. If yielding helps repeatedly, the spin gets shorter, until every worker
+// has a core of its own again. Then the worker sleeps, but only between threads_end and threads_begin, which wakes it.
 #include "platform/threads.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -24,14 +22,10 @@
 // than the time slice that a spinning worker could take from a working one.
 #define SPINS        1000
 #define FEWEST_SPINS 16
-// Yields after the spin. After them the worker sleeps; waking it takes about 50 us.
-#define YIELDS 20
-// Pause instructions before a worker without a block claims blocks of other workers, which may be only a moment late.
-#define HELP_SPINS 40
-// Workers that one worker wakes. Each woken worker wakes as many, so waking delays none of them for long.
-#define WAKES 2
-// Bits of a turn that hold the number of blocks.
-#define BLOCK_BITS 8
+#define YIELDS       20 // yields after the spin, before the worker sleeps; waking it takes about 50 us
+#define HELP_SPINS   40 // pause instructions before an idle worker claims blocks of workers that may be just late
+#define WAKES        2  // workers that one worker wakes; each of these wakes as many, so waking delays none for long
+#define BLOCK_BITS   8  // bits of a turn that hold the number of blocks
 
 typedef struct
 {
@@ -81,7 +75,6 @@ static void adapt_spins(Threads* t, int spins, bool at_once)
 		atomic_store_explicit(&t->spins, next, memory_order_relaxed);
 }
 
-// Wakes a worker. Returns whether it slept.
 static bool wake(Seat* seat)
 {
 	mutex_lock(&seat->mutex);
@@ -92,7 +85,6 @@ static bool wake(Seat* seat)
 	return slept;
 }
 
-// Wakes up to WAKES sleeping workers.
 static void wake_some(Threads* t)
 {
 	int left = WAKES;
@@ -100,9 +92,8 @@ static void wake_some(Threads* t)
 		left -= wake(&t->seats[k]);
 }
 
-// Sleeps until another thread wakes this worker. Both sides are sequentially consistent: this worker adds itself to
-// sleepers, then reads awake and the turn; the waking thread sets awake, then reads sleepers. So at least one of them
-// reads the other's change.
+// Sleeps until woken. Both sides are sequentially consistent: this worker adds itself to sleepers, then reads awake and
+// the turn; the waking thread sets awake, then reads sleepers. So at least one of them reads the other's change.
 static void sleep_until_woken(Seat* seat, unsigned long long turn)
 {
 	Threads* t = seat->threads;
@@ -119,7 +110,6 @@ static void sleep_until_woken(Seat* seat, unsigned long long turn)
 		wake_some(t);
 }
 
-// Spins until the turn changes. Returns false if it did not change within the given number of spins.
 static bool spin(const Threads* t, unsigned long long turn, int spins)
 {
 	for (int k = 0; k < spins; ++k)
@@ -144,8 +134,7 @@ static void wait_for_turn(Seat* seat, unsigned long long turn)
 	{
 		if (atomic_load_explicit(&t->turn, memory_order_acquire) != turn)
 		{
-			// one yield was enough, so another worker needed this core
-			adapt_spins(t, spins, k != 1);
+			adapt_spins(t, spins, k != 1); // one yield was enough, so another worker needed this core
 			return;
 		}
 		give_core_away();
@@ -155,8 +144,7 @@ static void wait_for_turn(Seat* seat, unsigned long long turn)
 
 static int blocks_of(unsigned long long turn) { return (int)(turn & ((1 << BLOCK_BITS) - 1)); }
 
-// Claims a block of a job and processes it. The job lasts until its blocks are done, so its data may be read after the
-// claim.
+// Claims a block of a job and processes it. The job lasts until its blocks are done, so its data may be read.
 static void try_block(Threads* t, unsigned long long turn, int block)
 {
 	unsigned long long job = turn >> BLOCK_BITS,
@@ -168,7 +156,6 @@ static void try_block(Threads* t, unsigned long long turn, int block)
 	atomic_fetch_add_explicit(&t->done, 1, memory_order_release);
 }
 
-// Claims and processes the blocks that are still unclaimed.
 static void help(Threads* t, unsigned long long turn, int worker)
 {
 	int blocks = blocks_of(turn);

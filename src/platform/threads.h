@@ -8,12 +8,10 @@
 
 typedef struct Threads Threads;
 
-// Processes one block of a job. The number of blocks is an argument as well, because a block is a share of the job's
-// items.
+// Processes one of the blocks of a job, which are shares of its items.
 typedef void BlockFunction(void* context, int block, int blocks);
 
-// Starts workers - 1 threads, so none for 1; the caller of threads_run is worker 0. On failure, returns null and sets
-// the error message.
+// Starts workers - 1 threads; the caller of threads_run is worker 0. On failure returns null and sets the message.
 Threads* threads_open(int workers);
 void threads_close(Threads* t); // t may be null
 
@@ -23,9 +21,8 @@ int threads_workers(const Threads* t);
 void threads_begin(Threads* t);
 void threads_end(Threads* t);
 
-// Processes blocks 0 to blocks - 1, each once, and returns when all are done. There are at most as many blocks as
-// workers. Worker k processes block k, because its caches hold the data of its block in the previous job; if it sleeps
-// or has no core, another worker does.
+// Processes blocks 0 to blocks - 1, at most as many as workers, and returns when all are done. Worker k processes block
+// k, whose data its caches hold; if it sleeps or has no core, another worker does.
 void threads_run(Threads* t, BlockFunction* function, void* context, int blocks);
 
 // Does the same for a single job, with as many blocks as workers.

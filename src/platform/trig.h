@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// trig.h -- sine, cosine and arc tangent on the host, computed only with + - * /, so that every machine gets the same
-// bits.
+// trig.h -- sine, cosine and arc tangent on the host, only with + - * /, so that every machine gets the same bits.
 #ifndef TRIG_H
 #define TRIG_H
 

@@ -6,24 +6,21 @@
 #include <math.h>
 #include <string.h>
 
-// Distance from which on small bodies have contacts, as a multiple of the distance g dt^2 that gravity moves them in a
-// step.
+// Distance at which contacts of small bodies begin, as a multiple of g dt^2, their motion by gravity in a step.
 #define FALL_SHARE 0.5f
 // m: bound of that distance for Step.calm; with one substep a body falls twice as far
 #define CALM_FALL (0.125f * SPECULATIVE_DISTANCE)
 
-// Largest frequency of contacts, as a share of the substep rate. A light body that carries a heavy one passes its load
-// on by impulses that add up over the passes: together they hold like a spring of 2 m / h^2, with m the light mass and
-// h the substep. Only softer springs are damped; at this share a contact has 0.55 of that stiffness. At 0.22, a pyramid
-// of ten rows under a box of 100 times a box's weight is thrown apart, and so are a cart of 500 kg on wheels of 1.6 kg
-// and balls that are pressed together.
+// Largest frequency of contacts, as a share of the substep rate. A light body under a heavy one passes its load on by
+// impulses that add up over the passes: together they hold like a spring of 2 m / h^2, with m the light mass and h the
+// substep. Only softer springs are damped; at this share a contact has 0.55 of that stiffness. At 0.22 a pyramid of ten
+// rows under a box of 100 times a box's weight flies apart, and so do pressed balls, and 500 kg on wheels of 1.6 kg.
 #define CONTACT_STIFFEST (1.0f / 6.0f)
 
 // Light loads need no such limit. Up to the overlap under FIRM_WEIGHTS times a body's own weight a contact is firmer,
 // by these factors of its frequency: between bodies that can move, and with one that cannot. Thus stacks sink less, and
-// heavier loads rest on the soft part of the spring. The damping is that of the firm part, so that impacts do not get
-// deeper. The factors correspond to 52 and 104 Hz at 240 substeps per second: with firmer ones a pyramid of base 100
-// does not come to rest.
+// heavier loads rest on the soft part of the spring. The damping is that of the firm part, so impacts do not get
+// deeper. The factors give 52 and 104 Hz at 240 substeps per second: above, a pyramid of base 100 never comes to rest.
 #define FIRM_WEIGHTS 20.0f
 #define FIRM_PAIR    1.3f
 #define FIRM_FIXED   2.6f
@@ -39,8 +36,7 @@
 // too stiff for a step. 625 disks that are pressed into 0.66 of their area never rest with 60 Hz and 8 substeps.
 #define CONTACT_DEEP (2.0f / 3.0f)
 
-// Returns the softness for a frequency and a damping ratio, in substeps of h, with a firm part: Catto, Soft
-// Constraints, GDC 2011.
+// Returns the softness for a frequency and a damping ratio, with a firm part: Catto, Soft Constraints, GDC 2011.
 static Softness softness(float hertz, float ratio, float h, float firm, float gravity)
 {
 	float omega = 6.28318531f * hertz, stiffer = firm * firm;

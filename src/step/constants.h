@@ -4,7 +4,6 @@
 #define CONSTANTS_H
 #include "step/pipeline_state.h"
 
-// Computes the constants from the request, the capacities of the pools, and the bounds that the pipeline keeps.
 Step step_constants(const Pipeline* pipeline, const StepRequest* request);
 
 // Sets the capacities of the constraints of each kind; called again when a pool has grown.

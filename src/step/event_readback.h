@@ -9,15 +9,12 @@ scree_status events_reserve(Pipeline* pipeline, const StepRequest* request);
 
 // Lists the events of a step. Touches of contacts that it released are listed before the narrow phase.
 scree_status events_list(Pipeline* pipeline, const Step* step);
-
-// Reads the numbers of events of the last step.
 scree_status events_count(Pipeline* pipeline, int counts[EVENT_LISTS]);
 
 // Reads the contacts of all count events of a list, sorted by slot.
 scree_status events_contacts(Pipeline* pipeline, int which, int count, ContactReport* rows);
 
-// Reads the pairs of collidables of all count touches that ended, in ascending order; the first collidable is in the
-// upper half.
+// Reads the pairs of collidables of all count touches that ended, ascending; the first is in the upper half.
 scree_status events_pairs(Pipeline* pipeline, int count, Word64* pairs);
 
 #endif

@@ -15,8 +15,7 @@
 #include <math.h>
 #include <string.h>
 
-// Coloring rounds in excess of those that the last step needed, before the host checks whether uncolored contacts are
-// left.
+// Coloring rounds beyond those of the last step, before the host checks whether uncolored contacts are left.
 #define SPARE_ROUNDS 2
 
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
@@ -42,9 +41,8 @@ static scree_status read_back(Pipeline* pipeline, const Step* step)
 	return b->f->read(b, POOL_counters, 0, 1, &pipeline->counters);
 }
 
-// Executes the listed runs, and starts the solve before the host has the counters, which are read while it runs. This
-// is used if the layout of the constraints will probably not change. If it has changed, the device clears the counter
-// that bounds the solve.
+// Executes the listed runs, and starts the solve before the host has the counters, if the layout of the constraints
+// will probably not change. If it has changed, the device clears the counter that bounds the solve.
 static scree_status solve_early(Pipeline* pipeline, const Step* step, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
@@ -54,8 +52,7 @@ static scree_status solve_early(Pipeline* pipeline, const Step* step, const Step
 	return b->f->read_end(b, &pipeline->counters);
 }
 
-// Ends a search for pairs that cannot be completed: restores the boxes, and thereby the world, to the state before the
-// step.
+// Ends a search for pairs that cannot be completed: restores the boxes, and thereby the world, as before the step.
 static scree_status abandon(Pipeline* pipeline, const Step* step, scree_status why)
 {
 	runs_add(&pipeline->list, KERNEL_transform_undo, 0, step->collidables, NO_COUNT, 0);
@@ -67,7 +64,6 @@ static scree_status abandon(Pipeline* pipeline, const Step* step, scree_status w
 	return status ? status : why;
 }
 
-// Enlarges the pool that was too small for the pairs or contacts.
 static scree_status grow(Pipeline* pipeline, Step* step)
 {
 	const Backend* b = pipeline->backend;
@@ -106,9 +102,8 @@ static int needed_rounds(const Counters* c, int rounds)
 	return needed;
 }
 
-// Completes the layout of the constraints if the listed rounds were not enough: after a burst of new contacts that needs
-// more rounds, when the first hubs appear, or if the pools are too small for the constraints. Stores the number of
-// rounds that the next step will probably need.
+// Completes the layout of the constraints if the listed rounds were not enough: after a burst of new contacts, with the
+// first hubs, or if the pools are too small. Stores the number of rounds that the next step will probably need.
 static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, int listed)
 {
 	const Backend* b = pipeline->backend;
@@ -136,7 +131,6 @@ static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, in
 	return SCREE_OK;
 }
 
-// Executes the stages. docs/step.md describes each of them.
 static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest* request)
 {
 	const Counters* c = &pipeline->counters;
@@ -160,7 +154,6 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 	return events_list(pipeline, step);
 }
 
-// Updates the host's estimates of the trees.
 static scree_status count_trees(Pipeline* pipeline)
 {
 	const Counters* c = &pipeline->counters;
@@ -223,9 +216,8 @@ void pipeline_move(Pipeline* pipeline, Backend* backend)
 	pipeline->backend = backend;
 	for (int t = 0; t < 2; ++t)
 	{
-		// -1 differs from every tree, so the next upload sends the tree
 		TreeState* state = &pipeline->trees[t];
-		memset(&state->sent, -1, sizeof state->sent);
+		memset(&state->sent, -1, sizeof state->sent); // differs from every tree, so the next upload sends the tree
 		state->touched = true;
 		state->seen = false;
 	}

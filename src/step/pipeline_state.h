@@ -60,17 +60,16 @@ typedef struct
 	uint8_t* member;       // bits of each collidable slot; tree_maintenance.c
 	int member_capacity;
 	RunList list;
-	Step step;           // constants of the last step; kernels that need none use these
-	int used[PER_COUNT]; // most items of each kind that were needed since idle was 0
-	int first_contacts;  // initial contact slots
-	int idle;            // steps since pools were last checked for unused capacity
-	int sparse;          // consecutive steps with few contacts for their slots
-	bool jumps;          // the user placed or created something since the last step, so boxes may jump
-	bool
-	    surfaces_changed; // some collidable got another attribute of its shape, or reports other events, since the last step
-	bool reports;         // some collidable has ever reported touches or hits
-	bool rules;           // some attribute is a one-way platform, or some pair of materials or bodies was set
-	bool platforms;       // some attribute is a one-way platform
+	Step step;                    // constants of the last step; kernels that need none use these
+	int used[PER_COUNT];          // most items of each kind that were needed since idle was 0
+	int first_contacts;           // initial contact slots
+	int idle;                     // steps since pools were last checked for unused capacity
+	int sparse;                   // consecutive steps with few contacts for their slots
+	bool jumps;                   // the user placed or created something since the last step, so boxes may jump
+	bool surfaces_changed;        // some collidable changed its attribute, or its events, since the last step
+	bool reports;                 // some collidable has ever reported touches or hits
+	bool rules;                   // some attribute is a one-way platform, or some pair of materials or bodies was set
+	bool platforms;               // some attribute is a one-way platform
 	int material_pairs, excluded; // rows of these pools
 	bool asks;                    // some collidable has ever required contact approval
 	bool started;                 // the current step has changed data on the device
@@ -88,12 +87,11 @@ typedef struct
 	bool unlocked;   // some body with joints may have no collidables
 	bool tethers;    // some joint may connect a moving body to one that cannot move
 	bool can_break;  // some joint may break
-	int chains, chain_ranges; // items of a pass over chains; ranges of chains
-	int carried;              // first of these items with a heavy chain between light bodies; such items are last
-	int chain_places;         // joints in chains and branches, with padding
-	// Items of a pass over branches, which follow the chains; bodies of branches.
-	int branches, branch_nodes;
-	bool dirty;                             // joints were made, changed or destroyed since the last step
+	int chains, chain_ranges;   // items of a pass over chains; ranges of chains
+	int carried;                // first of these items with a heavy chain between light bodies; such items are last
+	int chain_places;           // joints in chains and branches, with padding
+	int branches, branch_nodes; // items of a pass over branches, after the chains; bodies of branches
+	bool dirty;                 // joints were made, changed or destroyed since the last step
 	float continuous_way, continuous_reach; // as in Step: bounds over all bodies that ever existed
 	int taut;                               // Counters.taut after the last step
 	bool split;                             // the neighbors of the spokes have been split for this layout

@@ -5,23 +5,20 @@
 #include "platform/error.h"
 #include "step/tree_maintenance.h"
 
-// A pool shrinks to twice its use if at most an eighth of it was used for IDLE_STEPS steps, 2 s at 60 Hz. Thus a burst
-// that repeats within that time needs no growth, and the use must grow at least fourfold before the pool has its old
-// size.
+// A pool shrinks to twice its use if at most an eighth of it was used for IDLE_STEPS steps, 2 s at 60 Hz: a burst that
+// repeats within that time needs no growth, and the use must grow fourfold before the pool has its old size.
 #define IDLE_STEPS 120
 #define IDLE_SHARE 4 // share of the capacity that is compared with twice the use
 
 // Contacts are packed if fewer than a quarter of the slots were used for SPARSE_STEPS steps, because each step visits
 // all slots, and a pool cannot shrink below the last contact. Packing changes the indices of contacts and thereby the
-// bits of the world, so it may depend only on counts that are equal on every device. Worlds with few slots are not
-// packed, because they would gain nothing.
+// bits of the world, so it depends only on counts that are equal on every device. Few slots gain nothing.
 #define SPARSE_STEPS 60
 #define SPARSE_SHARE 4
 #define SPARSE_SLOTS 4096
 
 static int64_t rounded(int64_t capacity) { return (capacity + LEAST_CAPACITY - 1) / LEAST_CAPACITY * LEAST_CAPACITY; }
 
-// Returns the places for the constraints of a number of contacts: every color may need padding.
 static int64_t constraints_of(int64_t contacts) { return contacts + (COLORS + 1) * COLOR_PADDING; }
 
 static int larger(int a, int b) { return a > b ? a : b; }
@@ -47,7 +44,6 @@ static int edges(const Backend* b)
 	return sum;
 }
 
-// Reserves the pools that depend on the items of a kind of constraint, or on its places.
 static scree_status reserve_kind(Pipeline* pipeline, const KindInfo* kind, Per per, int64_t wanted)
 {
 	const Backend* b = pipeline->backend;
@@ -99,12 +95,7 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 	return status;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// shrinking
-// ---------------------------------------------------------------------------------------------------------------
-
-// Shrinks the pools of a kind to twice their use, if that is much less than their capacity. Returns whether they
-// shrank: without memory for the smaller copy, the pools keep their size.
+// Shrinks the pools of a kind to twice their use, if that is much less and there is memory for the copy.
 static bool shrink(Pipeline* pipeline, Per per, int least)
 {
 	Backend* b = pipeline->backend;

@@ -6,8 +6,7 @@
 
 #define LEAST_CAPACITY 64 // items: the capacity of a pool is a multiple of it
 
-// Reserves capacity items, and at least half more than before if that is not enough, for the pools of a kind and those
-// that depend on it (constraints with contacts, leaves and nodes with collidables, ...).
+// Reserves capacity items, growing by at least half, for the pools of a kind and all that depend on it.
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);
 
 // Shrinks pools that have been much too large for a long time. Called after a step.

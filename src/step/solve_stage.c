@@ -61,7 +61,6 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	return b->f->solve(b, step, &solve, &pipeline->list);
 }
 
-// Recomputes the surfaces of all contacts, after some collidable got another attribute.
 static scree_status recompute_surfaces(Pipeline* pipeline, const Step* step)
 {
 	runs_add(&pipeline->list, KERNEL_contact_mix, 0, pipeline->counters.contacts, NO_COUNT, 0);
@@ -96,7 +95,6 @@ static scree_status stop_waiting_bodies(Pipeline* pipeline, const Step* step, in
 	return pipeline_run(pipeline, step);
 }
 
-// Packs the contacts into the first slots.
 static scree_status pack_contacts(Pipeline* pipeline, const Step* step)
 {
 	RunList* list = &pipeline->list;

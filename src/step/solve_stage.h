@@ -4,12 +4,10 @@
 #define SOLVE_STAGE_H
 #include "step/pipeline_state.h"
 
-// Executes solve and finalize, which a backend may merge. bound is a counter that is 0 if the layout of the constraints
-// is not that of the counters that the host has, or NO_COUNT.
+// Executes solve and finalize. bound: a counter that is 0 if the layout differs from the host's counters, or NO_COUNT.
 scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound);
 
-// Executes the solve unless solved is set, then moves waiting and kinematic bodies. A step with dt 0 only measures how
-// deep bodies overlap.
+// Executes the solve unless solved is set, then moves waiting and kinematic bodies. With dt 0 only measures overlaps.
 scree_status solve_finish(Pipeline* pipeline, const Step* step, const StepRequest* request, bool solved);
 
 #endif

@@ -15,7 +15,6 @@ static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 		runs_add(list, KERNEL_tree_node, 0, tree_padded(tree->count[level]), count, RUN_PAIR(t, level));
 }
 
-// Sorts the leaves of a tree: always, or if a counter is not 0.
 static void tree_order(RunList* list, const Tree* tree, int t, int count)
 {
 	tree_refit(list, tree, t, count);
@@ -25,8 +24,7 @@ static void tree_order(RunList* list, const Tree* tree, int t, int count)
 	runs_add(list, KERNEL_tree_order, 0, tree->leaves, count, t);
 }
 
-// Sorts the leaves if the traversals of this step would take longer than sorting, because boxes that jumped widen the
-// nodes above them. The device decides, because it has the boxes.
+// Sorts the leaves if the device finds that boxes jumped so far that traversals would take longer than sorting.
 static void tree_refit_all(RunList* list, const Tree* tree, int t)
 {
 	if (tree->leaves <= ARITY)
@@ -68,7 +66,6 @@ scree_status list_transform(Pipeline* pipeline, const Step* step)
 	return SCREE_OK;
 }
 
-// Returns whether pairs of bodies may begin or cease to be kept apart in this step.
 static bool pairs_may_change(const Pipeline* pipeline)
 {
 	return pipeline->counters.joints + pipeline->excluded > 0 && (pipeline->dirty || pipeline->can_break);
@@ -105,8 +102,7 @@ void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, KERNEL_contact_join, 0, contacts, COUNT(joints_dirty), 0);
 }
 
-// Lists the contacts that need approval, and sorts refused pairs, and pairs that one-way platforms let through, for
-// continuous collision.
+// Lists contacts that need approval, and sorts pairs that were refused or let through, for continuous collision.
 static void list_approvals(RunList* list, const Step* step, int bodies, bool platforms)
 {
 	int contacts = step->contact_capacity;
@@ -135,7 +131,6 @@ void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies)
 		list_approvals(list, step, bodies, pipeline->platforms);
 }
 
-// Lets constraints of joints begin and end.
 static void list_joint_constraints(RunList* list, int joints)
 {
 	runs_add(list, KERNEL_joint_update, 0, joints, COUNT(joints_dirty), 0);
@@ -198,8 +193,7 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to)
 		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);
 }
 
-// Contacts by which a press propagates in a step. With one, a press of 1 m/s moves a row of 5 capsules 2.01 cm into a
-// wall before the wall stops them.
+// Contacts by which a press spreads per step. With 1, a press of 1 m/s moves 5 capsules in a row 2.01 cm into a wall.
 #define PRESS_ROUNDS 2
 
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait)

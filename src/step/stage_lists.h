@@ -8,9 +8,7 @@
 
 // Computes world boxes from the bodies, and the trees from the boxes. It executes the list if a tree must be sorted.
 scree_status list_transform(Pipeline* pipeline, const Step* step);
-// Turns new pairs of boxes into contacts.
 void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies);
-// Computes manifolds, and lists the contacts that need approval.
 void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies);
 // Runs coloring rounds from one to another, then lays out the constraints if all have colors.
 void list_color(Pipeline* pipeline, int bodies, int from, int to);

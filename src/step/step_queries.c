@@ -6,13 +6,10 @@
 #include "step/reserve.h"
 #include "step/tree_maintenance.h"
 
-// Initial capacity of a list of answers.
-#define FIRST_ANSWERS 256
-// Leaves are sorted if the appended share is larger than 1 / APPENDED_SHARE.
-#define APPENDED_SHARE 8
+#define FIRST_ANSWERS  256 // initial capacity of a list of answers
+#define APPENDED_SHARE 8   // leaves are sorted if the appended share is larger than 1 / APPENDED_SHARE
 
-// Most runs of a refit: twice the levels of both trees, and one sort of each.
-#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4))
+#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4)) // most runs of a refit: the levels of both trees twice, and two sorts
 
 // Lists the runs that refit tree t. ways: the boxes cover the paths in the last step.
 static void list_refit(Pipeline* pipeline, int t, bool ways)
@@ -40,7 +37,6 @@ static scree_status order(Pipeline* pipeline, int t)
 	return tree_ordered(pipeline, t);
 }
 
-// Refits the trees to the current poses, unless they are up to date.
 static scree_status refit(Pipeline* pipeline, bool ways)
 {
 	Backend* b = pipeline->backend;
@@ -63,7 +59,6 @@ static scree_status refit(Pipeline* pipeline, bool ways)
 	return SCREE_OK;
 }
 
-// Reads the device time since the last call.
 static scree_status lap(Pipeline* pipeline, const QueryRequest* q)
 {
 	double stage_times[STAGE_COUNT];
@@ -76,7 +71,6 @@ static scree_status lap(Pipeline* pipeline, const QueryRequest* q)
 	return SCREE_OK;
 }
 
-// Sends generations unless the device has this version of them.
 static scree_status send_names(Backend* b, PoolId pool, const Names* names, uint64_t* sent)
 {
 	if (*sent == names->version || names->count == 0)
@@ -86,7 +80,6 @@ static scree_status send_names(Backend* b, PoolId pool, const Names* names, uint
 	return SCREE_OK;
 }
 
-// Prepares trees and pools for the queries of a request.
 static scree_status prepare(Pipeline* pipeline, const QueryRequest* q)
 {
 	Backend* b = pipeline->backend;

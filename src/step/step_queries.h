@@ -21,23 +21,18 @@ typedef struct // a call of queries
 	int count;
 	Names collidables, bodies;
 	bool timings;
-	// Checks items begin to end - 1, in any thread while the device works. Answers are read only if all items are
-	// valid. Searches end whatever the items contain.
+	// Checks items begin to end - 1 in any thread; answers are read only if all are valid. Searches end in any case.
 	scree_status (*check)(const void* context, int begin, int end);
 	const void* context; // argument of check
 } QueryRequest;
 
-// Computes the answer of each query. found is null if the items are in shared memory. The user's changes must be on the
-// device.
+// Computes the answer of each query, after the upload of the user's changes. found is null for items in shared memory.
 scree_status queries_answer(Pipeline* pipeline, const QueryRequest* questions, QueryResult* found);
 
-// Computes all answers, and sets *count to their number. Lists them in the pools found_row and found_row_query, sorted
-// by query, then by fraction, then by collidable; or, if there are at most FEW_ANSWERS, in found and found_query,
-// unordered.
+// Computes all answers, and their number *count. Lists them in the pools found_row and found_row_query by query, then
+// fraction, then collidable; or, if there are at most FEW_ANSWERS, in found and found_query, unordered.
 #define FEW_ANSWERS 64
 scree_status queries_list(Pipeline* pipeline, const QueryRequest* questions, int* count);
-
-// Reads count answers from these pools, and the query of each.
 scree_status queries_read(Pipeline* pipeline, int count, QueryResult* found, int* queries);
 
 // Counts the bodies whose pose differs from the last one that the user read; bodies is the number of slots.

@@ -9,9 +9,8 @@
 #include "constraints/constraint_kinds.h"
 #include <stddef.h>
 
-// Bytes of one row of a constraint, and of the indices of its two bodies.
 #define ROW_BYTES  sizeof(float)
-#define ENDS_BYTES (2 * sizeof(int))
+#define ENDS_BYTES (2 * sizeof(int)) // indices of the two bodies of a constraint
 
 // Bytes of a row of the pool body that a constraint, or the start of a step, writes.
 #define VELOCITY     (offsetof(BodyState, dx))
@@ -76,7 +75,6 @@ static size_t body_bytes(int substeps, int bounces)
 	return bytes;
 }
 
-// Adds the constraints of a kind.
 static void count_kind(scree_traffic* traffic, const KindLayout* layout, Bytes bytes)
 {
 	int constraints = 0;

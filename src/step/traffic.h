@@ -5,8 +5,7 @@
 #include "pools/pools.h"
 #include "scree/scree.h"
 
-// Returns the traffic of one step over these constraints (without padding) and the given number of rows of bodies. If
-// some attribute has restitution, every constraint counts as one that may bounce.
+// Returns the traffic of one step. If some attribute has restitution, every constraint counts as one that may bounce.
 scree_traffic traffic_of_solve(const Counters* counters, int bodies, int substeps, const Step* step);
 
 #endif

@@ -8,14 +8,12 @@
 // decision the next steps sort the leaves without measuring; one step in CHURN_STEPS measures again.
 #define CHURN_STEPS 4
 
-// Distance, in collidables, at which a member is prefetched before it is read.
-#define LEFT_SOON 24
+#define LEFT_SOON 24 // distance, in collidables, at which a member is prefetched before it is read
 
 // Bits of Pipeline.member: tree t has a leaf of the collidable; the collidable exists and belongs to tree t.
 #define HAS_LEAF(t) (1 << (t))
 #define BELONGS(t)  (4 << (t))
 
-// Marks a tree that the user changed.
 static void touch(TreeState* state)
 {
 	state->touched = true;
@@ -160,12 +158,11 @@ scree_status tree_upload(Pipeline* pipeline)
 }
 
 // Returns whether the leaves must be sorted: the wasted node visits have reached the cost of sorting, about
-// ORDER_VISITS per leaf, or one visit of every box. Thus the total cost stays within twice the minimum.
-//
-// A box changes when it has moved by its margin, an eighth of its size, and disorder grows evenly: after c changes of
-// every box a traversal visits about 2 c more nodes, which add up to c * c per leaf. Without jumps, that is four
-// changes of every box; neighbors on the curve are then still near each other. Eight changes made the broad phase 3 %
-// faster in scenes that tumble, but would lose more in scenes where bodies fly.
+// ORDER_VISITS per leaf, or one visit of every box. Thus the total cost stays within twice the minimum. A box changes
+// when it has moved by its margin, an eighth of its size, and disorder grows evenly: after c changes of every box a
+// traversal visits about 2 c more nodes, which add up to c * c per leaf. Without jumps, that is four changes of every
+// box; neighbors on the curve are then still near each other. Eight changes made the broad phase 3 % faster in scenes
+// that tumble, but would lose more in scenes where bodies fly.
 bool tree_wants_order(const TreeState* state)
 {
 	double leaves = state->tree.leaves, changes = (double)state->unsorted / leaves;

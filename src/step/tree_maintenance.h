@@ -6,24 +6,16 @@
 
 // Returns a number of leaves or nodes of a level, rounded up to whole groups of siblings.
 int tree_padded(int count);
-
-// Returns the number of nodes of all levels of a tree with this number of leaves, including padding.
 int tree_nodes(int leaves);
 
-// Inserts a leaf for a collidable into tree t (0: moving, 1: static), unless it has one. The row of the collidable must
-// be written before the next step.
+// Inserts a leaf into tree t (0: moving, 1: static), unless it has one. Its row must be written before the next step.
 scree_status tree_insert(Pipeline* pipeline, int t, int collidable);
 // Reverts the last tree_insert of a collidable whose slot is freed again.
 void tree_withdraw(Pipeline* pipeline, int collidable);
-// Marks tree t as changed: the user changed the box of some collidable.
 void tree_touch(Pipeline* pipeline, int t);
 // Removes a collidable that was destroyed, or moved to the other tree, from tree t.
 void tree_leave(Pipeline* pipeline, int t, int collidable);
-
-// Sends new leaves to the device.
 scree_status tree_upload(Pipeline* pipeline);
-
-// Returns whether sorting the leaves of a tree costs less than their disorder.
 bool tree_wants_order(const TreeState* state);
 
 // Returns whether boxes that jump in this step will cause that much disorder.
@@ -35,8 +27,7 @@ void tree_count(TreeState* state, const Counters* counters, int t);
 // Drops dead leaves, which are the last ones after the leaves were sorted.
 scree_status tree_ordered(Pipeline* pipeline, int t);
 
-// Keep the leaves when they move because the pools grow: tree_save reads them before, tree_restore writes them after.
-// tree_save allocates leaves with scree_allocate.
+// Keep the leaves when pools grow: tree_save reads them before, into scree_allocate memory; tree_restore writes them.
 scree_status tree_save(Pipeline* pipeline, int** leaves);
 scree_status tree_restore(Pipeline* pipeline, int* leaves);
 

@@ -19,8 +19,7 @@ typedef struct // place of a value in a call
 	int index; // index in the batch; ALONE if the argument is not an array
 } ArgumentPlace;
 
-// Shortest decimal number that reads back as the same float, for messages.
-typedef struct
+typedef struct // shortest decimal number that reads back as the same float, for messages
 {
 	char text[24];
 } Decimal;
@@ -35,9 +34,8 @@ scree_status check_real(ArgumentPlace at, const char* member, float x, float low
 // Checks that both components are from -limit to limit.
 scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float limit);
 
-// Checks for a position within SCREE_MAX_COORDINATE and a rotation whose length is 1 to within 0.0005, and normalizes
-// the rotation. A length that is 1 to within a few units of the last place remains, so that a pose that was read can be
-// set again unchanged.
+// Checks for a position within SCREE_MAX_COORDINATE and a rotation of length 1 to within 0.0005, which it normalizes,
+// unless the length is within a few units of the last place: a pose that was read can be set again unchanged.
 scree_status check_pose(ArgumentPlace at, const char* member, scree_pose* pose);
 
 // Checks for a device name in one of the forms of scree_world_def.device.

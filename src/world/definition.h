@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // definition.h -- definitions and results of programs that were built with another version of the header.
 //
-// New versions add members at the end of such structs; their default is 0. A definition stores its size. A function
-// that fills a result takes the size as an argument.
+// New versions add members at the end; their default is 0. A definition stores its size, a result gets it as argument.
 #ifndef DEFINITION_H
 #define DEFINITION_H
 #include "world/check.h"
@@ -24,8 +23,7 @@ extern const DefinitionType world_definition, tuning_definition, attribute_defin
 // Checks definition k of a batch. All definitions of a batch have the size of the first.
 scree_status check_definition(ArgumentPlace at, const void* defs, int k, const DefinitionType* type);
 
-// Returns definition k of a checked batch: its address if it has this library's size, else a copy in local, a struct of
-// the type.
+// Returns definition k of a checked batch: its address if it has this library's size, else a copy in local.
 const void* definition_at(const void* defs, int k, const DefinitionType* type, void* local);
 
 // Copies a result of this library into a struct of the given size; bytes beyond the result become 0.

@@ -4,8 +4,7 @@
 #define EDITS_H
 #include "world/edit_lists.h"
 
-// A row holds the values of a body at its creation. Every later change is a command, so the time of the upload does not
-// matter. All values of a collidable are on the host, where the upload reads them.
+// A row holds a body's values at its creation. Later changes are commands, so the time of the upload does not matter.
 
 // Reserves memory for more edits, after which the functions below cannot fail.
 scree_status edits_reserve(scree_world* world, const char* function, int bodies, int collidables, int commands);

@@ -10,8 +10,7 @@
 typedef struct
 {
 	uint32_t* generation; // per slot; odd while the slot is in use
-	// Level 0 has a bit for each slot that is free and below used; every other level has a bit for each word of the
-	// level below that is not zero.
+	// Level 0: a bit per free slot below used; others: a bit per word of the level below that is not zero.
 	uint64_t* free[SLOT_LEVELS];
 	int free_count, used, capacity, alive;
 	uint64_t changes; // number of changes of generations

@@ -51,8 +51,7 @@ static scree_status check_def(const scree_world* world, ArgumentPlace at, const 
 	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
 }
 
-// Number of bodies by which host data is prefetched ahead, because the slots of a batch may be anywhere in memory.
-#define BODY_SOON 8
+#define BODY_SOON 8 // bodies by which host data is prefetched ahead: the slots of a batch may be anywhere in memory
 
 static void fetch_rows(const void* rows, int index, size_t bytes)
 {
@@ -61,7 +60,6 @@ static void fetch_rows(const void* rows, int index, size_t bytes)
 	fetch_soon(row + bytes - 1);
 }
 
-// Prefetches the host data of a body. The handle need not be valid.
 static void fetch_body(const scree_world* world, scree_body body)
 {
 	if (body.index >= (uint32_t)world->bodies.used)
@@ -78,8 +76,7 @@ static void fetch_collidable(const scree_world* world, int collidable)
 	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
 }
 
-// Writes a body from a checked definition to a slot, which was taken. slot is the slot of its collidable, if it has
-// one.
+// Writes a body from a checked definition to a slot that was taken. slot: that of its collidable, if it has one.
 static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;

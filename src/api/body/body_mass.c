@@ -22,7 +22,6 @@ scree_status scree_body_get_mass(const scree_world* world, scree_body body, scre
 	return SCREE_OK;
 }
 
-// Checks a mass that the user sets. body and mass are the places of these two arguments in the call.
 static scree_status check_mass(const scree_world* world, ArgumentPlace body, ArgumentPlace mass, scree_body handle,
                                scree_mass value)
 {

@@ -23,8 +23,7 @@ typedef struct // one call
 	bool alone;         // true: for a single body, so messages contain no index
 } Call;
 
-// Values of a call: one of these arrays; points only with vectors.
-typedef struct
+typedef struct // values of a call: one of these arrays; points only with vectors
 {
 	const float* numbers;
 	const scree_vec* vectors;
@@ -42,7 +41,6 @@ static const void* values_array(const Values* v)
 	return v->velocities ? (const void*)v->velocities : (const void*)v->poses;
 }
 
-// Checks value k and converts it to Command.value.
 static scree_status value_at(const Call* call, const Values* values, int k, Float4* value)
 {
 	int shown = call->alone ? ALONE : k;
@@ -128,10 +126,6 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 	return SCREE_OK;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// batches
-// ---------------------------------------------------------------------------------------------------------------
-
 scree_status scree_bodies_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces, int count)
 {
 	static const Call call = {"scree_bodies_apply_forces", COMMAND_FORCE, "bodies", "forces", NULL, false};
@@ -201,10 +195,6 @@ scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies
 	static const Call call = {"scree_bodies_set_poses", COMMAND_POSE, "bodies", "poses", NULL, false};
 	return change(world, &call, bodies, &(Values){.poses = poses}, count);
 }
-
-// ---------------------------------------------------------------------------------------------------------------
-// single bodies
-// ---------------------------------------------------------------------------------------------------------------
 
 scree_status scree_body_apply_force(scree_world* world, scree_body body, scree_vec force)
 {

@@ -8,8 +8,7 @@
 #include "world/upload/upload.h"
 #include "world/world.h"
 
-// Mean distance between the slots of a batch below which one read of all rows between them is cheaper than one read per
-// body: on a GPU a read costs about as much as the transfer of 100 kB.
+// Mean distance of slots up to which one read is cheaper than one per body; on a GPU a read costs as much as 100 kB.
 #define SPARSE_ROWS 1024
 
 typedef struct // rows of one pool, read for a batch
@@ -25,7 +24,6 @@ static const void* row_of(const Rows* rows, const scree_body* bodies, int k)
 	return rows->rows + (size_t)row * rows->bytes;
 }
 
-// Checks the handles of a batch, uploads the edits, and reads the rows of its bodies from a pool.
 static scree_status read_rows(scree_world* world, const char* function, const char* argument, PoolId pool,
                               const scree_body* bodies, int count, bool alone, Rows* rows)
 {
@@ -166,7 +164,6 @@ scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scre
 	return SCREE_OK;
 }
 
-// Checks a call about a point of a body, and reads the pose of the body.
 static scree_status point_pose(scree_world* world, const char* function, scree_body body, const char* argument,
                                scree_vec point, const char* result, const void* out, scree_pose* pose)
 {

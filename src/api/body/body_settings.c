@@ -23,7 +23,6 @@ static scree_status lookup(const scree_world* world, const char* function, scree
 	return check_pointer(function, argument, out);
 }
 
-// Does the same for a setter, and reserves memory for commands.
 static scree_status lookup_to_set(scree_world* world, const char* function, scree_body body, int commands, int* index)
 {
 	TRY(world_check(world, function));

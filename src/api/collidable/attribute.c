@@ -12,8 +12,7 @@
 #define LEAST_DENSITY 1e-6f // kg/m^2
 #define MOST_DENSITY  1e9f
 
-// Minimum length of a vector that gives a direction.
-#define LEAST_DIRECTION 1e-3f
+#define LEAST_DIRECTION 1e-3f // minimum length of a vector that gives a direction
 
 void scree_attribute_def_default_sized(scree_attribute_def* def, size_t size)
 {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// collidable_settings.c -- reads and sets the attribute, pose, filter, reports, sensor bits and user word of a
-// collidable.
+// collidable_settings.c -- reads and sets attribute, pose, filter, reports, sensor bits and user word of a collidable.
 #include "step/tree_maintenance.h"
 #include "world/edits.h"
 #include "world/failure.h"

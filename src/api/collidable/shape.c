@@ -63,7 +63,6 @@ scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* sha
 	return SCREE_OK;
 }
 
-// Creates a polygon from its corners, for polygons and hulls.
 static void make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape)
 {
 	scree_shape made = {.kind = SCREE_SHAPE_POLYGON, .count = count, .radius = radius};

@@ -51,7 +51,6 @@ static scree_hit hit_at(const scree_world* world, const ContactReport* row)
 	return hit;
 }
 
-// Writes the rows of visits. Returns the position after them.
 static char* visits_at(const scree_world* world, const Visit* visits, int count, char* to, size_t size)
 {
 	for (int k = 0; k < count; ++k, to += size)

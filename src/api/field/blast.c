@@ -41,7 +41,6 @@ static float width_across(const scree_shape* shape, scree_pose pose, scree_vec d
 	return most - least + 2.0f * shape->radius;
 }
 
-// Computes the impulse on a collidable, and its point of application.
 static scree_status push_one(const scree_world* world, const scree_blast_def* def, int collidable, scree_pose body,
                              scree_vec* impulse, scree_vec* point)
 {

@@ -40,7 +40,6 @@ static scree_status check_region(ArgumentPlace at, scree_field_def* def)
 	return SCREE_OK;
 }
 
-// Checks a definition and copies it, with the computed members of its shape.
 static scree_status check_def(const scree_world* world, const char* function, const scree_field_def* def,
                               scree_field_def* made, int* body)
 {

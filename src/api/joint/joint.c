@@ -20,7 +20,6 @@ static scree_status check_end(const scree_world* world, ArgumentPlace at, const 
 	return scree_body_is_null(body) ? SCREE_OK : check_body(world, at, member, body, index);
 }
 
-// Checks definition k of a batch, and copies it.
 static scree_status check_def(const scree_world* world, ArgumentPlace at, const scree_joint_def* defs, int k,
                               scree_joint_def* made, int bodies[2])
 {
@@ -48,10 +47,6 @@ static scree_status check_def(const scree_world* world, ArgumentPlace at, const 
 	}
 	return check_joint_numbers(at, made);
 }
-
-// ---------------------------------------------------------------------------------------------------------------
-// joints
-// ---------------------------------------------------------------------------------------------------------------
 
 bool scree_joint_is_valid(const scree_world* world, scree_joint joint) { return world && joint_is_valid(world, joint); }
 

@@ -20,7 +20,6 @@ typedef struct // a batch of changes
 	bool moves;    // true: frames change
 } Change;
 
-// Checks value k of a batch and writes it to a definition.
 typedef scree_status (*Setter)(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def);
 
 // Checks all joints and values, then writes them.
@@ -67,10 +66,6 @@ static Change single(scree_world* world, const char* function, const char* value
 	return (Change){world, {function, "joint", ALONE}, {function, value, ALONE}, joint, 1, which, 0, false};
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// coordinates
-// ---------------------------------------------------------------------------------------------------------------
-
 static scree_status set_coordinate(const Change* change, ArgumentPlace at, const void* values, int k,
                                    scree_joint_def* def)
 {
@@ -109,7 +104,6 @@ scree_status scree_joint_get_coordinate(const scree_world* world, scree_joint jo
 	return SCREE_OK;
 }
 
-// Sets one number of a coordinate.
 static scree_status set_number(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def)
 {
 	float value = ((const float*)values)[k];
@@ -146,10 +140,6 @@ scree_status scree_joint_set_motor_speed(scree_world* world, scree_joint joint, 
 	change.member = offsetof(scree_joint_coordinate, motor_speed);
 	return change_all(&change, &speed, set_number);
 }
-
-// ---------------------------------------------------------------------------------------------------------------
-// frames
-// ---------------------------------------------------------------------------------------------------------------
 
 typedef struct
 {
@@ -189,10 +179,6 @@ scree_status scree_joint_set_frames(scree_world* world, scree_joint joint, scree
 	change.moves = true;
 	return change_all(&change, &frames, set_frames);
 }
-
-// ---------------------------------------------------------------------------------------------------------------
-// enabled or not
-// ---------------------------------------------------------------------------------------------------------------
 
 static scree_status set_enabled(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def)
 {

@@ -10,8 +10,7 @@
 #include <math.h>
 #include <stddef.h>
 
-// Values that scree_joint_def_make presets for a type.
-static const struct
+static const struct // values that scree_joint_def_make presets for a type
 {
 	const char* name;
 	unsigned locks; // coordinates, one bit each
@@ -130,7 +129,6 @@ scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, flo
 	return SCREE_OK;
 }
 
-// Measures the current value of side k of a definition.
 static scree_status measure(scree_world* world, ArgumentPlace at, const scree_joint_def* def, int k, float* value)
 {
 	static const char* const members[] = {".body_a", ".body_b"};

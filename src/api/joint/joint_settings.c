@@ -26,7 +26,6 @@ scree_status scree_joint_set_stiffness(scree_world* world, scree_joint joint, fl
 	return SCREE_OK;
 }
 
-// Finds the index of a joint, which must be a gear or a pulley.
 static scree_status lookup_coupling(const scree_world* world, const char* function, scree_joint joint, int* index)
 {
 	TRY(lookup(world, function, joint, index));

@@ -8,8 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
-// m: minimum distance of neighboring points. A curve through closer points is shorter than the distance by which
-// rounding moves a body.
+// m: minimum distance of neighboring points; rounding moves a body by more than the length of a shorter curve
 #define LEAST_APART 1e-4f
 
 void scree_path_def_default_sized(scree_path_def* def, size_t size)
@@ -86,10 +85,6 @@ bool scree_path_is_closed(const scree_world* world, scree_path path)
 {
 	return scree_path_is_valid(world, path) && path_curve_of(world, (int)path.index - 1).closed;
 }
-
-// ---------------------------------------------------------------------------------------------------------------
-// reading
-// ---------------------------------------------------------------------------------------------------------------
 
 static scree_status lookup(const scree_world* world, const char* function, scree_path path, int* index)
 {

@@ -67,8 +67,7 @@ static scree_status check_movers(const scree_world* world, const char* function,
 	return SCREE_OK;
 }
 
-// Reads the pose of each mover's ground into poses: that of the ground's body, or nowhere if there is no ground or it
-// has no body.
+// Reads the pose of each mover's ground into poses: that of its body, or nowhere without ground or body.
 static scree_status ground_poses(MoverCall* call, scree_pose* poses)
 {
 	int count = 0;

@@ -29,9 +29,8 @@ static float free_length(const MoverCall* call, int k)
 	return s > 0.0f ? s : 0.0f;
 }
 
-// Casts the probes. The surface that is hit first need not be the one that first comes closer than the skin, so a shape
-// that includes the skin is cast as well. A cast ignores surfaces that it overlaps at its start, so that shape is
-// thinner by the tolerance of mover_recover.
+// Casts the probes, and a shape that includes the skin, because the surface hit first need not be the first within the
+// skin. A cast ignores surfaces that it overlaps at its start, so that shape is thinner by mover_recover's tolerance.
 static scree_status cast(MoverCall* call)
 {
 	scree_query_result* wide = call->found + call->count;
@@ -68,15 +67,13 @@ static scree_vec free_end(const MoverCall* call, int k)
 
 static bool is_ground(const MoverCall* call, scree_vec normal) { return dot(normal, call->def->up) >= call->steepest; }
 
-// Returns v without its component against the normal.
 static scree_vec clip(scree_vec v, scree_vec normal)
 {
 	float against = dot(v, normal);
 	return against < 0.0f ? add_scaled(v, -against, normal) : v;
 }
 
-// Does the same for a surface that a mover meets. A surface that is too steep to stand on does not lift a mover that is
-// not rising by itself.
+// Returns v after a mover met a surface. One too steep to stand on lifts only movers that rise by themselves.
 static scree_vec deflect(const MoverCall* call, scree_vec v, scree_vec normal)
 {
 	scree_vec up = call->def->up, free = clip(v, normal);
@@ -119,8 +116,7 @@ static void meet(const MoverCall* call, MoverMotion* w, scree_collidable collida
 	w->last = normal;
 }
 
-// Marks a mover as crushed. Nothing moves it then, because a surface beyond its middle would push it out on the other
-// side.
+// Nothing moves a crushed mover, because a surface beyond its middle would push it out on the other side.
 void mover_crush(const MoverCall* call, int k, scree_collidable by)
 {
 	call->motions[k] = (MoverMotion){.at = call->movers[k].position, .wall = by, .crushed = true};
@@ -226,8 +222,7 @@ static scree_status find_ground(MoverCall* call)
 	return SCREE_OK;
 }
 
-// Lets movers that a wall stopped try to continue one step higher: up, forward and down again. Those that would not end
-// on ground stay.
+// Lets movers that a wall stopped continue one step higher: up, forward and down again. Without ground there they stay.
 static scree_status climb(MoverCall* call)
 {
 	const scree_mover_def* def = call->def;

@@ -40,7 +40,6 @@ typedef struct // a call
 } MoverCall;
 
 static inline float dot(scree_vec a, scree_vec b) { return a.x * b.x + a.y * b.y; }
-// Returns a + s b.
 static inline scree_vec add_scaled(scree_vec a, float s, scree_vec b)
 {
 	return (scree_vec){a.x + s * b.x, a.y + s * b.y};
@@ -49,16 +48,13 @@ static inline scree_vec add_scaled(scree_vec a, float s, scree_vec b)
 // Clamps a position to SCREE_MAX_COORDINATE, the edge of the world.
 scree_vec mover_within(scree_vec at);
 
-// Marks a mover as crushed by a collidable: it stays where it was at the beginning of the call, outside of static
-// shapes.
+// Marks a mover as crushed: it stays where it was at the beginning of the call, outside of static shapes.
 void mover_crush(const MoverCall* call, int k, scree_collidable by);
 
-// Checks the movers that were crushed before: they remain crushed while they overlap anything. Called before anything
-// moves.
+// Checks the movers that were crushed before: they remain so while they overlap anything. Called before anything moves.
 scree_status mover_is_crushed(MoverCall* call);
 
-// Moves movers out of overlaps, until they keep their distance from everything or 8 rounds have passed. Movers that
-// overlap something then are crushed.
+// Moves movers out of overlaps, to their distance, in at most 8 rounds; those that still overlap are crushed.
 scree_status mover_recover(MoverCall* call);
 
 // Moves movers by their remaining motion. They slide along surfaces and climb steps.

@@ -13,8 +13,7 @@
 #include "world/world.h"
 #include <math.h>
 
-// Share of a mover's radius: slower walls are left to mover_recover.
-#define SWEPT_FAR 0.5f
+#define SWEPT_FAR 0.5f // share of a mover's radius: slower walls are left to mover_recover
 
 typedef struct // a moving collidable of a kinematic body
 {
@@ -40,7 +39,6 @@ static float turn_most(scree_rot from, scree_rot to)
 	return turn.c > 0.0f ? 1.5708f * fabsf(turn.s) : 3.1416f;
 }
 
-// Interpolates two rotations.
 static scree_rot rotation_at(scree_rot from, scree_rot to, float share)
 {
 	float c = from.c + share * (to.c - from.c), s = from.s + share * (to.s - from.s), length = sqrtf(c * c + s * s);
@@ -52,7 +50,6 @@ static bool is_obstacle(const MoverCall* call, const HostCollidable* host)
 	return host->sensor == 0 && (host->filter.category & call->def->mask) && (host->filter.mask & call->def->category);
 }
 
-// Lists the sweepers of a body. Returns their number.
 static int sweepers_of(const MoverCall* call, scree_body body, scree_pose now, scree_velocity v, float dt,
                        Sweeper* sweepers)
 {
@@ -141,7 +138,6 @@ static scree_status push_all(MoverCall* call, const scree_collidable* crushers)
 	return SCREE_OK;
 }
 
-// Returns the body of a collidable that may have been destroyed, or null.
 static scree_body owner_of(const MoverCall* call, scree_collidable collidable)
 {
 	return collidable_is_valid(call->world, collidable) ? owner_handle(call->world, (int)collidable.index - 1)
@@ -150,8 +146,7 @@ static scree_body owner_of(const MoverCall* call, scree_collidable collidable)
 
 static bool is_body(scree_body a, scree_body b) { return !scree_body_is_null(a) && a.index == b.index; }
 
-// Finds the longest push of mover k by a sweeper, and the sweeper. If its ground is a sweeper, the push is the motion
-// by the ground.
+// Finds the longest push of mover k by a sweeper, and the sweeper; the motion by its ground if that is a sweeper.
 static scree_status push_of(MoverCall* call, int k, const Sweeper* sweepers, int count, scree_vec* longest,
                             scree_collidable* crusher)
 {
@@ -176,7 +171,6 @@ static scree_status push_of(MoverCall* call, int k, const Sweeper* sweepers, int
 	return SCREE_OK;
 }
 
-// Sets up probes for the movers that are pushed.
 static scree_status ask_all(MoverCall* call, const Sweeper* sweepers, int count, scree_collidable* crushers)
 {
 	call->asked = 0;

@@ -16,8 +16,7 @@ typedef struct // the items of a call, for their check
 
 scree_status check_query_kinds(ArgumentPlace at, uint32_t kinds);
 
-// Checks the definition and the array of count items, which all queries have. query_items must live as long as
-// questions.
+// Checks the definition and the array of count items of any query. query_items must live as long as questions.
 scree_status query_check(scree_world* world, const char* function, const scree_query_def* def, const void* items,
                          const char* items_name, int count, QueryItems* query_items, QueryRequest* questions);
 

@@ -9,7 +9,6 @@
 #include "world/upload/upload.h"
 #include <string.h>
 
-// Sorts a few answers by query, fraction and collidable.
 static void sort_few(QueryResult* found, int* query, int count)
 {
 	for (int k = 1; k < count; ++k)
@@ -33,7 +32,6 @@ static void sort_few(QueryResult* found, int* query, int count)
 	}
 }
 
-// Reads the answers, in order.
 static scree_status read_rows(scree_world* world, const char* function, int count)
 {
 	Queries* q = &world->queries;

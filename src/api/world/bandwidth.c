@@ -5,8 +5,7 @@
 #include "world/failure.h"
 #include "world/world.h"
 
-// Bytes of each of the two blocks of a copy. They are halved, down to LEAST_BYTES, while the device has no memory for
-// them.
+// Bytes of each block of a copy; halved, down to LEAST_BYTES, while the device has no memory for both.
 #define MOST_BYTES  ((size_t)256 << 20)
 #define LEAST_BYTES ((size_t)1 << 20)
 // The bandwidth is the best of TRIES tries. Each makes COPIES copies, so that the time to start and end them is small.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // compare_bits.c -- compares the bits of a device with those of the CPU.
 //
-// Drivers have reported their arithmetic wrongly before. So a small world is stepped on the device and on the CPU:
-// shapes of all kinds fall, bounce, slide and roll. Contracted products, divisions with other rounding and flushed
-// denormals all change its hash.
+// Drivers have reported their arithmetic wrongly. So a small world of all shapes falls, bounces, slides and rolls on
+// the device and on the CPU: contracted products, other rounding of divisions and flushed denormals change its hash.
 #include "api/world/compare_bits.h"
 #include "platform/error.h"
 #include "world/create.h"
@@ -61,7 +60,6 @@ static scree_status sample_hash(scree_world* world, uint64_t* hash)
 	return scree_world_get_hash(world, hash);
 }
 
-// Fills all pools of a device with zeros, as after it was opened.
 static scree_status clear(Backend* b)
 {
 	size_t most = 0;

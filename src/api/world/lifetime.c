@@ -17,8 +17,7 @@
 #include "world/world.h"
 #include <string.h>
 
-// Minimum dt other than 0, s: rates of change in a shorter step are too large for a float.
-#define SHORTEST_STEP 1e-9f
+#define SHORTEST_STEP 1e-9f // s: minimum dt other than 0; rates of change in a shorter step are too large for floats
 
 void scree_world_def_default_sized(scree_world_def* def, size_t size)
 {

@@ -37,8 +37,6 @@ static Word64 hash_own_mass(int body, scree_mass mass)
 	                   make_float4(mass.mass, mass.inertia, mass.center.x, mass.center.y));
 }
 
-// Hashes the data that only the host has: targets, disabled bodies, masses set by the user, paths, visits, materials,
-// exclusions, approvals and fields.
 static uint64_t hidden_hash(const scree_world* world)
 {
 	Word64 sum = 0;

@@ -9,21 +9,17 @@
 #include "world/objects/joints.h"
 #include <string.h>
 
-// A hub has at least HUB_JOINTS joints, and the bodies at their ends weigh at least HUB_WEIGHT times as much as the
-// hub, by mass and by inertia about it. Solved joint by joint, hubs became unstable with 4 to 7 times their inertia in
-// welded ends, and with 28 to 56 times in hinged ones. A hinged end yields only along its arm, so it counts as a share
-// HUB_HINGE of its mass, at the hinge.
+// A hub has at least HUB_JOINTS joints, whose ends weigh at least HUB_WEIGHT times as much, by mass and by inertia
+// about it. Solved joint by joint, hubs became unstable with 4 to 7 times their inertia in welded ends, and with 28 to
+// 56 times in hinged ones. These yield only along their arms, so they count as HUB_HINGE of their mass, at the hinge.
 #define HUB_JOINTS 3
 #define HUB_WEIGHT 3.0f
 #define HUB_HINGE  0.18f
-// Alternatively, all bodies connected to a hub have HUB_LOAD times its mass, like a heavy load on a chain. Ragdolls
-// have up to 9 times, and come to rest.
+// Alternatively, the bodies connected to a hub have HUB_LOAD times its mass. Ragdolls have up to 9, and come to rest.
 #define HUB_LOAD 20.0f
-// Maximum nodes of a branch. The time to solve it is proportional to its joints, so a larger tree is solved only around
-// its light bodies.
-#define MOST_NODES 1024
-// Maximum bodies behind a welded end that are summed, because each hub visits them again.
-#define MOST_WELDED 64
+// Maximum nodes of a branch: its time is proportional to its joints. A larger tree is solved only around light bodies.
+#define MOST_NODES  1024
+#define MOST_WELDED 64 // bodies behind a welded end that are summed: each hub visits them again
 
 typedef struct
 {
@@ -44,11 +40,9 @@ size_t branches_bytes(size_t joints, size_t bodies)
 
 static float distance(scree_vec a, scree_vec b) { return sqrtf((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y)); }
 
-// Returns whether a joint makes its two bodies move as one.
 static bool welded(const HostJoint* host) { return host->def.coordinates[SCREE_ANGLE].locked; }
 
-// Returns the weight of the end of a joint relative to the hub at its other side. Bodies welded to the end are
-// included.
+// Returns the weight of a joint's end, with bodies welded to it, relative to the hub at its other side.
 static float weight_of(const scree_world* world, int joint, int hub)
 {
 	const HostJoint* host = world->host_joints + joint;
@@ -124,8 +118,7 @@ static int put(Branching* b, int count, int body, int through, int above)
 	return count + 1;
 }
 
-// Lists further bodies, through the joints of the listed bodies: of all of them, or of light ones only. *whole becomes
-// false if a joint closes a ring. Returns the number of listed bodies.
+// Lists bodies joined to the listed ones: to all, or to light ones. *whole becomes false if a joint closes a ring.
 static int spread(Branching* b, int count, bool all, bool* whole)
 {
 	const scree_world* world = b->s->world;
@@ -219,8 +212,7 @@ static void add(Branching* b, int count)
 	layout->node_count += count;
 }
 
-// Lists the tree again, starting at an immovable body, if it is attached to one: a joint to that body is solved exactly
-// at the root, but not at an end of the tree.
+// Lists the tree again from an immovable body that it is attached to, whose joint is solved exactly only at the root.
 static int hang(Branching* b, int count, bool all)
 {
 	const scree_world* world = b->s->world;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// chain_layout.c -- places the joints of chains in the memory of a device: a chain alone in rows, or chains side by
-// side.
+// chain_layout.c -- places the joints of chains in the memory of a device: a chain alone in rows, or side by side.
 //
-// Both ways give work to all lanes of a device: a chain alone lies in rows; chains of similar lengths lie side by side,
-// which costs a worker less. But one worker solves all chains that lie side by side, so a few chains lie alone if there
-// are more workers. The estimated cost of a pass decides.
+// A chain alone lies in rows; chains of similar lengths lie side by side, which costs a worker less. But one worker
+// solves all of these, so a few chains lie alone if there are more workers. The estimated cost of a pass decides.
 #include "world/chain/chain_layout.h"
 #include "backend/backend.h"
 #include "platform/threads.h"
@@ -12,14 +10,11 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-// Cost of a pass over a block of joints, of one chain in rows and of chains side by side, in units of the cost of
-// solving the system of one joint by itself. Measured on CPUs with 16 and 8 lanes.
+// Cost of a pass over a block of joints, relative to solving one joint by itself; measured on CPUs with 16 and 8 lanes.
 #define ROW_COST  12
 #define SIDE_COST 8
-// Ranges get separate blocks if a pass over them costs less than this share of a pass over common blocks.
-#define APART 0.9
-// All chains lie alone if a pass over them costs less than this share of a pass with some side by side. It is below 1
-// because workers that share a pass wait for each other.
+#define APART     0.9 // ranges get separate blocks if a pass costs less than this share of one over common blocks
+// All chains lie alone if that costs less than this share: below 1, because workers in a pass wait for each other.
 #define ALONE 0.75
 
 typedef struct
@@ -34,7 +29,6 @@ typedef struct
 
 static int padded(int count, int lanes) { return (count + lanes - 1) / lanes * lanes; }
 
-// Returns the joints per row, if there are 2^bits rows.
 static int row_length(int joints, int bits) { return ((joints - 1) >> bits) + 1; }
 
 // Finds the number of rows for which a chain alone costs least.
@@ -66,8 +60,7 @@ static int side_by_side(const ChainPlacement* s, int k, int* cost)
 	return count;
 }
 
-// Returns whether the given number of chains side by side, from chain k on, begins an item of a pass; otherwise they
-// share the blocks of the chains before them. A chain alone always begins one.
+// Returns whether count chains from chain k on begin an item of a pass; otherwise they share the blocks before them.
 static bool begins_item(ChainPlacement* s, int k, int count)
 {
 	const ChainRow* rows = s->layout->rows;
@@ -98,9 +91,8 @@ static double cost_of_all(ChainPlacement* s)
 	return s->groups > counted ? fmax(sum / s->groups, most) : most;
 }
 
-// Chooses the number of ranges that share blocks. One worker solves the ranges in the same blocks, because two workers
-// would write to the same cache lines. Separate blocks are partly empty, so they take more memory and time, but may be
-// distributed better. Returns the cost.
+// Chooses the number of ranges that share blocks, and returns the cost. One worker solves the ranges in a block,
+// because two would write to the same cache lines. Separate blocks take more memory, but share work better.
 static double choose_parts(ChainPlacement* s)
 {
 	int most = s->parts;
@@ -121,8 +113,7 @@ static ChainRange place_alone(ChainPlacement* s, const ChainRow* row)
 	return at;
 }
 
-// Places chains side by side. Blocks of MAX_LANES have space for several ranges of them, because later chains are not
-// longer.
+// Places chains side by side. Blocks of MAX_LANES have space for several ranges, because later chains are not longer.
 static ChainRange place_side(ChainPlacement* s, int count, bool begins)
 {
 	int length = (count + 1) / 2;

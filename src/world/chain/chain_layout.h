@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// chain_layout.h -- places the joints of chains in the memory of a device: a chain alone in rows, or chains side by
-// side.
+// chain_layout.h -- places the joints of chains in the memory of a device: a chain alone in rows, or side by side.
 #ifndef CHAIN_LAYOUT_H
 #define CHAIN_LAYOUT_H
 #include "pools/pools.h"
@@ -28,8 +27,7 @@ typedef struct
 	int carried;               // first item of carried chains
 } ChainLayout;
 
-// Assigns spots to the joints of all chains, for a device with the given lanes and concurrent work-groups. ranged,
-// items and places must be zero.
+// Assigns spots to the joints of all chains, for a device's lanes and work-groups. ranged, items and places are zero.
 void chain_layout(ChainLayout* layout, int lanes, int groups);
 
 #endif

@@ -6,9 +6,8 @@
 #include "world/world.h"
 #include <math.h>
 
-// Maximum ratio of masses that are solved together. Beyond it, the large inverse masses leave no digit of the small
-// ones in the sums of the solver, and impulses are wrong by any factor. Such joints are solved one by one: they yield,
-// but stay finite.
+// Maximum ratio of masses that are solved together. Beyond it, large inverse masses leave no digit of the small ones in
+// sums, and impulses are wrong by any factor. Such joints are solved one by one: they yield, but stay finite.
 #define MOST_RATIO 1e5f
 
 #define BODY_OWNED    1 // the body is at the end of a chain
@@ -40,8 +39,7 @@ static inline bool chain_moves(const scree_world* world, int body)
 	return world->host_bodies[body].type == SCREE_BODY_DYNAMIC;
 }
 
-// Masses of the lightest and the heaviest movable body.
-typedef struct
+typedef struct // masses of the lightest and the heaviest movable body
 {
 	float least, most; // kg
 } MassRange;

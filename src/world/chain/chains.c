@@ -3,8 +3,7 @@
 //
 // A chain passes through bodies that have two joints with locks. No body belongs to two chains. Ropes and bridges are
 // chains; nets are not; a short chain of similar masses gains nothing. The choice depends only on the user's calls, so
-// it is the same on every device. The placement of chains in memory (chain_layout.c) depends on the device, but changes
-// no bit.
+// it is the same on every device. The placement in memory (chain_layout.c) depends on the device, but changes no bit.
 #include "world/chain/chains.h"
 #include "platform/error.h"
 #include "step/reserve.h"
@@ -34,8 +33,7 @@ static int next_joint(const ChainSearch* s, int body, int joint)
 	return count == 2 ? next : -1;
 }
 
-// Returns the last joint of the chain of a joint, in the direction of *body, which becomes the body beyond it. In a
-// ring, returns the joint before the first one.
+// Returns the last joint of a joint's chain towards *body, which becomes the body beyond; in a ring, the one before it.
 static int chain_end(const ChainSearch* s, int joint, int* body)
 {
 	for (int first = joint;;)
@@ -61,8 +59,7 @@ static int chain_list(ChainSearch* s, int first, int* at)
 	return count;
 }
 
-// Returns whether a chain may end at a body, because it cannot move or belongs to no other chain. Marks the body as
-// taken.
+// Returns whether a chain may end at a body: if it cannot move or is in no other chain. Marks the body as taken.
 static bool own(ChainSearch* s, int body)
 {
 	if (!chain_moves(s->world, body))
@@ -78,8 +75,7 @@ static float chain_mass(const scree_world* world, int body)
 	return chain_moves(world, body) ? world->host_bodies[body].mass.mass : INFINITY;
 }
 
-// Returns the largest ratio of load to mass among the inner bodies of a short chain. The load is the heaviest body on
-// one side or the other, whichever is lighter.
+// Returns the largest load / mass of inner bodies in a short chain. Load: the heaviest body of the lighter side.
 static float load_ratio(const scree_world* world, const int* row, int count)
 {
 	float masses[LEAST_JOINTS], before = 0.0f, ratio = 0.0f;
@@ -111,7 +107,6 @@ static float row_ratio(const scree_world* world, const int* row, int count)
 	return mass_ratio(range);
 }
 
-// Adds the chain of a joint, if solving it together pays.
 static void add_chain(ChainSearch* s, int joint)
 {
 	const scree_world* world = s->world;
@@ -140,7 +135,6 @@ static void add_chain(ChainSearch* s, int joint)
 	s->joints = begin + joints;
 }
 
-// Sets the spots of all joints. Joints whose spot changed are marked for the upload.
 static void set_spots(scree_world* world, const int* spots)
 {
 	for (int k = 0; k < world->joints.used; ++k)

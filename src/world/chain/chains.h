@@ -4,8 +4,7 @@
 #define CHAINS_H
 #include "world/world.h"
 
-// Finds the chains again if they may have changed, and uploads their placement. Joints whose place changed are marked
-// for the upload.
+// Finds the chains again if they may have changed, and uploads their placement; marks moved joints for the upload.
 scree_status chains_update(scree_world* world);
 
 #endif

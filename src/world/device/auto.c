@@ -3,9 +3,7 @@
 //
 // The GPU is opened when the time that it may save within the next steps exceeds the time of opening it. A thread opens
 // it while the world continues to step. A trial on the other device begins when its cost is a small part of the time
-// that the world has worked so far.
-//
-// Both devices compute the same bits, so measured times may decide.
+// that the world has worked so far. Both devices compute the same bits, so measured times may decide.
 #include "world/device/auto.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -19,23 +17,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Steps that a world is expected to take: HORIZON, or as many as it has taken, if that is more.
-#define HORIZON 500
+#define HORIZON 500 // steps that a world is expected to take, or as many as it has taken if that is more
 
-// Minimum time of a step on a GPU, ms: an H200 takes 0.13 for 10,000 boxes in the scene pyramids, and hardly less for
-// fewer.
+// Minimum time of a GPU's step, ms: an H200 takes 0.13 for 10,000 boxes in the scene pyramids, hardly less for fewer.
 #define LEAST_STEP 0.15
 
 // Assumed time of a step on the CPU before one is measured, ms per body and thread. It is less than the time of any
 // scene, so that only very large worlds open the GPU before their first step. (Scene pyramids on 16 threads: 5e-4.)
 #define BODY_STEP 4e-4
 
-// Assumed time to open a GPU before it is measured, ms: 215 to 235 for an H200 with its program in the cache on an idle
-// machine. The measured time replaces it for later worlds.
+// Assumed time to open a GPU before it is measured, ms: 215 to 235 on an idle machine with H200 and a cached program.
 #define OPENING 230
 
-// Assumed speed of copying a world, bytes per ms: less than that of the bus of any fast GPU.
-#define MOVE_SPEED 4e6
+#define MOVE_SPEED 4e6 // assumed speed of copying a world, bytes per ms: less than the bus of any fast GPU
 
 // Steps of a trial. The first one is not counted, because its caches are cold. A trial ends early when it has taken the
 // time of TRIAL_LIMIT steps of the other device.
@@ -43,15 +37,13 @@
 #define TRIAL_LIMIT 20
 
 // The next trial begins when the world has worked PATIENCE times as long as the last trial took, or LIKELY_PATIENCE
-// times if the other device is predicted to take less than LIKELY of the time. This delay doubles after every failed
-// trial.
+// times if the other device is predicted to take less than LIKELY of the time. Each failed trial doubles this delay.
 #define PATIENCE        100
 #define LIKELY_PATIENCE 20
 #define LIKELY          0.8 // share of the current time of a step
 #define MOST_FAILURES   10
 
-// Expected time to open a GPU, ms: the last one that was measured in this process.
-static atomic_int async_open_milliseconds = OPENING;
+static atomic_int async_open_milliseconds = OPENING; // last measured time to open a GPU in this process
 
 double auto_clock(void) { return processor_milliseconds(); }
 
@@ -62,10 +54,6 @@ static int work_of(const scree_world* world)
 	const Counters* c = &world->pipeline.counters;
 	return 1 + world->bodies.alive + c->alive;
 }
-
-// ---------------------------------------------------------------------------------------------------------------
-// times of steps
-// ---------------------------------------------------------------------------------------------------------------
 
 static void meter_note(StepMeter* m, double milliseconds)
 {
@@ -79,8 +67,8 @@ static int compare_times(const void* a, const void* b)
 	return (x > y) - (x < y);
 }
 
-// Returns the time at quantile share, from 0 to 1, of the last steps. Other work of the machine disturbs single steps.
-// The first step after a move counts only if it is the only one.
+// Returns the time at quantile share, from 0 to 1, of the last steps, because other work disturbs single steps. The
+// first step after a move counts only if it is the only one.
 static double meter_step(const StepMeter* m, double share)
 {
 	double sorted[RECENT_STEPS];
@@ -102,8 +90,7 @@ static double least_step(const scree_world* world, const Backend* b)
 	return b->distant ? LEAST_STEP : BODY_STEP * world->bodies.alive / b->threads;
 }
 
-// Returns the expected time of a step on the other device, ms. A CPU's time is proportional to the work; a GPU's hardly
-// depends on it.
+// Returns the other device's expected time of a step, ms: on a CPU proportional to the work, on a GPU nearly constant.
 static double predicted_step(scree_world* world)
 {
 	const Backend* other = world->auto_device.other;
@@ -118,10 +105,6 @@ static double steps_to_come(const scree_world* world)
 	int64_t taken = world->pipeline.steps;
 	return (double)(taken > HORIZON ? taken : HORIZON);
 }
-
-// ---------------------------------------------------------------------------------------------------------------
-// opening the other device
-// ---------------------------------------------------------------------------------------------------------------
 
 static bool opening_pays(scree_world* world)
 {
@@ -156,10 +139,6 @@ static void take_opened(scree_world* world)
 	             "scree_world_step: the world stays on the CPU: %s", scree_error());
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// trials
-// ---------------------------------------------------------------------------------------------------------------
-
 static bool trial_pays(scree_world* world)
 {
 	AutoDevice* a = &world->auto_device;
@@ -167,8 +146,7 @@ static bool trial_pays(scree_world* world)
 	const StepMeter* m = meter_of(world, here);
 	if (m->count < RECENT_STEPS || a->spent < LIKELY_PATIENCE * a->cost)
 		return false;
-	// the device needs memory for three times the world, which may grow there: a step that runs out of memory cannot be
-	// undone
+	// the world needs three times its memory there, because it may grow, and a step without memory cannot be undone
 	if (there->memory > 0 && 3 * here->bytes > there->memory)
 		return false;
 	double step = meter_step(m, MEDIAN), predicted = predicted_step(world);
@@ -180,7 +158,6 @@ static bool trial_pays(scree_world* world)
 	return a->spent > patience * a->cost * (double)(1 << (another ? 0 : a->failures));
 }
 
-// Moves the world to the other device. Returns whether that succeeded.
 static bool change_over(scree_world* world)
 {
 	AutoDevice* a = &world->auto_device;
@@ -234,10 +211,6 @@ static bool trial_is_over(scree_world* world)
 	const StepMeter *here = meter_of(world, world->backend), *before = meter_of(world, a->other);
 	return here->count >= TRIAL_STEPS || (here->count > 0 && auto_clock() - a->started > TRIAL_LIMIT * before->step);
 }
-
-// ---------------------------------------------------------------------------------------------------------------
-// interface for the world
-// ---------------------------------------------------------------------------------------------------------------
 
 void auto_open(scree_world* world, CompareDevice* compare)
 {

@@ -8,8 +8,7 @@
 void auto_open(scree_world* world, CompareDevice* compare);
 void auto_close(scree_world* world);
 
-// Records the time of the last step, and moves the world if that pays. Called before a step. Fails only if the world
-// breaks.
+// Records the time of the last step, and moves the world if that pays, before a step. Fails only if the world breaks.
 scree_status auto_choose(scree_world* world);
 
 // auto_clock returns the time, ms. auto_count adds the time since then to the current step.

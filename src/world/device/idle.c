@@ -9,8 +9,7 @@
 #define IDLE  0
 #define MOVES 255
 
-// Steps after a change until values repeat: the first one moves boxes, the second one clears the marks of moved boxes.
-#define SETTLING 2
+#define SETTLING 2 // steps until values repeat: the first moves boxes, the second clears the marks of moved boxes
 
 static void touch(IdleBlocks* list, int index)
 {
@@ -81,7 +80,6 @@ static bool block_moves(const scree_world* world, int kind, int block)
 	return false;
 }
 
-// Makes space for the given number of blocks; new ones are not idle.
 static bool reserve(IdleBlocks* list, int blocks)
 {
 	if (GROW("scree_world_step", list->states, list->state_capacity, blocks) != SCREE_OK ||

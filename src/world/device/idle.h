@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // idle.h -- finds the blocks of bodies and of collidables that no step changes, so that a CPU skips them.
 //
-// A level of a game has many static bodies and few that move. For a static body that nobody changes, the kernels over
-// all bodies and all collidables would write the values that are already stored. Bodies and collidables are examined in
-// blocks. A block is idle if it contains only static items and free slots, and some steps have passed since the last
-// change. The results are the same bits as without idle blocks.
+// A level of a game has many static bodies and few that move. For unchanged static bodies, the kernels over all bodies
+// and all collidables would write the values that are already stored. A block of them is idle if it contains only
+// static items and free slots, and some steps have passed since the last change. The results have the same bits.
 #ifndef IDLE_H
 #define IDLE_H
 #include "scree/scree.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // migrate.c -- moves a world from one device to another, between two steps.
 //
-// The host's data of a world does not depend on the device, except for the positions of the trees. The device holds
-// only the pools. So a move copies the pools that persist between steps.
+// The host's data depends on the device only in the positions of the trees. So a move copies the pools that persist.
 #include "world/device/migrate.h"
 #include "platform/error.h"
 #include "world/device/idle.h"
@@ -113,8 +112,7 @@ static scree_status copy_all(Move* m)
 		TRY(copy(m, POOL_leaf, t * from->capacity[PER_COLLIDABLE], t * to->capacity[PER_COLLIDABLE],
 		         world->pipeline.trees[t].tree.leaves));
 
-	// the backend stores the counters that it reads; the read also waits for the writes, so their failures are reported
-	// here
+	// the backend stores the counters that it reads; the read also waits for the writes, and reports their failures
 	Counters counters;
 	return to->f->read(to, POOL_counters, 0, 1, &counters);
 }

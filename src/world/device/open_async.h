@@ -7,8 +7,6 @@
 // Begins to open a GPU, or the device with the given name unless it is null. The thread then calls compare for the open
 // device, and closes the device if compare fails. Returns null if there is no memory or no thread.
 AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, CompareDevice* compare);
-
-// Returns whether async_open_end would return at once.
 bool async_open_done(const AsyncOpen* opening);
 
 // Waits for the device and releases the opening. *milliseconds is the time to open the device, without the comparison.

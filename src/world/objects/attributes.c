@@ -79,7 +79,6 @@ static scree_status reserve(scree_world* world, const char* function)
 	return SCREE_OK;
 }
 
-// Creates an attribute in a new slot, for the next upload.
 static int make(scree_world* world, uint32_t name, const scree_attribute_def* plain)
 {
 	Edits* p = &world->edits;

@@ -5,8 +5,7 @@
 #include "pools/pools.h"
 #include "scree/scree.h"
 
-// Returns the slot of the attribute with these values, which is created if it does not exist, and adds one claim. def
-// is canonical: equal values have equal bytes.
+// Claims the attribute with these values, creating it if needed. def is canonical: equal values have equal bytes.
 scree_status attribute_claim(scree_world* world, const char* function, const scree_attribute_def* def, int* index);
 
 // Removes one claim; the last one frees the slot. No collidable may use the attribute then.

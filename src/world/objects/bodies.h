@@ -7,8 +7,7 @@
 // Returns the velocity without its locked components; 0 for a static body.
 scree_velocity body_velocity_allowed(const HostBody* host, scree_velocity velocity);
 
-// Sends gravity scale, damping and locks. Gravity scale and damping are 0 for a body that is not dynamic. The caller
-// has reserved memory for one command.
+// Sends gravity scale, damping (both 0 unless dynamic) and locks. The caller has reserved memory for one command.
 void body_send_motion(scree_world* world, int index);
 
 // Inserts leaves for all collidables of a body into the trees. On failure some may be inserted already.

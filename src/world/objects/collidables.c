@@ -65,8 +65,7 @@ scree_status collidables_allocate(scree_world* world, int* slots, int count)
 	return SCREE_OK;
 }
 
-// Sends the link from a collidable to the next one in its list, unless its whole row is pending. previous is -1 for no
-// collidable.
+// Sends the link from a collidable, -1 for none, to the next one in its list, unless its whole row is pending.
 static void list_changed(scree_world* world, int previous)
 {
 	if (previous < 0 || world->host_collidables[previous].waiting.row > 0)

@@ -7,13 +7,11 @@
 // Reserves memory for more collidables, after which collidable_put cannot fail. The caller calls edits_reserve.
 scree_status collidables_reserve(scree_world* world, const char* function, int more);
 
-// Takes count slots, with leaves in the trees except for KIND_DEAD. slots holds the kinds (KIND_*) before the call and
-// the slots after it. On failure no slot is taken.
+// Takes a slot for each kind in slots, and writes it there; with a leaf unless KIND_DEAD. On failure takes none.
 scree_status collidables_allocate(scree_world* world, int* slots, int count);
 
 // Creates a collidable in a slot, at the end of its body's list (body -1: none).
 void collidable_put(scree_world* world, int index, const HostCollidable* made);
-// Removes a collidable from its body's list and frees its slot.
 void collidable_remove(scree_world* world, int index);
 
 int collidable_kind(const scree_world* world, int index); // KIND_DEAD also on a disabled body
@@ -21,7 +19,6 @@ int device_kind(const scree_world* world, int index);     // the same with KIND_
 int kind_on_body(const scree_world* world, int body);     // kind of a collidable on this body, -1 for none
 int kind_of_type(scree_body_type type);
 
-// Returns the tree for collidables of a kind.
 static inline int tree_of_kind(int kind) { return kind == KIND_STATIC; }
 
 #endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exclusions.c -- pairs of bodies that the user excluded from touching: their slots, their lists by body, and the
-// upload.
+// exclusions.c -- pairs of bodies that the user excluded from touching: slots, lists by body, and the upload.
 #include "world/objects/exclusions.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
-// exclusions.h -- pairs of bodies that the user excluded from touching: their slots, their lists by body, and the
-// upload.
+// exclusions.h -- pairs of bodies that the user excluded from touching: slots, lists by body, and the upload.
 #ifndef EXCLUSIONS_H
 #define EXCLUSIONS_H
 #include "world/world.h"
 
-// Returns the exclusion of an end. An end is 1 + 2 * the slot + the side of the body, 0 for none, like an end of a
-// joint.
+// Returns the exclusion of an end: 1 + 2 * the slot + the side of the body, 0 for none, like an end of a joint.
 static inline int exclusion_of_end(int end) { return (end - 1) / 2; }
 static inline int exclusion_next(const scree_world* world, int end)
 {
 	return world->exclusions.rows[exclusion_of_end(end)].next[(end - 1) % 2];
 }
-// Returns the body on the other side of an end.
 static inline int exclusion_other(const scree_world* world, int end)
 {
 	return world->exclusions.rows[exclusion_of_end(end)].bodies[end % 2];
@@ -24,8 +21,6 @@ scree_status exclusions_reserve(scree_world* world, const char* function, int mo
 // Returns the slot of a pair of bodies, in any order; -1 for none.
 int exclusion_find(const scree_world* world, int a, int b);
 void exclusion_set(scree_world* world, int a, int b, bool excluded);
-
-// Removes the exclusions of a body that is about to be destroyed.
 void body_exclusions_remove(scree_world* world, int body);
 
 scree_status upload_exclusions(scree_world* world);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // fields.c -- slots of fields, and the upload of the active ones.
 //
-// Fields are few and change seldom, so all active ones are sent when one changed, without gaps, in the order of their
-// slots. If there are many, neighbors are stored side by side, so that a box around some of them is small: fields
-// without a region first, then those in the world along the curve of Morton, A Computer Oriented Geodetic Data Base,
-// 1966, then those on bodies. The order depends only on the calls.
+// Fields are few and change seldom, so all active ones are sent when one changed, without gaps, by slot. Many are
+// sorted, so that a box around neighbors is small: fields without a region first, then those in the world along the
+// curve of Morton, A Computer Oriented Geodetic Data Base, 1966, then those on bodies. The order depends only on calls.
 #include "world/objects/fields.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"

@@ -5,7 +5,6 @@
 #include "pools/pools.h"
 #include "world/world.h"
 
-// Reserves memory for one more field.
 scree_status fields_reserve(scree_world* world, const char* function);
 
 // field_make takes a slot. field_put sets the checked definition of the field in a slot, on a body or on none (-1).
@@ -13,12 +12,9 @@ int field_make(scree_world* world);
 void field_put(scree_world* world, int index, const scree_field_def* def, int body);
 void field_remove(scree_world* world, int index);
 
-// Removes the fields on a body that is about to be destroyed; marks them as changed after the body was enabled or
-// disabled.
+// Removes fields on a body before it is destroyed; marks them as changed after the body was enabled or disabled.
 void fields_body_gone(scree_world* world, int body);
 void fields_body_changed(scree_world* world, int body);
-
-// Sends the active fields, if some changed.
 scree_status upload_fields(scree_world* world);
 
 // Returns the number of active fields for a step; *shapes becomes whether some act on shapes.

@@ -54,8 +54,7 @@ static Names names_of(const Slots* slots) { return (Names){slots->generation, sl
 Names collidable_names(const scree_world* world) { return names_of(&world->collidables); }
 Names body_names(const scree_world* world) { return names_of(&world->bodies); }
 
-// The generation already makes the handle of item 0 different from null. Indices begin at 1 so that the handle of a
-// body, passed as that of a collidable, is detected more often.
+// Indices begin at 1 so that the handle of a body, passed as that of a collidable, is detected more often.
 scree_collidable collidable_handle(const scree_world* world, int index)
 {
 	return (scree_collidable){(uint32_t)index + 1, world->collidables.generation[index]};
@@ -74,9 +73,8 @@ scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_
 	return SCREE_OK;
 }
 
-// Returns the generation of an attribute's handle. For the first attribute in a slot it is the hash of its values: a
-// handle of another world is accepted only if the values are the same. A later attribute in the slot has another
-// generation, even with the same values.
+// Returns the generation of an attribute's handle. For the first attribute in a slot it is a hash of its values, so
+// that a handle of another world is accepted only for equal values; later ones have other generations.
 static uint32_t generation_of(const scree_world* world, int index)
 {
 	uint32_t before = world->attribute_slots.generation[index] >> 1;

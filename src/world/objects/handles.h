@@ -5,7 +5,6 @@
 #include "step/step_queries.h"
 #include "world/check.h"
 
-// Return the handle of a slot that is in use.
 scree_body body_handle(const scree_world* world, int index);
 scree_collidable collidable_handle(const scree_world* world, int index);
 scree_attribute attribute_handle(const scree_world* world, int index);
@@ -23,8 +22,7 @@ bool joint_is_valid(const scree_world* world, scree_joint joint);
 bool path_is_valid(const scree_world* world, scree_path path);
 bool field_is_valid(const scree_world* world, scree_field field);
 
-// Return the slot of a handle in *index. Fail with SCREE_ERROR_STALE for a null or invalid handle; the message names
-// its place in the call.
+// Return the slot of a handle in *index. For a null or invalid handle fail with SCREE_ERROR_STALE, naming the argument.
 scree_status check_body(const scree_world* world, ArgumentPlace at, const char* member, scree_body body, int* index);
 scree_status check_joint(const scree_world* world, ArgumentPlace at, scree_joint joint, int* index);
 scree_status check_path(const scree_world* world, ArgumentPlace at, const char* member, scree_path path, int* index);
@@ -34,7 +32,6 @@ scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_
 // Does the same for a body that may have been destroyed since. Refuses null, and a body that this world never had.
 scree_status check_body_once(const scree_world* world, ArgumentPlace at, const char* member, scree_body body);
 
-// Return the generations of all slots, which queries use for handles.
 Names collidable_names(const scree_world* world);
 Names body_names(const scree_world* world);
 scree_status check_attribute(const scree_world* world, ArgumentPlace at, const char* member, scree_attribute attribute,

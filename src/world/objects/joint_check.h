@@ -14,8 +14,6 @@ scree_status check_motors(ArgumentPlace at, const scree_joint_def* def);
 // Checks the sides and the ratio of a gear or a pulley. Normalizes the rotations.
 scree_status check_joint_coupling(ArgumentPlace at, scree_joint_def* def);
 scree_status check_gear_ratio(ArgumentPlace at, const char* member, float ratio);
-
-// Checks stiffness and thresholds of a definition.
 scree_status check_joint_numbers(ArgumentPlace at, const scree_joint_def* def);
 scree_status check_which(ArgumentPlace at, scree_coordinate which);
 

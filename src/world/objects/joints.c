@@ -34,10 +34,6 @@ void joint_changed(scree_world* world, int index, bool restarts)
 	host->waiting = true;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// lists by body
-// ---------------------------------------------------------------------------------------------------------------
-
 static void link_end(scree_world* world, int index, int side)
 {
 	HostJoint* host = world->host_joints + index;
@@ -131,10 +127,6 @@ void body_joints_remove(scree_world* world, int body)
 		joint_remove(world, joint_of_end(world->host_bodies[body].first_joint));
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// rows
-// ---------------------------------------------------------------------------------------------------------------
-
 // Returns the modes of a coordinate, as JOINT_* bits. A locked coordinate has no drives.
 static int coordinate_modes(const scree_joint_coordinate* from, int k)
 {
@@ -195,14 +187,12 @@ static int joint_modes(const scree_joint_def* def)
 	return modes | JOINT_COUPLED;
 }
 
-// Returns side k of a coupling. Other types, whose sides are not checked, get the default, because no value that is not
-// finite may enter a pool.
+// Returns side k of a coupling, else the default: sides of other types are not checked, and may not be finite.
 static scree_joint_side side_of(const scree_joint_def* def, int k)
 {
 	return joint_couples(def->type) ? def->sides[k] : (scree_joint_side){.base.rotation.c = 1.0f};
 }
 
-// Returns the row of a joint, with its flags.
 static JointEdit joint_edit(const scree_world* world, int index)
 {
 	const HostJoint* host = world->host_joints + index;
@@ -250,7 +240,6 @@ static JointEdit joint_edit(const scree_world* world, int index)
 	return edit;
 }
 
-// Returns whether a joint needs the rare rows of a step.
 static bool has_drives(const JointEdit* edit)
 {
 	return (int)edit->data.modes & (JOINT_EXTRAS | JOINT_SPRINGS | JOINT_COUPLED | JOINT_RAILED) ||

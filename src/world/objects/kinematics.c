@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// kinematics.c -- the list of a world's kinematic bodies: while they are few, continuous collision compares paths with
-// each of them.
+// kinematics.c -- the list of a world's kinematic bodies: if few, continuous collision compares paths with each.
 #include "world/objects/kinematics.h"
 #include "world/memory.h"
 #include "world/world.h"

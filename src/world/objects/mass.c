@@ -78,8 +78,7 @@ scree_mass mass_now(const scree_world* world, int body)
 	return lacks ? mass_of_body(world, body) : world->host_bodies[body].mass;
 }
 
-// Returns the distance of a point from the center of mass, m. It is computed in double, because hypotf differs between
-// systems.
+// Returns the distance of a point from the center of mass, m; in double, because hypotf differs between systems.
 static float arm_of(const HostBody* host, scree_vec point)
 {
 	double x = point.x - host->mass.center.x, y = point.y - host->mass.center.y;
@@ -95,8 +94,7 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / (host->mass.inertia > least ? host->mass.inertia : least) : 0.0f;
 }
 
-// Returns the longest arm of the body's joints. If the user set the mass, also of its solid shapes, because its inertia
-// may be one that they could not have.
+// Returns the longest arm of the joints; also of the solid shapes if the user set the mass, which may not fit them.
 static float longest_arm(const scree_world* world, const HostBody* host)
 {
 	float most = 0.0f;
@@ -160,7 +158,6 @@ static void mass_command(scree_world* world, int body)
 	edits_command(world, COMMAND_MASS, body, value, 0);
 }
 
-// Sets the mass on the host, and sends it.
 static void send_mass(scree_world* world, int body, scree_mass mass)
 {
 	HostBody* host = world->host_bodies + body;

@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: MIT
 // path_samples.c -- computes the samples of a path: the cubic spline through its points, and the arc length along it.
 //
-// The spline has a continuous curvature, so the force on a body that runs along it has no jumps. Its parameter is the
-// sum of the distances of the points. Arithmetic is in doubles, with + - * / and square roots only, so every machine
-// gets the same bits.
+// The spline has a continuous curvature, so the force on a body along it has no jumps. Its parameter is the sum of the
+// distances of the points. Doubles, with + - * / and square roots only, give every machine the same bits.
 //
-// This work is based on:
-// Carl de Boor, A Practical Guide to Splines, 1978: the slopes of a spline; ends whose curvature equals that of the
-// neighboring point.
-// Michael Floater, Chordal Cubic Spline Interpolation is Fourth-Order Accurate, 2006: the parameter.
+// This work is based on: Carl de Boor, A Practical Guide to Splines, 1978: slopes of a spline, and its ends; Michael
+// Floater, Chordal Cubic Spline Interpolation is Fourth-Order Accurate, 2006: the parameter.
 #include "world/objects/path_samples.h"
 #include <math.h>
 
-// rad: maximum turn of the tangent between two samples for which a curvature is used; a larger turn is a cusp
-#define MOST_TURN 1.0
+#define MOST_TURN 1.0 // rad: most turn of the tangent between two samples with a curvature; more is a cusp
 
 typedef struct // a vector in double
 {
 	double x, y;
 } Double2;
 
-// Equations for the slopes m: before[k] m[k - 1] + own[k] m[k] + behind[k] m[k + 1] = right[k].
-typedef struct
+typedef struct // equations for the slopes m: before[k] m[k - 1] + own[k] m[k] + behind[k] m[k + 1] = right[k]
 {
 	double *before, *own, *behind, *length; // length: of the chord that follows a point
 	Double2 *slope, *wrap;                  // slope: right sides, then solutions; wrap: those for closing a ring
@@ -39,8 +34,7 @@ static Double2 chord(const scree_vec* points, int count, int k)
 	return (Double2){(double)b.x - a.x, (double)b.y - a.y};
 }
 
-// Sets up the equations: second derivatives agree at each inner point. At an end of an open curve they equal those of
-// the next point.
+// Sets up the equations: second derivatives agree at inner points, and at an end of an open curve with the next point.
 static void set_up(const scree_vec* points, int count, bool closed, System* s)
 {
 	for (int k = 0; k < count; ++k)
@@ -70,8 +64,7 @@ static void set_up(const scree_vec* points, int count, bool closed, System* s)
 	s->slope[end] = (Double2){(1.0 + both) * last.x / s->length[end - 1], (1.0 + both) * last.y / s->length[end - 1]};
 }
 
-// Solves the equations by elimination. Those of a ring are solved without the two corner elements, and once more for
-// these (Jack Sherman, Winifred Morrison, 1950).
+// Solves by elimination; a ring first without corner elements, then for them: Jack Sherman, Winifred Morrison, 1950.
 static void solve(int count, bool closed, System* s)
 {
 	int end = count - 1;

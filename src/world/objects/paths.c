@@ -10,8 +10,7 @@
 #include "world/objects/path_samples.h"
 #include <math.h>
 
-// Returns the first position with space for the samples; *before becomes the path in front of it, as 1 + index, 0 for
-// none.
+// Returns the first gap for the samples; *before becomes the path in front of it, as 1 + index, 0 for none.
 static int find_place(const scree_world* world, int count, int* before)
 {
 	int end = 0;
@@ -48,7 +47,6 @@ static void unlink_path(scree_world* world, int index)
 	*(host->next > 0 ? &world->host_paths[host->next - 1].previous : &world->last_path) = host->previous;
 }
 
-// Updates the position after the samples of all paths.
 static void note_end(scree_world* world)
 {
 	const HostPath* last = world->host_paths + world->last_path - 1;

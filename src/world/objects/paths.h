@@ -11,7 +11,6 @@
 scree_status path_put(scree_world* world, const char* function, const scree_path_def* def, int* index);
 void path_remove(scree_world* world, int index);
 
-// Returns the curve of a path, from its samples.
 static inline PathCurve path_curve_of(const scree_world* world, int index)
 {
 	const HostPath* host = world->host_paths + index;
@@ -21,7 +20,6 @@ static inline PathCurve path_curve_of(const scree_world* world, int index)
 // Returns the point and the tangent at an arc length, which is clamped on an open path and repeats on a closed one.
 scree_pose path_pose_at(const scree_world* world, int index, float along);
 
-// Sends the pending paths, for which the device has the capacity.
 scree_status upload_paths(scree_world* world);
 
 void paths_close(scree_world* world);

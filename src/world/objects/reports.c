@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// reports.c -- collidables that report events: their number, the names of destroyed ones, and the events that the
-// device listed.
+// reports.c -- collidables that report events: their number, names of destroyed ones, and the events of the device.
 //
-// Events identify collidables by their slots. A slot may have been reused since, even twice: after the last step, and
-// before it, if the contacts of the old collidable ended in that step. So a slot stores two names, of the collidables
-// that left it after an even and after an odd number of steps. Collidables that never took part in a step have no
-// events.
+// Events identify collidables by slots, which may have been reused since, even twice: after the last step, and before
+// it, if contacts of the old collidable ended in that step. So a slot stores two names, of the collidables that left it
+// after an even and after an odd number of steps. Collidables that took part in no step have no events.
 #include "world/objects/reports.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
@@ -15,7 +13,6 @@
 #include "world/objects/handles.h"
 #include <string.h>
 
-// Returns the name of the current collidable of a slot.
 static CollidableName name_of(const scree_world* world, int index)
 {
 	return (CollidableName){.collidable = collidable_handle(world, index),

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reports.h -- collidables that report events: their number, the names of destroyed ones, and the events that the
-// device listed.
+// reports.h -- collidables that report events: their number, names of destroyed ones, and the events of the device.
 #ifndef REPORTS_H
 #define REPORTS_H
 #include "world/world.h"
@@ -13,8 +12,6 @@ void reports_depart(scree_world* world, int index);
 
 // Records that a collidable reports these events from now on.
 void reports_note(scree_world* world, uint32_t reports);
-
-// Returns a hash of the approvals that are pending for the next step.
 uint64_t allowed_hash(const scree_world* world);
 
 // Discards the events of the last step, because the next one begins.
@@ -23,8 +20,7 @@ void reports_forget(scree_world* world);
 // Discards the approvals of the previous step, after a step.
 void reports_stepped(scree_world* world);
 
-// Reads the events of the last step, unless they were read already. Changes by the user since then must not have been
-// uploaded.
+// Reads the events of the last step, unless they were read already. Called before later changes are uploaded.
 scree_status reports_fetch(scree_world* world);
 
 // Returns the name of a collidable that took part in the last step; before: or in the one before, but not in the last.

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// sensors.c -- sensors: which collidables are sensors, which collidables visit them, and which visits began and ended
-// in the last step.
+// sensors.c -- sensors: the collidables that visit them, and the visits that began and ended in the last step.
 //
-// The device finds the collidables that overlapped a sensor at some time of the step (src/stages/read/sensor.h). The
-// visits that last are stored in order. A visit that is new among them has begun; one that is missing has ended. So
-// each visit that begins ends once, whatever happens to the two collidables in between.
+// The device finds the overlaps during the step (src/stages/read/sensor.h). Lasting visits are stored in order: a new
+// one has begun, a missing one has ended. So each visit ends once, whatever happens to its two collidables.
 #include "world/objects/sensors.h"
 #include "platform/error.h"
 #include "step/step_queries.h"
@@ -22,7 +20,6 @@ void sensors_note(scree_world* world, uint32_t before, uint32_t after)
 	s->stale = true;
 }
 
-// Lists the collidables that are sensors.
 static scree_status list_sensors(scree_world* world, const char* function)
 {
 	Sensors* s = &world->sensors;
@@ -71,7 +68,6 @@ static void end_visit(Sensors* s, const Visit* visit, float time, bool before)
 	s->ended[s->ended_count++] = ended;
 }
 
-// Begins a visit that the device found and that did not exist before.
 static void begin_visit(Sensors* s, const Visit* visit)
 {
 	s->began[s->began_count++] = *visit;

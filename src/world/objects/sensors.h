@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sensors.h -- sensors: which collidables are sensors, which collidables visit them, and which visits began and ended
-// in the last step.
+// sensors.h -- sensors: the collidables that visit them, and the visits that began and ended in the last step.
 #ifndef SENSORS_H
 #define SENSORS_H
 #include "world/world.h"
@@ -14,8 +13,7 @@ void sensors_forget(scree_world* world);
 // Finds the visits on the device, and which of them began and ended. Called after a step.
 scree_status sensors_update(scree_world* world, const char* function);
 
-// Returns the number of visits to a sensor at the end of the last step; *first becomes the index of the first one in
-// Sensors.visits.
+// Returns the number of visits to a sensor at the end of the last step, from *first on in Sensors.visits.
 int sensors_visits(const scree_world* world, int sensor, int* first);
 void sensors_close(scree_world* world);
 

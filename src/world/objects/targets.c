@@ -36,10 +36,6 @@ void target_drop(scree_world* world, int body)
 	host->target = 0;
 }
 
-// ---------------------------------------------------------------------------------------------------------------
-// the step
-// ---------------------------------------------------------------------------------------------------------------
-
 static bool takes_part(const scree_world* world, const Target* target)
 {
 	return !world->host_bodies[target->body].disabled;

@@ -12,13 +12,10 @@ scree_status targets_reserve(scree_world* world, const char* function, int more)
 
 // Sets the target of a kinematic body: the pose of its origin.
 void target_put(scree_world* world, int body, scree_pose pose);
-
-// Removes the target of a body, if it has one.
 void target_drop(scree_world* world, int body);
 
-// Returns the commands of a step for bodies with targets. Before the step they set the velocity that moves a body to
-// its target; after it they set the exact pose and velocity 0. If the step is refused, velocities become 0 and targets
-// remain. Disabled bodies keep their targets. The commands are in world_scratch.
+// Returns the commands of a step for bodies with targets, in world_scratch: before it, the velocity to the target;
+// after it, the exact pose and velocity 0; if refused, velocity 0, and targets remain. Disabled bodies keep theirs.
 scree_status targets_commands(scree_world* world, StepCommands* commands);
 
 // Removes the targets of enabled bodies after a step.

@@ -17,8 +17,7 @@ scree_vec pose_point(scree_pose pose, scree_vec p)
 	return (scree_vec){pose.position.x + (q.c * p.x - q.s * p.y), pose.position.y + (q.s * p.x + q.c * p.y)};
 }
 
-// Minimum size of a polygon with the full tolerances, as a multiple of WELD_DISTANCE.
-#define WELD_SIZES 20.0
+#define WELD_SIZES 20.0 // minimum size of a polygon with the full tolerances, as a multiple of WELD_DISTANCE
 
 typedef struct // sums over pieces of a shape, about vertex 0, per unit of density
 {
@@ -35,10 +34,9 @@ static void add_piece(Moments* m, double area, double x, double y, double inerti
 	m->inertia += inertia + area * (x * x + y * y);
 }
 
-// Computes the mass properties of all points within the radius of the hull. The pieces are the hull itself, as
-// triangles around vertex 0; a rectangle on each edge; and at each corner the sector between the normals of its edges.
-// The first moment of a sector needs no angle: the integral of (cos, sin) from one normal to the next is their
-// difference, rotated back by a quarter turn.
+// Computes the mass properties of all points within the radius of the hull: of triangles around vertex 0, a rectangle
+// on each edge, and at each corner the sector between the normals of its edges. The first moment of a sector needs no
+// angle: the integral of (cos, sin) between two normals is their difference, rotated back by a quarter turn.
 static void fill_mass(scree_shape* shape)
 {
 	const scree_vec *v = shape->vertices, *n = shape->normals;
@@ -51,8 +49,7 @@ static void fill_mass(scree_shape* shape)
 		double x = (double)v[i].x - v[0].x, y = (double)v[i].y - v[0].y;
 		double nx = (double)v[next].x - v[0].x, ny = (double)v[next].y - v[0].y;
 
-		// the triangle of vertex 0 and this edge; a triangle of edges a, b has the inertia area (a.a + a.b + b.b) / 6
-		// about its first corner
+		// triangle of vertex 0 and this edge; with edges a, b, its inertia about vertex 0 is area (a.a + a.b + b.b) / 6
 		double area = 0.5 * (x * ny - y * nx), tx = (x + nx) / 3.0, ty = (y + ny) / 3.0;
 		double about_corner = area * (x * x + y * y + x * nx + y * ny + nx * nx + ny * ny) / 6.0;
 		add_piece(&m, area, tx, ty, about_corner - area * (tx * tx + ty * ty));

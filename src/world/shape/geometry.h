@@ -17,9 +17,8 @@ typedef struct // the two distances for a polygon of a given size, m
 // WELD_DISTANCE; flat is a tenth of that. The octagon of the smallest size has edges of 0.77 mm.
 Tolerance tolerance_of(const scree_vec* points, int count);
 
-// Checks a shape whose kind, count, radius and vertices are given, and computes everything else; members beyond count
-// become zero. at.argument names the shape. Thresholds are lower than those of scree_shape_make_polygon, so that a
-// shape which has been rotated and moved stays valid.
+// Checks a shape whose kind, count, radius and vertices are given, and computes all else; members beyond count become
+// zero. Thresholds are lower than those of scree_shape_make_polygon, so a shape that was rotated and moved stays valid.
 scree_status shape_finish(ArgumentPlace at, scree_shape* shape);
 
 // Does the same without checks. A clockwise polygon is reversed.

@@ -91,8 +91,7 @@ int hull_corners(const scree_vec* points, int count, int* corners)
 	if (kept_count < 3)
 		return kept_count;
 
-	// the leftmost and the rightmost point are corners; of several leftmost ones the lowest, of several rightmost the
-	// highest
+	// the lowest of several leftmost points is a corner, and the highest of several rightmost ones
 	int left = kept[0], right = kept[0];
 	for (int k = 1; k < kept_count; ++k)
 	{

@@ -6,8 +6,7 @@
 
 #define HULL_POINTS 64 // maximum number of points of scree_shape_make_hull
 
-// Finds the convex hull of 3 to 64 points, counter-clockwise, as indices into points. Returns the number of corners,
-// which is under 3 if the points lie on a line.
+// Finds the hull of 3 to 64 points as indices, counter-clockwise. Returns their number, under 3 for points on a line.
 int hull_corners(const scree_vec* points, int count, int* corners);
 
 #endif

@@ -14,8 +14,7 @@ typedef struct // a sort key, and the row that it belongs to
 	uint32_t index, row;
 } Place;
 
-// Sorts places by index with a radix sort. bits has every bit that is set in some index. other has space for count
-// places.
+// Sorts places by index with a radix sort. bits: every bit that is set in some index. other: space for count places.
 static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 {
 	for (int shift = 0; bits >> shift != 0; shift += DIGIT_BITS)

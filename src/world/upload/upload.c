@@ -51,7 +51,6 @@ static Demand demand_of(const scree_world* world)
 
 static size_t larger(size_t a, size_t b) { return a > b ? a : b; }
 
-// Reserves memory on the device, and on the host in *memory.
 static scree_status reserve(scree_world* world, const Demand* demand, char** memory)
 {
 	TRY(pipeline_reserve(&world->pipeline, PER_ATTRIBUTE, world->attribute_slots.used));

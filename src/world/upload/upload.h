@@ -7,8 +7,7 @@
 // Sends all changes by the user since the last call to the device. Called before anything is read back.
 scree_status world_upload(scree_world* world);
 
-// Does the same before a step, and finds the chains again. Joints that join or leave a chain begin without impulses, so
-// finding chains for a read between two changes would affect the next step.
+// Does the same before a step, and finds the chains again: for a read, this would affect impulses of the next step.
 scree_status world_upload_to_step(scree_world* world);
 
 #endif

@@ -73,8 +73,7 @@ typedef struct // commands grouped by item
 	int collected, count, groups;
 } Groups;
 
-// Adds the commands of a row. A row without later commands is a group at once. Otherwise its commands are collected, to
-// be grouped with the later ones.
+// Adds the commands of a row: at once as a group, or, if there are later commands, collected to be grouped with those.
 static void add_row(Groups* g, const PendingEdits* waiting, int count)
 {
 	if (waiting->group > 0)
@@ -87,8 +86,7 @@ static void add_row(Groups* g, const PendingEdits* waiting, int count)
 	g->count += count;
 }
 
-// Collects the commands of short runs, then the user's. Rows without later commands become groups at once: in worlds
-// that create and destroy many bodies, most rows are such rows.
+// Collects the commands of short runs, then the user's. Rows without later commands are the most common.
 static void collect_commands(scree_world* world, Groups* g)
 {
 	const Edits* p = &world->edits;

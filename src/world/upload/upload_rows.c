@@ -89,7 +89,6 @@ static void collidable_item(const scree_world* world, PoolId pool, int index, vo
 	}
 }
 
-// Returns whether a new item has to be written in a pool.
 static bool is_cleared(int pool, Per per) { return pool_info[pool].per == per && pool_info[pool].role <= STATE; }
 
 scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
