@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_answer_faults.c -- memory that runs out while a program reads events, moved bodies and query results.
+// test_answer_faults.c -- checks that no event, moved body or query result is lost when memory runs out while a program
+// reads them.
 //
-// A run of a world with sensors, reports, rules and a field is run once without a fault, then again and again with one allocation that
-// fails, each time a later one. The call that failed says so and is tried again: then all answers are those of the first run, so no
-// event and no body that moved is lost. The visits of a step are the exception: a world that has no memory for them is broken.
+// The test runs a world with sensors, reports, rules and a field once without a fault, then many times with one failing
+// allocation, a later one each time. The failed call returns an error and is repeated; then all results equal those of
+// the first run. Visits are the exception: a world that has no memory for the visits of a step is broken.
 #include "support/allocations.h"
 #include "support/make_bodies.h"
 #include "tools/common/byte_hash.h"
@@ -24,7 +25,8 @@ typedef struct
 	uint64_t answers; // hash of all answers so far
 } Log;
 
-// Rows of some size, of which the first bytes count: behind them is padding.
+// Adds rows to the hash of all answers. size is the distance between rows, bytes; only the first bytes of a row count,
+// because padding follows them.
 static void log_rows(Log* log, const void* rows, int count, size_t size, size_t bytes)
 {
 	for (int k = 0; k < count; ++k)
@@ -195,7 +197,8 @@ static const Act first[] = {make_world, make_box, make_ball, make_floor, make_se
 static const Act acts[] = {add_group, exclude,   take_step, get_events, answer,      get_moved,
                            list_box,  cast_rays, move,      blast,      destroy_last};
 
-// Runs all acts with one allocation that fails; -1: none. Returns whether one did.
+// Runs all acts. allocations is the number of allocations before the one that fails, -1 for no failure. Returns whether
+// an allocation failed.
 static bool run_once(int allocations, uint64_t* answers, bool* broken)
 {
 	Log log = {.answers = HASH_BEGIN};

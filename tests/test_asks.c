@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_asks.c -- contact approval: approved, refused, not answered; no body slips through while its contact is pending.
+// test_asks.c -- checks contact approval: contacts are approved, refused or not answered, and no body passes another
+// while their contact is pending.
 #include "support/make_bodies.h"
 #include <math.h>
 #include <string.h>
@@ -12,7 +13,7 @@ static scree_body put(scree_world* world, scree_body_type type, float x, float y
 	return create_body(world, &def);
 }
 
-// Takes steps, and gives the same answer for all pending contacts; returns their number.
+// Takes steps and gives the same answer for all pending contacts. Returns their number.
 static int step_answering(scree_world* world, int steps, bool answer)
 {
 	int asked = 0;
@@ -30,8 +31,8 @@ static int step_answering(scree_world* world, int steps, bool answer)
 	return asked;
 }
 
-// A box falls on a floor with contact approval. Approved, it lies there and its touch begins once; refused, it falls through and
-// keeps its speed.
+// A box falls on a floor with contact approval. If the contact is approved, the box lies there and its touch begins
+// once; if it is refused, the box falls through and keeps its speed.
 static void yes_and_no(void** state)
 {
 	(void)state;
@@ -64,7 +65,8 @@ static void yes_and_no(void** state)
 	}
 }
 
-// A missing answer counts as a refusal until the two have parted; then the contact is pending again. An approval lasts as long.
+// A contact without an answer counts as refused until its two bodies have parted; then it is pending again. An approval
+// also lasts until the bodies part.
 static void asked_again(void** state)
 {
 	(void)state;
@@ -89,8 +91,8 @@ static void asked_again(void** state)
 	scree_world_destroy(world);
 }
 
-// At 5 to 400 m/s against what is static, kinematic or dynamic, nothing gets through while it waits; after a yes it is stopped, after a
-// no it goes on as fast as before.
+// A body hits a static, kinematic or dynamic one at 5 to 400 m/s. It does not pass while the contact is pending. After
+// an approval it is stopped; after a refusal it continues at the same speed.
 static void fast(void** state)
 {
 	(void)state;
@@ -128,7 +130,8 @@ static void fast(void** state)
 	}
 }
 
-// A touch that exists when the bit is set lasts until the two part. Without the bit, a refused pair touches again.
+// A touch that exists when the bit is set lasts until the two bodies part. After the bit is cleared, a refused pair
+// touches again.
 static void marked_in_mid_run(void** state)
 {
 	(void)state;
@@ -149,7 +152,8 @@ static void marked_in_mid_run(void** state)
 	scree_world_destroy(world);
 }
 
-// Between the question and the step: bodies are destroyed, made in the same slots, the world is moved, steps of no time.
+// Checks changes while a contact is pending: its body is destroyed and another body takes the slot, the world moves to
+// another device, and a step has a length of 0 s.
 static void between(void** state)
 {
 	(void)state;
@@ -166,7 +170,7 @@ static void between(void** state)
 	scree_body again = put(world, SCREE_BODY_DYNAMIC, 0.0f, 1.005f, 0.0f, -1.0f, 0);
 	assert_int_equal(again.index, box.index);
 	run_steps(world, 1);
-	assert_int_equal(events_of(world).approval_count, 1); // the answer was about the other one
+	assert_int_equal(events_of(world).approval_count, 1); // the approval was for the destroyed body
 	OK(scree_world_approve_contacts(world, yes, 1));
 	OK(scree_world_move(world, "cpu"));
 	run_steps(world, 30);
@@ -184,7 +188,7 @@ static void answer_one(scree_world* world, bool yes)
 	OK(scree_world_approve_contacts(world, &yes, 1));
 }
 
-// Steps of no time between the question and the answer ask again; between the answer and the next step they change nothing about it.
+// A step of 0 s reports a pending contact again until it is answered. After the answer, such a step does not change it.
 static void steps_of_no_time(void** state)
 {
 	(void)state;
@@ -215,7 +219,8 @@ static void steps_of_no_time(void** state)
 	}
 }
 
-// Approvals of a step that fails are lost. They are pending again in the next step, and no body has slipped through.
+// Approvals of a step that fails are lost. The contacts are pending again in the next step, and no body has passed
+// another.
 static void a_step_that_fails(void** state)
 {
 	(void)state;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_attributes.c -- other attributes for collidables, and attributes that go; on the CPU and on OpenCL.
+// test_attributes.c -- checks that collidables can change their attribute and that attributes can be destroyed, on the
+// CPU and on OpenCL.
 #include "support/make_bodies.h"
 #include "world/world.h"
 #include <string.h>
@@ -12,7 +13,7 @@ static scree_attribute surface(scree_world* world, float friction, float density
 	return add_attribute(world, &def);
 }
 
-// A slope of 20 degrees holds a crate of friction 0.6, and not one without: a = g sin 20.
+// A slope of 20 degrees holds a crate with friction 0.6. Without friction the crate slides with a = g sin 20.
 static void surfaces_change_under_contacts(void** state)
 {
 	(void)state;
@@ -35,7 +36,7 @@ static void surfaces_change_under_contacts(void** state)
 	assert_int_equal(counters_of(world).new_contacts, made);
 	assert_int_equal(contacts_with(world, crate), 1);
 
-	// and back: it stops
+	// the old friction stops the crate again
 	OK(scree_collidable_set_attribute(world, collidable_of(world, crate), surface(world, 0.6f, 1.0f)));
 	run_steps(world, 150);
 	NEAR(velocity_of(world, crate).linear.x, 0.0, 1e-2);
@@ -53,7 +54,7 @@ static void shapes_change_and_contacts_start_anew(void** state)
 	scree_mass mass;
 	OK(scree_body_set_mass(world, crate, (scree_mass){7, 1, {0, 0}}));
 
-	// a surface alone leaves the mass that was set
+	// a change of friction alone keeps the mass that the user has set
 	OK(scree_collidable_set_attribute(world, part, surface(world, 0.3f, 1.0f)));
 	mass = mass_of(world, crate);
 	assert_true(mass.mass == 7.0f);
@@ -74,7 +75,7 @@ static void shapes_change_and_contacts_start_anew(void** state)
 	NEAR(pose_of(world, crate).position.y, 0.25, 0.01);
 	assert_int_equal(contacts_of(world), 1);
 
-	// the same again is nothing
+	// setting the same attribute again changes nothing
 	uint64_t before = hash_of(world);
 	OK(scree_collidable_set_attribute(world, part, small));
 	assert_true(hash_of(world) == before);
@@ -91,7 +92,7 @@ static void attributes_are_destroyed(void** state)
 	scree_body_def def = scree_body_def_default();
 	def.attribute = first;
 	scree_body body = create_body(world, &def);
-	OK(scree_attribute_destroy(world, first)); // made twice
+	OK(scree_attribute_destroy(world, first)); // created twice, so still valid
 	assert_int_equal(scree_attribute_destroy(world, first), SCREE_ERROR_INVALID);
 	assert_non_null(
 	    strstr(scree_error(), "scree_attribute_destroy: attribute (index 0) is still used by 1 collidable"));
@@ -103,7 +104,7 @@ static void attributes_are_destroyed(void** state)
 	assert_int_equal(scree_body_create(world, &def, NULL), SCREE_ERROR_STALE);
 	assert_int_equal(counters_of(world).attributes, 1);
 
-	// the slot is used again, also by the same values, and the old handle stays stale
+	// a new attribute, even one with the same values, takes the slot again; the old handle stays stale
 	same = surface(world, 0.1f, 1.0f);
 	assert_int_equal(same.index, first.index);
 	assert_false(scree_attribute_equals(first, same));
@@ -119,7 +120,7 @@ static void attributes_are_destroyed(void** state)
 	scree_world_destroy(world);
 }
 
-// 3,000 shapes, 20 at a time, each with what the one before it in its slot did not have.
+// Creates 3,000 shapes, 20 at a time. Each takes the slot of an earlier shape of another size. The table stays small.
 static void attributes_do_not_pile_up(void** state)
 {
 	(void)state;

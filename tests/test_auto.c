@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_auto.c -- device "auto": when a world moves by the clock, and that its state does not show it.
+// test_auto.c -- checks that the device "auto" moves a world by measured times, and that moves do not change its state.
 #include "support/faulty_device.h"
 #include "support/log_lines.h"
 #include "support/second_device.h"
@@ -15,7 +15,7 @@ static int forget_auto(void** state)
 	return release_log(state) || memory_is_released(state);
 }
 
-// Steps until a trial has begun; returns how many.
+// Takes steps until a trial begins; returns their number.
 static int run_to_trial(scree_world* world)
 {
 	int steps = 0;
@@ -29,7 +29,8 @@ static int run_to_trial(scree_world* world)
 	return steps;
 }
 
-// The CPU, were it as slow as this, would lose; then the other device does.
+// A trial keeps the device with the shorter measured step. Times are set by hand: first the CPU is slower, then the
+// other device.
 static void trial_decides(void** state)
 {
 	(void)state;
@@ -43,7 +44,7 @@ static void trial_decides(void** state)
 	assert_false(world->auto_device.trial);
 	assert_true(was_logged("the world moves to opencl:") && was_logged("ms a step, and 1000000.0000 ms on cpu"));
 
-	// the CPU is tried again when the world has worked for long enough
+	// the CPU is tried again after the world has spent enough time
 	world->auto_device.spent = 1e9;
 	run_steps(world, 1);
 	assert_string_equal(scree_world_get_device(world), "cpu");
@@ -76,7 +77,7 @@ static void world_goes_back(void** state)
 	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(was_logged("the world does not stay on opencl:"));
 
-	// the next one waits for many times what this one cost
+	// the next trial starts after many times the cost of this one
 	assert_true(world->auto_device.cost > 0.0);
 	assert_true(world->auto_device.failures == 1);
 	assert_false(world->auto_device.trial);
@@ -84,7 +85,7 @@ static void world_goes_back(void** state)
 	scree_world_destroy(world);
 }
 
-// A world that gains nothing from a GPU does not open one.
+// No GPU is opened for a world that would gain nothing from it.
 static void small_world_stays(void** state)
 {
 	(void)state;
@@ -116,7 +117,7 @@ static void other_is_missing(void** state)
 	scree_world_destroy(world);
 }
 
-// A device that fails while the world goes there is left alone from then on.
+// A device that fails while the world moves to it is not tried again.
 static void other_falls(void** state)
 {
 	(void)state;
@@ -140,7 +141,7 @@ static void other_falls(void** state)
 	scree_world_destroy(world);
 }
 
-// The user's word ends the choice by the clock, and gives it back.
+// A move by the user ends the automatic choice, and a move to "auto" starts it again.
 static void user_decides(void** state)
 {
 	(void)state;
@@ -161,7 +162,7 @@ static void user_decides(void** state)
 	run_steps(world, 20);
 	assert_string_equal(scree_world_get_device(world), second_device);
 
-	// from there the way back is open as well
+	// a trial of the CPU starts from the second device too
 	OK(scree_world_move(world, "auto"));
 	while (!world->auto_device.trial && steps < 1000)
 	{
@@ -175,7 +176,7 @@ static void user_decides(void** state)
 	scree_world_destroy(world);
 }
 
-// A world may end while a device is being opened for it.
+// A world may be destroyed, or moved by the user, while a device is being opened for it.
 static void opening_is_waited_for(void** state)
 {
 	(void)state;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_bad_collidables.c -- every function of collidables and contacts refuses what it must, says what and where, and changes nothing.
+// test_bad_collidables.c -- checks that every function of collidables and contacts refuses bad arguments with a message
+// that names argument and value, and changes nothing.
 #include "support/bad_input.h"
 #include <math.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_bad_input.c -- every function of worlds, attributes and bodies refuses what it must, says what and where, and changes nothing.
+// test_bad_input.c -- checks that every function of worlds, attributes and bodies refuses bad arguments with a message
+// that names argument and value, and changes nothing.
 #include "support/bad_input.h"
 #include <float.h>
 #include <math.h>
@@ -7,7 +8,7 @@
 
 static const float bad[] = {NAN, INFINITY, -INFINITY};
 
-// members that scree_world_def and scree_tuning have in common
+// members that both scree_world_def and scree_tuning have
 #define BAD_TUNINGS(BAD, name)                                                                               \
 	BAD(contact_hertz = 0.0f, name "contact_hertz is 0, must be from 0.001");                                \
 	BAD(contact_damping_ratio = -1.0f, name "contact_damping_ratio is -1");                                  \
@@ -252,7 +253,7 @@ static void body_functions(void** state)
 	assert_false(scree_body_is_valid(NULL, body));
 }
 
-// name_s(world, bodies, values, count) and name(world, body, value)
+// Checks plural(world, bodies, values, count) and single(world, body, value).
 #define BATCH(plural, single, type, good, wrong, values, value, component)       \
 	do                                                                           \
 	{                                                                            \
@@ -332,7 +333,7 @@ static void batch_functions(void** state)
 	STALE(scree_body_get_velocity, (world, SCREE_NULL_BODY, velocity), "body is null");
 }
 
-// The last of the tests: it makes a body kinematic, of which set_up's world has none.
+// The last of the tests, because it makes a body kinematic: the world of set_up has no kinematic body.
 static void target_functions(void** state)
 {
 	(void)state;
@@ -424,7 +425,7 @@ static void setting_functions(void** state)
 	INVALID(scree_body_set_type, (NULL, body, SCREE_BODY_STATIC), "world is null");
 }
 
-// A rotation that is a little off is taken, and rounding is taken out of it.
+// A rotation that is slightly off unit length is accepted and normalized.
 static void nearly_normal_rotations_are_taken(void** state)
 {
 	(void)state;
@@ -435,7 +436,7 @@ static void nearly_normal_rotations_are_taken(void** state)
 	pose = pose_of(other, made);
 	assert_true(fabsf(pose.rotation.c - 0.8f) < 1e-6f && fabsf(pose.rotation.s - 0.6f) < 1e-6f);
 
-	// and what was read can be set again
+	// a pose that was read can be set again without a change
 	OK(scree_body_set_pose(other, made, pose));
 	scree_pose again = pose_of(other, made);
 	assert_memory_equal(&pose, &again, sizeof pose);

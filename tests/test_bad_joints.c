@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_bad_joints.c -- every function of joints refuses what it must, says what and where, and changes nothing.
+// test_bad_joints.c -- checks that every function of joints refuses bad arguments with a message that names argument
+// and value, and changes nothing.
 #include "support/bad_input.h"
 #include "support/make_joints.h"
 #include <float.h>
@@ -92,7 +93,7 @@ static void definitions(void** state)
 	assert_string_equal(scree_joint_type_name((scree_joint_type)77), "unknown");
 }
 
-// All numbers of a coordinate, in a definition and when it is set.
+// Checks each number of a coordinate, in a definition and in the functions that set it.
 static void coordinates(void** state)
 {
 	(void)state;
@@ -168,7 +169,7 @@ static void places(void** state)
 	assert_memory_equal(&def, &same, sizeof def);
 }
 
-// Members that only gears and pulleys have, in a definition that is created and in one that is measured.
+// Checks the members that only gears and pulleys have, in scree_joint_create and in scree_joint_def_couple.
 static void couplings(void** state)
 {
 	(void)state;
@@ -229,7 +230,8 @@ static void held_coordinates(void** state)
 		}
 }
 
-// A motor where the definition locks; one without speed and force is off, and what is driven may be locked later.
+// A motor on a locked coordinate is refused in a definition, unless its speed and force are 0. Later the motor of a
+// locked coordinate may be set.
 static void locked_motors(void** state)
 {
 	(void)state;
@@ -277,7 +279,7 @@ static void measures(void** state)
 	DEF(body_a = stale, body_a = body, SCREE_ERROR_STALE, "def.body_a (index 4");
 	DEF(body_b = stale, body_b = second, SCREE_ERROR_STALE, "def.body_b (index 4");
 
-	// the end of a definition before there were gears and pulleys
+	// end of the definition in versions without gears and pulleys
 	uint32_t older = (uint32_t)offsetof(scree_joint_def, ratio);
 	char sentence[96];
 	snprintf(sentence, sizeof sentence, "def.size is %u, of a version without gears and pulleys", older);
@@ -285,7 +287,7 @@ static void measures(void** state)
 
 #undef DEF
 
-	// a coordinate of 1,000 km, from bases that need normalizing: they are as they were
+	// a coordinate of 1,000 km is refused, and bases that need normalizing stay unchanged
 	for (int k = 0; k < 2; ++k)
 	{
 		def.sides[k].measure = SCREE_MEASURE_DISTANCE;
@@ -296,7 +298,7 @@ static void measures(void** state)
 	INVALID(scree_joint_def_couple, (world, &def), "def.coordinates[SCREE_ALONG].target is ");
 	assert_memory_equal(&def, &same, sizeof def);
 
-	// members that an older definition lacks are read as 0: its bases have no direction
+	// members that an older definition lacks are read as 0, so its bases have no direction
 	def.size = older;
 	INVALID(scree_joint_create, (world, &def, NULL), "def.sides[0].base.rotation is (0, 0)");
 }
@@ -425,7 +427,7 @@ static void changes(void** state)
 	STALE(scree_joint_set_user, (world, gone, 1), "joint (index 2");
 }
 
-// The functions of definitions and results whose size goes along have the names that users call in their sentences.
+// Messages of functions that also take the size of a struct contain the names that users call.
 static void readings(void** state)
 {
 	(void)state;
@@ -448,7 +450,7 @@ static void readings(void** state)
 	INVALID(scree_world_get_joint_events, (world, events, 2, NULL), "count is null");
 }
 
-// Members behind those of this library are refused if they are set.
+// Members beyond the definition of this version are refused unless they are 0.
 static void unknown_members(void** state)
 {
 	(void)state;

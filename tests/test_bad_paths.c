@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_bad_paths.c -- every function of paths, and of joints on them, refuses what it must, says what and where, and changes nothing.
+// test_bad_paths.c -- checks that every function of paths, and of joints on them, refuses bad arguments with a message
+// that names argument and value, and changes nothing.
 #include "support/bad_input.h"
 #include "support/make_joints.h"
 #include <float.h>
@@ -97,7 +98,7 @@ static void points(void** state)
 	    scree_path_create, (world, &def, &made),
 	    "def.points[3] is 0 m from the first one, must be at least 0.0001: a closed path goes back to it by itself");
 	def.closed = false;
-	OK(scree_path_create(other, &def, &made)); // an open one may end where it began
+	OK(scree_path_create(other, &def, &made)); // an open path may end at its first point
 }
 
 static void functions(void** state)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_bad_queries.c -- every query refuses what it must, says what and where, and changes nothing.
+// test_bad_queries.c -- checks that every query refuses bad arguments with a message that names argument and value, and
+// changes nothing.
 #include "support/bad_input.h"
 #include <float.h>
 #include <math.h>
@@ -136,7 +137,7 @@ static void blasts(void** state)
 #undef DEF
 	def = scree_blast_def_default();
 	def.radius = 1000;
-	def.position = (scree_vec){-3, -2}; // from aslant a box is wider than its sides
+	def.position = (scree_vec){-3, -2}; // in a diagonal direction, across which a box is wider than its sides
 	def.impulse = FLT_MAX;
 	INVALID(scree_world_blast, (world, &def, &count), "def.impulse is 3.4028235e+38: an impulse on collidable");
 }

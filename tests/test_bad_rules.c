@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_bad_rules.c -- bad input to the functions of rules gets a sentence, and changes nothing.
+// test_bad_rules.c -- checks that the functions of rules refuse bad arguments with a message, and change nothing.
 #include "support/bad_input.h"
 #include <math.h>
 

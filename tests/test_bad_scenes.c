@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_bad_scenes.c -- scene files: every kind of bad input with its sentence.
+// test_bad_scenes.c -- checks that each kind of bad input in scene files is refused with its message.
 #include "support/scene_text.h"
 #include <string.h>
 
@@ -18,10 +18,10 @@
 typedef struct
 {
 	const char* text;
-	const char* sentence; // part of the error
+	const char* sentence; // expected part of the message
 } BadScene;
 
-// Each scene is refused with its sentence, which begins with the name of the file.
+// Checks that each scene is refused with its message, which begins with the name of the file.
 static void assert_refused(const BadScene* cases, size_t count)
 {
 	for (size_t k = 0; k < count; ++k)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_blasts.c -- explosions push the right bodies by the right impulses at the right points, the same on all devices.
+// test_blasts.c -- checks that explosions push the right bodies with the right impulses at the right points, equally on
+// all devices.
 #include "support/make_bodies.h"
 #include "support/scenarios.h"
 #include <math.h>
@@ -18,7 +19,8 @@ static int blast(scree_world* world, float x, float y, float radius, float fallo
 	return count;
 }
 
-// A crate of 2 m by 1 m and 2 kg gets the impulse times the width that it turns to the blast, at the nearest point.
+// A crate of 2 m by 1 m and 2 kg gets the impulse of the blast times its width across the direction to the blast. The
+// impulse acts at the point nearest to the blast.
 static void impulses_follow_the_width(void** state)
 {
 	(void)state;
@@ -30,14 +32,14 @@ static void impulses_follow_the_width(void** state)
 	NEAR(v.linear.y, 4.0 * 2.0 / 2.0, 1e-5);
 	NEAR(v.angular, 0.0, 1e-6);
 
-	// from the side, off its middle: it turns
+	// a blast from the side, 0.3 m off center, also rotates the crate
 	throw_body(world, wide, 0.0f, 0.0f, 0.0f);
 	assert_int_equal(blast(world, 3.0f, 3.3f, 5.0f, 0.0f, 4.0f), 1);
 	v = velocity_of(world, wide);
 	NEAR(v.linear.x, -4.0 * 1.0 / 2.0, 1e-5);
 	NEAR(v.angular, 0.3 * 4.0 * 1.0 / (2.0 * (4.0 + 1.0) / 12.0), 1e-4);
 
-	// half of it in the middle of the falloff, nothing beyond; an implosion pulls
+	// half of the impulse at half of the falloff, none beyond it; a negative impulse pulls
 	throw_body(world, wide, 0.0f, 0.0f, 0.0f);
 	assert_int_equal(blast(world, 0.0f, 0.0f, 1.5f, 2.0f, -4.0f), 1);
 	NEAR(velocity_of(world, wide).linear.y, -2.0, 1e-5);
@@ -45,7 +47,8 @@ static void impulses_follow_the_width(void** state)
 	assert_int_equal(blast(world, 0.0f, 0.0f, 1.0f, 1.0f, 4.0f), 0);
 	NEAR(velocity_of(world, wide).linear.y, 0.0, 1e-6);
 
-	// inside of it: away from the position, through its centroid; and at it: somewhere, but finite
+	// a position inside the crate pushes it from there through its centroid; a position at the centroid pushes in any
+	// direction, but the velocity is finite
 	assert_int_equal(blast(world, 0.0f, 2.9f, 1.0f, 1.0f, 4.0f), 1);
 	NEAR(velocity_of(world, wide).linear.y, 4.0, 1e-5);
 	assert_int_equal(blast(world, 0.0f, 3.0f, 1.0f, 1.0f, 4.0f), 1);
@@ -75,7 +78,7 @@ static void who_is_pushed(void** state)
 	scree_world_destroy(world);
 }
 
-// A heap that is blown up again and again, far away too.
+// Blows up a heap several times, 70 km from the origin. Returns the hash.
 static uint64_t blown_heap(const Variant* variant)
 {
 	scree_world* world = open_default_variant(variant);
@@ -105,7 +108,8 @@ static void all_devices_agree(void** state)
 	check_equal(blown_heap);
 }
 
-// A series of explosions goes through the list that a query returned. The list stays valid, although each explosion runs a query.
+// Several explosions use positions from the list of a query. The list stays valid, although each explosion runs a
+// query.
 static void lists_stay(void** state)
 {
 	(void)state;
@@ -125,7 +129,7 @@ static void lists_stay(void** state)
 	scree_world_destroy(world);
 }
 
-// Bodies that flew out of the world are not pushed; their neighbors are.
+// Bodies that have left the world are not pushed; their neighbors inside are.
 static void beyond_the_world(void** state)
 {
 	(void)state;

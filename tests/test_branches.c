@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_branches.c -- light bodies that carry heavy ones by joints: wheels, torsos, trees of them, ropes that meet; and joint_gap.
+// test_branches.c -- checks that light bodies carry heavy ones by joints, as wheels, torsos, trees and ropes that meet;
+// and the counter joint_gap.
 #include "support/make_joints.h"
 #include <math.h>
 
@@ -15,7 +16,7 @@ static scree_world* open_rig(double gravity)
 	return open_world((float)-gravity);
 }
 
-// Bodies of a rig do not touch each other.
+// Adds a body to a rig. Bodies of a rig do not touch each other.
 static scree_body put(scree_world* world, scree_shape shape, float density, double x, double y, double angle)
 {
 	scree_attribute_def surface = surface_of(shape);
@@ -28,7 +29,7 @@ static scree_body put(scree_world* world, scree_shape shape, float density, doub
 	return parts[part_count++];
 }
 
-// Joins bodies at a point. rubs: N m, the friction of a hinge, 0 for none.
+// Joins two bodies at a point. rubs: friction of a hinge, N m; 0 for none.
 static void link_at(scree_world* world, scree_joint_type type, scree_body a, scree_body b, double x, double y,
                     double rubs)
 {
@@ -38,7 +39,7 @@ static void link_at(scree_world* world, scree_joint_type type, scree_body a, scr
 	joints[joint_count++] = add_joint(world, &def);
 }
 
-// The largest gap of all joints, m, and the speed of the fastest turn, rad/s.
+// Returns the largest gap of all joints, m; *spin gets the largest angular speed, rad/s.
 static double gap_now(scree_world* world, double* spin)
 {
 	double gap = 0.0;
@@ -53,7 +54,8 @@ static double gap_now(scree_world* world, double* spin)
 	return gap;
 }
 
-// After 5 s; the gap is the widest of all steps, which joint_gap reports one step later.
+// Runs the world for 5 s and returns the widest gap of all steps. Checks that joint_gap reports the gap of each step
+// one step later.
 static double watch(scree_world* world, double* spin)
 {
 	double widest = 0.0, last = 0.0;
@@ -68,7 +70,7 @@ static double watch(scree_world* world, double* spin)
 	return widest;
 }
 
-// Adds a hub of a radius with count rows of boxes of 1 m; each row has length boxes.
+// Adds a round hub with count arms; each arm is a row of length boxes of 1 m.
 static scree_body add_arms(scree_world* world, scree_joint_type type, int count, int length, double radius,
                            float density, double x, double y, double rubs)
 {
@@ -89,7 +91,8 @@ static scree_body add_arms(scree_world* world, scree_joint_type type, int count,
 	return hub;
 }
 
-// Inertia of count arms of length parts about the middle, kg m^2: a box of 1 x 0.1 m and 0.1 kg has 0.1 (1 + 0.01) / 12.
+// Inertia of count arms with length parts about the center of the hub, kg m^2. A part, a box of 1 m x 0.1 m and 0.1 kg,
+// has 0.1 (1 + 0.01) / 12 about its own center.
 static double arms_inertia(int count, int length, double radius)
 {
 	double sum = 0.0;
@@ -98,13 +101,13 @@ static double arms_inertia(int count, int length, double radius)
 	return count * sum;
 }
 
-// A density with which the hub has the ratio-th part of the inertia of its arms; its own is density pi r^4 / 2.
+// Density at which the inertia of the hub, density pi r^4 / 2, is that of its arms divided by ratio.
 static float density_of(int count, int length, double radius, double ratio)
 {
 	return (float)(arms_inertia(count, length, radius) / ratio / (0.5 * PI * pow(radius, 4.0)));
 }
 
-// Welded arms on a hub with an axle stay as they are; hinged ones hang and swing, and hold.
+// Welded arms on a hub with an axle stay at rest. Hinged arms hang and swing. No joint opens by 5 mm.
 static void wheels_rest(void** state)
 {
 	(void)state;
@@ -127,7 +130,8 @@ static void wheels_rest(void** state)
 			}
 }
 
-// Eight arms of several parts on a small torso, in free flight and on an axle; also with friction in all hinges.
+// Eight arms of one to three parts on a small torso hold, in free flight and on an axle, also with friction in all
+// hinges.
 static void torsos_hold(void** state)
 {
 	(void)state;
@@ -149,7 +153,8 @@ static void torsos_hold(void** state)
 	}
 }
 
-// Wheels whose light hubs are welded to each other, between two axles; a ring of spokes with a rim, which is no tree.
+// Wheels with light hubs are welded to each other between two axles. Then spokes and a rim form a ring, which is not a
+// tree.
 static void hubs_beside_each_other(void** state)
 {
 	(void)state;
@@ -184,7 +189,7 @@ static void hubs_beside_each_other(void** state)
 	scree_world_destroy(world);
 }
 
-// Ropes of 10 links with loads of 100 links hang on one light ring.
+// Ropes of 10 links hang on one light ring; each carries a load with the mass of 100 links.
 static void ropes_meet(void** state)
 {
 	(void)state;
@@ -210,7 +215,7 @@ static void ropes_meet(void** state)
 	scree_world_destroy(world);
 }
 
-// A wheel that flies and turns freely keeps its momentum, its angular momentum and its energy.
+// A wheel in free flight keeps its momentum, angular momentum and energy.
 static void wheels_keep_momentum(void** state)
 {
 	(void)state;
@@ -236,7 +241,8 @@ static void wheels_keep_momentum(void** state)
 	}
 }
 
-// Arms break off, are joined again, rest and become kinematic: what remains holds.
+// Arms break off, are disabled and enabled, and become kinematic and dynamic; then the hub is destroyed. All states
+// stay finite.
 static void wheels_change(void** state)
 {
 	(void)state;
@@ -260,7 +266,8 @@ static void wheels_change(void** state)
 	scree_world_destroy(world);
 }
 
-// joint_gap is the gap of rigid locks at the start of the step: of a translation, of a rod, not of a soft lock or of one that broke.
+// joint_gap is the gap of rigid locks at the start of the step, for a translation or a rod. Soft locks and broken
+// joints do not count.
 static void counters_report_gaps(void** state)
 {
 	(void)state;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_broad_phase.c -- after every step, the contacts alive are exactly the pairs that a look at all pairs finds.
+// test_broad_phase.c -- checks that after every step the contacts are exactly the pairs found by a comparison of all
+// pairs.
 //
-// The formula: {pairs of the contact pool} = {a < b alive : enlarged boxes overlap, filters agree, kinds meet, not of
-// one body}. Boxes are read from the device; lifetime, filter, kind and body come from the public interface. Each box
-// also contains the whole shape at the pose that transform computed.
+// Formula: {pairs of the contact pool} = {a < b alive: enlarged boxes overlap, filters agree, kinds can touch, not on
+// one body}. Boxes are read from the device; lifetime, filter, kind and body come from the public interface. The test
+// also checks that each box contains the whole shape at the pose that transform computed.
 #include "support/different_pools.h"
 #include "support/make_bodies.h"
 #include "support/variants.h"
@@ -13,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct // the user's view of one collidable
+typedef struct // state of one collidable, from the public interface
 {
 	bool alive, has_body, moves, fixed; // moves: dynamic; fixed: static
 	scree_body body;
@@ -26,7 +27,7 @@ typedef struct
 	const char* name;
 	void (*build)(scree_world* world, uint64_t* seed);
 	scree_vec center, half; // area in which changes place bodies, m
-	int steps, changes;     // changes of the user before each step
+	int steps, changes;     // changes: number of changes before each step
 } Layout;
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -42,7 +43,7 @@ static bool filters_agree(scree_filter a, scree_filter b)
 	return (a.category & b.mask) && (b.category & a.mask);
 }
 
-// A pair of which nothing moves by itself is of no use, unless one was made for detection.
+// Two collidables can be a pair only if one of them is dynamic, or has no body and thus only reports overlaps.
 static bool is_pair(const Item* a, const Item* b)
 {
 	bool same_body = a->has_body && b->has_body && a->body.index == b->body.index;
@@ -50,7 +51,7 @@ static bool is_pair(const Item* a, const Item* b)
 	return a->alive && b->alive && !same_body && meet && overlap(a->box, b->box) && filters_agree(a->filter, b->filter);
 }
 
-// A corner of the shape and what is within its radius, in doubles.
+// Checks in double precision that the box contains each corner of the shape with its radius.
 static void check_box(scree_world* world, const Item* item, const WorldShape* placed, int index)
 {
 	scree_attribute attribute;
@@ -128,7 +129,7 @@ static int check_pairs(scree_world* world, const char* name, int step)
 	for (int k = 0; k < slots; ++k)
 		if (pairs[k].x >= 0)
 		{
-			// the first of a pair is what moves, or the smaller
+			// a pair begins with its dynamic collidable, or with the smaller index; a key begins with the smaller index
 			int a = pairs[k].x < pairs[k].y ? pairs[k].x : pairs[k].y, b = pairs[k].x ^ pairs[k].y ^ a;
 			have[found++] = (uint64_t)a << 32 | (uint64_t)b;
 		}
@@ -216,7 +217,7 @@ static scree_filter any_filter(uint64_t* seed)
 	                      .group = random_below(seed, 2) ? 0 : random_below(seed, 5) - 2};
 }
 
-// everything near everything, so that filters alone decide
+// all collidables are close together, so that only filters decide
 static void build_filters(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 80; ++k)
@@ -237,7 +238,7 @@ static void build_huge(scree_world* world, uint64_t* seed)
 		    random_between(seed, -70.0f, 70.0f));
 }
 
-// bodies whose traversals are so long that they are divided, among each other and across both trees
+// bodies with traversals so long that they are divided, among each other and across both trees
 static void build_huges(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 6; ++k)
@@ -263,7 +264,7 @@ static void build_ring(scree_world* world, uint64_t* seed)
 	}
 }
 
-// places at which floats have a spacing of 8 mm
+// places at which floats are 8 mm apart
 static void build_far(scree_world* world, uint64_t* seed)
 {
 	put(world, seed, SCREE_BODY_STATIC, box_shape(30.0f, 1.0f), 90000.0f, -90001.0f);
@@ -291,7 +292,7 @@ static void build_statics(scree_world* world, uint64_t* seed)
 		    random_between(seed, -25.0f, 25.0f));
 }
 
-// bodies of several collidables, none of which may meet one of its own body
+// bodies of several collidables, which must not make pairs within one body
 static void build_compound(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 60; ++k)
@@ -311,7 +312,7 @@ static void build_compound(scree_world* world, uint64_t* seed)
 	}
 }
 
-// large kinematic bodies among few others: their traversals skip kinematic collidables, until those change their type
+// large kinematic bodies among a few others; their traversals skip kinematic collidables until these change their type
 static void build_kinematic(scree_world* world, uint64_t* seed)
 {
 	scree_collidable_def def = scree_collidable_def_default();
@@ -376,7 +377,7 @@ static void change_body(scree_world* world, const Layout* layout, scree_body bod
 	OK(scree_body_get_collidables(world, body, parts, 64, &count));
 	switch (random_below(seed, 10))
 	{
-	case 0: // its slot is taken again, where it was
+	case 0: // another body takes the slot, at the same place
 		back = pose_of(world, body);
 		OK(scree_body_destroy(world, body));
 		put(world, seed, type, any_shape(seed), back.position.x, back.position.y);
@@ -387,7 +388,7 @@ static void change_body(scree_world* world, const Layout* layout, scree_body bod
 	case 2:
 		OK(scree_body_set_pose(world, body, pose));
 		break;
-	case 3: // there and back
+	case 3: // away and back
 		back = pose_of(world, body);
 		OK(scree_body_set_pose(world, body, pose));
 		OK(scree_body_set_pose(world, body, back));
@@ -456,13 +457,13 @@ static void change(scree_world* world, const Layout* layout, uint64_t* seed)
 		else
 			change_body(world, layout, bodies[random_below(seed, count)], seed);
 
-		// reading sends what was changed so far, so that changes travel in one batch and in several
+		// a read uploads all changes so far, so that a step has one upload or several
 		if (random_below(seed, 6) == 0)
 			hash_of(world);
 	}
 }
 
-// Changes of hundreds at once: a burst of new bodies, which is gone again later.
+// Creates 300 bodies in one step, and destroys almost all bodies in a later one.
 static void burst(scree_world* world, const Layout* layout, int step, uint64_t* seed)
 {
 	scree_body bodies[4096];
@@ -507,7 +508,7 @@ static void run_layout(const Layout* layout, const Variant* variant)
 	int steps = quick() ? layout->steps / 2 : layout->steps, most = 0, traversals = 0;
 	for (int step = 0; step < steps; ++step)
 	{
-		// a quiet beginning, so that what the layout itself does is seen
+		// no changes in the first steps, so that faults of the layout alone appear
 		if (step >= 4)
 			change(world, layout, &seed);
 		burst(world, layout, step, &seed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_cache.c -- compiled OpenCL programs on disk: what was written is read, what is damaged is not.
+// test_cache.c -- checks that compiled OpenCL programs are read back from disk, and that damaged files are not.
 #include "opencl/cache.h"
 #include "opencl/compile.h"
 #include "opencl/device.h"
@@ -21,7 +21,7 @@ static void path_of(Digest key, char path[512])
 	         (unsigned long long)key.b);
 }
 
-// Changes the byte at a place of a file; a place beyond its end makes it longer.
+// Changes the byte at a place of a file; a place at its end makes the file longer.
 static void damage(const char* path, long place)
 {
 	FILE* file = fopen(path, "r+b");
@@ -48,8 +48,8 @@ static void check_read(Digest key, const char* expected)
 	scree_release(bytes);
 }
 
-// A file of 48 bytes and the content: magic, key, digest of the content, length. Any changed byte makes it count as
-// missing, and so does one byte more or less.
+// A file has 48 bytes (magic, key, digest of the content, length) and the content. It counts as missing if any byte is
+// changed, added or removed.
 static void damaged_files_are_not_read(void** state)
 {
 	(void)state;
@@ -99,7 +99,7 @@ static int built(const Device* device, cl_context context, const char* text, con
 	return 1;
 }
 
-// A program is taken from its file, and built again when the file is damaged or holds no program.
+// A program is loaded from its file. It is built again if the file is damaged or contains no program.
 static void programs_are_kept(void** state)
 {
 	(void)state;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_chain_trials.c -- chains under what a stranger would try: dragged over corners, pulled apart, steps of other lengths, edits.
+// test_chain_trials.c -- checks chains that are dragged over corners, pulled apart, stepped with alternating lengths of
+// steps, and edited.
 #include "platform/processor.h"
 #include "support/make_joints.h"
 #include "tools/common/median.h"
@@ -14,7 +15,8 @@ enum
 static scree_body links[MOST];
 static scree_joint joints[MOST];
 
-// A chain of capsules of 1.4 m and a radius of 0.1 m to the left of x, whose first joint is with a body or the world.
+// Adds a chain of capsules, each 1.4 m long with a radius of 0.1 m, to the left of x. Its first joint is to the body
+// first, or to the world.
 static void add_chain(scree_world* world, scree_body first, int count, float x, float y)
 {
 	scree_shape shape = capsule_shape(0.7f, 0.1f);
@@ -26,7 +28,7 @@ static void add_chain(scree_world* world, scree_body first, int count, float x, 
 	}
 }
 
-// The largest gap of the chain's joints, m, and the speed of its fastest link, m/s.
+// Returns the largest gap of the joints, m; *speed gets the speed of the fastest link, m/s.
 static double worst(scree_world* world, int count, double* speed)
 {
 	double gap = 0.0;
@@ -41,8 +43,8 @@ static double worst(scree_world* world, int count, double* speed)
 	return gap;
 }
 
-// Drags a chain over the corner of a static box by a body that moves steadily, for 10 s. Returns the largest gap, m; fastest gets the
-// speed of the fastest link, m/s.
+// Drags a chain over the corner of a static box for 10 s, by a body of constant velocity. Returns the largest gap, m;
+// *fastest gets the speed of the fastest link, m/s.
 static double dragged(int count, float drag, double* fastest)
 {
 	scree_world* world = open_world((float)-G);
@@ -65,9 +67,11 @@ static double dragged(int count, float drag, double* fastest)
 	return most;
 }
 
-#define DRAGS 9 // speeds near each other: the whip of a long chain differs by a factor of ten between them
+// Number of drags, at speeds 1 % apart: the whip of a long chain differs between them by a factor of ten.
+#define DRAGS 9
 
-// Continuous collision lets links slide on. Box2D: gaps up to 0.2 m, of 40 links 12 m, and 405 m/s.
+// Links slide over the corner, and continuous collision does not stop them there. Box2D has gaps up to 0.2 m, up to 12
+// m with 40 links, and speeds up to 405 m/s.
 static void chains_slide_over_corners(void** state)
 {
 	(void)state;
@@ -83,7 +87,7 @@ static void chains_slide_over_corners(void** state)
 			gaps[m] = dragged(count, speeds[k % 3] * (0.96f + 0.01f * (float)m), &speed);
 			fastest = fmax(fastest, speed);
 		}
-		double median = upper_median_of(gaps, DRAGS), most = gaps[DRAGS - 1]; // sorted now
+		double median = upper_median_of(gaps, DRAGS), most = gaps[DRAGS - 1]; // upper_median_of has sorted gaps
 		print_message(
 		    "chain of %d links over a corner at %g m/s: median of the gaps %.3f m, widest %.3f m, fastest %.0f m/s\n",
 		    count, (double)speeds[k % 3], median, most, fastest);
@@ -91,7 +95,7 @@ static void chains_slide_over_corners(void** state)
 	}
 }
 
-// The end of a chain is moved by half a metre, and by two, at once: the chain comes after it without a blow.
+// The end of a chain is moved by 0.5 m or 2 m within one step. The chain follows without a high speed.
 static void ends_are_moved_at_once(void** state)
 {
 	(void)state;
@@ -124,8 +128,8 @@ static void ends_are_moved_at_once(void** state)
 	}
 }
 
-// A rope with a load of 100 times a link at rest stays at rest when steps get longer and shorter: stored impulses are those of the
-// last step's length.
+// A rope with a load of 100 times the mass of a link stays at rest when lengths of steps alternate, although stored
+// impulses belong to the length of the last step.
 static void steps_of_other_lengths(void** state)
 {
 	(void)state;
@@ -150,12 +154,12 @@ static void steps_of_other_lengths(void** state)
 		}
 		print_message("steps of %.4f and %.4f s in turn: fastest %.4f m/s\n", (double)lengths[k][0],
 		              (double)lengths[k][1], fastest);
-		assert_true(fastest < (k == 1 ? 4.0 : 0.2)); // before, up to 240 m/s
+		assert_true(fastest < (k == 1 ? 4.0 : 0.2)); // 240 m/s in an earlier version
 		scree_world_destroy(world);
 	}
 }
 
-// The hash after each of some edits of a chain, before and after a step.
+// Writes the hash after each of several edits of a chain, with and without steps between them.
 static void edit(int lanes, uint64_t hashes[9])
 {
 	scree_world_def def = scree_world_def_default();
@@ -186,7 +190,8 @@ static void edit(int lanes, uint64_t hashes[9])
 	scree_world_destroy(world);
 }
 
-// The place of a chain in memory depends on the lanes. The hash does not, not even between an edit and the next step.
+// The memory layout of a chain depends on the number of lanes. The hash does not, not even between an edit and the next
+// step.
 static void edits_have_one_hash(void** state)
 {
 	(void)state;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_characters.c -- characters of scenes: by keys, by a script, what they take, and the whole scene platformer.
+// test_characters.c -- checks characters of scenes: control by keys and by a script, the coins that they take, and the
+// scene platformer.
 #include "scene/scene_keys.h"
 #include "support/make_bodies.h"
 #include "support/scene_text.h"
@@ -66,7 +67,7 @@ static void keys_move_it(void** state)
 	NEAR(at.y, 0.61, 1e-3);
 	at = after(&t, 60, KEY_BIT(right));
 	NEAR(at.x, 4.0, 0.3);
-	assert_int_equal(t.walkers.taken, 2); // at 2 m and at 4
+	assert_int_equal(t.walkers.taken, 2); // coins at 2 m and 4 m
 	at = after(&t, 60, KEY_BIT(right));
 	NEAR(at.x, 8.0, 0.3);
 	assert_int_equal(t.walkers.taken, 3);
@@ -74,7 +75,7 @@ static void keys_move_it(void** state)
 	NEAR(at.x, 0.4, 0.4);
 	assert_int_equal(t.walkers.taken, 3);
 
-	// a key that stays down jumps once
+	// a key that stays down makes one jump
 	float highest = 0.0f;
 	for (int k = 0; k < 60; ++k)
 		highest = fmaxf(highest, after(&t, 1, KEY_BIT(up)).y);
@@ -91,7 +92,7 @@ static void scripts_hold_keys(void** state)
 	NEAR(after(&t, 120, 0).x, 4.0, 0.4);
 	close_town(&t);
 
-	// until the user holds one
+	// the script ends when the user presses a key
 	t = open_town(TOWN(", \"script\": [{\"step\": 10, \"hold\": [\"right\"]}]"));
 	after(&t, 10, KEY_BIT(left));
 	scree_vec at = after(&t, 60, 0);
@@ -104,7 +105,7 @@ static void belts_carry(void** state)
 {
 	(void)state;
 	Town t = open_town(TOWN(""));
-	OK(scree_body_set_enabled(t.world, t.walkers.bodies[4], false)); // the floor; the belt comes to its place
+	OK(scree_body_set_enabled(t.world, t.walkers.bodies[4], false)); // the floor; the belt takes its place
 	OK(scree_body_set_pose(t.world, t.walkers.bodies[5], (scree_pose){{0.0f, -1.0f}, {1.0f, 0.0f}}));
 	after(&t, 30, 0);
 	scree_vec from = after(&t, 1, 0), to = after(&t, 60, 0);

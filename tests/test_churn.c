@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_churn.c -- worlds whose bodies are placed elsewhere, destroyed and created again, or placed at one point.
+// test_churn.c -- checks worlds whose bodies jump, are destroyed and created again, or lie at one point.
 //
 // Times are too noisy to test. The test checks their causes instead: the width of the nodes of the trees, the number of
 // contacts, and the memory that is reserved for them.
@@ -50,11 +50,12 @@ static scree_pose at(scree_vec place) { return (scree_pose){place, {1.0f, 0.0f}}
 // trees
 // ---------------------------------------------------------------------------------------------------------------
 
-// Mean number of nodes of level 1 that a small box in the field overlaps: the sum of their areas divided by that of the field.
+// Mean number of nodes of level 1 that a small box in the field overlaps: the sum of their areas divided by that of the
+// field.
 static double nodes_met(scree_world* world)
 {
 	const Tree* tree = &world->pipeline.trees[0].tree;
-	// boxes lie eight at a time; those beyond the last are empty
+	// boxes are stored in groups of eight; boxes beyond the last node are empty
 	int count = (tree->count[1] + ARITY - 1) / ARITY * ARITY;
 	Float4* boxes = calloc((size_t)count, sizeof *boxes);
 	OK(world->backend->f->read(world->backend, POOL_node_box, tree->begin[1], count, boxes));
@@ -71,11 +72,11 @@ static double nodes_met(scree_world* world)
 
 typedef struct
 {
-	int moved, replaced; // before every step
-	bool shuffled;       // made in random order
+	int moved, replaced; // number of bodies before each step
+	bool shuffled;       // bodies created in random order
 } Mix;
 
-// The field, churned for some steps. Returns the most nodes that were met after any step.
+// Churns the field for 12 steps. Returns the largest number of nodes that a small box overlapped after a step.
 static double churned(const Variant* variant, Mix mix)
 {
 	scree_world* world = open_with_limits(variant, 0, 0);
@@ -122,7 +123,7 @@ static double churned(const Variant* variant, Mix mix)
 	return most;
 }
 
-// Nodes of leaves in rows meet a place about twice; a node that spans the field would meet every place alone.
+// If nodes hold leaves in rows, a place lies in about two nodes. A node that spans the field would contain every place.
 static void check_order(const Variant* variant)
 {
 	static const Mix mixes[] = {{0, 0, false},  {0, 0, true},    {200, 0, false},
@@ -132,7 +133,8 @@ static void check_order(const Variant* variant)
 		double met = churned(variant, mixes[k]);
 		print_message("%s: %d moved, %d replaced%s: a place meets %.1f nodes\n", variant->name, mixes[k].moved,
 		              mixes[k].replaced, mixes[k].shuffled ? ", shuffled" : "", met);
-		// leaves that stay unsorted cost less than sorting them; with none sorted there would be some 150 nodes
+		// some leaves stay unsorted, because that costs less than sorting; without any sorting there would be about 150
+		// nodes
 		assert_true(met < 45.0);
 	}
 }
@@ -149,8 +151,9 @@ static void jumps_do_not_widen_nodes(void** state)
 
 #define CROWD 300
 
-// Boxes at one point make CROWD * (CROWD - 1) / 2 pairs. With one less allowed the step fails, changes nothing, and says
-// where they are; moved apart, the world goes on as one that never was crowded.
+// CROWD boxes at one point make CROWD * (CROWD - 1) / 2 pairs. With a contact limit one below that, the step fails,
+// changes nothing, and reports the place. After the boxes have moved apart, the world continues like one that was never
+// crowded.
 static void check_crowd(const Variant* variant)
 {
 	const int pairs = CROWD * (CROWD - 1) / 2;
@@ -206,7 +209,7 @@ static void crowds_are_refused(void** state)
 	for_every_device(check_crowd);
 }
 
-// The limit that nobody set: 2 million, so that 2,001 boxes in one place are too many.
+// The default contact limit is 2 million, so 2,001 boxes at one place are too many.
 static void default_limit(void** state)
 {
 	(void)state;
@@ -220,11 +223,11 @@ static void default_limit(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// room that is given back
+// memory that is released
 // ---------------------------------------------------------------------------------------------------------------
 
-#define HEAP  130 // in one place: 8,385 pairs
-#define CALM  700 // steps, more than room stays idle
+#define HEAP  130 // boxes at one place: 8,385 pairs
+#define CALM  700 // number of steps, more than unused memory is kept
 #define AMPLE 60000
 
 static void build_row(scree_world* world, const void* context)
@@ -235,7 +238,8 @@ static void build_row(scree_world* world, const void* context)
 		add_crate(world, SCREE_BODY_DYNAMIC, -50.0f + 1.1f * (float)k, 0.5f);
 }
 
-// A heap comes, and is gone; meanwhile boxes fall onto the row, so that contacts in high slots outlive the heap.
+// Adds a heap, which is destroyed 10 steps later. Meanwhile boxes fall onto the row, so that contacts in high slots
+// outlive the heap.
 static void heap_comes(scree_world* world, int step, const void* context)
 {
 	(void)context;
@@ -258,8 +262,8 @@ static Scenario heap_scenario(int contacts)
 	return scenario;
 }
 
-// The same bits with pools that grow and shrink as with pools that have room for all from the start; then the room for
-// 8,000 contacts is gone again, and the slots that they had.
+// Pools that grow and shrink give the same bits as pools with enough room from the start. At the end the memory and the
+// slots of the 8,000 contacts of the heap are released.
 static void check_room(const Variant* variant)
 {
 	uint64_t* hashes[2] = {calloc(CALM, sizeof(uint64_t)), calloc(CALM, sizeof(uint64_t))};
@@ -283,7 +287,7 @@ static void room_is_given_back(void** state)
 	for_every_device(check_room);
 }
 
-// The memory of all pools, summed pool by pool.
+// Returns the sum of the memory of all pools, bytes.
 static uint64_t bytes_of(const Backend* b)
 {
 	uint64_t bytes = 0;

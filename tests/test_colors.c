@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// test_colors.c -- the stages that color contacts, lay them out, and split bodies between hubs, against answers worked out by
-// the plainest way.
+// test_colors.c -- checks the stages that color contacts, lay them out, and split bodies between hubs, against simple
+// sequential solutions.
 #include "support/each_backend.h"
 #include "tools/common/random_numbers.h"
 #include <stdlib.h>
 #include <string.h>
 
-// for the priorities of contacts
+// needed for the priorities of contacts
 #include "support/stage_items.h"
 
 #include "stages/color/color.h"
 
-#define KEY_BITS 13 // bits of a color, or of a hub among MOST_BODIES
+#define KEY_BITS 13 // bits for a color, or for a hub among MOST_BODIES
 
 // ---------------------------------------------------------------------------------------------------------------
 // colors
@@ -21,11 +21,11 @@ typedef struct
 {
 	int bodies, contacts;
 	bool moves[MOST_BODIES];
-	int kind[MOST_BODIES]; // kinds of the bodies that cannot move
+	int kind[MOST_BODIES]; // kinds of bodies, used only for those that cannot move
 	Word64 mask[MOST_BODIES];
 	int touching[MOST_BODIES];
 	Int2 ends[MOST_ITEMS];
-	int color[MOST_ITEMS]; // COLOR_NONE before its turn
+	int color[MOST_ITEMS]; // COLOR_NONE until the contact is colored
 	int began[MOST_ITEMS];
 	int began_count;
 } Graph;
@@ -36,16 +36,16 @@ static int by_falling_priority(const void* a, const void* b)
 	return (x < y) - (x > y);
 }
 
-// whether an end of a contact can move and has more contacts than there may be
+// Returns whether an end of a contact can move and has more than HUB_CONTACTS contacts.
 static bool is_spoke(const Graph* g, Int2 ends)
 {
 	return (g->moves[ends.x] && g->touching[ends.x] > HUB_CONTACTS) ||
 	       (g->moves[ends.y] && g->touching[ends.y] > HUB_CONTACTS);
 }
 
-// Contacts of crowded bodies give their colors back. Then sequential greedy: each contact in the order of falling priority
-// takes the lowest color free on both bodies, the highest when one of them cannot move, the last ones only where that is static;
-// those of crowded bodies none.
+// Contacts of hubs lose their colors and get no other. Then each new contact, in the order of falling priority, takes
+// the lowest color that is free on both bodies. If one of the bodies cannot move, the contact takes the highest free
+// color; the last STATIC_COLORS are for static bodies.
 static void color_greedily(Graph* g)
 {
 	for (int k = 0; k < g->contacts; ++k)
@@ -88,7 +88,7 @@ static void color_greedily(Graph* g)
 	free(order);
 }
 
-// The same by the stages, and the layout of the constraints.
+// Colors the contacts by the stages, which also lay out the constraints.
 static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask)
 {
 	Counters* counters = calloc(1, sizeof *counters);
@@ -147,7 +147,7 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	free(counters);
 }
 
-// hub of a spoke: the end that can move and has more contacts
+// Returns the hub of a spoke: the end that can move and has more contacts.
 static int owner_of(const Graph* g, Int2 ends)
 {
 	if (!g->moves[ends.x] || !g->moves[ends.y])
@@ -156,7 +156,7 @@ static int owner_of(const Graph* g, Int2 ends)
 	return more > 0 || (more == 0 && ends.x < ends.y) ? ends.x : ends.y;
 }
 
-// The spokes by hub, the hubs by rising body, each from a block of its own on, padded with -1 up to the next.
+// Checks that spokes are sorted by hub, and hubs by body. Each hub begins at a new block, padded with -1.
 static void check_spokes(const Graph* g, const Counters* counters, const int* constraints, const int* hubs,
                          int* touching)
 {
@@ -187,7 +187,8 @@ static void check_spokes(const Graph* g, const Counters* counters, const int* co
 	*touching += spokes;
 }
 
-// By color, within a color by rising slot, each color padded with -1 to a multiple of COLOR_PADDING.
+// Checks that constraints are sorted by color, and within a color by slot. Each color is padded with -1 to a multiple
+// of COLOR_PADDING.
 static void check_layout(Backend* b, const Graph* g)
 {
 	Counters* counters = calloc(1, sizeof *counters);
@@ -225,7 +226,7 @@ static void check_layout(Backend* b, const Graph* g)
 	free(places);
 }
 
-// Colors the contacts that begin, here and on every backend; the graph is then as the host left it.
+// Colors the contacts that begin, on the host and on every backend, and compares the results. g gets those of the host.
 static void check_colors(Graph* g)
 {
 	int* color = calloc((size_t)g->contacts, sizeof *color);
@@ -252,7 +253,7 @@ static void check_colors(Graph* g)
 	free(mask);
 }
 
-// Half of the contacts begin first, then the other half; one body in fixed_one_in cannot move.
+// Colors the contacts in two halves. One body in fixed_one_in cannot move.
 static void check_random_graph(uint64_t* seed, int bodies, int contacts, int fixed_one_in)
 {
 	Graph* g = calloc(1, sizeof *g);
@@ -286,12 +287,12 @@ static void colors_are_those_of_greedy(void** state)
 	(void)state;
 	uint64_t seed = 1;
 	check_random_graph(&seed, 3000, 6000, 10);
-	check_random_graph(&seed, 500, 8000, 4);   // 32 a body: some are hubs, from the second half on
-	check_random_graph(&seed, 60, 6000, 1000); // all are hubs
+	check_random_graph(&seed, 500, 8000, 4);   // 32 contacts per body: some bodies become hubs with the second half
+	check_random_graph(&seed, 60, 6000, 1000); // all bodies are hubs
 	check_random_graph(&seed, 2, 40, 2);       // one body that moves, on one that does not
 }
 
-// One body with a thousand contacts: all become its spokes, whether the others can move or not.
+// A body with 1,000 contacts: all of them become spokes, whether the other bodies can move or not.
 static void star_is_a_hub(void** state)
 {
 	(void)state;
@@ -317,13 +318,13 @@ static void star_is_a_hub(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// parts of bodies
+// bodies that are split between hubs
 // ---------------------------------------------------------------------------------------------------------------
 
 #define HUBS   9
 #define LIGHTS 40
 
-// Three hubs have spokes: those of numbers 0 and 8 have the same turn.
+// Three hubs have spokes. The first and the last, numbers 0 and 8, have the same hub color.
 enum
 {
 	HUB_A = 1,
@@ -331,7 +332,7 @@ enum
 	HUB_C = 9
 };
 
-typedef struct // hubs 1 to HUBS, each a block of spokes to bodies after them; body 0 cannot move
+typedef struct // hubs 1 to HUBS, each with a block of spokes to later bodies; body 0 cannot move
 {
 	Counters counters;
 	BodyState bodies[1 + HUBS + LIGHTS];
@@ -343,8 +344,8 @@ typedef struct // hubs 1 to HUBS, each a block of spokes to bodies after them; b
 	ContactRows constraints[HUBS * 64 / MAX_LANES];
 } Wheel;
 
-// Hub A has 48 spokes, hub B has 47 and hub C has 33. Lights 0 to 9 are on all three, lights 10 to 39 are on one or two,
-// the rest of the spokes go to what cannot move, and hub C is on hub A as well.
+// Hub A has 48 spokes, hub B has 47 and hub C has 33. Lights (light bodies) 0 to 9 are on all three hubs, and lights 10
+// to 39 are on one or two. The other spokes go to body 0, which cannot move, and hub C is also a light of hub A.
 static void make_wheel(Wheel* w, uint64_t* seed)
 {
 	const int counts[HUBS] = {[HUB_A - 1] = 48, [HUB_B - 1] = 47, [HUB_C - 1] = 33};
@@ -396,8 +397,8 @@ static int hub_of(const Wheel* w, int k) { return w->ends[k].x ^ w->ends[k].y ^ 
 
 static int turn_of(int hub) { return (hub - 1) % HUB_COLORS; }
 
-// Hubs around a body: the number of spokes with each hub whose neighbor it is, and the number of hubs of each color, itself
-// included if it is a hub.
+// Hubs around a body: beside is the number of spokes with each hub whose neighbor it is; hubs is the number of hubs of
+// each color, including the body itself if it is a hub.
 typedef struct
 {
 	int beside[1 + HUBS], hubs[HUB_COLORS];
@@ -420,7 +421,8 @@ static float parts_of(const Wheel* w, const Share* shares, int k)
 	return light == 0 ? 1.0f : (float)(shares[light].hubs[turn_of(hub)] * shares[light].beside[hub]);
 }
 
-// v += (change of its own hub) / n + sum over spokes of the turn by rising place of change / (n times spokes beside).
+// Merges the parts of a body: v += (change by its own hub) / n + sum over the spokes of the turn, by rising place, of
+// change / (n times spokes beside).
 static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyState* b)
 {
 	BodyState old = *b;
@@ -450,7 +452,8 @@ static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyS
 	b->w = old.w + spin;
 }
 
-// A body that n hubs of a turn reach is split into as many parts for each, and these among its spokes of that hub.
+// A body that n hubs of one turn reach is split into n parts, one for each hub. Each part is split again among the
+// spokes of the body with that hub.
 static void parts_come_together(void** state)
 {
 	(void)state;

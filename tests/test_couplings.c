@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// test_couplings.c -- gears and pulleys against formulas: ratios, tensions, racks, winches, many turns, swinging loads.
+// test_couplings.c -- checks gears and pulleys against formulas: ratios, tensions, racks, winches, many turns, swinging
+// loads.
 #include "support/log_lines.h"
 #include "support/make_joints.h"
 #include <math.h>
 
-// A wheel on a hinge.
+// Adds a wheel on a hinge.
 static scree_body add_wheel(scree_world* world, float radius, float x, float y)
 {
 	scree_body wheel = add_shape(world, SCREE_BODY_DYNAMIC, circle_shape(radius), x, y, 0.0f);
@@ -27,7 +28,7 @@ static scree_joint gear(scree_world* world, scree_body a, scree_body b, float ra
 	return couple(world, &def);
 }
 
-// A rope over two points above a and b, each at a height.
+// Adds a rope over two points, one above a and one above b, both at this height.
 static scree_joint pulley(scree_world* world, scree_body a, scree_body b, float ratio, float height)
 {
 	scree_joint_def def = coupling(SCREE_JOINT_PULLEY, a, b, ratio);
@@ -37,7 +38,7 @@ static scree_joint pulley(scree_world* world, scree_body a, scree_body b, float 
 	return couple(world, &def);
 }
 
-// Wheels of radii r and s turn by angles a and b = -a r / s, however often.
+// Wheels of radii r and s turn by angles a and b with b = -a r / s, after any number of turns.
 static void gears_keep_their_ratio(void** state)
 {
 	(void)state;
@@ -78,7 +79,8 @@ static void gears_keep_their_ratio(void** state)
 	scree_world_destroy(world);
 }
 
-// A torque M on a accelerates both by M / (I + r^2 J) and -r times that; the gear's torque on b is -r J M / (I + r^2 J).
+// A torque M on wheel a accelerates a by M / (I + r^2 J), and b by -r times that. The torque of the gear on b is -r J M
+// / (I + r^2 J).
 static void gears_carry_torque(void** state)
 {
 	(void)state;
@@ -103,8 +105,8 @@ static void gears_carry_torque(void** state)
 	}
 }
 
-// George Atwood, A Treatise on the Rectilinear Motion and Rotation of Bodies, 1784: masses m and n on a rope without mass
-// accelerate by g (n - m) / (n + m), and its tension is 2 g m n / (n + m).
+// George Atwood, A Treatise on the Rectilinear Motion and Rotation of Bodies, 1784: masses m and n on a rope without
+// mass accelerate by g (n - m) / (n + m), and its tension is 2 g m n / (n + m).
 static void atwood(void** state)
 {
 	(void)state;
@@ -117,7 +119,7 @@ static void atwood(void** state)
 		OK(scree_body_set_mass(world, b, (scree_mass){(float)n, (float)n / 6.0f, {0.0f, 0.0f}}));
 		scree_joint joint = pulley(world, a, b, 1.0f, 20.0f);
 		run_steps(world, 60);
-		// the first substep's velocity moves bodies in the second: t (t + h) / 2 in place of t^2 / 2
+		// substeps move bodies by the velocity at their end: t (t + h) / 2 in place of t^2 / 2
 		double acceleration = G * (n - m) / (n + m), fallen = 0.5 * acceleration * (1.0 + h),
 		       tension = 2.0 * G * m * n / (n + m);
 		print_message("masses 1 : %.1f: fell %.4f m, theory %.4f m; tension %.3f N, theory %.3f N\n", n / m,
@@ -130,7 +132,7 @@ static void atwood(void** state)
 	}
 }
 
-// A tackle of ratio r balances a load of r times the mass, for a minute.
+// A tackle of ratio r balances a load of r times the mass for one minute.
 static void tackles_balance(void** state)
 {
 	(void)state;
@@ -156,7 +158,7 @@ static void tackles_balance(void** state)
 	}
 }
 
-// A rope with an upper limit hangs slack when a load is lifted, and stops it when it is taut.
+// A rope with an upper limit is slack while the load falls freely, and carries the load at its limit.
 static void ropes_hang_slack(void** state)
 {
 	(void)state;
@@ -183,7 +185,7 @@ static void ropes_hang_slack(void** state)
 	scree_world_destroy(world);
 }
 
-// A pinion of radius r drives a rack by r times its angle; a winch of radius r lifts a load by as much.
+// A pinion of radius r moves a rack by r times its angle; a winch of radius r lifts a load by r times its angle.
 static void racks_and_winches(void** state)
 {
 	(void)state;
@@ -215,10 +217,10 @@ static void racks_and_winches(void** state)
 	}
 }
 
-// Nicholas Tufillaro and others, Swinging Atwood's Machine, Am. J. Phys. 52 (1984): a load M that moves up and down, and a load m
-// that swings at r, phi, both on one rope:
+// Nicholas Tufillaro and others, Swinging Atwood's Machine, Am. J. Phys. 52 (1984): a load M that moves up and down and
+// a load m that swings at r, phi hang on one rope:
 //     (M + m) r'' = m r phi'^2 - M g + m g cos phi        r phi'' = -2 r' phi' - g sin phi
-// integrated here by the classical Runge-Kutta method. Kinetic and potential energy together stay.
+// The test integrates this by the classical Runge-Kutta method. The sum of kinetic and potential energy stays constant.
 static void tufillaro(const double s[4], double ratio, double d[4])
 {
 	d[0] = s[2];
@@ -272,7 +274,8 @@ static void swinging_loads(void** state)
 	scree_world_destroy(world);
 }
 
-// Turns are counted while a joint rests; a teleport counts as the nearest angle; a coupling that broke stays broken.
+// A gear counts turns while one of its bodies is disabled, and keeps its angles when a body becomes kinematic and
+// dynamic again. A teleport counts as the smaller rotation to the new angle. A broken gear stays broken.
 static void turns_are_counted(void** state)
 {
 	(void)state;
@@ -317,8 +320,8 @@ static void turns_are_counted(void** state)
 	scree_world_destroy(world);
 }
 
-// Joints of other types do not read the members of couplings: a program that sets them, or that was built with a shorter
-// definition, gets the same world.
+// Joints of other types do not read the members of couplings. A program that sets them, or that was built with a
+// shorter definition, gets the same hash.
 static void other_types_have_none(void** state)
 {
 	(void)state;
@@ -346,7 +349,7 @@ static void other_types_have_none(void** state)
 	assert_int_equal(hashes[2], hashes[0]);
 }
 
-// The ratio of a gear that turns can change: what was turned before counts with the old one.
+// The ratio of a turning gear can change: earlier turns count with the earlier ratio.
 static void gears_shift(void** state)
 {
 	(void)state;
@@ -371,7 +374,7 @@ static void gears_shift(void** state)
 		}
 		print_message("ratio %.1f: at most %.4f rad off; b at %.4f rad/s\n", (double)ratios[k], worst,
 		              (double)velocity_of(world, b).angular);
-		// the other wheel changes its speed by up to 40 rad/s, and the lock is soft for two substeps
+		// wheel b changes its speed by up to 40 rad/s, and the lock is soft for two substeps
 		assert_true(worst < 0.15);
 		NEAR(velocity_of(world, b).angular, -10.0f * ratios[k], 0.01);
 	}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_cuda.c -- rays in memory that CUDA allocated are answered like those of the host. Skipped where there is no CUDA.
+// test_cuda.c -- checks that rays in memory that CUDA allocated get the same results as rays in host memory. Skipped
+// without CUDA.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 #include <dlfcn.h>
@@ -7,14 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The driver's interface, of which no header may be at hand (NVIDIA, CUDA Driver API, Virtual Memory Management).
+// Interface of the driver, declared here because its header may be missing (NVIDIA, CUDA Driver API, Virtual Memory
+// Management).
 typedef struct
 {
-	int type, id; // 1: a device
+	int type, id; // type 1: a device
 } Location;
 typedef struct
 {
-	int type, handles; // 1: pinned; 1: file descriptors
+	int type, handles; // type 1: pinned; handles 1: file descriptors
 	Location location;
 	void* windows;
 	unsigned char flags[8];
@@ -22,7 +24,7 @@ typedef struct
 typedef struct
 {
 	Location location;
-	int flags; // 3: read and write
+	int flags; // flags 3: read and write
 } Access;
 
 #define FUNCTIONS(X)                                                                                    \
@@ -114,7 +116,7 @@ static void rays_of_cuda(void** state)
 	assert_memory_equal(shared, found, RAYS * sizeof *found);
 	print_message("%d of %d rays of CUDA hit\n", hits, RAYS);
 
-	// items that are no rays do no harm, and the search ends
+	// random bits in place of rays do no harm, and the search ends
 	uint64_t hash = hash_of(world);
 	for (int k = 0; k < RAYS; ++k)
 		for (size_t i = 0; i < sizeof *rays / 4; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_enabled.c -- bodies switched off and on; on the CPU and on OpenCL.
+// test_enabled.c -- checks bodies that are disabled and enabled, on the CPU and on OpenCL.
 #include "support/make_bodies.h"
 #include "world/world.h"
 
@@ -17,7 +17,7 @@ static void disabled_bodies_take_no_part(void** state)
 	throw_body(world, low, 1, 2, 3);
 	OK(scree_body_set_enabled(world, low, false));
 	assert_false(scree_body_is_enabled(world, low));
-	assert_int_equal(contacts_of(world), 0); // at once
+	assert_int_equal(contacts_of(world), 0); // immediately, without a step
 	scree_render_row rows[4];
 	int count;
 	OK(scree_world_get_render_rows(world, rows, 4, &count));
@@ -33,7 +33,7 @@ static void disabled_bodies_take_no_part(void** state)
 	OK(scree_world_get_states(world, NULL, states, 3, &count));
 	assert_true(states[1].velocity.linear.y == 2.0f && states[1].velocity.angular == 3.0f);
 
-	// it can be moved, and pushed, but forces are lost
+	// a disabled body accepts poses and impulses, but forces on it are lost
 	pose = pose_at(10.0f, 4.0f, 0.5f);
 	scree_mass mass = mass_of(world, low);
 	OK(scree_body_set_pose(world, low, pose));
@@ -54,7 +54,7 @@ static void disabled_bodies_take_no_part(void** state)
 	scree_world_destroy(world);
 }
 
-// Off and on between two steps: contacts are new, and all else is as it was.
+// A body that is disabled and enabled between two steps gets new contacts. Nothing else changes.
 static void switching_twice_starts_contacts_anew(void** state)
 {
 	(void)state;
@@ -89,7 +89,7 @@ static void switching_twice_starts_contacts_anew(void** state)
 	scree_world_destroy(world);
 }
 
-// All kinds of changes to what is disabled count when it is enabled: collidables, filters, types, masses, gravity.
+// Changes of a disabled body count when it is enabled: collidables, filters, types, masses, gravity.
 static void disabled_bodies_change(void** state)
 {
 	(void)state;
@@ -105,7 +105,7 @@ static void disabled_bodies_change(void** state)
 	assert_int_equal(contacts_of(world), 1);
 	expect_velocity(world, body, 2, 0, 0);
 
-	// a second collidable in the place of the first
+	// the body gets a second collidable and loses the first
 	scree_collidable_def more = scree_collidable_def_default();
 	more.attribute = box_attribute(world, 0.25f, 0.5f);
 	more.body = body;
@@ -126,7 +126,7 @@ static void disabled_bodies_change(void** state)
 	run_steps(world, 60);
 	NEAR(pose_of(world, rider).position.y, 1.5, 0.02);
 
-	// static ones leave nothing behind
+	// a disabled static body leaves nothing behind
 	OK(scree_body_set_enabled(world, body, false));
 	run_steps(world, 120);
 	NEAR(pose_of(world, rider).position.y, 0.5, 0.02);
@@ -140,7 +140,7 @@ static void disabled_bodies_change(void** state)
 	scree_world_destroy(world);
 }
 
-// The ghost of a shape must not come back with the slot, nor the velocity of a body that was disabled.
+// A new body must not get the shape or the velocity of the disabled body that had its slot.
 static void disabled_bodies_are_destroyed(void** state)
 {
 	(void)state;
@@ -179,7 +179,7 @@ static void disabled_bodies_are_destroyed(void** state)
 	scree_world_destroy(world);
 }
 
-// A whole heap off and on again, many times: the trees keep one leaf a collidable, and the heap stands.
+// A heap is disabled and enabled 30 times. The trees keep one leaf per collidable, and the heap still stands.
 static void heaps_are_switched(void** state)
 {
 	(void)state;

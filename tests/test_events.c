@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_events.c -- touches and hits: what they say, that each touch that begins ends once, and that all devices agree.
+// test_events.c -- checks touches and hits: their contents, that each touch that begins ends once, and that all devices
+// agree.
 #include "support/make_joints.h"
 #include "support/variants.h"
 #include "tools/common/byte_hash.h"
@@ -31,7 +32,7 @@ static int moved_of(scree_world* world, scree_body* first)
 // the contents of events
 // ---------------------------------------------------------------------------------------------------------------
 
-// A ball falls, rests for ten seconds, and is carried away: one beginning when it lands, one end, one hit.
+// A ball falls, rests for ten seconds and is carried away: one touch begins and ends, and there is one hit.
 static void a_ball_lands(void** state)
 {
 	(void)state;
@@ -76,7 +77,7 @@ static void a_ball_lands(void** state)
 	scree_world_destroy(world);
 }
 
-// A destroyed collidable is named by its old handle and marked, although its slot was reused at once.
+// Events show a destroyed collidable by its old handle and mark it as destroyed, although its slot was reused at once.
 static void the_destroyed_are_named(void** state)
 {
 	(void)state;
@@ -93,7 +94,7 @@ static void the_destroyed_are_named(void** state)
 	}
 	assert_int_equal(began, 1);
 
-	// the events of the step before it was destroyed
+	// events of the step before the destruction
 	OK(scree_body_destroy(world, ball));
 	scree_body other = add_reporter(world, circle_shape(0.4f), ALL, 3.0f, 0.4f);
 	scree_collidable heir = collidable_of(world, other);
@@ -103,7 +104,8 @@ static void the_destroyed_are_named(void** state)
 	assert_true(scree_collidable_equals(events.touches_began[0].a, own) && events.touches_began[0].user_a == 5);
 	assert_true(scree_body_equals(events.touches_began[0].body_a, ball) && !events.touches_began[0].destroyed_b);
 
-	// those of the step after it: its touch ends, that of its heir begins, and the heir goes at once
+	// events of the next steps: the touch of the ball ends, that of the new body begins, and the new body is destroyed
+	// at once
 	int heirs = 0;
 	for (int k = 0; k < 5; ++k)
 	{
@@ -122,7 +124,7 @@ static void the_destroyed_are_named(void** state)
 	scree_world_destroy(world);
 }
 
-// It is also named when its contacts had just started again.
+// The same holds if the contacts of the collidable have just started again because of a new shape.
 static void the_changed_and_destroyed_are_named(void** state)
 {
 	(void)state;
@@ -140,7 +142,7 @@ static void the_changed_and_destroyed_are_named(void** state)
 	scree_world_destroy(world);
 }
 
-// A world moves as it would without events.
+// Bodies move in the same way with and without reports.
 static void events_change_no_motion(void** state)
 {
 	(void)state;
@@ -169,7 +171,7 @@ static void events_change_no_motion(void** state)
 	assert_memory_equal(velocities[0], velocities[1], sizeof velocities[0]);
 }
 
-// Bullets that stick: each hits once, with its momentum.
+// Each bullet hits its wall once, with an impulse equal to its momentum.
 static void bullets_hit(void** state)
 {
 	(void)state;
@@ -231,7 +233,7 @@ static void reports_change(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// balance, and parity
+// balance of begins and ends, and parity
 // ---------------------------------------------------------------------------------------------------------------
 
 #define MOST_OPEN 4096
@@ -290,7 +292,7 @@ static void note(Ledger* ledger, const scree_events* events)
 	ledger->hits += events->hit_count;
 }
 
-// Each open touch is a contact, and each contact that pushes and reports is an open touch.
+// Each open touch is a contact. Each contact with an impulse, of a collidable that reports touches, is an open touch.
 static void compare(scree_world* world, const Ledger* ledger)
 {
 	static scree_contact contacts[MOST_OPEN];
@@ -320,7 +322,8 @@ static scree_body add_random(scree_world* world, uint64_t* seed)
 
 #define HEAP 60
 
-// Bodies are made, destroyed, teleported, disabled, filtered and joined while they fall in a heap.
+// Makes a random change of one body of a heap: replaces, moves, disables, enables or joins it, or changes its filter,
+// reports or type.
 static void churn(scree_world* world, scree_body bodies[HEAP], int step, uint64_t* seed)
 {
 	int k = random_below(seed, HEAP);
@@ -385,7 +388,7 @@ static Ledger record_heap(const Variant* variant, int steps)
 			churn(world, bodies, k, &seed);
 		if (variant->other[0] && k % 7 == 3)
 			OK(scree_world_move(world, k % 2 ? variant->other : variant->device));
-		if (!early) // changes in between make no difference except for the marks
+		if (!early) // changes made before the read have one effect: events mark destroyed collidables
 		{
 			velocity_of(world, bodies[0]);
 			scree_events events = events_of(world);
@@ -402,7 +405,7 @@ static Ledger record_heap(const Variant* variant, int steps)
 	return ledger;
 }
 
-// Bodies that moved are listed once: by motion, by the user, and new ones, also in a slot that was given away.
+// Bodies that moved are listed once: moved by the step, moved by the user, or new, also in a reused slot.
 static void moved_bodies_are_listed(void** state)
 {
 	(void)state;
@@ -437,7 +440,8 @@ static void moved_bodies_are_listed(void** state)
 	}
 }
 
-// The user word of a body's definition is that of its collidable, in events and in contacts; later each has its own.
+// The user word in the definition of a body is also that of its collidable, in events and in contacts. Later each can
+// be set separately.
 static void a_body_gives_its_word(void** state)
 {
 	(void)state;
@@ -466,8 +470,8 @@ static void a_body_gives_its_word(void** state)
 	scree_world_destroy(world);
 }
 
-// Changes that do not move a body: another center of mass, locks, its own pose set again, zeros of the other sign, a step at rest. A
-// disabled body that is placed reports the velocity with which it will continue.
+// Changes that do not move a body are not listed: another center of mass, locks, the same pose, zeros of the other
+// sign, a step at rest. A disabled body is listed when the user sets its pose.
 static void bodies_at_rest_are_not_listed(void** state)
 {
 	(void)state;
@@ -501,7 +505,7 @@ static void bodies_at_rest_are_not_listed(void** state)
 	}
 }
 
-// A joint above its threshold is among the events, and in the list of joints.
+// A joint above its threshold is among the events.
 static void joints_are_listed(void** state)
 {
 	(void)state;
@@ -509,7 +513,7 @@ static void joints_are_listed(void** state)
 	scree_body load = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
 	def.body_b = load;
-	def.force_threshold = 5.0f; // it weighs 10 N
+	def.force_threshold = 5.0f; // half of the weight of the load
 	def.user = 77;
 	scree_joint joint = add_joint(world, &def);
 	run_steps(world, 3);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_exclusions.c -- pairs of bodies that never touch: set, read, with joints, destroyed, reused.
+// test_exclusions.c -- checks pairs of bodies that never touch: set and read, together with joints, after a
+// destruction, and in reused slots.
 #include "support/make_joints.h"
 #include <math.h>
 
@@ -15,7 +16,8 @@ static int excluded_of(scree_world* world, scree_body body)
 	return count;
 }
 
-// One box lies on another. As soon as they are excluded, the upper one falls through the lower one; the touch ends once.
+// A box lies on another. As soon as they are excluded, the upper box falls through the lower one, and their touch ends
+// once.
 static void while_touching(void** state)
 {
 	(void)state;
@@ -34,7 +36,7 @@ static void while_touching(void** state)
 	assert_int_equal(events.touches_ended_count, 1);
 	run_steps(world, 60);
 	NEAR(pose_of(world, high).position.y, 0.5, 0.01);
-	// admitted again inside each other: they part
+	// after the end of the exclusion the overlapping boxes push each other apart
 	exclude(world, low, high, false);
 	run_steps(world, 1);
 	events = events_of(world);
@@ -46,7 +48,8 @@ static void while_touching(void** state)
 	scree_world_destroy(world);
 }
 
-// A pair keeps apart what a joint keeps apart too, and the other way round.
+// An exclusion prevents contacts even after a joint between the bodies is destroyed. A joint prevents them even after
+// the exclusion has ended.
 static void beside_joints(void** state)
 {
 	(void)state;
@@ -74,7 +77,7 @@ static void beside_joints(void** state)
 	scree_world_destroy(world);
 }
 
-// A slot that is used again has none of the pairs of the body that was destroyed.
+// A body in a reused slot has none of the exclusions of the destroyed body.
 static void destroyed(void** state)
 {
 	(void)state;
@@ -94,7 +97,7 @@ static void destroyed(void** state)
 	scree_world_destroy(world);
 }
 
-// A fast body goes through a wall that it never touches, and is stopped when it may again.
+// A fast body passes through a wall while the two are excluded, and is stopped by it otherwise.
 static void fast(void** state)
 {
 	(void)state;
@@ -112,7 +115,8 @@ static void fast(void** state)
 	}
 }
 
-// A crowd: each of 60 bodies with each other one, in batches, in lists, some removed again, and moved to another device.
+// Each of 60 bodies excludes all others: in batches, read as lists, some ended again, and after a move to another
+// device.
 static void crowd(void** state)
 {
 	(void)state;
@@ -131,7 +135,7 @@ static void crowd(void** state)
 		for (int j = 0; j < i; ++j, ++pairs)
 			a[pairs] = bodies[i], b[pairs] = bodies[j], all[pairs] = true;
 	OK(scree_bodies_set_excluded(world, a, b, all, pairs));
-	OK(scree_bodies_set_excluded(world, b, a, all, pairs)); // twice is once
+	OK(scree_bodies_set_excluded(world, b, a, all, pairs)); // a repeated exclusion counts once
 	run_steps(world, 120);
 	assert_int_equal(contacts_of(world), BODIES);
 	for (int k = 0; k < BODIES; ++k)

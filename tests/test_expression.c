@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_expression.c -- expressions of scene files: values, constants, random numbers, and bad input with its sentence.
+// test_expression.c -- checks expressions of scene files: values, constants, random numbers, and bad input with its
+// message.
 #include "scene/expression.h"
 #include "support/checks.h"
 #include <math.h>
@@ -135,7 +136,7 @@ static void test_bad_expressions(void** state)
 	assert_null(expression_compile(deep, &scope, &sites, error, sizeof error));
 }
 
-// Each call draws its own numbers, which are spread evenly and the same forever.
+// Each call has its own random numbers, which are evenly distributed and the same in every run.
 static void test_random(void** state)
 {
 	(void)state;

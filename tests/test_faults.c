@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_faults.c -- memory that runs out and devices that fail, at every point in turn.
+// test_faults.c -- checks memory that runs out and devices that fail, at every point in turn.
 //
-// Each scenario is a list of acts. It runs once without a fault, with the hash after every act; then again and again
-// with a fault one call later each time. A fault must come out as a status with a sentence. After it the world is what
-// it was before the act, so that the act can be tried again and the end is the same; or it is broken, and refuses
-// everything but destruction.
+// A scenario is a list of acts. It runs once without a fault, which gives the expected hash after every act; then many
+// times with one fault, one call later each time. A fault must be returned as a status with a message. Then there are
+// two cases. Either the world is as it was before the act, so that the act can be repeated and the end is the same. Or
+// the world is broken, and can only be destroyed.
 #include "support/allocations.h"
 #include "support/faulty_device.h"
 #include "support/make_bodies.h"
@@ -20,7 +20,7 @@
 // the scenario
 // ---------------------------------------------------------------------------------------------------------------
 
-#define BODIES 300 // more than a small world has room for
+#define BODIES 300 // more than the initial room of a world
 #define FREE   20
 
 typedef struct
@@ -53,7 +53,8 @@ static scree_status act_attributes(FaultRun* s)
 	return status ? status : scree_attribute_create(s->world, &slab, &s->slab);
 }
 
-// more attributes than the first table has room for; made before, they are found
+// Creates more attributes than the first table has room for. When the act is repeated, the attributes that exist
+// already are found.
 static scree_status act_more_attributes(FaultRun* s)
 {
 	for (int k = 0; k < 80; ++k)
@@ -68,7 +69,7 @@ static scree_status act_more_attributes(FaultRun* s)
 	return SCREE_OK;
 }
 
-// a slab that can move, with a hundred circles on it: more contacts than there are colors
+// Creates a slab that can move, with 100 circles on it: more contacts than there are colors.
 static scree_status act_slab(FaultRun* s)
 {
 	scree_body_def defs[101];
@@ -85,7 +86,7 @@ static scree_status act_slab(FaultRun* s)
 	return status;
 }
 
-// boxes on top of each other, deep enough that each touches several
+// Creates boxes that overlap, so that each touches several others.
 static scree_status act_bodies(FaultRun* s)
 {
 	static scree_body_def defs[BODIES];
@@ -208,7 +209,7 @@ static scree_status act_target(FaultRun* s)
 	return scree_body_set_target(s->world, s->slab_body, (scree_pose){{0.5f, -50.0f}, {1.0f, 0.0f}});
 }
 
-// another surface for a free one, and another shape; a new attribute each
+// Gives one collidable without a body another surface, and a second one another shape.
 static scree_status act_dress(FaultRun* s)
 {
 	scree_attribute made;
@@ -227,7 +228,7 @@ static scree_status act_body_contacts(FaultRun* s)
 	return scree_body_get_contacts(s->world, s->slab_body, contacts, 200, &count);
 }
 
-// a sensor that sees all
+// Creates a sensor for moving and static collidables.
 static scree_status act_sensor(FaultRun* s)
 {
 	scree_collidable_def def = scree_collidable_def_default();
@@ -304,7 +305,7 @@ static void expect(bool timings)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// Every call that works on a broken world says the same.
+// Checks that every call on a broken world returns its status, with the same message.
 static void check_broken(FaultRun* s, scree_status status)
 {
 	static const Act refused[] = {act_more_attributes, act_slab,         act_forces, act_step,    act_contacts,
@@ -330,8 +331,8 @@ static void check_broken(FaultRun* s, scree_status status)
 // memory runs out
 // ---------------------------------------------------------------------------------------------------------------
 
-// Runs the scenario with one fault. again: the failed act is tried once more; else the world just goes on. Returns
-// whether there was a fault; broken counts worlds that broke.
+// Runs the scenario with one fault. If again is true, the failed act is repeated; otherwise the world only takes a few
+// steps. Returns whether there was a fault; *broken counts worlds that broke.
 static bool run_with_little_memory(int allocations, bool again, int* broken)
 {
 	FaultRun s = {0};
@@ -362,7 +363,7 @@ static bool run_with_little_memory(int allocations, bool again, int* broken)
 			break;
 		}
 
-		// creating several attributes is several calls
+		// these acts consist of several calls, some of which may have succeeded
 		if (acts[k] != act_attributes && acts[k] != act_more_attributes && acts[k] != act_dress)
 			assert_true(hash_of(s.world) == expected[k - 1]);
 		--k;
@@ -375,7 +376,7 @@ static bool run_with_little_memory(int allocations, bool again, int* broken)
 	return failed;
 }
 
-// Every call fails in turn, in quick builds every third.
+// Returns the step from one failing call to the next: 1, or 3 in quick builds.
 static int stride(void) { return quick() ? 3 : 1; }
 
 static void memory_runs_out(void** state)
@@ -397,7 +398,8 @@ static void memory_runs_out(void** state)
 // the device fails
 // ---------------------------------------------------------------------------------------------------------------
 
-// Runs the scenario with the given call failing. Returns whether it was reached; broken counts worlds that broke.
+// Runs the scenario with a device that fails after this number of calls. Returns whether it failed; *broken counts
+// worlds that broke.
 static bool run_with_faulty_device(int calls, int* broken)
 {
 	FaultRun s = {.timings = device_fault.calls != FAULT_RESIZE};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_field_trials.c -- fields as strangers try them: boats, moving fields, extremes, changes in mid-run, all devices.
+// test_field_trials.c -- checks fields in unusual use: boats, moving fields, extremes, changes between steps, all
+// devices.
 #include "support/allocations.h"
 #include "support/make_fields.h"
 #include "support/scenarios.h"
@@ -14,7 +15,8 @@ static scree_field_def water_def(float density)
 	return def;
 }
 
-// A body of half the density floats half immersed, within 1 %, and comes to rest and stays there for minutes; a heavier one sinks.
+// A body of half the density of the fluid floats half immersed, within 1 %, and stays at rest for minutes. A denser
+// body sinks.
 static void bodies_float_and_sink(void** state)
 {
 	(void)state;
@@ -34,7 +36,7 @@ static void bodies_float_and_sink(void** state)
 	assert_true(position_of(world, stone).y < -10.0f);
 	scree_world_destroy(world);
 
-	// quiet for minutes, also far away
+	// no motion for minutes, also far from the origin
 	for (int far = 0; far < 2; ++far)
 	{
 		world = open_world((float)-G);
@@ -52,8 +54,9 @@ static void bodies_float_and_sink(void** state)
 	}
 }
 
-// Bodies of the default density in water of 1,000 times as much, and lighter ones, dive and come up again: they are not thrown out, and lie on
-// the water. One of a twentieth of its density carries fifteen times its weight, at the depth that Archimedes has.
+// Bodies with 1/50 to 1/1,000,000 of the density of the fluid dive and come up again. They are not thrown out, and lie
+// on the surface. The default density is 1/1,000 of that of water. A raft with a twentieth of the density of the fluid
+// carries fifteen times its weight, at the depth by Archimedes.
 static void light_bodies_stay(void** state)
 {
 	(void)state;
@@ -90,7 +93,8 @@ static void light_bodies_stay(void** state)
 	scree_world_destroy(world);
 }
 
-// Compounds work by their parts: a narrow boat with a heavy keel that lies on its side, or almost on its head, rights itself.
+// Buoyancy acts on each part of a compound: a narrow boat with a heavy keel rights itself from its side, or from almost
+// upside down.
 static void boats_right_themselves(void** state)
 {
 	(void)state;
@@ -110,14 +114,14 @@ static void boats_right_themselves(void** state)
 		OK(scree_collidable_create(world, &part, NULL));
 		run_steps(world, 1800);
 		NEAR(angle_of(world, boat), 0.0, 0.01);
-		// the weight of both parts is that of what they displace: 0.2 * 0.8 + 6 * 0.06 = keel 0.06 + hull 1 * draft
+		// both parts weigh as much as the fluid that they displace: 0.2 * 0.8 + 6 * 0.06 = keel 0.06 + hull 1 * draft
 		double draft = 0.2 * 0.8 + 6.0 * 0.06 - 0.06;
 		NEAR(position_of(world, boat).y, 0.4 - draft, 0.01);
 		scree_world_destroy(world);
 	}
 }
 
-// A field on a body that moves goes with it, and does not push it.
+// A field on a moving body moves with it and does not push it.
 static void fields_move_with_bodies(void** state)
 {
 	(void)state;
@@ -131,13 +135,13 @@ static void fields_move_with_bodies(void** state)
 	def.acceleration.y = 6.0f;
 	scree_field field = add_field(world, &def);
 	scree_body ahead = add_dense(world, circle_shape(0.1f), 1.0f, 12.0f, 0.0f);
-	run_steps(world, 60); // the region reaches x = 12 after 1.6 s
+	run_steps(world, 60); // the region reaches x = 12 m after 1.6 s
 	NEAR(velocity_of(world, ahead).linear.y, 0.0, 1e-9);
 	run_steps(world, 90);
 	assert_true(velocity_of(world, ahead).linear.y > 1.0f);
 	NEAR(velocity_of(world, truck).linear.y, 0.0, 1e-9);
 
-	// a disabled body has no field; with the body the field is destroyed
+	// the field of a disabled body does not act, and is destroyed with the body
 	OK(scree_body_set_pose(world, ahead, upright_at(position_of(world, truck).x + 3.0f, 0.0f)));
 	throw_body(world, ahead, 5.0f, 0.0f, 0.0f);
 	OK(scree_body_set_enabled(world, truck, false));
@@ -156,7 +160,7 @@ static void fields_move_with_bodies(void** state)
 	scree_world_destroy(world);
 }
 
-// Fields push enabled dynamic bodies, according to the filters of their collidables; sensors do not float.
+// Fields push enabled dynamic bodies whose category is in the mask of the field, except in locked directions.
 static void who_is_pushed(void** state)
 {
 	(void)state;
@@ -189,7 +193,7 @@ static void who_is_pushed(void** state)
 	scree_world_destroy(world);
 }
 
-// Drag on what rests is 0, however stiff.
+// Drag on a body at rest is 0 with any coefficient.
 static void drag_leaves_weights_alone(void** state)
 {
 	(void)state;
@@ -263,7 +267,7 @@ static void wrong_arguments_are_refused(void** state)
 	scree_world_destroy(world);
 }
 
-// Memory runs out at every allocation in turn: a status, and nothing has changed.
+// Each allocation fails in turn: the call returns a status and changes nothing.
 static void memory_runs_out(void** state)
 {
 	(void)state;
@@ -301,7 +305,7 @@ static void memory_runs_out(void** state)
 	OK(scree_hooks_set(NULL));
 }
 
-// A step that is refused because of too many contacts changes nothing: the forces are not there twice in the next one.
+// A step that is refused for too many contacts changes nothing: its forces do not act twice in the next step.
 static void refused_steps_push_nothing(void** state)
 {
 	(void)state;
@@ -336,7 +340,7 @@ static void refused_steps_push_nothing(void** state)
 
 #define FIELDS 200
 
-// Fields of all types lie over each other, on bodies and in the world; with extremes, some are as strong as they may be.
+// Defines a random field of any type, on a body or in the world. If extreme is true, some numbers are up to 1e12.
 static scree_field_def any_def(scree_world* world, uint64_t* seed, bool extreme)
 {
 	scree_field_def def = scree_field_def_default((scree_field_type)random_below(seed, 6));
@@ -391,7 +395,7 @@ static void build_crowd(scree_world* world, const void* context)
 	}
 }
 
-// Each step one field goes, one comes, one changes; some of their bodies go too.
+// Destroys, creates and changes fields in each step; destroys or disables some of the bodies that carry them.
 static void change_crowd(scree_world* world, int step, const void* context)
 {
 	const bool* extreme = context;
@@ -433,7 +437,7 @@ static void all_devices_agree(void** state)
 	}
 }
 
-// A heap at rest, which a field passes over, pressing it down: no contact begins or ends, and the user changes nothing.
+// A field passes over a heap at rest and presses it down. No contact begins or ends, and the user changes nothing.
 static void build_passing(scree_world* world, const void* context)
 {
 	(void)context;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_fields.c -- the effect of each type of field on bodies, against closed forms.
+// test_fields.c -- checks the effect of each type of field on bodies against closed forms.
 #include "support/make_fields.h"
 #include <math.h>
 
-// Acceleration in the field's own axes, and a force over the mass: v = a t; outside of the region nothing.
+// Acceleration along the axes of the field, and force divided by mass: v = a t. Outside the region there is none.
 static void uniform_fields_push(void** state)
 {
 	(void)state;
@@ -11,7 +11,7 @@ static void uniform_fields_push(void** state)
 	scree_field_def def = scree_field_def_default(SCREE_FIELD_UNIFORM);
 	def.shape = box_shape(50.0f, 1.0f);
 	def.pose = (scree_pose){{0.0f, 0.0f}, scree_rot_make((float)PI / 2.0f)};
-	def.acceleration = (scree_vec){3.0f, 0.0f}; // upwards, since the field is turned
+	def.acceleration = (scree_vec){3.0f, 0.0f}; // upwards, because the field is rotated
 	def.force = (scree_vec){0.0f, -8.0f};       // to the right
 	add_field(world, &def);
 	scree_body in = add_dense(world, box_shape(0.5f, 0.5f), 4.0f, 0.0f, 0.0f);
@@ -23,7 +23,7 @@ static void uniform_fields_push(void** state)
 	scree_world_destroy(world);
 }
 
-// A field that takes the weight off leaves bodies floating, whatever they weigh.
+// A field that cancels gravity lets bodies of any mass float.
 static void fields_cancel_gravity(void** state)
 {
 	(void)state;
@@ -40,8 +40,8 @@ static void fields_cancel_gravity(void** state)
 	scree_world_destroy(world);
 }
 
-// Attraction by 1 / r^2: at rest on a circle v^2 = strength radius^2 / r; it goes round and keeps energy and radius for minutes. With
-// 1 / r the period is that of v^2 = strength radius, at every distance.
+// Attraction by 1 / r^2: a body with v^2 = strength radius^2 / r moves on a circle and keeps its radius for two
+// minutes. By 1 / r the speed is v^2 = strength radius at every distance.
 static void orbits_keep_their_radius(void** state)
 {
 	(void)state;
@@ -78,7 +78,7 @@ static void orbits_keep_their_radius(void** state)
 		}
 }
 
-// An eccentric orbit keeps its energy too: the closest approach of a fall from r with v is the same an hour of its time later.
+// An eccentric orbit keeps its energy within 20 % for one minute.
 static void ellipses_keep_energy(void** state)
 {
 	(void)state;
@@ -100,11 +100,11 @@ static void ellipses_keep_energy(void** state)
 		worst = fmax(worst, fabs(energy / first - 1.0));
 	}
 	print_message("ellipse: energy within %.4f\n", worst);
-	assert_true(worst < 0.2); // it swings within an orbit, and does not drift
+	assert_true(worst < 0.2); // varies within an orbit, but does not drift
 	scree_world_destroy(world);
 }
 
-// A body that falls through the center of a strong field leaves it as fast as it entered: it is not thrown out.
+// A body that starts near the center of a strong field is not thrown out.
 static void centers_throw_nothing_out(void** state)
 {
 	(void)state;
@@ -137,7 +137,7 @@ static void centers_throw_nothing_out(void** state)
 		}
 }
 
-// A vortex accelerates around its center; with a medium that brakes, to strength / k.
+// A vortex accelerates bodies around its center.
 static void vortices_turn(void** state)
 {
 	(void)state;
@@ -154,7 +154,8 @@ static void vortices_turn(void** state)
 	scree_world_destroy(world);
 }
 
-// The speed at which drag balances the weight: m g / k, and the root of m g / c; of a spin T / k. It is exact for any step.
+// Drag balances the weight at a speed of m g / k (linear) or sqrt(m g / c) (quadratic), and a torque at a spin of T /
+// k. This is exact for any length of step.
 static void falling_bodies_reach_their_speed(void** state)
 {
 	(void)state;
@@ -181,7 +182,7 @@ static void falling_bodies_reach_their_speed(void** state)
 	scree_world_destroy(world);
 }
 
-// v = v0 e^(-k t / m): of the step's error in k t / m, 1 / 120 of k / m at 60 steps per second.
+// v = v0 e^(-k t / m). The exponent has a relative error of h k / (2 m), which is k / (120 m) at 60 steps per second.
 static void drag_slows_down(void** state)
 {
 	(void)state;
@@ -197,7 +198,7 @@ static void drag_slows_down(void** state)
 	scree_world_destroy(world);
 }
 
-// However stiff the medium: a body takes on its velocity and spin, from one side.
+// A body takes on the velocity and spin of the medium without overshooting, however stiff the drag.
 static void stiff_drag_never_reverses(void** state)
 {
 	(void)state;
@@ -224,7 +225,7 @@ static void stiff_drag_never_reverses(void** state)
 	}
 }
 
-// Drag of a box by the width that it turns to the wind, c density / 2 w v^2, at the middle of that side; in a wind it ends up as fast.
+// Drag on a box is c density / 2 w v^2, with w its width across the wind, and acts at the middle of that side.
 static void wind_blows(void** state)
 {
 	(void)state;
@@ -245,28 +246,30 @@ static void wind_blows(void** state)
 	NEAR(velocity_of(world, box).angular, 0.0, 1e-6);
 	scree_world_destroy(world);
 
-	// a light box is as fast as the wind soon; lift pushes a plate across the wind, to the side away from it
+	// a light box soon has the speed of the wind; lift pushes a plate across the wind, to the side that faces away from
+	// it
 	world = open_world(0.0f);
 	def.lift = 2.0f;
 	add_field(world, &def);
 	box = add_dense(world, box_shape(0.5f, 0.5f), 0.1f, 0.0f, 0.0f);
 	scree_body wing = add_shape(world, SCREE_BODY_DYNAMIC, box_shape(1.0f, 0.01f), 0.0f, 10.0f, 0.5f);
 	run_steps(world, 1);
-	assert_true(velocity_of(world, wing).linear.y < -0.001f); // nose up towards +x: the wind comes from above
+	assert_true(velocity_of(world, wing).linear.y < -0.001f); // the wind meets the rising plate from above
 	run_steps(world, 1200);
 	NEAR(velocity_of(world, box).linear.x, 8.0, 0.3);
 	check_finite(world);
 	scree_world_destroy(world);
 }
 
-// The weight of what is displaced: m a = density area g, at the centroid of the part below the surface.
+// The buoyancy is the weight of the displaced fluid, m a = density area g, at the centroid of the part below the
+// surface.
 static void force_is_the_displaced_weight(void** state)
 {
 	(void)state;
 	const scree_vec corners[] = {{-1.0f, -0.5f}, {1.0f, -0.5f}, {1.0f, 0.5f}, {-1.0f, 0.5f}};
 	scree_shape rounded = polygon_shape(corners, 4, 0.25f);
 	const scree_shape shapes[] = {box_shape(1.0f, 0.5f), circle_shape(0.7f), capsule_shape(1.0f, 0.4f), rounded};
-	// the quick presets take a ninth of the poses
+	// quick builds take a ninth of the poses
 	float turn_step = quick() ? 1.11f : 0.37f, y_step = quick() ? 0.519f : 0.173f;
 	for (size_t s = 0; s < sizeof shapes / sizeof *shapes; ++s)
 		for (int variant = 0; variant < 3; ++variant)
@@ -279,8 +282,8 @@ static void force_is_the_displaced_weight(void** state)
 					def.drag = def.linear_drag = 0.0f;
 					def.pose.rotation = scree_rot_make(0.3f);
 					float c = cosf(0.3f), n = sinf(0.3f);
-					if (variant >
-					    0) // a box, whose upper edge is the surface; of the second one the corner is in the shape
+					// the region is a box with its upper edge at the surface; in variant 2 its corner lies in the shape
+					if (variant > 0)
 					{
 						float wide = variant == 1 ? 20.0f : 10.0f, right = variant == 1 ? 0.0f : -9.8f;
 						def.shape = box_shape(wide, 20.0f);
@@ -289,7 +292,7 @@ static void force_is_the_displaced_weight(void** state)
 					add_field(world, &def);
 					scree_body body = add_shape(world, SCREE_BODY_DYNAMIC, shapes[s], 0.0f, y, turn);
 					OK(scree_world_step(world, STEP, 1));
-					// by points: those of the shape that are in the fluid
+					// the same area by a grid of points that are in the shape and in the fluid
 					double area = 0.0, x_sum = 0.0;
 					int grid = 100;
 					for (int i = 0; i < grid; ++i)
@@ -314,7 +317,8 @@ static void force_is_the_displaced_weight(void** state)
 					scree_velocity v = velocity_of(world, body);
 					double found = ((double)v.linear.y * 60.0 + G) * mass / (2.0 * G);
 					double moment = (double)v.angular * 60.0 * inertia / (2.0 * G);
-					double error = variant == 2 && shapes[s].radius > 0.0f ? 0.05 : 0.03; // corners for arcs; points
+					// error of corners in place of arcs, and of the grid
+					double error = variant == 2 && shapes[s].radius > 0.0f ? 0.05 : 0.03;
 					NEAR(found, area, error);
 					NEAR(moment, x_sum, error);
 					scree_world_destroy(world);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// test_finite.c -- extreme values that are finite move bodies within the limits; what is not freezes one body, no other.
+// test_finite.c -- checks that extreme finite values move bodies within the limits, and that a value that is not finite
+// freezes one body and no other.
 #include "support/log_lines.h"
 #include "support/make_bodies.h"
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
-// A box of 1 kg, alone.
+// Opens a world with one box of 1 kg.
 static scree_world* open_lonely(scree_body* body)
 {
 	scree_world* world = open_world(0.0f);
@@ -14,7 +15,7 @@ static scree_world* open_lonely(scree_body* body)
 	return world;
 }
 
-// Whatever is finite: v = min(h f / m, max_speed) along f, and no word.
+// Finite forces give v = min(h f / m, max_speed) along f, without a warning.
 static void forces_lead_to_the_limit(void** state)
 {
 	(void)state;
@@ -39,7 +40,7 @@ static void forces_lead_to_the_limit(void** state)
 	assert_int_equal(warning_count, 0);
 }
 
-// The same of gravity, whose square is beyond a float.
+// The same holds for gravity whose square is beyond a float.
 static void gravity_leads_to_the_limit(void** state)
 {
 	(void)state;
@@ -52,7 +53,8 @@ static void gravity_leads_to_the_limit(void** state)
 	scree_world_destroy(world);
 }
 
-// Densities and surfaces from the least to the most on a floor: all finite, no word, and they stay above the floor.
+// Densities and surfaces from the smallest to the largest: all states are finite, no warning is logged, and the bodies
+// lie on the floor.
 static void surfaces_may_be_extreme(void** state)
 {
 	(void)state;
@@ -77,7 +79,8 @@ static void surfaces_may_be_extreme(void** state)
 	scree_world_destroy(world);
 }
 
-// A stack whose middle is pushed harder than a float can express loses it; none is frozen, and all impulses are finite.
+// A stack loses its middle body, which is pushed harder than a float can express. No body is frozen, and all impulses
+// are finite.
 static void one_body_leaves(void** state)
 {
 	(void)state;

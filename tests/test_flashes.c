@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_flashes.c -- events in pictures: touches and hits, sensors, joints that break; when they fade, and how many are drawn.
+// test_flashes.c -- checks the marks of events in pictures: touches and hits, sensors, broken joints; their fading and
+// their maximum number.
 #include "support/make_joints.h"
 #include "view/flashes.h"
 #include "view/outline.h"
@@ -9,7 +10,7 @@
 
 static const Camera camera = {.middle = {0.0f, 0.0f}, .scale = 50.0f, .width = 800, .height = 600};
 
-// A box of 1 m that reports all, its bottom so far above the floor and falling.
+// Adds a falling box of 1 m that reports touches and hits. above: height of its bottom above the floor, m.
 static scree_body drop(scree_world* world, float x, float above, float speed)
 {
 	scree_body_def def = scree_body_def_default();
@@ -48,10 +49,10 @@ static void touches_and_hits_flash(void** state)
 	for (int k = 0; k < 2; ++k)
 	{
 		NEAR(flashes.list[k].at.y, 0, 0.1);
-		NEAR(flashes.list[k].diameter, 5 + 24 * 6.0 / 11.0, 0.1); // px at 6 m/s
+		NEAR(flashes.list[k].diameter, 5 + 24 * 6.0 / 11.0, 0.1); // diameter at 6 m/s, px
 	}
 
-	// rings, which fade with the time of the world
+	// rings fade with the time of the world
 	flashes_mark(&flashes, &strokes, &camera, (double)STEP);
 	assert_int_equal(strokes.count, 2);
 	assert_true(strokes.list[0].ring > 0 && strokes.list[0].color[3] == 255);
@@ -66,7 +67,7 @@ static void touches_and_hits_flash(void** state)
 	scree_world_destroy(world);
 }
 
-// 2,500 boxes touch the floor in one step: 1,000 flash at most, and the others are counted.
+// 2,500 boxes touch the floor in one step: at most 1,000 flash, and the others are counted.
 static void too_many_are_counted(void** state)
 {
 	(void)state;
@@ -91,7 +92,7 @@ static void too_many_are_counted(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint that bears 10 N and breaks at 5 N, held 2 m above its box.
+// A joint bears 10 N and breaks at 5 N. A cross marks its place, 2 m above the box.
 static void broken_joints_have_a_cross(void** state)
 {
 	(void)state;
@@ -119,7 +120,7 @@ static void broken_joints_have_a_cross(void** state)
 	scree_world_destroy(world);
 }
 
-// Two sensors, one of which a box enters: its mark says so and flashes.
+// A box enters one of two sensors: the mark of that sensor changes and flashes.
 static void sensors_have_marks(void** state)
 {
 	(void)state;
@@ -142,7 +143,7 @@ static void sensors_have_marks(void** state)
 	assert_int_equal(tables.sensors.count, 2);
 	assert_int_equal(tables.sensors.rows, 3);
 	assert_true(sensor_marks_update(&tables.sensors, world));
-	assert_false(sensor_marks_update(&tables.sensors, world)); // nothing has changed
+	assert_false(sensor_marks_update(&tables.sensors, world)); // no change since the last call
 	const uint8_t* marks = tables.sensors.marks;
 	assert_true(marks[0] == 0 && marks[1] == MARK_SENSOR && marks[2] == MARK_SENSOR);
 	int number = 0;
@@ -162,7 +163,7 @@ static void sensors_have_marks(void** state)
 	scree_world_destroy(world);
 }
 
-// Outlines lie on the surface: all ends have the distance 0 from the shape.
+// Outlines lie on the surface of shapes: all ends have a distance of 0.
 static void outlines_follow_shapes(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_formulas.c -- stages whose items stand alone, called as functions, against formulas in double precision.
+// test_formulas.c -- checks stages with independent items, called as functions, against formulas in double precision.
 #include "support/make_worlds.h"
 #include "tools/common/random_numbers.h"
 #include <math.h>
@@ -13,7 +13,7 @@
 #include "stages/solve/integrate.h"
 #include "stages/solve/solve_pass.h"
 
-#define ITEMS 64 // items of every pool
+#define ITEMS 64 // number of items in every pool
 
 static void open_pools(Pools* p)
 {
@@ -33,9 +33,9 @@ static void close_pools(Pools* p)
 // boxes and rotations
 // ---------------------------------------------------------------------------------------------------------------
 
-// A box of 2 by 1 m at (3, 0) of a body turned by t about its center of mass at (1, 0), which is at (10, 20): vertex v is
-// at (10, 20) + R(t) ((3, 0) - (1, 0) + v). The tight box has half of the speculative distance around, the other the
-// margin more; it stays until the tight one leaves it.
+// A box of 2 m by 1 m lies at (3, 0) on a body with its center of mass at (1, 0), which is at (10, 20) in the world.
+// After a turn by t, vertex v is at (10, 20) + R(t) ((3, 0) - (1, 0) + v). The tight box adds half of the speculative
+// distance on each side. The enlarged box also adds the margin, and stays until the tight box leaves it.
 static void boxes_follow_bodies(void** state)
 {
 	(void)state;
@@ -89,15 +89,15 @@ static void boxes_follow_bodies(void** state)
 		NEAR(p.box[item].w, high[1] + around, 1e-5);
 	}
 
-	// a destroyed collidable has an empty box and counts as moved: its contacts end
+	// the box of a destroyed collidable is empty and counts as updated, so that its contacts end
 	p.collidable_kind[item] = KIND_DEAD;
 	transform_item(&p, item);
 	assert_true(p.collidable_flags[item] && box_is_empty(p.box[item]));
 	close_pools(&p);
 }
 
-// |vec_rotation(a) - (cos a, sin a)|: under 2e-7 up to 1 radian, 2.3e-5 up to pi; no worse than a rounding or two
-// for the turns of ordinary steps, up to a tenth.
+// |vec_rotation(a) - (cos a, sin a)| is below 2e-7 up to 1 radian, and below 2.3e-5 up to pi. Up to 0.1 radian, as in
+// ordinary steps, it is one or two roundings.
 static void rotations_are_exact_enough(void** state)
 {
 	(void)state;
@@ -120,7 +120,7 @@ static void rotations_are_exact_enough(void** state)
 // warm starting
 // ---------------------------------------------------------------------------------------------------------------
 
-#define CHAIN 48 // bodies, each tied to the next; even ties are one color, odd ones another
+#define CHAIN 48 // bodies, each with a contact to the next; even contacts have one color, odd contacts another
 
 static void make_chain(Pools* p)
 {
@@ -165,7 +165,7 @@ static void make_chain(Pools* p)
 	}
 }
 
-// both colors of the chain
+// Runs a stage for both colors of the chain.
 static void pass(const Pools* p, void (*stage)(const Pools* p, int i))
 {
 	for (int color = 0; color < 2; ++color)
@@ -173,8 +173,8 @@ static void pass(const Pools* p, void (*stage)(const Pools* p, int i))
 			stage(p, k);
 }
 
-// Per substep the plain form is: v += h g, then v += sum of all impulses so far (a pass over the contacts), bias, move,
-// relax. The pool base saves that pass; velocities and impulses are the same but for rounding.
+// A plain substep does v += h g, then v += sum of all impulses so far (a pass over the contacts), bias, move, relax.
+// The pool base saves that pass. Velocities and impulses are the same except for rounding.
 static void warm_start_equals_plain(void** state)
 {
 	(void)state;
@@ -217,11 +217,11 @@ static void warm_start_equals_plain(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// lists of answers
+// lists of query results
 // ---------------------------------------------------------------------------------------------------------------
 
-// The counter of answers goes up to QUERY_MOST and one call beyond. After that it stays, whoever adds: so it never runs over, and shows
-// the host that there are too many.
+// The counter of results goes up to QUERY_MOST and by one call beyond. Then it stays with any number of calls: it never
+// overflows, and shows the host that there are too many results.
 static void answers_are_counted_up_to_a_limit(void** state)
 {
 	(void)state;

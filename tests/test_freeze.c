@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_freeze.c -- bodies whose numbers are not finite stop for a step, the log says so, and the others go on; no valid call makes one.
+// test_freeze.c -- checks that bodies with numbers that are not finite stop for a step and are logged, that the others
+// continue, and that no valid call makes such a body.
 #include "support/log_lines.h"
 #include "support/make_joints.h"
 #include "world/upload/upload.h"
@@ -9,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// The rows of a body, changed behind the library's back.
+// Overwrites the velocity of a body directly in the pool.
 static void poke_velocity(scree_world* world, scree_body body, float vx, float w)
 {
 	Backend* b = world->backend;
@@ -21,8 +22,8 @@ static void poke_velocity(scree_world* world, scree_body body, float vx, float w
 	OK(b->f->write(b, POOL_body, (int)body.index, 1, &row));
 }
 
-// One body goes out of bounds, far from the others and amid them: what it touches may freeze with it, for one step; a
-// body beyond those must not notice, and the step after that all go on.
+// Gives one body a velocity that is not a number, far from the others or among them. Bodies that it touches may freeze
+// with it for one step. Other bodies do not change, and after that step all bodies move again.
 static void check_frozen(bool amid, void (*hurt)(scree_world* world, scree_body body))
 {
 	scree_world* world = open_world(-10.0f);
@@ -48,14 +49,14 @@ static void check_frozen(bool amid, void (*hurt)(scree_world* world, scree_body 
 	scree_velocity velocity = velocity_of(world, victim);
 	assert_true(velocity.linear.x == 0.0f && velocity.linear.y == 0.0f && velocity.angular == 0.0f);
 
-	// the host hears of it with the next step's counters
+	// the warning comes with the counters of the next step
 	run_steps(world, 1);
 	assert_int_equal(warning_count, 1);
 	char name[32];
 	snprintf(name, sizeof name, "body %u", victim.index);
 	assert_non_null(strstr(last_warning, name));
 
-	// and the world goes on
+	// all bodies continue
 	run_steps(world, 119);
 	assert_int_equal(warning_count, 1);
 	assert_int_equal(counters_of(world).frozen_bodies, 0);
@@ -84,7 +85,7 @@ static void bodies_freeze(void** state)
 	}
 }
 
-// Forces, torques and impulses that the interface takes, whose sums are beyond a float.
+// Applies valid forces, torques or impulses whose sum is beyond a float.
 static void push_by_force(scree_world* world, scree_body body)
 {
 	OK(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, 0.0f}));
@@ -106,7 +107,8 @@ static void push_by_impulse(scree_world* world, scree_body body)
 	                               (scree_vec){SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE}));
 }
 
-// Values that are read are finite, also while the body is disabled; afterwards the body moves at the speed limit.
+// Checks that values that are read are finite, also while the body is disabled, and that it then moves at the speed
+// limit.
 static void check_most(void (*push)(scree_world* world, scree_body body), bool disabled)
 {
 	scree_world* world = open_world(0.0f);
@@ -128,7 +130,7 @@ static void check_most(void (*push)(scree_world* world, scree_body body), bool d
 		velocity = velocity_of(world, body);
 		assert_true(hypotf(velocity.linear.x, velocity.linear.y) < 400.1f);
 	}
-	if (push == push_by_impulse || !disabled) // forces on what is disabled are not stored
+	if (push == push_by_impulse || !disabled) // forces on a disabled body are not stored
 		assert_true(hypotf(velocity.linear.x, velocity.linear.y) > 399.0f || fabsf(velocity.angular) > 100.0f);
 	assert_int_equal(warning_count, 0);
 	scree_world_destroy(world);
@@ -145,7 +147,8 @@ static void sums_end_at_the_most(void** state)
 	}
 }
 
-// Beads of 2 mm, welded or hinged at arms of 0.5 m, whose turns weigh a hundred-thousandth of the arms': they fall, and stay in a row.
+// Beads of 2 mm, welded or hinged at arms of 0.5 m, have 1/100,000 of the inertia of their mass at the arms. They fall,
+// and stay in a row.
 static void beads_at_long_arms(scree_joint_type type)
 {
 	scree_world* world = open_world(-10.0f);
@@ -175,7 +178,8 @@ static void beads_at_long_arms(scree_joint_type type)
 	scree_world_destroy(world);
 }
 
-// The least inertia that may be set, 1e-20 kg m^2 at 1 kg, on a pendulum of 1 m: 60 degrees to the left, then as far to the right.
+// A pendulum of 1 m with the smallest valid inertia, 1e-20 kg m^2 at 1 kg, swings from 60 degrees on the left to 60
+// degrees on the right.
 static void pendulum_without_inertia(bool set_last)
 {
 	scree_world* world = open_world(-10.0f);
@@ -212,7 +216,7 @@ static void long_arms_do_not_freeze(void** state)
 	pendulum_without_inertia(true);
 }
 
-// A circle of any mass, 1e-15 to 1e30 kg.
+// Adds a circle with any mass from 1e-15 to 1e30 kg.
 static scree_body add_mass(scree_world* world, float mass, float x, float y)
 {
 	scree_body body = add_shape(world, SCREE_BODY_DYNAMIC, circle_shape(0.2f), x, y, 0.0f);
@@ -220,7 +224,7 @@ static scree_body add_mass(scree_world* world, float mass, float x, float y)
 	return body;
 }
 
-// Rows and hubs of masses that differ by any factor fall and turn, fast. Their joints may yield.
+// Rows and hubs of bodies with very different masses fall and turn fast. No body freezes, but joints may open.
 static void unequal_masses_do_not_freeze(void** state)
 {
 	(void)state;
@@ -250,7 +254,8 @@ static void unequal_masses_do_not_freeze(void** state)
 	assert_int_equal(warning_count, 0);
 }
 
-// The least inertia at 1 kg, in a box that strikes a floor with a corner, and in a sensor that becomes solid.
+// The smallest valid inertia at 1 kg, in a box that hits a floor with a corner and in a sensor that becomes solid. No
+// body freezes.
 static void contacts_without_inertia_do_not_freeze(void** state)
 {
 	(void)state;
@@ -277,7 +282,7 @@ static void contacts_without_inertia_do_not_freeze(void** state)
 	{
 		read = mass_of(world, boxes[k]);
 		assert_true(read.inertia == mass.inertia);
-		NEAR(position_of(world, boxes[k]).y, 0.06, 0.04); // it sinks a little, and no further
+		NEAR(position_of(world, boxes[k]).y, 0.06, 0.04); // overlaps a little, and does not sink further
 	}
 	assert_int_equal(warning_count, 0);
 	scree_world_destroy(world);

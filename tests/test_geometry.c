@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_geometry.c -- shapes: areas, centroids and inertias against closed formulas and against a grid of samples.
+// test_geometry.c -- checks areas, centroids and inertias of shapes against closed formulas and a grid of samples.
 #include "platform/trig.h"
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
@@ -39,7 +39,7 @@ static bool contains(const scree_shape* s, double x, double y)
 	return inside;
 }
 
-// Area, centroid and inertia as sums over a grid of samples.
+// Checks area, centroid and inertia against sums over a grid of samples.
 static void assert_sampled(const scree_shape* s)
 {
 	const int samples = 500;
@@ -92,7 +92,7 @@ static void circle_follows_its_formula(void** state)
 	NEAR(s.reach, sqrt(10.0) + 0.5, 1e-6);
 }
 
-// A rectangle 2 r by L and two half discs, whose centroids lie 4 r / (3 pi) beyond its ends.
+// A capsule is a rectangle 2 r by L and two half discs, whose centroids lie 4 r / (3 pi) beyond its ends.
 static void capsule_follows_its_formula(void** state)
 {
 	(void)state;
@@ -128,13 +128,13 @@ static void triangle_follows_its_formula(void** state)
 	NEAR(s.centroid.x, 101.0, 1e-5);
 	NEAR(s.centroid.y, 50.0 + 2.0 / 3.0, 1e-5);
 
-	// the other way round is the same polygon
+	// corners in reverse order make the same polygon
 	scree_vec turned[3] = {corners[2], corners[1], corners[0]};
 	scree_shape t = polygon_shape(turned, 3, 0.0f);
 	assert_memory_equal(&s, &t, sizeof s);
 }
 
-// A rounded outline adds perimeter times radius, and a disc: Steiner's formula.
+// Steiner's formula: rounding adds perimeter times radius, and a disc.
 static void rounded_polygons_follow_steiner(void** state)
 {
 	(void)state;
@@ -176,7 +176,7 @@ static void hulls_hold_all_points(void** state)
 			continue;
 		++made;
 
-		// welding and dropping flat corners may leave a point outside by this distance
+		// a point may lie outside by this distance, because near corners are merged and flat ones are dropped
 		for (int i = 0; i < count; ++i)
 		{
 			for (int k = 0; k < s.count; ++k)
@@ -186,7 +186,7 @@ static void hulls_hold_all_points(void** state)
 			}
 		}
 
-		// its corners are a polygon that is taken, and the same one
+		// the corners of the hull make the same polygon
 		scree_shape again = polygon_shape(s.vertices, s.count, 0.0f);
 		assert_memory_equal(&s, &again, sizeof s);
 	}
@@ -241,8 +241,9 @@ static void hull_drops_what_polygon_refuses(void** state)
 	NEAR(s.area, 4.0, 0.01);
 }
 
-// Tolerances are a twentieth of the size, and a tenth of that for corners on a line, within 0.5 and 5 mm: the same polygon from 2 mm to
-// 20 m is made while its shortest edge is longer, as a polygon and as a hull, and stays valid when it is turned.
+// Tolerances are 1/20 of the size, and a tenth of that for corners on a line, between 0.5 and 5 mm. Polygons of the
+// same form from 2 mm to 20 m are accepted while their shortest edge is longer than that, and stay valid when they are
+// rotated. Hulls merge the corners of shorter edges.
 static void small_corners_are_kept(void** state)
 {
 	(void)state;
@@ -301,7 +302,7 @@ static void a_moved_shape_keeps_its_mass(void** state)
 		OK(scree_shape_transform(&moved, inverse, &back));
 	}
 
-	// so far out that floats cannot hold its corners apart
+	// so far from the origin that floats cannot separate its corners
 	scree_pose far = {{99999.0f, 0.0f}, {1.0f, 0.0f}};
 	assert_refused(scree_shape_transform(&shapes[0], far, &moved), "transformed.vertices");
 	scree_pose beyond = {{100001.0f, 0.0f}, {1.0f, 0.0f}};

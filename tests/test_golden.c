@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_golden.c -- the hash of every scene against the one that is committed: the same for every compiler and machine.
+// test_golden.c -- checks the hash of every scene against tests/golden.txt, which is the same for every compiler and
+// machine.
 //
-// After a change that is meant to change bits: SCREE_GOLDEN=write ctest -R test_golden writes tests/golden.txt again, and
-// CHANGELOG.md says why the hashes changed. In the smaller set of tests, runs are shorter and have hashes of their own.
+// After an intended change of bits, SCREE_GOLDEN=write ctest -R test_golden writes tests/golden.txt again, and
+// CHANGELOG.md gives the reason. The smaller set of tests has shorter runs with hashes of their own.
 #include "support/small_scenes.h"
 #include <inttypes.h>
 #include <stdio.h>
@@ -21,7 +22,7 @@ typedef struct
 static Golden computed[64], committed[64];
 static int computed_count, committed_count;
 
-// Hashes at a quarter of the steps, which the smaller set runs, and at the end.
+// Computes the hash after a quarter of the steps, which the smaller set of tests runs, and at the end.
 static void compute(const Scenario* scenario)
 {
 	Variant variant = {.name = "cpu", .device = "cpu"};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_growth.c -- pools that begin with room for one item: the same run as with room for all, and nothing is lost.
+// test_growth.c -- checks that pools that begin with room for one item give the same run as pools with room for all.
 //
-// The formula: hash(capacity 1, step) = hash(ample capacity, step), for each step; growth shows in Counters.grown alone.
+// Formula: hash(capacity 1, step) = hash(ample capacity, step) for each step. Growth only shows in
+// scree_counters.reallocations.
 #include "support/make_bodies.h"
 #include "support/scenarios.h"
 #include "world/world.h"
@@ -15,15 +16,15 @@ typedef struct
 {
 	const char* name;
 	int columns, rows; // columns and rows of bodies
-	int steps, burst;  // burst: the step before which the bodies come
-	bool plate;        // onto a body that then has more contacts than there are colors
+	int steps, burst;  // burst: step before which the bodies are added
+	bool plate;        // the bodies fall on a plate, which then has more contacts than there are colors
 } Case;
 
 // ---------------------------------------------------------------------------------------------------------------
 // scenarios
 // ---------------------------------------------------------------------------------------------------------------
 
-// A grid of bodies, each of an attribute of its own, so close that each begins with several contacts.
+// Adds a grid of bodies, each with its own attribute, so close together that each begins with several contacts.
 static void add_grid(scree_world* world, const Case* c)
 {
 	for (int k = 0; k < c->columns * c->rows; ++k)
@@ -49,7 +50,7 @@ static void come(scree_world* world, int step, const void* context)
 	if (step == c->burst)
 		add_grid(world, c);
 
-	// one command each, and more than the pool of commands begins with
+	// one command per body, more than the initial size of the pool of commands
 	scree_body bodies[4096];
 	int count;
 	OK(scree_world_get_bodies(world, bodies, 4096, &count));
@@ -133,7 +134,7 @@ static void impulses_survive(void** state)
 	int count = read_contacts(world, &before), grown = counters_of(world).reallocations;
 	assert_int_equal(count, 10);
 
-	// far from the stack
+	// the grid is far from the stack
 	add_grid(world, &some);
 	run_steps(world, 1);
 	int more = read_contacts(world, &after);

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// test_hubs.c -- bodies with many contacts: plates that carry crates rest, fly and bounce as others do, everywhere alike.
+// test_hubs.c -- checks bodies with many contacts: plates that carry crates rest, fly and bounce like other bodies,
+// equally on all devices.
 #include "support/make_joints.h"
 #include "support/scenarios.h"
 #include <math.h>
 #include <stdlib.h>
 
-#define CRATE 0.2f // half of a crate
+#define CRATE 0.2f // half of the side of a crate, m
 #define PITCH 0.5f
-#define PLATE 0.2f // half of a plate's height
+#define PLATE 0.2f // half of the height of a plate, m
 
 typedef struct
 {
-	int crates, plates; // crates on each plate
+	int crates, plates; // crates: number on each plate
 	float density;      // density of the plates
 	float friction, restitution, rolling;
 } Stack;
@@ -26,7 +27,7 @@ static scree_attribute surface(scree_world* world, scree_shape shape, float dens
 	return add_attribute(world, &def);
 }
 
-// Crates side by side on a plate, their undersides at height y. Writes them behind each other from bodies on.
+// Adds crates side by side, with their lower sides at height y. Writes their handles to bodies.
 static void add_crates(scree_world* world, const Stack* s, float y, scree_body* bodies)
 {
 	scree_attribute crate = surface(world, box_shape(CRATE, CRATE), 1.0f, s);
@@ -35,7 +36,7 @@ static void add_crates(scree_world* world, const Stack* s, float y, scree_body* 
 		                     y + CRATE, 0.0f);
 }
 
-// Plates and crates in turns on a floor, touching. bodies: the plates, then the crates.
+// Adds plates and rows of crates in turn on a floor, in contact. bodies: the plates, then the crates.
 static void add_stack(scree_world* world, const Stack* s, scree_body* bodies)
 {
 	float half = 0.5f * PITCH * (float)s->crates + 1.0f, y = 0.0f;
@@ -71,7 +72,7 @@ static void check_rest(const Stack* s, int steps, double limit)
 	scree_world_destroy(world);
 }
 
-// A plate under crates overlaps by 1 mm at most, however many they are; light plates and stacks of plates by 2 mm.
+// A plate under any number of crates overlaps by at most 1 mm; light plates and stacks of plates by at most 2 mm.
 static void plates_carry_crates(void** state)
 {
 	(void)state;
@@ -87,8 +88,8 @@ static void plates_carry_crates(void** state)
 	check_rest(&(Stack){64, 3, 1.0f, 0.6f, 0.0f, 0.0f}, 240, 0.002);
 }
 
-// Adds combs, bodies with many teeth, that lie on each other around x: hubs that touch hubs in many places, heavy and light
-// ones alternately.
+// Adds combs, which are bodies with many teeth, on top of each other around x: hubs that touch hubs in many places,
+// heavy and light ones in turn.
 static void add_combs(scree_world* world, int teeth, int combs, float other_density, float x)
 {
 	Stack floor = {.friction = 0.6f};
@@ -133,7 +134,7 @@ static void combs_rest_on_combs(void** state)
 	check_combs(80, 5, 1.0f);
 }
 
-// A minute later a plate and its crates are where they were.
+// A plate and its crates do not move within a minute.
 static void plate_stays(void** state)
 {
 	(void)state;
@@ -155,7 +156,7 @@ static void plate_stays(void** state)
 	scree_world_destroy(world);
 }
 
-// A plate without gravity strikes crates at 50 m/s: momentum and angular momentum are kept, energy is never gained.
+// A plate without gravity hits crates at 50 m/s: momentum and angular momentum are kept, and energy never grows.
 static void impacts_keep_momentum(void** state)
 {
 	(void)state;
@@ -191,8 +192,8 @@ static void impacts_keep_momentum(void** state)
 	}
 }
 
-// On a tilted plane (gravity is tilted instead), Coulomb: below the friction angle all stay, above it a plate with its crates
-// slides with a = g (sin - friction cos) if the crates stay on it.
+// Coulomb friction on a tilted plane (gravity is tilted instead): below the friction angle all bodies stay. Above it a
+// plate slides together with its crates at a = g (sin - friction cos).
 static void hubs_slide_by_coulomb(void** state)
 {
 	(void)state;
@@ -213,7 +214,7 @@ static void hubs_slide_by_coulomb(void** state)
 	}
 }
 
-// Balls of restitution e dropped on a plate that lies on the ground leave with e times the speed at which they came.
+// Balls with restitution e, dropped on a plate that lies on the ground, leave with e times the speed of their impact.
 static void hubs_bounce(void** state)
 {
 	(void)state;
@@ -244,8 +245,8 @@ static void hubs_bounce(void** state)
 	scree_world_destroy(world);
 }
 
-// Rolling resistance with a lever c slows rollers on a plate: v = v0 - 2 c g t / (3 r), for a disc has I = m r^2 / 2. Without
-// it they roll on.
+// Rolling resistance with a lever c slows down rollers on a plate: v = v0 - 2 c g t / (3 r), because the inertia of a
+// disc is m r^2 / 2. Without resistance they keep rolling.
 static void hubs_resist_rolling(void** state)
 {
 	(void)state;
@@ -274,7 +275,7 @@ static void hubs_resist_rolling(void** state)
 	NEAR(left[1], 1.0 - 2.0 * 0.05 * CRATE * G * 2.0 / (3.0 * CRATE), 0.02);
 }
 
-// A body that cannot turn, and one of little inertia, carry crates as well.
+// A plate that cannot rotate carries crates as well.
 static void locked_hubs_carry(void** state)
 {
 	(void)state;
@@ -288,11 +289,11 @@ static void locked_hubs_carry(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// everywhere alike
+// joints, changes and parity
 // ---------------------------------------------------------------------------------------------------------------
 
-// Joints count as contacts do: with a contact more, or with a joint more, all contacts of a body become spokes in the same step,
-// whatever else begins and ends in it.
+// Joints count like contacts. With one more contact or one more joint, all contacts of a body become spokes in the same
+// step.
 static void joints_make_hubs(void** state)
 {
 	(void)state;
@@ -312,8 +313,9 @@ static void joints_make_hubs(void** state)
 	scree_world_destroy(world);
 }
 
-// Plates on plates (hubs that touch hubs), crates between two plates, a compound body that touches a plate in many places,
-// all surfaces, something that drives it all: bodies are destroyed and come while it runs.
+// Plates on plates (hubs that touch hubs), crates between two plates, a compound body that touches a plate in many
+// places, several surfaces, and a rotating body that drives the plates. Bodies are destroyed and created during the
+// run.
 static void build_all(scree_world* world, const void* context)
 {
 	(void)context;
@@ -348,7 +350,7 @@ static void build_all(scree_world* world, const void* context)
 	add_body(world, SCREE_BODY_STATIC, surface(world, box_shape(20.0f, 1.0f), 1.0f, &s), 60.0f, -1.0f, 0.0f);
 	add_combs(world, 40, 4, 0.3f, 60.0f);
 
-	// a belt that turns under the plates' end
+	// a rotating body under the ends of the plates
 	scree_body belt = add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 0.2f, 15.5f, -0.1f);
 	throw_body(world, belt, 0.0f, 0.0f, 0.8f);
 }
@@ -362,7 +364,7 @@ static void act_all(scree_world* world, int step, const void* context)
 	if (step % 3 == 2)
 		OK(scree_body_set_pose(world, bodies[10 + step % 40],
 		                       (scree_pose){{0.3f * (float)(step % 20), 5.0f}, scree_rot_make(0.1f * (float)step)}));
-	if (step == 30) // the upper plate, a hub at both of its sides
+	if (step == 30) // the upper plate, a hub with crates on both sides
 		OK(scree_body_destroy(world, bodies[2]));
 	if (step == 40)
 		OK(scree_body_set_type(world, bodies[1], SCREE_BODY_KINEMATIC));
@@ -391,7 +393,8 @@ static scree_attribute belt_of(scree_world* world, float speed)
 	return add_attribute(world, &def);
 }
 
-// A box lies on the ends of two belts of 1 m/s, of which the second one runs back or does not. Returns the box and the second belt.
+// Lays a box on the ends of two belts of 1 m/s; the second belt runs in the opposite direction if back is true. Writes
+// the handles of the box and of the second belt.
 static scree_world* lay_on_belts(bool back, scree_body* box, scree_body* second)
 {
 	scree_world* world = open_world(-(float)G);
@@ -402,8 +405,8 @@ static scree_world* lay_on_belts(bool back, scree_body* box, scree_body* second)
 	return world;
 }
 
-// A box in the middle of two belts that run towards each other is a hub, and rests there: both carry the same. On belts that run one way
-// it is none, until one of them turns back.
+// A box in the middle of two belts that run towards each other is a hub and rests there, because both belts carry the
+// same load. On belts that run in the same direction it is no hub until one of them is reversed.
 static void belts_make_hubs(void** state)
 {
 	(void)state;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_idle.c -- blocks of static bodies that a CPU leaves out: the same bits as without, whatever is changed and when.
+// test_idle.c -- checks that blocks of static bodies that the CPU skips give the same bits as without skipping, after
+// changes of all kinds.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 #include "world/device/idle.h"
@@ -13,15 +14,15 @@ enum
 	KINDS = 12
 };
 
-typedef struct // two worlds with the same calls; the second one never leaves a block out
+typedef struct // two worlds with the same calls; the second one never skips a block
 {
 	scree_world* worlds[2];
 	scree_body statics[2][STATICS], movers[2][MOVERS];
 	scree_collidable free[2];
-	int left_out; // steps in which blocks were left out
+	int left_out; // number of steps in which blocks were skipped
 } Level;
 
-// Floors of boxes in rows, and movers that fall on them.
+// Creates floors of boxes in rows, and bodies that fall on them.
 static void open_level(Level* level, int threads)
 {
 	*level = (Level){0};
@@ -63,7 +64,7 @@ static void advance(Level* level, int steps)
 	}
 }
 
-// One change of a static body.
+// Makes one change of a static body.
 static void change(Level* level, int w, int kind, int k)
 {
 	scree_world* world = level->worlds[w];
@@ -113,7 +114,7 @@ static void change(Level* level, int w, int kind, int k)
 	}
 }
 
-// Each change in a level at rest, twice: the second one undoes types and what is disabled.
+// Makes each change twice in a level at rest. The second time, types are reset and disabled bodies are enabled.
 static void changes_are_seen(void** state)
 {
 	(void)state;
@@ -142,7 +143,7 @@ static void changes_are_seen(void** state)
 	}
 }
 
-// Random changes of anything in any step, and moves to the same device.
+// Makes random changes before any step, and moves the world to the same device.
 static void random_changes(void** state)
 {
 	(void)state;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_impacts.c -- bounces keep energy, nothing goes through static bodies, limits hold, no finite body is frozen.
+// test_impacts.c -- checks that bounces keep energy, that nothing passes through static bodies, that limits hold, and
+// that no finite body is frozen.
 #include "support/make_bodies.h"
 #include "support/scenarios.h"
 #include "tools/common/random_numbers.h"
@@ -14,7 +15,7 @@ static scree_body add(scree_world* world, scree_body_type type, scree_shape shap
 	return add_body(world, type, add_attribute(world, &def), at.x, at.y, radians);
 }
 
-// A rim of many boxes, which several work-items of continuous collision share.
+// Adds a rim of many boxes, which several work-items of continuous collision share.
 static scree_body add_rim(scree_world* world, int boxes, float radius, scree_vec at)
 {
 	scree_attribute attribute = shape_attribute(world, box_shape(0.05f, 3.2f * radius / (float)boxes));
@@ -32,8 +33,8 @@ static scree_body add_rim(scree_world* world, int boxes, float radius, scree_vec
 	return rim;
 }
 
-// Kinetic energy and height of a body per unit of mass and gravity, m. What falls in substeps of h is on a parabola, on
-// which its speed is g h / 2 less than what it goes with.
+// Returns the kinetic and potential energy of a body, divided by mass and gravity, m. A body that falls in substeps of
+// h is on a parabola on which its vertical velocity is g h / 2 lower.
 static double energy_of(scree_world* world, scree_body body, double resting, int substeps)
 {
 	scree_velocity v = velocity_of(world, body);
@@ -43,7 +44,7 @@ static double energy_of(scree_world* world, scree_body body, double resting, int
 	return position_of(world, body).y - resting + 0.5 * squares / G;
 }
 
-// e^2 h: how high a ball rises that fell from h.
+// A ball that falls from h rises to e^2 h.
 static void rebound_height(void** state)
 {
 	(void)state;
@@ -68,7 +69,7 @@ static void rebound_height(void** state)
 		}
 }
 
-// e = 1: energy stays, of a ball and of a box that lands on two points.
+// A ball, and a box that lands on two points, keep their energy with restitution 1.
 static void bounces_keep_energy(void** state)
 {
 	(void)state;
@@ -94,8 +95,8 @@ static void bounces_keep_energy(void** state)
 	}
 }
 
-// The first of equal balls in a row hands its momentum to the last, if they are apart. Touching or not, no energy is
-// gained.
+// The first of several equal balls in a row passes its momentum to the last if they are apart. No energy is gained,
+// whether they touch or not.
 static void rows_of_balls(void** state)
 {
 	(void)state;
@@ -127,7 +128,7 @@ static void rows_of_balls(void** state)
 	}
 }
 
-// A body that comes slower than the threshold rests, whatever its restitution, and stays at rest.
+// A body that is slower than the threshold comes to rest with any restitution, and stays at rest.
 static void slow_impacts_end(void** state)
 {
 	(void)state;
@@ -144,8 +145,8 @@ static void slow_impacts_end(void** state)
 	scree_world_destroy(world);
 }
 
-// A heavy body strikes a light one, which rests before a wall, at 60 m/s: both stay before the wall (of 2,560 pass through with Box2D: 6,
-// without continuous collision: 1,800).
+// A heavy body hits a light one, which rests in front of a wall, at 60 m/s: both stay in front of the wall. Of 2,560
+// pairs, 6 pass through with Box2D, and 1,800 without continuous collision.
 static void strikes_before_a_wall(void** state)
 {
 	(void)state;
@@ -169,8 +170,8 @@ static void strikes_before_a_wall(void** state)
 	}
 }
 
-// No shape crosses a thin wall at 100 to 400 m/s (Box2D: 158 of 5,760, before 191), nor does it leave faster than it came; but it flies
-// through walls that its filter excludes.
+// No shape crosses a thin wall at 100 to 400 m/s (Box2D: 158 of 5,760; an earlier version of Scree: 191), or leaves it
+// faster than it came. A body passes through walls that its filter excludes.
 static void fast_bodies_at_walls(void** state)
 {
 	(void)state;
@@ -204,7 +205,8 @@ static void fast_bodies_at_walls(void** state)
 	}
 }
 
-// Nor does a body of many collidables: a turning rim of 2 to 200 boxes and one in the middle, struck at 100 to 300 m/s by what is heavier.
+// A body of many collidables does not cross a wall either: a rotating rim of 2 to 200 boxes with another box in the
+// middle, hit by a heavier body at 100 to 300 m/s.
 static void fast_rims_at_walls(void** state)
 {
 	(void)state;
@@ -233,8 +235,8 @@ static void fast_rims_at_walls(void** state)
 	assert_true(held > 0);
 }
 
-// Continuous collision stops only bodies that would pass through others. It does not stop stacks on flush tiles and segments, a thin rod that
-// slides fast under a load, or a body that leaves a static one in which it was.
+// Continuous collision stops only bodies that would pass through others. It does not stop stacks on flush tiles and
+// segments, a thin rod that slides fast under a load, or a body that leaves a static one in which it started.
 static void held_by_no_mistake(void** state)
 {
 	(void)state;
@@ -263,8 +265,9 @@ static void held_by_no_mistake(void** state)
 	scree_world_destroy(world);
 }
 
-// Chips of 4 by 2 cm at a wall, and among them a rod that spins: finite, so that none is frozen (before: 41 % at 100 m/s), and no
-// limit is exceeded. A force of 1e22 N makes max_speed along its direction, and so does one of 3.4e38 N, whose acceleration exceeds a float.
+// Chips of 4 cm by 2 cm fly at a wall with a spinning rod among them. All are finite, so none is frozen (an earlier
+// version froze 41 % at 100 m/s), and no limit is exceeded. A force of 1e22 N gives max_speed along its direction, and
+// so does one of 3.4e38 N, whose acceleration is beyond a float.
 static void limits_hold(void** state)
 {
 	(void)state;
@@ -325,8 +328,8 @@ static void build_heap(scree_world* world, const void* context)
 	}
 }
 
-// Overlapping bodies that start from rest, among kinematic ones at up to 7 m/s, are pushed apart, not shot out (before:
-// 160 m/s, Box2D 102).
+// Overlapping bodies that start from rest, among kinematic bodies of up to 7 m/s, are pushed apart below 100 m/s (an
+// earlier version: 160 m/s, Box2D: 102 m/s).
 static void heaps_do_not_explode(void** state)
 {
 	(void)state;
@@ -347,7 +350,7 @@ static void heaps_do_not_explode(void** state)
 	}
 }
 
-// all cases of this file in one world: also a body with several collidables, some of which are destroyed and created
+// Builds all cases of this file in one world. act_all creates and destroys collidables of its bodies.
 static void build_all(scree_world* world, const void* context)
 {
 	(void)context;
@@ -400,7 +403,7 @@ static void same_on_every_variant(void** state)
 	check_parity(&heap, NULL);
 }
 
-// J: of motion
+// Returns the kinetic energy of a body, J.
 static double motion_of(scree_world* world, scree_body body)
 {
 	scree_mass mass = mass_of(world, body);
@@ -409,7 +412,8 @@ static double motion_of(scree_world* world, scree_body body)
 	return 0.5 * ((double)mass.mass * square + (double)(mass.inertia * v.angular * v.angular));
 }
 
-// Boxes of restitution 1 in a closed room without gravity: a box that bounces off two others at once gains nothing.
+// Boxes with restitution 1 in a closed room without gravity gain no energy, also when a box bounces off two others at
+// once.
 static void gases_gain_nothing(void** state)
 {
 	(void)state;
@@ -459,7 +463,7 @@ static void gases_gain_nothing(void** state)
 	}
 }
 
-// A box that lands on a corner, and slips: friction and restitution together gain nothing.
+// A box that lands on a corner and slips gains no energy by friction and restitution together.
 static void corners_gain_nothing(void** state)
 {
 	(void)state;
@@ -474,7 +478,7 @@ static void corners_gain_nothing(void** state)
 		add_body(world, SCREE_BODY_STATIC, add_attribute(world, &def), 0.0f, -0.5f, 0.0f);
 		scree_body body = add_body(world, SCREE_BODY_DYNAMIC, box, 0.0f, 2.5f, 0.0131f * (float)(k - 30));
 		run_steps(world, 60);
-		// a falling body is half a substep of gravity above its parabola
+		// a body that falls in substeps is on a parabola with half a substep less of gravity
 		double half = 0.5 * 10.0 * (double)STEP / SUBSTEPS * (double)velocity_of(world, body).linear.y;
 		NEAR(fmax(motion_of(world, body) - half + 10.0 * (double)position_of(world, body).y, 25.0), 25.0, 0.3);
 		scree_world_destroy(world);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// test_joint_bounds.c -- bounds of springs and motors: of a push and of a pull, and along and across together.
+// test_joint_bounds.c -- checks the bounds of springs and motors: separate bounds of push and pull, and common bounds
+// of along and across.
 #include "support/make_joints.h"
 #include <float.h>
 #include <math.h>
 
-// A box of 1 kg in a world without gravity.
+// Adds a box of 1 kg with a velocity.
 static scree_body add_puck(scree_world* world, scree_velocity velocity)
 {
 	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
@@ -13,8 +14,8 @@ static scree_body add_puck(scree_world* world, scree_velocity velocity)
 	return body;
 }
 
-// A rubber band, which only pulls, and a bumper, which only pushes: a spring of the same stiffness on one side, nothing on the
-// other.
+// A rubber band only pulls and a bumper only pushes: each is a spring of the same stiffness on one side, and exerts no
+// force on the other.
 static void springs_push_or_pull(void** state)
 {
 	(void)state;
@@ -34,25 +35,25 @@ static void springs_push_or_pull(void** state)
 			*(pulls ? &along->spring_push : &along->spring_pull) = 0.0f;
 			scree_joint joint = add_joint(world, &def);
 
-			// on the side of no force it moves on
+			// without a force on this side the body keeps moving
 			run_steps(world, 30);
 			NEAR(velocity_of(world, body).linear.x, pulls ? -1.0 : 1.0, 1e-5);
 			NEAR(joint_state_of(world, joint).force.x, 0.0, 0.0);
 
-			// on the other one it comes back after half a second
+			// on the other side the body is back after half a second
 			OK(scree_body_set_pose(world, body, (scree_pose){{0.0f, 0.0f}, {1.0f, 0.0f}}));
 			throw_body(world, body, pulls ? 1.0f : -1.0f, 0.0f, 0.0f);
 			run_steps(world, 15);
 			assert_true(pulls ? joint_state_of(world, joint).force.x < -1.0f
 			                  : joint_state_of(world, joint).force.x > 1.0f);
 			run_steps(world, 17);
-			// a spring without damping gives back all energy
+			// a spring without damping returns all energy
 			NEAR(velocity_of(world, body).linear.x, pulls ? -1.0 : 1.0, 1e-4);
 			scree_world_destroy(world);
 		}
 }
 
-// The smaller one of two bounds holds, on its side.
+// The smaller one of two bounds limits each side.
 static void bounds_of_a_side(void** state)
 {
 	(void)state;
@@ -78,8 +79,8 @@ static void bounds_of_a_side(void** state)
 		}
 }
 
-// Friction from above: a box that slides in any direction slows down by the same, and keeps its direction. Each coordinate by
-// itself stops when its own part is gone.
+// Friction of a box on a table, seen from above. With an elliptic bound the box slows down equally in every direction
+// and keeps its direction. Without it, each coordinate stops by itself.
 static void friction_in_any_direction(void** state)
 {
 	(void)state;
@@ -110,7 +111,8 @@ static void friction_in_any_direction(void** state)
 		}
 }
 
-// A skate: little friction along, much across. A steady force is held while it is within the ellipse, and no longer.
+// A skate has little friction along and much across. It resists a constant force inside the ellipse of its bounds, and
+// no larger one.
 static void friction_of_a_skate(void** state)
 {
 	(void)state;
@@ -138,7 +140,8 @@ static void friction_of_a_skate(void** state)
 		}
 }
 
-// A hand that drags a body: a force of F at most, whichever way, and nothing where a bound is 0.
+// A target joint drags a body with a force of at most F in any direction, and with none along a coordinate whose bound
+// is 0.
 static void targets_in_any_direction(void** state)
 {
 	(void)state;
@@ -161,8 +164,9 @@ static void targets_in_any_direction(void** state)
 		}
 }
 
-// A puck on a floor seen from above, whose friction acts 0.4 m beside its center of mass: 15 N push it on against a friction of 10 N,
-// whose 4 N m the friction of its spin holds, up to 10 N m. So it does not turn. Before, it turned by 0.005 rad/s for ever.
+// A puck on a table, seen from above, has friction 0.4 m beside its center of mass. A force of 15 N pushes it against a
+// friction of 10 N, whose torque of 4 N m is below the 10 N m of its friction against spin. So it does not turn. An
+// earlier version turned it by 0.005 rad/s.
 static void friction_beside_the_center(void** state)
 {
 	(void)state;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_joint_chains.c -- rows of joints, which are solved together: heavy loads, rings, rows that grow, tear and meet.
+// test_joint_chains.c -- checks rows of joints that are solved together: heavy loads, rings, and rows that grow, tear
+// and join.
 #include "support/make_joints.h"
 #include <math.h>
 #include <stdlib.h>
@@ -9,15 +10,15 @@
 
 static scree_body links[MOST + 1];
 
-// count links of half a metre in a row to the right
+// Adds count links of half a metre in a row to the right.
 static void add_links(scree_world* world, int count, float x, float y)
 {
 	for (int k = 0; k < count; ++k)
 		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, x + 0.25f + 0.5f * (float)k, y);
 }
 
-// A load at the end of a rope, heavier than a link by a ratio, falls from the horizontal and pulls with up to three times its weight:
-// each joint of the rope is longer by 2 F / m w^2.
+// A load at the end of a rope, ratio times as heavy as a link, falls from the horizontal and pulls with up to three
+// times its weight. Each joint of the rope then opens by 2 F / (m w^2).
 static void ropes_swing_heavy_loads(void** state)
 {
 	(void)state;
@@ -47,7 +48,7 @@ static void ropes_swing_heavy_loads(void** state)
 	}
 }
 
-// A rope of 300 links hangs.
+// A hanging rope of n = 300 links is longer by n^2 g / w^2.
 static void long_ropes_hang(void** state)
 {
 	(void)state;
@@ -67,7 +68,8 @@ static void long_ropes_hang(void** state)
 	scree_world_destroy(world);
 }
 
-// Chains that whirl in free flight, open and as rings, at several spins: momentum and angular momentum stay, energy does not grow.
+// Chains rotate in free flight, open or as rings, at several speeds. Momentum and angular momentum stay, and energy
+// does not grow.
 static void whirls_keep_momentum(void** state)
 {
 	(void)state;
@@ -111,7 +113,7 @@ static void whirls_keep_momentum(void** state)
 	}
 }
 
-// A rope that tears in its middle: what is below falls with g, what is above hangs on.
+// A rope tears in its middle: the lower part falls with g, and the upper part keeps hanging.
 static void ropes_tear(void** state)
 {
 	(void)state;
@@ -141,7 +143,8 @@ static void ropes_tear(void** state)
 	scree_world_destroy(world);
 }
 
-// Rows that grow link by link, are cut anywhere, joined to each other and to a body with many, in mid-flight.
+// Rows grow link by link, are cut in several places, and are joined to each other and to a body with many joints, in
+// motion.
 static void rows_change(void** state)
 {
 	(void)state;
@@ -151,7 +154,7 @@ static void rows_change(void** state)
 	double gap = 0.0;
 	for (int k = 0; k < 60; ++k)
 	{
-		// current place of the link
+		// current end of the row
 		scree_vec end = {0.0f, 0.0f};
 		if (k > 0)
 		{
@@ -168,7 +171,7 @@ static void rows_change(void** state)
 	print_message("row that grows to 60 links: gaps up to %.4f m\n", gap);
 	assert_true(gap < 0.05);
 
-	// cut twice, a ring closed by a rod, a third joint in the middle, a kinematic and a disabled link
+	// two cuts, a ring closed by a rod, a third joint in the middle, a kinematic and a disabled link
 	OK(scree_joint_destroy(world, joints[20]));
 	run_steps(world, 2);
 	OK(scree_body_set_type(world, links[10], SCREE_BODY_KINEMATIC));
@@ -191,7 +194,7 @@ static void rows_change(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// among contacts
+// chains with contacts
 // ---------------------------------------------------------------------------------------------------------------
 
 static void damp(scree_world* world, int count, float rate)
@@ -200,7 +203,7 @@ static void damp(scree_world* world, int count, float rate)
 		OK(scree_body_set_damping(world, links[k], rate, rate));
 }
 
-// A bridge, taut between two points, whose second plank presses on a box at its end, comes to rest.
+// A bridge, tight between two points, whose second plank presses on a box at its end, comes to rest.
 static void bridges_rest_on_boxes(void** state)
 {
 	(void)state;
@@ -218,7 +221,7 @@ static void bridges_rest_on_boxes(void** state)
 	scree_world_destroy(world);
 }
 
-// A rope that hangs from the middle of a box, in which its second link lies, comes to rest between the two.
+// A rope that hangs from the middle of a box, with its second link inside the box, comes to rest.
 static void ropes_rest_in_boxes(void** state)
 {
 	(void)state;
@@ -236,7 +239,8 @@ static void ropes_rest_in_boxes(void** state)
 	assert_true(speed < 5e-4);
 }
 
-// A rope with a load of 20 links at both ends lies on a peg and comes to rest, though contacts of light links carry its tension.
+// A rope with a load of 20 links at both ends lies over a peg and comes to rest, although contacts of light links carry
+// its tension.
 static void ropes_stay_on_pegs(void** state)
 {
 	(void)state;
@@ -264,7 +268,8 @@ static void ropes_stay_on_pegs(void** state)
 
 #define ROPES 20
 
-// Adds a rope of count links. The last link is heavy, and one of the other joints has a motor.
+// Adds a rope of count links. The last link is heavy, and one of the joints has a motor. Returns the joint that is cut
+// later.
 static scree_joint hang(scree_world* world, int count, float x)
 {
 	scree_joint cut = SCREE_NULL_JOINT;
@@ -283,7 +288,7 @@ static scree_joint hang(scree_world* world, int count, float x)
 	return cut;
 }
 
-// Ropes of many lengths lie side by side, and each moves as it does alone, bit by bit: while it hangs, and after it was cut.
+// Ropes of many lengths lie side by side. Each moves with the same bits as alone, while it hangs and after it was cut.
 static void ropes_side_by_side(void** state)
 {
 	(void)state;
@@ -310,8 +315,9 @@ static void ropes_side_by_side(void** state)
 	}
 }
 
-// A net that hangs by the middle of its upper side, as in Box2D's benchmark joint_grid: joints there are open by what a lock of 60 Hz
-// yields under the load. While bodies turned to and fro faster than substeps follow, they were open by three times that.
+// A net hangs by the middle of its upper side, as in Box2D's benchmark joint_grid. Its joints open as far as a lock of
+// 60 Hz yields under the load. In an earlier version bodies rotated back and forth faster than substeps could follow,
+// and joints opened three times as far.
 static void nets_hold_their_weight(void** state)
 {
 	(void)state;

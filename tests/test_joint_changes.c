@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_joint_changes.c -- joints made, changed and destroyed between steps; on the CPU and on OpenCL.
+// test_joint_changes.c -- checks joints that are created, changed and destroyed between steps, on the CPU and on
+// OpenCL.
 #include "support/make_joints.h"
 #include "world/world.h"
 #include <math.h>
@@ -12,7 +13,8 @@ static int joints_with(scree_world* world, scree_body body)
 	return count;
 }
 
-// Two boxes that touch have a contact unless some joint between them keeps them apart; it comes back when none does.
+// Two boxes that touch have a contact unless a joint between them prevents it. The contact returns when no joint
+// prevents it.
 static void joints_keep_bodies_apart(void** state)
 {
 	(void)state;
@@ -38,7 +40,7 @@ static void joints_keep_bodies_apart(void** state)
 	run_steps(world, 1);
 	assert_int_equal(contacts_of(world), 1);
 
-	// a pair that meets later, and a joint that is disabled with its body
+	// bodies that meet later, and a joint that is disabled with its body
 	OK(scree_joint_set_collide_connected(world, first, false));
 	OK(scree_body_set_pose(world, b, pose_at(0.0f, 30.0f, 0.0f)));
 	OK(scree_body_set_enabled(world, b, false));
@@ -53,7 +55,7 @@ static void joints_keep_bodies_apart(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint that breaks lets its bodies collide again, which they do from the next step on.
+// After a joint has broken, its bodies collide from the next step on.
 static void broken_joints_let_bodies_collide(void** state)
 {
 	(void)state;
@@ -78,7 +80,7 @@ static void broken_joints_let_bodies_collide(void** state)
 	assert_true(contacts_with(world, high) > 0);
 	NEAR(fabs((double)pose_of(world, high).position.x) > 0.5 ? 0.5 : 1.5, pose_of(world, high).position.y, 0.02);
 
-	// it stays broken whatever is changed, and can be destroyed
+	// the joint stays broken after any change, and can be destroyed
 	OK(scree_joint_set_thresholds(world, joint, 1e9f, 1e9f, false));
 	OK(scree_joint_set_target(world, joint, SCREE_ALONG, 1.0f));
 	run_steps(world, 10);
@@ -91,7 +93,8 @@ static void broken_joints_let_bodies_collide(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint with the world keeps nothing apart: neither the body and what is static, nor an overlap that is only reported.
+// A joint with the world prevents no contact, neither with a static body nor with a collidable that only reports
+// overlaps.
 static void joints_with_the_world_keep_overlaps(void** state)
 {
 	(void)state;
@@ -116,8 +119,8 @@ static void joints_with_the_world_keep_overlaps(void** state)
 	scree_world_destroy(world);
 }
 
-// A body is destroyed whose joint kept it from touching another one, and a new one takes its slots: none of their contacts is
-// left, neither in the step nor later.
+// A joint prevents a contact. One of its bodies is destroyed, and a new body takes the slot. No contact remains, in
+// that step or later.
 static void contacts_go_with_their_bodies(void** state)
 {
 	(void)state;
@@ -138,7 +141,7 @@ static void contacts_go_with_their_bodies(void** state)
 	scree_world_destroy(world);
 }
 
-// The joints of a body go with it, and their handles stay stale when the slots are taken again.
+// The joints of a body are destroyed with it, and their handles stay stale when the slots are reused.
 static void joints_go_with_their_bodies(void** state)
 {
 	(void)state;
@@ -170,7 +173,7 @@ static void joints_go_with_their_bodies(void** state)
 	scree_joint_state unread;
 	assert_int_equal(scree_joint_get_state(world, joints[3], &unread), SCREE_ERROR_STALE);
 
-	// new ones in the same slots, with nothing of the old
+	// a new body and a new joint in the same slots have no state of the old ones
 	bodies[1] = add_crate(world, SCREE_BODY_DYNAMIC, 50.0f, 0.0f);
 	scree_joint fresh = join(world, SCREE_JOINT_WELD, bodies[0], bodies[1], 25.0f, 0.0f);
 	assert_false(scree_joint_is_valid(world, joints[0]) || scree_joint_is_valid(world, joints[1]));
@@ -180,7 +183,8 @@ static void joints_go_with_their_bodies(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint rests between bodies that cannot move, and holds again as soon as one can; impulses of before do not count.
+// A joint between bodies that cannot move does not act. It acts again as soon as one of them can move, without its
+// earlier impulses.
 static void types_change(void** state)
 {
 	(void)state;
@@ -200,7 +204,7 @@ static void types_change(void** state)
 	NEAR(velocity_of(world, load).linear.y, -5.0, 0.01);
 	NEAR(joint_state_of(world, joint).force.y, 0.0, 0.01);
 
-	// a kinematic anchor carries
+	// a kinematic anchor carries the load
 	OK(scree_body_set_type(world, anchor, SCREE_BODY_KINEMATIC));
 	throw_body(world, anchor, 1.0f, 0.0f, 0.0f);
 	run_steps(world, 120);
@@ -210,7 +214,8 @@ static void types_change(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint with a disabled body rests: the other one falls freely; enabled, they come together again.
+// A joint with a disabled body does not act, so the other body falls freely. When the body is enabled, the joint pulls
+// both together.
 static void bodies_are_switched(void** state)
 {
 	(void)state;
@@ -237,7 +242,7 @@ static void bodies_are_switched(void** state)
 	scree_world_destroy(world);
 }
 
-// Frames, targets, thresholds and stiffness are read as they were set, and act from the next step on.
+// Frames, targets, thresholds and stiffness are read back as they were set, and act from the next step on.
 static void settings_are_read_and_act(void** state)
 {
 	(void)state;
@@ -265,7 +270,7 @@ static void settings_are_read_and_act(void** state)
 	assert_int_equal(joint_events_of(world, &event, 1), 1);
 	assert_true(event.user == 9 && !event.broken);
 
-	// events, as all that can be read, move along to another device
+	// events and states move with the world to another device
 	scree_joint_state there = joint_state_of(world, joint);
 	OK(scree_world_move(world, "cpu"));
 	scree_joint_state here = joint_state_of(world, joint);
@@ -274,7 +279,7 @@ static void settings_are_read_and_act(void** state)
 	assert_true(event.user == 9 && event.force > 7.0f);
 	OK(scree_world_move(world, test_device));
 
-	// a coordinate that is let go, and taken again
+	// a motor, then a spring, then nothing replaces a lock
 	scree_joint_coordinate across, read;
 	OK(scree_joint_get_coordinate(world, joint, SCREE_ACROSS, &across));
 	assert_true(across.locked && !across.limited);
@@ -302,7 +307,8 @@ static void settings_are_read_and_act(void** state)
 	scree_world_destroy(world);
 }
 
-// A disabled joint does not act and lets its bodies touch; enabled again, it starts without impulses and keeps its turns.
+// A disabled joint does not act, and its bodies may touch. When it is enabled, it starts without impulses and keeps its
+// number of turns.
 static void joints_are_disabled(void** state)
 {
 	(void)state;
@@ -332,7 +338,7 @@ static void joints_are_disabled(void** state)
 	NEAR(joint_state_of(world, joint).values[SCREE_ANGLE], 20.0, 0.4);
 	assert_true(joint_state_of(world, joint).torque != 0.0f);
 
-	// enabled again in the middle of a step's calls: nothing changes
+	// setting the current value changes nothing
 	float turned = joint_state_of(world, joint).values[SCREE_ANGLE];
 	uint64_t before = hash_of(world);
 	OK(scree_joint_set_enabled(world, joint, true));
@@ -340,7 +346,7 @@ static void joints_are_disabled(void** state)
 	run_steps(world, 1);
 	NEAR(joint_state_of(world, joint).values[SCREE_ANGLE], turned + 20.0 / 60.0, 0.05);
 
-	// disabled at speed: flies off, and the thresholds see nothing
+	// disabled while it turns: the body flies off, and the thresholds are not exceeded
 	OK(scree_joint_set_thresholds(world, joint, 0.0f, 0.0f, true));
 	OK(scree_joint_set_enabled(world, joint, false));
 	OK(scree_joint_set_enabled(world, joint, true));
@@ -356,7 +362,7 @@ static void joints_are_disabled(void** state)
 	scree_world_destroy(world);
 }
 
-// The middle joint of a chain is disabled: two ropes; and one rope again.
+// Disabling the middle joint of a chain makes two ropes, and enabling it makes one rope again.
 static void chains_are_disabled(void** state)
 {
 	(void)state;
@@ -384,7 +390,7 @@ static void chains_are_disabled(void** state)
 	NEAR(pose_of(world, bodies[LINKS - 1]).position.y, -1.5 * (LINKS - 1) - 5.0, 0.2);
 	NEAR(joint_state_of(world, joints[LINKS - 1]).force.y, 0.0, 0.1);
 
-	// the fallen half is as far below as it fell: the joint pulls both together
+	// the lower half has fallen, and the joint pulls both halves together
 	OK(scree_joint_set_enabled(world, joints[LINKS / 2], true));
 	run_steps(world, 600);
 	NEAR(joint_state_of(world, joints[0]).force.y, 10.0 * LINKS, 5.0);
@@ -392,7 +398,7 @@ static void chains_are_disabled(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint made and one destroyed in every step: slots are taken again, and colors and impulses with them.
+// One joint is created and one destroyed in every step, so that slots, colors and places of impulses are reused.
 static void joints_come_and_go(void** state)
 {
 	(void)state;
@@ -425,7 +431,7 @@ static void joints_come_and_go(void** state)
 	scree_world_destroy(world);
 }
 
-// A step of no time leaves poses, velocities and impulses, and the joint's turns.
+// A step of 0 s changes no pose, velocity, impulse or angle of a joint.
 static void steps_of_no_time(void** state)
 {
 	(void)state;

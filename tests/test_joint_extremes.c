@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// test_joint_extremes.c -- joints in masses, at rest for long, far away, tiny and huge, light and heavy, and beside a body that is lost.
+// test_joint_extremes.c -- checks joints in large numbers, at rest for long, far from the origin, between tiny, huge,
+// light and heavy bodies, and under extreme forces.
 #include "support/make_joints.h"
 #include <math.h>
 #include <stdlib.h>
 
-// count boxes in a row of hinges, the first at a hinge of the world or of a body
+// Adds count boxes in a row of hinges. The first hinge is to anchor, or to the world.
 static void add_chain(scree_world* world, scree_body* links, int count, float size, scree_vec from, scree_body anchor)
 {
 	for (int k = 0; k < count; ++k)
@@ -15,7 +16,8 @@ static void add_chain(scree_world* world, scree_body* links, int count, float si
 	}
 }
 
-// A wheel with 200 arms has more joints than there are colors. Each arm holds, and the wheel carries them all.
+// A wheel with 200 arms has more joints than there are colors. Each arm holds, and the pin carries the wheel and all
+// arms.
 static void hubs_hold(void** state)
 {
 	(void)state;
@@ -42,7 +44,7 @@ static void hubs_hold(void** state)
 	assert_true(gap < 2e-3 && speed < 1e-6);
 	NEAR(joint_state_of(world, pin).force.y, weight, 0.01 * weight);
 
-	// half of them go, and others come
+	// half of the arms are destroyed, and others are added
 	for (int k = 0; k < ARMS; k += 2)
 		OK(scree_body_destroy(world, arms[k]));
 	run_steps(world, 30);
@@ -58,7 +60,7 @@ static void hubs_hold(void** state)
 	scree_world_destroy(world);
 }
 
-// A net of 10,000 joints made at once hangs from a row of pins, and all of it can be destroyed at once.
+// A net of 10,000 joints, created in one call, hangs from a row of pins. One call destroys all of it.
 static void many_joints(void** state)
 {
 	(void)state;
@@ -109,7 +111,8 @@ static void many_joints(void** state)
 	scree_world_destroy(world);
 }
 
-// A doll of a trunk, a head and four limbs of two parts each, with limits.
+// Adds a doll with a trunk, a head, and four limbs of two parts each, whose joints have limits. Returns the number of
+// parts.
 static int add_doll(scree_world* world, scree_body parts[10], float x, float y)
 {
 	static const float boxes[10][4] = {{0.0f, 0.0f, 0.2f, 0.4f},     {0.0f, 0.6f, 0.15f, 0.18f},
@@ -144,7 +147,7 @@ static int add_doll(scree_world* world, scree_body parts[10], float x, float y)
 	return 10;
 }
 
-// Chains that hang and lie, a bridge, and dolls that fell come to rest, and stay so for a minute.
+// Chains that hang and lie, a bridge, and fallen dolls come to rest, and stay at rest for a minute.
 static void joints_rest(void** state)
 {
 	(void)state;
@@ -177,8 +180,8 @@ static void joints_rest(void** state)
 	scree_world_destroy(world);
 }
 
-// 5 km from the origin a float is 0.5 mm: a chain at a static body nearby hangs as it does at the origin, and one at a point of
-// the world.
+// Floats are 0.5 mm apart 5 km from the origin. A chain hangs there as it does at the origin, from a static body nearby
+// and from a point of the world.
 static void far_away(void** state)
 {
 	(void)state;
@@ -200,8 +203,8 @@ static void far_away(void** state)
 	}
 }
 
-// Chains of ten links of 1 cm and of 100 m come to hang: the first joint but one is 2 F / m w^2 longer, with F = 9 m g, and the
-// last link a sum of these lower, 90 g / w^2.
+// Chains of ten links of 1 cm to 100 m come to rest. The second joint opens by 2 F / (m w^2) with F = 9 m g. This and
+// the later joints lower the last link by 90 g / w^2.
 static void tiny_and_huge(void** state)
 {
 	(void)state;
@@ -231,7 +234,7 @@ static void tiny_and_huge(void** state)
 	}
 }
 
-// 1,000 times the mass at the end of a chain, and in its middle: nothing explodes.
+// A chain with a link of 1,000 times the mass, at its end or in its middle, does not explode.
 static void unequal_masses(void** state)
 {
 	(void)state;
@@ -264,7 +267,7 @@ static void unequal_masses(void** state)
 		}
 }
 
-// Forces whose sum is beyond a float freeze nothing, and joints hold what is pushed by them.
+// Forces whose sum is beyond a float freeze no body, and joints hold a body on which they act.
 static void forces_freeze_nothing(void** state)
 {
 	(void)state;
@@ -272,7 +275,7 @@ static void forces_freeze_nothing(void** state)
 	{
 		scree_world* world = open_world((float)-G);
 		scree_body links[6];
-		bool holds = true; // at a point
+		bool holds = true; // whether the joint holds a point
 		for (int k = 0; k < 6; ++k)
 		{
 			links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, 0.25f + 0.5f * (float)k, 0.0f);
@@ -303,7 +306,7 @@ static void forces_freeze_nothing(void** state)
 	}
 }
 
-// A net of 75 x 75 boxes hangs from seven of its knots: each holds the weight of 800 others, many times what it bears itself.
+// A net of 75 x 75 boxes hangs from seven of its knots. Each of these holds the weight of 800 others.
 static void a_net_hangs(void** state)
 {
 	(void)state;
@@ -335,7 +338,7 @@ static void a_net_hangs(void** state)
 	scree_world_destroy(world);
 }
 
-// A row of six sliders that is torn apart by a force of 100 and 1,000 times its weight comes together again.
+// A row of six sliders, pulled apart by 100 and 1,000 times the weight of a box, comes together again.
 static void sliders_come_together(void** state)
 {
 	(void)state;
@@ -369,7 +372,7 @@ static void sliders_come_together(void** state)
 			most = fmax(most, fmax(fabs(at.values[SCREE_ACROSS]), fabs(at.values[SCREE_ALONG]) - 6.0));
 		}
 		print_message("sliders torn apart with %g N: gap %.3f m after 6 s\n", force, most);
-		assert_true(most < 10.0); // 945 m before; Box2D 0.4 m
+		assert_true(most < 10.0); // 945 m in an earlier version; Box2D: 0.4 m
 		scree_world_destroy(world);
 	}
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_joint_limits.c -- limits, ropes, soft locks, targets and thresholds of joints against what they must hold.
+// test_joint_limits.c -- checks limits, ropes, soft locks, targets and thresholds of joints against the loads that they
+// must hold.
 #include "support/make_joints.h"
 #include <float.h>
 #include <math.h>
@@ -11,7 +12,8 @@ static double weight_of(scree_world* world, scree_body body)
 	return mass.mass * G;
 }
 
-// A wheel driven against a limit of three half turns stops there, and at the other side: the angle counts all turns.
+// A motor turns a wheel against limits of -3 pi and 5 pi. The wheel stops at each of them, because the angle counts all
+// turns.
 static void angles_count_turns(void** state)
 {
 	(void)state;
@@ -57,8 +59,8 @@ static void wheels_turn_long(void** state)
 	scree_world_destroy(world);
 }
 
-// A slider on a slope of 30 degrees runs down to its limit, where the limit carries m g sin 30, and the rail m g cos 30. The
-// frame of a slider holds the angle; a pin in a slot lets it go.
+// A slider on a slope of 30 degrees slides down to its limit. The limit carries m g sin 30, and the rail m g cos 30. A
+// slider holds the angle; a pin in a slot leaves it free.
 static void sliders_stop(void** state)
 {
 	(void)state;
@@ -100,7 +102,8 @@ static void sliders_stop(void** state)
 	}
 }
 
-// A rope is a distance with an upper limit: within it the load falls freely, at it it hangs.
+// A rope is a distance joint with an upper limit. Below the limit the load falls freely; at the limit the rope carries
+// it.
 static void ropes_are_slack(void** state)
 {
 	(void)state;
@@ -132,14 +135,14 @@ static void ropes_are_slack(void** state)
 	NEAR(joint_state_of(world, joint).values[SCREE_ALONG], 2.0, 1e-3);
 	NEAR(joint_state_of(world, joint).force.y, weight_of(world, body), 0.01 * weight_of(world, body));
 
-	// lifted, it is slack again
+	// after a lift the rope is slack again
 	OK(scree_body_set_pose(world, body, (scree_pose){{0.0f, -1.0f}, {1.0f, 0.0f}}));
 	run_steps(world, 2);
 	assert_true(joint_state_of(world, joint).force.y == 0.0f);
 	scree_world_destroy(world);
 }
 
-// Locks hold any value, and go where the target goes: m, m and rad in frame A, which is turned in the world.
+// Locks hold any target and follow it: m, m and rad in frame A, which is rotated in the world.
 static void targets_are_held(void** state)
 {
 	(void)state;
@@ -167,7 +170,7 @@ static void targets_are_held(void** state)
 	scree_world_destroy(world);
 }
 
-// A lock that is soft along one axis only gives g / w^2 along that axis, wherever frame A is turned to.
+// A lock that is soft along one axis yields only along that axis, by g sin(turn) / w^2, for any rotation of frame A.
 static void soft_locks_have_a_direction(void** state)
 {
 	(void)state;
@@ -190,8 +193,8 @@ static void soft_locks_have_a_direction(void** state)
 	}
 }
 
-// The force at rest is m g. A joint that breaks above a little less breaks, above a little more it does not, in either case
-// from the first step on; one that only reports is reported in every step.
+// The force at rest is m g. A joint breaks at a threshold slightly below that, and not at one slightly above, from the
+// first step on. A joint that only reports does so in every step.
 static void joints_break_at_their_threshold(void** state)
 {
 	(void)state;
@@ -233,7 +236,7 @@ static void joints_break_at_their_threshold(void** state)
 		}
 }
 
-// A torque of m g l breaks a weld likewise.
+// A torque of m g l breaks a weld in the same way.
 static void torques_break(void** state)
 {
 	(void)state;
@@ -251,7 +254,7 @@ static void torques_break(void** state)
 	}
 }
 
-// A spring and a motor are no stronger than their limits: a load of more falls with what is left, (m g - F) / m.
+// A load that is heavier than the bound F of its spring or motor falls with (m g - F) / m.
 static void drives_are_limited(void** state)
 {
 	(void)state;
@@ -277,7 +280,7 @@ static void drives_are_limited(void** state)
 	}
 }
 
-// A spring of no stiffness, or of next to none, does nothing: neither pulls nor brakes.
+// A spring with a stiffness of 0 or almost 0 neither pulls nor brakes.
 static void springs_of_nothing(void** state)
 {
 	(void)state;
@@ -321,7 +324,7 @@ static void soft_locks_of_nothing(void** state)
 	}
 }
 
-// Limits hold motors and springs of their own joint, however strong: both act between the same two bodies.
+// Limits hold against motors and springs of the same joint, however strong these are.
 static void limits_hold_their_drives(void** state)
 {
 	(void)state;
@@ -352,9 +355,9 @@ static void limits_hold_their_drives(void** state)
 	}
 }
 
-// A bar of 3 m on a hinge at its end, whose spring of 30 Hz pulls 3 rad beyond its limit, and a slider whose spring pulls 10 m beyond:
-// the limit takes all of the spring, so the hinge and the rail hold as if neither were there. Before, the hinge was torn by 1.5 m,
-// and the slider turned by 0.05 rad.
+// A hinge at the end of a bar has a spring of 30 Hz that pulls 3 rad beyond its limit; a slider has one that pulls 10 m
+// beyond. The limit carries all of the spring, so the hinge and the rail hold as if there were neither spring nor
+// limit. In an earlier version the hinge opened by 1.5 m, and the slider rotated by 0.05 rad.
 static void limits_take_springs_from_locks(void** state)
 {
 	(void)state;
@@ -386,8 +389,9 @@ static void limits_take_springs_from_locks(void** state)
 	}
 }
 
-// A bar that a motor has turned 32 times gets limits, or a spring: it goes there by the shorter way, no faster than 31 rad/s, and
-// what else it turned is forgotten. Limits that hold the angle as it is, all turns counted, keep it.
+// A motor turns a bar 32 times; then the joint gets limits, or a spring, around 0. The bar goes there by the shorter
+// way, at most at 31 rad/s, and earlier turns are no longer counted. Limits around the current angle, with all turns,
+// keep it.
 static void turns_count_from_what_uses_them(void** state)
 {
 	(void)state;

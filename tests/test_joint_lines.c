@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// test_joint_lines.c -- lines of joints: where they run, their color by load, and that broken and destroyed joints vanish.
+// test_joint_lines.c -- checks lines of joints in pictures: their ends, their color by load, and that the lines of
+// broken and destroyed joints disappear.
 #include "support/make_joints.h"
 #include "view/joint_lines.h"
 #include <float.h>
 #include <stdlib.h>
 
-// A box that hangs from the world by a pin of some height above its center.
+// Adds a box that hangs from the world by a pin at a height above its center.
 static scree_joint hang(scree_world* world, float x, float half, float above, float threshold)
 {
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
@@ -16,7 +17,7 @@ static scree_joint hang(scree_world* world, float x, float half, float above, fl
 	return add_joint(world, &def);
 }
 
-// The loads of the boxes are their weights, 40, 10 and 10 N. The second joint breaks, the third is destroyed.
+// The joints carry the weights of their boxes, 40, 10 and 10 N. The second joint breaks, and the third is destroyed.
 static void lines_follow_joints(void** state)
 {
 	scree_world* world = open_world(-10.0f);
@@ -42,7 +43,7 @@ static void lines_follow_joints(void** state)
 	OK(joint_lines_update(&lines, &tables));
 	assert_int_equal(lines.links.count, 1);
 
-	// from anchor to anchor, on to the center of the box, and a dot at each anchor; red for the largest load
+	// one line between the anchors, one to the center of the box, and a dot at each anchor; red for the largest load
 	joint_lines_mark(&lines, &strokes, &camera, &(Style){.detail = 1.0f});
 	assert_int_equal(strokes.count, 4);
 	NEAR(strokes.list[1].a.y, 7.0f, 0.01f);

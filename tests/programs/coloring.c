@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// coloring.c -- whether the colors, counts and hubs of a world's constraints fit each other, as each step leaves them.
+// coloring.c -- a check that colors, counts and hubs of the constraints of a world are consistent after each step.
 //
-// Numbers of constraints pass the limit of a hub for a moment while some begin and others end, on a GPU in any order. What a step
-// leaves may depend only on the numbers at its end, and that is what is checked here: no GPU is needed to find where it does not.
+// While some constraints begin and others end, the number at a body may pass the limit of a hub for a moment; on a GPU
+// the order of these changes is arbitrary. The state after a step may depend only on the numbers at its end. This check
+// finds violations without a GPU.
 #include "constraints/constraint_kinds.h"
 #include "programs/program.h"
 #include "world/world.h"
 #include <stdio.h>
 #include <stdlib.h>
 
-typedef struct // bodies: their state, and sums over their constraints
+typedef struct // state of the bodies, and sums over their constraints
 {
 	BodyState* state;
-	int* touching;   // constraints of a body, counted here
-	uint64_t* masks; // their colors
+	int* touching;   // number of constraints of each body
+	uint64_t* masks; // colors of these constraints
 } Counted;
 
-typedef struct // the constraints of a kind
+typedef struct // constraints of one kind
 {
 	const char* name;
 	const KindLayout* layout;
@@ -25,7 +26,7 @@ typedef struct // the constraints of a kind
 	Int2* bodies;
 } Constraints;
 
-// Counts a constraint with its color at one of its bodies; false when its color is taken there.
+// Counts a constraint at one of its bodies. Returns false if the body already has a constraint of this color.
 static bool count_end(Counted* counted, int body, int color)
 {
 	counted->touching[body] += 1;
@@ -37,7 +38,8 @@ static bool count_end(Counted* counted, int body, int color)
 	return free_here;
 }
 
-// Counts the constraints of a kind. Two of one color share no body that can move, and each lies among those of its color.
+// Counts the constraints of a kind. Checks that two of one color share no body that can move, and that each has a place
+// in the range of its color.
 static bool count_kind(Counted* counted, const Constraints* s, char sentence[256])
 {
 	for (int k = 0; k < s->count; ++k)
@@ -88,7 +90,7 @@ static bool over_limit(const Counted* counted, int body)
 	return counted->touching[body] > HUB_CONTACTS && counted->state[body].inv_mass > 0.0f;
 }
 
-// All contacts of a crowded body are spokes.
+// Returns whether all contacts of each body above the limit are spokes.
 static bool hubs_fit(const Counted* counted, const Constraints* contacts, char sentence[256])
 {
 	for (int k = 0; k < contacts->count; ++k)

@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST_ITEMS 4 // items of a pool that are printed
+#define MOST_ITEMS 4 // maximum number of items that are printed for a pool
 
 typedef struct
 {
 	PoolId pool;
-	const char* fields[20]; // words of an item, in order
+	const char* fields[20]; // names of the words of an item, in order
 } Named;
 
 static const Named named[] = {
@@ -94,7 +94,7 @@ static void print_pool(scree_world* const worlds[2], const Named* n, int count, 
 	free(items[1]);
 }
 
-// Impulses lie where their contact's constraint does.
+// Prints the impulses in which two worlds differ. Impulses are stored at the place of the constraint of their contact.
 static void print_impulses(scree_world* const worlds[2], const Counters counters[2], FILE* file)
 {
 	static const char* const fields[] = {"normal1", "normal2", "tangent1", "tangent2", "rolling"};
@@ -140,7 +140,7 @@ static void print_impulses(scree_world* const worlds[2], const Counters counters
 	}
 }
 
-#define MOST_KEPT 22 // rows of a joint
+#define MOST_KEPT 22 // maximum number of kept rows of a joint
 
 // Collects the kept rows of the joint at a place, with their names; returns their number.
 static int joint_kept(const JointRows* rows, const JointRareRows* rare, int lane, const char* names[MOST_KEPT],
@@ -158,7 +158,7 @@ static int joint_kept(const JointRows* rows, const JointRareRows* rare, int lane
 	return count;
 }
 
-typedef struct // the joints of a world, and their rows
+typedef struct // joints of a world, and their rows
 {
 	int* places;
 	JointRows* rows;
@@ -270,7 +270,7 @@ int state_frozen(scree_world* world)
 	return counters.nonfinite;
 }
 
-// the pools whose words are all floats, and state
+// Pools that are part of the state and contain only floats.
 static const PoolId states[] = {
     POOL_body, POOL_pose, POOL_pose_low, POOL_motion, POOL_local_center, POOL_collidable_pose, POOL_contact_surface};
 
@@ -287,7 +287,7 @@ bool state_finite(scree_world* world, char sentence[256])
 		free(items);
 	}
 
-	// those that are alive
+	// only collidables that are not destroyed
 	int* kinds = read_items(world, POOL_collidable_kind, world->collidables.used);
 	Float4* boxes = read_items(world, POOL_box, world->collidables.used);
 	WorldShape* placed = read_items(world, POOL_world_shape, world->collidables.used);
@@ -322,7 +322,7 @@ bool state_finite(scree_world* world, char sentence[256])
 
 bool state_limited(scree_world* world, char sentence[256])
 {
-	// error that rounding may add
+	// tolerance for rounding
 	double slack = 1.0 + 1e-5, speed = world->def.max_speed * slack, spin = world->pipeline.step.max_spin * slack;
 	BodyState* bodies = read_items(world, POOL_body, world->bodies.used);
 	bool limited = true;

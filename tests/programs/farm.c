@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// farm.c -- many programs by many processes, and what becomes of those that fail.
+// farm.c -- runs many programs in several processes, and reports those that fail.
 //
-// A process writes which program it is at where its parent can read it, so that one that crashed or hangs is named.
+// A process writes the seed of its program to memory that its parent can read. So the parent can report a program that
+// crashed or hangs.
 #include "programs/farm.h"
 #include "support/form_names.h"
 #include "tools/common/clock.h"
@@ -16,7 +17,7 @@
 typedef struct // progress of a process, shared with its parent
 {
 	uint64_t seed;
-	double since; // s by the clock
+	double since; // start of the current program, s by the clock
 	int done, failed, steps, frozen;
 	bool finished;
 } Desk;
@@ -46,7 +47,7 @@ bool farm_shrink(Pair* pair, Program* program, double seconds)
 	program_copy(&whole, program);
 	program_shrink(program, pair, seconds);
 
-	// worlds that are used again save time, but may owe the difference to what they went through
+	// reused worlds save time, but the difference may come from an earlier trial on them
 	if (seconds > 0.0 && !differs_anew(pair, program))
 	{
 		program_copy(program, &whole);
@@ -58,8 +59,8 @@ bool farm_shrink(Pair* pair, Program* program, double seconds)
 	return true;
 }
 
-// The program in which worlds began to differ, alone or else behind those that ran on the same worlds before it, made
-// short, printed and written to a file.
+// Shortens the program in which worlds began to differ, prints it and writes it to a file. If it does not differ alone,
+// the earlier programs on the same worlds are put before it.
 static void report(const Options* o, Pair* pair, Program* program, Program* before, uint64_t seed)
 {
 	char path[512], what[64];
@@ -94,7 +95,7 @@ static void report(const Options* o, Pair* pair, Program* program, Program* befo
 	fclose(file);
 }
 
-// Programs from one seed to another on the same worlds, until some time.
+// Runs the programs with the seeds first to end - 1 on the same worlds. Stops at a point in time.
 static void live(const Options* o, Pair* pair, int first, int end, double until, Desk* desk, int* reports)
 {
 	Program program = {0}, before = {0};
@@ -150,7 +151,7 @@ static void work(const Options* o, int job, Desk* desk)
 	desk->finished = true;
 }
 
-// Looks whether a process has ended or hangs; prints what befell it.
+// Returns whether a process has ended. Kills a process that hangs, and prints the failure.
 static bool ended(const Options* o, Desk* desk, pid_t child)
 {
 	int status = 0;

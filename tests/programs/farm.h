@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// farm.h -- many programs by many processes, and what becomes of those that fail.
+// farm.h -- runs many programs in several processes, and reports those that fail.
 #ifndef FARM_H
 #define FARM_H
 #include "programs/program.h"
@@ -16,13 +16,13 @@ typedef struct
 
 #define MOST_JOBS 64
 
-// Runs them and prints what fails, and a line with counts; 1 when something failed.
+// Runs the programs. Prints failures and a line with counts. Returns 1 if a program failed.
 int farm_run(const Options* options);
 
-// Runs a program on worlds that are new, and prints how it differs.
+// Runs a program on new worlds and prints the difference. Returns whether there is one.
 bool farm_print(Pair* pair, const Program* program, const char* what, FILE* file);
 
-// A program that differs on new worlds, made shorter, which still does; false when it does not differ.
+// Shortens a program that differs on new worlds, so that it still does. Returns false if it does not differ.
 bool farm_shrink(Pair* pair, Program* program, double seconds);
 
 #endif

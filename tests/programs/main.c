@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// main.c -- the command "programs": random programs on a device beside the reference, or one of them again.
+// main.c -- the command "programs": runs random programs on a device and on the reference, or one of them again.
 #include "programs/farm.h"
 #include "support/form_names.h"
 #include <inttypes.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// make.c -- a random program: a small world, then calls of all kinds with ordinary, odd and extreme values.
+// make.c -- makes a random program: a small world, then calls of all kinds with ordinary, odd and extreme values.
 //
-// Most programs are ordinary, so that much happens between bodies; some use extreme values now and then, and a few often.
+// Most programs are ordinary, so that bodies interact a lot. Some contain a few extreme values, and a few contain many.
 #include "programs/make.h"
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -17,14 +17,14 @@ static void set_filter(Maker* m, Call* call)
 	call_set(call, "group", (float)(below(m, 5) - 2));
 }
 
-// In half of the programs nobody reports.
+// Sets reports, in half of the programs.
 static void set_reports(Maker* m, Call* call)
 {
 	if (m->reports && (call->kind == CALL_reports || chance(m, 0.3)))
 		call_set(call, "reports", (float)below(m, m->rules ? 8 : 4));
 }
 
-// In a third of the programs there are sensors.
+// Makes sensors, in a third of the programs.
 static void set_sensor(Maker* m, Call* call)
 {
 	if (m->senses && (call->kind == CALL_sensor || chance(m, 0.15)))
@@ -108,7 +108,7 @@ static void put_attribute(Maker* m)
 }
 
 static float any_attribute(Maker* m) { return (float)below(m, m->attributes + chance(m, 0.01)); }
-// another surface for a shape that is there
+// Adds an attribute with the shape of an existing one and another surface.
 static void put_like(Maker* m)
 {
 	Call call = call_make(CALL_like);
@@ -118,7 +118,7 @@ static void put_like(Maker* m)
 	put(m, call);
 }
 
-// often one that something has, and one whose number others had
+// Destroys any attribute, also one in use or one already destroyed.
 static void put_drop(Maker* m)
 {
 	Call call = call_make(CALL_drop);
@@ -126,7 +126,8 @@ static void put_drop(Maker* m)
 	put(m, call);
 }
 
-// A target is only for a body that is kinematic, which few are: the number of one that was made so, if any.
+// Returns a body for a target. Only kinematic bodies, which are few, can have one, so it is mostly one that was made
+// kinematic.
 static float any_kinematic(Maker* m)
 {
 	int place = m->kinematics > 0 ? below(m, m->kinematics) : 0;
@@ -199,7 +200,7 @@ static void put_bodies(Maker* m, int count)
 		put_joints(m, count);
 }
 
-// a plate with more contacts than there are colors
+// Adds a plate with more contacts than there are colors.
 static void put_hub(Maker* m)
 {
 	Call plate = call_make(CALL_box), crate = plate;
@@ -268,7 +269,7 @@ static void put_step(Maker* m)
 	put(m, call);
 }
 
-// one of the calls that move bodies
+// Adds one of the calls that move bodies.
 static void put_motion(Maker* m)
 {
 	Call call = call_make((CallKind)(CALL_force + below(m, CALL_pose - CALL_force + 1)));
@@ -497,7 +498,7 @@ static void put_blast(Maker* m)
 
 static void put_any(Maker* m)
 {
-	// a step costs a GPU as much as dozens of other calls
+	// on a GPU a step takes as long as dozens of other calls
 	int k = below(m, 100);
 	if (k < 12)
 	{

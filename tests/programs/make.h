@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make.h -- a random program in the making: what it has so far, and the numbers that its calls get.
+// make.h -- a random program while it is made, and random numbers for its calls.
 #ifndef MAKE_H
 #define MAKE_H
 #include "programs/program.h"
@@ -8,26 +8,26 @@
 #include <math.h>
 
 #define MOST_KINEMATIC 8
-#define MOST_BODIES    110 // at a time, so that thousands of programs need minutes
+#define MOST_BODIES    110 // maximum at a time, so that thousands of programs take minutes
 
 typedef struct
 {
 	Program* program;
 	uint64_t seed;
-	int bodies, collidables, attributes, joints, paths; // numbers given out
-	float kinematic[MOST_KINEMATIC]; // numbers of the last bodies that were made, or became, kinematic
+	int bodies, collidables, attributes, joints, paths; // next free numbers
+	float kinematic[MOST_KINEMATIC]; // numbers of the last bodies that were created as, or became, kinematic
 	int kinematics;
-	int alive;     // bodies, about
+	int alive;     // approximate number of bodies
 	float extreme; // share of values that are extreme
-	bool extras;   // restitution, rolling resistance, tangent speeds
-	bool moves;    // between devices, which takes as long as dozens of steps
+	bool extras;   // has restitution, rolling resistance and tangent speeds
+	bool moves;    // moves between devices, which takes as long as dozens of steps
 	bool jointed;  // has joints
 	bool railed;   // has paths
 	bool reports;  // some collidables report events
-	bool asks;     // queries
+	bool asks;     // has queries
 	bool senses;   // some collidables are sensors
 	bool fields;   // has fields
-	bool rules;    // one-way platforms, materials, excluded pairs, contacts that ask
+	bool rules;    // has one-way platforms, materials, excluded pairs and contact approval
 } Maker;
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -37,7 +37,7 @@ typedef struct
 static inline int below(Maker* m, int count) { return random_below(&m->seed, count); }
 static inline bool chance(Maker* m, double share) { return random_real(&m->seed, 0.0, 1.0) < share; }
 
-// eighths of a hundredth: short as text, and often equal to another
+// Returns a number from low to high. Half of the numbers are multiples of 1/8: short as text, and often equal.
 static inline float between(Maker* m, float low, float high)
 {
 	float x = random_between(&m->seed, low, high);
@@ -49,7 +49,7 @@ static inline float pick(Maker* m, const float* values, int count) { return valu
 
 static inline float sign(Maker* m) { return chance(m, 0.5) ? 1.0f : -1.0f; }
 
-// any finite number, as forces are
+// Returns any finite number, for forces.
 static inline float amount(Maker* m, float usual)
 {
 	if (chance(m, m->extreme))
@@ -60,7 +60,7 @@ static inline float amount(Maker* m, float usual)
 	return between(m, -usual, usual);
 }
 
-// a coordinate, speed or spin; those beyond 1e5 are refused
+// Returns a coordinate, speed or spin. Values beyond 1e5 must be refused.
 static inline float bounded(Maker* m, float usual)
 {
 	if (chance(m, m->extreme))
@@ -71,7 +71,7 @@ static inline float bounded(Maker* m, float usual)
 	return between(m, -usual, usual);
 }
 
-// a factor of what must not be negative
+// Returns a factor. A negative one must be refused.
 static inline float factor(Maker* m, float most)
 {
 	if (chance(m, m->extreme))
@@ -83,13 +83,14 @@ static inline float angle(Maker* m) { return PICK(m, 0.0f, 0.0f, between(m, -3.2
 
 static inline void put(Maker* m, Call call) { program_add(m->program, call); }
 
-static inline float any_body(Maker* m) { return (float)below(m, m->bodies + 1); } // now and then one that is not there
+// Returns the number of a body, sometimes one that does not exist.
+static inline float any_body(Maker* m) { return (float)below(m, m->bodies + 1); }
 
 // make_joint.c
 void put_joint(Maker* m);
-void put_joints(Maker* m, int count); // joins a row of bodies that the last call made
+void put_joints(Maker* m, int count); // joins a row of bodies that the last call created
 void put_joint_change(Maker* m);
-void put_path(Maker* m); // or one is destroyed
+void put_path(Maker* m); // adds or destroys a path
 
 // make_field.c
 void put_field(Maker* m);

@@ -2,7 +2,7 @@
 // make_field.c -- calls of fields for random programs.
 #include "programs/make.h"
 
-#define MOST_FIELDS 24 // numbers of fields: often one that is there gets another definition
+#define MOST_FIELDS 24 // numbers of fields, so few that calls often redefine an existing field
 
 static void set_pose(Maker* m, Call* call)
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// make_joint.c -- the calls of joints in a random program: all types, between bodies near and far, and all that changes them.
+// make_joint.c -- calls of joints for random programs: all types, between near and distant bodies, and all changes.
 #include "programs/make.h"
 #include "world/objects/joints.h"
 
-static float any_joint(Maker* m) { return (float)below(m, m->joints + 1); } // now and then one that is not there
+// Returns the number of a joint, sometimes one that does not exist.
+static float any_joint(Maker* m) { return (float)below(m, m->joints + 1); }
 
 static float hertz(Maker* m)
 {
@@ -19,7 +20,7 @@ static float ratio(Maker* m)
 	return between(m, 0.0f, 3.0f);
 }
 
-// a force or torque that is a limit or a threshold
+// Returns a force or torque for a bound or a threshold.
 static float most(Maker* m)
 {
 	if (chance(m, m->extreme))
@@ -58,7 +59,7 @@ static float gear(Maker* m)
 	return between(m, -4.0f, 4.0f);
 }
 
-// Gears and pulleys now and then measure something else than their type does.
+// Sets the sides of a gear or a pulley, sometimes with measures that its type does not have by default.
 static void set_sides(Maker* m, Call* call)
 {
 	call_set(call, "gear", gear(m));
@@ -72,7 +73,7 @@ static void set_sides(Maker* m, Call* call)
 	call_set(call, "couple", (float)chance(m, 0.6));
 }
 
-// Small numbers of points, now and then more than a world takes, or too few.
+// Adds a path, mostly with few points and sometimes with too few; or destroys a path.
 void put_path(Maker* m)
 {
 	if (m->paths > 0 && chance(m, 0.2))
@@ -110,7 +111,7 @@ void put_joint(Maker* m)
 	float a = any_body(m);
 	call_set(&call, "joint", (float)m->joints++);
 	call_set(&call, "type", (float)type);
-	// neighbors, or any two
+	// neighbors, or any two bodies
 	call_set(&call, "a", chance(m, 0.25) ? -1.0f : a);
 	call_set(&call, "b", chance(m, 0.5) ? a + 1.0f : any_body(m));
 	if (chance(m, 0.1))
@@ -149,7 +150,7 @@ static void put_coordinate(Maker* m)
 	call_set(&call, "joint", any_joint(m));
 	if (chance(m, 0.3))
 		call_set(&call, "count", (float)(1 + below(m, 6)));
-	// gears and pulleys have the first one only
+	// gears and pulleys have only the first coordinate
 	call_set(&call, "which", (float)(chance(m, 0.3) ? 0 : below(m, 3) + 3 * chance(m, 0.01)));
 	call_set(&call, "drives", (float)below(m, 16));
 	call_set(&call, "target", bounded(m, 2.0f));
@@ -174,7 +175,7 @@ static void put_coordinate(Maker* m)
 	put(m, call);
 }
 
-// one of the calls of joints that are there
+// Adds one of the calls that change existing joints.
 void put_joint_change(Maker* m)
 {
 	if (chance(m, 0.35))

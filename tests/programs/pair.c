@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// pair.c -- a program on two worlds side by side: equal statuses, equal answers, equal hashes, or it differs.
+// pair.c -- runs a program on two worlds side by side, which must have equal statuses, results and hashes.
 #include "programs/run_call.h"
 #include <inttypes.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
-// A word that depends on a call and on nothing else of the program, which may become shorter (Donald Knuth, multiplicative hashing).
+// Returns a word that depends only on the call and first, not on the rest of the program, which may become shorter
+// (Donald Knuth, multiplicative hashing).
 static uint32_t any_of(const Call* call, uint32_t first)
 {
 	uint32_t any = first + (uint32_t)call->kind;
@@ -19,8 +20,8 @@ static uint32_t any_of(const Call* call, uint32_t first)
 	return (any ^ any >> 13) * 2654435769u;
 }
 
-// Reads a world between two calls, or moves it to the device where it is, or neither. That leaves no trace. It does not list the bodies that
-// moved, as that list begins with the last call for it.
+// Reads a world between two calls, moves it to its own device, or does nothing. Later results must not change. The list
+// of moved bodies is not read, because it begins with the last call for it.
 static void read_between(Pair* pair, CallRun run)
 {
 	uint32_t any = any_of(run.call, pair->first_read);
@@ -52,7 +53,7 @@ static void read_between(Pair* pair, CallRun run)
 	}
 }
 
-// hashes: whether that of the world is part of what a step leaves
+// Makes a call on world k. hashes: whether the hash of the world is part of the result of a step.
 static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 {
 	Left left = {0};
@@ -70,7 +71,7 @@ static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// a thread that makes the reference's steps while a GPU makes the other's
+// a thread that takes the steps of the reference while a GPU takes those of the other world
 // ---------------------------------------------------------------------------------------------------------------
 
 struct Worker
@@ -78,7 +79,7 @@ struct Worker
 	pthread_t thread;
 	pthread_mutex_t mutex;
 	pthread_cond_t changed;
-	const Call* call; // at work on; null when there is none
+	const Call* call; // call in progress, or null
 	bool hashes, ends;
 	Left left;
 };
@@ -225,7 +226,7 @@ void program_add_empty(Program* program)
 	}
 }
 
-// Whether that works, and leaves both with the same bits.
+// Empties both worlds. Returns whether that succeeds and leaves equal bits.
 static bool pair_empty(Pair* pair)
 {
 	Program program = {0};
@@ -257,7 +258,7 @@ static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
 		left[k].status = run_world(&pair->places[k], made, &pair->worlds[k]);
 		if (left[k].status != SCREE_OK)
 			snprintf(left[k].error, sizeof left[k].error, "%s", scree_error());
-		// by its whole name, which costs nothing while the world is there
+		// full name of the device
 		snprintf(pair->homes[k], sizeof pair->homes[k], "%s", scree_world_get_device(pair->worlds[k]));
 	}
 	if (left[0].status == SCREE_OK && left[1].status == SCREE_OK)
@@ -281,7 +282,7 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 		bool hashes = pair->every < 2 || outcome.steps % pair->every == 0 || i + 1 == program->count;
 		make_calls(pair, call, hashes, left);
 		bool differs = left_differs(&left[0], &left[1], &outcome);
-		// a step of no time ends nothing that is not finite, and nothing that is too fast
+		// a step of 0 s changes no value that is not finite or too large
 		bool moved = call->kind == CALL_step && call_value(call, "dt") > 0.0f;
 		if (!differs && moved && left[0].status == SCREE_OK && hashes)
 		{

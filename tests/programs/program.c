@@ -49,7 +49,7 @@ Call call_make(CallKind kind)
 	return call;
 }
 
-// -1 when there is none of that name
+// Returns the place of an argument, or -1 if the call has no argument of this name.
 static int place_of(const CallInfo* info, const char* name)
 {
 	for (int k = 0; k < info->count; ++k)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_call.c -- one call of a program on one world, through the public interface.
+// run_call.c -- makes one call of a program on one world, through the public interface.
 #include "programs/run_call.h"
 #include <math.h>
 #include <stdlib.h>
@@ -53,7 +53,7 @@ static scree_filter filter_of(const CallRun* r)
 	return (scree_filter){(uint64_t)call_whole(r, "category"), (uint64_t)(int64_t)mask, call_whole(r, "group")};
 }
 
-// A number's collidable, or that one of a body's list.
+// Returns the collidable with a number, or one from the list of a body.
 static scree_collidable collidable_of(const CallRun* r)
 {
 	int k = call_whole(r, "collidable"), count = 0, which = call_whole(r, "which");
@@ -288,7 +288,7 @@ static scree_status run_place(const CallRun* r)
 // motion and settings
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef struct // the same value for each of a batch
+typedef struct // the same value for each body of a batch
 {
 	scree_body bodies[MOST_BATCH];
 	scree_vec vectors[MOST_BATCH], points[MOST_BATCH];
@@ -409,7 +409,7 @@ static scree_status run_setting(const CallRun* r)
 
 #define MOST_READ 512
 
-// The contacts of one body are those of all in which it is.
+// Returns whether the contacts of a body are those of the list of all contacts that contain it, in the same order.
 static bool contacts_agree(const CallRun* r, scree_body body, const scree_contact* all, int count)
 {
 	static scree_contact some[MOST_READ];
@@ -507,7 +507,7 @@ static scree_status run_clear(const CallRun* r)
 		status = clear_paths(r);
 	if (status == SCREE_OK)
 		status = clear_fields(r);
-	const Open open = r->names->open; // touches end with the next step
+	const Open open = r->names->open; // open touches end with the next step
 	memset(r->names, 0, sizeof *r->names);
 	r->names->open = open;
 	return status;

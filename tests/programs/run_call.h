@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// run_call.h -- one call of a program on one world.
+// run_call.h -- makes one call of a program on one world.
 #ifndef RUN_CALL_H
 #define RUN_CALL_H
 #include "programs/program.h"
 #include "tools/common/byte_hash.h"
 
-// numbers that a program may give out
+// Maximum number of names that a program can use for objects of one type.
 #define MOST_NAMES 8192
 
-typedef struct // touches and visits that began and have not ended: how many, and a sum of their names
+typedef struct // touches and visits that have begun and not ended: their number, and the sum of their names
 {
 	int count;
 	uint64_t sum;
@@ -28,7 +28,7 @@ struct Names
 typedef struct // outcome of a call
 {
 	scree_status status;
-	uint64_t word; // hash of the data that it read
+	uint64_t word; // hash of the data that the call read
 	char error[256];
 } Left;
 
@@ -38,52 +38,52 @@ typedef struct // a call on one of the two worlds
 	scree_world* world;
 	struct Names* names;
 	const Place* place;
-	const char* home; // device on which the world was made
+	const char* home; // device on which the world was created
 	Left* left;
 } CallRun;
 
 // arguments of a call
 float call_real(const CallRun* run, const char* name);
-int call_whole(const CallRun* run, const char* name); // 0 for what is no number that counts
+int call_whole(const CallRun* run, const char* name); // 0 if the value is NaN or not between -1e6 and 1e6
 scree_vec call_vec(const CallRun* run, const char* x, const char* y);
-scree_pose call_pose(const CallRun* run); // x, y, angle
+scree_pose call_pose(const CallRun* run); // from x, y and angle
 scree_body call_body(const CallRun* run, int k);
 
 #define MOST_BATCH 256
-// Returns the number of names of a batch that begins with the name in an argument; 0 if not all of them can be names.
+// Returns the number of names of a batch; the argument is the first of them. Returns 0 if a name is out of range.
 int call_batch(const CallRun* run, const char* first);
 
-// run_joint.c: the calls of joints, and what can be read of them, mixed into a word.
+// run_joint.c: makes calls of joints. read_joints mixes the state of all joints into a word.
 scree_status run_joint(const CallRun* run);
 scree_status read_joints(const CallRun* run, uint64_t* word);
 
-// run_path.c: the same of paths; and all of them destroyed.
+// run_path.c: the same for paths. clear_paths destroys all paths.
 scree_path call_path(const CallRun* run);
 scree_status run_path(const CallRun* run);
 scree_status read_paths(const CallRun* run, uint64_t* word);
 scree_status clear_paths(const CallRun* run);
 
-// run_field.c: the same of fields.
+// run_field.c: the same for fields.
 scree_status run_field(const CallRun* run);
 scree_status read_fields(const CallRun* run, uint64_t* word);
 scree_status clear_fields(const CallRun* run);
 
-// run_query.c: queries, with their answers mixed into a word.
+// run_query.c: makes queries and blasts, and mixes their results into a word.
 scree_status run_ask(const CallRun* run);
 scree_status run_blast(const CallRun* run);
 
-// run_step.c: a step, with its events mixed into a word.
+// run_step.c: takes a step, and mixes its events into a word.
 scree_status run_step(const CallRun* run);
 
-// The next of a row of numbers (Donald Knuth, H. W. Lewis). Saved programs mean worlds made of these, so it is not that of
-// tools/common/random_numbers.h.
+// Returns the next number of a random sequence (Donald Knuth, H. W. Lewis). Worlds of saved programs depend on it, so
+// tools/common/random_numbers.h cannot replace it.
 uint32_t call_random(uint32_t* seed);
 float call_random_part(uint32_t* seed); // from 0 to 1
 
-// Makes the call and returns its status; left gets what it read.
+// Makes the call and returns its status; left gets the data that it read.
 scree_status run_call(const CallRun* run);
 
-// Makes the world that a program begins with.
+// Creates the world of a program.
 scree_status run_world(const Place* place, const Call* call, scree_world** world);
 
 #endif

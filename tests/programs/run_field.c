@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_field.c -- the calls of fields, and what can be read of them.
+// run_field.c -- calls of fields, and reads of their state.
 #include "programs/run_call.h"
 
 static scree_field call_field(const CallRun* r)
@@ -8,7 +8,7 @@ static scree_field call_field(const CallRun* r)
 	return k >= 0 && k < MOST_NAMES ? r->names->fields[k] : SCREE_NULL_FIELD;
 }
 
-// A new field, or another one in place of one that is there.
+// Creates a field, or redefines an existing one.
 static scree_status run_make(const CallRun* r)
 {
 	scree_field_def def = scree_field_def_default((scree_field_type)call_whole(r, "type"));

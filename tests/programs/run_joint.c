@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_joint.c -- the calls of joints, and what can be read of them.
+// run_joint.c -- calls of joints, and reads of their state.
 #include "programs/run_call.h"
 #include <float.h>
 #include <stddef.h>
@@ -10,14 +10,14 @@ static scree_joint joint_of(const CallRun* r, int k)
 	return k >= 0 && k < MOST_NAMES ? r->names->joints[k] : SCREE_NULL_JOINT;
 }
 
-// -1 stands for a threshold that nothing exceeds.
+// Returns a threshold; -1 stands for one that is never exceeded.
 static float threshold_of(const CallRun* r, const char* name)
 {
 	float x = call_real(r, name);
 	return x == -1.0f ? FLT_MAX : x;
 }
 
-// Keeps the handles of a batch that was made.
+// Creates a batch of joints and keeps their handles.
 static scree_status make(const CallRun* r, const scree_joint_def* defs, int count)
 {
 	scree_joint made[MOST_BATCH];
@@ -33,7 +33,7 @@ static scree_pose second_pose(const CallRun* r)
 	return (scree_pose){call_vec(r, "bx", "by"), scree_rot_make(call_real(r, "bangle"))};
 }
 
-// Sides of a gear or a pulley, both with the same base.
+// Sets the sides of a gear or a pulley, both with the same base.
 static void set_sides(const CallRun* r, scree_joint_def* def)
 {
 	static const char* const names[] = {"measure_a", "measure_b"};
@@ -85,7 +85,7 @@ static scree_status run_one(const CallRun* r)
 	return make(r, &def, 1);
 }
 
-// Between neighbors of a row of bodies, or of each with the first, halfway.
+// Joins neighbors in a row of bodies, halfway between them, or each body of the row with the first.
 static scree_status run_row(const CallRun* r)
 {
 	scree_joint_def defs[MOST_BATCH];
@@ -125,7 +125,7 @@ static scree_joint_coordinate coordinate_of(const CallRun* r)
 	                                .motor_max = call_real(r, "motor_max")};
 }
 
-// The same value for one joint, or for each of a batch.
+// Sets the same value for one joint, or for each joint of a batch.
 static scree_status run_change(const CallRun* r)
 {
 	CallKind kind = r->call->kind;
@@ -142,7 +142,7 @@ static scree_status run_change(const CallRun* r)
 		if (kind == CALL_joint_coordinate)
 			coordinates[k] = coordinate_of(r);
 		else if (kind == CALL_joint_enabled)
-			enabled[k] = call_whole(r, "enabled") != (k & 1); // neighbors by turns
+			enabled[k] = call_whole(r, "enabled") != (k & 1); // alternates in a batch
 		else
 			values[k] = call_real(r, "x");
 	}
@@ -194,7 +194,7 @@ scree_status run_joint(const CallRun* r)
 	}
 }
 
-// A NaN would be a difference between devices, and no answer.
+// Returns whether a state has no NaN, which is no result and may differ between devices.
 static bool state_counts(const scree_joint_state* s)
 {
 	bool counts = s->force.x == s->force.x && s->force.y == s->force.y && s->torque == s->torque;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shrink.c -- a program that differs made short: calls are dropped, then arguments made what they are by default.
+// shrink.c -- shortens a program that differs: drops calls, then sets arguments to their defaults.
 //
 // This work is based on:
 // Andreas Zeller, Ralf Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002.
@@ -13,12 +13,12 @@ typedef struct
 	Program* best;
 	Program trial;
 	Pair* pair;
-	double end; // s by the clock
+	double end; // limit of time, s by the clock
 } Shrink;
 
 static bool over(const Shrink* s) { return seconds_now() > s->end; }
 
-// Keeps the trial if it differs too, up to where it does.
+// Keeps the trial if it differs too. Drops the calls after the first difference.
 static bool keeps(Shrink* s)
 {
 	if (s->trial.count < 2)
@@ -37,7 +37,7 @@ static void drop_calls(Shrink* s)
 	for (int part = s->best->count / 2; part >= 1 && !over(s); part /= 2)
 		for (int first = s->best->count - part; first >= 1 && !over(s); first -= part)
 		{
-			// the program may have become shorter than this part
+			// by now the program may be shorter than this part
 			if (first + part > s->best->count)
 				continue;
 			s->trial.count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bad_input.c -- the world of the tests of bad input.
+// bad_input.c -- the world for tests of bad arguments.
 #include "support/bad_input.h"
 #include <string.h>
 

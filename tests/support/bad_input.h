@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// bad_input.h -- a world whose functions are called with bad input, and what a refusal must be.
+// bad_input.h -- a world whose functions get bad arguments, and checks that they refuse them.
 #ifndef BAD_INPUT_H
 #define BAD_INPUT_H
 #include "support/make_bodies.h"
 
-// A world of two crates on the ground, with handles of each sort.
+// A world with two crates on the ground, another world, and handles that are valid, foreign or stale.
 extern scree_world *world, *other;
 extern scree_attribute crate, foreign;
 extern scree_body body, second, fixed, stale;
@@ -16,10 +16,10 @@ static const scree_pose good_pose = {{1, 2}, {0, 1}};
 int set_up_bad_input(void** state);
 int tear_down_bad_input(void** state);
 
-// The status, a sentence with each of two parts, and a world as it was.
+// Checks that a call returned the expected status and a message that contains both texts, and left the world unchanged.
 void assert_refused(scree_status status, scree_status expected, const char* function, const char* part_of);
 
-// call: function(arguments)
+// REFUSED checks the call function(arguments).
 #define REFUSED(function, arguments, status, sentence) \
 	assert_refused(function arguments, status, #function ": ", sentence)
 #define INVALID(function, arguments, sentence) REFUSED(function, arguments, SCREE_ERROR_INVALID, sentence)

@@ -2,7 +2,7 @@
 // checks.h -- cmocka, and checks of statuses and numbers.
 #ifndef CHECKS_H
 #define CHECKS_H
-#include "platform/error.h" // before cmocka, which makes a macro of fail
+#include "platform/error.h" // must precede cmocka, which defines a macro fail
 #include "scree/scree.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,12 +12,13 @@
 
 #include <cmocka.h>
 
-// true in the presets that run a smaller set of tests
+// Returns true in the presets that run a smaller set of tests.
 bool quick(void);
-// Skips a test that takes long in quick builds, which look for faults of memory and threads; release runs it, with the same bits.
+// Skips a long test in quick builds, which look for faults of memory and threads. Release builds run it, with the same
+// bits.
 void skip_if_quick(void);
 
-// Fails the test with the sentence of scree_error.
+// Fails the test with the message of scree_error.
 #define OK(call) check_ok((call), #call, __FILE__, __LINE__)
 void check_ok(scree_status status, const char* call, const char* file, int line);
 
@@ -25,7 +26,7 @@ void check_ok(scree_status status, const char* call, const char* file, int line)
 #define NEAR(value, expected, tolerance) check_near((value), (expected), (tolerance), #value, __FILE__, __LINE__)
 void check_near(double value, double expected, double tolerance, const char* what, const char* file, int line);
 
-// Tear-down: all memory of the library must be released.
+// Tear-down: checks that all memory of the library is released.
 int memory_is_released(void** state);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // different_pools.c -- the items of pools, and those in which two worlds differ.
-#include "world/world.h" // before cmocka, which makes a macro of fail
+#include "world/world.h" // must precede cmocka, which defines a macro fail
 
 #include "support/different_pools.h"
 #include <stdlib.h>
@@ -14,7 +14,7 @@ void* read_pool(scree_world* world, PoolId pool, int count)
 	return items;
 }
 
-// the number of items of a pool that are in use
+// Returns the number of items of a pool that are in use.
 static int items_in_use(const scree_world* world, Per per)
 {
 	const Counters* c = &world->pipeline.counters;
@@ -39,7 +39,7 @@ static int items_in_use(const scree_world* world, Per per)
 	case PER_JOINT_BLOCK:
 		return c->layout[CONSTRAINT_JOINT].begin[COLORS + 1] / MAX_LANES;
 	default:
-		return 0; // scratch, and trees, which devices may build as they like
+		return 0; // scratch pools, and trees, which devices may build differently
 	}
 }
 

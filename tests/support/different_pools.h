@@ -5,10 +5,10 @@
 #include "backend/tables.h"
 #include "support/checks.h"
 
-// The first items of a pool, which the caller frees.
+// Reads the first items of a pool, which the caller frees.
 void* read_pool(scree_world* world, PoolId pool, int count);
 
-// Prints the names of the pools in which two worlds differ, with the first item.
+// Prints the names of the pools in which two worlds differ, each with the first item that differs.
 void print_different_pools(scree_world* a, scree_world* b);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// each_backend.c -- every backend of this machine, to run single stages on items made by hand.
+// each_backend.c -- all backends of this machine, which run single stages on items of a test.
 #include "support/each_backend.h"
 #include <string.h>
 
@@ -33,7 +33,7 @@ void open_backends(bool allow_unequal_bits, int (*room_of)(Per per))
 	}
 }
 
-// Rows of MAX_LANES items are few and large.
+// Returns the capacity of a pool. Rows hold MAX_LANES items, so there are fewer of them.
 static int stage_room_of(Per per)
 {
 	switch (per)

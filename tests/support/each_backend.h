@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// each_backend.h -- every backend of this machine, to run single stages on items made by hand.
+// each_backend.h -- all backends of this machine, which run single stages on items of a test.
 #ifndef EACH_BACKEND_H
 #define EACH_BACKEND_H
 #include "backend/backend.h"
@@ -7,15 +7,16 @@
 
 #define MAX_BACKENDS 16
 #define MOST_BODIES  4096
-#define MOST_ITEMS   70000 // the room of every other kind
+#define MOST_ITEMS   70000 // capacity for all other items
 
 extern Backend* backends[MAX_BACKENDS];
 extern int backend_count;
 
-// The CPU by one thread and by three, and OpenCL devices; room_of says how many items of a kind each has room for.
+// Opens the CPU with one and with three threads, and the OpenCL devices. room_of returns the capacity for each kind of
+// item.
 void open_backends(bool allow_unequal_bits, int (*room_of)(Per per));
 
-// Set-up and tear-down of tests of stages: devices of equal bits, with room for MOST_BODIES and MOST_ITEMS.
+// Set-up and tear-down for tests of stages: devices of equal bits, with room for MOST_BODIES and MOST_ITEMS.
 int open_stage_backends(void** state);
 int close_backends(void** state);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exact_shapes.c -- distances and meetings of shapes in double precision, by trying all pairs of corners and edges.
+// exact_shapes.c -- distances and meetings of shapes in double precision, computed from all pairs of corners and edges.
 #include "support/exact_shapes.h"
 #include <math.h>
 
@@ -24,7 +24,7 @@ Exact exact_moved(Exact e, double x, double y)
 	return e;
 }
 
-// The largest distance of b from a along a normal of a's edges.
+// Returns the largest distance of b from a along a normal of an edge of a.
 static double exact_axes(const Exact* a, const Exact* b)
 {
 	double most = -INFINITY;
@@ -39,7 +39,7 @@ static double exact_axes(const Exact* a, const Exact* b)
 	return most;
 }
 
-// The least distance of a corner of b from an edge of a.
+// Returns the smallest distance of a corner of b from an edge of a.
 static double exact_corners(const Exact* a, const Exact* b)
 {
 	double least = INFINITY;
@@ -63,7 +63,7 @@ double exact_distance(const Exact* a, const Exact* b)
 	return fmin(exact_corners(a, b), exact_corners(b, a)) - radii;
 }
 
-// A distance is convex along a line while it is positive, so its minimum is found by thirds.
+// A distance is convex along a line while it is positive, so ternary search finds its minimum.
 double exact_meeting(const Exact* a, const Exact* b, double x, double y, double* least)
 {
 	double low = 0.0, high = 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// faulty_device.h -- a CPU that works as if it were distant, and whose calls fail when a test says so.
+// faulty_device.h -- a CPU that behaves like a distant device, and whose calls fail on request of a test.
 #ifndef FAULTY_DEVICE_H
 #define FAULTY_DEVICE_H
 #include "backend/backend.h"
@@ -16,14 +16,15 @@ typedef struct
 {
 	unsigned calls;      // bits of FaultyCalls
 	int calls_left;      // number of these that succeed before one fails; negative: none fails
-	bool lasts;          // all calls after it fail too
+	bool lasts;          // all later calls fail too
 	scree_status status; // result of a call that fails
 } Fault;
 
 extern Fault device_fault;
-extern const BackendFunctions* real_functions; // those of the last CPU that was given others
+extern const BackendFunctions* real_functions; // functions of the last CPU whose functions were replaced
 
-// The functions of a CPU, but that its memory cannot be reached by address; those of faulty_functions fail as device_fault says.
+// Return functions of a CPU whose memory cannot be accessed by address. Those of faulty_functions fail as set by
+// device_fault.
 BackendFunctions distant_functions(Backend* cpu);
 BackendFunctions faulty_functions(Backend* cpu);
 

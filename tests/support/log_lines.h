@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// log_lines.h -- the log of the library, kept for tests instead of printed.
+// log_lines.h -- the log of the library, stored for tests instead of printed.
 #ifndef LOG_LINES_H
 #define LOG_LINES_H
 #include "support/checks.h"
@@ -8,10 +8,10 @@
 int keep_log(void** state);
 int release_log(void** state);
 
-extern int log_count, warning_count; // numbers of sentences, and of the warnings among them
+extern int log_count, warning_count; // numbers of messages, and of warnings among them
 extern char last_warning[512];
 
-// Whether one of the last four sentences contains words.
+// Returns whether one of the last four messages contains these words.
 bool was_logged(const char* words);
 
 #endif

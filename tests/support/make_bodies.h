@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make_bodies.h -- shapes and bodies of tests: made and read.
+// make_bodies.h -- shapes and bodies of tests, and reads of their state.
 #ifndef MAKE_BODIES_H
 #define MAKE_BODIES_H
 #include "support/make_worlds.h"
@@ -14,13 +14,13 @@ scree_shape capsule_shape(float half, float radius); // along x
 scree_shape segment_shape(float ax, float ay, float bx, float by);
 scree_shape polygon_shape(const scree_vec* corners, int count, float radius);
 
-// An attribute of a shape with the default surface, made other by the members that a test sets.
+// Returns the definition of an attribute with this shape and the default surface, for a test to change.
 scree_attribute_def surface_of(scree_shape shape);
 scree_attribute add_attribute(scree_world* world, const scree_attribute_def* def);
 
 scree_attribute add_surface(scree_world* world, scree_shape shape, float friction, float restitution);
 
-// The same with the default surface.
+// Adds an attribute with this shape and the default surface.
 scree_attribute shape_attribute(scree_world* world, scree_shape shape);
 scree_attribute box_attribute(scree_world* world, float half_width, float half_height);
 
@@ -31,11 +31,11 @@ scree_attribute box_attribute(scree_world* world, float half_width, float half_h
 scree_body create_body(scree_world* world, const scree_body_def* def);
 scree_collidable create_collidable(scree_world* world, const scree_collidable_def* def);
 
-// Definitions, made other by the members that a test sets; a crate is a box of 1 m.
+// Return definitions for a test to change. A crate is a box of 1 m.
 scree_body_def body_def(scree_body_type type, scree_attribute attribute, float x, float y);
 scree_body_def crate_def(scree_world* world, scree_body_type type, float x, float y);
 
-// Bodies of one collidable at their origin.
+// Add bodies with one collidable at the origin of the body.
 scree_body add_body(scree_world* world, scree_body_type type, scree_attribute attribute, float x, float y,
                     float radians);
 scree_body add_shape(scree_world* world, scree_body_type type, scree_shape shape, float x, float y, float radians);
@@ -44,7 +44,7 @@ scree_body add_crate(scree_world* world, scree_body_type type, float x, float y)
 scree_body add_disc(scree_world* world, float radius, float x, float y);                            // dynamic
 scree_body add_thrown(scree_world* world, scree_shape shape, float x, float y, float vx, float vy); // dynamic
 scree_body add_reporter(scree_world* world, scree_shape shape, uint32_t reports, float x, float y); // dynamic
-scree_body add_floor(scree_world* world); // a box of 200 by 2 m, its surface at y = 0
+scree_body add_floor(scree_world* world); // box of 200 m by 2 m, with its surface at y = 0
 
 void throw_body(scree_world* world, scree_body body, float x, float y, float spin); // sets its velocity
 
@@ -52,7 +52,7 @@ void throw_body(scree_world* world, scree_body body, float x, float y, float spi
 // poses, velocities, masses
 // ---------------------------------------------------------------------------------------------------------------
 
-scree_collidable collidable_of(scree_world* world, scree_body body); // the only one of a body
+scree_collidable collidable_of(scree_world* world, scree_body body); // the only collidable of a body
 scree_pose pose_at(float x, float y, float radians);
 scree_pose upright_at(float x, float y);
 scree_pose pose_of(scree_world* world, scree_body body);
@@ -62,19 +62,19 @@ scree_velocity velocity_of(scree_world* world, scree_body body);
 double speed_of(scree_world* world, scree_body body); // m/s
 scree_mass mass_of(scree_world* world, scree_body body);
 
-// The mean of v^2 + (reach w)^2 of some bodies over some steps, m^2/s^2.
+// Returns the mean of v^2 + (reach w)^2 of some bodies over some steps, m^2/s^2.
 double mean_square_speed(scree_world* world, const scree_body* bodies, int count, double reach, int steps);
 
 typedef struct
 {
 	double x, y, spin; // sum of m v, and of m r x v + I w about the origin
 	double size;       // sum of m |v|
-	double energy;     // J, kinetic
+	double energy;     // kinetic energy, J
 } Momentum;
 
 Momentum momentum_of(scree_world* world, const scree_body* bodies, int count);
 
-// Fail unless a pose or velocity is this one to the last bit.
+// Fail unless a pose or velocity equals this one to the last bit.
 void expect_pose(scree_world* world, scree_body body, scree_pose expected);
 void expect_velocity(scree_world* world, scree_body body, float x, float y, float spin);
 

@@ -6,7 +6,7 @@
 
 scree_field add_field(scree_world* world, const scree_field_def* def);
 
-// A dynamic body of one collidable with a density of its own.
+// Adds a dynamic body with one collidable and its own density.
 scree_body add_dense(scree_world* world, scree_shape shape, float density, float x, float y);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make_joints.c -- joints of tests: made and read.
+// make_joints.c -- joints of tests, and reads of their state.
 #include "support/make_joints.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make_worlds.c -- worlds of tests: opened, stepped and read.
+// make_worlds.c -- worlds of tests, and reads of their state.
 #include "support/make_worlds.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make_worlds.h -- worlds of tests: opened, stepped and read.
+// make_worlds.h -- worlds of tests, and reads of their state.
 #ifndef MAKE_WORLDS_H
 #define MAKE_WORLDS_H
 #include "platform/trig.h" // PI
@@ -7,20 +7,20 @@
 
 #define STEP     (1.0f / 60.0f) // s
 #define SUBSTEPS 4
-#define H        (1.0 / 60.0 / SUBSTEPS) // s, of a substep
+#define H        (1.0 / 60.0 / SUBSTEPS) // length of a substep, s
 #define G        10.0                    // m/s^2
 
 scree_world* create_world(const scree_world_def* def);
 
-// A world with the defaults but for these; 0 threads for as many as there are cores.
+// Opens a world with defaults for all other settings. 0 threads means one per core.
 scree_world* open_world_on(const char* device, int threads, float gravity_y);
-scree_world* open_world(float gravity_y);      // on the CPU by one thread
-scree_world* open_test_world(float gravity_y); // on test_device by two threads
-extern const char* test_device;                // which RUN_ON_DEVICES sets
+scree_world* open_world(float gravity_y);      // on the CPU with one thread
+scree_world* open_test_world(float gravity_y); // on test_device with two threads
+extern const char* test_device;                // set by RUN_ON_DEVICES
 
 void run_steps(scree_world* world, int steps);   // each of STEP in SUBSTEPS
-void update_contacts(scree_world* world);        // a step of dt 0, which moves nothing
-float deepest_of(scree_world* world, int steps); // the deepest overlap of some steps, m
+void update_contacts(scree_world* world);        // takes a step of 0 s, which moves nothing
+float deepest_of(scree_world* world, int steps); // returns the deepest overlap during some steps, m
 
 uint64_t hash_of(scree_world* world);
 scree_counters counters_of(scree_world* world);
@@ -28,16 +28,16 @@ scree_events events_of(scree_world* world);
 int contacts_of(scree_world* world);
 int contacts_with(scree_world* world, scree_body body);
 
-// Reads all contacts into *contacts, which the caller frees; returns how many.
+// Reads all contacts into *contacts, which the caller frees. Returns their number.
 int read_contacts(scree_world* world, scree_contact** contacts);
 
-// Fails when a pose or a velocity of some body is not finite.
+// Fails if a pose or a velocity of a body is not finite.
 void check_finite(scree_world* world);
 
 int use_cpu(void** state);
 int use_opencl(void** state);
 
-// Runs tests, an array of CMUnitTest, on the CPU, and again on OpenCL where there is a device. Returns the failures.
+// Runs tests, an array of CMUnitTest, on the CPU and, if there is a device, on OpenCL. Returns the number of failures.
 #define RUN_ON_DEVICES(tests)                                                                                       \
 	(cmocka_run_group_tests_name("cpu", tests, use_cpu, memory_is_released) +                                       \
 	 (scree_opencl_hint()[0] == '\0' ? cmocka_run_group_tests_name("opencl", tests, use_opencl, memory_is_released) \

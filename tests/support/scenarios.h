@@ -16,21 +16,23 @@ typedef struct
 	const void* context;
 } Scenario;
 
-// In a world of the defaults, with steps of STEP in SUBSTEPS.
+// Returns a scenario in a world with the defaults, with steps of STEP in SUBSTEPS.
 Scenario scenario_of(const char* name, int steps, void (*build)(scree_world* world, const void* context),
                      void (*act)(scree_world* world, int step, const void* context), const void* context);
 
-// Runs a scenario and writes the hash after each step; last gets the counters of the end, unless it is null.
+// Runs a scenario and writes the hash after each step. last gets the final counters, unless it is null.
 void record(const Scenario* scenario, const Variant* variant, uint64_t* hashes, scree_counters* last);
 
-// Records a scenario on every variant and fails unless all hashes of all steps are equal. The failure names the first step that
-// differs and the pools that do. Returns the last hash; last gets the counters of the reference, unless it is null.
+// Records a scenario on every variant and fails unless all hashes of all steps are equal. The message contains the
+// first step that differs and the pools that differ. Returns the last hash; last gets the counters of the reference,
+// unless it is null.
 uint64_t check_parity(const Scenario* scenario, scree_counters* last);
 
 // Fails unless a run returns the same hash on every variant.
 void check_equal(uint64_t (*run)(const Variant* variant));
 
-// Fails unless two scenarios, which may differ in what must make no difference, have the same hashes on one variant.
+// Fails unless two scenarios, which differ only in settings without effect on results, have the same hashes on one
+// variant.
 void check_same(const Scenario* a, const Scenario* b, const Variant* variant);
 
 #endif

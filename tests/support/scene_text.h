@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scene_text.h -- scenes from text.
+// scene_text.h -- scenes that are loaded from text.
 #ifndef SCENE_TEXT_H
 #define SCENE_TEXT_H
 #include "scene/build.h"
@@ -10,7 +10,7 @@
 #define HEAD            "{\"name\": \"x\", \"title\": \"y\", "
 #define GOOD_ATTRIBUTES "\"attributes\": {\"a\": {\"circle\": 1}, \"b\": {\"box\": [1, 2]}}, "
 
-// Loads a scene through a file of this name, which is removed.
+// Loads a scene through a file of this name, and removes the file.
 static inline Scene* load_text(const char* path, const char* text, const SceneSetting* settings, int count,
                                char* sentence)
 {
@@ -23,7 +23,7 @@ static inline Scene* load_text(const char* path, const char* text, const SceneSe
 	return scene;
 }
 
-// The same for a scene that must be good.
+// Loads a scene that must be valid.
 static inline Scene* load_good_text(const char* path, const char* text)
 {
 	char sentence[SCENE_SENTENCE] = "";
@@ -33,7 +33,7 @@ static inline Scene* load_good_text(const char* path, const char* text)
 	return scene;
 }
 
-// The world of a scene, on the CPU by one thread.
+// Opens the world of a scene on the CPU with one thread.
 static inline scree_world* open_scene_world(const Scene* scene)
 {
 	scree_world_def def = scene->world;

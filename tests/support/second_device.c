@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// second_device.c -- the device that worlds of tests move to, and a world that is worth moving.
+// second_device.c -- the device to which worlds of tests move, and a world for such moves.
 #include "support/second_device.h"
 #include <stdio.h>
 

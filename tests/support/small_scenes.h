@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// small_scenes.h -- scenarios of every scene at a size that a test can run on many devices.
+// small_scenes.h -- scenarios of all scenes, small enough for a test to run them on many devices.
 #ifndef SMALL_SCENES_H
 #define SMALL_SCENES_H
 #include "scene/build.h"
@@ -14,7 +14,7 @@
 
 static inline void build_scene(scree_world* world, const void* context) { OK(scene_build(context, world)); }
 
-static Walkers small_walkers; // the characters of the run
+static Walkers small_walkers; // characters of the current run
 
 static inline void churn_scene(scree_world* world, int step, const void* context)
 {
@@ -27,7 +27,8 @@ static inline void churn_scene(scree_world* world, int step, const void* context
 	OK(walk_step(&small_walkers, world, step, 0));
 }
 
-// The scenario of a scene, which ends with scene_free of its context. A scene that has no size here fails the test.
+// Returns the scenario of a scene. scene_free frees its context. A scene without a line in small_sizes.h fails the
+// test.
 static inline Scenario small_scene(const char* name)
 {
 	const SmallScene* small = NULL;
@@ -55,7 +56,7 @@ static inline Scenario small_scene(const char* name)
 	                  .context = scene};
 }
 
-// Calls check for the scenario of every scene that we ship.
+// Calls check for the scenario of every scene of the project.
 static inline void for_every_scene(void (*check)(const Scenario* scenario))
 {
 	char **names, missing[SCENE_SENTENCE];
