@@ -7,8 +7,8 @@
 
 static int run_scene(const Options* options, bool timings, Measurement* m)
 {
-	Simulation simulation;
-	int code = open_simulation(options, m->scene, timings, &simulation);
+	ScenePlayer player;
+	int code = open_player(options, m->scene, timings, &player);
 	if (code != EXIT_GOOD)
 		return code;
 	uint64_t hash = 0;
@@ -16,18 +16,18 @@ static int run_scene(const Options* options, bool timings, Measurement* m)
 	for (int step = 0; step < m->steps && status == SCREE_OK; ++step)
 	{
 		Record record;
-		status = record_step(&simulation, &record);
+		status = record_step(&player, &record);
 		if (status == SCREE_OK)
 			measurement_add(m, &record, step);
 	}
 	if (status == SCREE_OK)
-		status = scree_world_get_hash(simulation.world, &hash);
+		status = scree_world_get_hash(player.world, &hash);
 	if (status == SCREE_OK && m->bandwidth == 0)
-		status = scree_world_measure_bandwidth(simulation.world, &m->bandwidth);
+		status = scree_world_measure_bandwidth(player.world, &m->bandwidth);
 	if (status == SCREE_OK)
-		measurement_end_run(m, simulation.world, timings, hash, simulation.answered.hash);
+		measurement_end_run(m, player.world, timings, hash, player.answered.hash);
 	code = report(status);
-	simulation_close(&simulation);
+	player_close(&player);
 	return code;
 }
 

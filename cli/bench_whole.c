@@ -9,40 +9,39 @@
 #include "tools/common/clock.h"
 #include <inttypes.h>
 
-static scree_status take_steps(Simulation* simulation, int steps)
+static scree_status take_steps(ScenePlayer* player, int steps)
 {
 	for (int step = 0; step < steps; ++step)
 	{
-		scree_status status = simulation_step(simulation);
+		scree_status status = player_step(player);
 		if (status != SCREE_OK)
 			return status;
 	}
-	return scree_world_wait(simulation->world);
+	return scree_world_wait(player->world);
 }
 
 static int measure_once(const Options* options, const Scene* scene)
 {
-	Simulation simulation;
+	ScenePlayer player;
 	int steps = options_steps(options, scene);
-	int code = open_simulation(options, scene, false, &simulation);
+	int code = open_player(options, scene, false, &player);
 	if (code != EXIT_GOOD)
 		return code;
 	scree_counters counters;
 	uint64_t hash;
 	double begin = seconds_now();
-	scree_status status = take_steps(&simulation, steps);
+	scree_status status = take_steps(&player, steps);
 	double taken = seconds_now() - begin;
 	if (status == SCREE_OK)
-		status = scree_world_get_counters(simulation.world, &counters);
+		status = scree_world_get_counters(player.world, &counters);
 	if (status == SCREE_OK)
-		status = scree_world_get_hash(simulation.world, &hash);
+		status = scree_world_get_hash(player.world, &hash);
 	if (status == SCREE_OK)
 		printf("%s,%s,%s,%d,%d,%.1f,%.1f,%.1f,%.1f,%.5f,%016" PRIx64 "\n", scene->name, options->device,
-		       scree_world_get_device(simulation.world), counters.bodies, steps, 1e3 * simulation.opening,
-		       1e3 * simulation.building, 1e3 * taken, 1e3 * (simulation.opening + taken), (double)counters.penetration,
-		       hash);
+		       scree_world_get_device(player.world), counters.bodies, steps, 1e3 * player.opening,
+		       1e3 * player.building, 1e3 * taken, 1e3 * (player.opening + taken), (double)counters.penetration, hash);
 	fflush(stdout);
-	simulation_close(&simulation);
+	player_close(&player);
 	return report(status);
 }
 

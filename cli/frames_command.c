@@ -28,21 +28,21 @@ typedef struct // medians of a run, ms, and hashes at its end
 	uint64_t picture, world;
 } Frames;
 
-static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen, Share* share, Renderer* renderer,
+static scree_status draw_run(ScenePlayer* player, const Offscreen* offscreen, Share* share, Renderer* renderer,
                              int steps, double* times[4])
 {
-	const Scene* scene = simulation->scene;
+	const Scene* scene = player->scene;
 	const Style style = {.detail = 1.0f};
 	Camera camera;
 	camera_fit(&camera, render_tables_view(&renderer->tables, scene), offscreen->width, offscreen->height);
 	for (int k = 0; k < steps; ++k)
 	{
-		scree_status status = simulation_change(simulation);
+		scree_status status = player_change(player);
 		double begin = seconds_now();
 		if (status == SCREE_OK)
-			status = simulation_advance(simulation);
+			status = player_advance(player);
 		if (status == SCREE_OK)
-			status = scree_world_wait(simulation->world);
+			status = scree_world_wait(player->world);
 		double stepped = seconds_now();
 		if (status == SCREE_OK)
 			status = share_update(share);
@@ -64,14 +64,14 @@ static scree_status draw_run(Simulation* simulation, const Offscreen* offscreen,
 static int measure(const Options* options, const Scene* scene, const Offscreen* offscreen, bool copy, int steps,
                    double* times[4], Frames* frames)
 {
-	Simulation simulation;
+	ScenePlayer player;
 	Renderer renderer;
 	char sentence[SENTENCE] = "out of memory for the picture";
-	int code = open_simulation(options, scene, false, &simulation);
+	int code = open_player(options, scene, false, &player);
 	if (code != EXIT_GOOD)
 		return code;
 	bool opened = renderer_open(&renderer, sentence);
-	if (!opened || !renderer_update_world(&renderer, NULL, simulation.world))
+	if (!opened || !renderer_update_world(&renderer, NULL, player.world))
 	{
 		fprintf(stderr, "scree bench: %s\n", sentence);
 		code = EXIT_FAILED;
@@ -79,14 +79,14 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 	if (code == EXIT_GOOD)
 	{
 		Share share;
-		share_open(&share, simulation.world, copy);
-		scree_status status = draw_run(&simulation, offscreen, &share, &renderer, steps, times);
+		share_open(&share, player.world, copy);
+		scree_status status = draw_run(&player, offscreen, &share, &renderer, steps, times);
 		frames->how = share.how;
 		frames->picture = offscreen_hash(offscreen);
 		if (*share.sentence)
 			fprintf(stderr, "scree bench: the rows are copied: %s\n", share.sentence);
 		if (status == SCREE_OK)
-			status = scree_world_get_hash(simulation.world, &frames->world);
+			status = scree_world_get_hash(player.world, &frames->world);
 		code = report(status);
 		share_close(&share);
 	}
@@ -99,7 +99,7 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 	if (code == EXIT_GOOD)
 	{
 		char device[160], drawer[128];
-		snprintf(device, sizeof device, "%s", scree_world_get_device(simulation.world));
+		snprintf(device, sizeof device, "%s", scree_world_get_device(player.world));
 		snprintf(drawer, sizeof drawer, "%s", offscreen->renderer);
 		csv_cell(device);
 		csv_cell(drawer);
@@ -108,7 +108,7 @@ static int measure(const Options* options, const Scene* scene, const Offscreen* 
 		       frames->draw, 1e3 / frames->frame, frames->picture, frames->world);
 		fflush(stdout);
 	}
-	simulation_close(&simulation);
+	player_close(&player);
 	return code;
 }
 

@@ -131,10 +131,10 @@ static scree_status measure(Batch* batch, Kind kind, const char* scene, int repe
 int queries_command(const Options* options)
 {
 	Scene* scene = open_scene(options, options->arguments[0]);
-	Simulation simulation;
+	ScenePlayer player;
 	if (!scene)
 		return EXIT_BAD;
-	int code = open_simulation(options, scene, true, &simulation);
+	int code = open_player(options, scene, true, &player);
 	if (code != EXIT_GOOD)
 	{
 		scene_free(scene);
@@ -143,8 +143,8 @@ int queries_command(const Options* options)
 	int steps = options_steps(options, scene), repeats = options->repeats;
 	scree_status status = SCREE_OK;
 	for (int k = 0; k < steps && status == SCREE_OK; ++k)
-		status = simulation_step(&simulation);
-	Batch batch = {.world = simulation.world, .count = options->queries > 0 ? options->queries : MANY};
+		status = player_step(&player);
+	Batch batch = {.world = player.world, .count = options->queries > 0 ? options->queries : MANY};
 	size_t count = (size_t)batch.count;
 	batch.rays = malloc(count * sizeof *batch.rays);
 	batch.probes = malloc(count * sizeof *batch.probes);
@@ -166,7 +166,7 @@ int queries_command(const Options* options)
 	free(batch.found);
 	free(times[0]);
 	free(times[1]);
-	simulation_close(&simulation);
+	player_close(&player);
 	scene_free(scene);
 	return code;
 }

@@ -9,29 +9,29 @@
 #include "tools/common/clock.h"
 #include <inttypes.h>
 
-static int draw_frames(Simulation* simulation, Outputs* outputs, const Record* record)
+static int draw_frames(ScenePlayer* player, Outputs* outputs, const Record* record)
 {
-	if (outputs_due(outputs, simulation) == 0)
+	if (outputs_due(outputs, player) == 0)
 		return EXIT_GOOD;
 	Snapshot snapshot = {.counters = &record->counters};
-	int code = report(scree_world_get_hash(simulation->world, &snapshot.hash));
-	return code == EXIT_GOOD ? outputs_frames(outputs, simulation, &snapshot) : code;
+	int code = report(scree_world_get_hash(player->world, &snapshot.hash));
+	return code == EXIT_GOOD ? outputs_frames(outputs, player, &snapshot) : code;
 }
 
-static int take_steps(Simulation* simulation, Outputs* outputs, int steps, Totals* totals)
+static int take_steps(ScenePlayer* player, Outputs* outputs, int steps, Totals* totals)
 {
 	ProgressBar bar = progress_bar();
 	int code = EXIT_GOOD;
 	for (int step = 1; step <= steps && code == EXIT_GOOD; ++step)
 	{
 		Record record;
-		code = report(record_step(simulation, &record));
+		code = report(record_step(player, &record));
 		if (code != EXIT_GOOD)
 			break;
 		totals_add(totals, &record);
-		code = outputs_step(outputs, simulation, &record);
+		code = outputs_step(outputs, player, &record);
 		if (code == EXIT_GOOD)
-			code = draw_frames(simulation, outputs, &record);
+			code = draw_frames(player, outputs, &record);
 		if (code == EXIT_GOOD)
 			progress_show(&bar, step, steps);
 	}
@@ -43,7 +43,7 @@ int run_command(const Options* options)
 	Scene* scene = open_scene(options, options->arguments[0]);
 	if (!scene)
 		return EXIT_BAD;
-	Simulation simulation;
+	ScenePlayer player;
 	Outputs outputs;
 	Totals totals = {0};
 	Snapshot snapshot = {.counters = &totals.last.counters};
@@ -51,20 +51,20 @@ int run_command(const Options* options)
 	Options drawn;
 	int code = outputs_begin(&outputs, options, &drawn);
 	if (code == EXIT_GOOD)
-		code = open_simulation(&drawn, scene, true, &simulation);
+		code = open_player(&drawn, scene, true, &player);
 	if (code != EXIT_GOOD)
 		outputs_close(&outputs, NULL, NULL, code);
 	else
 	{
-		code = outputs_open(&outputs, &simulation, step_stages);
+		code = outputs_open(&outputs, &player, step_stages);
 		if (code == EXIT_GOOD)
-			code = take_steps(&simulation, &outputs, steps, &totals);
+			code = take_steps(&player, &outputs, steps, &totals);
 		if (code == EXIT_GOOD)
-			code = report(scree_world_get_hash(simulation.world, &snapshot.hash));
-		code = outputs_close(&outputs, &simulation, &snapshot, code);
+			code = report(scree_world_get_hash(player.world, &snapshot.hash));
+		code = outputs_close(&outputs, &player, &snapshot, code);
 		if (code == EXIT_GOOD)
-			print_results(&simulation, &totals, step_stages, steps, snapshot.hash);
-		simulation_close(&simulation);
+			print_results(&player, &totals, step_stages, steps, snapshot.hash);
+		player_close(&player);
 	}
 	scene_free(scene);
 	return code;
@@ -75,19 +75,19 @@ int hash_command(const Options* options)
 	Scene* scene = open_scene(options, options->arguments[0]);
 	if (!scene)
 		return EXIT_BAD;
-	Simulation simulation;
+	ScenePlayer player;
 	uint64_t hash = 0;
-	int code = open_simulation(options, scene, false, &simulation);
+	int code = open_player(options, scene, false, &player);
 	if (code == EXIT_GOOD)
 	{
 		scree_status status = SCREE_OK;
 		int steps = options_steps(options, scene);
 		for (int step = 0; step < steps && status == SCREE_OK; ++step)
-			status = simulation_step(&simulation);
+			status = player_step(&player);
 		if (status == SCREE_OK)
-			status = scree_world_get_hash(simulation.world, &hash);
+			status = scree_world_get_hash(player.world, &hash);
 		code = report(status);
-		simulation_close(&simulation);
+		player_close(&player);
 	}
 	if (code == EXIT_GOOD)
 		printf("%016" PRIx64 "\n", hash);

@@ -15,38 +15,38 @@
 
 #define DOWN(keys, name) ((keys) >> SCENE_KEY_##name & 1)
 
-uint32_t walk_keys(const Scene* scene)
+uint32_t characters_keys(const Scene* scene)
 {
 	return scene->character_count == 0
 	           ? 0
 	           : 1u << SCENE_KEY_left | 1u << SCENE_KEY_right | 1u << SCENE_KEY_up | 1u << SCENE_KEY_down;
 }
 
-scree_status walk_open(Walkers* walkers, const Scene* scene, scree_world* world)
+scree_status characters_open(Characters* characters, const Scene* scene, scree_world* world)
 {
-	*walkers = (Walkers){.scene = scene};
+	*characters = (Characters){.scene = scene};
 	if (scene->character_count == 0)
 		return SCREE_OK;
-	walkers->bodies = malloc(((size_t)scene->body_count + 1) * sizeof *walkers->bodies);
-	walkers->movers = calloc((size_t)scene->character_count, sizeof *walkers->movers);
-	if (!walkers->bodies || !walkers->movers)
+	characters->bodies = malloc(((size_t)scene->body_count + 1) * sizeof *characters->bodies);
+	characters->movers = calloc((size_t)scene->character_count, sizeof *characters->movers);
+	if (!characters->bodies || !characters->movers)
 		return SCREE_ERROR_OUT_OF_MEMORY;
-	scree_status status = scree_world_get_bodies(world, walkers->bodies, scene->body_count, &walkers->body_count);
+	scree_status status = scree_world_get_bodies(world, characters->bodies, scene->body_count, &characters->body_count);
 	for (int k = 0; k < scene->character_count && status == SCREE_OK; ++k)
 	{
 		scree_pose pose;
-		scree_body body = walkers->bodies[block_first(scene, scene->characters[k].block)];
+		scree_body body = characters->bodies[block_first(scene, scene->characters[k].block)];
 		status = scree_body_get_pose(world, body, &pose);
-		walkers->movers[k] = (scree_mover){.position = pose.position, .ignored = body};
+		characters->movers[k] = (scree_mover){.position = pose.position, .ignored = body};
 	}
 	return status;
 }
 
-void walk_close(Walkers* walkers)
+void characters_close(Characters* characters)
 {
-	free(walkers->bodies);
-	free(walkers->movers);
-	*walkers = (Walkers){0};
+	free(characters->bodies);
+	free(characters->movers);
+	*characters = (Characters){0};
 }
 
 static uint32_t script_keys(const Character* character, int64_t step)
@@ -81,11 +81,11 @@ static void steer(const Character* character, scree_vec gravity, float dt, uint3
 	mover->velocity = (scree_vec){along * up.y + rises * up.x + carried.x, -along * up.x + rises * up.y + carried.y};
 }
 
-static scree_status walk(Walkers* walkers, scree_world* world, int k, uint32_t down, uint32_t fresh)
+static scree_status walk(Characters* characters, scree_world* world, int k, uint32_t down, uint32_t fresh)
 {
-	const Scene* scene = walkers->scene;
+	const Scene* scene = characters->scene;
 	Character character = scene->characters[k];
-	scree_mover* mover = &walkers->movers[k];
+	scree_mover* mover = &characters->movers[k];
 	scree_vec gravity = scene->world.gravity;
 	float g = sqrtf(gravity.x * gravity.x + gravity.y * gravity.y);
 	if (g > 0.0f)
@@ -101,9 +101,9 @@ static scree_status walk(Walkers* walkers, scree_world* world, int k, uint32_t d
 }
 
 // Disables the bodies that were taken, by the visits of the last step.
-static scree_status take(Walkers* walkers, scree_world* world)
+static scree_status take(Characters* characters, scree_world* world)
 {
-	const Scene* scene = walkers->scene;
+	const Scene* scene = characters->scene;
 	scree_events events;
 	scree_status status = scree_world_get_events(world, &events);
 	for (int i = 0; i < events.visits_began_count && status == SCREE_OK; ++i)
@@ -113,33 +113,33 @@ static scree_status take(Walkers* walkers, scree_world* world)
 		{
 			int takes = scene->characters[k].takes, first = takes < 0 ? 0 : block_first(scene, takes);
 			int count = takes < 0 ? 0 : (int)scene->blocks[takes].count;
-			if (!scree_body_equals(visit->body_visitor, walkers->movers[k].ignored))
+			if (!scree_body_equals(visit->body_visitor, characters->movers[k].ignored))
 				continue;
 			for (int n = 0; n < count && status == SCREE_OK; ++n)
-				if (scree_body_equals(visit->body_sensor, walkers->bodies[first + n]))
+				if (scree_body_equals(visit->body_sensor, characters->bodies[first + n]))
 				{
-					++walkers->taken;
-					status = scree_body_set_enabled(world, walkers->bodies[first + n], false);
+					++characters->taken;
+					status = scree_body_set_enabled(world, characters->bodies[first + n], false);
 				}
 		}
 	}
 	return status;
 }
 
-scree_status walk_step(Walkers* walkers, scree_world* world, int64_t step, uint32_t down)
+scree_status characters_move(Characters* characters, scree_world* world, int64_t step, uint32_t down)
 {
-	const Scene* scene = walkers->scene;
-	if (!scene || scene->character_count == 0)
+	const Scene* scene = characters->scene;
+	if (scene->character_count == 0)
 		return SCREE_OK;
-	walkers->played |= (down & walk_keys(scene)) != 0;
-	scree_status status = step > 0 ? take(walkers, world) : SCREE_OK;
+	characters->played |= (down & characters_keys(scene)) != 0;
+	scree_status status = step > 0 ? take(characters, world) : SCREE_OK;
 	uint32_t all = 0;
 	for (int k = 0; k < scene->character_count && status == SCREE_OK; ++k)
 	{
-		uint32_t keys = walkers->played ? down : script_keys(&scene->characters[k], step);
-		status = walk(walkers, world, k, keys, keys & ~walkers->before);
+		uint32_t keys = characters->played ? down : script_keys(&scene->characters[k], step);
+		status = walk(characters, world, k, keys, keys & ~characters->before);
 		all |= keys;
 	}
-	walkers->before = all;
+	characters->before = all;
 	return status;
 }

@@ -13,17 +13,17 @@ typedef struct
 	uint32_t before;     // keys that were down in the last step
 	bool played;         // true once the user has held a key: the scripts are over
 	int taken;           // number of bodies that the characters took
-} Walkers;
+} Characters;
 
 // Returns the keys that characters use: bits by SceneKey.
-uint32_t walk_keys(const Scene* scene);
+uint32_t characters_keys(const Scene* scene);
 
-// Opens the characters in a world that scene_build has built. On failure the caller closes the walkers also.
-scree_status walk_open(Walkers* walkers, const Scene* scene, scree_world* world);
-void walk_close(Walkers* walkers);
+// Opens the characters in a world that scene_build has built. On failure the caller closes the characters also.
+scree_status characters_open(Characters* characters, const Scene* scene, scree_world* world);
+void characters_close(Characters* characters);
 
 // Moves the characters before a step; the first step is number 0. down: keys that the user holds. Sets the targets of
 // their bodies, and disables the bodies that they took in the last step.
-scree_status walk_step(Walkers* walkers, scree_world* world, int64_t step, uint32_t down);
+scree_status characters_move(Characters* characters, scree_world* world, int64_t step, uint32_t down);
 
 #endif

@@ -22,37 +22,12 @@
 	"{\"type\": \"static\", \"attribute\": \"belt\", \"position\": [0, 99]}], "                                       \
 	"\"characters\": [{\"body\": \"hero\", \"takes\": \"coin\", \"speed\": 4, \"jump\": 5" more "}]}"
 
-typedef struct
+static scree_vec after(ScenePlayer* player, int steps, uint32_t down)
 {
-	Scene* scene;
-	scree_world* world;
-	Walkers walkers;
-	int step;
-} Town;
-
-static Town open_town(const char* text)
-{
-	Town t = {.scene = load_good_text(SCRATCH, text)};
-	t.world = open_scene_world(t.scene);
-	OK(walk_open(&t.walkers, t.scene, t.world));
-	return t;
-}
-
-static void close_town(Town* t)
-{
-	walk_close(&t->walkers);
-	scree_world_destroy(t->world);
-	scene_free(t->scene);
-}
-
-static scree_vec after(Town* t, int steps, uint32_t down)
-{
+	player->down = down;
 	for (int k = 0; k < steps; ++k)
-	{
-		OK(walk_step(&t->walkers, t->world, t->step++, down));
-		OK(scree_world_step(t->world, t->scene->dt, t->scene->substeps));
-	}
-	return position_of(t->world, t->walkers.bodies[0]);
+		OK(player_step(player));
+	return position_of(player->world, player->characters.bodies[0]);
 }
 
 #define KEY_BIT(name) (1u << SCENE_KEY_##name)
@@ -60,79 +35,74 @@ static scree_vec after(Town* t, int steps, uint32_t down)
 static void keys_move_it(void** state)
 {
 	(void)state;
-	Town t = open_town(TOWN(""));
-	assert_int_equal(walk_keys(t.scene), KEY_BIT(left) | KEY_BIT(right) | KEY_BIT(up) | KEY_BIT(down));
-	scree_vec at = after(&t, 60, 0);
+	ScenePlayer town = open_text(SCRATCH, TOWN(""));
+	assert_int_equal(characters_keys(town.scene), KEY_BIT(left) | KEY_BIT(right) | KEY_BIT(up) | KEY_BIT(down));
+	scree_vec at = after(&town, 60, 0);
 	NEAR(at.x, 0.0, 1e-6);
 	NEAR(at.y, 0.61, 1e-3);
-	at = after(&t, 60, KEY_BIT(right));
+	at = after(&town, 60, KEY_BIT(right));
 	NEAR(at.x, 4.0, 0.3);
-	assert_int_equal(t.walkers.taken, 2); // coins at 2 m and 4 m
-	at = after(&t, 60, KEY_BIT(right));
+	assert_int_equal(town.characters.taken, 2); // coins at 2 m and 4 m
+	at = after(&town, 60, KEY_BIT(right));
 	NEAR(at.x, 8.0, 0.3);
-	assert_int_equal(t.walkers.taken, 3);
-	at = after(&t, 120, KEY_BIT(left));
+	assert_int_equal(town.characters.taken, 3);
+	at = after(&town, 120, KEY_BIT(left));
 	NEAR(at.x, 0.4, 0.4);
-	assert_int_equal(t.walkers.taken, 3);
+	assert_int_equal(town.characters.taken, 3);
 
 	// a key that stays down makes one jump
 	float highest = 0.0f;
 	for (int k = 0; k < 60; ++k)
-		highest = fmaxf(highest, after(&t, 1, KEY_BIT(up)).y);
+		highest = fmaxf(highest, after(&town, 1, KEY_BIT(up)).y);
 	NEAR(highest, 0.61 + 5.0 * 5.0 / 20.0, 0.1);
-	NEAR(after(&t, 60, KEY_BIT(up)).y, 0.61, 1e-3);
-	close_town(&t);
+	NEAR(after(&town, 60, KEY_BIT(up)).y, 0.61, 1e-3);
+	close_text(&town);
 }
 
 static void scripts_hold_keys(void** state)
 {
 	(void)state;
-	Town t = open_town(TOWN(", \"script\": [{\"step\": 10, \"hold\": [\"right\"]}, {\"step\": 70, \"hold\": []}]"));
-	NEAR(after(&t, 10, 0).x, 0.0, 1e-6);
-	NEAR(after(&t, 120, 0).x, 4.0, 0.4);
-	close_town(&t);
+	ScenePlayer town =
+	    open_text(SCRATCH, TOWN(", \"script\": [{\"step\": 10, \"hold\": [\"right\"]}, {\"step\": 70, \"hold\": []}]"));
+	NEAR(after(&town, 10, 0).x, 0.0, 1e-6);
+	NEAR(after(&town, 120, 0).x, 4.0, 0.4);
+	close_text(&town);
 
 	// the script ends when the user presses a key
-	t = open_town(TOWN(", \"script\": [{\"step\": 10, \"hold\": [\"right\"]}]"));
-	after(&t, 10, KEY_BIT(left));
-	scree_vec at = after(&t, 60, 0);
+	town = open_text(SCRATCH, TOWN(", \"script\": [{\"step\": 10, \"hold\": [\"right\"]}]"));
+	after(&town, 10, KEY_BIT(left));
+	scree_vec at = after(&town, 60, 0);
 	assert_true(at.x < 0.0f && at.x > -1.0f);
-	close_town(&t);
+	close_text(&town);
 }
 
 // A belt carries characters at its speed, and a character that jumps off keeps that speed.
 static void belts_carry(void** state)
 {
 	(void)state;
-	Town t = open_town(TOWN(""));
-	OK(scree_body_set_enabled(t.world, t.walkers.bodies[4], false)); // the floor; the belt takes its place
-	OK(scree_body_set_pose(t.world, t.walkers.bodies[5], (scree_pose){{0.0f, -1.0f}, {1.0f, 0.0f}}));
-	after(&t, 30, 0);
-	scree_vec from = after(&t, 1, 0), to = after(&t, 60, 0);
+	ScenePlayer town = open_text(SCRATCH, TOWN(""));
+	OK(scree_body_set_enabled(town.world, town.characters.bodies[4], false)); // the floor; the belt takes its place
+	OK(scree_body_set_pose(town.world, town.characters.bodies[5], (scree_pose){{0.0f, -1.0f}, {1.0f, 0.0f}}));
+	after(&town, 30, 0);
+	scree_vec from = after(&town, 1, 0), to = after(&town, 60, 0);
 	NEAR(to.x - from.x, 3.0, 0.05);
-	from = after(&t, 1, KEY_BIT(up));
-	to = after(&t, 30, 0);
+	from = after(&town, 1, KEY_BIT(up));
+	to = after(&town, 30, 0);
 	assert_true(to.y > 1.0f && to.x - from.x > 0.5f);
-	close_town(&t);
+	close_text(&town);
 }
 
 static void the_scene_is_played(void** state)
 {
 	(void)state;
 	Scenario scenario = small_scene("platformer");
-	const Scene* scene = scenario.context;
-	scree_world* world = create_world(&scenario.def);
-	scenario.build(world, scene);
-	for (int step = 0; step < scene->steps; ++step)
-	{
-		scenario.act(world, step, scene);
-		OK(scree_world_step(world, scenario.dt, scenario.substeps));
-	}
-	print_message("%d of 30 coins\n", small_walkers.taken);
-	assert_true(small_walkers.taken >= 15);
-	scree_world_destroy(world);
-	scene_free((Scene*)scene);
-	walk_close(&small_walkers);
+	ScenePlayer player;
+	OK(player_open(&player, scenario.context, &scenario.def));
+	for (int step = 0; step < player.scene->steps; ++step)
+		OK(player_step(&player));
+	print_message("%d of 30 coins\n", player.characters.taken);
+	assert_true(player.characters.taken >= 15);
+	close_text(&player);
 }
 
 int main(void)

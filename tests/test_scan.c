@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // test_scan.c -- rays of scenes: where they begin and end, what they hit, which are drawn; the same answers on every device.
-#include "scene/scan.h"
 #include "support/scene_text.h"
 #include "support/small_scenes.h"
 #include <string.h>
@@ -9,30 +8,10 @@
 #define RAYS(bodies, rays) \
 	HEAD GOOD_ATTRIBUTES "\"world\": {\"gravity\": [0, 0]}, \"bodies\": [" bodies "], \"rays\": [" rays "]}"
 
-typedef struct
+static void ask(ScenePlayer* s, const scree_box* box, int most)
 {
-	Scene* scene;
-	scree_world* world;
-	Scan scan;
-} Setting;
-
-static Setting open_setting(const char* text)
-{
-	Setting s = {.scene = load_good_text(SCRATCH, text)};
-	s.world = open_scene_world(s.scene);
-	OK(scan_open(&s.scan, s.scene, s.world));
-	return s;
-}
-
-static void close_setting(Setting* s)
-{
-	scan_close(&s->scan);
-	scree_world_destroy(s->world);
-	scene_free(s->scene);
-}
-
-static void ask(Setting* s, const scree_box* box, int most)
-{
+	if (!s->scan.scene)
+		OK(scan_open(&s->scan, s->scene, s->world));
 	OK(scan_aim(&s->scan, s->world, box, most));
 	OK(scan_cast(&s->scan, s->world));
 }
@@ -57,9 +36,10 @@ static void fans_are_even(void** state)
 static void rays_begin_at_the_eye(void** state)
 {
 	(void)state;
-	Setting s = open_setting(RAYS("{\"type\": \"static\", \"attribute\": \"b\", \"position\": [0, 6]},"
-	                              "{\"name\": \"eye\", \"attribute\": \"a\", \"angle\": \"pi / 2\"}",
-	                              "{\"from\": \"eye\", \"position\": [0, 0.5], \"count\": 2, \"length\": 6}"));
+	ScenePlayer s =
+	    open_text(SCRATCH, RAYS("{\"type\": \"static\", \"attribute\": \"b\", \"position\": [0, 6]},"
+	                            "{\"name\": \"eye\", \"attribute\": \"a\", \"angle\": \"pi / 2\"}",
+	                            "{\"from\": \"eye\", \"position\": [0, 0.5], \"count\": 2, \"length\": 6}"));
 	ask(&s, NULL, 0);
 	assert_int_equal(s.scan.count, 2);
 	NEAR(s.scan.rays[0].origin.x, -0.5, 1e-6);
@@ -76,23 +56,25 @@ static void rays_begin_at_the_eye(void** state)
 	assert_true(sum.rays == 2 && sum.hits == 1 && once != 0);
 	scan_add(&s.scan, &sum);
 	assert_true(sum.rays == 4 && sum.hits == 2 && sum.hash != once);
-	close_setting(&s);
+	close_text(&s);
 }
 
 // Filters, kinds, radius: the nearest circle of those that a fan sees.
 static void fans_see_what_they_say(void** state)
 {
 	(void)state;
-	Setting s = open_setting(RAYS(
-	    "{\"type\": \"static\", \"attribute\": \"a\", \"position\": [10, 0]},"
-	    "{\"attribute\": \"a\", \"position\": [20, 0], \"category\": [3]},"
-	    "{\"type\": \"kinematic\", \"attribute\": \"a\", \"position\": [30, 0]},"
-	    "{\"attribute\": \"a\", \"position\": [40, 0], \"sensor\": 1}, {\"attribute\": \"a\", \"position\": [50, 1.5]}",
-	    "{\"count\": 1, \"length\": 100}, {\"count\": 1, \"length\": 100, \"mask\": [3]},"
-	    "{\"count\": 1, \"length\": 100, \"sees\": [\"kinematic\"]}, {\"count\": 1, \"length\": 100, \"sees\": "
-	    "[\"sensors\"]},"
-	    "{\"count\": 1, \"length\": 100, \"sees\": [\"free\"]},"
-	    "{\"count\": 1, \"position\": [45, 0], \"length\": 10, \"radius\": 1}"));
+	ScenePlayer s = open_text(
+	    SCRATCH,
+	    RAYS("{\"type\": \"static\", \"attribute\": \"a\", \"position\": [10, 0]},"
+	         "{\"attribute\": \"a\", \"position\": [20, 0], \"category\": [3]},"
+	         "{\"type\": \"kinematic\", \"attribute\": \"a\", \"position\": [30, 0]},"
+	         "{\"attribute\": \"a\", \"position\": [40, 0], \"sensor\": 1}, {\"attribute\": \"a\", \"position\": [50, "
+	         "1.5]}",
+	         "{\"count\": 1, \"length\": 100}, {\"count\": 1, \"length\": 100, \"mask\": [3]},"
+	         "{\"count\": 1, \"length\": 100, \"sees\": [\"kinematic\"]}, {\"count\": 1, \"length\": 100, \"sees\": "
+	         "[\"sensors\"]},"
+	         "{\"count\": 1, \"length\": 100, \"sees\": [\"free\"]},"
+	         "{\"count\": 1, \"position\": [45, 0], \"length\": 10, \"radius\": 1}"));
 	const float nearest[] = {9, 19, 29, 39};
 	ask(&s, NULL, 0);
 	assert_int_equal(s.scan.count, 6);
@@ -100,17 +82,17 @@ static void fans_see_what_they_say(void** state)
 		NEAR(s.scan.found[k].point.x, nearest[k], 1e-4);
 	assert_false(s.scan.found[4].hit);
 	assert_true(s.scan.found[5].hit);
-	close_setting(&s);
+	close_text(&s);
 }
 
 // 20 circles in a row, 10 m apart, with 64 rays of 4 m each.
 static void pictures_take_some_in_view(void** state)
 {
 	(void)state;
-	Setting s =
-	    open_setting(RAYS("{\"name\": \"eye\", \"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 20}, "
-	                      "\"position\": [\"10 * i\", 0]}",
-	                      "{\"from\": \"eye\", \"count\": 64, \"length\": 4}"));
+	ScenePlayer s =
+	    open_text(SCRATCH, RAYS("{\"name\": \"eye\", \"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 20}, "
+	                            "\"position\": [\"10 * i\", 0]}",
+	                            "{\"from\": \"eye\", \"count\": 64, \"length\": 4}"));
 	const scree_box all = {{-1000, -10}, {1000, 10}}, five = {{-3, -1}, {43, 1}}, none = {{5000, 0}, {5001, 1}};
 	ask(&s, NULL, 1);
 	assert_int_equal(s.scan.count, 20 * 64);
@@ -127,64 +109,57 @@ static void pictures_take_some_in_view(void** state)
 	assert_true(s.scan.count <= 1);
 	ask(&s, &none, 200);
 	assert_int_equal(s.scan.count, 0);
-	close_setting(&s);
+	close_text(&s);
 }
 
 // A body that leaves the space of queries casts no rays, and the others go on.
 static void far_bodies_cast_none(void** state)
 {
 	(void)state;
-	Setting s =
-	    open_setting(RAYS("{\"name\": \"eye\", \"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 2}, "
-	                      "\"position\": [\"99900 * i\", 0], \"velocity\": [300, 0]}",
-	                      "{\"from\": \"eye\", \"count\": 4, \"length\": 50}"));
+	ScenePlayer s =
+	    open_text(SCRATCH, RAYS("{\"name\": \"eye\", \"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 2}, "
+	                            "\"position\": [\"99900 * i\", 0], \"velocity\": [300, 0]}",
+	                            "{\"from\": \"eye\", \"count\": 4, \"length\": 50}"));
 	ask(&s, NULL, 0);
 	assert_int_equal(s.scan.count, 8);
 	run_steps(s.world, 60);
 	ask(&s, NULL, 0);
 	assert_int_equal(s.scan.count, 4);
-	close_setting(&s);
+	close_text(&s);
 }
 
 // Bodies that a scene replaces before every step cast rays like those before them.
 static void new_bodies_cast(void** state)
 {
 	(void)state;
-	Setting s = open_setting(RAYS("{\"attribute\": \"b\", \"position\": [0, 50]}, {\"name\": \"eye\", \"attribute\": "
-	                              "\"a\", \"repeat\": {\"index\": \"i\", "
-	                              "\"to\": 3}, \"position\": [\"10 * i\", 0], \"churn\": {\"replaced\": 2, "
-	                              "\"position\": [\"random(0, 100)\", -20]}}",
-	                              "{\"from\": \"eye\", \"count\": 5, \"length\": 100}"));
+	ScenePlayer s =
+	    open_text(SCRATCH, RAYS("{\"attribute\": \"b\", \"position\": [0, 50]}, {\"name\": \"eye\", \"attribute\": "
+	                            "\"a\", \"repeat\": {\"index\": \"i\", "
+	                            "\"to\": 3}, \"position\": [\"10 * i\", 0], \"churn\": {\"replaced\": 2, "
+	                            "\"position\": [\"random(0, 100)\", -20]}}",
+	                            "{\"from\": \"eye\", \"count\": 5, \"length\": 100}"));
 	for (int step = 0; step < 4; ++step)
 	{
-		OK(scene_churn(s.scene, s.world, step));
-		run_steps(s.world, 1);
+		OK(player_step(&s));
 		ask(&s, NULL, 0);
 		assert_int_equal(s.scan.count, 15);
 		for (int k = 0; k < 15; ++k)
 			assert_false(s.scan.found[k].inside); // nobody sees itself
 	}
-	close_setting(&s);
+	close_text(&s);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
 // every device
 // ---------------------------------------------------------------------------------------------------------------
 
-static Scan scan;
 static ScanSum sum;
 
 static void scan_before(scree_world* world, int step, const void* context)
 {
-	if (step == 0)
-	{
-		scan_close(&scan);
-		OK(scan_open(&scan, context, world));
-		sum = (ScanSum){0};
-	}
-	OK(scan_aim(&scan, world, NULL, 0));
-	OK(scan_cast(&scan, world));
-	scan_add(&scan, &sum);
+	(void)step, (void)context;
+	OK(player_scan(player_of(world)));
+	sum = player_of(world)->answered;
 }
 
 // hash of the answers(device, lanes, threads) = hash of the answers(cpu, 1, 1), and rays leave the hash of the world as it is.
@@ -209,10 +184,9 @@ static void answers_are_equal(void** state)
 			fail_msg("%s: the answers have another hash than those of %s", variants[k].name, variants[0].name);
 		assert_memory_equal(hashes, plain, (size_t)scenario.steps * sizeof *hashes);
 	}
-	print_message("%d steps, %d rays each, %d hits: %016llx\n", scenario.steps, scan.count, (int)first.hits,
+	print_message("%d steps, %d rays, %d hits: %016llx\n", scenario.steps, (int)first.rays, (int)first.hits,
 	              (unsigned long long)first.hash);
 	assert_true(first.hits > 0 && first.hits < first.rays);
-	scan_close(&scan);
 	scene_free((Scene*)scenario.context);
 }
 

@@ -123,13 +123,6 @@ static void test_ten_million(void** state)
 	scene_free(scene);
 }
 
-// The world of a scene without mistakes; both are the caller's.
-static scree_world* open_text(const char* text, Scene** scene)
-{
-	*scene = load_good_text(SCRATCH, text);
-	return open_scene_world(*scene);
-}
-
 // The world has the values of the scene file.
 static void test_build(void** state)
 {
@@ -144,8 +137,8 @@ static void test_build(void** state)
 	    " {\"attribute\": \"b\", \"position\": [\"k\", 0], \"repeat\": {\"index\": \"k\", \"to\": 3}},"
 	    " {\"attribute\": \"a\", \"group\": -2, \"category\": [3], \"mask\": [0, 63]}]}],"
 	    "\"collidables\": [{\"attribute\": \"a\", \"position\": [50, 0]}]}";
-	Scene* scene;
-	scree_world* world = open_text(text, &scene);
+	ScenePlayer player = open_text(SCRATCH, text);
+	scree_world* world = player.world;
 	scree_counters counters = counters_of(world);
 	assert_int_equal(counters.bodies, 8);
 	assert_int_equal(counters.dynamic_bodies, 6);
@@ -179,8 +172,7 @@ static void test_build(void** state)
 	assert_true(filter.group == -2 && filter.category == 8 && filter.mask == 0x8000000000000001u);
 	OK(scree_body_get_collidables(world, (scree_body){0, 0}, collidables, 8, &count));
 	assert_int_equal(count, 1);
-	scree_world_destroy(world);
-	scene_free(scene);
+	close_text(&player);
 }
 
 // A range that random() bounds gives as many bodies as were counted: 12 to 36 for these 12 rounds.
@@ -190,14 +182,13 @@ static void test_random_ranges(void** state)
 	const char* text = HEAD GOOD_ATTRIBUTES
 	    "\"bodies\": [{\"name\": \"n\", \"attribute\": \"a\", \"repeat\": [{\"index\": \"i\", \"to\": 12},"
 	    " {\"index\": \"j\", \"to\": \"floor(random(1, 4))\"}]}]}";
-	Scene* scene;
-	scree_world* world = open_text(text, &scene);
+	ScenePlayer player = open_text(SCRATCH, text);
+	scree_world* world = player.world;
 	int count = 0;
 	assert_int_equal(scree_world_get_bodies(world, NULL, 0, &count), SCREE_OK);
-	assert_int_equal(count, scene->body_count);
+	assert_int_equal(count, player.scene->body_count);
 	assert_true(count > 12 && count < 36);
-	scree_world_destroy(world);
-	scene_free(scene);
+	close_text(&player);
 }
 
 // Bodies in the order of their joints, which have the numbers that the scene says, the type's where it says none.
@@ -222,13 +213,13 @@ static void test_joints(void** state)
 	    "2], "
 	    "\"angle\": \"pi / 2\"}, \"angle\": {\"locked\": false, \"target\": 0.5}, \"across\": {\"lock\": {\"hertz\": "
 	    "7}}}]}";
-	Scene* scene;
-	scree_world* world = open_text(text, &scene);
+	ScenePlayer player = open_text(SCRATCH, text);
+	scree_world* world = player.world;
 	scree_joint joints[5];
 	scree_joint_def defs[5];
 	scree_body bodies[5];
 	int count;
-	assert_int_equal(scene->joint_count, 5);
+	assert_int_equal(player.scene->joint_count, 5);
 	OK(scree_world_get_joints(world, joints, 5, &count));
 	assert_int_equal(count, 5);
 	OK(scree_world_get_bodies(world, bodies, 5, &count));
@@ -267,8 +258,7 @@ static void test_joints(void** state)
 	OK(scree_body_get_collidables(world, bodies[4], &collidable, 1, &count));
 	OK(scree_collidable_get_filter(world, collidable, &filter));
 	assert_int_equal(filter.group, -4);
-	scree_world_destroy(world);
-	scene_free(scene);
+	close_text(&player);
 }
 
 typedef struct // state of all 12 bodies at a moment
@@ -343,16 +333,15 @@ static void test_churn(void** state)
 	    " \"repeat\": {\"index\": \"i\", \"to\": 10}, \"churn\": {\"moved\": 2, \"replaced\": 3,"
 	    " \"position\": [\"random(1000, 2000)\", 7], \"angle\": \"pi / 2\", \"velocity\": [0, \"random(-3, -1)\"]}},"
 	    "{\"type\": \"kinematic\", \"attribute\": \"a\", \"position\": [0, 60]}]}";
-	Scene* scene;
-	scree_world* world = open_text(text, &scene);
-	assert_true(scene_churns(scene));
+	ScenePlayer player = open_text(SCRATCH, text);
+	scree_world* world = player.world;
+	assert_true(scene_churns(player.scene));
 	int turns[12] = {0};
 	for (int step = 0; step < 20; ++step)
-		check_step(scene, world, step, turns);
+		check_step(player.scene, world, step, turns);
 	for (int k = 0; k < 12; ++k)
 		assert_int_equal(turns[k], k == 0 || k == 11 ? 0 : 10);
-	scree_world_destroy(world);
-	scene_free(scene);
+	close_text(&player);
 }
 
 // A ball that lands reports its approach speed, 5 m/s, if the scene sets that.
@@ -367,8 +356,8 @@ static void test_contact_details(void** state)
 		              "[9, 1]}}, \"bodies\": [{\"type\": \"static\", \"attribute\": \"b\", \"position\": [0, -1]},"
 		              "{\"attribute\": \"a\", \"position\": [0, 1.01], \"velocity\": [0, -5]}]}",
 		         wanted ? "true" : "false");
-		Scene* scene;
-		scree_world* world = open_text(text, &scene);
+		ScenePlayer player = open_text(SCRATCH, text);
+		scree_world* world = player.world;
 		run_steps(world, 1);
 		scree_contact contact;
 		int count;
@@ -376,8 +365,7 @@ static void test_contact_details(void** state)
 		assert_int_equal(count, 1);
 		float speed = contact.details[0].approach_speed;
 		assert_true(wanted ? fabsf(speed - 5.0f) < 0.2f : speed == 0.0f);
-		scree_world_destroy(world);
-		scene_free(scene);
+		close_text(&player);
 	}
 }
 
@@ -388,8 +376,8 @@ static void test_disabled(void** state)
 	const char* text =
 	    HEAD "\"attributes\": {\"a\": {\"circle\": 1}}, \"bodies\": [{\"attribute\": \"a\", \"disabled\": true},"
 	         "{\"attribute\": \"a\", \"position\": [9, 0], \"disabled\": false}]}";
-	Scene* scene;
-	scree_world* world = open_text(text, &scene);
+	ScenePlayer player = open_text(SCRATCH, text);
+	scree_world* world = player.world;
 	run_steps(world, 1);
 	scree_body bodies[2];
 	int count;
@@ -400,15 +388,14 @@ static void test_disabled(void** state)
 		scree_pose pose = pose_of(world, bodies[k]);
 		assert_int_equal(pose.position.y < 0, k == 1);
 	}
-	scree_world_destroy(world);
-	scene_free(scene);
+	close_text(&player);
 }
 
 // Fields on the world and on bodies of a row, and explosions before their steps.
 static void test_fields(void** state)
 {
 	(void)state;
-	Scene* scene = load_good_text(
+	ScenePlayer player = open_text(
 	    SCRATCH, HEAD GOOD_ATTRIBUTES
 	    "\"world\": {\"gravity\": [0, 0]}, \"bodies\": [{\"name\": \"row\", \"attribute\": \"a\", \"repeat\": "
 	    "{\"index\": \"i\", "
@@ -417,7 +404,7 @@ static void test_fields(void** state)
 	    "[0, \"i + 2\"], \"linear_drag\": \"3 + i\"}, {\"type\": \"uniform\", \"acceleration\": [0, 6], "
 	    "\"mask\": [3]}], \"blasts\": [{\"step\": 4, \"position\": [-2, 0], \"radius\": 3, \"falloff\": 0, "
 	    "\"impulse\": 5}]}");
-	scree_world* world = open_scene_world(scene);
+	scree_world* world = player.world;
 	scree_field fields[4];
 	scree_field_def def;
 	scree_body bodies[4];
@@ -435,36 +422,33 @@ static void test_fields(void** state)
 	{
 		v = velocity_of(world, bodies[0]);
 		assert_true((v.linear.x > 0) == (step > 4));
-		OK(scene_churn(scene, world, step));
-		run_steps(world, 1);
+		OK(player_step(&player));
 	}
-	scree_world_destroy(world);
-	scene_free(scene);
+	close_text(&player);
 }
 
 // A key pushes the bodies that it names while it is down, one with a force that turns with it; others are left alone.
 static void test_keys(void** state)
 {
 	(void)state;
-	Scene* scene;
-	scree_world* world =
-	    open_text(HEAD GOOD_ATTRIBUTES
+	ScenePlayer player =
+	    open_text(SCRATCH, HEAD GOOD_ATTRIBUTES
 	              "\"world\": {\"gravity\": [0, 0]}, \"bodies\": [{\"attribute\": \"b\", \"position\": [0, 50]}, "
 	              "{\"name\": \"car\", "
 	              "\"attribute\": \"a\", \"angle\": \"pi / 2\", \"repeat\": {\"index\": \"i\", \"to\": 2}, "
 	              "\"position\": [\"10 * i\", 0]}], "
 	              "\"keys\": [{\"key\": \"up\", \"body\": \"car\", \"index\": 1, \"force\": [6, 0], \"turns\": true}, "
-	              "{\"key\": \"left\", \"body\": \"car\", \"torque\": 3}]}",
-	              &scene);
+	              "{\"key\": \"left\", \"body\": \"car\", \"torque\": 3}]}");
+	scree_world* world = player.world;
 	scree_body bodies[3];
 	scree_velocity v[3];
 	int count;
-	assert_int_equal(controls_keys(scene), 1u << SCENE_KEY_up | 1u << SCENE_KEY_left);
+	assert_int_equal(controls_keys(player.scene), 1u << SCENE_KEY_up | 1u << SCENE_KEY_left);
 	OK(scree_world_get_bodies(world, bodies, 3, &count));
 	uint32_t down[] = {0, 1u << SCENE_KEY_up, 1u << SCENE_KEY_left | 1u << SCENE_KEY_space};
 	for (int k = 0; k < 3; ++k)
 	{
-		assert_int_equal(controls_apply(scene, world, down[k]), SCREE_OK);
+		assert_int_equal(controls_apply(player.scene, world, down[k]), SCREE_OK);
 		OK(scree_world_step(world, 0.1f, 4));
 	}
 	OK(scree_bodies_get_velocities(world, bodies, v, 3));
@@ -476,9 +460,8 @@ static void test_keys(void** state)
 		assert_true(fabsf(v[k].angular - 0.6f / 3.14159f) < 1e-4f);
 	// without the body that it names a key does nothing
 	OK(scree_bodies_destroy(world, bodies + 1, 2));
-	assert_int_equal(controls_apply(scene, world, down[1]), SCREE_OK);
-	scree_world_destroy(world);
-	scene_free(scene);
+	assert_int_equal(controls_apply(player.scene, world, down[1]), SCREE_OK);
+	close_text(&player);
 }
 
 int main(void)

@@ -160,13 +160,14 @@ static void tuning_lasts_over_a_restart(void** state)
 	session.tuning.gravity.y = -2.0f;
 	session.tuning.substeps = 7;
 	session.tuning.changed = true;
-	OK(tuning_write(&session.tuning, session.scene, session.world));
+	OK(tuning_write(&session.tuning, session.scene, session.player.world));
 	assert_true(session_step(&session, sentence));
 	assert_true(session_load(&session, session.name, false, sentence));
-	OK(scree_world_get_gravity(session.world, &gravity));
-	assert_true(gravity.y == -2.0f && session.scene->substeps == 7 && session.tuning.changed && session.steps == 0);
+	OK(scree_world_get_gravity(session.player.world, &gravity));
+	assert_true(gravity.y == -2.0f && session.scene->substeps == 7 && session.tuning.changed &&
+	            session.player.steps == 0);
 	assert_true(session_load(&session, "smash", true, sentence));
-	OK(scree_world_get_gravity(session.world, &gravity));
+	OK(scree_world_get_gravity(session.player.world, &gravity));
 	assert_true(gravity.y == 0.0f && !session.tuning.changed);
 	// titles of the list
 	bool found = false;

@@ -2,9 +2,9 @@
 // lab_scene.c -- a scene file as a lab: built into a Scree world, and read back from there body by body.
 #include "lab_scene.h"
 #include "experiment_support.h"
-#include "scene/build.h"
 #include "scene/find.h"
 #include "scene/load.h"
+#include "scene/player.h"
 #include "scree_world.h"
 #include <stdlib.h>
 
@@ -31,7 +31,7 @@ Lab* lab_scene(Validation* v, const char* name, const SceneSetting* setting)
 	Scene* scene =
 	    scene_find(name, v->executable, path, sentence) ? scene_load(path, setting, setting != NULL, sentence) : NULL;
 	LabDef def = lab_def();
-	scree_world* model = NULL;
+	ScenePlayer model = {0};
 	if (!scene)
 		fprintf(stderr, "scree validate: %s\n", sentence);
 	else
@@ -40,14 +40,14 @@ Lab* lab_scene(Validation* v, const char* name, const SceneSetting* setting)
 		scree_world_def flat = scene->world;
 		flat.device = "cpu";
 		flat.threads = 1;
-		if (!report_status(scree_world_create(&flat, &model)) || !report_status(scene_build(scene, model)))
+		if (!report_status(player_open(&model, scene, &flat)))
 			v->broken = true;
 	}
 	v->broken = v->broken || !scene;
 	Lab* lab = lab_open(v, &def);
-	if (!v->broken && !add_bodies(lab, model))
+	if (!v->broken && !add_bodies(lab, model.world))
 		v->broken = true;
-	scree_world_destroy(model);
+	player_close(&model);
 	scene_free(scene);
 	return lab;
 }

@@ -4,9 +4,6 @@
 // Numbers go to JavaScript as one array of doubles, texts as pointers to C strings, which stay valid until the next
 // call.
 #include "web/page.h"
-#include "scene/build.h"
-#include "scene/churn.h"
-#include "scene/controls.h"
 #include "scene/load.h"
 #include <inttypes.h>
 #include <stdlib.h>
@@ -68,17 +65,14 @@ static void close_scene(void)
 {
 	if (page.share.world)
 		share_close(&page.share);
-	walk_close(&page.walkers);
-	scree_world_destroy(page.world);
+	player_close(&page.player);
 	scene_free(page.scene);
 	page.scene = NULL;
-	page.world = NULL;
 	page.grab = page.reached = (Grab){0};
 	page.pour = (Pour){.rate = POUR_RATE};
 	page.hovered = page.selected = (Inspected){0};
 	page.added = page.follows = false;
 	*page.told = 0;
-	page.steps = 0;
 }
 
 // Splits "rows=10\ncolumns=20" in place. Returns the number of settings, -1 if there are too many.
@@ -98,19 +92,19 @@ static int split_settings(char* text, SceneSetting* settings)
 	return count;
 }
 
-static bool build_world(const Scene* scene, int threads, scree_world** world)
+static bool open_player(const Scene* scene, int threads, ScenePlayer* player)
 {
 	scree_world_def def = scene->world;
 	def.device = "cpu";
 	def.threads = threads < 1 ? 1 : threads > MOST_THREADS ? MOST_THREADS : threads;
 	def.timings = true;
-	return page_check(scree_world_create(&def, world)) && page_check(scene_build(scene, *world));
+	return page_check(player_open(player, scene, &def));
 }
 
 bool page_show_world(void)
 {
 	page.added = false;
-	return !page.drawn || renderer_update_world(&page.renderer, page.scene, page.world) ||
+	return !page.drawn || renderer_update_world(&page.renderer, page.scene, page.player.world) ||
 	       page_fail("there is no memory to draw this scene");
 }
 
@@ -123,38 +117,34 @@ EMSCRIPTEN_KEEPALIVE bool page_load(const char* path, char* lines, int threads)
 	if (count < 0)
 		return page_fail("the scene has more parameters than the page can set");
 	Scene* scene = scene_load(path, settings, count, page.sentence);
-	scree_world* world = NULL;
+	ScenePlayer player;
 	if (!scene)
 		return false;
-	if (!build_world(scene, threads, &world))
+	if (!open_player(scene, threads, &player))
 	{
-		scree_world_destroy(world);
+		player_close(&player);
 		scene_free(scene);
 		return false;
 	}
 	close_scene();
 	page.scene = scene;
-	page.world = page.grab.world = page.reached.world = world;
-	share_open(&page.share, world, true);
-	return page_check(walk_open(&page.walkers, scene, world)) && page_show_world();
+	page.player = player;
+	page.grab.world = page.reached.world = player.world;
+	share_open(&page.share, player.world, true);
+	return page_show_world();
 }
 
 // Takes one step with the pressed keys, bits by SceneKey.
 EMSCRIPTEN_KEEPALIVE bool page_step(uint32_t down)
 {
-	const int64_t number = page.steps;
 	if (grab_pull(&page.grab) != SCREE_OK)
 		grab_release(&page.grab); // the body no longer exists
-	if (pour_step(&page.pour, page.world, page.grab.at, &page.added) != SCREE_OK)
+	if (pour_step(&page.pour, page.player.world, page.grab.at, &page.added) != SCREE_OK)
 		snprintf(page.told, sizeof page.told, "%s", scree_error());
-	if (!page_check(scene_churn(page.scene, page.world, number)) ||
-	    !page_check(walk_step(&page.walkers, page.world, number, down)) ||
-	    !page_check(controls_apply(page.scene, page.world, down)) ||
-	    !page_check(scree_world_step(page.world, page.scene->dt, page.scene->substeps)))
-		return false;
-	++page.steps;
-	return !page.drawn || page_check(renderer_step(&page.renderer, &page.camera, &page.style,
-	                                               (double)page.steps * (double)page.scene->dt));
+	page.player.down = down;
+	return page_check(player_step(&page.player)) &&
+	       (!page.drawn || page_check(renderer_step(&page.renderer, &page.camera, &page.style,
+	                                                (double)page.player.steps * (double)page.scene->dt)));
 }
 
 // Returns the errors of tools in the steps since the last call; empty if there are none.
@@ -165,37 +155,37 @@ EMSCRIPTEN_KEEPALIVE const char* page_told(void)
 	return page.text;
 }
 
-EMSCRIPTEN_KEEPALIVE int page_steps(void) { return (int)page.steps; }
+EMSCRIPTEN_KEEPALIVE int page_steps(void) { return (int)page.player.steps; }
 
 // Returns the duration of the last step, ms.
 EMSCRIPTEN_KEEPALIVE double page_milliseconds(void)
 {
 	scree_timings t = {0};
-	scree_world_get_timings(page.world, &t);
+	scree_world_get_timings(page.player.world, &t);
 	return (double)t.step;
 }
 
 EMSCRIPTEN_KEEPALIVE const char* page_hash(void)
 {
 	uint64_t hash = 0;
-	if (!page.world || !page_check(scree_world_get_hash(page.world, &hash)))
+	if (!page.player.world || !page_check(scree_world_get_hash(page.player.world, &hash)))
 		return "";
 	snprintf(page.text, sizeof page.text, "%016" PRIx64, hash);
 	return page.text;
 }
 
 // Returns the keys that the scene uses, bits by SceneKey.
-EMSCRIPTEN_KEEPALIVE uint32_t page_keys(void) { return controls_keys(page.scene) | walk_keys(page.scene); }
+EMSCRIPTEN_KEEPALIVE uint32_t page_keys(void) { return player_keys(page.scene); }
 
 // Returns the numbers of the world, in the order of NUMBERS in core.js.
 EMSCRIPTEN_KEEPALIVE const double* page_numbers(void)
 {
 	scree_counters c;
 	scree_timings t;
-	if (!page.world || !page_check(scree_world_get_counters(page.world, &c)) ||
-	    !page_check(scree_world_get_timings(page.world, &t)))
+	if (!page.player.world || !page_check(scree_world_get_counters(page.player.world, &c)) ||
+	    !page_check(scree_world_get_timings(page.player.world, &t)))
 		return NULL;
-	const double numbers[] = {(double)page.steps,
+	const double numbers[] = {(double)page.player.steps,
 	                          c.bodies,
 	                          c.contacts,
 	                          c.touching,
@@ -209,7 +199,7 @@ EMSCRIPTEN_KEEPALIVE const double* page_numbers(void)
 	                          (double)t.color,
 	                          (double)t.solve,
 	                          (double)t.finalize,
-	                          page.walkers.taken,
+	                          page.player.characters.taken,
 	                          c.frozen_bodies,
 	                          (double)scree_memory()};
 	memcpy(page.numbers, numbers, sizeof numbers);

@@ -3,8 +3,7 @@
 // selected body.
 #ifndef PAGE_H
 #define PAGE_H
-#include "scene/character_motion.h"
-#include "scene/scene.h"
+#include "scene/player.h"
 #include "view/grab.h"
 #include "view/inspect.h"
 #include "view/pour.h"
@@ -15,8 +14,7 @@
 typedef struct
 {
 	Scene* scene;
-	scree_world* world;
-	Walkers walkers;
+	ScenePlayer player;
 	Grab grab;
 	Grab reached; // the body under a finger, which may start a drag
 	Pour pour;
@@ -27,9 +25,8 @@ typedef struct
 	Camera camera;
 	Style style;
 	Inspected hovered, selected;
-	bool follows;     // true if the selected body stays in the middle
-	scree_vec behind; // m: remaining difference of the body to the middle
-	int64_t steps;
+	bool follows;            // true if the selected body stays in the middle
+	scree_vec behind;        // m: remaining difference of the body to the middle
 	char sentence[SENTENCE]; // error of the last call
 	char told[SENTENCE];     // error of a tool in a step that was still taken; empty if there is none
 	char text[4096];         // text result of the last call

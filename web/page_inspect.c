@@ -19,9 +19,9 @@ static const char* join_lines(const Numbers* numbers)
 static bool choose(Inspected* inspected, float x, float y, float reach)
 {
 	scree_collidable found = SCREE_NULL_COLLIDABLE;
-	bool good = !page.world || page_check(inspect_find(page.world, camera_point(&page.camera, x, y),
-	                                                   reach / page.camera.scale, &found));
-	inspect_choose(inspected, page.scene, page.world, found);
+	bool good = !page.player.world || page_check(inspect_find(page.player.world, camera_point(&page.camera, x, y),
+	                                                          reach / page.camera.scale, &found));
+	inspect_choose(inspected, page.scene, page.player.world, found);
 	return good && inspect_any(inspected);
 }
 
@@ -29,7 +29,7 @@ static bool choose(Inspected* inspected, float x, float y, float reach)
 EMSCRIPTEN_KEEPALIVE const char* page_hover(float x, float y, float reach)
 {
 	Numbers numbers;
-	if (!choose(&page.hovered, x, y, reach) || !page_check(inspect_read(&page.hovered, page.scene, page.world)))
+	if (!choose(&page.hovered, x, y, reach) || !page_check(inspect_read(&page.hovered, page.scene, page.player.world)))
 		return "";
 	numbers_write_short(&page.hovered, &numbers);
 	return join_lines(&numbers);
@@ -51,7 +51,7 @@ EMSCRIPTEN_KEEPALIVE void page_forget(void)
 // Reads the selected body. Returns false if there is none, or if it no longer exists; page_selected reports the latter.
 EMSCRIPTEN_KEEPALIVE bool page_read_selected(void)
 {
-	return inspect_any(&page.selected) && page_check(inspect_read(&page.selected, page.scene, page.world)) &&
+	return inspect_any(&page.selected) && page_check(inspect_read(&page.selected, page.scene, page.player.world)) &&
 	       !page.selected.gone;
 }
 
@@ -90,7 +90,7 @@ static size_t write_colors(size_t length, const char* name, const Color* colors,
 EMSCRIPTEN_KEEPALIVE const char* page_legend(bool joints)
 {
 	Legend legend;
-	if (!page.drawn || !page.world ||
+	if (!page.drawn || !page.player.world ||
 	    !(joints ? legend_of_joints : legend_of_paint)(&legend, &page.renderer, &page.style))
 		return "";
 	size_t length = write(0, "{\"title\":\"%s\",\"blocks\":%s", legend.title, legend.blocks ? "true" : "false");

@@ -15,7 +15,7 @@ EMSCRIPTEN_KEEPALIVE bool page_open_picture(void)
 {
 	page.style = (Style){.detail = 1.0f, .rays = RAYS_DRAWN};
 	page.drawn = renderer_open(&page.renderer, page.sentence);
-	return page.drawn && (!page.world || page_show_world());
+	return page.drawn && (!page.player.world || page_show_world());
 }
 
 // Closes the renderer, after the context was lost or before it is lost.
@@ -24,7 +24,7 @@ EMSCRIPTEN_KEEPALIVE void page_close_picture(void)
 	if (page.share.world)
 	{
 		share_close(&page.share);
-		share_open(&page.share, page.world, true);
+		share_open(&page.share, page.player.world, true);
 	}
 	if (page.drawn)
 		renderer_close(&page.renderer);
@@ -112,7 +112,7 @@ static scree_vec middle(void)
 EMSCRIPTEN_KEEPALIVE bool page_follow(bool follows)
 {
 	scree_vec at, now = middle();
-	page.follows = follows && inspect_place(&page.selected, page.world, &at);
+	page.follows = follows && inspect_place(&page.selected, page.player.world, &at);
 	if (page.follows)
 		page.behind = (scree_vec){now.x - at.x, now.y - at.y};
 	return page.follows;
@@ -123,14 +123,14 @@ EMSCRIPTEN_KEEPALIVE bool page_follows(void) { return page.follows; }
 static void follow(void)
 {
 	scree_vec at;
-	page.follows = page.follows && inspect_place(&page.selected, page.world, &at);
+	page.follows = page.follows && inspect_place(&page.selected, page.player.world, &at);
 	if (page.follows)
 		camera_follow(&page.camera, at, middle(), &page.behind);
 }
 
 EMSCRIPTEN_KEEPALIVE bool page_draw(void)
 {
-	if (!page.drawn || !page.world)
+	if (!page.drawn || !page.player.world)
 		return true;
 	if (page.added && !page_show_world())
 		return false;
@@ -141,7 +141,7 @@ EMSCRIPTEN_KEEPALIVE bool page_draw(void)
 		return false;
 	draw_grab();
 	pour_mark(&page.pour, &page.renderer.strokes, page.grab.at, page.camera.scale);
-	inspect_mark(&page.selected, page.world, &page.renderer.strokes, &page.camera, page.style.dark);
+	inspect_mark(&page.selected, page.player.world, &page.renderer.strokes, &page.camera, page.style.dark);
 	renderer_draw(&page.renderer, &page.share, &page.camera, &page.style);
 	return true;
 }
@@ -155,8 +155,8 @@ EMSCRIPTEN_KEEPALIVE int page_places(float* places, int capacity)
 	{
 		scree_body_type type;
 		scree_pose pose;
-		if (scree_body_get_type(page.world, tables->bodies[k], &type) != SCREE_OK || type != SCREE_BODY_DYNAMIC ||
-		    scree_body_get_pose(page.world, tables->bodies[k], &pose) != SCREE_OK)
+		if (scree_body_get_type(page.player.world, tables->bodies[k], &type) != SCREE_OK ||
+		    type != SCREE_BODY_DYNAMIC || scree_body_get_pose(page.player.world, tables->bodies[k], &pose) != SCREE_OK)
 			continue;
 		places[2 * count] = pose.position.x;
 		places[2 * count++ + 1] = pose.position.y;

@@ -11,9 +11,9 @@ static const RenderTables* open_tables(RenderTables* own, Sprites* sprites)
 {
 	if (page.drawn && (!page.added || page_show_world()))
 		return render_tables_update_bodies(&page.renderer.tables) == SCREE_OK ? &page.renderer.tables : NULL;
-	if (page.drawn || !sprites_list(sprites, page.scene, page.world))
+	if (page.drawn || !sprites_list(sprites, page.scene, page.player.world))
 		return NULL;
-	*own = (RenderTables){.world = page.world,
+	*own = (RenderTables){.world = page.player.world,
 	                      .attributes = sprites->attributes,
 	                      .attribute_count = sprites->attribute_count,
 	                      .bodies = sprites->bodies,
@@ -65,7 +65,7 @@ EMSCRIPTEN_KEEPALIVE bool page_pour(float x, float y)
 {
 	grab_release(&page.grab);
 	page.grab.at = (scree_vec){x, y};
-	return page_check(pour_begin(&page.pour, page.world)) &&
+	return page_check(pour_begin(&page.pour, page.player.world)) &&
 	       (page.pour.kind_count > 0 || page_fail("This scene has no bodies of one shape that could be poured."));
 }
 
@@ -89,7 +89,7 @@ EMSCRIPTEN_KEEPALIVE bool page_blast(float x, float y, float radius, float impul
 	def.radius = 0.5f * radius;
 	def.falloff = 0.5f * radius;
 	def.impulse = impulse;
-	return page_check(scree_world_blast(page.world, &def, NULL));
+	return page_check(scree_world_blast(page.player.world, &def, NULL));
 }
 
 // Return the impulse of an explosion in this world, and the radius (px) of one whose key was held for a time in

@@ -58,7 +58,7 @@ void close_scenes(SceneList* list)
 	*list = (SceneList){0};
 }
 
-int open_simulation(const Options* options, const Scene* scene, bool timings, Simulation* simulation)
+int open_player(const Options* options, const Scene* scene, bool timings, ScenePlayer* player)
 {
 	scree_world_def def = scene->world;
 	def.device = options->device;
@@ -67,8 +67,8 @@ int open_simulation(const Options* options, const Scene* scene, bool timings, Si
 	def.allow_unequal_bits = options->allow_unequal_bits;
 	def.timings = timings;
 	def.opengl = options->opengl;
-	int code = report(simulation_open(scene, &def, simulation));
+	int code = report(player_open(player, scene, &def));
 	if (code != EXIT_GOOD)
-		simulation_close(simulation);
+		player_close(player);
 	return code;
 }

@@ -3,7 +3,7 @@
 #ifndef OPEN_SCENE_H
 #define OPEN_SCENE_H
 #include "options.h"
-#include "simulation.h"
+#include "scene/player.h"
 
 // Loads a scene with the settings of the options. On failure it prints a sentence and returns null.
 Scene* open_scene(const Options* options, const char* name);
@@ -19,7 +19,7 @@ typedef struct
 int open_scenes(const Options* options, SceneList* list);
 void close_scenes(SceneList* list);
 
-// Opens a simulation of a scene on the device of the options. Prints a sentence on failure. Returns an exit code.
-int open_simulation(const Options* options, const Scene* scene, bool timings, Simulation* simulation);
+// Opens a player on the device of the options. Prints a sentence on failure. Returns an exit code.
+int open_player(const Options* options, const Scene* scene, bool timings, ScenePlayer* player);
 
 #endif

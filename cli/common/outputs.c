@@ -48,15 +48,15 @@ int outputs_begin(Outputs* outputs, const Options* options, Options* drawn)
 	return code;
 }
 
-int outputs_open(Outputs* outputs, const Simulation* simulation, const char* const* stages)
+int outputs_open(Outputs* outputs, const ScenePlayer* player, const char* const* stages)
 {
 	const Options* options = outputs->options;
-	if (options->has_zoom && !options->has_view && !simulation->scene->has_view)
+	if (options->has_zoom && !options->has_view && !player->scene->has_view)
 	{
 		fprintf(stderr, "%s run: --zoom needs --view, because the scene has no view to begin with\n", program_name);
 		return EXIT_BAD;
 	}
-	if (outputs->renderer && !picture_renderer_set_world(outputs->renderer, simulation))
+	if (outputs->renderer && !picture_renderer_set_world(outputs->renderer, player))
 		return EXIT_FAILED;
 	if (!open_file(&outputs->picture_file, options->picture) || !open_file(&outputs->csv, options->csv))
 		return EXIT_FAILED;
@@ -67,7 +67,7 @@ int outputs_open(Outputs* outputs, const Simulation* simulation, const char* con
 		fprintf(outputs->csv, "step,bodies,contacts,touching,colors,spokes,moved,new_contacts,penetration,ms_step");
 		for (int k = 0; k < STAGE_COLUMNS; ++k)
 			fprintf(outputs->csv, ",ms_%s", stages[k]);
-		fprintf(outputs->csv, "%s\n", simulation->scene->fan_count > 0 ? ",rays,ray_hits,ms_rays" : "");
+		fprintf(outputs->csv, "%s\n", player->scene->fan_count > 0 ? ",rays,ray_hits,ms_rays" : "");
 	}
 	return EXIT_GOOD;
 }
@@ -84,12 +84,12 @@ static void aim(const Outputs* outputs, const Scene* scene, long long step)
 		picture_renderer_aim(outputs->renderer, from);
 }
 
-static int draw(Outputs* outputs, const Simulation* simulation, const Snapshot* snapshot)
+static int draw(Outputs* outputs, const ScenePlayer* player, const Snapshot* snapshot)
 {
 	char caption[256];
-	aim(outputs, simulation->scene, snapshot->counters->steps);
-	caption_exact(simulation->scene, simulation->world, snapshot->counters, snapshot->hash, caption, sizeof caption);
-	return report(picture_renderer_draw(outputs->renderer, simulation, snapshot->poses, caption));
+	aim(outputs, player->scene, snapshot->counters->steps);
+	caption_exact(player->scene, player->world, snapshot->counters, snapshot->hash, caption, sizeof caption);
+	return report(picture_renderer_draw(outputs->renderer, player, snapshot->poses, caption));
 }
 
 static void write_row(FILE* csv, const Record* record, bool scans)
@@ -105,38 +105,38 @@ static void write_row(FILE* csv, const Record* record, bool scans)
 	fprintf(csv, "\n");
 }
 
-int outputs_step(Outputs* outputs, const Simulation* simulation, const Record* record)
+int outputs_step(Outputs* outputs, const ScenePlayer* player, const Record* record)
 {
 	if (outputs->csv)
 	{
-		write_row(outputs->csv, record, simulation->scene->fan_count > 0);
+		write_row(outputs->csv, record, player->scene->fan_count > 0);
 		if (ferror(outputs->csv))
 			return file_failed(outputs->options->csv);
 	}
-	return report(outputs->renderer ? picture_renderer_step(outputs->renderer, simulation) : SCREE_OK);
+	return report(outputs->renderer ? picture_renderer_step(outputs->renderer, player) : SCREE_OK);
 }
 
-int outputs_due(const Outputs* outputs, const Simulation* simulation)
+int outputs_due(const Outputs* outputs, const ScenePlayer* player)
 {
-	double seconds = (double)simulation->steps * (double)simulation->scene->dt;
+	double seconds = (double)player->steps * (double)player->scene->dt;
 	return outputs->video.pipe ? video_due(&outputs->video, seconds) : 0;
 }
 
-int outputs_frames(Outputs* outputs, const Simulation* simulation, const Snapshot* snapshot)
+int outputs_frames(Outputs* outputs, const ScenePlayer* player, const Snapshot* snapshot)
 {
-	int due = outputs_due(outputs, simulation), code = draw(outputs, simulation, snapshot);
+	int due = outputs_due(outputs, player), code = draw(outputs, player, snapshot);
 	for (; due > 0 && code == EXIT_GOOD; --due)
 		if (!video_frame(&outputs->video, picture_renderer_canvas(outputs->renderer)->pixels))
 			code = EXIT_FAILED; // video_close prints the reason
 	return code;
 }
 
-int outputs_close(Outputs* outputs, const Simulation* simulation, const Snapshot* snapshot, int code)
+int outputs_close(Outputs* outputs, const ScenePlayer* player, const Snapshot* snapshot, int code)
 {
 	if (code == EXIT_GOOD && outputs->picture_file)
 	{
 		errno = 0;
-		code = draw(outputs, simulation, snapshot);
+		code = draw(outputs, player, snapshot);
 		if (code == EXIT_GOOD && !canvas_write(picture_renderer_canvas(outputs->renderer), outputs->picture_file))
 		{
 			code = file_failed(outputs->options->picture);

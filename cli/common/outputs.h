@@ -28,17 +28,17 @@ int outputs_begin(Outputs* outputs, const Options* options, Options* drawn);
 
 // Opens all files before the first step, so that a wrong path is reported early. stages: names of the columns of
 // Record.stages. Returns an exit code.
-int outputs_open(Outputs* outputs, const Simulation* simulation, const char* const* stages);
+int outputs_open(Outputs* outputs, const ScenePlayer* player, const char* const* stages);
 
 // Adds the row of a step. Returns an exit code.
-int outputs_step(Outputs* outputs, const Simulation* simulation, const Record* record);
+int outputs_step(Outputs* outputs, const ScenePlayer* player, const Record* record);
 
 // Returns the number of video frames that are due after this step.
-int outputs_due(const Outputs* outputs, const Simulation* simulation);
+int outputs_due(const Outputs* outputs, const ScenePlayer* player);
 // Adds the frames that are due. Returns an exit code.
-int outputs_frames(Outputs* outputs, const Simulation* simulation, const Snapshot* snapshot);
+int outputs_frames(Outputs* outputs, const ScenePlayer* player, const Snapshot* snapshot);
 
 // Writes the picture if code is EXIT_GOOD, and closes everything. Returns the first exit code that is not EXIT_GOOD.
-int outputs_close(Outputs* outputs, const Simulation* simulation, const Snapshot* snapshot, int code);
+int outputs_close(Outputs* outputs, const ScenePlayer* player, const Snapshot* snapshot, int code);
 
 #endif

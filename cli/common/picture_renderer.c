@@ -92,21 +92,20 @@ const scree_opengl* picture_renderer_opengl(const PictureRenderer* renderer)
 #endif
 }
 
-bool picture_renderer_set_world(PictureRenderer* renderer, const Simulation* simulation)
+bool picture_renderer_set_world(PictureRenderer* renderer, const ScenePlayer* player)
 {
 	char sentence[SCENE_SENTENCE] = "out of memory for the picture";
 	int count = 0;
 #ifdef SCREE_HAVE_VIEW
 	if (renderer->gl)
 	{
-		if (gl_picture_set_world(renderer->gl, simulation->scene, simulation->world, sentence))
+		if (gl_picture_set_world(renderer->gl, player->scene, player->world, sentence))
 			return true;
 		fprintf(stderr, "%s run: %s\n", program_name, sentence);
 		return false;
 	}
 #endif
-	renderer->picture =
-	    picture_create(simulation->scene, simulation->world, renderer->width, renderer->height, sentence);
+	renderer->picture = picture_create(player->scene, player->world, renderer->width, renderer->height, sentence);
 	if (renderer->picture)
 		picture_bodies(renderer->picture, &count);
 	renderer->poses = malloc(((size_t)count + 1) * sizeof(scree_pose));
@@ -117,14 +116,13 @@ bool picture_renderer_set_world(PictureRenderer* renderer, const Simulation* sim
 	return false;
 }
 
-scree_status picture_renderer_step(PictureRenderer* renderer, const Simulation* simulation)
+scree_status picture_renderer_step(PictureRenderer* renderer, const ScenePlayer* player)
 {
 #ifdef SCREE_HAVE_VIEW
 	if (renderer->gl)
-		return gl_picture_step(renderer->gl, &renderer->style,
-		                       (double)simulation->steps * (double)simulation->scene->dt);
+		return gl_picture_step(renderer->gl, &renderer->style, (double)player->steps * (double)player->scene->dt);
 #endif
-	(void)renderer, (void)simulation;
+	(void)renderer, (void)player;
 	return SCREE_OK;
 }
 
@@ -140,7 +138,7 @@ void picture_renderer_aim(PictureRenderer* renderer, scree_box view)
 	picture_aim(renderer->picture, view);
 }
 
-scree_status picture_renderer_draw(PictureRenderer* renderer, const Simulation* simulation, const scree_pose* poses,
+scree_status picture_renderer_draw(PictureRenderer* renderer, const ScenePlayer* player, const scree_pose* poses,
                                    const char* caption)
 {
 #ifdef SCREE_HAVE_VIEW
@@ -153,9 +151,9 @@ scree_status picture_renderer_draw(PictureRenderer* renderer, const Simulation* 
 		// reads the bodies again, because a scene may replace bodies between steps, each by one with the same index
 		int count;
 		picture_bodies(renderer->picture, &count);
-		status = scree_world_get_bodies(simulation->world, renderer->bodies, count, &count);
+		status = scree_world_get_bodies(player->world, renderer->bodies, count, &count);
 		if (status == SCREE_OK)
-			status = scree_bodies_get_poses(simulation->world, renderer->bodies, renderer->poses, count);
+			status = scree_bodies_get_poses(player->world, renderer->bodies, renderer->poses, count);
 	}
 	if (status == SCREE_OK)
 		status = picture_draw(renderer->picture, poses ? poses : renderer->poses, caption);

@@ -4,7 +4,7 @@
 #define PICTURE_RENDERER_H
 #include "options.h"
 #include "scene/picture.h"
-#include "simulation.h"
+#include "scene/player.h"
 
 typedef struct PictureRenderer PictureRenderer;
 
@@ -15,18 +15,18 @@ void picture_renderer_close(PictureRenderer* renderer);
 // Returns the OpenGL context for scree_world_def.opengl; may be null.
 const scree_opengl* picture_renderer_opengl(const PictureRenderer* renderer);
 
-// Selects the simulation to draw. On failure it prints a sentence and returns false.
-bool picture_renderer_set_world(PictureRenderer* renderer, const Simulation* simulation);
+// Selects the world to draw. On failure it prints a sentence and returns false.
+bool picture_renderer_set_world(PictureRenderer* renderer, const ScenePlayer* player);
 
 // Adds the events of a step that the picture shows. Call it after every step.
-scree_status picture_renderer_step(PictureRenderer* renderer, const Simulation* simulation);
+scree_status picture_renderer_step(PictureRenderer* renderer, const ScenePlayer* player);
 
 // Shows a box instead of the view of the scene and its detail.
 void picture_renderer_aim(PictureRenderer* renderer, scree_box view);
 
-// Draws the current state of the simulation. poses: poses of all bodies, in the order of scree_world_get_bodies; null:
+// Draws the current state of the world. poses: poses of all bodies, in the order of scree_world_get_bodies; null:
 // those of the world. Only Cairo draws other poses.
-scree_status picture_renderer_draw(PictureRenderer* renderer, const Simulation* simulation, const scree_pose* poses,
+scree_status picture_renderer_draw(PictureRenderer* renderer, const ScenePlayer* player, const scree_pose* poses,
                                    const char* caption);
 
 // Returns the canvas of the pictures.

@@ -36,13 +36,12 @@ void progress_show(ProgressBar* bar, int step, int steps)
 	        BAR - full, "", step < steps ? "" : "\r\033[K");
 }
 
-void print_results(const Simulation* simulation, const Totals* totals, const char* const* stages, int steps,
-                   uint64_t hash)
+void print_results(const ScenePlayer* player, const Totals* totals, const char* const* stages, int steps, uint64_t hash)
 {
 	char device[192];
 	const scree_counters* c = &totals->last.counters;
-	device_text(simulation->world, device, sizeof device);
-	printf("%-14s %s: %s\n", "scene", simulation->scene->name, simulation->scene->title);
+	device_text(player->world, device, sizeof device);
+	printf("%-14s %s: %s\n", "scene", player->scene->name, player->scene->title);
 	printf("%-14s %s\n", "device", device);
 	printf("%-14s %d\n", "bodies", c->bodies);
 	printf("%-14s %d, %d touching\n", "contacts", c->contacts, c->touching);
@@ -58,11 +57,11 @@ void print_results(const Simulation* simulation, const Totals* totals, const cha
 	if (totals->nonfinite > 0)
 		printf("%-14s %d bodies were frozen because their state was not finite\n", "warning", totals->nonfinite);
 	printf("%-14s %016" PRIx64 "\n", "hash", hash);
-	if (simulation->scene->character_count > 0)
-		printf("%-14s %d bodies by characters\n", "taken", simulation->walkers.taken);
-	if (simulation->scene->fan_count == 0)
+	if (player->scene->character_count > 0)
+		printf("%-14s %d bodies by characters\n", "taken", player->characters.taken);
+	if (player->scene->fan_count == 0)
 		return;
-	const ScanSum* sum = &simulation->answered;
+	const ScanSum* sum = &player->answered;
 	printf("%-14s %.0f a step, %.0f hit\n", "rays", (double)sum->rays / steps, (double)sum->hits / steps);
 	printf("%-14s %.4f apart from the step\n", "ms/rays", 1000 * totals->scans / steps);
 	printf("%-14s %016" PRIx64 "\n", "hash of rays", sum->hash);

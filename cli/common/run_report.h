@@ -26,7 +26,7 @@ ProgressBar progress_bar(void);
 void progress_show(ProgressBar* bar, int step, int steps);
 
 // Prints the results of a run. stages: names of the stages in the totals.
-void print_results(const Simulation* simulation, const Totals* totals, const char* const* stages, int steps,
+void print_results(const ScenePlayer* player, const Totals* totals, const char* const* stages, int steps,
                    uint64_t hash);
 
 #endif

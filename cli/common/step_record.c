@@ -19,30 +19,31 @@ static scree_status read_timings(scree_world* world, float stages[STAGE_COLUMNS]
 	return status;
 }
 
-scree_status record_step(Simulation* simulation, Record* record)
+scree_status record_step(ScenePlayer* player, Record* record)
 {
 	*record = (Record){0};
 	// the measured time excludes the changes between steps, but includes their upload to the device
-	scree_status status = simulation_change(simulation);
+	scree_status status = player_change(player);
 	double start = seconds_now();
 	if (status == SCREE_OK)
-		status = simulation_advance(simulation);
+		status = player_advance(player);
 	// reading the counters blocks until the device has finished, so that its work is measured
 	if (status == SCREE_OK)
-		status = scree_world_get_counters(simulation->world, &record->counters);
+		status = scree_world_get_counters(player->world, &record->counters);
 	record->milliseconds = (float)(1000 * (seconds_now() - start));
 	if (status == SCREE_OK)
-		status = read_timings(simulation->world, record->stages);
+		status = read_timings(player->world, record->stages);
 	if (status == SCREE_OK)
-		status = scree_world_get_traffic(simulation->world, &record->traffic);
+		status = scree_world_get_traffic(player->world, &record->traffic);
 	if (record->stages[SOLVE] > 0)
 		record->solve_rate = 1e3 * (double)(record->traffic.constraint_bytes + record->traffic.body_bytes) /
 		                     (double)record->stages[SOLVE];
-	int64_t hits = simulation->answered.hits;
+	int64_t hits = player->answered.hits;
 	if (status == SCREE_OK)
-		status = simulation_scan(simulation, &record->scan);
-	record->rays = simulation->scan.count;
-	record->hits = simulation->answered.hits - hits;
+		status = player_scan(player);
+	record->scan = (float)(1000 * player->scanning);
+	record->rays = player->scan.count;
+	record->hits = player->answered.hits - hits;
 	return status;
 }
 

@@ -2,7 +2,7 @@
 // step_record.h -- counters and milliseconds of each step, and their medians.
 #ifndef STEP_RECORD_H
 #define STEP_RECORD_H
-#include "simulation.h"
+#include "scene/player.h"
 
 #define STAGE_COLUMNS 6
 
@@ -21,7 +21,7 @@ typedef struct
 } Record;
 
 // Takes one step and records it.
-scree_status record_step(Simulation* simulation, Record* record);
+scree_status record_step(ScenePlayer* player, Record* record);
 
 // Returns the deepest overlap of all records, m.
 float deepest(const Record* records, int count);

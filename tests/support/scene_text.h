@@ -2,8 +2,8 @@
 // scene_text.h -- scenes that are loaded from text.
 #ifndef SCENE_TEXT_H
 #define SCENE_TEXT_H
-#include "scene/build.h"
 #include "scene/load.h"
+#include "scene/player.h"
 #include "support/checks.h"
 #include <stdio.h>
 
@@ -33,16 +33,24 @@ static inline Scene* load_good_text(const char* path, const char* text)
 	return scene;
 }
 
-// Opens the world of a scene on the CPU with one thread.
-static inline scree_world* open_scene_world(const Scene* scene)
+// Opens the player of a good scene on the CPU with one thread.
+static inline ScenePlayer open_text(const char* path, const char* text)
 {
+	ScenePlayer player;
+	const Scene* scene = load_good_text(path, text);
 	scree_world_def def = scene->world;
 	def.device = "cpu";
 	def.threads = 1;
-	scree_world* world;
-	OK(scree_world_create(&def, &world));
-	OK(scene_build(scene, world));
-	return world;
+	OK(player_open(&player, scene, &def));
+	return player;
+}
+
+// Closes a player and its scene.
+static inline void close_text(ScenePlayer* player)
+{
+	Scene* scene = (Scene*)player->scene;
+	player_close(player);
+	scene_free(scene);
 }
 
 #endif

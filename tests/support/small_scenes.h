@@ -2,29 +2,37 @@
 // small_scenes.h -- scenarios of all scenes, small enough for a test to run them on many devices.
 #ifndef SMALL_SCENES_H
 #define SMALL_SCENES_H
-#include "scene/build.h"
-#include "scene/character_motion.h"
-#include "scene/churn.h"
 #include "scene/find.h"
 #include "scene/load.h"
+#include "scene/player.h"
 #include "support/scenarios.h"
 #include "support/small_sizes.h"
 #include <stdlib.h>
 #include <string.h>
 
-static inline void build_scene(scree_world* world, const void* context) { OK(scene_build(context, world)); }
+static ScenePlayer small_players[2]; // players of the last two runs: scenarios.c compares two side by side
 
-static Walkers small_walkers; // characters of the current run
-
-static inline void churn_scene(scree_world* world, int step, const void* context)
+static inline ScenePlayer* player_of(const scree_world* world)
 {
-	if (step == 0)
-	{
-		walk_close(&small_walkers);
-		OK(walk_open(&small_walkers, context, world));
-	}
-	OK(scene_churn(context, world, step));
-	OK(walk_step(&small_walkers, world, step, 0));
+	return small_players + (small_players[1].world == world);
+}
+
+static inline void build_scene(scree_world* world, const void* context)
+{
+	static int turn;
+	turn = !turn;
+	for (int k = 0; k < 2; ++k)
+		if (k == turn || small_players[k].world == world) // a new world may have the address of a former one
+			player_close(small_players + k);
+	OK(player_fill(small_players + turn, context, world));
+}
+
+static inline void change_scene(scree_world* world, int step, const void* context)
+{
+	(void)context;
+	ScenePlayer* player = player_of(world);
+	player->steps = step;
+	OK(player_change(player));
 }
 
 // Returns the scenario of a scene. scene_free frees its context. A scene without a line in small_sizes.h fails the
@@ -52,7 +60,7 @@ static inline Scenario small_scene(const char* name)
 	                  .substeps = scene->substeps,
 	                  .steps = quick() ? small->steps / 4 : small->steps,
 	                  .build = build_scene,
-	                  .act = churn_scene,
+	                  .act = change_scene,
 	                  .context = scene};
 }
 

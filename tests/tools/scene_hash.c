@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // scene_hash.c -- scene_hash SCENE STEPS DEVICE FORM: prints the hash of a scene as scree hash does, with one form of the solve.
-#include "cli/common/simulation.h"
 #include "scene/find.h"
 #include "scene/load.h"
+#include "scene/player.h"
 #include "support/form_names.h"
 #include <inttypes.h>
 #include <stdio.h>
@@ -12,13 +12,13 @@ static scree_status hash_scene(const Scene* scene, const char* device, int steps
 {
 	scree_world_def def = scene->world;
 	def.device = device;
-	Simulation simulation;
-	scree_status status = simulation_open(scene, &def, &simulation);
+	ScenePlayer player;
+	scree_status status = player_open(&player, scene, &def);
 	for (int step = 0; step < steps && status == SCREE_OK; ++step)
-		status = simulation_step(&simulation);
+		status = player_step(&player);
 	if (status == SCREE_OK)
-		status = scree_world_get_hash(simulation.world, hash);
-	simulation_close(&simulation);
+		status = scree_world_get_hash(player.world, hash);
+	player_close(&player);
 	return status;
 }
 

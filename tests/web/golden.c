@@ -3,11 +3,9 @@
 //
 // It needs no test framework, so that it can be built for WebAssembly.
 #include "../support/small_sizes.h"
-#include "scene/build.h"
-#include "scene/character_motion.h"
-#include "scene/churn.h"
 #include "scene/find.h"
 #include "scene/load.h"
+#include "scene/player.h"
 #include <inttypes.h>
 #include <stdlib.h>
 
@@ -32,21 +30,15 @@ static void run(const SmallScene* small, int lanes, int threads, int part)
 	scene->world.lanes = lanes;
 	scene->world.threads = threads;
 
-	scree_world* world;
-	Walkers walkers;
+	ScenePlayer player;
 	uint64_t hash;
 	int steps = small->steps / part;
-	check(scree_world_create(&scene->world, &world) == SCREE_OK && scene_build(scene, world) == SCREE_OK &&
-	          walk_open(&walkers, scene, world) == SCREE_OK,
-	      scree_error());
+	check(player_open(&player, scene, &scene->world) == SCREE_OK, scree_error());
 	for (int k = 0; k < steps; ++k)
-		check(scene_churn(scene, world, k) == SCREE_OK && walk_step(&walkers, world, k, 0) == SCREE_OK &&
-		          scree_world_step(world, scene->dt, scene->substeps) == SCREE_OK,
-		      scree_error());
-	check(scree_world_get_hash(world, &hash) == SCREE_OK, scree_error());
+		check(player_step(&player) == SCREE_OK, scree_error());
+	check(scree_world_get_hash(player.world, &hash) == SCREE_OK, scree_error());
 	printf("%s %d %016" PRIx64 "\n", small->name, steps, hash);
-	walk_close(&walkers);
-	scree_world_destroy(world);
+	player_close(&player);
 	scene_free(scene);
 }
 

@@ -5,7 +5,7 @@
 #include "cli/common/library_error.h"
 #include "scene/load.h"
 #include "tools/common/clock.h"
-#include "tools/paper/paper_simulation.h"
+#include "tools/paper/paper_player.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
@@ -107,16 +107,16 @@ static Options plan_warm_up(const Figure* figure, const Curve* curve, const Opti
 // Opens a run: a world that has been warmed up, on the device of the curve. options: those of the warm-up. Returns an exit code.
 // The caller closes the run also on failure.
 static int open_run(const Curve* curve, const Options* options, const Scene* scene, int steps, bool timings,
-                    PaperSimulation* run)
+                    PaperPlayer* run)
 {
-	*run = (PaperSimulation){0};
-	int code = open_simulation(options, scene, timings, &run->simulation);
+	*run = (PaperPlayer){0};
+	int code = open_player(options, scene, timings, &run->player);
 	if (code != EXIT_GOOD)
 		return code;
 	scree_status status = SCREE_OK;
 	for (int step = 0; step < steps && status == SCREE_OK; ++step)
-		status = simulation_step(&run->simulation);
-	scree_world* world = run->simulation.world;
+		status = player_step(&run->player);
+	scree_world* world = run->player.world;
 	if (status == SCREE_OK && curve->pipeline == PAPER_PIPELINE)
 		status = paper_create(world, curve->device, options->allow_unequal_bits, &run->paper);
 	else if (status == SCREE_OK && strcmp(options->device, curve->device) != 0)
@@ -124,21 +124,21 @@ static int open_run(const Curve* curve, const Options* options, const Scene* sce
 	return report(status);
 }
 
-static scree_status record_run(PaperSimulation* run, Record* record)
+static scree_status record_run(PaperPlayer* run, Record* record)
 {
-	return run->paper ? paper_record_step(run, record) : record_step(&run->simulation, record);
+	return run->paper ? paper_record_step(run, record) : record_step(&run->player, record);
 }
 
-static scree_status hash_run(const PaperSimulation* run, uint64_t* hash)
+static scree_status hash_run(const PaperPlayer* run, uint64_t* hash)
 {
 	if (!run->paper)
-		return scree_world_get_hash(run->simulation.world, hash);
+		return scree_world_get_hash(run->player.world, hash);
 	*hash = paper_hash(run->paper);
 	return SCREE_OK;
 }
 
 // Takes the steps of one run and records the measured ones.
-static scree_status take_steps(PaperSimulation* run, int most, Rows* rows)
+static scree_status take_steps(PaperPlayer* run, int most, Rows* rows)
 {
 	int before = rows->count;
 	double all = 0, measured = 0; // s
@@ -183,9 +183,9 @@ static int check_hash(const Figure* figure, const Curve* curve, CommonHash* comm
 }
 
 // Writes the device and the threads that a run has.
-static void label_curve(const PaperSimulation* run, Curve* curve)
+static void label_curve(const PaperPlayer* run, Curve* curve)
 {
-	const scree_world* world = run->simulation.world;
+	const scree_world* world = run->player.world;
 	snprintf(curve->label, sizeof curve->label, "%s",
 	         run->paper ? paper_device(run->paper) : scree_world_get_device(world));
 	csv_cell(curve->label);
@@ -195,13 +195,13 @@ static void label_curve(const PaperSimulation* run, Curve* curve)
 static int run_once(const Figure* figure, Curve* curve, const Options* options, const Scene* scene, int warm_up,
                     int most, Rows* rows)
 {
-	PaperSimulation run;
+	PaperPlayer run;
 	int code = open_run(curve, options, scene, warm_up, figure->number == 6, &run);
 	if (code == EXIT_GOOD)
 		code = report(take_steps(&run, most, rows));
 	if (code == EXIT_GOOD)
 		label_curve(&run, curve);
-	paper_simulation_close(&run);
+	paper_player_close(&run);
 	return code;
 }
 

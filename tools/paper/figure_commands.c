@@ -12,7 +12,6 @@
 // Every run begins with one second of the world's time that is not measured, for all sizes, pipelines and devices: before
 // that, drifting bodies have not met. Scree simulates it, because the paper's pipeline would need minutes if a step takes seconds. All devices of a pipeline must have the same hash after the same steps.
 #include "cli/common/csv.h"
-#include "cli/common/simulation.h"
 #include "tools/common/clock.h"
 #include "tools/paper/curve.h"
 #include "tools/paper/paper_commands.h"

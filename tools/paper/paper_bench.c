@@ -3,12 +3,12 @@
 #include "cli/common/bench_scenes.h"
 #include "cli/common/library_error.h"
 #include "tools/paper/paper_commands.h"
-#include "tools/paper/paper_simulation.h"
+#include "tools/paper/paper_player.h"
 
 static int run_scene(const Options* options, bool timings, Measurement* m)
 {
-	PaperSimulation paper;
-	int code = paper_simulation_open(options, m->scene, &paper);
+	PaperPlayer paper;
+	int code = paper_player_open(options, m->scene, &paper);
 	if (code != EXIT_GOOD)
 		return code;
 	scree_status status = SCREE_OK;
@@ -20,9 +20,9 @@ static int run_scene(const Options* options, bool timings, Measurement* m)
 			measurement_add(m, &record, step);
 	}
 	if (status == SCREE_OK)
-		measurement_end_run(m, paper.simulation.world, timings, paper_hash(paper.paper), 0);
+		measurement_end_run(m, paper.player.world, timings, paper_hash(paper.paper), 0);
 	code = report(status);
-	paper_simulation_close(&paper);
+	paper_player_close(&paper);
 	return code;
 }
 

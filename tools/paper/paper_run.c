@@ -5,13 +5,13 @@
 #include "cli/common/run_report.h"
 #include "scene/load.h"
 #include "tools/paper/paper_commands.h"
-#include "tools/paper/paper_simulation.h"
+#include "tools/paper/paper_player.h"
 #include <inttypes.h>
 #include <stdlib.h>
 
 typedef struct
 {
-	PaperSimulation paper;
+	PaperPlayer paper;
 	Outputs outputs;
 	Totals totals;
 	scree_pose* poses; // for the pictures, as the world has bodies
@@ -20,7 +20,7 @@ typedef struct
 
 static int allocate_poses(Run* run)
 {
-	int code = report(scree_world_get_bodies(run->paper.simulation.world, NULL, 0, &run->body_count));
+	int code = report(scree_world_get_bodies(run->paper.player.world, NULL, 0, &run->body_count));
 	run->poses = malloc(((size_t)run->body_count + 1) * sizeof *run->poses);
 	if (run->poses || code != EXIT_GOOD)
 		return code;
@@ -41,10 +41,10 @@ static int read_snapshot(Run* run, Snapshot* snapshot)
 static int draw_frames(Run* run)
 {
 	Snapshot snapshot;
-	if (outputs_due(&run->outputs, &run->paper.simulation) == 0)
+	if (outputs_due(&run->outputs, &run->paper.player) == 0)
 		return EXIT_GOOD;
 	int code = read_snapshot(run, &snapshot);
-	return code == EXIT_GOOD ? outputs_frames(&run->outputs, &run->paper.simulation, &snapshot) : code;
+	return code == EXIT_GOOD ? outputs_frames(&run->outputs, &run->paper.player, &snapshot) : code;
 }
 
 static int take_steps(Run* run, int steps)
@@ -58,7 +58,7 @@ static int take_steps(Run* run, int steps)
 		if (code != EXIT_GOOD)
 			break;
 		totals_add(&run->totals, &record);
-		code = outputs_step(&run->outputs, &run->paper.simulation, &record);
+		code = outputs_step(&run->outputs, &run->paper.player, &record);
 		if (code == EXIT_GOOD)
 			code = draw_frames(run);
 		if (code == EXIT_GOOD)
@@ -70,17 +70,17 @@ static int take_steps(Run* run, int steps)
 static int run_opened(Run* run, int steps)
 {
 	Snapshot snapshot;
-	const Simulation* simulation = &run->paper.simulation;
+	const ScenePlayer* player = &run->paper.player;
 	int code = allocate_poses(run);
 	if (code == EXIT_GOOD)
-		code = outputs_open(&run->outputs, simulation, paper_stages);
+		code = outputs_open(&run->outputs, player, paper_stages);
 	if (code == EXIT_GOOD)
 		code = take_steps(run, steps);
 	if (code == EXIT_GOOD)
 		code = read_snapshot(run, &snapshot);
-	code = outputs_close(&run->outputs, simulation, &snapshot, code);
+	code = outputs_close(&run->outputs, player, &snapshot, code);
 	if (code == EXIT_GOOD)
-		print_results(simulation, &run->totals, paper_stages, steps, snapshot.hash);
+		print_results(player, &run->totals, paper_stages, steps, snapshot.hash);
 	free(run->poses);
 	return code;
 }
@@ -94,13 +94,13 @@ int paper_run_command(const Options* options)
 	Options drawn;
 	int code = outputs_begin(&run.outputs, options, &drawn);
 	if (code == EXIT_GOOD)
-		code = paper_simulation_open(&drawn, scene, &run.paper);
+		code = paper_player_open(&drawn, scene, &run.paper);
 	if (code != EXIT_GOOD)
 		outputs_close(&run.outputs, NULL, NULL, code);
 	else
 	{
 		code = run_opened(&run, options_steps(options, scene));
-		paper_simulation_close(&run.paper);
+		paper_player_close(&run.paper);
 	}
 	scene_free(scene);
 	return code;
@@ -111,8 +111,8 @@ int paper_hash_command(const Options* options)
 	Scene* scene = open_scene(options, options->arguments[0]);
 	if (!scene)
 		return EXIT_BAD;
-	PaperSimulation paper;
-	int code = paper_simulation_open(options, scene, &paper);
+	PaperPlayer paper;
+	int code = paper_player_open(options, scene, &paper);
 	if (code == EXIT_GOOD)
 	{
 		scree_status status = SCREE_OK;
@@ -122,7 +122,7 @@ int paper_hash_command(const Options* options)
 		code = report(status);
 		if (code == EXIT_GOOD)
 			printf("%016" PRIx64 "\n", paper_hash(paper.paper));
-		paper_simulation_close(&paper);
+		paper_player_close(&paper);
 	}
 	scene_free(scene);
 	return code;

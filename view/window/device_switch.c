@@ -8,7 +8,7 @@
 static int find_chosen(const Session* session)
 {
 	const char* chosen =
-	    strcmp(session->device, "auto") == 0 ? session->device : scree_world_get_device(session->world);
+	    strcmp(session->device, "auto") == 0 ? session->device : scree_world_get_device(session->player.world);
 	int k = 0;
 	while (k < session->device_count && strcmp(session->devices[k].name, chosen) != 0)
 		++k;
@@ -18,7 +18,8 @@ static int find_chosen(const Session* session)
 // Returns true if choice k moves the world to another device.
 static bool is_elsewhere(const Session* session, int k)
 {
-	return k < session->device_count && strcmp(session->devices[k].name, scree_world_get_device(session->world)) != 0;
+	return k < session->device_count &&
+	       strcmp(session->devices[k].name, scree_world_get_device(session->player.world)) != 0;
 }
 
 void devices_next(Viewer* v)
@@ -33,7 +34,7 @@ void devices_next(Viewer* v)
 		char sentence[SENTENCE];
 		const char* remedy = scree_opencl_hint();
 		snprintf(sentence, sizeof sentence, "there is no other device than %.60s%s%.300s",
-		         scree_world_get_device(session->world), *remedy ? ": " : "", remedy);
+		         scree_world_get_device(session->player.world), *remedy ? ": " : "", remedy);
 		viewer_show(v, sentence);
 		return;
 	}

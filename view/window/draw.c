@@ -38,7 +38,7 @@ void draw_frame(Viewer* v)
 	export_video_frame(v);
 	draw_grab(v);
 	tools_mark(v);
-	inspect_mark(&v->selected, v->session.world, &v->renderer.strokes, &v->camera, v->style.dark);
+	inspect_mark(&v->selected, v->session.player.world, &v->renderer.strokes, &v->camera, v->style.dark);
 	renderer_draw(&v->renderer, &v->share, &v->camera, &v->style);
 	panel_draw(v);
 	if (v->save_window)

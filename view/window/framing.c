@@ -30,10 +30,11 @@ static bool find_bodies(Viewer* v, scree_box* box)
 	for (int k = 0; k < tables->body_count && good; ++k)
 	{
 		scree_body_type type;
-		if (scree_body_get_type(v->session.world, tables->bodies[k], &type) == SCREE_OK && type == SCREE_BODY_DYNAMIC)
+		if (scree_body_get_type(v->session.player.world, tables->bodies[k], &type) == SCREE_OK &&
+		    type == SCREE_BODY_DYNAMIC)
 			bodies[count++] = tables->bodies[k];
 	}
-	good = good && scree_bodies_get_poses(v->session.world, bodies, poses, count) == SCREE_OK;
+	good = good && scree_bodies_get_poses(v->session.player.world, bodies, poses, count) == SCREE_OK;
 	for (int k = 0; k < count && good; ++k)
 		points[k] = poses[k].position;
 	good = good && bounds_find(points, count, 2.0f * tables->size, box);
@@ -68,7 +69,7 @@ bool eye_follow(Viewer* v)
 		v->eye.follows = false;
 		return true;
 	}
-	if (!inspect_place(&v->selected, v->session.world, &at))
+	if (!inspect_place(&v->selected, v->session.player.world, &at))
 		return false;
 	v->eye.follows = true;
 	v->eye.fitted = false;
@@ -85,7 +86,7 @@ void eye_frame(Viewer* v)
 		fit(v, v->eye.box);
 	if (!v->eye.follows)
 		return;
-	v->eye.follows = inspect_place(&v->selected, v->session.world, &at);
+	v->eye.follows = inspect_place(&v->selected, v->session.player.world, &at);
 	if (!v->eye.follows)
 		return;
 	camera_follow(&v->camera, at, middle(v), &v->eye.behind);

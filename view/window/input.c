@@ -28,7 +28,7 @@ static void update_cursor(Viewer* v) { v->grab.at = camera_point(&v->camera, v->
 
 static void report_all(Viewer* v)
 {
-	bool good = reports_all(v->session.world) == SCREE_OK;
+	bool good = reports_all(v->session.player.world) == SCREE_OK;
 	v->session.hashed = false;
 	viewer_show(v, good ? "all collidables report touches and hits; the hash changes, the motion does not"
 	                    : scree_error());
@@ -41,7 +41,7 @@ static void explain_layer(Viewer* v, Layer layer)
 	uint32_t bits = layer == LAYER_touches ? SCREE_REPORT_TOUCHES : layer == LAYER_hits ? SCREE_REPORT_HITS : 0;
 	if (!v->style.layers[layer])
 		return;
-	if (bits && reports_count(v->session.world, bits, &count) == SCREE_OK && count == 0)
+	if (bits && reports_count(v->session.player.world, bits, &count) == SCREE_OK && count == 0)
 		viewer_show(v, "no collidable of this scene reports this: e lets all report, which changes the hash");
 	if (layer == LAYER_visits && v->renderer.tables.sensors.count == 0)
 		viewer_show(v, "this scene has no sensors");
@@ -193,9 +193,9 @@ void input_hold(Viewer* v, Action action, bool down)
 bool input_scene_key(Viewer* v, SceneKey key, bool down)
 {
 	uint32_t bit = 1u << key;
-	if (!((controls_keys(v->session.scene) | walk_keys(v->session.scene)) & bit))
+	if (!(player_keys(v->session.scene) & bit))
 		return false;
-	v->session.down = down ? v->session.down | bit : v->session.down & ~bit;
+	v->session.player.down = down ? v->session.player.down | bit : v->session.player.down & ~bit;
 	return true;
 }
 

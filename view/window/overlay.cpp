@@ -144,7 +144,7 @@ static void shorten(char* text, float room)
 static void draw_band(const Viewer* v, const ImVec2& size)
 {
 	char caption[256];
-	caption_text(v->session.scene, v->session.world, &v->session.counters, caption, sizeof caption);
+	caption_text(v->session.scene, v->session.player.world, &v->session.counters, caption, sizeof caption);
 	ImGui::SetNextWindowPos(ImVec2(0.0f, size.y - CAPTION));
 	ImGui::SetNextWindowSize(ImVec2(size.x, CAPTION));
 	ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);

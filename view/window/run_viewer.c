@@ -60,7 +60,7 @@ static void advance(Viewer* v, bool scripted, double seconds)
 			viewer_fail(v, sentence);
 			return;
 		}
-		if (renderer_step(&v->renderer, &v->camera, &v->style, (double)session->steps * dt) != SCREE_OK)
+		if (renderer_step(&v->renderer, &v->camera, &v->style, (double)session->player.steps * dt) != SCREE_OK)
 		{
 			viewer_fail(v, scree_error());
 			return;
@@ -124,13 +124,13 @@ static bool open_viewer(Loop* loop, char* sentence)
 	v->code = 0;
 	glfwGetFramebufferSize(v->window, &width, &height);
 	camera_resize(&v->camera, width, height);
-	v->grab.world = v->session.world;
+	v->grab.world = v->session.player.world;
 	v->panel = v->hovers = true;
 	v->next_device = -1;
 	v->tools = TOOLS_DEFAULT;
 	v->x = 0.5f * (float)width;
 	v->y = 0.5f * (float)height;
-	share_open(&v->share, v->session.world, false);
+	share_open(&v->share, v->session.player.world, false);
 	*sentence = 0;
 	if (!viewer_update_world(v))
 		return false;

@@ -71,7 +71,7 @@ void part_device(Viewer* v)
 {
 	Session* session = &v->session;
 	char shown[200];
-	const char* now = scree_world_get_device(session->world);
+	const char* now = scree_world_get_device(session->player.world);
 	bool chooses = strcmp(session->device, "auto") == 0;
 	snprintf(shown, sizeof shown, chooses ? "auto: now %s" : "%s", now);
 	ImGui::SetNextItemWidth(-1.0f);

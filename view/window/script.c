@@ -114,8 +114,8 @@ static int in_state(const Viewer* v, const char* state)
 	              {"free", !grab_holds(&v->grab)},
 	              {"selected", inspect_any(&v->selected)},
 	              {"unselected", !inspect_any(&v->selected)},
-	              {"pushing", v->session.down != 0},
-	              {"pushed", v->session.down == 0},
+	              {"pushing", v->session.player.down != 0},
+	              {"pushed", v->session.player.down == 0},
 	              {"minimized", glfwGetWindowAttrib(v->window, GLFW_ICONIFIED)},
 	              {"restored", !glfwGetWindowAttrib(v->window, GLFW_ICONIFIED)}};
 	for (size_t k = 0; k < sizeof states / sizeof *states; ++k)

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // session.c -- the scene in the viewer: loads, steps, pauses it, moves it to another device.
 #include "view/window/session.h"
-#include "scene/build.h"
-#include "scene/churn.h"
-#include "scene/controls.h"
 #include "scene/find.h"
 #include "scene/heading.h"
 #include "scene/load.h"
@@ -76,7 +73,7 @@ static Scene* load(Session* session, const char* path, bool fresh, char* sentenc
 	return scene_load(path, settings, session->parameter_count, sentence);
 }
 
-static bool build(const Session* session, const Scene* scene, scree_world** world, char* sentence)
+static scree_status open_player(const Session* session, const Scene* scene, ScenePlayer* player)
 {
 	scree_world_def def = scene->world;
 	def.device = session->device;
@@ -85,24 +82,15 @@ static bool build(const Session* session, const Scene* scene, scree_world** worl
 	def.allow_unequal_bits = session->options->allow_unequal_bits;
 	def.timings = true;
 	def.opengl = session->opengl;
-	scree_status status = scree_world_create(&def, world);
-	if (status == SCREE_OK)
-		status = scene_build(scene, *world);
-	if (status == SCREE_OK)
-		return true;
-	failed(sentence);
-	scree_world_destroy(*world);
-	*world = NULL;
-	return false;
+	return player_open(player, scene, &def);
 }
 
 bool session_load(Session* session, const char* name, bool fresh, char* sentence)
 {
 	Session old = *session;
 	char path[SCENE_PATH];
-	scree_world* world = NULL;
+	ScenePlayer player = {0};
 	scree_counters counters;
-	Walkers walkers = {0};
 	Tuning tuning = session->tuning;
 	tuning.changed = tuning.changed && !fresh && strcmp(name, session->name) == 0;
 	if (name != session->name)
@@ -111,31 +99,27 @@ bool session_load(Session* session, const char* name, bool fresh, char* sentence
 	bool good = scene_find(session->name, session->options->executable, path, sentence) &&
 	            (!fresh || read_parameters(session, path, set, sentence));
 	Scene* scene = good ? load(session, path, fresh, sentence) : NULL;
-	good = scene && build(session, scene, &world, sentence) &&
-	       (((tuning.changed ? tuning_write(&tuning, scene, world) : tuning_read(&tuning, scene, world)) == SCREE_OK &&
-	         scree_world_get_counters(world, &counters) == SCREE_OK && walk_open(&walkers, scene, world) == SCREE_OK) ||
-	        failed(sentence));
+	good = scene && ((open_player(session, scene, &player) == SCREE_OK &&
+	                  (tuning.changed ? tuning_write(&tuning, scene, player.world)
+	                                  : tuning_read(&tuning, scene, player.world)) == SCREE_OK &&
+	                  scree_world_get_counters(player.world, &counters) == SCREE_OK) ||
+	                 failed(sentence));
 	if (!good)
 	{
-		walk_close(&walkers);
-		scree_world_destroy(world);
+		player_close(&player);
 		scene_free(scene);
 		*session = old;
 		return false;
 	}
-	walk_close(&session->walkers);
+	player_close(&session->player);
 	scene_free(session->scene);
-	scree_world_destroy(session->world);
-	session->walkers = walkers;
+	session->player = player;
 	session->scene = scene;
-	session->world = world;
 	session->counters = counters;
 	session->deepest = 0.0f;
 	session->tuning = tuning;
 	session->accumulator = 0;
 	session->due = 0;
-	session->down = 0;
-	session->steps = 0;
 	session->hashed = false;
 	session->step = 0;
 	memset(session->stages, 0, sizeof session->stages);
@@ -158,8 +142,7 @@ bool session_open(Session* session, const ViewOptions* options, const scree_open
 
 void session_close(Session* session)
 {
-	walk_close(&session->walkers);
-	scree_world_destroy(session->world);
+	player_close(&session->player);
 	scene_free(session->scene);
 	for (int k = 0; k < session->scene_count; ++k)
 		free(session->scenes[k]);
@@ -183,7 +166,7 @@ const char* session_title(Session* session, int k)
 
 bool session_move(Session* session, const char* device, char* sentence)
 {
-	if (scree_world_move(session->world, device) != SCREE_OK)
+	if (scree_world_move(session->player.world, device) != SCREE_OK)
 		return failed(sentence);
 	snprintf(session->device, sizeof session->device, "%s", device);
 	session->step = 0;
@@ -196,13 +179,9 @@ static void smooth(float* shown, float now) { *shown = *shown == 0.0f ? now : *s
 bool session_step(Session* session, char* sentence)
 {
 	scree_timings t;
-	int64_t number = session->steps++;
-	if (scene_churn(session->scene, session->world, number) != SCREE_OK ||
-	    walk_step(&session->walkers, session->world, number, session->down) != SCREE_OK ||
-	    controls_apply(session->scene, session->world, session->down) != SCREE_OK ||
-	    scree_world_step(session->world, session->scene->dt, session->scene->substeps) != SCREE_OK ||
-	    scree_world_get_counters(session->world, &session->counters) != SCREE_OK ||
-	    scree_world_get_timings(session->world, &t) != SCREE_OK)
+	if (player_step(&session->player) != SCREE_OK ||
+	    scree_world_get_counters(session->player.world, &session->counters) != SCREE_OK ||
+	    scree_world_get_timings(session->player.world, &t) != SCREE_OK)
 		return failed(sentence);
 	session->deepest = fmaxf(session->deepest, session->counters.penetration);
 	const float stages[STAGES] = {t.transform, t.broad_phase, t.narrow_phase, t.color, t.solve, t.finalize};
@@ -216,7 +195,7 @@ bool session_step(Session* session, char* sentence)
 
 bool session_hash(Session* session, char* sentence)
 {
-	if (scree_world_get_hash(session->world, &session->hash) != SCREE_OK)
+	if (scree_world_get_hash(session->player.world, &session->hash) != SCREE_OK)
 		return failed(sentence);
 	session->hashed = true;
 	return true;

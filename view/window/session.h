@@ -2,7 +2,7 @@
 // session.h -- the scene in the viewer: loads, steps, pauses it, moves it to another device.
 #ifndef SESSION_H
 #define SESSION_H
-#include "scene/character_motion.h"
+#include "scene/player.h"
 #include "view/window/live_tuning.h"
 #include "view/window/view_options.h"
 
@@ -20,8 +20,7 @@ typedef struct
 	const ViewOptions* options;
 	const scree_opengl* opengl; // context with which worlds may share memory, or null
 	Scene* scene;
-	scree_world* world;
-	Walkers walkers;       // characters of the scene
+	ScenePlayer player;
 	char name[SCENE_PATH]; // name of the scene
 	char** scenes;         // names of all scenes
 	char (*titles)[160];   // titles of all scenes; empty until first used
@@ -35,9 +34,7 @@ typedef struct
 	int due;            // single steps that the user requested and that are not done
 	Tuning tuning;      // parameters of the world
 	float rate;         // seconds of the world per second of the clock, at most 1
-	int64_t steps;      // steps of the world so far
 	double accumulator; // s of the world by which the steps are behind the clock
-	uint32_t down;      // keys that the scene uses and that are down: bits by SceneKey
 	bool hashed;        // true if hash belongs to the current state
 	uint64_t hash;      // hash of the world
 	scree_counters counters;

@@ -66,7 +66,7 @@ void part_solver(Viewer* v)
 	if (changed)
 	{
 		session->hashed = false;
-		if (tuning_write(t, session->scene, session->world) != SCREE_OK)
+		if (tuning_write(t, session->scene, session->player.world) != SCREE_OK)
 			viewer_show(v, scree_error());
 	}
 	if (t->changed && ImGui::Button("as the scene has it"))

@@ -21,7 +21,7 @@ void tools_pour(Viewer* v, bool down)
 {
 	if (!down)
 		pour_end(&v->tools.pour);
-	else if (!v->tools.pour.on && pour_begin(&v->tools.pour, v->session.world) != SCREE_OK)
+	else if (!v->tools.pour.on && pour_begin(&v->tools.pour, v->session.player.world) != SCREE_OK)
 		viewer_show(v, scree_error());
 	else if (v->tools.pour.kind_count == 0)
 		viewer_show(v, "this scene has no bodies of one shape that could be poured; t throws one in");
@@ -29,7 +29,7 @@ void tools_pour(Viewer* v, bool down)
 
 bool tools_step(Viewer* v, bool* added)
 {
-	scree_status status = pour_step(&v->tools.pour, v->session.world, v->grab.at, added);
+	scree_status status = pour_step(&v->tools.pour, v->session.player.world, v->grab.at, added);
 	if (status != SCREE_OK)
 		viewer_show(v, scree_error());
 	return status != SCREE_ERROR_DEVICE_FAILED;
@@ -46,7 +46,7 @@ static void explode(Viewer* v)
 	def.radius = def.falloff = radius(v);
 	def.impulse = blast_impulse(&v->renderer.tables, v->tools.blast);
 	v->session.hashed = false;
-	if (scree_world_blast(v->session.world, &def, &count) != SCREE_OK)
+	if (scree_world_blast(v->session.player.world, &def, &count) != SCREE_OK)
 	{
 		viewer_show(v, scree_error());
 		return;

@@ -29,7 +29,7 @@ void viewer_fail(Viewer* v, const char* sentence)
 
 bool viewer_update_world(Viewer* v)
 {
-	bool good = renderer_update_world(&v->renderer, v->session.scene, v->session.world);
+	bool good = renderer_update_world(&v->renderer, v->session.scene, v->session.player.world);
 	if (!good)
 		viewer_fail(v, "the picture of the world cannot be made: memory is short, or its device failed");
 	return good;
@@ -52,7 +52,7 @@ bool viewer_fetch(Viewer* v, const Style* style)
 // Finds the collidable under the cursor, within REACH.
 static scree_status find_under(Viewer* v, scree_collidable* found)
 {
-	return inspect_find(v->session.world, camera_point(&v->camera, v->x, v->y), REACH / v->camera.scale, found);
+	return inspect_find(v->session.player.world, camera_point(&v->camera, v->x, v->y), REACH / v->camera.scale, found);
 }
 
 // Delays the next reading so that readings take a tenth of the time. The first query after a step computes boxes of all
@@ -71,9 +71,9 @@ static scree_status look_under(Viewer* v)
 	if (begin < v->look_time)
 		return SCREE_OK;
 	scree_status status = find_under(v, &found);
-	inspect_choose(&v->hovered, v->session.scene, v->session.world, found);
+	inspect_choose(&v->hovered, v->session.scene, v->session.player.world, found);
 	if (status == SCREE_OK)
-		status = inspect_read(&v->hovered, v->session.scene, v->session.world);
+		status = inspect_read(&v->hovered, v->session.scene, v->session.player.world);
 	rest(&v->look_time, begin);
 	return status;
 }
@@ -83,7 +83,7 @@ static scree_status read_selected(Viewer* v)
 	double begin = glfwGetTime();
 	if (begin < v->read_time)
 		return SCREE_OK;
-	scree_status status = inspect_read(&v->selected, v->session.scene, v->session.world);
+	scree_status status = inspect_read(&v->selected, v->session.scene, v->session.player.world);
 	rest(&v->read_time, begin);
 	return status;
 }
@@ -108,7 +108,7 @@ void viewer_select(Viewer* v)
 	if (find_under(v, &found) != SCREE_OK)
 		viewer_fail(v, scree_error());
 	else
-		inspect_choose(&v->selected, v->session.scene, v->session.world, found);
+		inspect_choose(&v->selected, v->session.scene, v->session.player.world, found);
 	v->read_time = 0.0;
 }
 
@@ -117,14 +117,16 @@ bool viewer_load(Viewer* v, const char* name, bool fresh)
 	bool other = strcmp(name, v->session.name) != 0;
 	share_close(&v->share); // the world may be destroyed below
 	bool begun = session_load(&v->session, name, fresh, v->message);
-	share_open(&v->share, v->session.world, false);
+	share_open(&v->share, v->session.player.world, false);
 	if (!begun)
 	{
 		viewer_show(v, v->message);
 		return false;
 	}
-	v->grab = (Grab){
-	    .world = v->session.world, .hardest = v->grab.hardest, .hertz = v->grab.hertz, .density = v->grab.density};
+	v->grab = (Grab){.world = v->session.player.world,
+	                 .hardest = v->grab.hardest,
+	                 .hertz = v->grab.hertz,
+	                 .density = v->grab.density};
 	v->tools = (Tools){.blast = v->tools.blast, .pour.rate = v->tools.pour.rate};
 	v->eye.follows = false;
 	v->selected = v->hovered = (Inspected){0};

@@ -51,7 +51,7 @@ static void on_focus(GLFWwindow* window, int focused)
 	Viewer* v = viewer_of(window);
 	if (focused)
 		return;
-	v->session.down = 0;
+	v->session.player.down = 0;
 	input_hold(v, ACTION_pour, false);
 	v->tools.blasting = false; // cancels the explosion
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// paper_simulation.c -- a scene whose steps the paper's pipeline takes.
-#include "tools/paper/paper_simulation.h"
+// paper_player.c -- a scene whose steps the paper's pipeline takes.
+#include "tools/paper/paper_player.h"
 #include "cli/common/library_error.h"
 #include "scene/churn.h"
 #include "tools/common/clock.h"
@@ -26,29 +26,29 @@ bool paper_takes(const Scene* scene)
 	return !reason;
 }
 
-int paper_simulation_open(const Options* options, const Scene* scene, PaperSimulation* paper)
+int paper_player_open(const Options* options, const Scene* scene, PaperPlayer* paper)
 {
-	*paper = (PaperSimulation){0};
+	*paper = (PaperPlayer){0};
 	if (!paper_takes(scene))
 		return EXIT_BAD;
 	Options one = *options; // the pipeline has one thread and no lanes
 	one.threads = one.lanes = 1;
 	one.device = options->device ? options->device : "cpu";
-	int code = open_simulation(&one, scene, false, &paper->simulation);
+	int code = open_player(&one, scene, false, &paper->player);
 	if (code != EXIT_GOOD)
 		return code;
-	scree_world* world = paper->simulation.world;
+	scree_world* world = paper->player.world;
 	code = report(paper_create(world, scree_world_get_device(world), options->allow_unequal_bits, &paper->paper));
 	if (code != EXIT_GOOD)
-		paper_simulation_close(paper);
+		paper_player_close(paper);
 	return code;
 }
 
-void paper_simulation_close(PaperSimulation* paper)
+void paper_player_close(PaperPlayer* paper)
 {
 	paper_destroy(paper->paper);
 	paper->paper = NULL;
-	simulation_close(&paper->simulation);
+	player_close(&paper->player);
 }
 
 static void read_timings(const Paper* paper, float stages[STAGE_COLUMNS])
@@ -59,23 +59,23 @@ static void read_timings(const Paper* paper, float stages[STAGE_COLUMNS])
 		stages[k] = (float)all[k];
 }
 
-static scree_status read_counters(const PaperSimulation* paper, scree_counters* counters)
+static scree_status read_counters(const PaperPlayer* paper, scree_counters* counters)
 {
 	PaperCounters c = paper_counters(paper->paper);
-	scree_status status = scree_world_get_counters(paper->simulation.world, counters);
+	scree_status status = scree_world_get_counters(paper->player.world, counters);
 	counters->contacts = counters->touching = c.contacts;
 	counters->penetration = c.penetration;
 	counters->steps = c.steps;
 	return status;
 }
 
-scree_status paper_record_step(PaperSimulation* paper, Record* record)
+scree_status paper_record_step(PaperPlayer* paper, Record* record)
 {
 	*record = (Record){0};
 	double start = seconds_now();
 	// the paper has no substeps
-	scree_status status = paper_step(paper->paper, paper->simulation.scene->dt);
-	++paper->simulation.steps;
+	scree_status status = paper_step(paper->paper, paper->player.scene->dt);
+	++paper->player.steps;
 	if (status == SCREE_OK)
 		status = read_counters(paper, &record->counters);
 	record->milliseconds = (float)(1000 * (seconds_now() - start));
