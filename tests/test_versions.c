@@ -131,7 +131,7 @@ static void newer_structs(void** state)
 
 	defs[1].later[0] = 1;
 	assert_int_equal(scree_bodies_create(world, &defs->def, 2, bodies), SCREE_ERROR_INVALID);
-	assert_non_null(strstr(scree_error(), "defs[1] sets a member that version "));
+	assert_non_null(strstr(scree_error(), "defs[1] sets a member at byte "));
 	defs[1].later[0] = 0;
 	defs[1].def.size = sizeof(scree_body_def);
 	assert_int_equal(scree_bodies_create(world, &defs->def, 2, bodies), SCREE_ERROR_INVALID);
