@@ -78,8 +78,8 @@ static scree_status grow(Pipeline* pipeline, Step* step)
 	return SCREE_OK;
 }
 
-// Executes the listed stages, and starts the solve early if the layout of the constraints will probably not change. If
-// the pools were too small, grows them, and the stages must run again. Sets *solved if the solve was valid.
+// Executes the listed stages, with the solve if it may start early, and sets *solved if that was valid. If the pools were
+// too small, grows them, and the stages must run again.
 static scree_status solve_or_read_back(Pipeline* pipeline, Step* step, const StepRequest* request, bool early,
                                        bool* solved)
 {

@@ -7,9 +7,11 @@
 #include "step/reserve.h"
 #include "step/stage_lists.h"
 
-// Finds the bodies that are neighbors of several hubs. The host must have the layout of the constraints.
+// Finds the bodies that are neighbors of several hubs, once per layout, which the host must have.
 static scree_status split_spokes(Pipeline* pipeline, const Step* step, int bodies)
 {
+	if (pipeline->counters.hubs == 0 || pipeline->split)
+		return SCREE_OK;
 	int spokes = layout_spokes(&pipeline->counters);
 	TRY(pipeline_reserve(pipeline, PER_KEY, spokes));
 	TRY(pipeline_reserve(pipeline, PER_SPOKE, spokes));
@@ -29,8 +31,7 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 {
 	Backend* b = pipeline->backend;
 	const Counters* c = &pipeline->counters;
-	if (c->hubs > 0 && !pipeline->split)
-		TRY(split_spokes(pipeline, step, request->bodies));
+	TRY(split_spokes(pipeline, step, request->bodies));
 	// a solve with a bound, which may do nothing, follows runs that already include the presses
 	if (step->presses && bound == NO_COUNT)
 	{
@@ -73,13 +74,11 @@ static scree_status recompute_surfaces(Pipeline* pipeline, const Step* step)
 static scree_status measure_only(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
-	const Counters* c = &pipeline->counters;
-	if (c->hubs > 0 && !pipeline->split)
-		TRY(split_spokes(pipeline, step, bodies));
+	TRY(split_spokes(pipeline, step, bodies));
 	runs_add_single(list, KERNEL_solve_begin); // its first item clears the counts of the last finalize
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
-		int constraints = c->layout[kind].begin[COLORS + 1];
+		int constraints = pipeline->counters.layout[kind].begin[COLORS + 1];
 		runs_add(list, kind_info[kind].prepare, 0, constraints, NO_COUNT, 0);
 		if (step->details && kind == CONSTRAINT_CONTACT)
 			runs_add(list, kind_info[kind].prepare_rare, 0, constraints, NO_COUNT, 0);

@@ -15,13 +15,18 @@ static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 		runs_add(list, KERNEL_tree_node, 0, tree_padded(tree->count[level]), count, RUN_PAIR(t, level));
 }
 
+void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count)
+{
+	runs_add(list, KERNEL_tree_root, 0, 1, count, t | boxes);
+	runs_add(list, KERNEL_tree_code, 0, tree->leaves, count, t | boxes);
+	runs_add_sort(list, tree->leaves, count, 32, 64);
+	runs_add(list, KERNEL_tree_order, 0, tree->leaves, count, t);
+}
+
 static void tree_order(RunList* list, const Tree* tree, int t, int count)
 {
 	tree_refit(list, tree, t, count);
-	runs_add(list, KERNEL_tree_root, 0, 1, count, t);
-	runs_add(list, KERNEL_tree_code, 0, tree->leaves, count, t);
-	runs_add_sort(list, tree->leaves, count, 32, 64);
-	runs_add(list, KERNEL_tree_order, 0, tree->leaves, count, t);
+	list_leaf_order(list, tree, t, 0, count);
 }
 
 // Sorts the leaves if the device finds that boxes jumped so far that traversals would take longer than sorting.

@@ -13,6 +13,9 @@ void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies);
 // Runs coloring rounds from one to another, then lays out the constraints if all have colors.
 void list_color(Pipeline* pipeline, int bodies, int from, int to);
 
+// Sorts the leaves of a tree by its boxes, if a counter is not 0: those of the step (0), or for queries (TREE_QUERIES).
+void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count);
+
 // Finds the bodies that are pressed against others that cannot move. may_wait: the layout may be out of date.
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait);
 // Computes the forces of fields from poses and velocities at the start of the step.

@@ -4,6 +4,7 @@
 #include "platform/error.h"
 #include "step/dispatch.h"
 #include "step/reserve.h"
+#include "step/stage_lists.h"
 #include "step/tree_maintenance.h"
 
 #define FIRST_ANSWERS  256 // initial capacity of a list of answers
@@ -25,13 +26,8 @@ static void list_refit(Pipeline* pipeline, int t, bool ways)
 // Sorts the leaves of a tree. A tree of a world that never made a step has its leaves in the order of creation.
 static scree_status order(Pipeline* pipeline, int t)
 {
-	RunList* list = &pipeline->list;
-	const Tree* tree = &pipeline->trees[t].tree;
 	list_refit(pipeline, t, false);
-	runs_add(list, KERNEL_tree_root, 0, 1, NO_COUNT, t | TREE_QUERIES);
-	runs_add(list, KERNEL_tree_code, 0, tree->leaves, NO_COUNT, t | TREE_QUERIES);
-	runs_add_sort(list, tree->leaves, NO_COUNT, 32, 64);
-	runs_add(list, KERNEL_tree_order, 0, tree->leaves, NO_COUNT, t);
+	list_leaf_order(&pipeline->list, &pipeline->trees[t].tree, t, TREE_QUERIES, NO_COUNT);
 	TRY(pipeline_run(pipeline, &pipeline->step));
 	pipeline->trees[t].touched = true; // the boxes of the step belong to other leaves now
 	return tree_ordered(pipeline, t);
