@@ -1,25 +1,10 @@
 // SPDX-License-Identifier: MIT
-// fixture.c -- scenes made by code: the list of them, and what builds their bodies and joints.
+// fixture.c -- scenes made by code: their parameters, bodies and joints.
 #include "fixture.h"
-#include "fixtures.h"
 #include "validate/scree_world.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const Fixture* const fixtures[] = {&joint_grid_fixture, &rain_fixture,     &spinner_fixture,
-                                          &drum_fixture,       &ropes_fixture,    &bridges_fixture,
-                                          &beam_fixture,       &ragdolls_fixture, &car_fixture};
-
-const Fixture* fixture_find(const char* name)
-{
-	for (size_t k = 0; k < sizeof fixtures / sizeof fixtures[0]; ++k)
-	{
-		if (strcmp(fixtures[k]->name, name) == 0)
-			return fixtures[k];
-	}
-	return NULL;
-}
 
 bool fixture_set(const Fixture* fixture, double values[FIXTURE_PARAMETERS], const char* name, const char* value)
 {

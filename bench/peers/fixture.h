@@ -28,9 +28,6 @@ typedef struct
 	void (*change)(FixtureBuild* build, int64_t step); // before a step; may be null
 } Fixture;
 
-// The fixture of this name, or null.
-const Fixture* fixture_find(const char* name);
-
 // Sets the parameter of this name. Returns false after printing a sentence.
 bool fixture_set(const Fixture* fixture, double values[FIXTURE_PARAMETERS], const char* name, const char* value);
 

@@ -4,6 +4,9 @@
 #define FIXTURES_H
 #include "fixture.h"
 
+// Returns the fixture of a name, or null.
+const Fixture* fixture_find(const char* name);
+
 // Box2D's benchmarks with joints. Sizes, counts and frequencies are those of shared/benchmarks.c and shared/human.c in
 // Erin Catto's Box2D v3, MIT licence.
 extern const Fixture joint_grid_fixture; // a net of circles

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // setup.c -- the scene of a trial: read from a file, or made by code.
 #include "setup.h"
+#include "fixtures.h"
 #include "scene/build.h"
 #include "scene/churn.h"
 #include "scene/find.h"
