@@ -31,6 +31,14 @@ scree_status refuse(scree_status status, ArgumentPlace at, const char* member, c
 // Checks for a finite number from low to high; -FLT_MAX and FLT_MAX stand for no bound.
 scree_status check_real(ArgumentPlace at, const char* member, float x, float low, float high);
 
+// Check for the range of a value of bodies: check_gravity_scale and so on.
+#define X(name, least, most, value)                                                        \
+	static inline scree_status check_##name(ArgumentPlace at, const char* member, float x) \
+	{                                                                                      \
+		return check_real(at, member, x, least, most);                                     \
+	}
+#include "pools/body_values.def"
+
 // Checks that both components are from -limit to limit.
 scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float limit);
 

@@ -43,7 +43,7 @@ static scree_status check_def(const scree_world* world, ArgumentPlace at, const 
 	TRY(check_type(at, ".type", def->type));
 	TRY(check_pose(at, ".pose", &pose));
 	TRY(check_velocity(at, ".velocity", def->velocity));
-#define X(name, least, most, value) TRY(check_real(at, "." #name, def->name, least, most));
+#define X(name, least, most, value) TRY(check_##name(at, "." #name, def->name));
 #include "pools/body_values.def"
 	TRY(check_locks(at, ".locks", def->locks));
 	TRY(check_reports(at, ".reports", def->reports));

@@ -85,8 +85,8 @@ scree_status scree_body_set_damping(scree_world* world, scree_body body, float l
 	const char* function = "scree_body_set_damping";
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 1, &index));
-	TRY(check_real((ArgumentPlace){function, "linear", ALONE}, "", linear, 0.0f, FLT_MAX));
-	TRY(check_real((ArgumentPlace){function, "angular", ALONE}, "", angular, 0.0f, FLT_MAX));
+	TRY(check_linear_damping((ArgumentPlace){function, "linear", ALONE}, "", linear));
+	TRY(check_angular_damping((ArgumentPlace){function, "angular", ALONE}, "", angular));
 	world->host_bodies[index].values.linear_damping = linear;
 	world->host_bodies[index].values.angular_damping = angular;
 	body_send_motion(world, index);
@@ -109,7 +109,7 @@ scree_status scree_body_set_gravity_scale(scree_world* world, scree_body body, f
 	const char* function = "scree_body_set_gravity_scale";
 	int index = 0;
 	TRY(lookup_to_set(world, function, body, 1, &index));
-	TRY(check_real((ArgumentPlace){function, "scale", ALONE}, "", scale, -FLT_MAX, FLT_MAX));
+	TRY(check_gravity_scale((ArgumentPlace){function, "scale", ALONE}, "", scale));
 	world->host_bodies[index].values.gravity_scale = scale;
 	body_send_motion(world, index);
 	return SCREE_OK;
