@@ -48,10 +48,18 @@ int call_whole(const CallRun* run, const char* name); // 0 if the value is NaN o
 scree_vec call_vec(const CallRun* run, const char* x, const char* y);
 scree_pose call_pose(const CallRun* run); // from x, y and angle
 scree_body call_body(const CallRun* run, int k);
+scree_attribute call_attribute(const CallRun* run, const char* name);
+scree_filter call_filter(const CallRun* run);
+scree_collidable call_collidable(const CallRun* run); // by its number, or from the list of a body
 
 #define MOST_BATCH 256
 // Returns the number of names of a batch; the argument is the first of them. Returns 0 if a name is out of range.
 int call_batch(const CallRun* run, const char* first);
+
+// run_attribute.c, run_body.c, run_collidable.c: make the calls of these objects.
+scree_status run_attribute(const CallRun* run);
+scree_status run_body(const CallRun* run);
+scree_status run_collidable(const CallRun* run);
 
 // run_joint.c: makes calls of joints. read_joints mixes the state of all joints into a word.
 scree_status run_joint(const CallRun* run);
