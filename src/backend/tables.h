@@ -21,8 +21,8 @@ typedef enum
 #include "stages/kernels.def"
 #undef X
 	KERNEL_COUNT,
-	// Primitives, not kernels: each backend has its own implementation, with equal results. SORT: sorts items 0 to end
-	// of pool key by the bits from RUN_LOW up to, not including, RUN_HIGH of argument; stable.
+	// Primitives, not kernels: each backend has its own implementation, with equal results. SORT: sorts items 0
+	// to end of pool key, stably, by the bits from RUN_LOW of argument up to, not including, RUN_HIGH.
 	PRIMITIVE_SORT = KERNEL_COUNT,
 	PRIMITIVE_SCAN, // replaces items 0 to end of pool scan by the sum of the items before each
 	RUN_KINDS

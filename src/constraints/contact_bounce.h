@@ -46,8 +46,8 @@ INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 }
 
 // m/s: Returns the speed at which a point leaves, by Newton's law of impact. velocity: normal, negative; gap: m.
-// Semi-implicit Euler puts a falling body on a parabola on which its velocity is that of the middle of a substep. Half
-// of a substep's acceleration is added before the impact and subtracted after it (bounce_speed), to conserve energy.
+// Semi-implicit Euler puts a falling body on a parabola on which its velocity is that of the middle of a substep. To
+// conserve energy, half a substep's acceleration is added before the impact and subtracted after it (bounce_speed).
 INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, Real fall, Real gap)
 {
 	Real before = velocity + 0.5f * step->h * fall, zero = splat(0.0f);

@@ -135,8 +135,8 @@ INLINE PathFoot path_foot_at(const PathCurve* c, int segment, float t)
 	return foot;
 }
 
-// Finds the nearest point of a segment, by a secant and two steps of Newton. The remaining error is along the curve,
-// where it has no effect. Beyond its ends an open curve is straight.
+// Finds the nearest point of a segment, by a secant and two steps of Newton. The remaining error lies along
+// the curve and has no effect. Beyond its ends an open curve is straight.
 INLINE PathFoot path_foot(const PathCurve* c, int segment, Vec point)
 {
 	float before = path_ahead(c, segment, point), behind = path_ahead(c, segment + 1, point);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // threads.c -- workers that share the blocks of a job.
 //
-// The caller publishes a job, its number and its number of blocks in one word, the turn. Each worker claims the block
-// of its own number and processes it; idle workers soon claim those that are still unclaimed. So a worker that sleeps,
-// or has lost its core, delays nobody unless it has claimed a block. A claim contains the job's number: a late worker
-// finds all blocks of its job claimed, and does the current job. Similar: Erin Catto, SIMD Matters, box2d.org, 2024.
+// The caller publishes a job, its number and its number of blocks in one word, the turn. Each worker claims and
+// processes the block of its own number; idle workers soon claim those that are still unclaimed. So a worker that
+// sleeps, or has lost its core, delays nobody unless it has claimed a block. A claim contains the job's number: a late
+// worker finds all blocks of its job claimed, and does the current job. Similar: Erin Catto, SIMD Matters, box2d.org,
+// 2024.
 //
 // A waiting worker spins first, because a step has hundreds of jobs of about 1 us. Then it yields its core, which
 // another worker may need on a busy machine. If yielding helps repeatedly, the spin gets shorter, until every worker

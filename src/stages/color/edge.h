@@ -42,8 +42,8 @@ INLINE void edge_add_belt(const Pools* p, Int2 bodies, int belt)
 	atomic_add_int(&p->belts[bodies.y], belt);
 }
 
-// Counts a constraint that begins at a body. Requests the search for hubs (spoke.h) if the body may now be one and some
-// of its contacts have colors. Others begin and end at the same time, so the search may find no hub.
+// Counts a constraint that begins at a body. Requests the search for hubs (spoke.h) if the body may now be one and its
+// contacts partly have colors. Others begin and end at the same time, so the search may find no hub.
 INLINE void edge_count(const Pools* p, int body, int belt)
 {
 	int over_limit = atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS;

@@ -161,8 +161,8 @@ INLINE int joint_parts(const Pools* p, Int2 bodies)
 
 // End of a step: turns of couplings, thresholds.
 
-// Item: a place of joints. Reports and breaks the joint if its force or torque exceeded its threshold. Counts the turns
-// of a coupling with the ratio of this step, because the user may set another one.
+// Item: a place of joints. Reports and breaks the joint if its force or torque exceeded its threshold. Counts the
+// turns of a coupling with the ratio of this step, because the user may set another one.
 KERNEL(joint_finalize)
 {
 	int slot = p->joint_place_slot[i];
