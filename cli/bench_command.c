@@ -38,7 +38,7 @@ int bench_command(const Options* options)
 	if (code == EXIT_GOOD && options->whole)
 		code = measure_whole_runs(options, list.scenes, list.count);
 	else if (code == EXIT_GOOD)
-		code = bench_scenes(options, &list, step_stages, run_scene);
+		code = bench_scenes(options, &list, stage_names, run_scene);
 	close_scenes(&list);
 	return code;
 }

@@ -56,14 +56,14 @@ int run_command(const Options* options)
 		outputs_close(&outputs, NULL, NULL, code);
 	else
 	{
-		code = outputs_open(&outputs, &player, step_stages);
+		code = outputs_open(&outputs, &player, stage_names);
 		if (code == EXIT_GOOD)
 			code = take_steps(&player, &outputs, steps, &totals);
 		if (code == EXIT_GOOD)
 			code = report(scree_world_get_hash(player.world, &snapshot.hash));
 		code = outputs_close(&outputs, &player, &snapshot, code);
 		if (code == EXIT_GOOD)
-			print_results(&player, &totals, step_stages, steps, snapshot.hash);
+			print_results(&player, &totals, stage_names, steps, snapshot.hash);
 		player_close(&player);
 	}
 	scene_free(scene);

@@ -193,12 +193,7 @@ EMSCRIPTEN_KEEPALIVE const double* page_numbers(void)
 	                          (double)t.step,
 	                          (double)page.scene->dt,
 	                          (double)c.penetration,
-	                          (double)t.transform,
-	                          (double)t.broad_phase,
-	                          (double)t.narrow_phase,
-	                          (double)t.color,
 	                          (double)t.solve,
-	                          (double)t.finalize,
 	                          page.player.characters.taken,
 	                          c.frozen_bodies,
 	                          (double)scree_memory()};

@@ -85,7 +85,7 @@ bool measurement_check(const Measurement* m, const Known* known, const Options* 
 void measurement_print_heading(const char* const* stages)
 {
 	printf("scene,settings,device,threads,lanes,bodies,contacts,touching,colors,steps,ms_step,ms_least,ms_most");
-	for (int k = 0; k < STAGE_COLUMNS; ++k)
+	for (int k = 0; k < STAGE_TIMES; ++k)
 		printf(",ms_%s", stages[k]);
 	printf(",bytes_a_body,mb_constraints,mb_bodies,gbs_solve,gbs_copy,rays,ray_hits,ms_rays,hash_rays,penetration,hash,"
 	       "valid\n");
@@ -101,7 +101,7 @@ void measurement_print(Measurement* m, const char* settings, bool valid)
 	       last->bodies, median(m->records, count, contacts_of, 0), median(m->records, count, touching_of, 0),
 	       median(m->records, count, colors_of, 0), m->steps);
 	printf(",%.4f,%.4f,%.4f", median(m->records, count, step_of, 0), m->least, m->most);
-	for (int k = 0; k < STAGE_COLUMNS; ++k)
+	for (int k = 0; k < STAGE_TIMES; ++k)
 		printf(",%.4f", median(staged, m->staged, stage_of, k));
 	printf(",%.0f,%.3f,%.3f,%.2f,%.2f", last->bodies > 0 ? (double)last->device_bytes / last->bodies : 0.0,
 	       1e-6 * median(m->records, count, constraint_bytes_of, 0), 1e-6 * median(m->records, count, body_bytes_of, 0),

@@ -65,7 +65,7 @@ int outputs_open(Outputs* outputs, const ScenePlayer* player, const char* const*
 	if (outputs->csv)
 	{
 		fprintf(outputs->csv, "step,bodies,contacts,touching,colors,spokes,moved,new_contacts,penetration,ms_step");
-		for (int k = 0; k < STAGE_COLUMNS; ++k)
+		for (int k = 0; k < STAGE_TIMES; ++k)
 			fprintf(outputs->csv, ",ms_%s", stages[k]);
 		fprintf(outputs->csv, "%s\n", player->scene->fan_count > 0 ? ",rays,ray_hits,ms_rays" : "");
 	}
@@ -98,7 +98,7 @@ static void write_row(FILE* csv, const Record* record, bool scans)
 	fprintf(csv, "%lld,%d,%d,%d,%d,%d,%d,%d,%.6f,%.4f", (long long)c->steps, c->bodies, c->contacts, c->touching,
 	        c->colors, c->spokes, c->updated_boxes, c->new_contacts, (double)c->penetration,
 	        (double)record->milliseconds);
-	for (int k = 0; k < STAGE_COLUMNS; ++k)
+	for (int k = 0; k < STAGE_TIMES; ++k)
 		fprintf(csv, ",%.4f", (double)record->stages[k]);
 	if (scans)
 		fprintf(csv, ",%d,%" PRId64 ",%.4f", record->rays, record->hits, (double)record->scan);

@@ -14,7 +14,7 @@ void totals_add(Totals* totals, const Record* record)
 	totals->last = *record;
 	totals->seconds += 1e-3 * (double)record->milliseconds;
 	totals->scans += 1e-3 * (double)record->scan;
-	for (int k = 0; k < STAGE_COLUMNS; ++k)
+	for (int k = 0; k < STAGE_TIMES; ++k)
 		totals->stages[k] += (double)record->stages[k];
 	if (record->counters.penetration > totals->penetration)
 		totals->penetration = record->counters.penetration;
@@ -49,7 +49,7 @@ void print_results(const ScenePlayer* player, const Totals* totals, const char* 
 	printf("%-14s %d in %.3f s\n", "steps", steps, totals->seconds);
 	printf("%-14s %.1f\n", "steps/s", steps / totals->seconds);
 	printf("%-14s %.4f\n", "ms/step", 1000 * totals->seconds / steps);
-	for (int k = 0; k < STAGE_COLUMNS; ++k)
+	for (int k = 0; k < STAGE_TIMES; ++k)
 		printf("  %-12s %.4f\n", stages[k], totals->stages[k] / steps);
 	printf("%-14s %.4f m now, %.4f m the deepest seen\n", "penetration", (double)c->penetration,
 	       (double)totals->penetration);

@@ -8,7 +8,7 @@ typedef struct // sums over all steps
 {
 	Record last;
 	double seconds; // time of the steps
-	double stages[STAGE_COLUMNS];
+	double stages[STAGE_TIMES];
 	double scans; // s: time of the scene's rays
 	float penetration, joint_gap;
 	int nonfinite;

@@ -4,24 +4,11 @@
 #include "tools/common/clock.h"
 #include "tools/common/median.h"
 #include <stdlib.h>
-#include <string.h>
-
-#define SOLVE 4 // index in step_stages of the stage whose traffic is counted
-const char* const step_stages[STAGE_COLUMNS] = {"transform", "broad_phase", "narrow_phase",
-                                                "color",     "solve",       "finalize"};
-
-static scree_status read_timings(scree_world* world, float stages[STAGE_COLUMNS])
-{
-	scree_timings t = {0};
-	scree_status status = scree_world_get_timings(world, &t);
-	const float all[STAGE_COLUMNS] = {t.transform, t.broad_phase, t.narrow_phase, t.color, t.solve, t.finalize};
-	memcpy(stages, all, sizeof all);
-	return status;
-}
 
 scree_status record_step(ScenePlayer* player, Record* record)
 {
 	*record = (Record){0};
+	scree_timings timings = {0};
 	// the measured time excludes the changes between steps, but includes their upload to the device
 	scree_status status = player_change(player);
 	double start = seconds_now();
@@ -32,12 +19,13 @@ scree_status record_step(ScenePlayer* player, Record* record)
 		status = scree_world_get_counters(player->world, &record->counters);
 	record->milliseconds = (float)(1000 * (seconds_now() - start));
 	if (status == SCREE_OK)
-		status = read_timings(player->world, record->stages);
+		status = scree_world_get_timings(player->world, &timings);
+	stage_times(&timings, record->stages);
 	if (status == SCREE_OK)
 		status = scree_world_get_traffic(player->world, &record->traffic);
-	if (record->stages[SOLVE] > 0)
+	if (record->stages[STAGE_TIME_solve] > 0)
 		record->solve_rate = 1e3 * (double)(record->traffic.constraint_bytes + record->traffic.body_bytes) /
-		                     (double)record->stages[SOLVE];
+		                     (double)record->stages[STAGE_TIME_solve];
 	int64_t hits = player->answered.hits;
 	if (status == SCREE_OK)
 		status = player_scan(player);

@@ -3,18 +3,15 @@
 #ifndef STEP_RECORD_H
 #define STEP_RECORD_H
 #include "scene/player.h"
-
-#define STAGE_COLUMNS 6
-
-extern const char* const step_stages[STAGE_COLUMNS]; // stages of a step of Scree, in execution order
+#include "scene/stage_times.h"
 
 typedef struct
 {
 	scree_counters counters;
-	float stages[STAGE_COLUMNS]; // milliseconds, in the order of step_stages, or of the stages of another pipeline
-	float milliseconds;          // duration of the step by the clock of the host
-	float scan;                  // milliseconds by the same clock for the rays of the scene
-	int rays;                    // number of rays of this step
+	float stages[STAGE_TIMES]; // milliseconds, in the order of stage_names, or of the stages of another pipeline
+	float milliseconds;        // duration of the step by the clock of the host
+	float scan;                // milliseconds by the same clock for the rays of the scene
+	int rays;                  // number of rays of this step
 	int64_t hits;
 	scree_traffic traffic;
 	double solve_rate; // bytes/s of the solve stage; 0 if it was not measured

@@ -39,12 +39,9 @@ typedef enum // number of lanes that process an item of a kernel
 
 typedef enum // the stages of the step
 {
-	STAGE_transform,
-	STAGE_broad_phase,
-	STAGE_narrow_phase,
-	STAGE_color,
-	STAGE_solve,
-	STAGE_finalize,
+#define X(name) STAGE_##name,
+#include "stages/stages.def"
+#undef X
 	STAGE_COUNT
 } Stage;
 

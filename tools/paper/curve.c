@@ -47,7 +47,7 @@ static void print_progress(Figure* figure, const Curve* curve, int bodies)
 
 static void print_row(Figure* figure, Curve* curve, const Rows* rows)
 {
-	const char* const* stages = curve->pipeline == PAPER_PIPELINE ? paper_stages : step_stages;
+	const char* const* stages = curve->pipeline == PAPER_PIPELINE ? paper_stages : stage_names;
 	int bodies = rows->records[rows->count - 1].counters.bodies;
 	double contacts = mean(rows, touching_of);
 	curve->ms = median(rows->records, rows->count, step_of, 0);
@@ -58,9 +58,9 @@ static void print_row(Figure* figure, Curve* curve, const Rows* rows)
 	for (int s = 0; s < FIGURE_STAGE_COUNT && figure->number == 6; ++s)
 	{
 		int k = 0;
-		while (k < STAGE_COLUMNS && strcmp(stages[k], figure_stages[s]) != 0)
+		while (k < STAGE_TIMES && strcmp(stages[k], figure_stages[s]) != 0)
 			++k;
-		fprintf(figure->csv, ",%.4f", k < STAGE_COLUMNS ? median(rows->records, rows->count, stage_of, k) : 0.0);
+		fprintf(figure->csv, ",%.4f", k < STAGE_TIMES ? median(rows->records, rows->count, stage_of, k) : 0.0);
 	}
 	fprintf(figure->csv, ",%.5f,%016" PRIx64 "\n", (double)deepest(rows->records, rows->count), rows->hash);
 	fflush(figure->csv);

@@ -5,8 +5,8 @@
 #include "scene/churn.h"
 #include "tools/common/clock.h"
 
-const char* const paper_stages[STAGE_COLUMNS] = {"to_device", "integrate",   "transform",
-                                                 "detect",    "from_device", "resolve"};
+const char* const paper_stages[STAGE_TIMES] = {"to_device", "integrate",   "transform",
+                                               "detect",    "from_device", "resolve"};
 
 bool paper_takes(const Scene* scene)
 {
@@ -51,11 +51,11 @@ void paper_player_close(PaperPlayer* paper)
 	player_close(&paper->player);
 }
 
-static void read_timings(const Paper* paper, float stages[STAGE_COLUMNS])
+static void read_timings(const Paper* paper, float stages[STAGE_TIMES])
 {
 	PaperTimings t = paper_timings(paper);
-	const double all[STAGE_COLUMNS] = {t.to_device, t.integrate, t.transform, t.detect, t.from_device, t.resolve};
-	for (int k = 0; k < STAGE_COLUMNS; ++k)
+	const double all[STAGE_TIMES] = {t.to_device, t.integrate, t.transform, t.detect, t.from_device, t.resolve};
+	for (int k = 0; k < STAGE_TIMES; ++k)
 		stages[k] = (float)all[k];
 }
 

@@ -6,7 +6,7 @@
 #include "cli/common/step_record.h"
 #include "tools/paper/paper.h"
 
-extern const char* const paper_stages[STAGE_COLUMNS]; // names of Record.stages
+extern const char* const paper_stages[STAGE_TIMES]; // names of Record.stages
 
 // Returns true if the pipeline can simulate a scene; else prints the reason.
 bool paper_takes(const Scene* scene);

@@ -11,8 +11,6 @@
 
 #define SMOOTH 0.1f // weight of the last step in the displayed average
 
-const char* const session_stages[STAGES] = {"transform", "broad phase", "narrow phase", "color", "solve", "finalize"};
-
 static bool failed(char* sentence)
 {
 	snprintf(sentence, SENTENCE, "%s", scree_error());
@@ -184,8 +182,9 @@ bool session_step(Session* session, char* sentence)
 	    scree_world_get_timings(session->player.world, &t) != SCREE_OK)
 		return failed(sentence);
 	session->deepest = fmaxf(session->deepest, session->counters.penetration);
-	const float stages[STAGES] = {t.transform, t.broad_phase, t.narrow_phase, t.color, t.solve, t.finalize};
-	for (int k = 0; k < STAGES; ++k)
+	float stages[STAGE_TIMES];
+	stage_times(&t, stages);
+	for (int k = 0; k < STAGE_TIMES; ++k)
 		smooth(&session->stages[k], stages[k]);
 	smooth(&session->step, t.step);
 	session->last = t.step;

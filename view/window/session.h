@@ -3,11 +3,11 @@
 #ifndef SESSION_H
 #define SESSION_H
 #include "scene/player.h"
+#include "scene/stage_times.h"
 #include "view/window/live_tuning.h"
 #include "view/window/view_options.h"
 
 #define MAX_PARAMETERS 32
-#define STAGES         6
 
 typedef struct // parameter of a scene
 {
@@ -38,13 +38,11 @@ typedef struct
 	bool hashed;        // true if hash belongs to the current state
 	uint64_t hash;      // hash of the world
 	scree_counters counters;
-	float deepest;        // m: the deepest overlap since the world was created
-	float last;           // ms: duration of the last step
-	float step;           // ms: duration of a step, smoothed
-	float stages[STAGES]; // ms: durations of the stages, smoothed
+	float deepest;             // m: the deepest overlap since the world was created
+	float last;                // ms: duration of the last step
+	float step;                // ms: duration of a step, smoothed
+	float stages[STAGE_TIMES]; // ms: durations of the stages, smoothed
 } Session;
-
-extern const char* const session_stages[STAGES];
 
 // On failure all functions except session_close write a sentence (SENTENCE of shader.h), return false and change
 // nothing else.

@@ -3,15 +3,19 @@
 #include "view/window/look.h"
 #include "view/window/parts.h"
 #include "view/window/sizes.h"
+#include <algorithm>
+#include <cstring>
 #include <imgui.h>
 
 #define LIMIT (1000.0f / 60.0f) // ms per frame at 60 frames per second
 
 static void draw_bar(const char* name, float value, float whole)
 {
-	char text[32];
+	char text[32], label[32];
 	snprintf(text, sizeof text, "%.3f ms", static_cast<double>(value));
-	ImGui::Text("%s", name);
+	snprintf(label, sizeof label, "%s", name);
+	std::replace(label, label + strlen(label), '_', ' ');
+	ImGui::Text("%s", label);
 	ImGui::SameLine(sized(112.0f));
 	ImVec2 at = ImGui::GetCursorScreenPos();
 	float room = ImGui::GetContentRegionAvail().x, high = ImGui::GetTextLineHeight();
@@ -113,8 +117,8 @@ void part_times(const Viewer* v)
 {
 	const Session* session = &v->session;
 	draw_graph(v);
-	for (int k = 0; k < STAGES; ++k)
-		draw_bar(session_stages[k], session->stages[k], session->step);
+	for (int k = 0; k < STAGE_TIMES; ++k)
+		draw_bar(stage_names[k], session->stages[k], session->step);
 	const scree_counters* c = &session->counters;
 	ImGui::Text("%d bodies, %d moving", c->bodies, c->dynamic_bodies);
 	ImGui::Text("%d contacts, %d touching, %d new", c->contacts, c->touching, c->new_contacts);

@@ -3,7 +3,7 @@
 
 const NUMBERS = [ // in the order of page_numbers
 	'step', 'bodies', 'contacts', 'touching', 'colors', 'ms', 'dt', 'penetration',
-	'transform', 'broadPhase', 'narrowPhase', 'color', 'solve', 'finalize', 'taken', 'frozenBodies', 'memory',
+	'solve', 'taken', 'frozenBodies', 'memory',
 ];
 
 export class Core {

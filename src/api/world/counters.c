@@ -49,14 +49,13 @@ scree_status scree_world_get_timings_sized(scree_world* world, scree_timings* ti
 	scree_timings now = {0};
 	const double* times = world->pipeline.stage_times;
 	if (world->def.timings)
-		now = (scree_timings){.step = (float)world->pipeline.milliseconds,
-		                      .transform = (float)times[STAGE_transform],
-		                      .broad_phase = (float)times[STAGE_broad_phase],
-		                      .narrow_phase = (float)times[STAGE_narrow_phase],
-		                      .color = (float)times[STAGE_color],
-		                      .solve = (float)times[STAGE_solve],
-		                      .finalize = (float)times[STAGE_finalize],
-		                      .queries = (float)world->pipeline.query_milliseconds};
+	{
+		now.step = (float)world->pipeline.milliseconds;
+		now.queries = (float)world->pipeline.query_milliseconds;
+#define X(name) now.name = (float)times[STAGE_##name];
+#include "stages/stages.def"
+#undef X
+	}
 	write_result(timings, size, &now, sizeof now);
 	return SCREE_OK;
 }
