@@ -368,6 +368,7 @@ static void target_functions(void** state)
 static void setting_functions(void** state)
 {
 	(void)state;
+	scree_body_def def;
 	float x, y;
 	uint32_t locks;
 	uint64_t user;
@@ -412,6 +413,7 @@ static void setting_functions(void** state)
 	STALE(scree_body_get_locks, (world, stale, &locks), "body (index 4");
 	STALE(scree_body_get_damping, (world, stale, &x, &y), "body (index 4");
 	STALE(scree_body_get_gravity_scale, (world, stale, &x), "body (index 4");
+	STALE(scree_body_get_def, (world, stale, &def), "body (index 4");
 	STALE(scree_body_get_mass, (world, stale, &mass), "body (index 4");
 	STALE(scree_body_get_user, (world, stale, &user), "body (index 4");
 	INVALID(scree_body_get_type, (world, body, NULL), "type is null");
@@ -419,6 +421,7 @@ static void setting_functions(void** state)
 	INVALID(scree_body_get_damping, (world, body, NULL, &y), "linear is null");
 	INVALID(scree_body_get_damping, (world, body, &x, NULL), "angular is null");
 	INVALID(scree_body_get_gravity_scale, (world, body, NULL), "scale is null");
+	INVALID(scree_body_get_def, (world, body, NULL), "def is null");
 	INVALID(scree_body_get_mass, (world, body, NULL), "mass is null");
 	INVALID(scree_body_get_user, (NULL, body, &user), "world is null");
 	INVALID(scree_body_set_user, (NULL, body, 1), "world is null");

@@ -35,6 +35,47 @@ static void states_of_all(void** state)
 	scree_world_destroy(world);
 }
 
+// A body that is created from the definition of another one in another world moves with the same bits.
+static void definition_of_a_body(void** state)
+{
+	(void)state;
+	scree_world* world = open_world(-10.0f);
+	scree_world* other = open_world(-10.0f);
+	scree_body_def made = scree_body_def_default(), read = scree_body_def_default();
+	made.pose = (scree_pose){{1.0f, 2.0f}, scree_rot_make(0.3f)};
+	made.velocity = (scree_velocity){{3.0f, -4.0f}, 0.5f};
+	made.gravity_scale = -0.5f;
+	made.linear_damping = 0.25f;
+	made.angular_damping = 2.0f;
+	made.locks = SCREE_LOCK_X;
+	made.user = 7;
+	scree_body body, copy;
+	OK(scree_body_create(world, &made, &body));
+	run_steps(world, 5);
+	OK(scree_body_get_def(world, body, &read));
+	scree_pose pose = pose_of(world, body);
+	assert_memory_equal(&read.pose, &pose, sizeof pose);
+	assert_int_equal(read.type, SCREE_BODY_DYNAMIC);
+	assert_true(read.velocity.linear.x == 0.0f); // locked
+	assert_true(read.gravity_scale == -0.5f && read.linear_damping == 0.25f && read.angular_damping == 2.0f);
+	assert_true(read.locks == SCREE_LOCK_X && read.user == 7 && !read.disabled);
+	assert_true(scree_attribute_is_null(read.attribute));
+
+	OK(scree_body_create(other, &read, &copy));
+	run_steps(world, 5);
+	run_steps(other, 5);
+	scree_pose expected = pose_of(world, body), moved = pose_of(other, copy);
+	assert_memory_equal(&expected, &moved, sizeof moved);
+
+	OK(scree_body_set_enabled(world, body, false));
+	OK(scree_body_get_def(world, body, &read));
+	assert_true(read.disabled);
+	assert_true(read.velocity.linear.y == velocity_of(world, body).linear.y);
+	OK(scree_body_destroy(world, body));
+	scree_world_destroy(other);
+	scree_world_destroy(world);
+}
+
 // A box that turns about its center, a quarter of a circle on: its corner, and back.
 static void points_of_a_body(void** state)
 {
@@ -154,9 +195,10 @@ static void contacts_name_bodies(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(states_of_all),        cmocka_unit_test(points_of_a_body),
-	    cmocka_unit_test(tuning_between_steps), cmocka_unit_test(handles_compare),
-	    cmocka_unit_test(contacts_name_bodies), cmocka_unit_test(masses_in_a_batch),
+	    cmocka_unit_test(definition_of_a_body), cmocka_unit_test(states_of_all),
+	    cmocka_unit_test(points_of_a_body),     cmocka_unit_test(tuning_between_steps),
+	    cmocka_unit_test(handles_compare),      cmocka_unit_test(contacts_name_bodies),
+	    cmocka_unit_test(masses_in_a_batch),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -50,17 +50,6 @@ static bool read_part(const scree_world* world, scree_collidable collidable, Eng
 	return true;
 }
 
-static bool read_def(scree_world* world, scree_body body, scree_body_def* def)
-{
-	*def = scree_body_def_default();
-	return report_status(scree_body_get_type(world, body, &def->type)) &&
-	       report_status(scree_body_get_pose(world, body, &def->pose)) &&
-	       report_status(scree_body_get_velocity(world, body, &def->velocity)) &&
-	       report_status(scree_body_get_damping(world, body, &def->linear_damping, &def->angular_damping)) &&
-	       report_status(scree_body_get_gravity_scale(world, body, &def->gravity_scale)) &&
-	       report_status(scree_body_get_locks(world, body, &def->locks));
-}
-
 static bool read_parts(scree_world* world, scree_body handle, EngineBody* body)
 {
 	scree_collidable* collidables = malloc(((size_t)body->count + 1) * sizeof *collidables);
@@ -78,7 +67,7 @@ static bool read_parts(scree_world* world, scree_body handle, EngineBody* body)
 bool read_body(scree_world* world, scree_body handle, EngineBody* body)
 {
 	*body = (EngineBody){.index = (int)handle.index};
-	return read_def(world, handle, &body->def) &&
+	return report_status(scree_body_get_def(world, handle, &body->def)) &&
 	       report_status(scree_body_get_collidables(world, handle, NULL, 0, &body->count)) &&
 	       read_parts(world, handle, body);
 }

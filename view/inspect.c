@@ -137,22 +137,14 @@ static scree_status read_contacts(Inspected* i, const Scene* scene, scree_world*
 
 static scree_status read_body(Inspected* i, const Scene* scene, scree_world* world)
 {
-	i->enabled = scree_body_is_enabled(world, i->body);
-	scree_status status = scree_body_get_type(world, i->body, &i->type);
-	if (status == SCREE_OK)
-		status = scree_body_get_pose(world, i->body, &i->pose);
-	if (status == SCREE_OK)
-		status = scree_body_get_velocity(world, i->body, &i->velocity);
+	scree_status status = scree_body_get_def(world, i->body, &i->def);
+	i->pose = i->def.pose;
 	if (status == SCREE_OK)
 		status = scree_body_get_mass(world, i->body, &i->mass);
 	if (status == SCREE_OK)
 		status = read_contacts(i, scene, world);
 	if (status == SCREE_OK)
 		status = scree_body_get_joints(world, i->body, NULL, 0, &i->joints);
-	if (status == SCREE_OK)
-		status = scree_body_get_damping(world, i->body, &i->linear_damping, &i->angular_damping);
-	if (status == SCREE_OK)
-		status = scree_body_get_gravity_scale(world, i->body, &i->gravity_scale);
 	if (status == SCREE_OK)
 		status = scree_body_get_collidables(world, i->body, NULL, 0, &i->shapes);
 	return status;

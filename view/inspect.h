@@ -12,14 +12,11 @@ typedef struct
 	char name[64];               // name in the scene
 	bool gone;                   // true if it was destroyed; the numbers are the last ones
 
-	scree_body_type type; // valid if there is a body, as are the members below, up to shapes
-	bool enabled;
-	scree_velocity velocity;
+	scree_body_def def; // valid if there is a body, as are the members below, up to shapes
 	scree_mass mass;
 	int contacts; // number of contacts of the body
 	float force;  // N: sum of the normal forces of its contacts, but of at most CONTACTS of them
 	int joints;   // number of joints of the body
-	float linear_damping, angular_damping, gravity_scale;
 	int shapes;             // number of collidables of the body
 	scree_pose pose;        // pose of the body, or of the collidable
 	uint32_t sees, reports; // bits of the sensor, of the reports

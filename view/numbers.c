@@ -19,12 +19,22 @@ static void add(Numbers* numbers, const char* format, ...)
 	va_end(values);
 }
 
+// Adds a value of body_values.def, with spaces in its name instead of underscores.
+static void add_value(Numbers* numbers, const char* name, float value)
+{
+	char label[NUMBER_TEXT];
+	snprintf(label, sizeof label, "%s", name);
+	for (char* c = label; *c; ++c)
+		*c = *c == '_' ? ' ' : *c;
+	add(numbers, "%.40s %.3g", label, (double)value);
+}
+
 static void add_motion(const Inspected* i, Numbers* numbers)
 {
-	double x = i->velocity.linear.x, y = i->velocity.linear.y, w = i->velocity.angular;
+	double x = i->def.velocity.linear.x, y = i->def.velocity.linear.y, w = i->def.velocity.angular;
 	add(numbers, "speed %.3f m/s (%.3f, %.3f)", hypot(x, y), x, y);
-	add(numbers, "spin %.3f rad/s", (double)i->velocity.angular);
-	if (i->type == SCREE_BODY_DYNAMIC)
+	add(numbers, "spin %.3f rad/s", (double)i->def.velocity.angular);
+	if (i->def.type == SCREE_BODY_DYNAMIC)
 	{
 		add(numbers, "mass %.4g kg, inertia %.4g kg m\u00b2", (double)i->mass.mass, (double)i->mass.inertia);
 		add(numbers, "kinetic energy %.4g J",
@@ -33,15 +43,16 @@ static void add_motion(const Inspected* i, Numbers* numbers)
 	add(numbers, "contact force %.4g N", (double)i->force);
 	if (i->joints > 0)
 		add(numbers, "%d joint%s", i->joints, i->joints == 1 ? "" : "s");
-	if (i->linear_damping != 0.0f || i->angular_damping != 0.0f || i->gravity_scale != 1.0f)
-		add(numbers, "damping %.3g, %.3g; gravity %.3g times", (double)i->linear_damping, (double)i->angular_damping,
-		    (double)i->gravity_scale);
+#define X(name, least, most, value) \
+	if (i->def.name != (value))     \
+		add_value(numbers, #name, i->def.name);
+#include "src/pools/body_values.def"
 }
 
 static void add_body(const Inspected* i, Numbers* numbers)
 {
 	static const char* const types[] = {"static", "kinematic", "dynamic"};
-	add(numbers, "%s%s, %d contact%s", types[i->type], i->enabled ? "" : ", disabled", i->contacts,
+	add(numbers, "%s%s, %d contact%s", types[i->def.type], i->def.disabled ? ", disabled" : "", i->contacts,
 	    i->contacts == 1 ? "" : "s");
 	add(numbers, "body %u generation %u, %d shape%s", i->body.index, i->body.generation, i->shapes,
 	    i->shapes == 1 ? "" : "s");
@@ -74,20 +85,20 @@ static void add_surface(const Inspected* i, Numbers* numbers)
 void numbers_write_short(const Inspected* i, Numbers* numbers)
 {
 	static const char* const types[] = {"static", "kinematic", "dynamic"};
-	double x = (double)i->velocity.linear.x, y = (double)i->velocity.linear.y;
+	double x = (double)i->def.velocity.linear.x, y = (double)i->def.velocity.linear.y;
 	numbers->count = 0;
 	add(numbers, "%s", i->name);
 	if (scree_body_is_null(i->body))
 		add(numbers, "%s", i->sees ? "sensor" : "without a body");
-	else if (i->type == SCREE_BODY_DYNAMIC)
-		add(numbers, "%s, %.4g kg, %d contact%s", types[i->type], (double)i->mass.mass, i->contacts,
+	else if (i->def.type == SCREE_BODY_DYNAMIC)
+		add(numbers, "%s, %.4g kg, %d contact%s", types[i->def.type], (double)i->mass.mass, i->contacts,
 		    i->contacts == 1 ? "" : "s");
 	else
-		add(numbers, "%s, %d contact%s", types[i->type], i->contacts, i->contacts == 1 ? "" : "s");
+		add(numbers, "%s, %d contact%s", types[i->def.type], i->contacts, i->contacts == 1 ? "" : "s");
 	if (i->sees)
 		add(numbers, "sensor, %d inside", i->visits);
 	add(numbers, "at %.3f, %.3f m", (double)i->pose.position.x, (double)i->pose.position.y);
-	if (i->type != SCREE_BODY_STATIC)
+	if (i->def.type != SCREE_BODY_STATIC)
 		add(numbers, "%.3f m/s", hypot(x, y));
 	if (i->force > 0.0f)
 		add(numbers, "contact force %.4g N", (double)i->force);

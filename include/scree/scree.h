@@ -738,6 +738,11 @@ SCREE_API scree_status scree_body_get_local_point(scree_world* world, scree_body
 SCREE_API scree_status scree_body_get_point_velocity(scree_world* world, scree_body body, scree_vec point,
                                                      scree_vec* velocity);
 
+// Returns a definition of the body as it is now: its type, pose, velocity, values, locks and user data, and whether it is
+// disabled. A body that is created from it has no collidable: attribute is null, and filter, reports and sensor have their
+// defaults. A mass of scree_body_set_mass and the target of a kinematic body are not part of it.
+static inline scree_status scree_body_get_def(scree_world* world, scree_body body, scree_body_def* def);
+
 // Settings of one body, with the units and ranges of scree_body_def. Changes are uploaded with the next batch.
 
 // Changes the type. The contacts of the body end and begin again, its target is dropped, and a static body stops.
@@ -1941,6 +1946,12 @@ static inline scree_status scree_attribute_get_def(const scree_world* world, scr
                                                    scree_attribute_def* def)
 {
 	return scree_attribute_get_def_sized(world, attribute, def, sizeof *def);
+}
+
+SCREE_API scree_status scree_body_get_def_sized(scree_world* world, scree_body body, scree_body_def* def, size_t size);
+static inline scree_status scree_body_get_def(scree_world* world, scree_body body, scree_body_def* def)
+{
+	return scree_body_get_def_sized(world, body, def, sizeof *def);
 }
 
 SCREE_API void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, size_t size);

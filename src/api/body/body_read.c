@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// body_read.c -- reads poses and velocities of bodies, and of their points, from the device.
+// body_read.c -- reads poses, velocities and definitions of bodies, and velocities of their points, from the device.
+#include "world/definition.h"
 #include "world/failure.h"
 #include "world/memory.h"
 #include "world/objects/handles.h"
@@ -125,6 +126,25 @@ scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_
 	const char* function = "scree_body_get_velocity";
 	TRY(check_read(world, function, &body, "velocity", velocity, 1));
 	return get_velocities(world, function, "body", &body, velocity, 1, true);
+}
+
+scree_status scree_body_get_def_sized(scree_world* world, scree_body body, scree_body_def* def, size_t size)
+{
+	const char* function = "scree_body_get_def";
+	scree_body_def now = scree_body_def_default();
+	TRY(check_read(world, function, &body, "def", def, 1));
+	TRY(get_poses(world, function, "body", &body, &now.pose, 1, true));
+	TRY(get_velocities(world, function, "body", &body, &now.velocity, 1, true));
+	const HostBody* host = world->host_bodies + body.index;
+	now.size = (uint32_t)size;
+	now.type = host->type;
+#define X(name, least, most, value) now.name = host->values.name;
+#include "pools/body_values.def"
+	now.locks = host->locks;
+	now.user = host->user;
+	now.disabled = host->disabled;
+	write_result(def, size, &now, sizeof now);
+	return SCREE_OK;
 }
 
 scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scree_body_state* states, int capacity,
