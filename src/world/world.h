@@ -12,14 +12,14 @@
 typedef struct // host data of a body
 {
 	scree_body_type type;
-	uint32_t locks;
+#define KEPT(type, name) type name;
+#include "pools/body_values.def"
 	BodyValues values;
 	scree_mass mass;
 	scree_mass own_mass; // mass set by the user, which a dynamic body has until its collidables change; mass 0 for none
 	int first_collidable, last_collidable; // -1 for none
 	int collidables;                       // number of collidables
-	uint64_t user;
-	int first_joint; // 1 + end (joint_ends.h) of its first joint, 0 for none
+	int first_joint;                       // 1 + end (joint_ends.h) of its first joint, 0 for none
 	float arm; // m: to the farthest anchor since the mass was set; if the user set it, to the farthest solid point too
 	int first_exclusion, exclusions; // 1 + end (exclusions.h) of its first exclusion, 0 for none; number of exclusions
 	int fields;                      // number of fields on it
@@ -28,7 +28,6 @@ typedef struct // host data of a body
 	scree_pose stands, from;         // kinematic body: current pose; pose before it moved to its last target
 	int64_t went;                    // Pipeline.steps when it reached that target from rest, else -1
 	bool still;                      // true: it has no velocity
-	bool disabled;                   // true: not simulated; its collidables are KIND_DEAD on the device
 	PendingEdits waiting;
 	bool marked; // within one call: true if the batch already contained it
 } HostBody;

@@ -84,8 +84,8 @@ static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def,
 	world->disabled_bodies += def->disabled;
 	HostBody* host = world->host_bodies + index;
 	*host = (HostBody){.type = def->type,
-	                   .locks = def->locks,
 #define X(name, least, most, value) .values.name = def->name,
+#define KEPT(type, name)            .name = def->name,
 #include "pools/body_values.def"
 	                   .first_collidable = -1,
 	                   .stands = def->pose,
@@ -93,8 +93,6 @@ static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def,
 	                            def->velocity.angular == 0.0f,
 	                   .went = -1,
 	                   .last_collidable = -1,
-	                   .user = def->user,
-	                   .disabled = def->disabled,
 	                   .waiting = host->waiting};
 	if (def->type == SCREE_BODY_KINEMATIC)
 		kinematic_put(world, index);

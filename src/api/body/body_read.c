@@ -139,10 +139,8 @@ scree_status scree_body_get_def_sized(scree_world* world, scree_body body, scree
 	now.size = (uint32_t)size;
 	now.type = host->type;
 #define X(name, least, most, value) now.name = host->values.name;
+#define KEPT(type, name)            now.name = host->name;
 #include "pools/body_values.def"
-	now.locks = host->locks;
-	now.user = host->user;
-	now.disabled = host->disabled;
 	write_result(def, size, &now, sizeof now);
 	return SCREE_OK;
 }
