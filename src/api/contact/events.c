@@ -51,6 +51,16 @@ static scree_hit hit_at(const scree_world* world, const ContactReport* row)
 	return hit;
 }
 
+static char* contacts_at(const scree_world* world, const ContactReport* rows, int count, char* to, size_t size)
+{
+	for (int k = 0; k < count; ++k, to += size)
+	{
+		scree_contact row = began_at(world, rows + k);
+		write_result(to, size, &row, sizeof row);
+	}
+	return to;
+}
+
 static char* visits_at(const scree_world* world, const Visit* visits, int count, char* to, size_t size)
 {
 	for (int k = 0; k < count; ++k, to += size)
@@ -61,11 +71,8 @@ static char* visits_at(const scree_world* world, const Visit* visits, int count,
 	return to;
 }
 
-scree_status scree_world_get_events_sized(scree_world* world, scree_events* events)
+static scree_status check_sizes(const char* function, const scree_events* events)
 {
-	const char* function = "scree_world_get_events";
-	TRY(world_check(world, function));
-	TRY(check_pointer(function, "events", events));
 	uint32_t least = offsetof(scree_events, hit_count) + sizeof events->hit_count;
 	if (events->size < least || events->size > MOST_SIZE || events->contact_size > MOST_SIZE ||
 	    events->hit_size > MOST_SIZE ||
@@ -73,74 +80,76 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 		return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "events", ALONE}, ".size",
 		              "is %u, and those of contacts and hits %u and %u: they were not set by %s", events->size,
 		              events->contact_size, events->hit_size, function);
+	return SCREE_OK;
+}
+
+// Writes the rows of all lists to a buffer, and their addresses to the result, whose counts and sizes are set.
+static void write_rows(const scree_world* world, const JointEvent* joints, char* to, scree_events* result)
+{
+	const Reports* r = &world->reports;
+	const Sensors* sensors = &world->sensors;
+	result->touches_began = (const scree_contact*)to;
+	to = contacts_at(world, r->began, result->touches_began_count, to, result->contact_size);
+	result->touches_ended = (const scree_contact*)to;
+	for (int k = 0; k < result->touches_ended_count; ++k, to += result->contact_size)
+	{
+		scree_contact row = ended_at(world, r->ended[k]);
+		write_result(to, result->contact_size, &row, sizeof row);
+	}
+	result->hits = (const scree_hit*)to;
+	for (int k = 0; k < result->hit_count; ++k, to += result->hit_size)
+	{
+		scree_hit row = hit_at(world, r->hits + k);
+		write_result(to, result->hit_size, &row, sizeof row);
+	}
+	bool visits = result->visit_size > 0;
+	result->visits_began = (const scree_visit*)to;
+	to = visits_at(world, sensors->began, visits ? sensors->began_count : 0, to, result->visit_size);
+	result->visits_ended = (const scree_visit*)to;
+	to = visits_at(world, sensors->ended, visits ? sensors->ended_count : 0, to, result->visit_size);
+	result->joints = (const scree_joint_event*)to;
+	for (int k = 0; k < result->joint_count; ++k, to += result->joint_size)
+	{
+		scree_joint_event row = joint_event_result(world, joints + k);
+		write_result(to, result->joint_size, &row, sizeof row);
+	}
+	result->approvals = (const scree_contact*)to;
+	contacts_at(world, r->asked, result->approval_count, to, result->contact_size);
+}
+
+scree_status scree_world_get_events_sized(scree_world* world, scree_events* events)
+{
+	const char* function = "scree_world_get_events";
+	TRY(world_check(world, function));
+	TRY(check_pointer(function, "events", events));
+	TRY(check_sizes(function, events));
 	TRY(reports_fetch(world));
 	Reports* r = &world->reports;
-	const int* counts = r->counts;
-	size_t contact = events->contact_size, hit = events->hit_size;
-	size_t contacts = (size_t)(counts[EVENT_TOUCH_BEGAN] + counts[EVENT_TOUCH_ENDED]) * contact;
-	size_t bytes = contacts + (size_t)counts[EVENT_HIT] * hit;
-	const Sensors* sensors = &world->sensors;
-	size_t visit = events->size >= LEAST_WITH_VISITS ? events->visit_size : 0;
-	bytes += visit * (size_t)(sensors->began_count + sensors->ended_count);
-	size_t joint = visit > 0 ? events->joint_size : 0;
-	JointEvent* joint_rows = NULL;
-	int joints = 0;
-	if (joint > 0)
-		TRY(joint_events_find(world, function, &joint_rows, &joints));
-	bytes += joint * (size_t)joints;
-	int asked = events->size >= LEAST_WITH_APPROVALS ? counts[EVENT_APPROVALS] : 0;
-	bytes += (size_t)asked * contact;
-	if (bytes > INT32_MAX)
-		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: %zu bytes of events are too many", function, bytes);
-	TRY(GROW(function, r->rows, r->rows_capacity, (int)bytes));
-
+	bool visits = events->size >= LEAST_WITH_VISITS, approvals = events->size >= LEAST_WITH_APPROVALS;
 	scree_events result = {.size = events->size,
 	                       .contact_size = events->contact_size,
 	                       .hit_size = events->hit_size,
-	                       .touches_began_count = counts[EVENT_TOUCH_BEGAN],
-	                       .touches_ended_count = counts[EVENT_TOUCH_ENDED],
-	                       .hit_count = counts[EVENT_HIT],
-	                       .visit_size = (uint32_t)visit,
-	                       .visits_began_count = sensors->began_count,
-	                       .visits_ended_count = sensors->ended_count,
-	                       .joint_size = (uint32_t)joint,
-	                       .joint_count = joints,
-	                       .approval_count = asked};
-	char* to = r->rows;
-	result.touches_began = (const scree_contact*)to;
-	for (int k = 0; k < counts[EVENT_TOUCH_BEGAN]; ++k, to += contact)
-	{
-		scree_contact row = began_at(world, r->began + k);
-		write_result(to, contact, &row, sizeof row);
-	}
-	result.touches_ended = (const scree_contact*)to;
-	for (int k = 0; k < counts[EVENT_TOUCH_ENDED]; ++k, to += contact)
-	{
-		scree_contact row = ended_at(world, r->ended[k]);
-		write_result(to, contact, &row, sizeof row);
-	}
-	result.hits = (const scree_hit*)to;
-	for (int k = 0; k < counts[EVENT_HIT]; ++k, to += hit)
-	{
-		scree_hit row = hit_at(world, r->hits + k);
-		write_result(to, hit, &row, sizeof row);
-	}
-	result.visits_began = (const scree_visit*)to;
-	to = visits_at(world, sensors->began, visit > 0 ? sensors->began_count : 0, to, visit);
-	result.visits_ended = (const scree_visit*)to;
-	to = visits_at(world, sensors->ended, visit > 0 ? sensors->ended_count : 0, to, visit);
-	result.joints = (const scree_joint_event*)to;
-	for (int k = 0; k < joints; ++k, to += joint)
-	{
-		scree_joint_event row = joint_event_result(world, joint_rows + k);
-		write_result(to, joint, &row, sizeof row);
-	}
-	result.approvals = (const scree_contact*)to;
-	for (int k = 0; k < asked; ++k, to += contact)
-	{
-		scree_contact row = began_at(world, r->asked + k);
-		write_result(to, contact, &row, sizeof row);
-	}
+	                       .touches_began_count = r->counts[EVENT_TOUCH_BEGAN],
+	                       .touches_ended_count = r->counts[EVENT_TOUCH_ENDED],
+	                       .hit_count = r->counts[EVENT_HIT],
+	                       .visit_size = visits ? events->visit_size : 0,
+	                       .visits_began_count = world->sensors.began_count,
+	                       .visits_ended_count = world->sensors.ended_count,
+	                       .joint_size = visits && events->visit_size > 0 ? events->joint_size : 0,
+	                       .approval_count = approvals ? r->counts[EVENT_APPROVALS] : 0};
+	JointEvent* joints = NULL;
+	if (result.joint_size > 0)
+		TRY(joint_events_find(world, function, &joints, &result.joint_count));
+
+	size_t contacts =
+	    (size_t)result.touches_began_count + (size_t)result.touches_ended_count + (size_t)result.approval_count;
+	size_t bytes = contacts * result.contact_size + (size_t)result.hit_count * result.hit_size +
+	               (size_t)(result.visits_began_count + result.visits_ended_count) * result.visit_size +
+	               (size_t)result.joint_count * result.joint_size;
+	if (bytes > INT32_MAX)
+		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: %zu bytes of events are too many", function, bytes);
+	TRY(GROW(function, r->rows, r->rows_capacity, (int)bytes));
+	write_rows(world, joints, r->rows, &result);
 	write_result(events, result.size, &result, sizeof result);
 	return SCREE_OK;
 }
