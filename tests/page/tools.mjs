@@ -247,7 +247,7 @@ async function checkCompare(browser, expected, check) {
 	const hash = expected.get('billiards');
 	check((await paste(`${hash}\n`))[0] === 'good', 'the hash of the command line is called equal');
 	check((await paste('0123456789abcdef'))[0] === 'bad', 'another hash is called different');
-	check((await paste('seven'))[1].startsWith('This is no hash'), 'what is no hash is told');
+	check((await paste('seven'))[1].startsWith('This is not a hash'), 'what is no hash is told');
 	check(commandLine(scene, [['rack', '30'], ['speed', '40']], 7) === 'build/scree hash billiards --set rack=30 --steps 7', 'only other values are set');
 	check(verdict('', hash, 1)[1] === '', 'an empty field has no verdict');
 	await browser.run(`await scree.host.ask({ type: 'press', x: 5, y: 5, tool: 'blast' }); await scree.host.ask({ type: 'lift', x: 5, y: 5 }); await scree.host.ask({ type: 'steps', count: 1 })`);
