@@ -56,7 +56,7 @@ void panel_close()
 	ImGui::DestroyContext();
 }
 
-static bool buttons[BUTTONS]; // state of the buttons after the events that were taken from the queue
+static bool buttons[BUTTONS]; // state of the mouse buttons according to the events taken from the queue so far
 
 // Sets the mouse position of ImGui. The backend would read the current position, but events may be queued: a click
 // belongs to the position of the cursor at the time of the click.

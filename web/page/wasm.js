@@ -8,7 +8,7 @@ const VECTOR = [
 
 export const FORMS = ['threads', 'simd', 'scalar'];
 
-// Returns the fastest form that this page can run. apart: the engine is in a worker, which may block until threads end.
+// Returns the fastest form that this page can run. apart: the engine is in a worker, which may wait for threads.
 export function bestForm(apart) {
 	if (!WebAssembly.validate(new Uint8Array(VECTOR))) return 'scalar';
 	return apart && globalThis.crossOriginIsolated && bestThreads() > 1 ? 'threads' : 'simd';
