@@ -10,11 +10,11 @@ const FLAGS = [
 	'--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync', '--hide-scrollbars',
 	'--mute-audio', '--disable-dev-shm-usage', '--force-color-profile=srgb',
 ];
-const PATIENCE = 60000; // ms that the page may take for what is awaited
+const PATIENCE = 60000; // ms: maximum time until the page reaches an expected state
 
 export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
-// Starts a program and waits for a line that contains its port.
+// Starts a program and reads its output until a line contains its port. Returns the process and the port.
 function start(command, words, pattern) {
 	const child = spawn(command, words, { stdio: ['ignore', 'pipe', 'pipe'] });
 	return new Promise((resolve, reject) => {
@@ -34,13 +34,14 @@ function start(command, words, pattern) {
 export const startServer = (script, folder, plain) =>
 	start(process.execPath, [script, folder, '0', ...(plain ? ['plain'] : [])], /http:\/\/127\.0\.0\.1:(\d+)\//);
 
-// Ends a program that was started so.
+// Ends a program of start().
 export function stop(child) {
 	child.removeAllListeners('exit');
 	child.kill();
 }
 
-// chromedriver takes a free port of IPv6 and then the same of IPv4, which may be taken.
+// Starts chromedriver. It chooses a free port of IPv6 and then uses the same port of IPv4, which may be in use; then the
+// start is repeated.
 async function startDriver(trials = 5) {
 	try {
 		return await start('chromedriver', ['--port=0'], /successfully on port (\d+)/);
@@ -51,7 +52,7 @@ async function startDriver(trials = 5) {
 }
 
 export class Browser {
-	// size: width, height in px; touch, dark, density: of the screen
+	// width, height: px of the window; touch, dark, density: properties of the screen; flags: options of Chromium
 	static async open({ width = 1280, height = 800, touch = false, dark = false, density = 1, flags = [] } = {}) {
 		const browser = new Browser();
 		browser.folder = mkdtempSync(join(tmpdir(), 'scree-page-'));
@@ -91,7 +92,7 @@ export class Browser {
 			return value;
 		});
 	}
-	// Waits until an expression in the page is true.
+	// Returns as soon as an expression in the page is true.
 	async until(expression, what = expression) {
 		const end = Date.now() + PATIENCE;
 		while (Date.now() < end) {
@@ -100,7 +101,8 @@ export class Browser {
 		}
 		throw new Error(`waited too long for: ${what}`);
 	}
-	// The mouse or one finger: phase is 'down', 'move' or 'up'; of the mouse also 'hover', with no button down.
+	// Sends an event of the mouse or of one finger. phase: 'down', 'move' or 'up'; for the mouse also 'hover', a move with
+	// no button down.
 	point(pointer, phase, x, y) {
 		if (pointer === 'touch') return this.fingers(phase, [{ x, y }]);
 		const type = { down: 'mousePressed', move: 'mouseMoved', hover: 'mouseMoved', up: 'mouseReleased' }[phase];

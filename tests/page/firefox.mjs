@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// firefox.mjs -- firefox.mjs SCREE PAGE [PICTURE]: the hashes of all scenes by the page in Firefox; exit status 1 where one differs.
+// firefox.mjs -- firefox.mjs SCREE PAGE [PICTURE]: tests the hashes of all scenes in Firefox; exit status 1 if one differs.
 //
-// By hand: make test does not run it. With a display it also draws, and writes a picture of the page; without one Firefox has no WebGL.
-// Firefox is driven by Marionette, its own protocol: messages are JSON with their length before them.
+// It is run by hand; make test does not run it. With a display the page also draws, and PICTURE receives a screenshot; without a
+// display Firefox has no WebGL. The protocol is Marionette, Firefox's own: messages are JSON, each preceded by its length.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { connect, createServer } from 'node:net';
@@ -54,7 +54,7 @@ class Firefox {
 			if (colon < 0 || this.bytes.length < end) return;
 			const message = JSON.parse(this.bytes.subarray(colon + 1, end));
 			this.bytes = this.bytes.subarray(end);
-			if (!Array.isArray(message)) continue; // a greeting
+			if (!Array.isArray(message)) continue; // the greeting of Firefox
 			const [, number, error, value] = message;
 			const { resolve, reject } = this.waiting.get(number) ?? {};
 			if (error) reject?.(new Error(`${error.error}: ${error.message}`));
@@ -104,7 +104,7 @@ try {
 		if (!good) console.log(`FAILED: ${sentence}`);
 	});
 	await firefox.run(`await scree.load({ name: 'ragdolls' }); await scree.host.ask({ type: 'steps', count: 120 })`);
-	await sleep(500); // until it is drawn
+	await sleep(500); // time to draw a frame
 	const { value } = await firefox.call('WebDriver:TakeScreenshot', { full: false });
 	if (picture) writeFileSync(picture, Buffer.from(value, 'base64'));
 } finally {

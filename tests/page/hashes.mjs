@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// hashes.mjs -- the hash of every scene of the page beside that of the command line, in each form that this browser runs.
+// hashes.mjs -- tests that the hash of every scene in the page equals that of the command line.
 import { execFileSync } from 'node:child_process';
 
 const STEPS = 60;
 
-// The hash of a scene by the command line, with the settings of the page.
+// Returns the hash of a scene by the command line, with the settings of the page.
 function native(scree, { name, parameters }) {
 	const sets = parameters.flatMap(({ name: key, start }) => ['--set', `${key}=${start}`]);
 	const words = ['hash', name, ...sets, '--steps', String(STEPS), '--device', 'cpu', '--threads', '1'];
@@ -15,7 +15,7 @@ export function nativeHashes(scree, scenes) {
 	return new Map(scenes.map((scene) => [scene.name, native(scree, scene)]));
 }
 
-// Loads a scene into the page and takes the steps.
+// Loads a scene into the page and takes STEPS steps. Returns step and hash as text.
 const load = (browser, name) =>
 	browser.run(
 		`const [name, steps] = args;

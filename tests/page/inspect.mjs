@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// inspect.mjs -- information of the page about bodies and colors: numbers under the cursor and of a selected body, follow, legends,
-// theme. Inspection changes no world.
+// inspect.mjs -- tests the information of the page about bodies and colors: numbers of the hovered and of the selected body,
+// following, legends, theme, thumbnails. Inspection must not change the world.
 import { begin, middleOf, overBody, record, step } from './tools.mjs';
 
 const SMALL = [['count', '40']];
@@ -10,7 +10,7 @@ const click = async (browser, { x, y }, pointer = 'mouse') => {
 	await browser.point(pointer, 'up', x, y);
 };
 
-// The world with a cursor over it, a body selected and followed, beside that without.
+// Compares a world with the cursor over it and with a selected and followed body to the same world without these.
 async function checkNumbers(browser, check) {
 	await begin(browser, 'pile', SMALL, 100);
 	const at = await overBody(browser);
@@ -56,7 +56,7 @@ async function checkFollow(browser, check) {
 	await browser.until(`document.querySelector('.note[data-name=follow]')`, 'a sentence that nothing is selected');
 }
 
-// A finger selects a body. When the body is destroyed, the page says so and ends the selection.
+// A finger selects a body. When the body is destroyed, the page shows a message and clears the selection.
 async function checkGone(browser, check) {
 	await begin(browser, 'churn', [['columns', '6'], ['rows', '6'], ['moved', '0'], ['replaced', '0']], 1);
 	await click(browser, await overBody(browser), 'touch');
@@ -85,14 +85,14 @@ async function checkLegends(browser, check) {
 	check((await choose('start')) === 'where bodies began left right', 'the legend of starts');
 	check((await choose('type')) === 'type static kinematic dynamic', 'the legend of types');
 	check(/^highest graph color of the contacts 0( \d+)*( hub)?$/.test(await choose('graph')), `the legend of the graph: ${await choose('graph')}`);
-	// a color of the legend is that of the picture
+	// the picture has the colors of the legend
 	await choose('type');
 	const [bar, common] = await browser.run(`const { pixels } = await scree.host.ask({ type: 'look' }); const seen = new Map();
 		for (let k = 0; k < pixels.length; k += 4) { const c = String(pixels.subarray(k, k + 3)); seen.set(c, (seen.get(c) ?? 0) + 1); }
 		const image = getComputedStyle(document.querySelector('#legends .bar')).backgroundImage;
 		return [image, [...seen].sort((a, b) => b[1] - a[1]).slice(0, 3).map(([c]) => c.split(',').map(Number))]`);
 	const colors = [...bar.matchAll(/rgb\((\d+), (\d+), (\d+)\)/g)].map(([, ...rgb]) => rgb.map(Number));
-	// bodies are shaded a little from one to the next
+	// the shade of a color varies a little from body to body
 	const found = common.filter((seen) => colors.some((color) => color.every((c, k) => Math.abs(c - seen[k]) < 8)));
 	check(found.length === 2, `of ground, walls and bodies two have colors of the legend: ${common.join(' ')} in ${bar}`);
 	await choose('attribute');
@@ -110,7 +110,7 @@ async function checkTheme(browser, check) {
 	await browser.type('l');
 }
 
-// Thumbnails are loaded when they are seen.
+// Thumbnails are loaded when they become visible.
 async function checkThumbnails(browser, address, check) {
 	await browser.go('about:blank');
 	await browser.go(`${address}?form=simd#pile?count=40`);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// main.mjs -- main.mjs SCREE PAGE SCRATCH: the tests of the page in Chromium; exit status 1 where one fails.
+// main.mjs -- main.mjs SCREE PAGE SCRATCH: runs the tests of the page in Chromium; exit status 1 if one fails.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser, startServer, stop } from './browser.mjs';
@@ -21,7 +21,7 @@ function check(good, sentence) {
 	console.log(`FAILED: ${sentence}`);
 }
 
-// Opens the page in a form, and checks that it is the one.
+// Opens the page with a form of WebAssembly, and checks that the page shows the name of this form.
 async function openForm(browser, address, form, words) {
 	await browser.go(`${address}?form=${form}`);
 	await browser.until('document.body.dataset.ready', `the page with ${form}`);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// pictures.mjs -- the picture of the page beside that of the command line's OpenGL renderer: the same shaders on two drivers.
+// pictures.mjs -- compares the picture of the page with that of the command line's OpenGL renderer.
 //
 // Both are drawn from the same bits with the same shaders, but Mesa and ANGLE round the sums of a fragment differently, so that
-// a pixel of an edge may differ by some of its 256 steps. A shape that is a pixel off, or has another color, differs by more
-// than MEAN in sum, or by more than 32 in more than a share of FAR of the pixels.
+// the channels of a pixel at an edge may differ by some of their 256 values. A shape that is a pixel off, or has another color,
+// makes the mean difference larger than MEAN, or the fraction of pixels that differ by more than 32 larger than FAR.
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { readPng } from './png.mjs';
 
-const WIDTH = 400, HEIGHT = 436, CAPTION = 36; // px: so small that the command line draws no legend
+const WIDTH = 400, HEIGHT = 436, CAPTION = 36; // px: below the minimum size for a legend by the command line
 const MEAN = 0.5, FAR = 0.001;
 const CASES = [
 	{ name: 'pile', steps: 90, settings: [['count', '300']], paint: 'attribute', layers: ['joints'] },
@@ -27,7 +27,8 @@ function native(scree, folder, { name, steps, settings, paint, layers }) {
 	return readPng(file);
 }
 
-// Mean difference of a channel, and the share of pixels with one that is off by more than 32; without the caption.
+// Returns the mean difference of the channels, and the fraction of pixels with a channel that differs by more than 32.
+// The caption is excluded.
 function differ(one, other) {
 	let [sum, far] = [0, 0];
 	const count = WIDTH * (HEIGHT - CAPTION);

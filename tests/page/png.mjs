@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// png.mjs -- the pixels of a PNG file of 8 bits a channel, as cairo writes them.
+// png.mjs -- reads the pixels of a PNG file with 8 bits per channel, the format that cairo writes.
 import { readFileSync } from 'node:fs';
 import { inflateSync } from 'node:zlib';
 
-// Filters of rows, by PNG's number of the filter.
+// predictions of a byte by the filters of PNG, in the order of their numbers
 const PREDICTED = [
 	() => 0,
 	(left) => left,
@@ -16,7 +16,7 @@ const PREDICTED = [
 	},
 ];
 
-// {width, height, channels, pixels}
+// Returns {width, height, channels, pixels}.
 export function readPng(path) {
 	const file = readFileSync(path);
 	const parts = [];

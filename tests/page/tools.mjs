@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// tools.mjs -- actions of mouse, fingers and keys in the page: drag, throw, blast, pause, step, restart, replay, compare.
+// tools.mjs -- tests actions of mouse, fingers and keys in the page: drag, throw, blast, pause, step, restart, replay, compare.
 import { commandLine, verdict } from '../../web/page/compare.js';
 import { decodeActions, encodeActions, makeAction } from '../../web/page/record.js';
 import { sleep } from './browser.mjs';
 
 const SMALL = [['count', '40']];
 
-// One scene, paused after some steps, with the picture of this window.
+// Loads a scene, pauses it after some steps, and fits the picture to the window.
 export async function begin(browser, name, settings, steps) {
 	await browser.run(
 		`const [name, settings, steps] = args;
@@ -20,7 +20,8 @@ export async function begin(browser, name, settings, steps) {
 	);
 }
 
-// px of the window over a body: the highest one in the picture, so that nothing lies on it, or the one of a number.
+// Returns a place over a body, px of the window. body: index of its x in the list of places; null: the highest body in the picture,
+// which no other body covers.
 export async function overBody(browser, body = null) {
 	return browser.run(
 		`const places = await scree.host.ask({ type: 'places' });
@@ -39,7 +40,7 @@ export const middleOf = (browser) =>
 	browser.run(`const b = document.getElementById('picture').getBoundingClientRect(); return { x: Math.round(b.left + b.width / 2), y: Math.round(b.top + b.height / 2) }`);
 const places = (browser) => browser.run(`return scree.host.ask({ type: 'places' })`);
 export const record = (browser) => browser.run(`return scree.host.ask({ type: 'record' })`);
-// chromedriver sorts the members of objects
+// text of actions for comparisons, because chromedriver sorts the members of objects
 const plain = (actions) => actions.map(({ step: at, kind, values }) => `${at} ${kind} ${values}`).join('\n');
 export const step = (browser, count) => browser.run(`await scree.host.ask({ type: 'steps', count: args[0] })`, count);
 
@@ -82,7 +83,7 @@ async function checkFingers(browser, check) {
 	check(actions.every(({ kind }) => kind === 'pick' || kind === 'release'), 'two fingers do nothing to bodies');
 }
 
-// Opens a link, and plays it faster than a visitor would see it.
+// Opens a link, and plays it at ten times the speed.
 export async function replay(browser, link) {
 	await browser.go('about:blank');
 	await browser.go(link);
@@ -91,10 +92,11 @@ export async function replay(browser, link) {
 	await browser.until(`scree.state.paused && document.querySelector('.note[data-name=replayed]')`, 'the replay of a link');
 }
 
-// A throw, a blast, pouring and a drag; then the link of it in a fresh page. Returns the link and what was done.
+// Throws, blasts, pours and drags, and then opens the link to these actions in a fresh page. Returns the link and the record of the
+// actions.
 async function checkLink(browser, address, check) {
 	await begin(browser, 'pile', SMALL, 100);
-	await browser.run(`document.getElementById('notes').replaceChildren()`); // they lie over bodies
+	await browser.run(`document.getElementById('notes').replaceChildren()`); // notes cover bodies
 	const at = await overBody(browser);
 	const drag = async (x, y, toX, toY) => {
 		await browser.point('mouse', 'down', x, y);
@@ -142,7 +144,7 @@ async function checkLink(browser, address, check) {
 	check(replayed.step === mine.step && replayed.hash === mine.hash, `the link plays to the same hash at step ${mine.step}: ${replayed.hash}, ${mine.hash}`);
 	check(await browser.run(`return document.querySelector('.note[data-name=replayed]').classList.contains('good')`), 'and the page says so');
 
-	// a link of another version: the hash differs
+	// simulates a link by another version, whose hash differs
 	await replay(browser, address + link.slice(link.indexOf('#')).replace(mine.hash, '0123456789abcdef'));
 	check(await browser.run(`return document.querySelector('.note[data-name=replayed]').classList.contains('bad')`), 'another hash is told');
 
@@ -153,7 +155,7 @@ async function checkLink(browser, address, check) {
 	return { link: link.slice(link.indexOf('#')), ...mine };
 }
 
-// An explosion is as large as the time that its key was down.
+// A blast is larger if its key was down for longer.
 async function checkGrowth(browser, check) {
 	await begin(browser, 'pile', SMALL, 60);
 	const at = await middleOf(browser);
@@ -200,7 +202,7 @@ async function checkTime(browser, check) {
 	check(again.step === 0 && again.hash === start.hash, 'from the start means the same world');
 }
 
-// The list of keys comes from the WebAssembly: its keys press buttons of the page, whose tooltips name them.
+// The list of keys comes from the WebAssembly. Keys press buttons of the page, and the tooltips of the buttons name the keys.
 async function checkList(browser, check) {
 	await browser.run(`document.getElementById('picture').focus()`);
 	const contacts = () => browser.run(`return document.getElementById('layer-contacts').checked`);
@@ -219,7 +221,7 @@ async function checkList(browser, check) {
 	await browser.run(`document.getElementById('keys').close()`);
 }
 
-// The arrow keys play the platformer, and what they did is played again.
+// The arrow keys control the platformer, and a replay repeats their effect.
 async function checkKeys(browser, check) {
 	await begin(browser, 'platformer', [], 0);
 	await browser.run(`document.getElementById('picture').focus()`);
@@ -247,14 +249,14 @@ async function checkCompare(browser, expected, check) {
 	const hash = expected.get('billiards');
 	check((await paste(`${hash}\n`))[0] === 'good', 'the hash of the command line is called equal');
 	check((await paste('0123456789abcdef'))[0] === 'bad', 'another hash is called different');
-	check((await paste('seven'))[1].startsWith('This is no hash'), 'what is no hash is told');
+	check((await paste('seven'))[1].startsWith('This is not a hash'), 'what is no hash is told');
 	check(commandLine(scene, [['rack', '30'], ['speed', '40']], 7) === 'build/scree hash billiards --set rack=30 --steps 7', 'only other values are set');
 	check(verdict('', hash, 1)[1] === '', 'an empty field has no verdict');
 	await browser.run(`await scree.host.ask({ type: 'press', x: 5, y: 5, tool: 'blast' }); await scree.host.ask({ type: 'lift', x: 5, y: 5 }); await scree.host.ask({ type: 'steps', count: 1 })`);
 	await browser.until(`!document.getElementById('command') && /no command line can repeat/.test(document.getElementById('compare').textContent)`, 'a sentence about a touched world');
 }
 
-// A scene that cannot be loaded is reported, and another scene stays in the page.
+// A scene that cannot be loaded is reported, and the page keeps another scene.
 async function checkBad(browser, address, check) {
 	const sentence = () => browser.run(`return document.querySelector('.note[data-name=load]')?.textContent ?? ''`);
 	await browser.go('about:blank');

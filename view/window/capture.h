@@ -12,7 +12,7 @@ typedef struct
 	Framebuffer framebuffer; // same size as the canvas
 	Canvas canvas;
 	Video video;    // pipe is null if no video is recorded
-	double seconds; // s of the world since the video began
+	double seconds; // s of simulated time since the video began
 	char path[64];
 } Capture;
 
@@ -36,7 +36,7 @@ bool capture_save(Capture* capture, const char* path, char* sentence);
 
 // Begins a video in a new file scree-N.mp4. Writes a sentence only on failure.
 bool capture_begin(Capture* capture, char* sentence);
-// Adds the picture as the frames that are due at Capture.seconds: none, one or several.
+// Adds the picture once for each frame that is due at Capture.seconds: zero, one or several times.
 bool capture_frame(Capture* capture);
 // Ends the video. The sentence names the file or the error.
 bool capture_end(Capture* capture, char* sentence);

@@ -38,7 +38,7 @@ void devices_next(Viewer* v)
 		viewer_show(v, sentence);
 		return;
 	}
-	// skips choices that leave the world on its device, because nothing would seem to happen
+	// skips choices that leave the world on its device, because the user would see no effect
 	while (next == chosen || (next < session->device_count && !is_elsewhere(session, next)))
 		next = (next + 1) % choices;
 	viewer_move(v, next < session->device_count ? session->devices[next].name : "auto");

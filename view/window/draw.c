@@ -10,7 +10,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define FEW_RAYS 3000 // value of Style.rays if OpenGL runs on the CPU, which draws them in 25 ms
+#define FEW_RAYS 3000 // value of Style.rays if OpenGL runs on the CPU, which draws this number in 25 ms
 #define COARSE   4.0f // px: value of Style.detail if OpenGL runs on the CPU
 #define MANY     5000 // number of rows above which COARSE is used
 

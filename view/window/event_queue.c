@@ -5,7 +5,7 @@
 #include <string.h>
 
 #define FIRST_EDITING   256 // first key of GLFW that is not a letter: enter, backspace, arrows, ...
-#define FIRST_MODIFYING 340 // first modifier key of GLFW: shift, control, alt, which are combined with letters
+#define FIRST_MODIFYING 340 // first modifier key of GLFW: shift, control, alt; they are combined with letters
 
 static bool edits(const WindowEvent* event) { return event->key >= FIRST_EDITING && event->key < FIRST_MODIFYING; }
 

@@ -13,7 +13,7 @@ typedef enum
 	EVENT_WHEEL,
 } EventKind;
 
-typedef struct // members have the terms of GLFW
+typedef struct // members as in the callbacks of GLFW
 {
 	EventKind kind;
 	int key, code, action, modifiers; // for a key; key and action also for a button

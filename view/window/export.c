@@ -20,7 +20,7 @@ static Camera picture_camera(const Viewer* v)
 	return camera;
 }
 
-// Draws without the panel and without splats larger than a pixel, in the style of scree run.
+// Draws the picture without the panel and without splats larger than a pixel, like scree run.
 static void draw_picture(Viewer* v, const Style* style)
 {
 	char caption[256];

@@ -7,7 +7,7 @@
 // Draws the picture without the panel and writes it; a null path creates a new file.
 bool export_picture(Viewer* viewer, const char* path);
 
-// Writes the window as it was drawn to a new file.
+// Writes the window with the panel, as in the back buffer, to a new file.
 void export_window(Viewer* viewer);
 
 // Begins a video in a new file, or ends it.

@@ -6,7 +6,7 @@
 #include "view/window/panel.h"
 #include <stdlib.h>
 
-#define FAR 3.0f // distance from the scene's view within which bodies are shown, in sizes of the view
+#define FAR 3.0f // maximum distance of shown bodies from the scene's view, in sizes of the view
 
 static void fit(Viewer* v, scree_box box)
 {

@@ -11,7 +11,7 @@ void eye_fit_scene(Viewer* viewer);
 // Shows the view of the scene file and the current positions of its bodies, except a few outliers.
 void eye_fit_bodies(Viewer* viewer);
 
-// Starts to follow the selected body, or stops it. Returns false if no body is selected.
+// Starts or stops following the selected body. Returns false if no body is selected.
 bool eye_follow(Viewer* viewer);
 
 // Stops following and fitting, because the user has moved the picture.

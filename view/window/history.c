@@ -4,7 +4,7 @@
 #include "tools/common/median.h"
 #include <string.h>
 
-#define LEAST  20.0f // ms: the line of 16.7 ms is always visible
+#define LEAST  20.0f // ms: lowest top of the graph; the line of 16.7 ms must stay below it
 #define WITHIN 0.97f // share of the frames that fit into the graph
 
 void history_step(History* history, float ms)

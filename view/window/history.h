@@ -9,7 +9,7 @@
 typedef struct
 {
 	float step[HISTORY_FRAMES];  // ms: average step of the frame; negative if the frame took no step
-	float frame[HISTORY_FRAMES]; // ms since the frame before
+	float frame[HISTORY_FRAMES]; // ms since the previous frame
 	int count, next;
 	float total; // ms: sum of the steps of the current frame
 	int steps;
@@ -22,13 +22,13 @@ extern "C" {
 // Adds a step to the current frame.
 void history_step(History* history, float ms);
 
-// Ends the current frame, which began ms after the one before.
+// Ends the current frame, which began ms after the previous one.
 void history_frame(History* history, float ms);
 
-// Returns the index in the arrays of frame k of count, the oldest first.
+// Returns the array index of frame k of count; frame 0 is the oldest.
 int history_at(const History* history, int k);
 
-// Returns a round number for the top of the graph, at least 20 ms; few frames are longer.
+// Returns the top of the graph: a round number, at least 20 ms, which about 97 % of the frames do not exceed.
 float history_top(const History* history);
 
 #ifdef __cplusplus

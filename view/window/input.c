@@ -12,9 +12,9 @@
 #include <string.h>
 
 #define ZOOM    1.15f          // factor of one step of the wheel
-#define SLOWEST (1.0f / 64.0f) // seconds of the world per second of the clock
-#define STILL   6              // frames: a cursor that did not move for a tenth of a second has no velocity
-#define CLICK   4.0f           // px: a click is a button that moved less from down to up
+#define SLOWEST (1.0f / 64.0f) // simulated seconds per second of the clock
+#define STILL   6              // frames (0.1 s at 60 per second) without motion after which the cursor has velocity 0
+#define CLICK   4.0f           // px: the cursor moves less than this between press and release of a click
 
 static void step_once(Viewer* v)
 {
@@ -23,7 +23,7 @@ static void step_once(Viewer* v)
 	++v->session.due;
 }
 
-// Moves the point of the cursor to the point of the world under its pixel.
+// Sets the point of the world under the cursor.
 static void update_cursor(Viewer* v) { v->grab.at = camera_point(&v->camera, v->x, v->y); }
 
 static void report_all(Viewer* v)

@@ -69,7 +69,7 @@ static const Palette palettes[] = {{{0.985f, 0.98f, 0.965f, 0.95f},
                                     {0.22f, 0.30f, 0.32f, 1.0f},
                                     {0.40f, 0.74f, 0.71f, 1.0f}}};
 
-// Selects the colors of the pictures: background, text, one accent.
+// Sets the colors of Dear ImGui for a theme, similar to those of pictures: background, text, one accent.
 static void choose_colors(bool dark)
 {
 	const Palette& p = palettes[dark];

@@ -13,7 +13,7 @@ static const char* const paint_helps[] = {
 #undef X
 };
 
-// keys and texts of actions, and of the actions of layers
+// tooltips of actions and of layers: key and description
 static const char* const action_helps[] = {
 #define X(name, key, shown, help) shown ": " help,
 #include "view/window/keys.def"

@@ -67,7 +67,7 @@ static void draw_selected(const Viewer* v, const ImVec2& size)
 	             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
 	                 ImGuiWindowFlags_NoFocusOnAppearing);
 	overlay_numbers(&v->selected);
-	ImGui::TextDisabled(v->eye.follows ? "k: follow no more; esc: forget" : "k: follow; esc: forget");
+	ImGui::TextDisabled(v->eye.follows ? "k: stop following; esc: deselect" : "k: follow; esc: deselect");
 	ImGui::End();
 }
 
@@ -112,13 +112,13 @@ static void draw_keys(const Viewer* v, const ImVec2& size)
 		const Control* control = &v->session.scene->controls[k];
 		ImGui::Text("%s", scene_key_names[control->key]);
 		ImGui::SameLine(sized(60.0f));
-		ImGui::Text("of the scene: pushes %s", v->session.scene->blocks[control->block].name);
+		ImGui::Text("in this scene: pushes %s", v->session.scene->blocks[control->block].name);
 	}
 	if (v->session.scene->character_count > 0)
 	{
 		ImGui::Text("arrows");
 		ImGui::SameLine(sized(60.0f));
-		ImGui::Text("of the scene: walk, jump up, drop down");
+		ImGui::Text("in this scene: walk, jump (up), drop (down)");
 	}
 	if (v->session.scene->control_count + v->session.scene->character_count > 0)
 		ImGui::Separator();
@@ -155,7 +155,7 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::PopStyleVar(2);
 	char text[SENTENCE];
 	float counts = ImGui::CalcTextSize(caption).x, room = size.x - counts - 4.0f * EDGE;
-	bool both = room >= 0.4f * size.x; // if false, only the message, or only the counts
+	bool both = room >= 0.4f * size.x; // if false, there is room for only one: the message, or else the counts
 	snprintf(text, sizeof text, "%s", *v->message ? v->message : v->session.scene->title);
 	shorten(text, both ? room : size.x - 2.0f * EDGE);
 	if (both || *v->message)
@@ -172,11 +172,11 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::End();
 }
 
-// Draws a sign at the top, in the middle of the part that the panel leaves free.
+// Draws the sign of a paused world at the top, in the middle of the part beside the panel.
 static void draw_paused(const Viewer* v, const ImVec2& size)
 {
 	float left = v->panel ? WIDTH + EDGE : 0.0f;
-	bool wide = size.x - left > ROOM; // if false, it lies over the panel, and is short
+	bool wide = size.x - left > ROOM; // if false, the sign covers the panel and omits the keys
 	ImGui::SetNextWindowPos(ImVec2(wide ? 0.5f * (left + size.x) : size.x - EDGE, EDGE), ImGuiCond_Always,
 	                        ImVec2(wide ? 0.5f : 1.0f, 0.0f));
 	ImGui::Begin("paused", nullptr,
@@ -197,7 +197,7 @@ static void draw_paused(const Viewer* v, const ImVec2& size)
 	if (wide)
 	{
 		ImGui::SameLine();
-		ImGui::TextDisabled("space: go on   n: one step");
+		ImGui::TextDisabled("space: continue   n: step");
 	}
 	ImGui::End();
 }

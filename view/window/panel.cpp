@@ -56,10 +56,10 @@ void panel_close()
 	ImGui::DestroyContext();
 }
 
-static bool buttons[BUTTONS]; // state of the buttons after the events that were taken from the queue
+static bool buttons[BUTTONS]; // state of the mouse buttons according to the events taken from the queue so far
 
-// Sets the mouse position of ImGui. The backend would read the current one, but events may be queued: a click belongs
-// to the position that the cursor had then.
+// Sets the mouse position of ImGui. The backend would read the current position, but events may be queued: a click
+// belongs to the position of the cursor at the time of the click.
 static void place_mouse(const Viewer* v)
 {
 	ImGuiIO& io = ImGui::GetIO();
@@ -134,14 +134,14 @@ static void draw_panel(Viewer* v, const ImVec2& size)
 	part_device(v);
 	if (open_part("time", true))
 		part_times(v);
-	if (open_part("look", true))
+	if (open_part("appearance", true))
 		part_look(v);
-	if (open_part("cursor", false))
+	if (open_part("tools", false))
 		part_tools(v);
 	if (open_part("solver", false))
 		part_solver(v);
 	ImGui::Separator();
-	ImGui::TextDisabled("F1: keys and mouse; tab: without this panel");
+	ImGui::TextDisabled("F1: list of keys; tab: hide this panel");
 	ImGui::End();
 }
 

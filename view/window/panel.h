@@ -17,7 +17,7 @@ void panel_close(void);
 // Adapts the panel to a new scale of the display. Call it between frames.
 void panel_rescale(GLFWwindow* window);
 
-// Return the widths that the panel covers at the left and the band at the bottom of the picture, px.
+// Return the width of the panel at the left of the picture, and the height of the band at its bottom, px.
 float panel_left(const Viewer* viewer);
 float panel_band(const Viewer* viewer);
 
@@ -30,7 +30,7 @@ void panel_letter(GLFWwindow* window, unsigned letter);
 void panel_button(GLFWwindow* window, int button, int event, int modifiers);
 void panel_wheel(GLFWwindow* window, double x, double y);
 
-// Return true if the panel uses the events, so that the picture must not.
+// Return true if the panel uses the events of keys or mouse; then the picture must ignore them.
 bool panel_wants_keys(void);
 bool panel_wants_mouse(void);
 

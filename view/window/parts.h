@@ -16,7 +16,7 @@ void part_times(const Viewer* viewer);
 // Draws the controls of paint, layers and theme.
 void part_look(Viewer* viewer);
 
-// Draw the controls of the cursor's tools; of gravity, substeps and solver tuning.
+// Draw the controls of the tools; of gravity, substeps and solver tuning.
 void part_tools(Viewer* viewer);
 void part_solver(Viewer* viewer);
 

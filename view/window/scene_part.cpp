@@ -58,13 +58,14 @@ void part_scene(Viewer* v)
 	if (ImGui::Button("restart", ImVec2(third, 0.0f)) || begin)
 		viewer_load(v, session->name, false);
 	ImGui::SameLine();
-	if (ImGui::Button(session->paused ? "go on" : "pause", ImVec2(third, 0.0f)))
+	if (ImGui::Button(session->paused ? "continue" : "pause", ImVec2(third, 0.0f)))
 		input_action(v, ACTION_pause);
 	ImGui::SameLine();
 	if (ImGui::Button("step", ImVec2(third, 0.0f)))
 		input_action(v, ACTION_step);
 	ImGui::SetNextItemWidth(FIELD);
-	ImGui::SliderFloat("\u00d7 real time", &session->rate, 1.0f / 64.0f, 1.0f, "%.3f", ImGuiSliderFlags_Logarithmic);
+	ImGui::SliderFloat("speed, \u00d7 real time", &session->rate, 1.0f / 64.0f, 1.0f, "%.3f",
+	                   ImGuiSliderFlags_Logarithmic);
 }
 
 void part_device(Viewer* v)
@@ -73,7 +74,7 @@ void part_device(Viewer* v)
 	char shown[200];
 	const char* now = scree_world_get_device(session->player.world);
 	bool chooses = strcmp(session->device, "auto") == 0;
-	snprintf(shown, sizeof shown, chooses ? "auto: now %s" : "%s", now);
+	snprintf(shown, sizeof shown, chooses ? "auto, now %s" : "%s", now);
 	ImGui::SetNextItemWidth(-1.0f);
 	if (ImGui::BeginCombo("##device", shown))
 	{
@@ -86,8 +87,8 @@ void part_device(Viewer* v)
 	}
 	ImGui::AlignTextToFramePadding();
 	if (session->hashed)
-		ImGui::Text("hash %016" PRIx64, session->hash);
-	else if (ImGui::Button("hash"))
+		ImGui::Text("world hash %016" PRIx64, session->hash);
+	else if (ImGui::Button("world hash"))
 		input_action(v, ACTION_hash);
 	if (session->hashed)
 		return;

@@ -201,7 +201,7 @@ void script_run(Script* script, Viewer* v)
 		}
 		++script->line;
 		line[strcspn(line, "\r\n")] = 0;
-		if (strcmp(line, "print") != 0) // keeps the message for print, which prints it
+		if (strcmp(line, "print") != 0) // print outputs the message, so it is kept
 			*v->message = 0;
 		if (!run_line(script, v, line))
 			fail_line(script, v, line, "cannot be done", 2);

@@ -11,8 +11,8 @@ typedef struct // docs/view.md describes the commands
 	const char* path;
 	int line;
 	int frames;       // number of frames to draw before the next line
-	char awaited[16]; // state for which the script waits; empty if there is none
-	double until;     // s: time at which waiting fails
+	char awaited[16]; // state that must be reached before the next line; empty if there is none
+	double until;     // s: time by which the state must be reached
 } Script;
 
 // Opens the file; a null path means no script. Returns false and writes a sentence on failure.

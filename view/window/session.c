@@ -27,7 +27,8 @@ static bool copy_text(const char* text, char* copy, size_t size, const char* wha
 	return false;
 }
 
-// Reads the parameters of a scene file, "rows=100 columns=20". set: with the values of the options.
+// Reads the parameters of a scene file from a text such as "rows=100 columns=20". set: true to use the values of the
+// options.
 static bool read_parameters(Session* session, const char* path, bool set, char* sentence)
 {
 	char title[160], text[MAX_PARAMETERS * 128];

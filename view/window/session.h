@@ -31,10 +31,10 @@ typedef struct
 	int device_count;
 	char device[160]; // device that the user selected
 	bool paused;
-	int due;            // single steps that the user requested and that are not done
+	int due;            // single steps that the user requested and that are not yet taken
 	Tuning tuning;      // parameters of the world
-	float rate;         // seconds of the world per second of the clock, at most 1
-	double accumulator; // s of the world by which the steps are behind the clock
+	float rate;         // simulated seconds per second of the clock, at most 1
+	double accumulator; // s of simulated time by which the steps lag behind the clock
 	bool hashed;        // true if hash belongs to the current state
 	uint64_t hash;      // hash of the world
 	scree_counters counters;

@@ -120,10 +120,11 @@ void part_times(const Viewer* v)
 	for (int k = 0; k < STAGE_TIMES; ++k)
 		draw_bar(stage_names[k], session->stages[k], session->step);
 	const scree_counters* c = &session->counters;
-	ImGui::Text("%d bodies, %d moving", c->bodies, c->dynamic_bodies);
+	ImGui::Text("%d bodies, %d dynamic", c->bodies, c->dynamic_bodies);
 	ImGui::Text("%d contacts, %d touching, %d new", c->contacts, c->touching, c->new_contacts);
 	ImGui::Text("%d colors, %d contacts of hubs", c->colors, c->spokes);
-	ImGui::Text("deepest overlap %.4f m now, %.4f m seen", static_cast<double>(c->penetration),
+	ImGui::Text("overlap %.4f m, deepest %.4f m", static_cast<double>(c->penetration),
 	            static_cast<double>(session->deepest));
-	ImGui::Text("%d boxes moved, %.1f MB on the device", c->updated_boxes, static_cast<double>(c->device_bytes) * 1e-6);
+	ImGui::Text("%d boxes updated, %.1f MB on the device", c->updated_boxes,
+	            static_cast<double>(c->device_bytes) * 1e-6);
 }

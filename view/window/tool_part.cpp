@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tool_part.cpp -- the parts of the panel with the controls of the cursor's tools and of the solver; in C++.
+// tool_part.cpp -- the parts of the panel with the controls of the tools and of the solver; in C++.
 extern "C" {
 #include "view/window/viewer.h"
 }
@@ -24,20 +24,20 @@ void part_tools(Viewer* v)
 	float hardest = grab->hardest > 0.0f ? grab->hardest : GRAB_HARDEST;
 	float hertz = grab->hertz > 0.0f ? grab->hertz : GRAB_HERTZ;
 	float density = grab->density > 0.0f ? grab->density : GRAB_DENSITY;
-	if (draw_slider("force of the hand", &hardest, 10.0f, 1.0e5f, "%.0f m/s\u00b2", true,
-	                "largest force of a drag, as an acceleration of the body"))
+	if (draw_slider("drag force", &hardest, 10.0f, 1.0e5f, "%.0f m/s\u00b2", true,
+	                "maximum force of a drag, as an acceleration of the body"))
 		grab->hardest = hardest;
-	if (draw_slider("spring of the hand", &hertz, 0.5f, 30.0f, "%.1f Hz", true, "stiffness of a drag"))
+	if (draw_slider("drag stiffness", &hertz, 0.5f, 30.0f, "%.1f Hz", true, "stiffness of a drag"))
 		grab->hertz = hertz;
-	if (draw_slider("thrown, t", &density, 0.01f, 1000.0f, "%.3g kg/m\u00b2", true,
-	                "density of bodies that are thrown in: their mass is that times their area"))
+	if (draw_slider("throw density (t)", &density, 0.01f, 1000.0f, "%.3g kg/m\u00b2", true,
+	                "density of thrown bodies: their mass is density times area"))
 		grab->density = density;
-	draw_slider("explosion, x", &v->tools.blast, 0.5f, 200.0f, "%.1f m/s", true,
-	            "speed that a body of common size gets near it; hold x, and the explosion grows");
+	draw_slider("blast speed (x)", &v->tools.blast, 0.5f, 200.0f, "%.1f m/s", true,
+	            "speed of a body of common size and density near the explosion, which grows while x is held");
 	ImGui::SetNextItemWidth(FIELD);
-	ImGui::SliderInt("poured, m", &v->tools.pour.rate, 1, POUR_MOST, "%d a step", ImGuiSliderFlags_AlwaysClamp);
+	ImGui::SliderInt("pour rate (m)", &v->tools.pour.rate, 1, POUR_MOST, "%d per step", ImGuiSliderFlags_AlwaysClamp);
 	if (ImGui::IsItemHovered())
-		ImGui::SetTooltip("hold m: bodies like those of the scene fall from the cursor, where there is room");
+		ImGui::SetTooltip("maximum number of poured bodies, which are like those of the scene; hold m to pour");
 }
 
 void part_solver(Viewer* v)
@@ -48,18 +48,19 @@ void part_solver(Viewer* v)
 	ImGui::SetNextItemWidth(FIELD);
 	changed = ImGui::DragFloat2("gravity", &t->gravity.x, 0.1f, -100.0f, 100.0f, "%.1f", ImGuiSliderFlags_AlwaysClamp);
 	if (ImGui::IsItemHovered())
-		ImGui::SetTooltip("m/s\u00b2, to the right and up: drag, or double-click to type");
+		ImGui::SetTooltip("m/s\u00b2, to the right and up: drag to change, double-click to type");
 	ImGui::SetNextItemWidth(FIELD);
 	changed = ImGui::SliderInt("substeps", &t->substeps, 1, 16, "%d", ImGuiSliderFlags_AlwaysClamp) || changed;
 	changed =
-	    draw_slider("stiffness", &t->solver.contact_hertz, 1.0f, 240.0f, "%.0f Hz", true, "of contacts") || changed;
-	changed =
-	    draw_slider("damping", &t->solver.contact_damping_ratio, 0.1f, 50.0f, "%.1f", true, "ratio, of contacts") ||
+	    draw_slider("stiffness", &t->solver.contact_hertz, 1.0f, 240.0f, "%.0f Hz", true, "stiffness of contacts") ||
 	    changed;
-	changed = draw_slider("push", &t->solver.contact_push_speed, 0.0f, 20.0f, "%.1f m/s", false,
-	                      "largest speed that pushes overlap out") ||
+	changed = draw_slider("damping", &t->solver.contact_damping_ratio, 0.1f, 50.0f, "%.1f", true,
+	                      "damping ratio of contacts") ||
 	          changed;
-	changed = draw_slider("bounce", &t->solver.restitution_threshold, 0.0f, 10.0f, "%.2f m/s", false,
+	changed = draw_slider("push speed", &t->solver.contact_push_speed, 0.0f, 20.0f, "%.1f m/s", false,
+	                      "maximum speed at which overlapping bodies are pushed apart") ||
+	          changed;
+	changed = draw_slider("bounce threshold", &t->solver.restitution_threshold, 0.0f, 10.0f, "%.2f m/s", false,
 	                      "slower impacts do not bounce") ||
 	          changed;
 	t->changed = t->changed || changed;
@@ -69,7 +70,7 @@ void part_solver(Viewer* v)
 		if (tuning_write(t, session->scene, session->player.world) != SCREE_OK)
 			viewer_show(v, scree_error());
 	}
-	if (t->changed && ImGui::Button("as the scene has it"))
+	if (t->changed && ImGui::Button("reset to the scene's values"))
 	{
 		t->changed = false;
 		viewer_load(v, session->name, false);

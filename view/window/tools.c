@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tools.c -- tools of the user other than dragging: throwing bodies in, pouring them, explosions.
+// tools.c -- tools of the user other than dragging: throwing and pouring bodies, blasts.
 #include "view/window/tools.h"
 #include "view/window/viewer.h"
 
@@ -35,7 +35,7 @@ bool tools_step(Viewer* v, bool* added)
 	return status != SCREE_ERROR_DEVICE_FAILED;
 }
 
-// Returns the current radius of the growing explosion, m.
+// Returns the current radius of the growing blast, m.
 static float radius(const Viewer* v) { return blast_radius(glfwGetTime() - v->tools.blast_time) / v->camera.scale; }
 
 static void explode(Viewer* v)

@@ -8,7 +8,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-// After reading numbers, the viewer reads them again only after this many times the duration of the reading.
+// Delay until the next reading of numbers, as a multiple of the duration of the last one.
 #define REST 9.0
 // px: a shape within this distance of the cursor counts as under it, so that segments can be selected
 #define REACH 3.0f
@@ -55,9 +55,9 @@ static scree_status find_under(Viewer* v, scree_collidable* found)
 	return inspect_find(v->session.player.world, camera_point(&v->camera, v->x, v->y), REACH / v->camera.scale, found);
 }
 
-// Delays the next reading so that readings take a tenth of the time. The first query after a step computes boxes of all
-// bodies that move, which for many bodies on a CPU takes as long as a step. For the contacts of one body a CPU scans
-// all contacts.
+// Delays the next reading so that readings take a tenth of the time. They can be slow: the first query after a step
+// computes boxes of all bodies that move, which for many bodies on a CPU takes as long as a step; and for the contacts
+// of one body a CPU scans all contacts.
 static void rest(double* next, double begin)
 {
 	double end = glfwGetTime();

@@ -53,7 +53,7 @@ static void on_focus(GLFWwindow* window, int focused)
 		return;
 	v->session.player.down = 0;
 	input_hold(v, ACTION_pour, false);
-	v->tools.blasting = false; // cancels the explosion
+	v->tools.blasting = false; // cancels the blast
 }
 
 static void on_scale(GLFWwindow* window, float x, float y)

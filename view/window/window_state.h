@@ -19,17 +19,17 @@ typedef struct GLFWwindow GLFWwindow;
 typedef struct // tools of the user, tools.c
 {
 	Pour pour;
-	float blast;       // m/s: speed that an explosion gives a typical body near it
+	float blast;       // m/s: speed that a blast gives a typical body near it
 	bool blasting;     // true while the key is down
 	double blast_time; // s: time at which the key went down
 } Tools;
 
 typedef struct // part of the world that the window shows, framing.c
 {
-	bool fitted;      // true until the user moves the picture after it showed a whole box
-	scree_box box;    // m: that box
-	bool follows;     // true if the selected body stays in the middle
-	scree_vec behind; // m: remaining difference of the body to the middle
+	bool fitted;      // true from the fit of a box until the user moves the picture
+	scree_box box;    // m: the fitted box
+	bool follows;     // true if the selected body is kept in the middle
+	scree_vec behind; // m: vector from the body to the middle of the window, which following reduces to 0
 } Eye;
 
 typedef struct // place of the window when it is not full screen, in window units
@@ -55,11 +55,11 @@ typedef struct
 	Inspected hovered, selected;
 	bool hovers;  // true if the numbers of the collidable under the cursor are shown
 	bool pointed; // true if the cursor is over the window
-	bool pressed; // true if the left button is down and the cursor is still where it went down
+	bool pressed; // true if the left button is down and the cursor has moved less than a click allows
 	Capture capture;
 	float x, y;             // px: position of the cursor
 	float press_x, press_y; // px: position where the left button went down
-	bool panning;           // true if the right button is down, or the left one beside all bodies
+	bool panning;           // true if the right button is down, or the left one was pressed beside all bodies
 	Place place;            // place of the window when it is not full screen
 	bool panel, keys;       // true if shown
 	bool save_window;       // true: saves the window after this frame is drawn
@@ -67,8 +67,7 @@ typedef struct
 	double read_time;       // s: time from which the numbers of the selected body may be read again
 	double cursor_time;     // s: time of the last move of the cursor
 	int still;              // frames since the last move of the cursor
-	int next_device;        // index of the device to which the key moves the world; -1: the one after the current
-	                        // device
+	int next_device;        // index of the device to which the key moves the world; -1: that after the current device
 	double title_time;      // s: time of the next change of the window title
 	double frame_time;      // s: time at which the last frame began
 	float frame_ms;         // time between frames, smoothed

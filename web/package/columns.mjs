@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// columns.mjs -- an engine from its columns: the head of scalar.js and of simd.js, which pack.mjs writes.
+// columns.mjs -- restores the engine from its columns; pack.mjs puts this code at the start of scalar.js and simd.js.
 //
-// Compressed, a module of WebAssembly is 10 % smaller as columns than as a file, where opcodes, locals, offsets and
-// numbers alternate: each of them repeats itself more than their mixture does. More columns than these would save at
-// most 0.1 %. Merging two columns would cost: types of blocks with the code, sizes or floats with the bytes, or all
-// locals, 0.2 %; numbers with the code 0.3 to 0.8 %; offsets with the code 3 %; locals with the code 7 %.
+// A compressed module of WebAssembly is 10 % smaller as columns than as a file. In a file opcodes, locals, offsets and
+// numbers alternate; a column has only one of these kinds, whose bytes repeat more often. More columns than these would
+// save at most 0.1 %. Fewer columns would be larger: by 0.2 % with types of blocks in the code, with sizes or floats in
+// the bytes, or with one column for all locals; by 0.3 to 0.8 % with numbers in the code; by 3 % with offsets in the
+// code; by 7 % with locals in the code.
 //
-// The columns of locals, GETS and SETS, store positions in a list from which each byte moves to the front: a recently
-// used local is a small number. Each function begins with a fresh list (J. L. Bentley et al., A Locally Adaptive Data
-// Compression Scheme, 1986). This saves 0.7 %.
+// The columns of locals, GETS and SETS, store the position of each local in a list. A used local moves to the front of
+// the list, so that recently used locals are small numbers. Each function begins with a list in ascending order (J. L.
+// Bentley et al., A Locally Adaptive Data Compression Scheme, 1986). This saves 0.7 %.
 const CODE = 0, GETS = 1, SETS = 2, OFFSETS = 3, NUMBERS = 4, BYTES = 5, FLOATS = 6, SIZES = 7, TYPES = 8, LABELS = 9;
 
-// Operands of an opcode: b the type of a block; l a local that is read, s one that is written; o an offset; n a number
-// of 32 bits, N of 64; x an index of a label, a function or a lane, or an alignment; t a count of labels, followed by
-// that many plus one; f, d and v the 4, 8 and 16 bytes of a float, a double and a vector. Opcodes of vectors begin at
-// 256. Opcodes that are not listed have no operands.
+// Operands of an opcode: b the type of a block; l a local that is read, s a local that is written; o an offset; n a
+// number of 32 bits, N of 64; x an index of a label, a function or a lane, or an alignment; t a count k of labels,
+// which precedes k + 1 labels; f, d and v the 4, 8 and 16 bytes of a float, a double and a vector. Opcodes of vectors
+// begin at 256. Opcodes that are not listed have no operands.
 const OPERANDS = {x: CODE, b: TYPES, l: GETS, s: SETS, o: OFFSETS, n: NUMBERS, N: BYTES, t: LABELS, f: -4, d: -8, v: -16};
 const operands = new Array(512).fill([]);
 for (const line of ["b 2-4", "x 12-13 16-16 35-36 63-64 277-290", "xx 17-17", "t 14-14", "l 32-32", "s 33-34",
@@ -29,7 +30,7 @@ for (const line of ["b 2-4", "x 12-13 16-16 35-36 63-64 277-290", "xx 17-17", "t
 /** Returns true if a column contains locals. */
 export const is_local = (column) => column === GETS || column === SETS;
 
-/** Returns all bytes in order: the list with which a function begins. */
+/** Returns all bytes in ascending order, the list at the start of a function. */
 export const bytes_in_order = () => new Uint8Array(256).map((_, byte) => byte);
 
 /** Moves the byte at a position of a list to its front, and returns it. */
@@ -39,8 +40,8 @@ export function move_to_front(list, place) {
 	return list[0] = byte;
 }
 
-/** Traverses a module with this length in bytes, from its first byte to its last one: take(column) returns the next byte,
-which belongs to that column; begin() is called before each function. */
+/** Traverses a module of this length in bytes from start to end. take(column) is called for each byte with the column
+to which the byte belongs, and returns the byte; begin() is called before each function. */
 export function follow(length, take, begin) {
 	let at = 0;
 	const bytes = (count, column) => {
@@ -95,12 +96,12 @@ export function follow(length, take, begin) {
 	}
 }
 
-/** Returns the module, with this length in bytes. A column is [the letters for the bytes 0, 1, 2..., its text]. */
+/** Returns the module, which has this length in bytes. A column is [letters of the bytes 0, 1, 2..., text]. */
 export function join(length, columns) {
 	const wasm = new Uint8Array(length), places = columns.map(() => 0);
 	const lists = columns.map(([letters, text]) => {
 		const bytes = new Uint8Array(512), list = new Uint8Array(text.length);
-		// gives an unused byte the letter of the next used one, which then overwrites its entry
+		// an unused byte has the letter of the next used byte, which overwrites its entry
 		for (let byte = 0; byte < letters.length; ++byte)
 			bytes[letters.charCodeAt(byte)] = byte;
 		for (let k = 0; k < text.length; ++k)

@@ -13,7 +13,7 @@ const header = parse(readFileSync(headerPath, "utf8"));
 
 // functions without use in a page: C hooks, device choice, memory that is shared with OpenCL
 const left_out = /^scree_(hooks_set|opencl_hint|sharing_name|devices_get_sized|world_(share_\w+|cast_shared_\w+|unshare|measure_bandwidth|write_render_rows|get_sharing|move))$/;
-// functions that the classes call themselves: creating worlds, rows, defaults of definitions
+// functions that only the classes of runtime.js call: create worlds, read rows, set defaults of definitions
 const without_method = /^scree_(world_(create|destroy|get_render_rows)|filter_default|\w+_(default|make)_sized)$/;
 const short = (type) => type.replace(/^scree_/, "");
 const functions = Object.values(header.functions).filter((f) => !left_out.test(f.name));
@@ -26,7 +26,7 @@ function code(type) {
 	return short(type);
 }
 
-// Returns the codes of a function's parameters, and the parameters that a program passes.
+// Returns the codes of a function's parameters, the parameters that a program passes, and the results.
 function describe(f) {
 	const codes = [], given = [], results = [], all = f.parameters;
 	for (let k = 0; k < all.length; ++k) {
@@ -106,7 +106,7 @@ const structTable = structs.map((s) => [short(s.name), ...s.members.map((m) => m
 const functionTable = described.filter((f) => !without_method.test(f.name))
 	.map((f) => [short(f.name), f.kind, ...f.codes].join(" ")).join("\n");
 
-// converts names: scree_body_type becomes BodyType, the bits SCREE_LOCK_* become Lock
+// converts the names of enumerations: scree_body_type becomes BodyType, the bits SCREE_LOCK_* become Lock
 const camel = (name) => name.replace(/(^|_)([a-z0-9])/g, (_, bar, letter) => letter.toUpperCase());
 const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level/.test(name)).map(([name, e]) => {
 	const names = Object.keys(e.members);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // libc.c -- replacements for parts of the C library: formatted text, with numbers written by JavaScript, and the log.
 //
-// Emscripten's printf and strtof compute in long double; with them the package was 10 kB larger, compressed.
+// Emscripten's printf and strtof compute in long double, which makes the compressed package 10 kB larger.
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -120,7 +120,7 @@ int fprintf(FILE* file, const char* format, ...)
 	return length;
 }
 
-// variants that clang calls if no argument is floating-point, or if none is a long double
+// variants that clang calls if no argument is floating-point (i), or if no argument is a long double (small)
 int fiprintf(FILE* file, const char* format, ...) __attribute__((alias("fprintf")));
 int __small_fprintf(FILE* file, const char* format, ...) __attribute__((alias("fprintf")));
 int sniprintf(char* text, size_t size, const char* format, ...) __attribute__((alias("snprintf")));
@@ -132,7 +132,7 @@ float strtof(const char* text, char** end)
 	return (float)js_parse(text);
 }
 
-// returns null, because a page has no environment
+// Returns null, because a page has no environment.
 char* getenv(const char* name)
 {
 	(void)name;

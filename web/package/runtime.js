@@ -5,8 +5,8 @@
 // FUNCTIONS is a function: its name, its result, its parameters. Types: i u f d b B h for int, uint32, float, double,
 // bool, uint8, uint16; l L H for 64 bits as number, as BigInt and as text; else the name of a struct. Results: !
 // status, s text, v none, =T a struct. Parameters: w the world, .T a struct, <T a pointer to a struct that may be null,
-// *T an array, n its length, >T a result, +T as many results as the array has elements, ?T c m a list of unknown
-// length, @T and &T an argument that the function changes, #T a size, $ a text.
+// *T an array, n its length, >T a result, +T one result for each element of the array, ?T c m a list of unknown length
+// with its capacity and count, @T and &T an argument that the function changes, #T a size, $ a text.
 const SIZES = {i: 4, u: 4, f: 4, d: 8, b: 1, B: 1, h: 2, l: 8, L: 8, c: 1, $: 4, p: 4};
 const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 const HANDLES = ["attribute", "body", "collidable", "path", "joint", "field"];
@@ -92,7 +92,7 @@ class Engine {
 		return this.view;
 	}
 
-	// Allocates memory until the end of the call.
+	// Allocates memory that is released at the end of the call.
 	take(bytes) {
 		const at = this.arena + this.top;
 		if (this.top + bytes <= ARENA) {
@@ -122,7 +122,7 @@ class Engine {
 		let end = at;
 		while (bytes[end])
 			++end;
-		// copies the bytes, because texts in shared memory cannot be decoded
+		// copies the bytes, because browsers do not decode texts in shared memory
 		return new TextDecoder().decode(bytes.slice(at, end));
 	}
 
@@ -137,7 +137,7 @@ class Engine {
 			throw new ScreeError(this.text(this.c.scree_error()), status);
 	}
 
-	// Returns the bytes of a struct in which nothing is set: its default, or zeros with the identity rotation.
+	// Returns the bytes of a struct before members are set: its default, or zeros with the identity rotation.
 	blank(name, value) {
 		const {size, members} = layouts[name], typed = name === "joint_def" || name === "field_def", type = typed ? value?.type ?? 0 : 0;
 		const key = typed ? name + type : name;
@@ -163,7 +163,7 @@ class Engine {
 		return this.blanks[key];
 	}
 
-	// Writes a value of a type; where is its name in messages.
+	// Writes a value of a type to an address; where: the name of the value in messages.
 	put(type, at, value, world, where) {
 		const view = this.fresh(), wrong = (must) => {
 			throw new TypeError(`${where} is ${typeof value === "bigint" || typeof value === "object" ? Object.prototype.toString.call(value) : String(value)}, must be ${must}`);
@@ -264,7 +264,7 @@ class Engine {
 				else
 					value[key] = m.count ? this.getAll(m.type, place, m.count, world) : this.get(m.type, place, world);
 			}
-			// shortens the eight places of a polygon to the used ones
+			// shortens the arrays for eight vertices to the number of vertices of the polygon
 			if (type === "shape")
 				value.vertices.length = value.normals.length = value.count;
 			return value;
@@ -288,7 +288,7 @@ class Engine {
 	}
 }
 
-// Calls a function of the table. world is null for functions without a world; given are the arguments.
+// Calls a function of the table. world: null for functions without a world; given: the arguments.
 function call(engine, f, world, given) {
 	const {c} = engine, values = [], outs = [];
 	let next = 0, count = -1, list;
@@ -400,7 +400,7 @@ function call(engine, f, world, given) {
 	}
 }
 
-/** A world and everything in it. destroy() frees it; the garbage collector frees a world without references later. */
+/** A world with its bodies and other objects. destroy() frees it; the garbage collector frees it some time later. */
 export class World {
 	constructor(scree, def = {}) {
 		const engine = scree.engine;
@@ -569,7 +569,7 @@ Object.defineProperties(Batch.prototype, Object.fromEntries(Object.entries(batch
 		return own.apply(this, all);
 	}}]))));
 
-// a module with one vector instruction: it is valid if the browser supports vectors
+// a module with vector instructions: it is valid if the browser supports them
 const VECTORS = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11];
 
 async function compile(wasm) {

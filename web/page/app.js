@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// app.js -- the page from start to end: opens the engine, and connects its parts to it.
+// app.js -- the page: opens the engine and connects the parts of the page to it.
 import { Body } from './body.js';
 import { Compare } from './compare.js';
 import { $, dress, element, segments } from './dom.js';
@@ -19,13 +19,13 @@ const DENSEST = 2; // maximum pixels of the picture per pixel of the page: more 
 const SLOW_FRAMES = 20; // frames per second below which the picture is drawn more coarsely
 const FIRST = 'pile';
 const TOOLS = [
-	{ value: 'drag', label: 'Drag', title: 'Drag bodies, or the picture', icon: 'drag' },
-	{ value: 'throw', label: 'Throw', title: 'Press where a new body begins, pull, let go', icon: 'throw' },
-	{ value: 'pour', label: 'Pour', title: 'Hold: bodies like those of the scene fall from there', icon: 'pour' },
-	{ value: 'blast', label: 'Blast', title: 'Hold: an explosion grows; let go, it goes off', icon: 'blast' },
-	{ value: 'move', label: 'Move', title: 'Move the picture only', icon: 'move' },
+	{ value: 'drag', label: 'Drag', title: 'Drag bodies or the picture', icon: 'drag' },
+	{ value: 'throw', label: 'Throw', title: 'Press, pull and release to throw a new body', icon: 'throw' },
+	{ value: 'pour', label: 'Pour', title: 'Hold to pour bodies like those of the scene', icon: 'pour' },
+	{ value: 'blast', label: 'Blast', title: 'Hold to grow an explosion, release to set it off', icon: 'blast' },
+	{ value: 'move', label: 'Move', title: 'Drag the picture only', icon: 'move' },
 ];
-// keys whose names in browsers are not those of view/window/keys.def
+// names in browsers of keys that have another name in view/window/keys.def
 const BROWSER_KEYS = { space: ' ', esc: 'Escape' };
 
 class App {
@@ -111,7 +111,7 @@ class App {
 
 	on_state(state) {
 		this.state = state;
-		dress($('pause'), state.paused ? 'play' : 'pause', state.paused ? 'Go on' : 'Pause');
+		dress($('pause'), state.paused ? 'play' : 'pause', state.paused ? 'Continue' : 'Pause');
 		$('sign').hidden = !state.paused && !state.replaying;
 		$('sign').textContent = state.paused ? 'paused' : 'replay';
 		document.body.classList.toggle('paused', state.paused);
@@ -131,8 +131,8 @@ class App {
 	on_replayed({ step, hash, expected, equal }) {
 		note(
 			equal
-				? `Played again until step ${step}: the same hash, ${hash}. Press play to go on from here.`
-				: `Played again until step ${step}, but the hash is ${hash} instead of ${expected}: another version made the link.`,
+				? `The replay reached step ${step} with the recorded hash, ${hash}. Press play to continue.`
+				: `The replay reached step ${step} with hash ${hash} instead of ${expected}: another version made the link.`,
 			{ kind: equal ? 'good' : 'bad', name: 'replayed', lasting: true },
 		);
 	}
@@ -158,13 +158,13 @@ class App {
 		let link = { name: FIRST, settings: [], script: [], until: null };
 		try {
 			if (location.hash.length > 1) link = readLink(location.hash);
-			if (!this.scenes.has(link.name)) throw new Error(`there is no scene ${link.name}; this is ${FIRST}`);
+			if (!this.scenes.has(link.name)) throw new Error(`there is no scene ${link.name}; ${FIRST} is shown instead`);
 		} catch (error) {
-			note(`The address was not understood: ${error.message}`, { kind: 'bad', name: 'address' });
+			note(`The address is invalid: ${error.message}`, { kind: 'bad', name: 'address' });
 			link = { name: this.scenes.has(link.name) ? link.name : FIRST, settings: [], script: [], until: null };
 		}
 		const good = await this.load(link);
-		if (good && link.script.length > 0) note('A replay of what somebody did. Touch a body to take over.', { name: 'replay' });
+		if (good && link.script.length > 0) note('Replay of recorded actions. Your first action ends it.', { name: 'replay' });
 	}
 
 	// Loads a scene. Settings that the address does not contain have the page's initial values.
@@ -235,13 +235,13 @@ class App {
 		if (!(await this.host.ask({ type: 'follow', follows })))
 			note('Nothing is selected that could be followed: click on a body.', { name: 'follow' });
 	}
-	// Loads the scene before or after this one in the list.
+	// Loads the previous scene of the list for by = -1, the next one for by = 1.
 	neighbor(by) {
 		this.choose(this.names.at((this.names.indexOf(this.source.name) + by) % this.names.length));
 	}
 
-	// Adds to each action of a list its key in browsers, and what the key does. Keys of layers and of some actions press a
-	// button, whose tooltip then names the key.
+	// Adds to each action of a list the browser's name of its key and the function to call. Keys of layers and of some
+	// actions press a button; the tooltip of the button names the key.
 	actions(list) {
 		const own = {
 			pause: { button: 'pause' },
@@ -281,8 +281,8 @@ class App {
 
 	buildTransport() {
 		dress($('pause'), 'pause', 'Pause');
-		dress($('once'), 'once', 'One step');
-		dress($('restart'), 'restart', 'From the start');
+		dress($('once'), 'once', 'Step');
+		dress($('restart'), 'restart', 'Restart');
 		dress($('fit'), 'fit', 'Show the whole scene');
 		dress($('full'), 'full', 'Full screen');
 		$('pause').onclick = () => this.pause();
@@ -298,7 +298,7 @@ class App {
 		segments($('tools'), TOOLS, this.tool, (tool) => (this.tool = tool));
 		for (const tab of document.querySelectorAll('#tabs button')) tab.onclick = () => this.openTab(tab.dataset.tab);
 		this.openTab(document.body.dataset.tab);
-		// removes the focus from a button that the mouse pressed, so that keys go to the page
+		// removes the focus from a button after a click, so that the page receives the keys
 		addEventListener('pointerup', () => document.activeElement?.closest?.('#transport button, #tools input')?.blur());
 	}
 

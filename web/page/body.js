@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// body.js -- the numbers of bodies as text: a few beside the cursor, and all of the selected body.
+// body.js -- numbers of bodies as text: the most important ones beside the cursor, all of them for the selected body.
 import { $, element } from './dom.js';
 import { note } from './notes.js';
 
@@ -16,9 +16,9 @@ export class Body {
 		this.follows = false;
 		this.box = $('body');
 		this.all = element('p', { class: 'lines all' });
-		this.few = element('p', { class: 'lines few' }); // shown on small screens
-		this.button = element('button', { id: 'follow', type: 'button', title: 'In the middle of the picture (k)', onclick: () => follow(!this.follows) });
-		const close = element('button', { id: 'forget', type: 'button', title: 'Forget it (esc)', onclick: forget }, 'forget');
+		this.few = element('p', { class: 'lines few' }); // replaces all on small screens
+		this.button = element('button', { id: 'follow', type: 'button', title: 'follows the selected body until the picture is moved (k)', onclick: () => follow(!this.follows) });
+		const close = element('button', { id: 'forget', type: 'button', title: 'clears the selection (esc)', onclick: forget }, 'deselect');
 		this.box.replaceChildren(this.all, this.few, element('div', { class: 'row' }, this.button, close));
 	}
 
@@ -33,7 +33,7 @@ export class Body {
 		}
 		write(this.all, numbers.all);
 		write(this.few, numbers.few);
-		this.button.textContent = follows ? 'follow no more' : 'follow';
+		this.button.textContent = follows ? 'stop following' : 'follow';
 		this.button.setAttribute('aria-pressed', String(follows));
 	}
 

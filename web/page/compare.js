@@ -15,17 +15,18 @@ export function commandLine({ name, parameters }, settings, step) {
 	return `build/scree hash ${name}${sets} --steps ${step}`;
 }
 
-// Returns a sentence about a pasted text, and whether it is good news: true, false, or null for neither.
+// Returns [good, sentence] for a pasted text. good: true if its hash equals the hash of the page, false if it differs,
+// null if there is no hash in the text.
 export function verdict(text, hash, step) {
 	const found = text.toLowerCase().match(HASH);
 	if (text.trim() === '') return [null, ''];
-	if (!found) return [null, 'This is no hash: it has 16 digits and letters from a to f.'];
+	if (!found) return [null, 'This is not a hash: a hash has 16 characters, digits and letters from a to f.'];
 	return found[0] === hash
 		? [true, `Equal. After ${step} steps your machine and this page have the same bits in every body.`]
 		: [false, `Different: ${found[0]} there, ${hash} here. Are the steps, the parameters and the version the same?`];
 }
 
-// Returns the words of a line, which breaks only between them.
+// Returns the words of a line as elements, so that the line breaks only between words.
 const unbroken = (line) => line.split(/(?= )/).map((word) => element('span', {}, word));
 
 export class Compare {
@@ -35,7 +36,7 @@ export class Compare {
 		this.box = $('compare');
 	}
 
-	// Shows the hash of a state, the last report, with its scene and settings.
+	// Shows the hash of a state, the last report of the engine, and the command line for its scene and settings.
 	show(state, scene, settings, version) {
 		const kind = !state.paused ? 'running' : state.touched ? 'touched' : state.step === 0 ? 'start' : 'ready';
 		const key = kind === 'ready' ? `${scene.name} ${settings} ${state.step} ${state.hash}` : kind;
@@ -50,15 +51,15 @@ export class Compare {
 		const again = element(
 			'button',
 			{ type: 'button', onclick: () => this.say({ type: 'restart' }) },
-			'From the start, without my hand',
+			'Restart without my actions',
 		);
 		const parts = {
 			running: [
-				element('p', {}, 'The CPU, a GPU and this page leave the same bits. Pause at a step, and compare its hash with that of your own machine.'),
+				element('p', {}, 'A CPU, a GPU and this page compute the same bits. Pause at a step and compare its hash with that of your own machine.'),
 				pause,
 			],
 			touched: [
-				element('p', {}, 'You moved bodies, which no command line can repeat. A link can: see Share. To compare, begin again and leave the bodies alone.'),
+				element('p', {}, 'You changed bodies, which no command line can repeat. A link can: see Share. To compare, restart and leave the bodies alone.'),
 				again,
 			],
 			start: [element('p', {}, 'Take some steps first, then pause.')],
@@ -71,7 +72,7 @@ export class Compare {
 		const field = element('input', {
 			id: 'paste',
 			type: 'text',
-			placeholder: 'paste what it prints',
+			placeholder: 'paste the hash that it prints',
 			spellcheck: 'false',
 			autocomplete: 'off',
 			'aria-label': 'Hash from your machine',
@@ -82,9 +83,9 @@ export class Compare {
 			},
 		});
 		this.box.replaceChildren(
-			element('p', {}, `Here, after ${step} steps:`),
+			element('p', {}, `World hash of this page after ${step} steps:`),
 			element('code', { id: 'here', class: 'hash' }, hash),
-			element('p', {}, `In a clone of Scree ${version}, after make build, on CPU or GPU:`),
+			element('p', {}, `Command in a clone of Scree ${version} after make build, on CPU or GPU:`),
 			element('div', { class: 'line' }, element('code', { id: 'command' }, ...unbroken(command)), copyButton('copy', () => command)),
 			field,
 			result,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// core.js -- JavaScript for the functions of web/page.c: numbers, texts, and errors that are thrown as sentences.
+// core.js -- methods that call the functions of web/page.c; errors of these functions are thrown as sentences.
 
 const NUMBERS = [ // in the order of page_numbers
 	'step', 'bodies', 'contacts', 'touching', 'colors', 'ms', 'dt', 'penetration',
@@ -36,7 +36,8 @@ export class Core {
 			version: this.text(m._page_version()),
 		};
 	}
-	// Returns when a new world can start its threads: the browser frees those of a destroyed world some time later.
+	// Returns as soon as a new world can start its threads: the browser frees those of a destroyed world some time
+	// later.
 	async threadsReady(threads) {
 		const pool = this.module.PThread;
 		while (pool && pool.unusedWorkers.length < threads - 1) await new Promise((resolve) => setTimeout(resolve, 1));

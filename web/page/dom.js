@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// dom.js -- short functions on elements for all parts of the page.
+// dom.js -- helper functions for elements, used by all parts of the page.
 
 export const $ = (id) => document.getElementById(id);
 

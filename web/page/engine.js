@@ -22,12 +22,12 @@ export class Engine {
 		this.say = say;
 		this.paused = false;
 		this.rate = 1;
-		this.behind = 0; // s of the world by which the steps are behind the clock
+		this.behind = 0; // s of simulated time by which the steps lag behind the clock
 		this.history = []; // ms: durations of the steps since the last report
 		this.changed = true; // true if the picture is out of date
 		this.reported = 0;
-		// true if something was drawn since the last report; a world at rest sends no reports, so that the page does
-		// no work
+		// true if a frame was drawn since the last report; a paused scene without a new frame sends no reports, so that
+		// the page does no work
 		this.news = false;
 		this.frames = 0;
 		this.drawing = 0; // ms: drawing time of the last frame
@@ -132,7 +132,7 @@ export class Engine {
 	cancel() {
 		this.pointer.cancel();
 	}
-	// Handles the mouse over the picture, and its leaving.
+	// Handles a move of the mouse over the picture; over is false when the mouse leaves it.
 	hover({ x, y, over }) {
 		this.inspector.hover(over ? { x, y } : null);
 		if (over) this.pointer.move({ x, y, by: 'hover' });
@@ -147,7 +147,7 @@ export class Engine {
 		if (down !== this.player.keys) this.act('keys', [down]);
 	}
 
-	// Returns the actions so far, for links and tests.
+	// Returns the actions since the start, the step and the hash, for links and tests.
 	record() {
 		return { actions: this.player.done, step: this.step, hash: this.core.hash() };
 	}

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// host.js -- the place where the engine runs: in a worker that draws into the canvas, else in the page itself.
+// host.js -- starts the engine, in a worker that draws into the canvas or else in the page itself, and sends it
+// messages.
 import { bestForm, bestThreads, FORMS } from './wasm.js';
 
-// Returns true if a worker can draw with WebGL 2 what the page can draw.
+// Returns true if a worker can draw into a canvas: with WebGL 2, unless the page itself has no WebGL 2 either.
 function workersDraw() {
 	if (!globalThis.Worker || !HTMLCanvasElement.prototype.transferControlToOffscreen) return false;
 	const draws = (canvas) => Boolean(canvas.getContext('webgl2'));
@@ -38,7 +39,8 @@ export class Host {
 		this.number = 0;
 	}
 
-	// Starts the engine. wish: {form, threads, apart} from the address; missing members are chosen.
+	// Starts the engine. wish: {form, threads, apart} from the address; missing members get the best values for the
+	// browser.
 	async open(wish, { width, height, density }) {
 		this.apart = wish.apart ?? (workersDraw() && workersAreModules());
 		const form = FORMS.includes(wish.form) ? wish.form : bestForm(this.apart);
@@ -71,7 +73,7 @@ export class Host {
 		else this.turn = this.turn.then(() => this.engine.hear(message));
 	}
 
-	// Sends a message and returns a promise of the answer.
+	// Sends a message and returns a promise of its answer.
 	ask(message) {
 		const id = ++this.number;
 		return new Promise((resolve) => {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// input.js -- mouse, pen and fingers in the picture: one drags or uses a tool, two move and zoom, the wheel zooms.
+// input.js -- mouse, pen and fingers in the picture: one pointer drags or uses a tool, two fingers move and zoom, the
+// wheel zooms.
 
-const WHEEL = 0.0016; // zoom per pixel of the wheel
-const LINE = 33; // px: one line of the wheel, for browsers that count in lines
+const WHEEL = 0.0016; // logarithm of the zoom factor per pixel of the wheel
+const LINE = 33; // px: one line of the wheel, for browsers that report lines
 
 export class Input {
 	// view: {density}: pixels of the picture per pixel of the page
@@ -12,7 +13,7 @@ export class Input {
 		this.say = say;
 		this.tool = tool;
 		this.pointers = new Map();
-		this.single = null; // the pointer that drags
+		this.single = null; // id of the pointer that drags; null if there is none
 		this.cursor = null; // position of the mouse, px of the picture
 		canvas.addEventListener('pointerdown', (event) => this.down(event));
 		canvas.addEventListener('pointermove', (event) => this.move(event));
@@ -82,7 +83,7 @@ export class Input {
 		this.say(event.type === 'pointerup' ? { type: 'lift', ...this.place(event) } : { type: 'cancel' });
 	}
 
-	// Cancels the current action, also that of a tool whose key is down.
+	// Cancels the current action, including that of a tool whose key is down.
 	cancel() {
 		this.say({ type: 'cancel' });
 		this.single = null;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// keys.js -- the keyboard: keys of the page, keys of a scene, and the latter as buttons on a screen.
+// keys.js -- the keyboard: keys of the page and of the scene; on touch screens, buttons for the keys of the scene.
 import { $, dress, element } from './dom.js';
 
 // names of the scene keys in browsers
@@ -10,8 +10,8 @@ const CODES = {
 const ARROWS = ['left', 'up', 'down', 'right'];
 
 export class Keys {
-	// actions: [{key, shown, help, run, hold}]: run() is called at a press, hold(down) at press and release; without shown
-	// the list omits the key. names: names of the scene keys; hold(bits): receives the scene keys that are down
+	// actions: [{key, shown, help, run, hold}]: run() is called at a press, hold(down) at press and release; the list
+	// of keys omits actions without shown. names: names of the scene keys; hold(bits): receives those that are down
 	constructor(actions, names, hold) {
 		this.held = new Set(); // actions whose key is down
 		this.actions = new Map(actions.map((action) => [action.key, action]));
@@ -75,7 +75,7 @@ export class Keys {
 		$('keypad').hidden = names.length === 0;
 		$('keypad').replaceChildren(...[...arrows, ...others].map((name) => this.button(name)));
 		$('hint').hidden = names.length === 0;
-		$('hint').textContent = arrows.length > 0 ? 'The arrow keys play this scene.' : `Keys of this scene: ${others.join(', ')}.`;
+		$('hint').textContent = arrows.length > 0 ? 'The arrow keys control this scene.' : `Keys of this scene: ${others.join(', ')}.`;
 	}
 
 	button(name) {
@@ -104,8 +104,8 @@ export class Keys {
 			.filter(({ shown }) => shown)
 			.map(({ shown, help }) => element('div', {}, element('dt', {}, element('kbd', {}, shown)), element('dd', {}, help)));
 		const fingers = [
-			['one finger', 'does what the left button does'],
-			['two fingers', 'move and zoom the picture'],
+			['one finger', 'acts as the left button'],
+			['two fingers', 'drag and zoom the picture'],
 		].map(([shown, help]) => element('div', {}, element('dt', {}, shown), element('dd', {}, help)));
 		$('keys').replaceChildren(
 			element('h2', { id: 'keys-title' }, 'Keys and fingers', close),

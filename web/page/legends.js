@@ -4,7 +4,7 @@ import { $, element } from './dom.js';
 
 let shown = '';
 
-// Returns a gradient of colors from left to right, or separate blocks.
+// Returns the CSS of a color bar, from left to right: a gradient, or blocks of one color each.
 function gradient(colors, blocks) {
 	const share = (k) => `${((100 * k) / colors.length).toFixed(2)}%`;
 	const stops = blocks ? colors.map((color, k) => `${color} ${share(k)} ${share(k + 1)}`) : colors;

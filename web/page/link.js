@@ -26,6 +26,6 @@ export function readLink(fragment) {
 	const until = { step: Number(values.get('at')), hash: values.get('hash') ?? '' };
 	if (!values.has('do')) return { name: decodeURIComponent(name), settings, script: [], until: null };
 	if (!Number.isSafeInteger(until.step) || until.step < 0 || !/^[0-9a-f]{16}$/.test(until.hash))
-		throw new Error('the link is damaged: it has no step and hash of the one who made it');
+		throw new Error('the link is damaged: it has no valid step and hash of its recording');
 	return { name: decodeURIComponent(name), settings, script: decodeActions(values.get('do')), until };
 }

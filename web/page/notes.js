@@ -4,8 +4,8 @@ import { $, element } from './dom.js';
 
 const STAYS = 7000; // ms
 
-// Shows a note. kind: 'plain', 'good', 'bad'. A note replaces the one with the same name; a lasting note stays until it
-// is closed.
+// Shows a note. kind: 'plain', 'good', 'bad'. It replaces an earlier note of the same name; an empty sentence only
+// removes that note. A lasting note stays until it is closed.
 export function note(sentence, { kind = 'plain', name = sentence, lasting = false } = {}) {
 	const box = $('notes');
 	for (const old of box.children) if (old.dataset.name === name) old.remove();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// numbers.js -- the numbers of the world, a few times a second.
+// numbers.js -- numbers of the world, updated at most four times per second.
 import { $, element } from './dom.js';
 import { Graph } from './graph.js';
 
@@ -8,14 +8,14 @@ const milliseconds = (value) => value.toFixed(value < 10 ? 2 : 1);
 
 const ROWS = [
 	['bodies', 'bodies', (s) => whole.format(s.bodies)],
-	['contacts', 'contacts', (s) => whole.format(s.contacts), 'pairs whose boxes overlap'],
+	['contacts', 'contacts', (s) => whole.format(s.contacts), 'pairs of collidables whose enlarged boxes overlap'],
 	['touching', 'touching', (s) => whole.format(s.touching)],
-	['frames', 'frames/s', (s) => (s.elapsed > 0 ? whole.format((1000 * s.frames) / s.elapsed) : '–'), 'pictures a second'],
-	['drawing', 'draw, ms', (s) => milliseconds(s.drawing), 'time of drawing in the worker, without the graphics card'],
-	['solve', 'solve, ms', (s) => milliseconds(s.solve), 'part of the step'],
-	['memory', 'memory, MB', (s) => (s.memory / 1e6).toFixed(1), 'of the engine'],
-	['deepest', 'overlap, m', (s) => s.penetration.toFixed(3), 'deepest overlap of two bodies in the last step'],
-	['seen', 'most, m', (s) => s.seen.toFixed(3), 'deepest overlap that was shown since the scene began'],
+	['frames', 'fps', (s) => (s.elapsed > 0 ? whole.format((1000 * s.frames) / s.elapsed) : '–'), 'frames drawn per second'],
+	['drawing', 'draw, ms', (s) => milliseconds(s.drawing), 'time to draw a frame, without the time of the graphics card'],
+	['solve', 'solve, ms', (s) => milliseconds(s.solve), 'time of the stage solve, a part of the step'],
+	['memory', 'memory, MB', (s) => (s.memory / 1e6).toFixed(1), 'memory of the engine'],
+	['deepest', 'overlap, m', (s) => s.penetration.toFixed(3), 'deepest overlap in the last step'],
+	['seen', 'deepest, m', (s) => s.seen.toFixed(3), 'deepest overlap displayed since the scene started'],
 ];
 
 export class Numbers {
@@ -24,7 +24,7 @@ export class Numbers {
 		this.cells = new Map(ROWS.map(([key]) => [key, element('dd', { id: `count-${key}` })]));
 		const rows = ROWS.map(([key, label, , help]) => element('div', {}, element('dt', { title: help ?? label }, label), this.cells.get(key)));
 		this.hash = element('dd', { id: 'hash' });
-		rows.push(element('div', { class: 'wide' }, element('dt', {}, 'hash of the world'), this.hash));
+		rows.push(element('div', { class: 'wide' }, element('dt', {}, 'world hash'), this.hash));
 		$('counts').replaceChildren(...rows);
 		this.shown = 0;
 		this.seen = 0;

@@ -14,7 +14,7 @@ function ends({ start, min, max, integer }) {
 	return [Math.max(low, start >= 0 && low < -reach ? -reach : low), Math.min(high, Math.max(reach, low + 1))];
 }
 
-// Rounds to three significant digits, which are enough by hand.
+// Rounds to three significant digits, which are enough for values set by hand.
 function tidy(value, { integer }) {
 	if (integer) return Math.round(value);
 	return Number(value.toPrecision(3));
@@ -70,7 +70,7 @@ function row(parameter, value, change) {
 	);
 }
 
-// Shows the parameters. change(settings) is called some time after the last change.
+// Shows the parameters. change(settings) is called WAIT after the last move of a slider, and at once for a field.
 export function showParameters(scene, settings, change) {
 	const values = new Map(settings);
 	let timer = 0;
@@ -80,6 +80,6 @@ export function showParameters(scene, settings, change) {
 		timer = setTimeout(() => change([...values]), wait);
 	};
 	const rows = scene.parameters.map((parameter) => row(parameter, values.get(parameter.name) ?? parameter.start, set));
-	$('parameters').replaceChildren(...(rows.length > 0 ? rows : [element('p', {}, 'This scene has none.')]));
+	$('parameters').replaceChildren(...(rows.length > 0 ? rows : [element('p', {}, 'This scene has no parameters.')]));
 	$('defaults').hidden = rows.length === 0;
 }

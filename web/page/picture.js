@@ -11,16 +11,16 @@ export class Picture {
 		this.canvas = canvas;
 		this.tell = tell; // receives a sentence about the picture; empty: no error
 		this.density = 1; // pixels of the picture per pixel of the page
-		this.arrow = null; // m: x, y, x, y
+		this.arrow = null; // m: [x, y of the start, x, y of the tip]; null: no arrow
 		this.rings = []; // {at, radius, born}
 		this.blast = null; // {at, radius()} of a growing blast; radius in px
 		this.styled = [0, 0, false, false];
-		this.fitted = true; // true: the whole scene is shown, whatever its size
+		this.fitted = true; // true: the whole scene stays visible when the size of the picture changes
 		canvas.addEventListener('webglcontextlost', (event) => {
 			event.preventDefault(); // allows the browser to restore the context
 			this.drawn = false;
 			this.module._page_close_picture();
-			this.tell('The browser took the graphics away from this page. The scene goes on; the picture comes back when it can.');
+			this.tell('This page lost its WebGL context. The scene continues; the picture returns when the browser restores the context.');
 		});
 		canvas.addEventListener('webglcontextrestored', () => {
 			this.connect();
@@ -36,7 +36,7 @@ export class Picture {
 		const wishes = { alpha: false, antialias: false, depth: false, powerPreference: 'high-performance' };
 		this.gl = this.canvas.getContext('webgl2', wishes);
 		if (this.gl) this.connect();
-		else this.tell('This browser has no WebGL 2, so there is no picture. The steps and their hash work without it.');
+		else this.tell('This browser has no WebGL 2, so there is no picture. Steps and hash work without it.');
 	}
 
 	connect() {
@@ -93,7 +93,7 @@ export class Picture {
 		this.core.check(this.module._page_draw());
 	}
 
-	// Returns the current pixels, rows from the top, four bytes each.
+	// Returns the current pixels: rows from the top, four bytes per pixel.
 	look() {
 		this.draw();
 		const { gl, width, height } = this;
@@ -112,7 +112,7 @@ export class Picture {
 		return [(x - left) * scale, (top - y) * scale];
 	}
 
-	// Simulates the loss of the context, and its restoration, for tests.
+	// Simulates the loss of the context, or its restoration, for tests.
 	lose(restore) {
 		this.loss ??= this.gl.getExtension('WEBGL_lose_context');
 		if (restore) this.loss.restoreContext();

@@ -2,7 +2,7 @@
 // pointer.js -- actions of one finger, the mouse or a held key in the picture: drag bodies or the picture, throw, pour,
 // blast, select.
 
-const THROW_TIME = 0.25; // s: time in which a thrown body covers the way from press to release
+const THROW_TIME = 0.25; // s: time in which a thrown body covers the distance from press to release
 const FASTEST = 200; // m/s: maximum speed of a thrown body
 const THROWN = 28; // px: size of a thrown body, so that it is visible at any scale
 const CLICK = { mouse: 4, touch: 10 }; // px: maximum motion of a click
@@ -17,8 +17,8 @@ export class Pointer {
 		this.act = act;
 		this.select = select;
 		this.mode = null; // 'press', 'hold', 'pan', 'throw', 'pour', 'blast'
-		this.by = null; // source of the press: a pointer, or the name of a key
-		this.wanted = null; // target of the held body, or of pouring, before the next step
+		this.by = null; // source of the press: 'pointer', or the tool whose key is down
+		this.wanted = null; // px of the picture: target of the held body, or of pouring, for the next step
 	}
 
 	get holds() {
@@ -57,7 +57,7 @@ export class Pointer {
 		if (this.mode === 'hold' || this.mode === 'pour') this.wanted = [x, y];
 		if (this.mode === 'throw') this.picture.arrow = [...this.core.point(...this.from), ...this.core.point(x, y)];
 		if (this.mode === 'blast') this.picture.blast.at = this.core.point(x, y);
-		// keeps the start, so that the picture moves by the whole way once the press is no longer a click
+		// keeps the start, so that the picture moves by the whole distance once the press is no longer a click
 		if (this.mode === 'pan' && this.clicks) return;
 		this.x = x;
 		this.y = y;
@@ -74,7 +74,7 @@ export class Pointer {
 		if (clicked) this.select(...from, room);
 	}
 
-	// Ends the current action without its effect: the finger left, or another action begins.
+	// Ends the current action without its effect, because the pointer left or another action begins.
 	cancel() {
 		if (this.mode === 'hold' || this.mode === 'pour') this.act('release');
 		this.mode = this.by = this.wanted = this.picture.arrow = this.picture.blast = null;
@@ -88,7 +88,7 @@ export class Pointer {
 		if (this.mode === 'hold') this.wanted = [this.x, this.y];
 	}
 
-	// Pulls once per step, whatever the rate of events.
+	// Pulls once per step, independent of the rate of pointer events.
 	beforeStep() {
 		if (this.mode === 'press' && performance.now() - this.begun > HOLD) this.hold();
 		if (!this.wanted) return;

@@ -69,7 +69,7 @@ const toText = (bytes) => {
 };
 
 const toBytes = (text) => {
-	if (!/^[\w-]*$/.test(text)) throw new Error('the link is damaged: it has characters that no link of this page has');
+	if (!/^[\w-]*$/.test(text)) throw new Error('the link is damaged: it contains invalid characters');
 	return Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
 };
 
@@ -102,7 +102,7 @@ export function decodeActions(text) {
 	while (!reader.done) {
 		const head = reader.number();
 		const kind = KINDS[head % 8];
-		if (!kind) throw new Error('the link is damaged, or was made by a newer page');
+		if (!kind) throw new Error('the link is damaged, or was made by a newer version of this page');
 		step += Math.floor(head / 8);
 		const { units } = kind;
 		const whole = units.map((_, k) => reader.signed() + (units.length > 1 && k < 2 ? last[k] : 0));

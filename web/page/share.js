@@ -10,7 +10,7 @@ export class Share {
 		this.record = record;
 		this.note = element('p', { id: 'link-note', role: 'status', 'aria-live': 'polite' });
 		this.field = element('input', { id: 'link', type: 'text', readonly: true, 'aria-label': 'Link', hidden: true });
-		this.replay = element('button', { id: 'replay', type: 'button', disabled: true, onclick: replay }, 'Play it again');
+		this.replay = element('button', { id: 'replay', type: 'button', disabled: true, onclick: replay }, 'Replay');
 		this.words = element('p', {}, '');
 		$('share').replaceChildren(
 			this.words,
@@ -24,8 +24,8 @@ export class Share {
 	show({ touched, replaying }) {
 		this.replay.disabled = !touched || replaying;
 		this.words.textContent = touched
-			? 'The link has the parameters and all that you did, by step. Whoever opens it sees the same, to the last bit.'
-			: 'The link has the scene and its parameters. What you do to bodies goes into it too.';
+			? 'The link contains the scene, its parameters and your actions. Whoever opens it sees the same, to the last bit.'
+			: 'The link contains the scene and its parameters. Your actions on bodies will be added.';
 	}
 
 	// Creates the address. If there are too many actions, it omits them, and a sentence reports this.
@@ -35,7 +35,7 @@ export class Share {
 		let link = writeLink({ ...this.source(), record });
 		this.note.textContent = '';
 		if (link.length > LONGEST) {
-			this.note.textContent = `What you did takes ${link.length} characters, and a link has room for ${LONGEST}: this one has the scene and its parameters only.`;
+			this.note.textContent = `With your actions the link has ${link.length} characters, more than the limit of ${LONGEST}: this link contains only the scene and its parameters.`;
 			link = writeLink(this.source());
 		} else if (record.actions.length > 0)
 			this.note.textContent = `${link.length} characters: ${record.actions.length} action${record.actions.length > 1 ? 's' : ''} until step ${record.step}.`;

@@ -39,7 +39,7 @@ export class Theme {
 
 	apply() {
 		document.documentElement.dataset.theme = this.dark ? 'dark' : 'light';
-		dress($('theme'), this.dark ? 'light' : 'dark', this.dark ? 'Light' : 'Dark');
+		dress($('theme'), this.dark ? 'light' : 'dark', this.dark ? 'Light theme' : 'Dark theme');
 		const sheet = getComputedStyle(document.documentElement).getPropertyValue('--sheet').trim();
 		document.querySelector('meta[name=theme-color]').content = sheet;
 		dispatchEvent(new Event('theme'));

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // wasm.js -- selects and loads a form of Scree's WebAssembly: threads, simd or scalar.
 
-// a function of one vector instruction: it is valid if the browser supports vectors
+// a module with vector instructions: it is valid if the browser supports them
 const VECTOR = [
 	0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ];
 
 export const FORMS = ['threads', 'simd', 'scalar'];
 
-// Returns the fastest form that this page can run. apart: the engine is in a worker, which may block for threads.
+// Returns the fastest form that this page can run. apart: the engine is in a worker, which may wait for threads.
 export function bestForm(apart) {
 	if (!WebAssembly.validate(new Uint8Array(VECTOR))) return 'scalar';
 	return apart && globalThis.crossOriginIsolated && bestThreads() > 1 ? 'threads' : 'simd';
 }
 
-// Returns the best number of threads: one per core, minus one for the page itself. Scenes of a page are too small for
-// more than four.
+// Returns the best number of threads: one per core, minus one for the page itself. Scenes of the page are too small
+// for more than four.
 export function bestThreads() {
 	return Math.max(1, Math.min(4, (globalThis.navigator?.hardwareConcurrency ?? 2) - 1));
 }
