@@ -14,9 +14,9 @@ typedef struct
 
 	scree_body_def def; // valid if there is a body, as are the members below, up to shapes
 	scree_mass mass;
-	int contacts; // number of contacts of the body
-	float force;  // N: sum of the normal forces of its contacts, but of at most CONTACTS of them
-	int joints;   // number of joints of the body
+	int contacts;           // number of contacts of the body
+	float force;            // N: sum of the normal forces of its contacts, but of at most CONTACTS of them
+	int joints;             // number of joints of the body
 	int shapes;             // number of collidables of the body
 	scree_pose pose;        // pose of the body, or of the collidable
 	uint32_t sees, reports; // bits of the sensor, of the reports
