@@ -101,7 +101,7 @@ static void act_chains(scree_world* world, int step, const void* context)
 	OK(scree_world_get_joints(world, joints, 150, &count));
 	OK(scree_joints_get_states(world, joints, states, count));
 	OK(scree_world_get_joint_events(world, events, 150, &some));
-	// the values that are read control later changes, so they must be equal too
+	// later changes depend on these values, so the values must be equal too
 	int k = (step * 7) % count;
 	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ANGLE, -states[k].values[SCREE_ANGLE]));
 	scree_joint_coordinate at;
@@ -336,7 +336,7 @@ static void act_couplings(scree_world* world, int step, const void* context)
 	OK(scree_world_get_bodies(world, bodies, 64, &some));
 	OK(scree_joints_get_states(world, joints, states, count));
 
-	// the values that are read control later changes, so they must be equal too
+	// later changes depend on these values, so the values must be equal too
 	int k = step * 7 % count;
 	scree_joint_def def;
 	OK(scree_joint_get_def(world, joints[k], &def));
@@ -477,7 +477,7 @@ static void act_paths(scree_world* world, int step, const void* context)
 	OK(scree_world_get_bodies(world, bodies, 400, &some));
 	OK(scree_joints_get_states(world, joints, states, count));
 
-	// the values that are read control later changes, so they must be equal too
+	// later changes depend on these values, so the values must be equal too
 	int k = step * 17 % count;
 	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ALONG, 1.0f - states[k].values[SCREE_ALONG]));
 	scree_body moved = bodies[2 + step * 29 % (some - 2)];

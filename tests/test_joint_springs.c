@@ -109,7 +109,7 @@ static void check_swing(const Kind* kind, double hertz, double ratio, int subste
 	scree_world_destroy(world);
 }
 
-// All kinds of soft coordinates, from 0.5 Hz to a twelfth of the substep rate.
+// Checks all kinds of soft coordinates, from 0.5 Hz to a twelfth of the substep rate.
 static void springs_swing_as_they_should(void** state)
 {
 	(void)state;

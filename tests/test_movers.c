@@ -322,7 +322,7 @@ static void follows_the_ground_down(void** state)
 	}
 	assert_int_equal(air, 0);
 	NEAR(m.position.y, 2.5 - 0.125 * 8.0 + HALF + 0.01, 0.13);
-	walk_frames(world, NULL, &m, SPEED, 30); // over the last edge, 1.4 m above the floor
+	walk_frames(world, NULL, &m, SPEED, 30); // walks over the last edge, 1.4 m above the floor
 	assert_true(scree_collidable_is_null(m.ground));
 	walk_frames(world, NULL, &m, SPEED, 60);
 	NEAR(m.position.y, HALF + 0.01, 1e-3);
