@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_joint_parity.c -- worlds of joints on every device, number of lanes and of threads, and moved between them: equal bits.
+// test_joint_parity.c -- checks that worlds with joints have equal bits on every device, with every number of lanes and
+// threads, and after moves between devices.
 #include "emulation/emulation_scenes.h"
 #include "support/make_joints.h"
 #include "support/scenarios.h"
@@ -13,7 +14,8 @@ static void act_scene(scree_world* world, int step, const void* context)
 		scene->act(world, step);
 }
 
-// A wheel with three times as many joints as there are colors, on the floor, some of whose arms go and come.
+// A wheel on the floor with three times as many joints as there are colors. Some of its arms are destroyed and added
+// during the run.
 #define ARMS 200
 
 static void add_arm(scree_world* world, scree_body wheel, int k)
@@ -48,7 +50,8 @@ static void act_wheel(scree_world* world, int step, const void* context)
 			add_arm(world, bodies[1], 7 * step + k);
 }
 
-// Chains and dolls of every drive that fall in a heap; dolls are welded and torn.
+// Rows of bodies that fall in a heap, joined by all types of joint with limits, springs and motors. Some welds and
+// other joints break.
 static void build_chains(scree_world* world, const void* context)
 {
 	(void)context;
@@ -84,8 +87,8 @@ static void build_chains(scree_world* world, const void* context)
 	}
 }
 
-// Nothing is changed around the steps in which a world moves to another device (9) and back (25): its chains lie elsewhere there,
-// which no edit reports.
+// Changes joints, but not around the steps in which a world moves to another device (9) and back (25). The chains lie
+// at other places in memory there, and no edit reports it.
 static void act_chains(scree_world* world, int step, const void* context)
 {
 	(void)context;
@@ -98,7 +101,7 @@ static void act_chains(scree_world* world, int step, const void* context)
 	OK(scree_world_get_joints(world, joints, 150, &count));
 	OK(scree_joints_get_states(world, joints, states, count));
 	OK(scree_world_get_joint_events(world, events, 150, &some));
-	// the values that are read control later changes, so they must be equal too
+	// later changes depend on these values, so the values must be equal too
 	int k = (step * 7) % count;
 	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ANGLE, -states[k].values[SCREE_ANGLE]));
 	scree_joint_coordinate at;
@@ -108,7 +111,8 @@ static void act_chains(scree_world* world, int step, const void* context)
 	OK(scree_joint_set_coordinate(world, joints[(k + some) % count], SCREE_ANGLE, &at));
 }
 
-// Carts that fall on light wheels, of which chains lie side by side and behind all others; short ropes with heavy ends, and two long ones.
+// Heavy carts that fall on light wheels, and ropes with heavy ends, five short and two long. The chains of the carts,
+// with two joints, are the shortest; they lie side by side after all others.
 static void build_carts(scree_world* world, const void* context)
 {
 	(void)context;
@@ -141,8 +145,9 @@ static void build_carts(scree_world* world, const void* context)
 	}
 }
 
-// Light hubs with heavy arms of two parts, welded, hinged with limits and motors, some of which break; two hubs beside each other,
-// one in a net with its arms joined at their ends, ropes and a chain of twelve that hang on them.
+// Light discs with six heavy arms of two parts each. The joints of arms are welds, or hinges with limits and motors;
+// some break. Two discs are welded together, one is free, and one has its arms joined at their ends. A chain of twelve
+// bodies hangs from the last disc.
 static void build_branches(scree_world* world, const void* context)
 {
 	(void)context;
@@ -193,8 +198,8 @@ static void build_branches(scree_world* world, const void* context)
 	}
 }
 
-// Nets so taut that their bodies get other inertias for some steps: held at a corner, with a heavy ball at the opposite one, which
-// some joints let go; the floor is near.
+// Nets that are held at one corner, with a heavy ball at the opposite corner, close to the floor. Their bodies are taut
+// in some steps, with raised inertias. act_nets destroys joints, which lets the balls go.
 #define NET 8
 
 static void build_nets(scree_world* world, const void* context)
@@ -230,12 +235,12 @@ static void act_nets(scree_world* world, int step, const void* context)
 		OK(scree_joint_destroy(world, joints[(step * 7) % count]));
 }
 
-// Trains of gears with racks and winches, ropes over pulleys, tackles: of all drives, of ratios and bases that change, on
-// bodies that are moved, disabled and change their type.
+// Gear trains with racks and winches, ropes over pulleys, and tackles, with all drives. Ratios and bases change, and
+// bodies are moved, disabled, and change their type.
 #define WHEELS 9
 #define ROPES  12
 
-// The parts of coupling k in place of a lock.
+// Gives coupling k a lock, limits, a spring or a motor, and thresholds.
 static void vary(scree_joint_def* def, int k)
 {
 	scree_joint_coordinate* along = def->coordinates;
@@ -256,7 +261,8 @@ static void vary(scree_joint_def* def, int k)
 	def->torque_threshold = k % 3 == 2 ? 2.0f : 3.4e38f;
 }
 
-// Disables a body in every sixth step, the first time in step first, and enables all later; changes its type likewise.
+// Disables one body in each step with step % 6 == first, and enables all bodies when step % 6 == 4. Every eighth step
+// it changes the type of that body, and two steps later makes all bodies but the first dynamic.
 static void disturb(scree_world* world, const scree_body* bodies, int count, scree_body moved, int step, int first)
 {
 	if (step % 6 == first)
@@ -330,7 +336,7 @@ static void act_couplings(scree_world* world, int step, const void* context)
 	OK(scree_world_get_bodies(world, bodies, 64, &some));
 	OK(scree_joints_get_states(world, joints, states, count));
 
-	// the values that are read control later changes, so they must be equal too
+	// later changes depend on these values, so the values must be equal too
 	int k = step * 7 % count;
 	scree_joint_def def;
 	OK(scree_joint_get_def(world, joints[k], &def));
@@ -351,9 +357,9 @@ static void act_couplings(scree_world* world, int step, const void* context)
 	}
 }
 
-// Beads and wagons on rails in the world and on a wheel that turns, with all drives; paths that come and go, and bodies that are
-// placed, disabled, and change their type. Where the context says so, a train is a chain, and the wheel has more beads than there
-// are colors, so that a device solves them by launches.
+// Beads and wagons on paths in the world and on a turning wheel, with all drives. Paths are created and destroyed;
+// bodies are placed, disabled, and change their type. With a context, wagons form a train, which is a chain, and the
+// wheel has more beads than there are colors, so that a device solves them by launches.
 #define FEW_BEADS  20
 #define MANY_BEADS 80
 
@@ -376,7 +382,7 @@ static scree_path add_wave(scree_world* world, float x, float y, float reach, bo
 	return path;
 }
 
-// Joint k on a path in body a, of all parts by turns.
+// Adds a bead with joint k on a path in body a. k selects lock, limits, springs, motors and thresholds.
 static void add_bead(scree_world* world, scree_path path, scree_body a, scree_pose place, int k)
 {
 	float length;
@@ -471,7 +477,7 @@ static void act_paths(scree_world* world, int step, const void* context)
 	OK(scree_world_get_bodies(world, bodies, 400, &some));
 	OK(scree_joints_get_states(world, joints, states, count));
 
-	// the values that are read control later changes, so they must be equal too
+	// later changes depend on these values, so the values must be equal too
 	int k = step * 17 % count;
 	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ALONG, 1.0f - states[k].values[SCREE_ALONG]));
 	scree_body moved = bodies[2 + step * 29 % (some - 2)];

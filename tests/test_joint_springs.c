@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_joint_springs.c -- springs and soft locks against their differential equation: C" + 2 z o C' + o^2 C = 0, o = 2 pi hertz.
+// test_joint_springs.c -- checks springs and soft locks against their differential equation: C" + 2 z o C' + o^2 C = 0,
+// with o = 2 pi hertz.
 //
-// A coordinate that starts at 0 with the speed v moves as v e^(-z o t) sin(q t) / q, q = o sqrt(1 - z^2); for z = 1 as v t e^(-o t),
-// for z > 1 with sinh. Substeps of h have the same eigenvalues, so C(t) is that up to a factor, which the first step gives.
+// A coordinate that starts at 0 with the speed v moves as v e^(-z o t) sin(q t) / q, with q = o sqrt(1 - z^2); for
+// z = 1 as v t e^(-o t), for z > 1 with sinh. Substeps of h have the same eigenvalues, so C(t) of the engine is this
+// solution times a constant factor, which the first step determines.
 #include "support/make_joints.h"
 #include <math.h>
 
@@ -48,7 +50,7 @@ static void set_spring(scree_joint_coordinate* c, bool lock, double hertz, doubl
 	c->spring_damping_ratio = (float)ratio;
 }
 
-// The equation's solution with the speed 1 at the start.
+// Solution of the equation for a speed of 1 at the start.
 static double solution(double rate, double ratio, double t)
 {
 	double decay = ratio * rate, square = rate * rate - decay * decay;
@@ -58,7 +60,7 @@ static double solution(double rate, double ratio, double t)
 	return exp(-decay * t) * (square > 0.0 ? sin(q * t) : sinh(q * t)) / q;
 }
 
-// Compares the coordinate with the solution in each step: with the speed that the first step shows.
+// Compares the coordinate with the solution in each step. The first step determines the factor between them.
 static void check_swing(const Kind* kind, double hertz, double ratio, int substeps)
 {
 	scree_world* world = open_world(0.0f);
@@ -83,7 +85,7 @@ static void check_swing(const Kind* kind, double hertz, double ratio, int subste
 		OK(scree_path_create(world, &path, &def.path));
 	scree_joint joint = add_joint(world, &def);
 
-	// stiffness and damping are those of the coordinate alone; what the arm adds to the inertia makes it slower
+	// stiffness and damping are those without an arm; the inertia that the arm adds makes the motion slower
 	double m = (double)mass.mass, own = (double)mass.inertia, arm = (double)kind->arm;
 	double share = turns ? own / (own + m * arm * arm) : 1.0;
 	double rate = 2.0 * PI * hertz * sqrt(share), most = 0.0, first = 0.0;
@@ -101,12 +103,13 @@ static void check_swing(const Kind* kind, double hertz, double ratio, int subste
 			fail_msg("%s of %g Hz and %g, %d substeps: %g after %d steps, must be %g", kind->name, hertz, ratio,
 			         substeps, value, n, first * wanted);
 	}
-	// the impulse of the first substep is a whole one: half a substep's worth of the swing
+	// factor is the speed at the start, 0.5; the first substep has a whole impulse, so the motion is shifted by half a
+	// substep
 	NEAR(first, 0.5, 0.5 * 0.6 * rate * (double)STEP / substeps + 1e-3);
 	scree_world_destroy(world);
 }
 
-// All kinds of soft coordinates, from 0.5 Hz to a twelfth of the substep rate.
+// Checks all kinds of soft coordinates, from 0.5 Hz to a twelfth of the substep rate.
 static void springs_swing_as_they_should(void** state)
 {
 	(void)state;
@@ -126,7 +129,7 @@ static void springs_of_any_substeps(void** state)
 				check_swing(&kinds[k], 5.0 * substeps > 20.0 ? 20.0 : 5.0 * substeps, 0.5 * j, substeps);
 }
 
-// A load F rests at F / (m o^2), so a body sinks by g / o^2, whatever its damping.
+// A load F rests at F / (m o^2), so a body sinks by g / o^2, with any damping.
 static void springs_carry(void** state)
 {
 	(void)state;
@@ -150,7 +153,7 @@ static void springs_carry(void** state)
 			}
 }
 
-// Any number of springs on a body, of any stiffness, without damping: none adds energy.
+// Springs without damping on one body, of any number and any stiffness, add no energy.
 static void springs_together_gain_nothing(void** state)
 {
 	(void)state;
@@ -181,14 +184,14 @@ static void springs_together_gain_nothing(void** state)
 				{
 					run_steps(world, 1);
 					scree_velocity v = velocity_of(world, body);
-					// a spin of 1 rad/s is 0.16 m/s of the radius of gyration; all energy may get into either
+					// a spin of 1 rad/s is 0.16 m/s at the radius of gyration; all energy may go into either motion
 					assert_true(hypotf(v.linear.x, v.linear.y) < 1.5f && fabsf(v.angular) < 7.0f);
 				}
 				scree_world_destroy(world);
 			}
 }
 
-// Arms in a row, each on a spring or a soft lock of the angle, swing for a minute and gain nothing.
+// Arms in a row, each on a spring or a soft lock of the angle, swing for a minute and gain no energy.
 static void arms_in_a_row_gain_nothing(void** state)
 {
 	(void)state;
@@ -232,7 +235,7 @@ static void arms_in_a_row_gain_nothing(void** state)
 			}
 }
 
-// A soft lock pulls a body back that was placed far away, and no faster than max_speed.
+// A soft lock pulls back a body that was placed far away, no faster than max_speed.
 static void soft_locks_after_a_jump(void** state)
 {
 	(void)state;
@@ -248,7 +251,7 @@ static void soft_locks_after_a_jump(void** state)
 	for (int k = 0; k < 120; ++k)
 	{
 		run_steps(world, 1);
-		// o C / e
+		// maximum speed with critical damping: o C / e, for C = 10 m and o = 2 pi 2 Hz; 2.6 leaves a margin
 		assert_true(fabsf(velocity_of(world, body).linear.x) < 10.0f * 2.0f * 2.0f * (float)PI / 2.6f);
 	}
 	scree_pose pose = pose_of(world, body);
@@ -257,9 +260,9 @@ static void soft_locks_after_a_jump(void** state)
 	scree_world_destroy(world);
 }
 
-// A row of softly welded boxes hangs by its first one. Its joints open by decimeters and turn, but each pulls as when closed: the last one
-// carries the weight of one box, 2 N, along its axis by the mass 1 / (1 / 0.2 + 1 / 0.2) kg times (2 pi f)^2, across it by that at arms of
-// 0.5 m.
+// A row of softly welded boxes hangs from its first joint. Joints open by decimeters and turn, but each pulls as if it
+// were closed. The last one carries the weight of one box, 2 N. Its stiffness along its axis is (2 pi f)^2 times the
+// mass 1 / (1 / 0.2 + 1 / 0.2) kg; across the axis, (2 pi f)^2 times the mass at arms of 0.5 m.
 static void soft_rows_carry(void** state)
 {
 	(void)state;

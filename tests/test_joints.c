@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_joints.c -- joints against formulas: each test states the one that it checks.
+// test_joints.c -- checks joints against formulas; each test states its formula.
 #include "support/make_joints.h"
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 // pendulums
 // ---------------------------------------------------------------------------------------------------------------
 
-// The mean time between crossings of x = 0 to the right, interpolated, over a number of periods.
+// Returns the mean time between crossings of x = 0 to the right, interpolated, over a number of periods.
 static double period_of(scree_world* world, scree_body body, int periods)
 {
 	double first = -1.0, before = position_of(world, body).x;
@@ -31,8 +31,8 @@ static double period_of(scree_world* world, scree_body body, int periods)
 	return 0.0;
 }
 
-// T = 2 pi sqrt((I + m L^2) / (m g L)) (1 + a^2 / 16 + 11 a^4 / 3072 + 173 a^6 / 737280) for the amplitude a. A rod of type
-// DISTANCE does not turn its body: there is no I.
+// Period T = 2 pi sqrt((I + m L^2) / (m g L)) (1 + a^2 / 16 + 11 a^4 / 3072 + 173 a^6 / 737280) for the amplitude a. A
+// rod of type DISTANCE does not turn its body, so I is 0.
 static void pendulums_keep_time(void** state)
 {
 	(void)state;
@@ -69,8 +69,8 @@ static void pendulums_keep_time(void** state)
 	}
 }
 
-// Released at right angles, it passes the bottom with v^2 = 2 g h, and comes back up, for a minute: energy neither grows nor
-// gets lost.
+// A pendulum that is released at 90 degrees passes the bottom with v^2 = 2 g h and comes back up. Its energy neither
+// grows nor gets lost for a minute.
 static void pendulums_keep_energy(void** state)
 {
 	(void)state;
@@ -94,13 +94,14 @@ static void pendulums_keep_energy(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// at rest
+// joints at rest
 // ---------------------------------------------------------------------------------------------------------------
 
-// Locks of f Hz are springs: an error of C F / w^2 for the load F, with w = 2 pi f and the velocity C F that a unit of time of F
-// gives. A beam of n boxes of length l welded to each other and to the world: joint k carries (n - k) m g, and the torque
-// (n - k)^2 m g l / 2. Between two boxes C is 2 / I and 2 (1 / m + l^2 / 4 I); at the wall the half, and -l / 2 I for both. A chain
-// is stiffer, and does not bend.
+// Returns the sag of a beam of n boxes of length l that are welded to each other and to the world. A lock of f Hz is a
+// spring: a load F opens it by C F / w^2, with w = 2 pi f, and C F the velocity that F adds in a unit of time. Joint k
+// carries the force (n - k) m g and the torque (n - k)^2 m g l / 2. Between two boxes C is 2 / I for the angle and
+// 2 (1 / m + l^2 / 4 I) for the translation; at the wall it is half of that, with -l / 2 I between both. A chain is
+// stiffer and does not bend.
 static double beam_sag(int boxes, double length, double mass, double inertia)
 {
 	bool chain = boxes >= CHAIN_LEAST;
@@ -154,8 +155,8 @@ static void beams_hold(void** state)
 	}
 }
 
-// A rope of 40 links with a load of 100 times a link, which is 100 times what a link carries of itself. Each joint is a spring,
-// as above: (1 / m + 1 / m') F / w^2 longer.
+// A rope of 40 links carries a load with the mass of a link, or 100 times that mass. Each joint is a spring, as in
+// beam_sag: it gets longer by (1 / m + 1 / m') F / w^2, with the masses m and m' of its bodies.
 static void ropes_carry(void** state)
 {
 	(void)state;
@@ -188,7 +189,8 @@ static void ropes_carry(void** state)
 	}
 }
 
-// A load m on a spring of f Hz lowers it by g / w^2, with w = 2 pi f: F = m w^2 x, for the mass that it moves.
+// A load m on a spring of f Hz sinks by g / w^2, with w = 2 pi f: F = m w^2 x, where m is the mass that the spring
+// moves.
 static void springs_give(void** state)
 {
 	(void)state;
@@ -211,7 +213,8 @@ static void springs_give(void** state)
 	}
 }
 
-// A motor of at most M holds a lever with m g l < M for long, and not one with m g l > M, whose torque it still takes.
+// A motor with the maximum torque M holds a lever with m g l < M for long. It does not hold one with m g l > M, but
+// still applies M.
 static void motors_stall(void** state)
 {
 	(void)state;
@@ -233,7 +236,7 @@ static void motors_stall(void** state)
 	}
 }
 
-// A motor without load reaches its speed, and with the torque M it takes I w / M seconds.
+// A motor without load reaches its speed w; with the torque M it takes I w / M seconds.
 static void motors_drive(void** state)
 {
 	(void)state;
@@ -257,10 +260,10 @@ static void motors_drive(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// in flight
+// joints in flight
 // ---------------------------------------------------------------------------------------------------------------
 
-// Impulses of joints are equal and opposite, along one line: m v and m r x v + I w stay, for each type.
+// Impulses of joints are equal and opposite, along one line, so m v and m r x v + I w are constant, for each type.
 static void momentum_stays(void** state)
 {
 	(void)state;
@@ -297,7 +300,7 @@ static void momentum_stays(void** state)
 	}
 }
 
-// A rope that falls from the horizontal: kinetic and potential energy together never grow.
+// A rope falls from the horizontal. The sum of its kinetic and potential energy never grows.
 static void ropes_gain_nothing(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_live.c -- a world that lives on: it does not matter when the device hears of a change; on the CPU and on OpenCL.
+// test_live.c -- checks that the time at which changes are uploaded makes no difference; on the CPU and on OpenCL.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 
@@ -85,7 +85,8 @@ static void begin_life(Life* l)
 		be_born(l, k);
 }
 
-// It does not matter when the device hears of a change: the same calls, with a look at the hash after each, and without.
+// Makes the same calls in two worlds. In one of them it reads the hash and contacts after each call, which uploads the
+// changes. Hashes of the two worlds are equal.
 static void reading_changes_nothing(void** state)
 {
 	(void)state;

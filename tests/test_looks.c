@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_looks.c -- steps of no time: what they find, and what they leave alone; on the CPU and on OpenCL.
+// test_looks.c -- checks which contacts a step of length 0 finds, and that it changes nothing else; on the CPU and on
+// OpenCL.
 #include "support/make_bodies.h"
 #include <float.h>
 #include <string.h>
@@ -30,7 +31,7 @@ static void looking_finds_contacts(void** state)
 	OK(scree_world_get_traffic(world, &traffic));
 	assert_true(traffic.constraints == 0 && traffic.constraint_bytes == 0);
 
-	// placed elsewhere, the contact ends
+	// the contact ends when the crate is placed elsewhere
 	OK(scree_body_set_pose(world, crate, pose_at(0.0f, 5.0f, 0.0f)));
 	update_contacts(world);
 	assert_int_equal(contacts_of(world), 0);
@@ -63,7 +64,7 @@ static void looking_changes_nothing_else(void** state)
 	assert_int_equal(again, count);
 	assert_memory_equal(before, after, (size_t)count * sizeof *before);
 
-	// impulses stayed, m g of what is above a substep; and a force waits for a step that takes time
+	// impulses are unchanged: m g of the load in one substep; a force acts only in the next step with a length above 0
 	double load = 0.0;
 	OK(scree_body_get_contacts(world, crates[4], after, 8, &again));
 	assert_int_equal(again, 1);
@@ -79,7 +80,7 @@ static void looking_changes_nothing_else(void** state)
 	run_steps(world, 1);
 	NEAR(velocity_of(world, crates[4]).linear.y, 50.0 * STEP, 1e-2);
 
-	// a pile at rest stays at rest, however often somebody looks between two steps
+	// a pile stays at rest if there is a step of length 0 between every two steps
 	for (int k = 0; k < 60; ++k)
 	{
 		run_steps(world, 1);
@@ -122,8 +123,8 @@ static void no_time_is_no_error(void** state)
 	scree_world_destroy(world);
 }
 
-// Bodies with many contacts, laid out by a step of no time: the data of the solver is there in the steps after it,
-// also where the host lists a solve before it has read the counters. hash(device) = hash(cpu).
+// A step of length 0 lays out hubs. The steps after it have the data of the solver, even if the host lists a solve
+// before it has read the counters. Formula: hash(device) = hash(cpu).
 static void looking_lays_out_hubs(void** state)
 {
 	(void)state;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_manifold.c -- manifolds against worked examples, and against distances in double precision for every two shapes.
+// test_manifold.c -- checks manifolds against worked examples, and for every two shapes against distances in double
+// precision.
 #include "stages/geometry/manifold.h"
 #include "support/checks.h"
 #include "tools/common/random_numbers.h"
@@ -7,14 +8,14 @@
 #include <stdio.h>
 
 #define TAU   6.283185307179586
-#define POSES 400 // random poses of each two shapes
+#define POSES 400 // random poses of each pair of shapes
 
 typedef struct
 {
 	double x, y;
 } Point;
 
-typedef struct // the core of a shape, placed
+typedef struct // core of a shape at its pose
 {
 	int count;
 	Point corner[8];
@@ -95,7 +96,7 @@ static int make_shapes(void** state)
 	return 0;
 }
 
-// The oracle.
+// Reference: distances in double precision.
 
 static double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
 
@@ -151,7 +152,7 @@ static double core_distance(const Core* a, const Core* b)
 	return nearest;
 }
 
-// Distance of the cores when b lies at a position and rotation in the frame of a.
+// Returns the distance of the cores when b lies at a position and rotation in the frame of a.
 static double true_distance(const Attribute* a, const Attribute* b, Vec position, Vec rotation)
 {
 	Core core_a = place(a, vec(0.0f, 0.0f), vec(1.0f, 0.0f)), core_b = place(b, position, rotation);
@@ -177,7 +178,7 @@ static bool same_features(const Manifold* m, const Manifold* n)
 	return true;
 }
 
-// The name by which each check reports the pose that it failed on.
+// Returns the text by which a failed check reports its pose.
 static const char* pose_name(int a, int b, Vec position, Vec rotation)
 {
 	static char name[256];
@@ -197,7 +198,7 @@ static const char* pose_name(int a, int b, Vec position, Vec rotation)
 		}                                                             \
 	} while (0)
 
-// Checks that hold for every pose. Returns the manifold.
+// Checks properties that hold for every pose. Returns the manifold.
 static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 {
 	const Attribute *shape_a = shapes + a, *shape_b = shapes + b;
@@ -206,7 +207,8 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	CHECK(m.count >= 0 && m.count <= 2, "%d points", m.count);
 	CHECK(isfinite(m.normal.x) && isfinite(m.normal.y), "normal is not finite");
 
-	// every point is the middle between a point of the core of a and one of b
+	// every point is the middle between the two surfaces, so its distance from a core is at most the radius and half of
+	// the separation
 	Core core_a = place(shape_a, vec(0.0f, 0.0f), vec(1.0f, 0.0f)), core_b = place(shape_b, position, rotation);
 	for (int k = 0; k < m.count; ++k)
 	{
@@ -224,14 +226,14 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	if (m.count == 2)
 		CHECK(m.feature[0] != m.feature[1], "both points have feature %d", m.feature[0]);
 
-	// touching when the cores are as near as both radii and the speculative distance
+	// shapes touch if the distance of the cores is less than the sum of both radii and the speculative distance
 	double distance = core_distance(&core_a, &core_b), gap = distance - radius;
 	if (fabs(gap - SPECULATIVE_DISTANCE) > 1e-4)
 		CHECK((m.count > 0) == (gap < SPECULATIVE_DISTANCE), "gap %g and %d points", gap, m.count);
 	if (m.count == 0)
 		return m;
 
-	// apart: the deepest separation is the gap; overlapping: moving b out by it parts the cores
+	// if the cores are apart, the deepest separation is the gap; if they overlap, moving b out by it parts the cores
 	if (distance > 1e-4)
 		CHECK(fabs(deepest(&m) - gap) < 1e-4, "gap %g and separation %g", gap, deepest(&m));
 	Vec out = vec_sub(position, vec_scale(deepest(&m), m.normal));
@@ -240,7 +242,7 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	return m;
 }
 
-// The other order has the same depth and the opposite normal.
+// Checks that the other order of the shapes has the same depth and the opposite normal.
 static void check_order(int a, int b, Vec position, Vec rotation, const Manifold* m)
 {
 	Vec back = vec_neg(vec_turn_back(rotation, position));
@@ -255,7 +257,7 @@ static void check_order(int a, int b, Vec position, Vec rotation, const Manifold
 		      m->normal.y, normal.x, normal.y);
 }
 
-// Anywhere in the world it is the same, but for the rounding of poses: 1e-6 at 20 m.
+// Checks that the manifold is the same anywhere in the world, except for the rounding of poses: 1e-6 at 20 m.
 static void check_elsewhere(int a, int b, Vec position, Vec rotation, const Manifold* m, Vec place_of_a, Vec turn)
 {
 	Vec place_of_b = vec_add(place_of_a, vec_turn(turn, position)), rotation_of_b = vec_turn(turn, rotation);
@@ -289,8 +291,9 @@ static Vec centroid(const Attribute* shape)
 	return vec((float)(x / shape->count), (float)(y / shape->count));
 }
 
-// A pose of b in some direction from the middle of a, so far that the cores are a given distance apart, or a part
-// of the way to that for overlaps. Half of the angles and directions are right angles or nearly so.
+// Returns a pose of b in a random direction from the middle of a, at which the cores are a random distance apart; in
+// 30 % of the poses b is closer, so that cores overlap. Half of the angles and 30 % of the directions are multiples of
+// 45 degrees, or nearly so.
 static Vec random_pose(const Attribute* a, const Attribute* b, Vec* rotation)
 {
 	bool square = random_real(&seed, 0.0, 1.0) < 0.5;
@@ -336,7 +339,7 @@ static void test_random_poses(void** state)
 				Vec where = random_vec(10.0), turn = rotation_by(random_real(&seed, 0.0, TAU));
 				check_elsewhere(a, b, position, rotation, &m, where, turn);
 
-				// if cores overlap little, a motion of a ten thousandth of a millimetre seldom changes a feature
+				// a translation of 1e-7 m seldom changes a feature if the cores overlap by less than 0.01 m
 				if (m.count == 0 || deepest(&m) + shapes[a].radius + shapes[b].radius < -0.01f)
 					continue;
 				Manifold n = collide(shapes + a, shapes + b, frame_at(vec_add(position, random_vec(1e-7)), rotation),
@@ -349,7 +352,7 @@ static void test_random_poses(void** state)
 	assert_true(renamed * 100 < compared);
 }
 
-// Whatever coincides exactly: nothing but numbers comes out.
+// Checks poses at which centers or corners coincide exactly: all results are finite.
 static void test_coincidence(void** state)
 {
 	(void)state;
@@ -388,11 +391,12 @@ typedef struct
 
 // radii: circle 0.5, capsule 0.25; half sizes: box 0.5, capsule's core 1, ground segment 20
 static const Example examples[] = {
-    // centers 0.9 apart: 0.9 - 0.5 - 0.5; then at one place, where the normal is the fixed one; then past 0.02
+    // centers 0.9 apart: 0.9 - 0.5 - 0.5; centers at one point, with the fixed normal; a gap of more than 0.02
     {CIRCLE, CIRCLE, 0, 0.9f, 0.0f, 1, {1.0f, 0.0f}, -0.1f, {{0.45f, 0.0f}}},
     {CIRCLE, CIRCLE, 0, 0.0f, 0.0f, 1, {0.0f, 1.0f}, -1.0f, {{0.0f, 0.0f}}},
     {CIRCLE, CIRCLE, 0, 0.0f, 1.021f, 0, {0.0f, 0.0f}, 0.0f, {{0.0f, 0.0f}}},
-    // over a face: 0.99 - 0.5 - 0.5; at a corner: (0.3, 0.4) from it is 0.5; inside: the nearest face is 0.1 away
+    // circle over a face: 0.99 - 0.5 - 0.5; at a corner: the length of (0.3, 0.4) is 0.5; inside: the nearest face is
+    // 0.1 away
     {BOX, CIRCLE, 0, 0.2f, 0.99f, 1, {0.0f, 1.0f}, -0.01f, {{0.2f, 0.495f}}},
     {BOX, CIRCLE, 1, 0.8f, 0.9f, 1, {0.6f, 0.8f}, 0.0f, {{0.5f, 0.5f}}},
     {BOX, CIRCLE, 0, 0.4f, 0.0f, 1, {1.0f, 0.0f}, -0.6f, {{0.2f, 0.0f}}},
@@ -400,11 +404,11 @@ static const Example examples[] = {
     // faces overlap over x from -0.25 to 0.5, by 0.005
     {BOX, BOX, 0, 0.25f, 0.995f, 2, {0.0f, 1.0f}, -0.005f, {{-0.25f, 0.4975f}, {0.5f, 0.4975f}}},
     {BOX, BOX, 3, 0.25f, 0.995f, 2, {0.0f, 1.0f}, -0.005f, {{-0.25f, 0.4975f}, {0.5f, 0.4975f}}},
-    // corner before corner: (0.006, 0.008) apart is 0.01
+    // corner opposite a corner: the length of (0.006, 0.008) is 0.01
     {BOX, BOX, 0, 1.006f, 1.008f, 1, {0.6f, 0.8f}, 0.01f, {{0.503f, 0.504f}}},
     {BOX, BOX, 0, 1.015f, 1.015f, 0, {0.0f, 0.0f}, 0.0f, {{0.0f, 0.0f}}},
     {GROUND_SEGMENT, BOX, 0, 3.0f, 0.51f, 2, {0.0f, 1.0f}, 0.01f, {{2.5f, 0.005f}, {3.5f, 0.005f}}},
-    // parallel, in line, standing on a face, and crossed
+    // capsules and segments: parallel, in line, standing on a face, and crossed
     {CAPSULE, CAPSULE, 0, 0.5f, 0.49f, 2, {0.0f, 1.0f}, -0.01f, {{-0.5f, 0.245f}, {1.0f, 0.245f}}},
     {CAPSULE, CAPSULE, 2, 2.49f, 0.0f, 1, {1.0f, 0.0f}, -0.01f, {{1.245f, 0.0f}}},
     {BOX, CAPSULE, 1, 0.1f, 1.745f, 1, {0.0f, 1.0f}, -0.005f, {{0.1f, 0.4975f}}},
@@ -457,7 +461,7 @@ static const Rest rests[] = {
     {SMALL_BOX, GROUND_BOX, 0.0, 7.0f, -0.015f, 2},
     {SMALL_BOX, SMALL_BOX, 0.0, 0.0f, 0.036f, 2},
     {GROUND_SEGMENT, BOX, 0.0, 1.0f, 0.495f, 2},
-    {GROUND_SEGMENT, BOX, TAU / 8.0, 1.0f, 0.705f, 1}, // on its corner: half the diagonal is 0.7071
+    {GROUND_SEGMENT, BOX, TAU / 8.0, 1.0f, 0.705f, 1}, // box on its corner: half the diagonal is 0.7071
     {ROUNDED_BOX, ROUNDED_BOX, 0.0, 0.0f, 0.795f, 2},
     {OCTAGON, OCTAGON, 0.0, 0.0f, 0.995f, 2},
     {OCTAGON, OCTAGON, TAU / 4.0, 0.1f, 0.995f, 2},
@@ -468,12 +472,13 @@ static const Rest rests[] = {
     {GROUND_BOX, CAPSULE, TAU / 4.0, 1.0f, 1.245f, 1},
     {CAPSULE, GROUND_BOX, TAU / 4.0, 1.245f, 0.0f, 1},
     {GROUND_SEGMENT, CIRCLE, 0.0, 1.0f, 0.495f, 1},
-    {BOX, CIRCLE, 0.0, 0.85f, 0.85f, 1}, // before a corner
+    {BOX, CIRCLE, 0.0, 0.85f, 0.85f, 1}, // circle at a corner
     {CIRCLE, GROUND_BOX, 0.0, 0.0f, -0.495f, 1},
 };
 
-// Best edges that differ by less than the bias in favor of b, which must not apply because they do not face each other:
-// short capsules nearly in line, cores 0.18 mm apart; slivers that stand across each other, 0.5 mm apart.
+// Best edges of a and b that differ by less than the bias in favor of b. The bias must not apply, because the edges do
+// not face each other: short capsules nearly in line, with cores 0.18 mm apart; slivers that stand across each other,
+// 0.5 mm apart.
 static void test_near_ties(void** state)
 {
 	(void)state;
@@ -481,7 +486,7 @@ static void test_near_ties(void** state)
 	check_pose(SLIVER, SLIVER, vec(0.300644159f, 0.724211693f), vec(0.707106769f, -0.707106769f));
 }
 
-// Shapes at rest keep their points and features while they tremble by a tenth of a millimetre.
+// Shapes at rest keep their points and features while their poses vary by a tenth of a millimetre.
 static void test_rest(void** state)
 {
 	(void)state;
@@ -499,7 +504,7 @@ static void test_rest(void** state)
 			CHECK(m.count == r->count, "%d points", m.count);
 			CHECK(same_features(&m, &first), "features %d, %d were %d, %d", m.feature[0], m.feature[1],
 			      first.feature[0], first.feature[1]);
-			// boxes do not take turns to be the reference: the normal is that of b
+			// the reference does not alternate between the boxes: the normal is always that of b
 			Vec own = vec_turn_back(rotation, m.normal);
 			if (a == BOX && b == BOX)
 				CHECK(absolute(own.x - first_own.x) < 1e-6f && absolute(own.y - first_own.y) < 1e-6f,
@@ -508,7 +513,8 @@ static void test_rest(void** state)
 	}
 }
 
-// A tilted box slides over another from edge to edge: the same two points all the way, moving no faster than it does.
+// A tilted box slides over another from edge to edge. Its manifold keeps the same two points, which move no faster than
+// the box.
 static void test_slide(void** state)
 {
 	(void)state;

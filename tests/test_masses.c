@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_masses.c -- masses of bodies: those that the user sets, bodies without mass, and motion while the center of mass changes.
+// test_masses.c -- checks masses of bodies: masses set by the user, bodies without density, and motion while the
+// center of mass changes.
 #include "support/make_bodies.h"
 #include <string.h>
 
@@ -10,7 +11,8 @@ static void assert_mass(scree_world* world, scree_body body, scree_mass expected
 	assert_true(mass.center.x == expected.center.x && mass.center.y == expected.center.y);
 }
 
-// A push of 1 N s at a point 1 m from the center gives 1 / m and 1 / I, on the device as well.
+// Checks that an impulse of 1 N s at a point 1 m from the center adds a velocity of 1 / m and a spin of 1 / I, on the
+// device as well.
 static void assert_pushed(scree_world* world, scree_body body, scree_mass mass)
 {
 	scree_vec center;
@@ -24,7 +26,8 @@ static void assert_pushed(scree_world* world, scree_body body, scree_mass mass)
 	OK(scree_body_set_velocity(world, body, (scree_velocity){0}));
 }
 
-// A mass that the user set holds again after other types, while the body is disabled, and after it; on another device too.
+// A mass set by the user applies again after the body had another type, while it is disabled, after it is enabled, and
+// on another device.
 static void a_set_mass_holds(void** state)
 {
 	(void)state;
@@ -58,7 +61,8 @@ static void a_set_mass_holds(void** state)
 	scree_world_destroy(world);
 }
 
-// A dynamic body whose collidables have no density, or that has none, has 1 kg and does not turn; it falls, and lands.
+// A dynamic body without collidables, or with collidables without density, has 1 kg and does not turn; it falls and
+// lands.
 static void without_density(void** state)
 {
 	(void)state;
@@ -104,7 +108,8 @@ static scree_collidable add_part(scree_world* world, scree_body body, float x)
 	return create_collidable(world, &def);
 }
 
-// The motion of a body that passes 1, 2 at 3, 4 m/s and turns by 2 rad/s: every point of it goes on as it did, whatever its center is.
+// Checks the motion of a body that passes the point (1, 2) at (3, 4) m/s and turns at 2 rad/s: each of its points keeps
+// its motion, at any center of mass.
 static void assert_motion(scree_world* world, scree_body body, float center)
 {
 	static const scree_vec points[] = {{1.0f, 2.0f}, {-4.0f, 7.0f}};
@@ -121,7 +126,8 @@ static void assert_motion(scree_world* world, scree_body body, float center)
 	NEAR(pose_of(world, body).position.y, 2.0, 1e-5);
 }
 
-// Boxes of 1 kg come and go, get heavier, and a mass is set: at once, between reads, and while the body is disabled.
+// The motion stays while boxes of 1 kg are added, removed and made heavier, and a mass is set: without and with reads
+// in between, and on a disabled body.
 static void motion_stays(void** state)
 {
 	(void)state;
@@ -157,10 +163,11 @@ static void motion_stays(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// bodies that are made shape by shape
+// bodies that are built shape by shape
 // ---------------------------------------------------------------------------------------------------------------
 
-// Two bodies get boxes by turns, a few at a time, with pushes, locks and types in between. reads: all is read after each call.
+// Adds boxes to two bodies by turns, seven at a time, with impulses, locks, masses and types set in between. If reads
+// is set, reads mass, velocity and hash after each box. Returns the hash.
 static uint64_t build(bool reads, scree_mass masses[2])
 {
 	scree_world* world = open_test_world(0.0f);
@@ -184,7 +191,7 @@ static uint64_t build(bool reads, scree_mass masses[2])
 			OK(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
 		if (k % 29 == 11)
 			OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
-		if (k == 60) // another body in the slot, in the midst of it
+		if (k == 60) // new body in the same slot
 		{
 			OK(scree_body_destroy(world, body));
 			bodies[k / 7 % 2] = add_crate(world, SCREE_BODY_DYNAMIC, 80.0f, 0.0f);
@@ -212,7 +219,8 @@ static void reads_change_nothing(void** state)
 	assert_memory_equal(without, with, sizeof with);
 }
 
-// 8,000 boxes in a row, one by one and at once: the same mass, and the inertia of a bar of boxes, m (a^2 + b^2) / 12 each.
+// 8,000 boxes in a row have the same mass if they are created one by one or at once. Their inertia is that of a bar of
+// boxes with m (a^2 + b^2) / 12 each.
 static void many_shapes(void** state)
 {
 	(void)state;

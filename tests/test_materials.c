@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_materials.c -- pairs of materials: friction, restitution, belts, and what ignores each other.
+// test_materials.c -- checks material pairs: friction, restitution, tangent speed, and materials that ignore each
+// other.
 #include "support/make_bodies.h"
 #include <math.h>
 
@@ -21,7 +22,7 @@ static scree_body put(scree_world* world, scree_body_type type, scree_attribute 
 	return create_body(world, &def);
 }
 
-// a floor of material 1 whose top is at y = 0, and a box of material 2 on it
+// Adds a floor of material 1 with its top at y = 0, and a box of material 2 at the height y. Returns the box.
 static scree_body put_box(scree_world* world, float y)
 {
 	put(world, SCREE_BODY_STATIC, make_surface(world, 50.0f, 1.0f, 1), 0.0f, -1.0f);
@@ -38,7 +39,7 @@ static void set(scree_world* world, int a, int b, float friction, float restitut
 	OK(scree_world_set_material_pair(world, a, b, &pair));
 }
 
-// A box slides v^2 / (2 mu g); without friction it goes on, also from the next step where it lay at rest.
+// A box slides v^2 / (2 mu g) far. Without friction it keeps its speed, from the next step on even if it was at rest.
 static void friction(void** state)
 {
 	(void)state;
@@ -52,7 +53,7 @@ static void friction(void** state)
 	OK(scree_body_set_linear_velocity(world, box, (scree_vec){5.0f, 0.0f}));
 	run_steps(world, 60);
 	NEAR(velocity_of(world, box).linear.x, 5.0, 1e-5);
-	OK(scree_world_set_material_pair(world, 1, 2, NULL)); // 0.6, as the attributes say
+	OK(scree_world_set_material_pair(world, 1, 2, NULL)); // 0.6, the friction of the attributes
 	run_steps(world, 60);
 	NEAR(velocity_of(world, box).linear.x, 0.0, 1e-3);
 	scree_world_destroy(world);
@@ -75,7 +76,7 @@ static void restitution(void** state)
 	scree_world_destroy(world);
 }
 
-// A belt runs clockwise around the shape: what lies on it goes to the right, whichever of the two comes first.
+// A belt runs clockwise around the shape, so a box on it moves to the right, for either order of the two materials.
 static void belts(void** state)
 {
 	(void)state;
@@ -94,8 +95,8 @@ static void belts(void** state)
 	}
 }
 
-// Bodies whose materials ignore each other end their touch, fall through at any speed, and start again; continuous collision does
-// not stop them.
+// Bodies with materials that ignore each other end their touch and fall through each other at any speed, without
+// continuous collision. Their touch begins again when the materials no longer ignore each other.
 static void ignored(void** state)
 {
 	(void)state;
@@ -123,7 +124,8 @@ static void ignored(void** state)
 	scree_world_destroy(world);
 }
 
-// The table is in the hash before anything touches; its values can be read, and survive moves between devices.
+// The table of material pairs is part of the hash before anything touches. Its values can be read, and survive moves
+// between devices.
 static void reported_and_moved(void** state)
 {
 	(void)state;

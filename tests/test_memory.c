@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_memory.c -- memory that runs out, at every allocation in turn.
+// test_memory.c -- checks that memory may run out at each allocation.
 #include "support/allocations.h"
 #include <stdlib.h>
 
-// Makes a world of boxes, 40 more a round, and takes a step, until memory is short. Writes the number of bodies.
+// Creates a world, adds 40 boxes in each of 20 rounds, and steps it once, until an allocation fails. Adds the number of
+// created boxes to *bodies.
 static scree_status build(scree_world** world, int* bodies)
 {
 	scree_world_def world_def = scree_world_def_default();
@@ -29,7 +30,7 @@ static scree_status build(scree_world** world, int* bodies)
 	return status == SCREE_OK ? scree_world_step(*world, 0.01f, 2) : status;
 }
 
-// Memory runs out at every allocation in turn: a status, nothing lost, nothing changed.
+// Lets memory run out at each allocation in turn. The call returns a status, and nothing is lost or changed.
 static void memory_runs_out(void** state)
 {
 	(void)state;
@@ -50,7 +51,7 @@ static void memory_runs_out(void** state)
 			++refused;
 		}
 
-		// the next call has memory again, and all goes on, unless a step had begun (test_faults.c)
+		// memory is available again, so the next calls succeed, unless a step had begun (test_faults.c)
 		allocations_left = -1;
 		if (made)
 		{

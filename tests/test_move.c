@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_move.c -- worlds that the user moves between devices: their state does not show it.
+// test_move.c -- checks that the user's moves of a world between devices do not change its state.
 //
-// The formula: hash(moved, step) = hash(not moved, step). test_parity.c holds every scene to it; here is how a
-// move can go wrong.
+// Formula: hash(moved, step) = hash(not moved, step). test_parity.c checks it for every scene; this file checks moves
+// at unusual times and moves that fail.
 #include "support/allocations.h"
 #include "support/faulty_device.h"
 #include "support/second_device.h"
@@ -16,7 +16,7 @@
 // moves by the user
 // ---------------------------------------------------------------------------------------------------------------
 
-// A device may be at work when the world leaves it, and there may be no world yet to speak of.
+// A world may leave its device while the device computes, and before the first step.
 static void moves_in_mid_run(void** state)
 {
 	(void)state;
@@ -83,7 +83,7 @@ static void what_is_read_stays(void** state)
 	scree_world_destroy(world);
 }
 
-// All kinds of changes, on their way to one device when the world goes to another.
+// Makes changes of all kinds. They are still pending on one device when the world moves to another.
 static void change(scree_world* world, scree_body* made)
 {
 	scree_body bodies[64];
@@ -193,7 +193,7 @@ static void memory_runs_out(void** state)
 	OK(scree_hooks_set(NULL));
 }
 
-// The device that the world goes to fails in each of its calls in turn: the world stays, and goes on.
+// The new device fails in each of its calls in turn. The world stays on the old device and continues there.
 static void new_device_falls(void** state)
 {
 	(void)state;
@@ -226,7 +226,7 @@ static void new_device_falls(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// The device that the world leaves fails: nothing is left to go on with.
+// The old device fails in each of its calls in turn. The world cannot continue afterwards.
 static void old_device_falls(void** state)
 {
 	(void)state;
@@ -264,7 +264,7 @@ static void old_device_falls(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// Neither device's memory is the host's, as between two GPUs.
+// Neither device shares memory with the host, as in a move between two GPUs.
 static void far_to_far(void** state)
 {
 	(void)state;

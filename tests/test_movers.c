@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_movers.c -- characters on floors, walls, slopes, steps and platforms; batches, and the same bits everywhere.
+// test_movers.c -- checks movers on floors, walls, slopes, steps and platforms, and that batches have equal bits on all
+// devices.
 #include "support/make_bodies.h"
 #include "support/variants.h"
 #include "tools/common/byte_hash.h"
@@ -15,7 +16,7 @@
 
 static scree_mover mover_at(float x, float y) { return (scree_mover){.position = {x, y}}; }
 
-// Moves a mover for a number of frames at a speed; it falls when it is in the air.
+// Moves a mover for a number of frames at a horizontal speed, with gravity.
 static void walk_frames(scree_world* world, const scree_mover_def* def, scree_mover* m, float speed, int frames)
 {
 	for (int k = 0; k < frames; ++k)
@@ -53,7 +54,7 @@ static void walks_on_a_floor(void** state)
 	} while (scree_collidable_is_null(m.ground) && ++frames < 200);
 	NEAR(frames, 60.0, 2.0);
 
-	// at rest for two minutes: not a bit changes
+	// a mover at rest keeps every bit for two minutes
 	walk_frames(world, NULL, &m, 0.0f, 10);
 	scree_mover before = m;
 	walk_frames(world, NULL, &m, 0.0f, 7200);
@@ -74,12 +75,12 @@ static void stops_at_walls(void** state)
 	NEAR(m.velocity.x, 0.0, 1e-5);
 	NEAR(m.wall_normal.x, -1.0, 1e-5);
 	assert_false(scree_collidable_is_null(m.wall));
-	// at 1000 m/s it is stopped as well
+	// walls stop a mover at 1000 m/s as well
 	m = mover_at(-10.0f, HALF + 3.0f);
 	m.velocity = (scree_vec){1000.0f, 0.0f};
 	OK(scree_movers_move(world, NULL, &m, 1, STEP));
 	NEAR(m.position.x, 2.5 - 0.3 - 0.01, 1e-3);
-	// under the ceiling a jump ends
+	// a jump ends under the ceiling
 	m = mover_at(-3.0f, HALF + 0.01f);
 	m.velocity = (scree_vec){0.0f, 20.0f};
 	OK(scree_movers_move(world, NULL, &m, 1, STEP));
@@ -88,7 +89,7 @@ static void stops_at_walls(void** state)
 	scree_world_destroy(world);
 }
 
-// Walks up a step of a height; returns how high it stands behind it.
+// Walks against a step of a height in m. Returns the height of the mover at the end in m.
 static float up_a_step(float height, float speed)
 {
 	scree_world* world = open_world(0.0f);
@@ -108,14 +109,15 @@ static void climbs_steps(void** state)
 			NEAR(up_a_step(height, speed), height <= 0.3f ? height : 0.0f, 2e-3);
 }
 
-// Walks on a plane that rises by an angle; sets v to its last velocity, returns how far it came.
+// Walks on a plane that rises by an angle. Writes the last state of the mover; returns its distance along the plane in
+// m.
 static float along_a_slope(float degrees, float speed, int frames, scree_mover* m)
 {
 	scree_world* world = open_world(0.0f);
 	float radians = degrees * (float)PI / 180.0f;
 	scree_rot r = scree_rot_make(radians);
 	scree_shape shape = box_shape(50.0f, 1.0f);
-	add_shape(world, SCREE_BODY_STATIC, shape, r.s, -r.c, radians); // its surface goes through 0
+	add_shape(world, SCREE_BODY_STATIC, shape, r.s, -r.c, radians); // its surface passes through 0
 	*m = mover_at(0.0f, 0.31f / r.c + 0.3f);
 	walk_frames(world, NULL, m, 0.0f, 60);
 	scree_vec from = m->position;
@@ -130,13 +132,13 @@ static void walks_on_slopes(void** state)
 	scree_mover m;
 	for (float degrees = -45.0f; degrees < 46.0f; degrees += 15.0f)
 	{
-		NEAR(along_a_slope(degrees, 0.0f, 600, &m), 0.0, 1e-3); // stands still for ten seconds
+		NEAR(along_a_slope(degrees, 0.0f, 600, &m), 0.0, 1e-3); // mover stands still for ten seconds
 		float c = scree_rot_make(degrees * (float)PI / 180.0f).c;
 		float came = along_a_slope(degrees, 2.0f, 60, &m);
 		assert_false(scree_collidable_is_null(m.ground));
 		NEAR(came, degrees > 0.0f ? 2.0f * c : 2.0f / c, 0.05);
 	}
-	// too steep: it slides down, and does not come up
+	// a slope that is too steep: the mover slides down and cannot walk up
 	float down = along_a_slope(60.0f, 0.0f, 120, &m), up = along_a_slope(60.0f, 4.0f, 120, &m);
 	printf("down a slope of 60 degrees %.2f m, up %.2f m\n", (double)down, (double)up);
 	assert_true(down < -0.5f && up < 0.3f);
@@ -163,13 +165,13 @@ static void rides_on_platforms(void** state)
 		NEAR(m.ground_velocity.x, velocities[k].linear.x, 1e-2);
 		NEAR(m.ground_velocity.y, velocities[k].linear.y, 1e-2);
 	}
-	// it turns by 30 degrees: the mover stays at its place of the platform; targets carry too
+	// the platform turns by 30 degrees, and the mover keeps its place on it
 	scree_vec at = position_of(world, platform);
 	throw_body(world, platform, 0.0f, 0.0f, (float)PI / 6.0f);
 	walk_frames(world, NULL, &m, 0.0f, 60);
 	assert_false(scree_collidable_is_null(m.ground));
 	NEAR((m.position.x - at.x) * cos(PI / 6.0) + (m.position.y - at.y) * sin(PI / 6.0), 1.0 + 0.6 * sin(PI / 6.0), 0.1);
-	// gone, the mover falls
+	// the mover falls when the platform is destroyed
 	OK(scree_body_destroy(world, platform));
 	walk_frames(world, NULL, &m, 0.0f, 60);
 	assert_true(scree_collidable_is_null(m.ground));
@@ -177,7 +179,7 @@ static void rides_on_platforms(void** state)
 	scree_world_destroy(world);
 }
 
-// A wall that moves pushes it; between two walls it is not pushed through the floor, and everything stays finite.
+// A moving wall pushes the mover. Two walls do not press it through the floor, and everything stays finite.
 static void is_pushed(void** state)
 {
 	(void)state;
@@ -211,7 +213,7 @@ static void build_town(scree_world* world)
 		                           (scree_velocity){{k % 2 ? 1.0f : -1.0f, 0.3f}, 0.2f}));
 }
 
-// A crowd in a town; alone moves them one by one.
+// Moves a crowd in a town, one by one if alone is set. Returns the hash of all frames.
 static uint64_t hash_crowd(const Variant* variant, bool alone)
 {
 	scree_world* world = open_default_variant(variant);
@@ -253,7 +255,8 @@ static void crowds_are_equal_everywhere(void** state)
 			assert_int_equal(hash_crowd(variants + k, false), expected);
 }
 
-// Movers and definitions of all sizes, among walls at random, at one point, far away: answers stay finite and in reach.
+// Movers with definitions of all sizes, at random places, among walls and far away: results stay finite and within
+// reach.
 static void hostile_movers(void** state)
 {
 	(void)state;
@@ -288,7 +291,7 @@ static void hostile_movers(void** state)
 				    (scree_vec){random_between(&seed, -speed, speed), random_between(&seed, -speed, speed)};
 			}
 			most += 2.0f * 3000.0f * STEP +
-			        8.0f * (def.radius + def.length + def.skin + 10.0f); // pushed out of what it was in
+			        8.0f * (def.radius + def.length + def.skin + 10.0f); // distance for leaving an overlap
 			OK(scree_movers_move(world, &def, movers, 20, random_below(&seed, 20) ? STEP : 0.0f));
 			for (int k = 0; k < 20; ++k)
 			{
@@ -301,7 +304,7 @@ static void hostile_movers(void** state)
 	scree_world_destroy(world);
 }
 
-// Down stairs and slopes the ground is followed at a walk; off a ledge that is higher than snap the mover falls.
+// A walking mover follows the ground down stairs. It falls off a ledge that is higher than snap_distance.
 static void follows_the_ground_down(void** state)
 {
 	(void)state;
@@ -319,14 +322,15 @@ static void follows_the_ground_down(void** state)
 	}
 	assert_int_equal(air, 0);
 	NEAR(m.position.y, 2.5 - 0.125 * 8.0 + HALF + 0.01, 0.13);
-	walk_frames(world, NULL, &m, SPEED, 30); // over the last edge, 1.4 m above the floor
+	walk_frames(world, NULL, &m, SPEED, 30); // walks over the last edge, 1.4 m above the floor
 	assert_true(scree_collidable_is_null(m.ground));
 	walk_frames(world, NULL, &m, SPEED, 60);
 	NEAR(m.position.y, HALF + 0.01, 1e-3);
 	scree_world_destroy(world);
 }
 
-// One-way platforms: a mover jumps up through them, lands on them, walks through them from beside, and drops if it ignores them.
+// A mover jumps up through a one-way platform, lands on it, walks through it from the side, and drops through an
+// ignored one.
 static void jumps_through_platforms(void** state)
 {
 	(void)state;
@@ -351,21 +355,21 @@ static void jumps_through_platforms(void** state)
 	walk_frames(world, NULL, &m, 0.0f, 600);
 	NEAR(m.position.y, top, 1e-3);
 
-	// it drops through the platform that it ignores, and is not lifted by it again
+	// the mover drops through the platform while it ignores it, and is not lifted by it afterwards
 	m.ignored = platform;
 	walk_frames(world, NULL, &m, 0.0f, 8);
 	m.ignored = SCREE_NULL_BODY;
 	walk_frames(world, NULL, &m, 0.0f, 120);
 	NEAR(m.position.y, HALF + 0.01, 1e-3);
 
-	// at the height of the platform it walks on as if there were none
+	// the mover walks through a platform at its own height
 	OK(scree_body_set_pose(world, platform, (scree_pose){{0.0f, 0.6f}, {1.0f, 0.0f}}));
 	m = mover_at(-4.0f, HALF + 0.01f);
 	walk_frames(world, NULL, &m, SPEED, 120);
 	NEAR(m.position.x, 4.0, 0.05);
 	NEAR(m.position.y, HALF + 0.01, 1e-3);
 
-	// fast from above it is stopped, fast from below it is not
+	// the platform stops a fast mover from above, but not from below
 	m = mover_at(0.0f, 30.0f);
 	m.velocity = (scree_vec){0.0f, -3000.0f};
 	OK(scree_movers_move(world, NULL, &m, 1, STEP));
@@ -376,7 +380,7 @@ static void jumps_through_platforms(void** state)
 	OK(scree_movers_move(world, NULL, &m, 1, STEP));
 	NEAR(m.position.y, HALF + 0.01 + 50.0, 1e-2);
 
-	// rays with one_way meet platforms only from above, other rays from all sides
+	// rays with one_way hit platforms only from above, other rays from all sides
 	scree_query_def from_above = scree_query_def_default();
 	from_above.one_way = true;
 	scree_ray rays[2] = {{.origin = {0.0f, 9.0f}, .translation = {0.0f, -5.0f}},
@@ -389,7 +393,7 @@ static void jumps_through_platforms(void** state)
 	scree_world_destroy(world);
 }
 
-// A step whose corner is the last centimetre of the world: what lies beside it is looked for within the world.
+// A step with its corner in the last centimetre of the world. The queries beside it stay within the world.
 static void at_the_end_of_the_world(void** state)
 {
 	(void)state;
@@ -407,8 +411,8 @@ static void at_the_end_of_the_world(void** state)
 	scree_world_destroy(world);
 }
 
-// Between a lift and a ceiling a mover is crushed: it stays below the ceiling and reports what it cannot get out of, without a
-// normal. When the lift goes down again, the mover stands on it.
+// A mover between a lift and a ceiling is crushed. It stays below the ceiling and reports the collidable that it cannot
+// leave, without a normal. When the lift goes down again, the mover stands on it.
 static void lifts_crush(void** state)
 {
 	(void)state;
@@ -427,7 +431,7 @@ static void lifts_crush(void** state)
 			assert_true(m.position.y + HALF < 4.0f && m.position.y > 0.0f);
 			crushed = !scree_collidable_is_null(m.wall) && m.wall_normal.x == 0.0f && m.wall_normal.y == 0.0f;
 			if (crushed && speed > 40.0f)
-				break; // the lift leaves it in the next step
+				break; // the lift is past the mover in the next step
 		}
 		assert_true(crushed);
 		assert_true(m.velocity.x == 0.0f && m.velocity.y == 0.0f);
@@ -444,8 +448,8 @@ static void lifts_crush(void** state)
 	}
 }
 
-// A thin wall that goes further than the mover is wide in a step pushes it ahead of itself, straight and turned; between it and a static one
-// the mover is crushed, and stays out of the static one.
+// A thin wall, straight or rotated, pushes a mover ahead of it, even if the wall moves further in a step than the mover
+// is wide. Between the wall and a static one the mover is crushed, and stays outside of the static one.
 static void fast_walls_push(void** state)
 {
 	(void)state;
@@ -470,7 +474,7 @@ static void fast_walls_push(void** state)
 			walk_frames(world, NULL, &m, 0.0f, 1);
 			scree_vec at = position_of(world, wall);
 			crushed = !scree_collidable_is_null(m.wall) && m.wall_normal.x == 0.0f && m.wall_normal.y == 0.0f;
-			// its distance from the middle of the wall, along the normal
+			// distance of the mover from the middle of the wall, along the normal
 			float before = cosf(angle) * (m.position.x - at.x) + sinf(angle) * (m.position.y - at.y);
 			assert_true(crushed || before > half + 0.3f - 1e-3f);
 			assert_true(!blocked || m.position.x < 5.7f + 1e-3f);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_opencl_c.c -- the embedded program is OpenCL C 1.2 to the letter: PoCL takes what other drivers refuse.
+// test_opencl_c.c -- checks that the embedded program is strictly OpenCL C 1.2, because PoCL accepts code that other
+// drivers refuse.
 //
-// clang of the system checks it, with all that the standard does not have as an error. That found variadic macros, which NVIDIA's
-// driver does not have.
+// The clang of the system compiles it, with all extensions of the standard as errors. This has found variadic macros,
+// which NVIDIA's driver does not support.
 #include "opencl/device.h"
 #include "support/checks.h"
 #include <stdio.h>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_pair_reasons.c -- every reason why two bodies do not collide, in every stage that tests it; the same on all devices.
+// test_pair_reasons.c -- checks every reason why two bodies do not collide, in every stage that tests it, with equal
+// bits on all devices.
 //
-// A ball meets a thin upright wall. The ball lies in it; is thrown at it; is pushed through it within one step by a force, so that no
-// contact was made before; or is a sensor that flies through it. The table says what happens then.
+// A ball meets a thin upright wall in four ways: it lies in the wall; it is thrown at the wall; a force pushes it
+// through the wall within one step, so that no contact exists before; or it is a sensor that flies through the wall.
+// The table has the expected result of each.
 #include "platform/processor.h"
 #include "support/make_joints.h"
 #include <math.h>
@@ -26,7 +28,8 @@ typedef enum
 	REFUSED,
 } Reason;
 
-// true if the two collide: in a contact, in the sweep of a thrown body, in continuous collision; and if a sensor reports the wall
+// true if the two collide: in a contact (touches), in the sweep of a thrown body (sweeps), in continuous collision
+// (stops); sees is true if a sensor reports the wall
 static const struct
 {
 	const char* name;
@@ -120,7 +123,8 @@ static void keep_apart(const Pair* pair, Reason reason)
 	}
 }
 
-// A wall at 0 and a ball at x. With contact approval, the ball begins close to the wall, and the contact is refused.
+// Creates a world with a wall at 0 and a ball at x. With contact approval, the ball begins close to the wall, and the
+// contact is refused.
 static Pair begin(Reason reason, scree_body_type type, float x, bool sensor)
 {
 	scree_world_def def = scree_world_def_default();
@@ -177,7 +181,8 @@ static uint64_t sweep(Reason reason, scree_body_type type)
 	return end(pair);
 }
 
-// The force moves the ball by 10 a h^2 = 0.6 m in four substeps of 1/240 s. It lies still before, so that no contact foresees it.
+// The force moves the ball by 10 a h^2 = 0.6 m in four substeps of 1/240 s. The ball is at rest before, so there is no
+// speculative contact.
 static uint64_t continuous(Reason reason, scree_body_type type)
 {
 	Pair pair = begin(reason, type, -0.3f, false);
@@ -195,7 +200,7 @@ static uint64_t sensor(Reason reason, scree_body_type type)
 	OK(scree_body_set_linear_velocity(pair.world, pair.ball, (scree_vec){100.0f, 0.0f}));
 	run_steps(pair.world, 1);
 	scree_events events = events_of(pair.world);
-	int seen = 0; // by the ball
+	int seen = 0; // visits reported by the ball
 	for (int k = 0; k < events.visits_began_count; ++k)
 		seen += events.visits_began[k].body_sensor.index == pair.ball.index;
 	expect(seen == 1, table[reason].sees, "sensor", reason, type);
@@ -237,8 +242,8 @@ static void all_reasons_in_all_stages(void** state)
 	}
 }
 
-// A bar on a hinge of a static body that it overlaps turns as freely as one without a static body around it, whatever else says that
-// the two do not collide.
+// A bar on a hinge overlaps the static frame at the other side of the hinge. It turns exactly as with a frame without a
+// shape, also if the two bodies are excluded.
 static void a_door_turns_in_its_frame(void** state)
 {
 	(void)state;

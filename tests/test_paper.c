@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_paper.c -- the paper's pipeline against formulas and worked answers, and its bits on CPU and OpenCL.
+// test_paper.c -- checks the paper's pipeline against formulas and worked examples, and that CPU and OpenCL have equal
+// bits.
 #include "support/make_bodies.h"
 #include "tools/paper/all_pairs.h"
 #include "tools/paper/paper.h"
@@ -20,7 +21,7 @@ static scree_body add_moving(scree_world* world, scree_body_type type, scree_att
 	return create_body(world, &def);
 }
 
-// The pipeline with what is in a world, which ends.
+// Creates the paper's pipeline from the content of a world, and destroys the world.
 static Paper* take(scree_world* world, const char* device)
 {
 	Paper* paper;
@@ -49,7 +50,7 @@ static scree_velocity paper_velocity(const Paper* paper, int body)
 	return velocities[body];
 }
 
-// n steps of semi-implicit Euler: v = g n dt, y = y0 + g dt^2 n (n + 1) / 2
+// Semi-implicit Euler in n steps: v = g n dt, y = y0 + g dt^2 n (n + 1) / 2.
 static void test_free_fall(void** state)
 {
 	(void)state;
@@ -65,8 +66,8 @@ static void test_free_fall(void** state)
 	paper_destroy(paper);
 }
 
-// A force F for one step: v = F dt / m. A torque T: w = T dt / I, and after n steps the angle n w dt. The next step finds
-// the accumulators empty.
+// A force F for one step gives v = F dt / m. A torque T gives w = T dt / I, and the angle n w dt after n steps. The
+// accumulators are empty in the next step.
 static void test_accumulators(void** state)
 {
 	(void)state;
@@ -87,8 +88,8 @@ static void test_accumulators(void** state)
 	paper_destroy(paper);
 }
 
-// A box comes to rest on the ground: half its height above it but for the millimetre that resolution leaves, upright,
-// without speed.
+// A box comes to rest on the ground, upright and without speed. Its center is at half its height, except for the
+// millimetre of overlap that resolution leaves.
 static void test_rest(void** state)
 {
 	(void)state;
@@ -106,7 +107,8 @@ static void test_rest(void** state)
 	paper_destroy(paper);
 }
 
-// Two circles on one line: momentum stays, the speed of parting is restitution times the speed of closing.
+// Two circles collide on one line. Momentum stays constant, and the speed of parting is restitution times the speed of
+// approach.
 static void test_restitution(void** state)
 {
 	(void)state;
@@ -122,7 +124,7 @@ static void test_restitution(void** state)
 	paper_destroy(paper);
 }
 
-// A box that slides on the ground: v = v0 - mu g t, mu the geometric mean of both frictions.
+// A box slides on the ground with v = v0 - mu g t, where mu is the geometric mean of both frictions.
 static void test_friction(void** state)
 {
 	(void)state;
@@ -137,8 +139,9 @@ static void test_friction(void** state)
 	paper_destroy(paper);
 }
 
-// Resolution leaves half a millimetre. A circle is 2 cm deep in a floor and 1 cm deep in a wall whose normal is (-0.6, 0.8). Raised by 2 cm from the floor it
-// is 0.8 * 2 cm farther from the wall and free. Taken in the other order it would move 6 mm to the left as well.
+// A circle overlaps a floor by 2 cm, and a wall with the normal (-0.6, 0.8) by 1 cm. The deeper overlap is resolved
+// first: raised by 2 cm from the floor, the circle is 0.8 * 2 cm farther from the wall and free. In the other order it
+// would move 6 mm to the left as well. Resolution leaves an overlap of half a millimetre.
 static void test_most_severe_first(void** state)
 {
 	(void)state;
@@ -146,7 +149,7 @@ static void test_most_severe_first(void** state)
 	float nx = -0.6f, ny = 0.8f, radius = 0.5f, half = 1.0f;
 	add_moving(world, SCREE_BODY_DYNAMIC, disc(world, radius, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
 
-	// the wall has the lower pair, so that the order of pairs would be the other one
+	// the pair of the wall comes first, so that the order of pairs is not the order of overlaps
 	float away = half + radius - 0.01f;
 	scree_attribute wall = box_attribute(world, 0.3f, half);
 	add_moving(world, SCREE_BODY_STATIC, wall, -away * nx, -away * ny, atan2f(-nx, ny), 0.0f);
@@ -160,7 +163,7 @@ static void test_most_severe_first(void** state)
 	paper_destroy(paper);
 }
 
-// A collidable without a body is found, and nothing answers.
+// A contact with a collidable without a body is detected, but has no response.
 static void test_detected_only(void** state)
 {
 	(void)state;
@@ -189,7 +192,8 @@ static bool no_opencl(void)
 	return true;
 }
 
-// 60 bodies of every kind: boxes, circles, capsules, rounded triangles, one made of two boxes, one that may not turn.
+// Creates 60 bodies of all kinds: boxes, circles, capsules, rounded triangles, one with two collidables, and one with a
+// locked rotation.
 static scree_world* make_pile(void)
 {
 	scree_world* world = open_world(-10.0f);
@@ -215,7 +219,7 @@ static scree_world* make_pile(void)
 	return world;
 }
 
-// The same bits after each of 200 steps.
+// CPU and OpenCL have equal bits after each of 200 steps.
 static void test_parity(void** state)
 {
 	(void)state;
@@ -247,7 +251,7 @@ static void test_parity(void** state)
 	paper_destroy(device);
 }
 
-// A box on the ground, set in motion by our own pipeline, is taken over as it is then: where it is, at the speed that it has.
+// The paper's pipeline takes over the pose and velocity of a box that Scree's pipeline has moved.
 static void test_take_over(void** state)
 {
 	(void)state;
@@ -268,9 +272,9 @@ static void test_take_over(void** state)
 	paper_destroy(paper);
 }
 
-// The base of figures 5 and 6: after a second of Scree's pipeline and two steps of the paper's, the paper's has as many contacts in
-// pyramids of ten boxes, and overlaps as deep, as after a second of its own. A box has two neighbors above it and two
-// below, but those that stand beside each other do not touch: 16 contacts, 4 of them with the ground.
+// Figures 5 and 6 need this: after a second of Scree's pipeline and a few steps of the paper's, a pyramid of ten boxes
+// has as many contacts and as deep overlaps as after a second of the paper's pipeline. A box touches two boxes above it
+// and two below, but not those beside it: 16 contacts, 4 of them with the ground.
 static void test_warm_up(void** state)
 {
 	(void)state;
@@ -296,7 +300,7 @@ static void test_warm_up(void** state)
 	assert_true(fabs(counters[1].penetration - counters[0].penetration) < 0.1f * counters[0].penetration);
 }
 
-// 40 circles in one place are 40 * 39 / 2 contacts: more than there was room for, and none is lost.
+// 40 circles at one place have 40 * 39 / 2 contacts, more than the initial capacity; none is lost.
 static void test_growth(void** state)
 {
 	(void)state;
@@ -318,7 +322,8 @@ static void test_growth(void** state)
 	assert_int_equal(hash[0], hash[count - 1]);
 }
 
-// Boxes 0 and 1 share an inside, 1 and 3 an edge, 0 and 3 a corner; 4 is a point inside of 1. All others are apart.
+// Boxes 0 and 1 overlap, 1 and 3 share an edge, 0 and 3 a corner; box 4 is a point inside of box 1. All others are
+// apart.
 static void test_pairs(void** state)
 {
 	(void)state;
@@ -351,7 +356,7 @@ static void test_refusals(void** state)
 	assert_null(paper);
 	assert_int_equal(paper_create(NULL, "cpu", false, &paper), SCREE_ERROR_INVALID);
 
-	// a world with nothing in it can be stepped
+	// an empty world can be stepped
 	paper = take(world, no_opencl() ? "cpu" : "opencl");
 	paper_steps(paper, 2);
 	assert_int_equal(paper_step(paper, 0.0f), SCREE_ERROR_INVALID);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_parity.c -- every scene, and a run full of changes, on every device, number of lanes and of threads: equal bits.
+// test_parity.c -- checks that every scene and a run full of changes have equal bits on every device, with every
+// number of lanes and threads.
 //
-// The formula: hash(device, lanes, threads, step) = hash(cpu, 1, 1, step), for each step.
+// Formula: hash(device, lanes, threads, step) = hash(cpu, 1, 1, step), for each step.
 #include "support/make_bodies.h"
 #include "support/small_scenes.h"
 #include "tools/common/clock.h"
@@ -31,7 +32,7 @@ static void check_scene(const Scenario* scenario)
 	scree_counters last = check(scenario);
 	assert_int_equal(last.frozen_bodies, 0);
 
-	// the one scene that is there for a hub
+	// the scene with a hub
 	if (strcmp(scenario->name, "washer") == 0 && !quick())
 		assert_true(last.spokes > 0);
 }
@@ -43,7 +44,7 @@ static void scenes_are_equal(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// a run in which the user does everything that the interface allows
+// a run with all changes that the interface allows
 // ---------------------------------------------------------------------------------------------------------------
 
 static scree_attribute any_attribute(scree_world* world, uint64_t* seed)
@@ -88,7 +89,7 @@ static void build_changes(scree_world* world, const void* context)
 		OK(scree_body_create(world, &def, NULL));
 	}
 
-	// detection alone
+	// a collidable without a body, which is only detected
 	scree_collidable_def zone = scree_collidable_def_default();
 	zone.attribute = any_attribute(world, &seed);
 	zone.pose.position.y = 1.0f;
@@ -214,7 +215,7 @@ static void make_changes(scree_world* world, int step, const void* context)
 	int count;
 	OK(scree_world_get_bodies(world, bodies, 512, &count));
 
-	// the first four are floor, walls and belt
+	// the first four bodies are floor, walls and belt
 	for (int k = 0; k < 6; ++k)
 		change_motion(world, bodies[4 + random_below(&seed, count - 4)], &seed);
 	if (step % 3 == 0)
@@ -244,7 +245,7 @@ static void make_changes(scree_world* world, int step, const void* context)
 	if (step % 7 == 3)
 		OK(scree_world_step(world, 0.0f, 2));
 
-	// made and destroyed between two steps
+	// a body that is created and destroyed between two steps
 	scree_body_def def = any_body(world, &seed);
 	scree_body brief = create_body(world, &def);
 	OK(scree_body_apply_impulse(world, brief, (scree_vec){1.0f, 2.0f}));

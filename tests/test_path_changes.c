@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_path_changes.c -- joints on paths that end, cross themselves, move and change: limits, laps, branches, bodies that are placed.
+// test_path_changes.c -- checks joints on paths that end, cross themselves, move and change: limits, laps, branches,
+// and bodies that are placed.
 #include "support/make_paths.h"
 #include <math.h>
 #include <string.h>
@@ -11,7 +12,7 @@ static float along_of(scree_world* world, scree_joint joint)
 	return joint_state_of(world, joint).values[SCREE_ALONG];
 }
 
-// A bead that runs to an end of an open path stops there, and within it at limits of the user's own.
+// A bead stops at the ends of an open path, and before them at the limits of the user.
 static void open_paths_end(void** state)
 {
 	(void)state;
@@ -37,12 +38,12 @@ static void open_paths_end(void** state)
 			NEAR(joint_state_of(world, joint).values[SCREE_ACROSS], 0.0, 1e-3);
 			scree_joint_coordinate own;
 			OK(scree_joint_get_coordinate(world, joint, SCREE_ALONG, &own));
-			assert_int_equal(own.limited, cases[k].limited); // the user's own are left alone
+			assert_int_equal(own.limited, cases[k].limited); // limits of the user are unchanged
 			scree_world_destroy(world);
 		}
 }
 
-// A lock along holds within the path.
+// A lock along a path holds its target, limited to the ends of the path.
 static void locks_stay_on_the_path(void** state)
 {
 	(void)state;
@@ -61,7 +62,8 @@ static void locks_stay_on_the_path(void** state)
 	}
 }
 
-// Laps count in both directions: v t on a circle of circumference 2 pi R, and a limit after 2.5 laps holds there.
+// The coordinate along counts laps in both directions: it is v t on a circle of circumference 2 pi R. A limit at 2.5
+// laps holds the bead there.
 static void laps_count(void** state)
 {
 	(void)state;
@@ -85,7 +87,7 @@ static void laps_count(void** state)
 	scree_world_destroy(world);
 }
 
-// A new joint is in the lap of path_near, and one mounted at the seam is at the seam.
+// A new joint is in the lap of initial_along, and one mounted at the seam is at the seam.
 static void joints_begin_near(void** state)
 {
 	(void)state;
@@ -105,7 +107,7 @@ static void joints_begin_near(void** state)
 		run_steps(world, 1);
 		NEAR(along_of(world, joint), begins[k], 1e-4);
 
-		// without near it is in the first lap
+		// a joint without initial_along is in the first lap
 		def = path_def(path, NOBODY, bead);
 		scree_joint other = add_joint(world, &def);
 		float rest = begins[k] - lap * floorf(begins[k] / lap);
@@ -115,7 +117,8 @@ static void joints_begin_near(void** state)
 	scree_world_destroy(world);
 }
 
-// A lemniscate crosses itself at right angles: x = 4 cos t / (1 + sin^2 t), y = x sin t. A bead goes straight on, at any speed.
+// Adds a lemniscate, which crosses itself at right angles: x = 4 cos t / (1 + sin^2 t), y = x sin t. A bead passes the
+// crossing straight on, at any speed.
 static scree_path add_eight(scree_world* world)
 {
 	scree_vec points[96];
@@ -152,8 +155,8 @@ static void crossings_keep_the_branch(void** state)
 	}
 }
 
-// A body that is placed is on the part of the path that is nearest to it; a lap is counted as little as possible. One that is
-// nudged at the crossing stays on its branch.
+// A body that is placed is at the part of the path nearest to it, in the lap that changes the coordinate least. A body
+// that is displaced a little at the crossing stays on its branch.
 static void placed_bodies_look_around(void** state)
 {
 	(void)state;
@@ -188,7 +191,7 @@ static void placed_bodies_look_around(void** state)
 		run_steps(world, 1);
 		NEAR(along_of(world, joint), on - 0.04f * lap * (float)k / 19.0f, 2e-3);
 	}
-	// the path itself is placed: no other part of it is less than half as far
+	// the path itself is placed: the joint may select a part of it that is at most twice as far away as the nearest one
 	scree_vec at = position_of(world, bead);
 	float nearest;
 	OK(scree_joint_set_frames(world, joint, (scree_pose){{-1.0f, 0.5f}, {1.0f, 0.0f}},
@@ -200,7 +203,7 @@ static void placed_bodies_look_around(void** state)
 	scree_world_destroy(world);
 }
 
-// A path in a body that moves and turns: the bead stays on it, and the two bodies keep their momentum and angular momentum.
+// A bead stays on a path in a body that moves and turns, and the two bodies keep their momentum and angular momentum.
 static void paths_move_with_bodies(void** state)
 {
 	(void)state;
@@ -243,7 +246,7 @@ static void paths_move_with_bodies(void** state)
 	}
 }
 
-// Paths take the room that others leave, and joints read the right one.
+// New paths use the memory of destroyed ones, and each joint reads its own path.
 static void paths_come_and_go(void** state)
 {
 	(void)state;
@@ -257,7 +260,7 @@ static void paths_come_and_go(void** state)
 		int n = k * 7 % 20;
 		if (k >= 20)
 		{
-			OK(scree_body_destroy(world, beads[n])); // and its joint with it
+			OK(scree_body_destroy(world, beads[n])); // destroys its joint as well
 			OK(scree_path_destroy(world, paths[n]));
 			assert_false(scree_path_is_valid(world, paths[n]));
 		}
@@ -281,7 +284,7 @@ static void paths_come_and_go(void** state)
 	scree_world_destroy(world);
 }
 
-// Disabled and enabled, of another type, broken: as other joints.
+// Joints on paths can be disabled, enabled and broken, and their bodies can change their type, as with other joints.
 static void joints_rest_and_break(void** state)
 {
 	(void)state;
@@ -298,7 +301,7 @@ static void joints_rest_and_break(void** state)
 	run_steps(world, 10);
 	OK(scree_joint_set_enabled(world, joint, true));
 	run_steps(world, 2);
-	NEAR(along_of(world, joint), along, 0.05); // with its laps
+	NEAR(along_of(world, joint), along, 0.05); // laps included
 	OK(scree_body_set_enabled(world, bead, false));
 	run_steps(world, 2);
 	OK(scree_body_set_enabled(world, bead, true));
@@ -315,7 +318,7 @@ static void joints_rest_and_break(void** state)
 	run_steps(world, 30);
 	assert_false(joint_state_of(world, joint).broken);
 	OK(scree_body_set_pose(world, bead, pose_on_path(world, path, 0.0f)));
-	throw_body(world, bead, 7.0f, 0.0f, 0.0f); // 24.5 m
+	throw_body(world, bead, 7.0f, 0.0f, 0.0f); // m v^2 / R is 24.5 m
 	run_steps(world, 30);
 	assert_true(joint_state_of(world, joint).broken);
 	OK(scree_joint_destroy(world, joint));
@@ -323,7 +326,7 @@ static void joints_rest_and_break(void** state)
 	scree_world_destroy(world);
 }
 
-// scree_joint_def_place leaves frame A, the place of the path, alone.
+// Function scree_joint_def_place does not change frame A, which places the path.
 static void placing_moves_frame_b(void** state)
 {
 	(void)state;
@@ -338,14 +341,15 @@ static void placing_moves_frame_b(void** state)
 	NEAR(def.frame_b.position.y, -1.0, 1e-6);
 	scree_joint joint = add_joint(world, &def);
 	NEAR(along_of(world, joint), 3.0, 1e-6);
-	OK(scree_joint_def_mount(world, &def, 2.5f)); // at (3.5, 0) in the world
+	OK(scree_joint_def_mount(world, &def, 2.5f)); // the point (3.5, 0) in the world
 	NEAR(def.frame_b.position.x, -0.5, 1e-6);
 	NEAR(def.frame_b.position.y, -1.0, 1e-6);
 	NEAR(def.initial_along, 2.5, 0.0);
 	scree_world_destroy(world);
 }
 
-// A bead at 5 m/s on a ring, whose body is placed elsewhere: it comes back to the ring, and is no faster than before.
+// A bead moves at 5 m/s on a ring, and the ring's body is placed elsewhere. The bead comes back to the ring, and is no
+// faster than before.
 static void jumps_of_the_path_add_no_speed(void** state)
 {
 	(void)state;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// test_paths.c -- joints on paths against formulas: beads on wires, wagons on rails, loops, forces, paths of all sizes.
+// test_paths.c -- checks joints on paths against formulas: beads on wires, wagons on rails, loops, forces, paths of all
+// sizes.
 #include "support/make_paths.h"
 #include <float.h>
 #include <math.h>
 
-// The curve through N points of a circle of radius R is within 24 R / N^4 of it (de Boor, 1978: the error of a cubic spline goes
-// with the fourth power), and so is its length by 2 pi times that.
+// A curve through N points of a circle of radius R differs from the circle by at most 24 R / N^4 (de Boor, 1978: the
+// error of a cubic spline goes with the fourth power). Its length differs by at most 2 pi times that.
 static void circles_are_round(void** state)
 {
 	(void)state;
@@ -31,7 +32,8 @@ static void circles_are_round(void** state)
 	scree_world_destroy(world);
 }
 
-// Two points are a straight line; three a parabola: through (-1, 0), (0, 1), (1, 0) it is y = 1 - x^2, of length 2.957886 m.
+// A path through two points is a straight line, one through three a parabola: through (-1, 0), (0, 1), (1, 0) it is
+// y = 1 - x^2, with a length of 2.957886 m.
 static void few_points(void** state)
 {
 	(void)state;
@@ -52,7 +54,7 @@ static void few_points(void** state)
 	scree_world_destroy(world);
 }
 
-// J/kg: of a body on a path, with its spin
+// Returns the energy of a body on a path, with that of its spin, in J/kg.
 static double energy_of(scree_world* world, scree_body body, double gravity)
 {
 	scree_mass mass = mass_of(world, body);
@@ -62,8 +64,8 @@ static double energy_of(scree_world* world, scree_body body, double gravity)
 	       gravity * (double)position_of(world, body).y;
 }
 
-// A bead keeps its speed v on a circle of radius R, and the wire pushes it with m v^2 / R. A wagon gives energy to its spin
-// v / R first: its speed becomes v m / (m + I / R^2) when the rail turns it all at once.
+// A bead keeps its speed v on a circle of radius R, and the wire pushes it with m v^2 / R. The rail gives a wagon the
+// spin v / R all at once at the start; this reduces the speed to v m / (m + I / R^2).
 static void beads_keep_their_speed(void** state)
 {
 	(void)state;
@@ -101,13 +103,13 @@ static void beads_keep_their_speed(void** state)
 		if (locked)
 			NEAR(angle, 0.0, 1e-3);
 		else
-			NEAR(angle, now.values[SCREE_ALONG] / 5.0, 1e-2); // it does not turn, but the tangent does
-		NEAR(velocity_of(world, bead).angular, locked ? speed / 5.0 : 0.0, 4e-3); // curvature of the spline
+			NEAR(angle, now.values[SCREE_ALONG] / 5.0, 1e-2); // the bead does not turn, but the tangent does
+		NEAR(velocity_of(world, bead).angular, locked ? speed / 5.0 : 0.0, 4e-3); // curvature of a spline
 		scree_world_destroy(world);
 	}
 }
 
-// On an ellipse of half axes 6 and 2 m the curvature goes from 2 / 36 to 6 / 4 per m, twice in a lap of 26.7 m.
+// Curvature on an ellipse with half axes of 6 and 2 m varies from 2 / 36 to 6 / 4 per m, twice in a lap of 26.7 m.
 static void ellipses_keep_speed(void** state)
 {
 	(void)state;
@@ -137,7 +139,8 @@ static void ellipses_keep_speed(void** state)
 	}
 }
 
-// A loop of radius R with gravity: v^2 / 2 + g y stays, and at the top the rail pushes with m (v^2 / R - g).
+// A bead in a loop of radius R with gravity keeps v^2 / 2 + g y, and the rail pushes it with m (v^2 / R - g) at the
+// top.
 static void loops_keep_energy(void** state)
 {
 	(void)state;
@@ -175,7 +178,8 @@ static void loops_keep_energy(void** state)
 	}
 }
 
-// The motor of a bead of mass m up a slope of 30 degrees pulls with m g / 2; one with less than that slides back.
+// A motor that pulls a bead of mass m up a slope of 30 degrees applies m g / 2. With a lower maximum, the bead slides
+// back.
 static void motors_drive(void** state)
 {
 	(void)state;
@@ -200,8 +204,8 @@ static void motors_drive(void** state)
 	scree_world_destroy(world);
 }
 
-// A spring across of f Hz is a suspension: on a straight rail a load m g lowers it by g / (2 pi f)^2. A lock at a target is
-// where it says, along and across, and a spring along pulls there.
+// A spring of f Hz across a path is a suspension: on a straight rail a load m g sinks by g / (2 pi f)^2. A lock holds
+// its target, along and across the path, and a spring along the path pulls to its target.
 static void springs_act(void** state)
 {
 	(void)state;
@@ -235,7 +239,7 @@ static void springs_act(void** state)
 	scree_world_destroy(world);
 }
 
-// Wires of 1 cm to 1 km: a bead makes one radian a second, at most 200 m/s, and stays on the wire.
+// A bead stays on wires with radii of 1 cm to 1 km, at one radian per second, but at most 200 m/s.
 static void all_sizes(void** state)
 {
 	(void)state;
@@ -285,7 +289,7 @@ static void many_beads(void** state)
 		body.type = SCREE_BODY_DYNAMIC;
 		body.attribute = round;
 		body.pose = at;
-		body.filter.group = -1; // they pass through each other
+		body.filter.group = -1; // beads pass through each other
 		body.velocity.linear = (scree_vec){speed * at.rotation.c, speed * at.rotation.s};
 		scree_body made = create_body(world, &body);
 		joints[k] = ride(world, path, made, false);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// test_persistent.c -- the persistent kernel of OpenCL and stages that a group does together, compiled as C, with work-items in turns
-// that a seed decides.
+// test_persistent.c -- checks the persistent kernel of OpenCL and stages that a work-group computes together, compiled
+// as C; a seed decides the order in which work-items run.
 //
-// The formula: hash(persistent, seed, step) = hash(cpu, step), for each step. Where a turn never comes, all work-items end and report it.
+// Formula: hash(persistent, seed, step) = hash(cpu, step), for each step. If a work-group never runs, all work-items
+// end and report it.
 #include "emulation/emulated_kernels.h"
 #include "emulation/emulation_scenes.h"
 #include "support/checks.h"
 
-// One work-group needs no barrier with others; of several, the first does short runs alone.
+// One work-group needs no barrier with others; with several, the first executes short runs alone.
 static const Form forms[] = {
     {.name = "one group", .persistent = true, .groups = 1},
     {.name = "two groups", .persistent = true, .groups = 2},
@@ -32,7 +33,7 @@ static void all_runs_are_equal(void** state)
 	assert_true(runs > 8 * launches && launches > 0 && group_stages > 0);
 }
 
-// A group without turns keeps the others at the next barrier, until they give up.
+// A work-group that never runs keeps the others at the next barrier, until they give up.
 static void groups_that_stay_away_are_found(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_physics.c -- worlds against formulas: each test states the one that it checks.
+// test_physics.c -- checks worlds against formulas; each test states its formula.
 //
 // A step of dt in S substeps is S steps of h = dt / S by semi-implicit Euler, v += h a, then x += h v.
 #include "support/make_bodies.h"
@@ -13,10 +13,10 @@ static void run_finely(scree_world* world, double seconds)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// bodies by themselves
+// single bodies
 // ---------------------------------------------------------------------------------------------------------------
 
-// After N substeps: v = v0 + g N h, y = y0 + v0 N h + g h^2 N (N + 1) / 2.
+// State after N substeps: v = v0 + g N h, y = y0 + v0 N h + g h^2 N (N + 1) / 2.
 static void free_fall(void** state)
 {
 	(void)state;
@@ -34,7 +34,7 @@ static void free_fall(void** state)
 	scree_world_destroy(world);
 }
 
-// y = y0 - s g h^2 N (N + 1) / 2 with a gravity scale s.
+// Position with a gravity scale s: y = y0 - s g h^2 N (N + 1) / 2.
 static void gravity_scale(void** state)
 {
 	(void)state;
@@ -53,7 +53,7 @@ static void gravity_scale(void** state)
 	scree_world_destroy(world);
 }
 
-// v = v0 / (1 + c h)^N, x = h times the sum of these; the same for spin.
+// Velocity with damping c: v = v0 / (1 + c h)^N; x is h times the sum of all v. Spin and angle are likewise.
 static void damping(void** state)
 {
 	(void)state;
@@ -77,7 +77,7 @@ static void damping(void** state)
 	scree_world_destroy(world);
 }
 
-// Without a torque w stays, and the angle is w t: at 100 rad/s sixteen turns a second.
+// Spin w without a torque is constant, and the angle is w t; 100 rad/s are sixteen turns per second.
 static void spin(void** state)
 {
 	(void)state;
@@ -100,7 +100,7 @@ static void spin(void** state)
 	scree_world_destroy(world);
 }
 
-// F t = m v and T t = I w for forces held over time t; J = m v and r x J = I w for impulses. A box of 2 by 1 m has
+// Forces held over a time t give F t = m v and T t = I w; impulses give J = m v and r x J = I w. A box of 2 by 1 m has
 // m = 2 kg and I = m (2^2 + 1^2) / 12.
 static void newtons_second_law(void** state)
 {
@@ -122,13 +122,13 @@ static void newtons_second_law(void** state)
 	NEAR(velocity_of(world, struck).linear.y, -3.0 / mass, 1e-5);
 	NEAR(velocity_of(world, struck).angular, (1.0 * -3.0 - 0.5 * 1.0) / inertia, 1e-5);
 
-	// forces are of one step
+	// forces act for one step only
 	run_steps(world, 1);
 	NEAR(velocity_of(world, pushed).linear.x, 6.0 / mass, 1e-4);
 	scree_world_destroy(world);
 }
 
-// |v| <= max_speed, along the same direction.
+// Speed is limited: |v| <= max_speed, in the same direction.
 static void speed_has_a_limit(void** state)
 {
 	(void)state;
@@ -147,7 +147,7 @@ static void speed_has_a_limit(void** state)
 	scree_world_destroy(world);
 }
 
-// A locked coordinate stays the same to the last bit, whatever pushes; the others move as if they were alone.
+// A locked coordinate keeps every bit under any force; the other coordinates move as without the lock.
 static void locks(void** state)
 {
 	(void)state;
@@ -180,7 +180,7 @@ static void locks(void** state)
 // friction
 // ---------------------------------------------------------------------------------------------------------------
 
-// The distance that a box slides down a slope in t seconds, m.
+// Returns the distance in m that a box slides down a slope in a number of steps, less that by its speed at the start.
 static double slide(double degrees, double friction, int steps)
 {
 	float slant = (float)(degrees * PI / 180.0);
@@ -190,7 +190,7 @@ static double slide(double degrees, double friction, int steps)
 	scree_attribute flat = add_surface(world, box_shape(0.5f, 0.25f), (float)friction, 0.0f);
 	add_body(world, SCREE_BODY_STATIC, slope, turn.s, -turn.c, slant);
 	scree_body box = add_body(world, SCREE_BODY_DYNAMIC, flat, -0.25f * turn.s, 0.25f * turn.c, slant);
-	run_steps(world, 30); // at rest on the slope, as far as it can be
+	run_steps(world, 30); // settles on the slope
 	scree_vec from = position_of(world, box);
 	scree_velocity v = velocity_of(world, box);
 	run_steps(world, steps);
@@ -201,7 +201,7 @@ static double slide(double degrees, double friction, int steps)
 	return travel - begin * steps / 60.0;
 }
 
-// A box holds on a slope of angle a when mu > tan a. Just below that it slides with g (sin a - mu cos a).
+// A box holds on a slope of angle a if mu > tan a. Below that it slides with the acceleration g (sin a - mu cos a).
 static void friction_angle(void** state)
 {
 	(void)state;
@@ -234,7 +234,7 @@ static void stopping_distance(void** state)
 	scree_world_destroy(world);
 }
 
-// A belt runs clockwise around its shape: what lies on top is carried to the right, with the belt's speed.
+// A belt runs clockwise around its shape: a box on top is carried to the right, at the speed of the belt.
 static void conveyor(void** state)
 {
 	(void)state;
@@ -249,8 +249,9 @@ static void conveyor(void** state)
 	scree_world_destroy(world);
 }
 
-// Bodies that are made at one place leave it in all directions: in single file the first of 100 would get 50 times contact_push_speed. A disk
-// of 100 boxes of 1 m has 5 pairs from its middle to its side, and is 3.5 m high and wide on either side.
+// Bodies created at one point leave it in all directions. In single file the first of 100 would get 50 times
+// contact_push_speed. A disk of 100 boxes of 1 m has 5 pairs from its center to its edge, and extends 3.5 m from its
+// center, up and down and to both sides.
 static void crowd_parts(void** state)
 {
 	(void)state;
@@ -281,8 +282,8 @@ static void crowd_parts(void** state)
 	}
 }
 
-// The resisting torque is c r m g (lever c r). A disk that rolls without slipping slows down by 2/3 c g, so that it stops
-// after v^2 / (4/3 c g); without resistance it rolls on.
+// Rolling resistance c applies a torque of c r m g (lever c r). A disk that rolls without slipping slows down by
+// 2/3 c g, and stops after v^2 / (4/3 c g); without resistance it rolls on.
 static void rolling_resistance(void** state)
 {
 	(void)state;
@@ -304,15 +305,16 @@ static void rolling_resistance(void** state)
 	scree_world_destroy(world);
 }
 
-// Circles without friction that touch, and of which one spins: the normal goes from center to center, and does not turn with the
-// one that spins. What a point of its surface rises within a step, r (1 - cos w dt), counts as overlap, so that it is pushed.
+// Two circles without friction touch, and one of them spins. The normal points from center to center, and does not turn
+// with the spinning circle. The rise of a point of its surface within a step, r (1 - cos w dt), counts as overlap, so
+// the circle is pushed.
 static void spinning_circles(void** state)
 {
 	(void)state;
 	static const float spins[] = {10.0f, 62.0f, 85.0f, 140.0f, 180.0f};
 	for (int k = 0; k < 10; ++k)
 	{
-		bool first = k < 5; // is created before the static one
+		bool first = k < 5; // dynamic body is created before the static one
 		scree_world* world = open_world(0.0f);
 		scree_attribute large = add_surface(world, circle_shape(3.5f), 0.0f, 0.0f);
 		scree_attribute small = add_surface(world, circle_shape(0.09f), 0.0f, 0.0f);
@@ -336,8 +338,8 @@ static void spinning_circles(void** state)
 // impacts
 // ---------------------------------------------------------------------------------------------------------------
 
-// A ball dropped from h rises to e^2 h. In steps of 1/240 s: the velocity that restitution reverses is the one before the
-// step, so that it lacks up to g dt, and the height up to 2 g dt / v.
+// A ball dropped from h rises to e^2 h. Restitution reverses the velocity before the step, here of 1/240 s. This
+// velocity lacks up to g dt, and the height up to a share of 2 g dt / v.
 static void restitution_height(void** state)
 {
 	(void)state;
@@ -362,7 +364,7 @@ static void restitution_height(void** state)
 	}
 }
 
-// Newton's law of impact on a line: v1' = v1 - (1 + e) m2 / (m1 + m2) (v1 - v2), and the same for the other.
+// Newton's law of impact on a line: v1' = v1 - (1 + e) m2 / (m1 + m2) (v1 - v2), and likewise for the other body.
 static void impact_on_a_line(void** state)
 {
 	(void)state;
@@ -387,7 +389,7 @@ static void impact_on_a_line(void** state)
 	}
 }
 
-// Without gravity the sums of m v and of m r x v + I w stay, whatever the bodies do to each other.
+// The sums of m v and of m r x v + I w are constant in collisions without gravity.
 static void momentum(void** state)
 {
 	(void)state;
@@ -415,7 +417,7 @@ static void momentum(void** state)
 		Momentum now = momentum_of(world, bodies, 49);
 		NEAR(now.x, before.x, 1e-5 * before.size);
 		NEAR(now.y, before.y, 1e-5 * before.size);
-		// within a step, points of action stay where it found them, and bodies move on: up to 2 cm here
+		// contact points are fixed within a step while bodies move on, here by up to 2 cm
 		NEAR(now.spin, before.spin, 1e-3 * before.size);
 	}
 	assert_true(counters_of(world).touching > 0);
@@ -423,7 +425,7 @@ static void momentum(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// rest
+// bodies at rest
 // ---------------------------------------------------------------------------------------------------------------
 
 static void add_stack(scree_world* world, scree_body* boxes, int count)
@@ -433,8 +435,9 @@ static void add_stack(scree_world* world, scree_body* boxes, int count)
 		boxes[k] = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f + (float)k);
 }
 
-// A stack of 20 boxes stands for 60 s. Its contacts are soft, but their arms are held, so it does not buckle (docs/manifolds.md). It
-// sways, ever less: by some centimeters after 5 s, by millimeters after 60. Heights are exact to a slop of 5 mm a box.
+// A stack of 20 boxes stands for 60 s. Its contacts are soft, but their arms are held, so it does not buckle
+// (docs/manifolds.md). It sways less and less: by some centimeters after 5 s, by millimeters after 60 s. Heights are
+// exact to a slop of 5 mm per box.
 static void stack_stands(void** state)
 {
 	(void)state;
@@ -460,7 +463,7 @@ static void stack_stands(void** state)
 	scree_world_destroy(world);
 }
 
-// A stack of 10 is far from buckling: after 20 s nothing is left of the motion, and nothing creeps.
+// A stack of 10 boxes is far from buckling: after 20 s it has stopped moving, and does not creep.
 static void stack_rests(void** state)
 {
 	(void)state;
@@ -483,7 +486,7 @@ static void stack_rests(void** state)
 	scree_world_destroy(world);
 }
 
-// A box carries one of a hundred times its mass; the overlap stays under 2 cm, and they come to rest.
+// A box carries another with a hundred times its mass. The overlap stays under 2 cm, and both come to rest.
 static void mass_ratio(void** state)
 {
 	(void)state;
@@ -503,7 +506,7 @@ static void mass_ratio(void** state)
 	scree_world_destroy(world);
 }
 
-// A kinematic body goes where its velocity says, x = v t, whatever lies on it; and what lies on it goes along.
+// A kinematic body moves by its velocity, x = v t, under any load, and carries the load along.
 static void kinematic_carries(void** state)
 {
 	(void)state;
@@ -523,7 +526,7 @@ static void kinematic_carries(void** state)
 	NEAR(position_of(world, sled).x - position_of(world, box).x, lag, 1e-3);
 	NEAR(velocity_of(world, load).linear.y, 1.5, 1e-3);
 	NEAR(position_of(world, load).y - position_of(world, lift).y, 1.0, 5e-3);
-	assert_true(lag < 1.5 * 1.5 / (2.0 * 0.6 * G) * 1.1); // it slips until friction has given it the speed
+	assert_true(lag < 1.5 * 1.5 / (2.0 * 0.6 * G) * 1.1); // the box slips until it has the speed
 	scree_world_destroy(world);
 }
 

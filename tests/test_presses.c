@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// test_presses.c -- bodies that something kinematic presses against something static, in every variant; masses that the user sets.
+// test_presses.c -- checks bodies between a kinematic body and a static one, in every variant, and masses set by the
+// user.
 #include "support/make_joints.h"
 #include "support/scenarios.h"
 #include <math.h>
 #include <stdio.h>
 
-#define DEPTH 0.02f // m: the most by which a body may be in something static
+#define DEPTH 0.02f // m, maximum depth of a body in a static one
 
 typedef enum
 {
@@ -18,10 +19,11 @@ typedef enum
 typedef struct
 {
 	scree_body press, body;
-	scree_vec direction; // unit vector in which it is pressed
+	scree_vec direction; // unit vector of the motion of the press
 } Press;
 
-// A body of 1 m beside what is static, or a gap before that, and a press that goes there. first: which of the two is made first.
+// Adds static bodies, a body of 1 m at a gap from them, and a press that moves towards them. If first is set, creates
+// the press before the others.
 static Press add_press(scree_world* world, Place place, scree_shape shape, float density, float gap, bool first)
 {
 	static const float angles[PLACES] = {-90.0f, 0.0f, -35.0f};
@@ -47,7 +49,7 @@ static Press add_press(scree_world* world, Place place, scree_shape shape, float
 	return p;
 }
 
-// m: how far a body of 1 m is at most in the wall or in the floor
+// Returns the larger depth in m of a body of 1 m in the wall and in the floor.
 static float depth_of(scree_world* world, scree_body body, Place place, bool round)
 {
 	scree_pose pose = pose_of(world, body);
@@ -57,8 +59,8 @@ static float depth_of(scree_world* world, scree_body body, Place place, bool rou
 	return fmaxf(wall, floor);
 }
 
-// Whatever touches first, whatever was made first, of any density, by velocity and by target, while the press comes, while it stays, and
-// when it goes back: the body is at most 2 cm in what is static, and no faster than the press.
+// The body is at most 2 cm deep in a static body and no faster than the press. This holds for any order of contacts
+// and of creation, any density, presses moved by velocity or by target, and while the press comes, stays and goes back.
 static void static_side_wins(void** state)
 {
 	(void)state;
@@ -95,7 +97,8 @@ static void static_side_wins(void** state)
 	assert_true(fastest < 1.05f);
 }
 
-// Rows, also with a mass ratio of 100, hold as well; when the press is gone all at once, what it pressed together does not shoot out.
+// Rows of bodies, also with a mass ratio of 100, are at most 2 cm deep in the wall as well. When the press is
+// destroyed, the bodies that it pressed together do not shoot out.
 static void rows_yield_to_what_is_static(void** state)
 {
 	(void)state;
@@ -129,7 +132,7 @@ static void rows_yield_to_what_is_static(void** state)
 	}
 }
 
-// The types of two bodies that touch a third one are exchanged: in the same step its contacts count as what they are now.
+// Two bodies that touch a third one exchange their types. The contacts use the new types in the same step.
 static void types_are_exchanged(void** state)
 {
 	(void)state;
@@ -153,7 +156,8 @@ static void types_are_exchanged(void** state)
 	}
 }
 
-// A hinge to a hand, or a hard spring to a point of the world, drags a ball against a ring of segments, which holds it.
+// A hinge to a kinematic body, or a stiff spring to a point of the world, drags a ball against a ring of segments. The
+// ball stays within the ring.
 static void joints_yield_to_what_is_static(void** state)
 {
 	(void)state;
@@ -194,7 +198,7 @@ static void joints_yield_to_what_is_static(void** state)
 	}
 }
 
-// A press of another kind is heavy, not kinematic: what lies under heavy loads sinks as its contacts say, and nothing shakes.
+// A heavy dynamic body is not a press: bodies under it sink by the softness of their contacts, and do not shake.
 static void loads_are_no_presses(void** state)
 {
 	(void)state;
@@ -205,7 +209,7 @@ static void loads_are_no_presses(void** state)
 	cart.density = 1000.0f;
 	wheel.density = 1.6f / (float)(PI * 0.16);
 	add_floor(world);
-	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // in the floor, so that presses are looked for
+	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // overlaps the floor, so the press search runs
 	add_crate(world, SCREE_BODY_DYNAMIC, -20.0f, 2.4f);
 	def.body_a = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &cart), 0.0f, 0.7f, 0.0f);
 	for (int k = 0; k < 2; ++k)
@@ -230,7 +234,7 @@ static void loads_are_no_presses(void** state)
 	scree_world_destroy(world);
 }
 
-// A plate with 40 crates, a hub, between a press and a wall.
+// Adds a plate with 40 crates, which is a hub, between a press and a wall. Returns the plate.
 static scree_body add_plate(scree_world* world, scree_body* press)
 {
 	add_box(world, SCREE_BODY_STATIC, 50.0f, 100.0f, 50.0f, 0.0f);
@@ -288,7 +292,8 @@ static void presses_are_equal_everywhere(void** state)
 	check_parity(&scenario, NULL);
 }
 
-// A mass that the user set holds again after the body was kinematic, until its collidables change, then too.
+// A mass set by the user applies again after the body was kinematic, until its collidables change, even while it is
+// kinematic.
 static void own_mass_outlives_types(void** state)
 {
 	(void)state;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// test_primitives.c -- sort and scan of every backend against the plainest way to do them.
+// test_primitives.c -- checks sort and scan of every backend against the simplest implementations.
 //
-// Formulas. Sort: the output is a permutation of the input, rising in the given bits, and keys whose bits are equal keep
+// Formulas. Sort: the output is a permutation of the input, rising in the given bits, and keys with equal bits keep
 // their order. Scan: out[i] = in[0] + ... + in[i - 1].
 #include "backend/backend.h"
 #include "support/each_backend.h"
@@ -52,7 +52,7 @@ static uint64_t make_key(Input input, int i, int count, uint64_t* seed)
 	}
 }
 
-// by insertion of one bit after the other, so that it shares no idea with what it checks
+// Sorts by one bit after the other, a method that the code under test does not use.
 static void reference_sort(uint64_t* keys, uint64_t* other, int count, int first_bit, int end_bit)
 {
 	for (int bit = first_bit; bit < end_bit; ++bit)
@@ -66,7 +66,7 @@ static void reference_sort(uint64_t* keys, uint64_t* other, int count, int first
 	}
 }
 
-// Fails naming the backend and the first item that differs.
+// Compares items, and fails with the name of the backend and the first item that differs.
 static void check_equal(const Backend* b, const char* what, const void* got, const void* expected, size_t item,
                         int count)
 {
@@ -84,12 +84,12 @@ static void run_on(Backend* b, Run run, int bound)
 	assert_int_equal(b->f->run(b, &step, &run, 1), SCREE_OK);
 }
 
-// Sorts end keys on every backend, with a counter that bounds them to bound keys.
+// Sorts end keys on every backend. If use_bound is set, a counter limits them to bound keys.
 static void check_sort(Input input, int end, int bound, bool use_bound, int first_bit, int end_bit, uint64_t seed)
 {
 	static uint64_t keys[CAPACITY], expected[CAPACITY], got[CAPACITY];
 	int count = use_bound && bound < end ? bound : end;
-	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY; // the keys behind must stay
+	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY; // later keys must not change
 	for (int i = 0; i < whole; ++i)
 		keys[i] = make_key(input, i, end, &seed);
 	memcpy(expected, keys, (size_t)whole * sizeof *keys);
@@ -155,7 +155,7 @@ static void test_sort_inputs(void** state)
 			check_sort((Input)input, sizes[i], 0, false, 0, 64, 7);
 }
 
-// whatever the number of passes and their widths, the result ends in pool key
+// Result is in pool key for any number and widths of passes.
 static void test_sort_bits(void** state)
 {
 	(void)state;
@@ -164,7 +164,7 @@ static void test_sort_bits(void** state)
 			check_sort(RANDOM, 3000, 0, false, first, end, 11);
 }
 
-// the bits outside the range distinguish equal keys
+// Bits outside of the range distinguish keys that are equal within it.
 static void test_sort_is_stable(void** state)
 {
 	(void)state;
@@ -203,7 +203,8 @@ static void test_scan_counts_from_device(void** state)
 		check_scan(900000, bounds[i], true, 2, 29 + i);
 }
 
-// A read of as many bytes as the counters have is none of the counters: its bytes must not be taken for a fault of the device.
+// A read of other data with the size of the counters is not a read of the counters: its bytes must not count as
+// faults of the device.
 static void reads_have_any_size(void** state)
 {
 	(void)state;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// test_programs.c -- random programs of calls on every device, number of lanes and of threads: equal bits, finite state.
+// test_programs.c -- checks that random programs of calls have equal bits and a finite state on every device, with
+// every number of lanes and threads.
 //
-// The formula: after each call, status(device) = status(cpu, 1 thread, 1 lane), and so with answers and hashes. bench/programs.sh
-// runs thousands of programs on a GPU; build/tests/programs --help says how to run others, and one again.
+// Formula: status(device) = status(cpu, 1 thread, 1 lane) after each call, and the same for results and hashes.
+// bench/programs.sh runs thousands of programs on a GPU; build/tests/programs --help lists the options for other
+// programs, and to run one again.
 #include "programs/program.h"
 #include "support/variants.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-// seeds from here on; a failure prints its own
+// first seed; a failure prints the seed of its program
 #define FIRST_SEED 1000
 
 static int hide_log(void** state)
@@ -18,7 +20,7 @@ static int hide_log(void** state)
 	return pair_hide_log() != SCREE_OK;
 }
 
-// Prints a program that failed, made short, and how it failed.
+// Shortens a program that failed, and prints it with a description of the failure.
 static void print_failure(Pair* pair, Program* program, const Variant* variant, uint64_t seed)
 {
 	program_shrink(program, pair, 20.0);
@@ -69,7 +71,7 @@ static void programs_are_equal(void** state)
 		              false);
 }
 
-// A world that is read between its calls has the bits of one that is not.
+// Reads between calls do not change the bits of a world.
 static void reads_change_nothing(void** state)
 {
 	(void)state;
@@ -78,7 +80,7 @@ static void reads_change_nothing(void** state)
 	check_variant(&variants[0], quick() ? 50 : 400, true);
 }
 
-// Programs that once had other bits where they were read, each with several choices of reads.
+// Runs saved programs with several choices of reads. In earlier versions their bits depended on reads.
 static void saved_programs_are_equal(void** state)
 {
 	(void)state;
@@ -108,7 +110,7 @@ static void saved_programs_are_equal(void** state)
 	}
 }
 
-// A program that was written can be read, and is the same program.
+// A program is the same after it was written and read.
 static void text_is_the_program(void** state)
 {
 	(void)state;
@@ -127,7 +129,7 @@ static void text_is_the_program(void** state)
 	{
 		assert_int_equal(read.calls[k].kind, made.calls[k].kind);
 		for (int i = 0; i < call_info(made.calls[k].kind)->count; ++i)
-			if (made.calls[k].value[i] == made.calls[k].value[i]) // a NaN has more bits than its text
+			if (made.calls[k].value[i] == made.calls[k].value[i]) // the text of a NaN lacks some bits
 				assert_memory_equal(&read.calls[k].value[i], &made.calls[k].value[i], sizeof(float));
 	}
 	program_close(&made);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_queries.c -- rays, moving shapes, overlaps and the nearest, against all pairs in double precision.
+// test_queries.c -- checks rays, moving shapes, overlaps and nearest collidables against all pairs in double precision.
 #include "support/exact_shapes.h"
 #include "support/random_queries.h"
 #include "tools/common/random_numbers.h"
@@ -9,7 +9,7 @@
 
 #define MOST 400
 
-typedef struct // the copy of a collidable that the tests keep
+typedef struct // copy of a collidable for the tests
 {
 	scree_collidable handle;
 	scree_body body;
@@ -79,7 +79,7 @@ static void add_item(Place* place, scree_collidable handle, scree_body body, scr
 	item->reach += item->exact.radius;
 }
 
-// Reads all collidables back.
+// Reads all collidables of the world.
 static void look(Place* place)
 {
 	static const uint32_t kinds[] = {[SCREE_BODY_STATIC] = SCREE_QUERY_STATIC,
@@ -120,7 +120,7 @@ static const Item* item_of(const Place* place, scree_collidable handle)
 	return NULL;
 }
 
-// Whether item can be met at all by a shape that reaches so far and moves along a path.
+// Returns whether an item is too far away for a shape with the given reach that moves along a path.
 static bool is_away(const Item* item, const Exact* from, double reach, double x, double y)
 {
 	double px = item->exact.x[0] - from->x[0], py = item->exact.y[0] - from->y[0], square = x * x + y * y;
@@ -128,7 +128,7 @@ static bool is_away(const Item* item, const Exact* from, double reach, double x,
 	return hypot(px - t * x, py - t * y) > item->reach + reach + 0.1;
 }
 
-// Checks the first answer, and the list of all, of a shape that moves along a path.
+// Checks the first result, and the list of all results, of a shape that moves along a path.
 static void check_cast(const Place* place, const scree_query_def* def, const Exact* from, double reach, scree_vec path,
                        scree_body ignored, const scree_query_result* first, const scree_query_result* all, int count,
                        double slack)
@@ -170,7 +170,7 @@ static void check_cast(const Place* place, const scree_query_def* def, const Exa
 		if (least > slack)
 			fail_msg("item %d of %d corners is %g m away, and was found at %g", k, item->exact.count, least,
 			         (double)found->fraction);
-		// a slope that is nearly parallel to the path is met anywhere within the slack
+		// an edge nearly parallel to the path may be hit anywhere within the slack
 		Exact there = exact_moved(*from, (double)found->fraction * x, (double)found->fraction * y);
 		double apart = exact_distance(&item->exact, &there);
 		if (found->inside)
@@ -180,7 +180,7 @@ static void check_cast(const Place* place, const scree_query_def* def, const Exa
 			         item->exact.count, apart, (double)found->fraction, length);
 		else
 		{
-			// the point is on the surface, the normal looks from there
+			// the point is on the surface, and the normal points away from it
 			Exact point = {.count = 1, .x = {(double)found->point.x}, .y = {(double)found->point.y}};
 			NEAR(exact_distance(&item->exact, &point), 0.0, 2.0 * slack);
 			NEAR(hypot((double)found->normal.x, (double)found->normal.y), 1.0, 1e-4);
@@ -325,7 +325,7 @@ static void all_pairs(float x, float y, float size, float scale, double slack, u
 	place->center = (scree_vec){x, y};
 	place->size = size;
 	fill(place, &seed, 100, scale);
-	check_place(place, &seed, scale, slack); // a world that never made a step
+	check_place(place, &seed, scale, slack); // a world before its first step
 	run_steps(place->world, 3);
 	check_place(place, &seed, scale, slack);
 	for (int k = 0; k < 20; ++k)
@@ -362,7 +362,7 @@ static void tiny_and_huge(void** state)
 	all_pairs(0.0f, 0.0f, 5000.0f, 900.0f, 2e-2, 7);
 }
 
-// Two shapes without a world, against all pairs of corners and edges.
+// Compares two shapes without a world with all pairs of corners and edges.
 static void shapes_alone(void** state)
 {
 	(void)state;
@@ -398,7 +398,7 @@ static void shapes_alone(void** state)
 		if (fabs(exact_distance(&one, &point)) > 1e-5)
 			assert_true(contains == (exact_distance(&one, &point) < 0.0));
 
-		// an impact: no contact before, contact then
+		// impact of two moving shapes: no contact before, contact at the time of impact
 		to_b.position.x += path.x;
 		to_b.position.y += path.y;
 		to_a.rotation = scree_rot_make(random_between(&seed, -3.0f, 3.0f));
@@ -419,7 +419,7 @@ static void shapes_alone(void** state)
 	}
 }
 
-// Rays through the inside of segments meet them, whatever the rounding is. Before, 23 % did not.
+// Rays through the interior of segments hit them, with any rounding. An earlier version missed 23 %.
 static void rays_through_segments(void** state)
 {
 	(void)state;

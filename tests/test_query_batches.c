@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_query_batches.c -- batches of queries: large ones, and items of any bits.
+// test_query_batches.c -- checks batches of queries: large ones, and items with arbitrary bits.
 #include "support/random_queries.h"
 #include "support/scenarios.h"
 #include "tools/common/byte_hash.h"
@@ -10,7 +10,8 @@
 
 #define APPROVAL 500
 
-// A batch so large that a GPU gets it in parts has the answers of small ones; a bad item at its end leaves all answers as they were.
+// A batch so large that a GPU processes it in parts has the same results as small ones. A bad item at its end leaves
+// all results unchanged.
 static void large_batches(void** state)
 {
 	(void)state;
@@ -53,7 +54,7 @@ static void large_batches(void** state)
 	free(found);
 }
 
-// A float of any bits, often one that no comparison expects.
+// Returns a float with arbitrary bits, often a special value, for example NaN, infinity or -0.
 static float any_float(uint64_t* seed)
 {
 	static const uint32_t odd[] = {0x7fc00000, 0xffc00000, 0x7f800000, 0xff800000,
@@ -74,7 +75,8 @@ static float any_float(uint64_t* seed)
 	return x;
 }
 
-// Items of any bits are refused or answered, and no device reads beyond its pools for them.
+// Runs queries with items of arbitrary bits. They are refused or have a result, and no device reads beyond its pools.
+// Returns a hash of results and refusals.
 static uint64_t ask_bits(scree_world* world)
 {
 	static scree_ray rays[APPROVAL];
@@ -119,7 +121,7 @@ static uint64_t answers_to_bits(const Variant* variant)
 {
 	scree_world* world = open_default_variant(variant);
 	add_floor(world);
-	for (int n = 0; n < 77; ++n) // a number that fills no node of a tree
+	for (int n = 0; n < 77; ++n) // a number that does not fill the nodes of a tree
 		add_box(world, n % 3 ? SCREE_BODY_DYNAMIC : SCREE_BODY_STATIC, 0.3f, 0.2f, (float)(n % 9), (float)(n / 9));
 	run_steps(world, 1);
 	uint64_t answers = ask_bits(world);
