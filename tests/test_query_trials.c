@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_query_trials.c -- queries in hostile worlds, and with the same answers everywhere.
+// test_query_trials.c -- checks queries in extreme worlds, and that they find the same on all devices.
 #include "support/random_queries.h"
 #include "support/scenarios.h"
 #include "tools/common/byte_hash.h"
@@ -15,13 +15,13 @@ typedef struct
 } Place;
 
 // ---------------------------------------------------------------------------------------------------------------
-// the same everywhere
+// equal results on all devices
 // ---------------------------------------------------------------------------------------------------------------
 
 #define BODIES   300
 #define APPROVAL 500
 
-// Runs queries of all kinds, and adds their results to a hash.
+// Runs queries of all kinds and adds their results to the hash.
 static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
 {
 	static scree_ray rays[APPROVAL];
@@ -53,7 +53,8 @@ static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
 	return hash_bytes(hash, found, sizeof found);
 }
 
-// A heap that falls; bodies are created, destroyed and changed, and queries run in every step or only now and then.
+// Runs a falling heap, in which bodies are created, destroyed and changed. Queries before and after each change are
+// optional. Returns the hash of their results.
 static uint64_t record_heap(const Variant* variant, bool asks, uint64_t* world_hash)
 {
 	Place place = {.center = {0.0f, 5.0f}, .size = 12.0f};
@@ -114,15 +115,16 @@ static void all_devices_agree(void** state)
 	uint64_t silent, world;
 	record_heap(&reference, false, &silent);
 	record_heap(&reference, true, &world);
-	assert_true(world == silent); // queries change nothing
+	assert_true(world == silent); // queries do not change the world
 	check_equal(heap_answers);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// hostile worlds
+// extreme worlds
 // ---------------------------------------------------------------------------------------------------------------
 
-// Thousands at one point: all are found, in the order of their indices; a list that is longer than its room grows.
+// Thousands of crates lie at one point. An overlap returns all of them in the order of their indices, and its list
+// grows as needed.
 static void all_at_one_point(void** state)
 {
 	(void)state;
@@ -149,7 +151,8 @@ static void all_at_one_point(void** state)
 	scree_world_destroy(world);
 }
 
-// Rays that begin inside say so, or look through; rays of no length, along edges and through corners have answers.
+// A ray that begins inside a collidable reports it, unless the query skips it. Rays without length, along edges and
+// through corners have results too.
 static void edges_and_insides(void** state)
 {
 	(void)state;
@@ -179,7 +182,8 @@ static void edges_and_insides(void** state)
 	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, -3.0f}, (scree_vec){6.0f, 6.0f}, &found)); // into a corner
 	assert_true(found.hit);
 	NEAR(found.fraction, 1.0 / 3.0, 1e-6);
-	// nearly parallel to a segment, 90 km away, and 0.4 um beside its corner: met there, and not behind it
+	// nearly parallel to a segment, 90 km away, and 0.4 um beside its corner: the ray meets the corner and nothing
+	// behind it
 	scree_shape segment;
 	scree_vec corners[2] = {{-0.595454574f, -0.0290360544f}, {-0.157268897f, 1.55506301f}};
 	OK(scree_shape_make_segment(corners[0], corners[1], &segment));
@@ -194,7 +198,7 @@ static void edges_and_insides(void** state)
 	scree_world_destroy(world);
 }
 
-// The body that a query ignored is destroyed, and another body has its slot: the query runs, and ignores nothing.
+// A query ignores a body that is destroyed; then another body takes its slot. The query still runs and ignores nothing.
 static void ignores_what_is_gone(void** state)
 {
 	(void)state;
@@ -216,7 +220,7 @@ static void ignores_what_is_gone(void** state)
 		rays[1].ignored = SCREE_NULL_BODY;
 		for (int round = 0; round < 3; ++round)
 		{
-			unsigned nearer = round < 2 ? 2 : 1; // another body, until one is in the slot
+			unsigned nearer = round < 2 ? 2 : 1; // index of another body, until a new body has the slot
 			OK(scree_world_cast_rays(world, &def, rays, 2, found));
 			assert_int_equal(found[0].collidable.index, nearer);
 			assert_int_equal(found[1].collidable.index, round == 1 ? 2 : 1);
@@ -245,7 +249,8 @@ static void ignores_what_is_gone(void** state)
 	}
 }
 
-// A shape between two walls that leave it a hair's breadth; a nearest search from inside of several.
+// A shape passes between two walls with a clearance of 1 mm, and meets them when it is rotated. A search for the
+// nearest collidable begins inside one of them.
 static void tight_places(void** state)
 {
 	(void)state;

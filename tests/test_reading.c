@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_reading.c -- values that a program reads of bodies and of the world, and sets of the world, between two steps.
+// test_reading.c -- checks the values of bodies and of the world that a program reads and sets between two steps.
 #include "support/make_bodies.h"
 #include <string.h>
 
-// All states in one call are those of one body after the other, of the bodies alive, by rising index.
+// One call returns the states of all living bodies in ascending order of their indices. They equal the states read from
+// each body.
 static void states_of_all(void** state)
 {
 	(void)state;
@@ -76,7 +77,8 @@ static void definition_of_a_body(void** state)
 	scree_world_destroy(world);
 }
 
-// A box that turns about its center, a quarter of a circle on: its corner, and back.
+// A rotating box, turned by 90 degrees: the world position of its corner, the conversion back to local coordinates, and
+// the velocity of that point.
 static void points_of_a_body(void** state)
 {
 	(void)state;
@@ -97,7 +99,7 @@ static void points_of_a_body(void** state)
 	scree_world_destroy(world);
 }
 
-// A lower limit of speed holds from the next step on, and a threshold of restitution decides about the next impact.
+// A lower maximum speed applies from the next step on. A new restitution threshold applies to the next impact.
 static void tuning_between_steps(void** state)
 {
 	(void)state;
@@ -126,7 +128,7 @@ static void tuning_between_steps(void** state)
 	scree_world_destroy(world);
 }
 
-// Masses in a batch are those set one by one, and all or none.
+// A batch of masses has the same effect as single calls. If one mass of the batch is refused, none is set.
 static void masses_in_a_batch(void** state)
 {
 	(void)state;
@@ -170,7 +172,7 @@ static void handles_compare(void** state)
 	scree_world_destroy(world);
 }
 
-// A contact names the bodies, and the user words of the collidables.
+// A contact names the two bodies and the user words of its collidables.
 static void contacts_name_bodies(void** state)
 {
 	(void)state;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_relay.c -- the relay of OpenCL, compiled as C, with its work-items in turns that a seed decides.
+// test_relay.c -- checks the relay of OpenCL, compiled as C, with work-items that take turns in the order of a seed.
 //
-// The formula: hash(relay, seed, step) = hash(cpu, step), for each step; and no row has a word left after a solve. Where a
-// turn never comes, all work-items end and say so.
+// Formula: hash(relay, seed, step) = hash(cpu, step) for each step, and no word of a mailbox is set after a solve. If a
+// work-item never gets a turn, all others end with a fault.
 #include "emulation/emulated_kernels.h"
 #include "emulation/emulation_scenes.h"
 #include "support/make_worlds.h"
@@ -12,9 +12,9 @@
 // equal bits
 // ---------------------------------------------------------------------------------------------------------------
 
-// Room for all constraints in registers, and for some, which are streamed; words that arrive when they like, each at once;
-// a solve that is listed before its constraints are known. In spread forms work-items without a constraint leave before
-// others meet.
+// The forms differ in these ways: all constraints fit into registers, or they are streamed; words arrive at once, or
+// later and in pieces; the solve is listed before its constraints are known. In spread forms, work-items without a
+// constraint end before the barriers of the others.
 static const Form plain_forms[] = {
     {.name = "registers", .groups = 16},
     {.name = "streamed", .groups = 3, .schedule = {.late = true, .pieces = 8}},
@@ -34,7 +34,7 @@ static const Form hub_forms[] = {
     {.name = "hubs, spread, ahead", .groups = 4, .group = 256, .hub_groups = 2, .most_spread = 8, .ahead = true},
 };
 
-// Adds up what the forms have come by.
+// Runs each form on each scene and returns the sums of the counters, which show that the cases of the forms occurred.
 static FormCounts check_forms(const Form* forms, int count, bool hubs)
 {
 	FormCounts sum = {0};
@@ -73,10 +73,10 @@ static void relays_with_hubs_are_equal(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// turns that never come
+// work-items that never get a turn
 // ---------------------------------------------------------------------------------------------------------------
 
-// Groups that begin when all others have ended, as on a device that has no room for all of them.
+// A group begins after all others have ended, as on a device that has no room for all groups.
 static void shunned_groups_are_found(void** state)
 {
 	(void)state;
@@ -89,7 +89,7 @@ static void shunned_groups_are_found(void** state)
 	}
 }
 
-// Every word that is put is needed by some work-item: if it is lost, the run fails.
+// Some work-item needs each word that is written to a mailbox: if one is lost, the run fails.
 static void lost_words_are_found(void** state)
 {
 	(void)state;
@@ -105,8 +105,9 @@ static void lost_words_are_found(void** state)
 // words of another step
 // ---------------------------------------------------------------------------------------------------------------
 
-// The third pass of a step is the first that reads displacements. If both words of a mailbox had the ticket of that pass when
-// the step begins, they would be read as its displacement, so mailboxes must be cleared. One word of the two is not read.
+// The third pass of a step is the first that reads displacements. Two words of a mailbox that carry the ticket of that
+// pass before the step would be read as a displacement, so mailboxes must be cleared. If only one of the two words is
+// set, it is not read.
 static void mailboxes_must_be_cleared(void** state)
 {
 	(void)state;

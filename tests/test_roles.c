@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_roles.c -- whether pools have the roles that pools.def says: what stands in scratch between two steps does not matter.
+// test_roles.c -- checks that the contents of pools with the role scratch do not matter between two steps.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 #include "world/world.h"
 
-// Random bytes into all scratch of a world.
+// Writes random bytes into all scratch pools of a world.
 static void spoil(scree_world* world, uint64_t* seed)
 {
 	Backend* b = world->backend;
@@ -24,7 +24,7 @@ static void spoil(scree_world* world, uint64_t* seed)
 	}
 }
 
-// A heap of boxes and circles, some of them round and bouncing, on a plate that is a hub.
+// A heap of boxes, and of circles that bounce and resist rolling, on a plate that is a hub.
 static scree_world* heap(void)
 {
 	scree_world* world = open_world(-10.0f);

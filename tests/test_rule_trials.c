@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_rule_trials.c -- rules on every variant of a simulation: the same bits, whatever users change in mid-run.
+// test_rule_trials.c -- checks that rules give the same bits on all variants of a simulation, also if they are changed
+// between steps.
 #include "support/make_bodies.h"
 #include "support/scenarios.h"
 #include "tools/common/random_numbers.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_rules.c -- one-way platforms: from above they hold, from elsewhere they let through, at any speed.
+// test_rules.c -- checks that one-way platforms hold bodies that come from above and let all others pass, at any speed.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 #include <math.h>
@@ -20,7 +20,7 @@ static scree_body add_platform(scree_world* world, scree_body_type type, scree_s
 	return add_body(world, type, surface, x, y, radians);
 }
 
-// platforms of 8 m whose top is at y = 0
+// Returns the shape of a platform that is 8 m wide. A body at height y has its top at y = 0.
 static scree_shape platform_shape(int kind, float* y)
 {
 	*y = kind == 0 ? -0.5f : kind == 1 ? -0.01f : kind == 2 ? 0.0f : -0.1f;
@@ -35,10 +35,11 @@ static scree_shape visitor_shape(int kind, float size)
 	return kind == 0 ? box_shape(size, size) : kind == 1 ? circle_shape(size) : capsule_shape(size, 0.5f * size);
 }
 
-// half of the height of such a visitor
+// Returns half of the height of visitor_shape.
 static float visitor_half(int kind, float size) { return kind == 2 ? 0.5f * size : size; }
 
-// Bodies that jump from below pass, come down, and come to rest on top; platforms and visitors of all kinds, sizes from 2 cm.
+// Bodies jump through a platform from below, fall back and come to rest on its top. The test tries all kinds of
+// platforms and visitors, from 2 cm to 4 m.
 static void jumps_up_and_lands(void** state)
 {
 	(void)state;
@@ -50,7 +51,7 @@ static void jumps_up_and_lands(void** state)
 		scree_world* world = open_world(-10.0f);
 		scree_shape shape = platform_shape(platform, &y);
 		add_platform(world, SCREE_BODY_STATIC, shape, 0.0f, y, 0.0f);
-		// jumps so that its lowest point gets a metre above the top
+		// a start speed that lifts the lowest point of the body 1 m above the top
 		float rise = 1.0f + 2.0f * half + 1.5f, speed = sqrtf(20.0f * rise);
 		scree_body body = add_thrown(world, visitor_shape(kind, size), 0.3f, -1.5f - half, 0.0f, speed);
 		float highest = -10.0f;
@@ -66,7 +67,7 @@ static void jumps_up_and_lands(void** state)
 	}
 }
 
-// From above nothing gets through, from below, from beside and from half inside everything does and keeps its speed: 1 to 1,000 m/s.
+// No body passes a platform from above; each body passes it from below at its full speed. Speeds are 1 to 1,000 m/s.
 static void fast_bodies(void** state)
 {
 	(void)state;
@@ -76,7 +77,7 @@ static void fast_bodies(void** state)
 	{
 		int platform = k % 4, kind = k / 4 % 3;
 		float speed = speeds[k / 12 % 5], size = random_between(&seed, 0.02f, 0.5f), half = visitor_half(kind, size), y;
-		int from = k / 60 % 2; // above, below
+		int from = k / 60 % 2; // 0: above, 1: below
 		scree_world_def def = scree_world_def_default();
 		def.device = "cpu", def.threads = 1, def.gravity = (scree_vec){0.0f, 0.0f}, def.max_speed = 2000.0f;
 		scree_world* world = create_world(&def);
@@ -98,7 +99,7 @@ static void fast_bodies(void** state)
 	}
 }
 
-// Bodies that are half through a platform when they are created fall through. Bodies that come from beside pass.
+// Bodies that are created halfway through a platform fall through it. Bodies that come from the side pass.
 static void half_through(void** state)
 {
 	(void)state;
@@ -120,7 +121,8 @@ static void half_through(void** state)
 	}
 }
 
-// A sloped platform whose direction is up is solid along its whole length, though most of it is lower than its upper end.
+// A sloped platform whose direction is up is solid along its whole length, although most of it is lower than its upper
+// end.
 static void slopes(void** state)
 {
 	(void)state;
@@ -149,7 +151,8 @@ static void slopes(void** state)
 	}
 }
 
-// A platform that turns over drops what lies on it only when it is upside down; one that rises carries; one that falls, falls on.
+// A platform that rises carries bodies on its top and lets a body from below pass. A dynamic platform falls like any
+// body.
 static void moving_platforms(void** state)
 {
 	(void)state;
@@ -162,7 +165,7 @@ static void moving_platforms(void** state)
 	run_steps(world, 120);
 	NEAR(pose_of(world, rider).position.y, 4.0 + 0.4, 0.01);
 	NEAR(pose_of(world, low).position.y, 4.0 + 0.4, 0.01);
-	// a platform that falls lands on the ground, and what jumps beside it passes it
+	// a falling platform lands on the ground, and a body that jumps below it passes through it
 	scree_body falls = add_platform(world, SCREE_BODY_DYNAMIC, box_shape(2.0f, 0.1f), 10.0f, -15.0f, 0.0f);
 	scree_body jumps = add_thrown(world, box_shape(0.3f, 0.3f), 10.0f, -19.0f, 0.0f, 14.0f);
 	run_steps(world, 400);
@@ -171,7 +174,7 @@ static void moving_platforms(void** state)
 	scree_world_destroy(world);
 }
 
-// A body that slides over many platforms side by side, with a load of 100 times its mass on it, moves as on solid ones.
+// A body with a load of 100 times its mass slides over a row of many platforms. It moves exactly as on solid ones.
 static void chains_of_platforms(void** state)
 {
 	(void)state;
@@ -203,8 +206,8 @@ static void chains_of_platforms(void** state)
 	}
 }
 
-// Bodies that come from above move as on a solid platform, to the last bit: also a tilted plank on a narrow platform, one end of which
-// gets under the top before they touch.
+// Bodies from above move exactly as on a solid platform. This includes a tilted plank that falls on a narrow platform:
+// one end of the plank gets below the top before they touch.
 static void tilted_planks(void** state)
 {
 	(void)state;
@@ -231,7 +234,8 @@ static void tilted_planks(void** state)
 	}
 }
 
-// A body of two boxes, one above the other, is held as a whole: it hangs by none of them.
+// A platform holds a body of two boxes, one above the other, or lets it pass as a whole: neither box alone can hang on
+// it.
 static void compounds(void** state)
 {
 	(void)state;
@@ -250,13 +254,12 @@ static void compounds(void** state)
 	}
 	OK(scree_body_set_linear_velocity(world, bodies[1], (scree_vec){0.0f, 12.0f}));
 	run_steps(world, 240);
-	assert_true(pose_of(world, bodies[0]).position.y <
-	            -10.0f); // the upper box stood above the top, the lower one did not
+	assert_true(pose_of(world, bodies[0]).position.y < -10.0f); // only the upper box began above the top
 	NEAR(pose_of(world, bodies[1]).position.y, 0.3, 0.01);
 	scree_world_destroy(world);
 }
 
-// A touch begins when the platform holds, not while it lets through, and ends once.
+// A touch begins when the platform holds the body, not while the body passes through it, and ends once.
 static void touches(void** state)
 {
 	(void)state;
@@ -285,7 +288,7 @@ static void touches(void** state)
 	scree_world_destroy(world);
 }
 
-// Any collidable becomes a one-way platform, and none again, by its attribute.
+// A collidable becomes a one-way platform by a change of its attribute.
 static void changed_in_mid_run(void** state)
 {
 	(void)state;
@@ -298,7 +301,7 @@ static void changed_in_mid_run(void** state)
 	scree_body body = add_thrown(world, box_shape(0.3f, 0.3f), 0.0f, 0.3f, 0.0f, 0.0f);
 	run_steps(world, 60);
 	NEAR(pose_of(world, body).position.y, 0.3, 0.01);
-	// solid from below only: what touches stays held until it leaves, then falls through
+	// solid from below only: a touching body is held until it leaves, then it falls through
 	OK(scree_collidable_set_attribute(world, part, downward));
 	run_steps(world, 60);
 	NEAR(pose_of(world, body).position.y, 0.3, 0.01);
@@ -311,7 +314,8 @@ static void changed_in_mid_run(void** state)
 	scree_world_destroy(world);
 }
 
-// A struck body is not pushed through a platform on which it lies, but through one from below.
+// A heavy body strikes a light one. It cannot push the light body through the platform on which that lies, but through
+// a platform above it.
 static void struck(void** state)
 {
 	(void)state;
@@ -334,7 +338,7 @@ static void struck(void** state)
 	}
 }
 
-// A stack lies still on a platform for a minute, at the origin and 50 km away.
+// A stack rests on a platform for a minute, at the origin and 50 km away.
 static void rest(void** state)
 {
 	(void)state;
@@ -356,7 +360,8 @@ static void rest(void** state)
 	}
 }
 
-// A platform that is destroyed and created again before each step still holds bodies that lie on it, and lets rising ones through.
+// A platform is destroyed and created again before each step. It still holds bodies that lie on it, and lets rising
+// ones through.
 static void made_anew(void** state)
 {
 	(void)state;
@@ -375,7 +380,7 @@ static void made_anew(void** state)
 	scree_world_destroy(world);
 }
 
-// A platform that sinks faster than bodies fall, and one that rises through bodies at rest in the air: these pass, and are carried later.
+// A platform moves fast through a body at rest. A sinking platform passes the body; a rising one carries it on its top.
 static void fast_platforms(void** state)
 {
 	(void)state;
@@ -389,7 +394,7 @@ static void fast_platforms(void** state)
 		OK(scree_body_set_linear_velocity(world, platform, (scree_vec){0.0f, -side * speed}));
 		run_steps(world, (int)(6.0f / speed / STEP) + 4);
 		scree_velocity velocity = velocity_of(world, body);
-		// one that comes from below pushes with its top, one that comes from above does not touch
+		// a rising platform pushes with its top; a sinking one does not touch the body
 		if (side < 0.0f)
 			assert_true(pose_of(world, body).position.y > pose_of(world, platform).position.y + 0.28f);
 		else
@@ -398,8 +403,9 @@ static void fast_platforms(void** state)
 	}
 }
 
-// One ring of one-way segments or boxes, solid from inside, of one body or of a body each; 300 bodies in it, driven along it by a bar.
-// Nothing leaves it, however hard they are pressed: a visitor that one platform holds is held as deep by the next one.
+// A bar drives 300 bodies along the inside of a ring of one-way segments or boxes, which are solid from inside. The
+// platforms belong to one body or to a body each. Bodies are pressed hard, but none leaves the ring: if one platform
+// holds a body at some depth, the next platform holds it too. Returns the number of bodies that left.
 static int left_the_ring(int thick, int apart, int sides, scree_shape visitor, float spin)
 {
 	scree_world* world = open_world(-10.0f);
@@ -455,8 +461,8 @@ static void rings_under_pressure(void** state)
 	}
 }
 
-// A body that rolls along a platform is held by that platform alone: another platform of the same body that begins higher lets it
-// pass from beside.
+// Only one platform holds a body that slides along it. Another platform of the same body, which begins higher, lets it
+// pass from the side.
 static void stairs_from_beside(void** state)
 {
 	(void)state;

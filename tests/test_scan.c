@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_scan.c -- rays of scenes: where they begin and end, what they hit, which are drawn; the same answers on every device.
+// test_scan.c -- checks the rays of scenes: their ends, their hits, the selection that is drawn, and equal results on
+// all devices.
 #include "support/scene_text.h"
 #include "support/small_scenes.h"
 #include <string.h>
@@ -16,7 +17,8 @@ static void ask(ScenePlayer* s, const scree_box* box, int most)
 	OK(scan_cast(&s->scan, s->world));
 }
 
-// Three rays over a quarter of a circle point at -45, 0 and 45 degrees; four all around at 180, 270, 0 and 90.
+// Three rays over a quarter of a circle point at -45, 0 and 45 degrees; four rays over a full circle point at 180, 270,
+// 0 and 90 degrees.
 static void fans_are_even(void** state)
 {
 	(void)state;
@@ -31,8 +33,8 @@ static void fans_are_even(void** state)
 	NEAR(scree_rot_get_angle(fan_direction(&alone, 0)), 0.5, 1e-5);
 }
 
-// A circle of radius 1 at the origin, turned by a quarter, with its eye 0.5 m to its left; above it the side of a box at y = 4, below
-// it nothing within 6 m. It does not see itself.
+// A circle of radius 1 m at the origin is turned by 90 degrees, so its rays begin 0.5 m to the left. The side of a box
+// is above it at y = 4; nothing is within 6 m below it. The rays do not hit their own circle.
 static void rays_begin_at_the_eye(void** state)
 {
 	(void)state;
@@ -59,7 +61,7 @@ static void rays_begin_at_the_eye(void** state)
 	close_text(&s);
 }
 
-// Filters, kinds, radius: the nearest circle of those that a fan sees.
+// Fans select circles by mask, kind and radius, and each hits the nearest circle that it accepts.
 static void fans_see_what_they_say(void** state)
 {
 	(void)state;
@@ -85,7 +87,8 @@ static void fans_see_what_they_say(void** state)
 	close_text(&s);
 }
 
-// 20 circles in a row, 10 m apart, with 64 rays of 4 m each.
+// 20 circles lie in a row, 10 m apart, with 64 rays of 4 m each. A picture takes only rays in its view, and an even
+// selection of them if they exceed its limit.
 static void pictures_take_some_in_view(void** state)
 {
 	(void)state;
@@ -100,10 +103,10 @@ static void pictures_take_some_in_view(void** state)
 	assert_int_equal(s.scan.count, 20 * 64);
 	ask(&s, &five, 10000);
 	assert_int_equal(s.scan.count, 5 * 64);
-	ask(&s, &all, 200); // every eighth
+	ask(&s, &all, 200); // every eighth ray
 	assert_int_equal(s.scan.count, 160);
 	assert_int_equal(s.scan.in_view, 20 * 64);
-	ask(&s, &five, 200); // every second
+	ask(&s, &five, 200); // every second ray
 	assert_int_equal(s.scan.count, 160);
 	ask(&s, &all, 1);
 	assert_true(s.scan.count <= 1);
@@ -112,7 +115,7 @@ static void pictures_take_some_in_view(void** state)
 	close_text(&s);
 }
 
-// A body that leaves the space of queries casts no rays, and the others go on.
+// A body outside the space of queries casts no rays; the others still do.
 static void far_bodies_cast_none(void** state)
 {
 	(void)state;
@@ -128,7 +131,7 @@ static void far_bodies_cast_none(void** state)
 	close_text(&s);
 }
 
-// Bodies that a scene replaces before every step cast rays like those before them.
+// Bodies that a scene replaces before each step cast rays like their predecessors.
 static void new_bodies_cast(void** state)
 {
 	(void)state;
@@ -144,13 +147,13 @@ static void new_bodies_cast(void** state)
 		ask(&s, NULL, 0);
 		assert_int_equal(s.scan.count, 15);
 		for (int k = 0; k < 15; ++k)
-			assert_false(s.scan.found[k].inside); // nobody sees itself
+			assert_false(s.scan.found[k].inside); // no ray hits its own body
 	}
 	close_text(&s);
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// every device
+// all devices
 // ---------------------------------------------------------------------------------------------------------------
 
 static ScanSum sum;
@@ -162,7 +165,8 @@ static void scan_before(scree_world* world, int step, const void* context)
 	sum = player_of(world)->answered;
 }
 
-// hash of the answers(device, lanes, threads) = hash of the answers(cpu, 1, 1), and rays leave the hash of the world as it is.
+// hash of the results(device, lanes, threads) = hash of the results(cpu, 1, 1); rays do not change the hash of the
+// world
 static void answers_are_equal(void** state)
 {
 	(void)state;

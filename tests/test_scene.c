@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_scene.c -- scene files: what is built from them, churn, settings, and the scenes that we ship.
+// test_scene.c -- checks scene files: the worlds built from them, churn, settings, and all scenes of the repository.
 #include "scene/build.h"
 #include "scene/churn.h"
 #include "scene/controls.h"
@@ -34,7 +34,7 @@ static void test_settings(void** state)
 	const struct
 	{
 		SceneSetting setting;
-		const char* sentence; // null when it is good
+		const char* sentence; // null if the setting is valid
 	} cases[] = {
 	    {{"n", "3"}, NULL},
 	    {{"n", "2 * 4"}, NULL},
@@ -108,7 +108,7 @@ static void test_shipped(void** state)
 	free(names);
 }
 
-// Ten million boxes stay within 5 km, where a float has steps of half a millimetre.
+// Ten million boxes stay within 5 km of the origin, where floats are 0.5 mm apart.
 static void test_ten_million(void** state)
 {
 	(void)state;
@@ -158,7 +158,7 @@ static void test_build(void** state)
 	OK(scree_world_get_bodies(world, bodies, 8, &count));
 	OK(scree_bodies_get_poses(world, bodies, poses, 8));
 	OK(scree_bodies_get_velocities(world, bodies, velocities, 8));
-	// i = 2, j = 1 is the last of six
+	// the last of the six bodies has i = 2, j = 1
 	assert_true(poses[6].position.x == 20 && poses[6].position.y == 20);
 	assert_true(velocities[6].linear.x == 2 && velocities[6].linear.y == 2);
 	assert_true(velocities[7].angular == 0.5f);
@@ -175,7 +175,7 @@ static void test_build(void** state)
 	close_text(&player);
 }
 
-// A range that random() bounds gives as many bodies as were counted: 12 to 36 for these 12 rounds.
+// A range whose end is random() makes as many bodies as the scene has counted: between 12 and 36 for its 12 rounds.
 static void test_random_ranges(void** state)
 {
 	(void)state;
@@ -191,7 +191,7 @@ static void test_random_ranges(void** state)
 	close_text(&player);
 }
 
-// Bodies in the order of their joints, which have the numbers that the scene says, the type's where it says none.
+// Joints connect the bodies that the scene names. They have the values of the scene, else the defaults of their type.
 static void test_joints(void** state)
 {
 	(void)state;
@@ -226,7 +226,7 @@ static void test_joints(void** state)
 	for (int k = 0; k < 5; ++k)
 		OK(scree_joint_get_def(world, joints[k], &defs[k]));
 
-	// the wheel at i = 2: the bodies are turned by a quarter, as the axis is, so that x in a body is y in the world
+	// the wheel at i = 2: its bodies and its axis are turned by 90 degrees, so that x in a body is y in the world
 	const scree_joint_def* d = &defs[2];
 	const scree_joint_coordinate *along = &d->coordinates[SCREE_ALONG], *angle = &d->coordinates[SCREE_ANGLE];
 	assert_int_equal(d->type, SCREE_JOINT_WHEEL);
@@ -243,7 +243,7 @@ static void test_joints(void** state)
 	assert_true(d->collide_connected && !defs[3].collide_connected);
 	assert_true(d->disabled && d->elliptic && !defs[3].disabled && !defs[3].elliptic);
 
-	// 3 m, 4 m, so 5 m
+	// 3 m apart in x and 4 m in y: a distance of 5 m
 	assert_true(scree_body_is_null(defs[3].body_b));
 	assert_true(defs[3].coordinates[SCREE_ALONG].target == 5 && defs[3].coordinates[SCREE_ALONG].locked);
 	assert_true(defs[3].frame_b.position.x == 23 && defs[3].frame_b.position.y == 24);
@@ -261,7 +261,7 @@ static void test_joints(void** state)
 	close_text(&player);
 }
 
-typedef struct // state of all 12 bodies at a moment
+typedef struct // state of all 12 bodies at one time
 {
 	scree_body bodies[12];
 	scree_pose poses[12];
@@ -279,7 +279,7 @@ static Bodies read_bodies(scree_world* world)
 	return all;
 }
 
-// A body that was changed is where the churn puts bodies, and has the locks of its block.
+// Checks that a changed body is within the positions of its churn and has the locks of its block.
 static void check_changed(const scree_world* world, const Bodies* after, int k)
 {
 	uint32_t locks;
@@ -291,7 +291,8 @@ static void check_changed(const scree_world* world, const Bodies* after, int k)
 	assert_int_equal(locks, SCREE_LOCK_ROTATION);
 }
 
-// Changes before one step: two bodies are moved and three replaced. Each keeps its attribute. Counts the turns of each.
+// Checks the changes before one step: two bodies are moved and three replaced, and each keeps its attribute. Adds the
+// changes of each body to turns.
 static void check_step(const Scene* scene, scree_world* world, int step, int turns[12])
 {
 	Bodies before = read_bodies(world);
@@ -320,8 +321,9 @@ static void check_step(const Scene* scene, scree_world* world, int step, int tur
 	assert_int_equal(replaced, 3);
 }
 
-// Ten bodies, a and b in turn, lie between two that stay. Before every step two of the ten are moved and three replaced: each
-// has its turn, keeps its place in the order and its attribute, and goes where the churn puts it.
+// Ten bodies, alternately with attribute a and b, lie between two without churn. Before each step two of the ten are
+// moved and three replaced. Each is changed equally often, keeps its place in the order and its attribute, and gets a
+// pose of the churn.
 static void test_churn(void** state)
 {
 	(void)state;
@@ -344,7 +346,7 @@ static void test_churn(void** state)
 	close_text(&player);
 }
 
-// A ball that lands reports its approach speed, 5 m/s, if the scene sets that.
+// A landing ball reports its approach speed, 5 m/s, if the scene enables contact details.
 static void test_contact_details(void** state)
 {
 	(void)state;
@@ -369,7 +371,7 @@ static void test_contact_details(void** state)
 	}
 }
 
-// One of two bodies is disabled, and does not fall.
+// A disabled body does not fall; an enabled one does.
 static void test_disabled(void** state)
 {
 	(void)state;
@@ -391,7 +393,7 @@ static void test_disabled(void** state)
 	close_text(&player);
 }
 
-// Fields on the world and on bodies of a row, and explosions before their steps.
+// Fields in the world and on bodies of a row have the values of the scene. An explosion acts before its step.
 static void test_fields(void** state)
 {
 	(void)state;
@@ -427,7 +429,8 @@ static void test_fields(void** state)
 	close_text(&player);
 }
 
-// A key pushes the bodies that it names while it is down, one with a force that turns with it; others are left alone.
+// A key pushes its bodies while it is down, either by a force that turns with the body or by a torque. It does not push
+// other bodies.
 static void test_keys(void** state)
 {
 	(void)state;
@@ -458,7 +461,7 @@ static void test_keys(void** state)
 	assert_true(fabsf(v[2].linear.y - 0.6f / 3.14159f) < 1e-4f && fabsf(v[2].linear.x) < 1e-4f);
 	for (int k = 1; k < 3; ++k)
 		assert_true(fabsf(v[k].angular - 0.6f / 3.14159f) < 1e-4f);
-	// without the body that it names a key does nothing
+	// a key has no effect after its body is destroyed
 	OK(scree_bodies_destroy(world, bodies + 1, 2));
 	assert_int_equal(controls_apply(player.scene, world, down[1]), SCREE_OK);
 	close_text(&player);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_scene_keys.c -- every key of scene/format.def: a good value reaches its member, bad values are refused with their sentence.
+// test_scene_keys.c -- checks every key of scene/format.def: a good value reaches its member, a bad value is refused
+// with its sentence.
 #include "scene/format.h"
 #include "support/scene_text.h"
 #include <float.h>
@@ -20,10 +21,10 @@
 typedef struct // a scene with an object of one kind
 {
 	FormatObject object;
-	const char* only;  // the one key for which it is; null: all others
+	const char* only;  // the only key for which this scene is used; null: all other keys
 	const char* place; // path of the object in the file
 	const char* text;  // %s: members of the object
-	const char* needs; // its members, separated by ;
+	const char* needs; // members that the object must have, separated by ;
 } Place;
 
 static const Place places[] = {
@@ -74,8 +75,8 @@ static const Place* place_of(FormatObject object, const char* key)
 	return place;
 }
 
-// Loads the scene of a place, whose object has a key with a value. It is refused with a sentence that has both parts; without them
-// it is good.
+// Loads the scene of a place, in which the object has the key with the value. If part is not null, the scene must be
+// refused with a sentence that contains part and must; else it must be accepted.
 static void load(const Place* place, const char* key, const char* value, const char* part, const char* must)
 {
 	char text[2048] = "", quoted[64], sentence[SCENE_SENTENCE] = "";
@@ -97,7 +98,7 @@ static void load(const Place* place, const char* key, const char* value, const c
 		fail_msg("%s\nsays \"%s\"\nnot  \"%s\" and \"%s\"", text, sentence, part ? part : "", part ? must : "");
 }
 
-// A value is refused at a key, or at an element of its list.
+// Checks that a value is refused at the key, or at an element of its list.
 static void refuse(const FormatKey* key, const char* value, const char* element, const char* must)
 {
 	char part[200];
@@ -106,7 +107,8 @@ static void refuse(const FormatKey* key, const char* value, const char* element,
 	load(place, key->name, value, part, must);
 }
 
-// A number below or above its range, or with a part where it must be whole, as a number and as an expression.
+// Checks that a number outside its range, or with a fraction where it must be whole, is refused as a number and as an
+// expression.
 static void refuse_number(const FormatKey* key, double number, const char* must)
 {
 	char value[64];
@@ -161,7 +163,7 @@ static void test_unknown_keys(void** state)
 	}
 }
 
-// The number that a member has.
+// Returns the number that a member has.
 static double stored(const FormatKey* key, const char* made)
 {
 	const void* member = made + key->offset;
@@ -185,7 +187,7 @@ static double stored(const FormatKey* key, const char* made)
 	return NAN;
 }
 
-// Reads an object of one key, by format_read.
+// Reads an object with one key by format_read.
 static void read_one(const FormatKey* key, json_t* value, void* made)
 {
 	char sentence[SENTENCE_SIZE] = "";
@@ -269,8 +271,8 @@ static void test_names(void** state)
 		const char* const* list;
 		int position;
 		const char* name;
-		int value;    // in scree.h
-		int expected; // at this position
+		int value;    // enumerator or bit of scree.h
+		int expected; // its value at this position
 	} cases[] = {
 	    {body_type_names, 0, "static", SCREE_BODY_STATIC, 0},
 	    {body_type_names, 1, "kinematic", SCREE_BODY_KINEMATIC, 1},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_sensor_trials.c -- visits to sensors, against samples of the paths of bodies, and against a ledger of all visits.
+// test_sensor_trials.c -- checks visits to sensors against samples of the paths of bodies, and against a ledger of all
+// visits.
 #include "support/exact_shapes.h"
 #include "support/make_joints.h"
 #include "support/random_queries.h"
@@ -9,10 +10,10 @@
 #include <string.h>
 
 // ---------------------------------------------------------------------------------------------------------------
-// ways
+// paths of bodies
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef struct // a collidable on a body, in double precision
+typedef struct // a collidable, and the motion of its body in a step
 {
 	scree_shape shape;
 	scree_pose own;
@@ -29,7 +30,8 @@ static scree_pose rider_pose(scree_world* world, const Rider* r)
 	return pose;
 }
 
-// Its shape at a time of the step: the center of mass went straight, the body turned at constant speed by the shorter way.
+// Returns the shape at a time of the step, from 0 to 1, in double precision. The center of mass moves straight; the
+// body turns the shorter way at constant speed.
 static Exact rider_at(const Rider* r, double time)
 {
 	double c0 = (double)r->start.rotation.c, s0 = (double)r->start.rotation.s;
@@ -51,7 +53,8 @@ static double apart_at(const Rider* a, const Rider* b, double time)
 	return exact_distance(&at, &bt);
 }
 
-// A rider of some type, and its collidable. What it rides on moves and turns at random.
+// Adds a collidable at a random pose on a body that moves and turns at random. If rests is true, the body is static, or
+// there is none.
 static Rider add_rider(scree_world* world, uint64_t* seed, uint32_t sensor, float size, float speed, float spin,
                        scree_vec origin, bool rests, scree_collidable* collidable)
 {
@@ -97,7 +100,7 @@ typedef struct
 #define SAMPLES 2048
 #define BRIEF   (8.0 / SAMPLES) // shorter overlaps may be missed
 
-// One step of a sensor and a visitor against samples of their ways.
+// Takes one step with a sensor and a visitor, and compares the visits with samples of their paths.
 static void judge(scree_world* world, Rider* a, Rider* b, scree_collidable sensor, double tolerance, Score* score)
 {
 	int count;
@@ -130,7 +133,7 @@ static void judge(scree_world* world, Rider* a, Rider* b, scree_collidable senso
 	if (fabs(end) > 1e-5 + tolerance)
 		assert_int_equal(count, end < 0.0);
 	if (was)
-		return; // only whether it lasts
+		return; // a visit from an earlier step: only its presence after the step is checked
 	score->met += deep_first >= 0.0;
 	if (least > tolerance && events.visits_began_count)
 		++score->invented;
@@ -151,8 +154,8 @@ static void judge(scree_world* world, Rider* a, Rider* b, scree_collidable senso
 	score->late += outside > 0.0;
 }
 
-// All shapes on bodies of all types, whose centers of mass are elsewhere: ways of metres and turns of up to half a circle. tolerance: of
-// distances, m.
+// Tries all shapes on bodies of all types, with centers of mass away from their origins, with paths of several metres
+// and turns of up to 180 degrees. The tolerance is that of distances, m.
 static Score try_ways(int trials, float size, float speed, float spin, scree_vec origin, double tolerance)
 {
 	Score score = {0};
@@ -174,7 +177,7 @@ static Score try_ways(int trials, float size, float speed, float spin, scree_vec
 static void visits_match_samples(void** state)
 {
 	(void)state;
-	// 90 km away, positions are 8 mm apart
+	// positions 90 km from the origin are 8 mm apart
 	int trials = quick() ? 20 : 100;
 	const scree_vec here = {0.0f, 0.0f}, there = {90000.0f, -80000.0f};
 	Score scores[] = {
@@ -190,7 +193,7 @@ static void visits_match_samples(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// the ledger
+// ledger of visits
 // ---------------------------------------------------------------------------------------------------------------
 
 #define MOST 4096
@@ -224,7 +227,8 @@ static void ledger_end(Ledger* l, const scree_visit* v)
 	l->open[k] = l->open[--l->count];
 }
 
-// Ends of visits from before the step come first, then what began, then ends of what began.
+// Applies the events of a step to the ledger in this order: ends of older visits, begins, ends of visits that began in
+// the step.
 static void ledger_step(Ledger* l, const scree_events* e)
 {
 	bool done[MOST] = {false};
@@ -378,7 +382,7 @@ static void every_visit_is_in_the_ledger(void** state)
 			run_steps(world, 1);
 			scree_events events;
 			if (random_below(&seed, 3) == 0)
-				change(world, &seed, bodies); // changes between a step and the reading of its events change no event
+				change(world, &seed, bodies); // must not change the events of the last step
 			events = events_of(world);
 			ledger_step(&ledger, &events);
 			for (int n = random_below(&seed, 5); n > 0; --n)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_sensors.c -- visits to sensors, also within a step; each visit that begins ends once; all devices agree.
+// test_sensors.c -- checks visits to sensors, also within a step: each visit that begins ends once, and all devices
+// agree.
 #include "support/exact_shapes.h"
 #include "support/make_bodies.h"
 #include "support/variants.h"
@@ -29,7 +30,8 @@ static int visits_of(scree_world* world, scree_collidable sensor)
 // within a step
 // ---------------------------------------------------------------------------------------------------------------
 
-// A sensor of 0.2 m is seen by every circle that flies through it at 60 m/s, a metre per step, from any side; so are the times.
+// A sensor of 0.2 m reports each circle that flies through it at 60 m/s, 1 m per step, from any side. Begin and end of
+// each visit have the exact times.
 static void bullets_are_seen(void** state)
 {
 	(void)state;
@@ -38,7 +40,7 @@ static void bullets_are_seen(void** state)
 	for (int k = 0; k < 1000; ++k)
 	{
 		scree_world* world = open_world(0.0f);
-		bool rides = k % 2; // on a kinematic body that moves as well
+		bool rides = k % 2; // the sensor is on a kinematic body, which also moves
 		scree_collidable sensor = add_sensor(world, box_shape(0.1f, 0.1f), SCREE_SENSOR_MOVING, upright_at(0.0f, 0.0f));
 		scree_vec drift = {0.0f, 0.0f};
 		if (rides)
@@ -70,7 +72,7 @@ static void bullets_are_seen(void** state)
 			if (events.visits_ended_count)
 				end = step + (double)events.visits_ended[0].time;
 		}
-		// the box as seen by the center of the circle: exact times by bisection
+		// exact times by bisection, with the velocity relative to the sensor
 		scree_shape box = box_shape(0.1f, 0.1f), ball = circle_shape(radius);
 		Exact a = exact_at(&box, 0.0, 0.0, 1.0, 0.0);
 		Exact b = exact_at(&ball, (double)(-back * direction.c), (double)(-back * direction.s), 1.0, 0.0);
@@ -87,7 +89,8 @@ static void bullets_are_seen(void** state)
 	assert_int_equal(seen, 1000);
 }
 
-// A body that bounces off a wall does not visit a sensor behind it, and does not stop at one before it.
+// A body bounces off a wall. A sensor in front of the wall does not stop it, and it does not visit the sensor behind
+// the wall.
 static void behind_a_wall(void** state)
 {
 	(void)state;
@@ -110,7 +113,7 @@ static void behind_a_wall(void** state)
 	scree_world_destroy(world);
 }
 
-// A thin bar that turns by a quarter within a step sweeps a sensor beside it.
+// A thin bar that turns by 90 degrees within a step visits a sensor beside it.
 static void turning_bars(void** state)
 {
 	(void)state;
@@ -127,7 +130,7 @@ static void turning_bars(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// which collidables visit a sensor
+// selection of visitors
 // ---------------------------------------------------------------------------------------------------------------
 
 static void kinds_and_filters(void** state)
@@ -142,22 +145,22 @@ static void kinds_and_filters(void** state)
 	scree_body crate = add_box(world, SCREE_BODY_DYNAMIC, 0.1f, 0.1f, -0.5f, -0.5f);
 	scree_collidable_def def = scree_collidable_def_default();
 	def.attribute = shape_attribute(world, box_shape(0.1f, 0.1f));
-	OK(scree_collidable_create(world, &def, NULL)); // without a body
-	// a sensor on a static and one on a dynamic body, which do not see their own
+	OK(scree_collidable_create(world, &def, NULL)); // a collidable without a body
+	// a sensor on the crate; it does not report the crate
 	def.body = crate;
 	def.sensor = 7;
 	scree_collidable own = create_collidable(world, &def);
 	run_steps(world, 1);
 	assert_int_equal(visits_of(world, moving), 2);
 	assert_int_equal(visits_of(world, still), 2);
-	assert_int_equal(visits_of(world, all), 4 + 3); // and three sensors
-	assert_int_equal(visits_of(world, own), 3);     // the three large sensors; small ones are elsewhere
+	assert_int_equal(visits_of(world, all), 4 + 3); // 4 collidables and 3 sensors
+	assert_int_equal(visits_of(world, own), 3);     // the three large sensors; nothing else overlaps it
 	scree_filter filter = scree_filter_default();
 	filter.mask = 2;
 	OK(scree_collidable_set_filter(world, all, filter));
 	run_steps(world, 1);
 	assert_int_equal(visits_of(world, all), 0);
-	assert_int_equal(events_of(world).visits_ended_count, 7 + 1); // the visit of all to own has ended, too
+	assert_int_equal(events_of(world).visits_ended_count, 7 + 1); // 7 visits to all, and the visit of all to own
 	// queries find sensors only with SCREE_QUERY_SENSORS
 	scree_query_result found;
 	scree_query_def query = scree_query_def_default();
@@ -170,7 +173,8 @@ static void kinds_and_filters(void** state)
 	scree_world_destroy(world);
 }
 
-// A body in a sensor for two minutes begins its visit once; disabling, enabling, destroying and creating it each count once.
+// A crate that lies in a sensor for two minutes begins one visit. Disabling, enabling, destroying and creating it give
+// one event each.
 static void one_end_for_each_beginning(void** state)
 {
 	(void)state;
@@ -193,7 +197,7 @@ static void one_end_for_each_beginning(void** state)
 	run_steps(world, 1);
 	assert_int_equal(events_of(world).visits_began_count, 1);
 
-	// another one in the same slot: one end of the old, one beginning of the new
+	// a new crate in the same slot: the old visit ends, and a new one begins
 	scree_visit visit;
 	int count;
 	OK(scree_collidable_get_visits(world, sensor, &visit, 1, &count));
@@ -207,14 +211,14 @@ static void one_end_for_each_beginning(void** state)
 	assert_true(scree_collidable_equals(events.visits_ended[0].visitor, visit.visitor));
 	assert_true(scree_body_equals(events.visits_began[0].body_visitor, crate));
 
-	// a crate becomes a sensor, and solid again; the sensor goes
+	// the crate becomes a sensor, then solid again; then the sensor is destroyed
 	scree_collidable own = events.visits_began[0].visitor;
 	OK(scree_collidable_set_sensor(world, own, SCREE_SENSOR_STATIC));
 	run_steps(world, 1);
 	assert_true(events_of(world).visits_ended_count == 1 &&
-	            events_of(world).visits_began_count == 1); // it sees the floor
+	            events_of(world).visits_began_count == 1); // the floor visits it
 	run_steps(world, 5);
-	assert_true(position_of(world, crate).y < 0.49f); // and falls through
+	assert_true(position_of(world, crate).y < 0.49f); // it falls through the floor
 	OK(scree_collidable_set_sensor(world, own, 0));
 	run_steps(world, 1);
 	assert_true(events_of(world).visits_ended_count == 1 && events_of(world).visits_began_count == 1);
@@ -226,7 +230,8 @@ static void one_end_for_each_beginning(void** state)
 	scree_world_destroy(world);
 }
 
-// A body that is placed outside a sensor and flies in again within the step has left it.
+// A body in a sensor is placed outside of it and flies in again within the step: the old visit ends at time 0, and a
+// new one begins.
 static void placed_elsewhere(void** state)
 {
 	(void)state;
@@ -249,13 +254,13 @@ static void placed_elsewhere(void** state)
 	scree_world_destroy(world);
 }
 
-// Bodies that move by a millimetre in a step are timed as well as fast ones.
+// Visits of a body that moves 1 mm per step have times as exact as those of fast bodies.
 static void slow_visits(void** state)
 {
 	(void)state;
 	scree_world* world = open_world(0.0f);
 	add_sensor(world, box_shape(0.5f, 0.5f), SCREE_SENSOR_MOVING, upright_at(0.0f, 0.0f));
-	add_thrown(world, circle_shape(0.125f), -0.62825f, 0.0f, 0.06f, 0.0f); // 3.25 mm before it
+	add_thrown(world, circle_shape(0.125f), -0.62825f, 0.0f, 0.06f, 0.0f); // 3.25 mm in front of the sensor
 	for (int k = 0; k < 4; ++k)
 	{
 		run_steps(world, 1);
@@ -267,7 +272,7 @@ static void slow_visits(void** state)
 	scree_world_destroy(world);
 }
 
-// Three hundred at one point, and 90 km away.
+// A sensor reports 300 bodies at one point. A sensor 90 km from the origin reports the end of a visit.
 static void crowds_and_distance(void** state)
 {
 	(void)state;
@@ -291,7 +296,7 @@ static void crowds_and_distance(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// against all pairs, and everywhere
+// comparison with all pairs, on all devices
 // ---------------------------------------------------------------------------------------------------------------
 
 #define HEAP 80
@@ -336,7 +341,7 @@ static Exact exact_of(scree_world* world, scree_collidable collidable)
 	                (double)pose.rotation.s);
 }
 
-// The visits of each sensor against all pairs. The world has one collidable per body.
+// Compares the visits of each sensor with all pairs of collidables. Each body has one collidable.
 static void check_visits(scree_world* world, const scree_body* bodies)
 {
 	for (int k = 0; k < HEAP; ++k)
@@ -445,7 +450,7 @@ static void all_devices_agree(void** state)
 	}
 }
 
-// A world with a sensor over everything moves like the world without it.
+// A sensor that covers the whole world does not change the motion of bodies.
 static void sensors_change_no_motion(void** state)
 {
 	(void)state;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// test_shapes.c -- every shape against every other in whole worlds: found, read back, carried, brought to rest.
+// test_shapes.c -- checks every shape against every other in whole worlds: contacts, impulses, rest and overlaps.
 #include "support/make_bodies.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#define SPECULATIVE 0.02 // m: contacts are reported from this separation on
-#define DEEP        -1.0 // in place of a gap: one in the other
+#define SPECULATIVE 0.02 // m; contacts are reported below this separation
+#define DEEP        -1.0 // in place of a gap: one shape inside the other
 #define DESIGNS     9
 #define TURNS       6
 
@@ -14,7 +14,7 @@ typedef struct
 {
 	const char* name;
 	scree_shape shape;
-	int at_rest; // points on a flat floor
+	int at_rest; // number of contact points on a flat floor
 } Design;
 
 static Design designs[DESIGNS];
@@ -56,7 +56,7 @@ static scree_attribute attribute_of(scree_world* world, int design)
 	return shape_attribute(world, designs[design].shape);
 }
 
-// circles would roll on and on otherwise
+// Rolling resistance stops circles, which would otherwise roll forever.
 static scree_attribute rough_attribute_of(scree_world* world, int design)
 {
 	scree_attribute_def def = surface_of(designs[design].shape);
@@ -66,7 +66,7 @@ static scree_attribute rough_attribute_of(scree_world* world, int design)
 
 static float turn_of(int k) { return (float)(k * 2.0 * PI / TURNS + (k > 2 ? 0.2 : 0.0)); }
 
-// The point of a turned shape that is farthest along x (side 1) or against it (side -1), from the shape's origin.
+// Returns the farthest point of a turned shape along x (side 1) or against x (side -1), relative to its origin.
 static scree_vec support(const scree_shape* shape, float turn, double side)
 {
 	double c = cos(turn), s = sin(turn), best = -1e9;
@@ -85,11 +85,11 @@ static scree_vec support(const scree_shape* shape, float turn, double side)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// found
+// contacts
 // ---------------------------------------------------------------------------------------------------------------
 
-// Two shapes side by side, turned, the rightmost point of a at the height of the leftmost of b with a gap between them,
-// which is their distance, along x.
+// Places two turned shapes side by side and checks their contact. The rightmost point of a is at the height of the
+// leftmost point of b, so that the gap between them along x is their distance.
 static void check_gap(int a, int b, int turn, double gap)
 {
 	char what[128];
@@ -119,7 +119,7 @@ static void check_gap(int a, int b, int turn, double gap)
 		int one;
 		OK(scree_body_get_collidables(world, first, &of_first, 1, &one));
 		OK(scree_body_get_collidables(world, second, &of_second, 1, &one));
-		// the first of a contact is the smaller; the normal goes from it
+		// either body can be first in the contact; the normal points from the first to the second
 		bool turned = c->a.index == of_second.index;
 		assert_true(turned ? c->b.index == of_first.index
 		                   : c->a.index == of_first.index && c->b.index == of_second.index);
@@ -127,7 +127,7 @@ static void check_gap(int a, int b, int turn, double gap)
 		assert_in_range(c->count, 1, 2);
 		NEAR(hypot(c->normal.x, c->normal.y), 1.0, 1e-5);
 
-		// the nearest of the points has the separation; both lie between the shapes
+		// the separation is that of the nearer point; both points lie between the shapes
 		double nearest = c->points[0].separation;
 		if (c->count == 2 && c->points[1].separation < nearest)
 			nearest = c->points[1].separation;
@@ -169,30 +169,30 @@ typedef struct
 	scree_vec normal;
 } Placement;
 
-// Placements with worked-out answers: how many points, how deep, and the normal from a to b.
+// Checks placements with results worked out by hand: the number of points, the separation, and the normal from a to b.
 static void points_are_counted(void** state)
 {
 	(void)state;
 	const float quarter = (float)(0.5 * PI), eighth = (float)(0.25 * PI), root = 0.70710678f;
 	const Placement placements[] = {
 	    {3, 3, 0.0f, 0.69f, 0.0f, 2, -0.01, {0.0f, 1.0f}},                // box on box
-	    {3, 3, 0.3f, 0.71f, 0.0f, 2, 0.01, {0.0f, 1.0f}},                 // half over the edge, just apart
-	    {3, 3, 0.85f, 0.0f, quarter, 2, 0.0, {1.0f, 0.0f}},               // one upright beside it
-	    {3, 3, 0.0f, 0.35f + 0.85f * root, eighth, 1, 0.0, {0.0f, 1.0f}}, // on its corner
+	    {3, 3, 0.3f, 0.71f, 0.0f, 2, 0.01, {0.0f, 1.0f}},                 // half over the edge, with a gap
+	    {3, 3, 0.85f, 0.0f, quarter, 2, 0.0, {1.0f, 0.0f}},               // upright box beside box
+	    {3, 3, 0.0f, 0.35f + 0.85f * root, eighth, 1, 0.0, {0.0f, 1.0f}}, // box with its corner on box
 	    {0, 0, 0.8f, 0.0f, 1.0f, 1, 0.0, {1.0f, 0.0f}},                   // circle beside circle
 	    {0, 0, 0.5f, 0.5f, 0.0f, 1, -0.0928932, {0.70710678f, 0.70710678f}},
 	    {3, 0, 0.1f, 0.74f, 0.0f, 1, -0.01, {0.0f, 1.0f}},                      // circle on box
-	    {3, 0, 0.8f, 0.75f, 0.0f, 1, 0.1, {0.6f, 0.8f}},                        // circle off its corner: out of reach
-	    {3, 0, 0.74f, 0.67f, 0.0f, 1, 0.0, {0.6f, 0.8f}},                       // circle at its corner
+	    {3, 0, 0.8f, 0.75f, 0.0f, 1, 0.1, {0.6f, 0.8f}},                        // circle near a corner, out of reach
+	    {3, 0, 0.74f, 0.67f, 0.0f, 1, 0.0, {0.6f, 0.8f}},                       // circle at a corner of the box
 	    {2, 2, 0.0f, 0.5f, 0.0f, 2, 0.0, {0.0f, 1.0f}},                         // capsule along capsule
 	    {2, 2, 0.2f, 1.0f, quarter, 1, 0.0, {0.0f, 1.0f}},                      // capsule upright on capsule
-	    {2, 2, 1.5f, 0.0f, 0.0f, 1, 0.0, {1.0f, 0.0f}},                         // end to end
+	    {2, 2, 1.5f, 0.0f, 0.0f, 1, 0.0, {1.0f, 0.0f}},                         // capsules end to end
 	    {3, 2, 0.0f, 0.59f, 0.0f, 2, -0.01, {0.0f, 1.0f}},                      // capsule lying on box
 	    {3, 2, 0.1f, 1.10f, quarter, 1, 0.0, {0.0f, 1.0f}},                     // capsule upright on box
 	    {2, 0, 0.2f, 0.66f, 0.0f, 1, 0.01, {0.0f, 1.0f}},                       // circle on capsule
 	    {8, 0, 0.0565685f, 0.3959798f, 0.0f, 1, 0.0, {0.1414214f, 0.9899495f}}, // circle on segment
 	    {4, 3, 0.0f, 0.45f, 0.0f, 2, 0.0, {0.0f, 1.0f}},                        // box on plank
-	    {3, 4, 0.0f, 0.45f, 0.0f, 2, 0.0, {0.0f, 1.0f}},   // plank on box: points within the box's face
+	    {3, 4, 0.0f, 0.45f, 0.0f, 2, 0.0, {0.0f, 1.0f}},   // plank on box: points within the face of the box
 	    {5, 3, 0.0f, -0.65f, 0.0f, 2, 0.0, {0.0f, -1.0f}}, // triangle on box
 	    {6, 3, 0.0f, -0.75f, 0.0f, 2, 0.0, {0.0f, -1.0f}}, // rounded triangle on box
 	};
@@ -232,11 +232,11 @@ static void points_are_counted(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// carried
+// impulses
 // ---------------------------------------------------------------------------------------------------------------
 
-// Each shape at rest on a floor, and one on its back: the impulses of a substep, over its duration, are the weight:
-// sum of normal impulses / h = m g, upward.
+// Checks the impulses of each shape at rest on a floor. The sum of normal impulses of a substep, divided by its
+// duration h, is the weight: sum / h = m g, upward.
 static void impulses_carry_the_weight(void** state)
 {
 	(void)state;
@@ -281,11 +281,11 @@ static void impulses_carry_the_weight(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// brought to rest
+// rest
 // ---------------------------------------------------------------------------------------------------------------
 
-// One shape dropped on another in a trough, turned, apart, touching or deep in it: within eight seconds both lie still in
-// the trough, and neither is deeper in anything than 1 cm.
+// Drops one turned shape on another in a trough, from a distance, nearly touching or overlapping. After 8 s both must
+// rest in the trough, and no overlap may exceed 1 cm.
 static void check_rest(int a, int b, int turn, float height)
 {
 	scree_world* world = open_world(-10.0f);
@@ -319,7 +319,7 @@ static void check_rest(int a, int b, int turn, float height)
 static void pairs_come_to_rest(void** state)
 {
 	(void)state;
-	const float heights[] = {0.1f, 0.75f, 2.2f}; // deep, about touching, apart
+	const float heights[] = {0.1f, 0.75f, 2.2f}; // overlapping, nearly touching, apart
 	for (int a = 0; a < DESIGNS; ++a)
 		for (int b = 0; b < DESIGNS; ++b)
 			for (int turn = 0; turn < (quick() ? 1 : TURNS); ++turn)
@@ -329,10 +329,11 @@ static void pairs_come_to_rest(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// without a body
+// collidables without a body
 // ---------------------------------------------------------------------------------------------------------------
 
-// A collidable without a body over each shape: an overlap is reported, without impulses, and the shape does not notice.
+// A collidable without a body overlaps each shape. The overlap is reported, has no impulses and does not move the
+// shape.
 static void overlaps_are_read_back(void** state)
 {
 	(void)state;
@@ -367,7 +368,7 @@ static void overlaps_are_read_back(void** state)
 			NEAR(position_of(world, body).x, 1.0, 1e-6);
 			NEAR(position_of(world, body).y, 2.0, 1e-6);
 
-			// out of its way, it overlaps nothing
+			// after a move away it overlaps nothing
 			scree_pose away = {{10.0f, 2.0f}, {1.0f, 0.0f}};
 			OK(scree_collidables_set_poses(world, &ghost, &away, 1));
 			run_steps(world, 1);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_share.c -- rows that a renderer draws, and queries in memory of the device: shared memory gets what would be copied.
+// test_share.c -- checks render rows and queries in memory that a device shares: results equal those that would be
+// copied.
 //
-// No driver of a CPU shares memory. So PoCL is taught to: its functions are wrapped, and what it imports is a file
-// that is mapped here as well. The wrapper refuses what a driver refuses: memory that was not handed over.
+// No CPU driver shares memory. So the test wraps functions of PoCL: imported memory is a file, which the test maps too.
+// The wrapper refuses memory that was not acquired, as a driver does.
 #include "opencl/loader.h"
 #include "support/make_bodies.h"
 #include <stdio.h>
@@ -24,7 +25,7 @@ static scree_world* open_pile(void)
 	return world;
 }
 
-// The rows, which the caller frees.
+// Returns the render rows, which the caller frees.
 static scree_render_row* read_rows(scree_world* world, int* count)
 {
 	OK(scree_world_get_render_rows(world, NULL, 0, count));
@@ -34,7 +35,7 @@ static scree_render_row* read_rows(scree_world* world, int* count)
 	return rows;
 }
 
-// Every body has one collidable, a box around its origin: its row is the body's pose, and the center is at its place.
+// Each body has one collidable, a box around its origin. Its row has the pose of the body, and its center is zero.
 static void check_rows(scree_world* world)
 {
 	scree_body bodies[BODIES + 8];
@@ -69,7 +70,7 @@ static void test_rows(void** state)
 	run_steps(world, 20);
 	check_rows(world);
 
-	// changes of the user are in the rows at once, and destroyed bodies are not
+	// rows contain changes of the user at once, and no destroyed bodies
 	OK(scree_world_get_bodies(world, bodies, BODIES + 1, &count));
 	assert_int_equal(count, BODIES + 1);
 	OK(scree_body_set_pose(world, bodies[3], (scree_pose){{7.0f, 8.0f}, scree_rot_make(1.0f)}));
@@ -79,7 +80,7 @@ static void test_rows(void** state)
 	OK(scree_world_get_render_rows(world, &row, 1, &count));
 	assert_int_equal(count, BODIES + 1);
 
-	// looking changes nothing
+	// reading does not change the hash
 	uint64_t hash = hash_of(world);
 	check_rows(world);
 	assert_true(hash == hash_of(world));
@@ -123,14 +124,14 @@ static void test_without_sharing(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// a driver that shares
+// a driver that shares memory
 // ---------------------------------------------------------------------------------------------------------------
 
-// by its platform, Portable Computing Language: its buffers can lie in memory that is mapped here
+// PoCL, by the name of its platform, Portable Computing Language; its buffers can use memory that is mapped here
 #define POCL "opencl:portable"
 
 static OpenClFunctions real;
-static const char* taught; // its extension
+static const char* taught; // extension that the wrapper adds to the driver
 static bool creation_fails;
 static void* buffer_object; // storage of buffer 5 of OpenGL
 static size_t buffer_bytes;
@@ -194,7 +195,7 @@ static cl_int hand(cl_command_queue queue, cl_uint count, const cl_mem* memory, 
 	assert_true(count == 1 && memory[0] == imported && over != handed_over);
 	handed_over = over;
 	++handovers;
-	// data that a kernel wrote to memory of the host is there after a mapping
+	// data that a kernel wrote is in the memory of the host only after a mapping
 	cl_int error;
 	size_t bytes = 32;
 	void* at = real.EnqueueMapBuffer(queue, memory[0], CL_TRUE, CL_MAP_READ, 0, bytes, 0, NULL, NULL, &error);
@@ -274,7 +275,7 @@ static int forget(void** state)
 	return 0;
 }
 
-// a file of a number of bytes, mapped to *memory
+// Makes a file of the given size and maps it to *memory. Returns its descriptor.
 static int make_file(size_t bytes, void** memory)
 {
 	FILE* file = tmpfile();
@@ -287,7 +288,7 @@ static int make_file(size_t bytes, void** memory)
 	return descriptor;
 }
 
-// Steps and shows; what is in memory must be what would be copied.
+// Steps and writes the rows into shared memory, which must then equal the copied rows.
 static void check_shared(scree_world* world, const void* memory)
 {
 	for (int k = 0; k < 3; ++k)
@@ -318,13 +319,13 @@ static void test_shared_memory(void** state)
 	int count, file = make_file(small, &memory), larger_file = make_file(large, &larger);
 	OK(scree_world_share_memory(world, file, small));
 
-	// the first rows, before the first step
+	// rows before the first step
 	OK(scree_world_write_render_rows(world, &count));
 	assert_int_equal(count, BODIES + 1);
 	assert_true(((scree_render_row*)memory)[1].pose.position.y == 0.6f);
 	check_shared(world, memory);
 
-	// a world that has grown needs more memory; if the driver refuses it, the old sharing stays
+	// a grown world needs more memory; if the driver refuses new memory, the old memory stays shared
 	add_crate(world, SCREE_BODY_DYNAMIC, 40.0f, 3.0f);
 	expect_refusal(scree_world_write_render_rows(world, &count), SCREE_ERROR_INVALID,
 	               "there are 42 rows, and the shared memory has room for 41");
@@ -339,7 +340,7 @@ static void test_shared_memory(void** state)
 	scree_world_unshare(world);
 	expect_refusal(scree_world_write_render_rows(world, &count), SCREE_ERROR_INVALID, "nothing is shared");
 
-	// and none of it was in the way of the simulation
+	// sharing does not change the simulation
 	run_steps(other, 6);
 	add_crate(other, SCREE_BODY_DYNAMIC, 40.0f, 3.0f);
 	run_steps(other, 6);
@@ -355,7 +356,7 @@ static void test_shared_memory(void** state)
 
 #define RAYS 100
 
-// Rays and probes that lie in shared memory are answered like those of the host, in place or beside them.
+// Rays and probes in shared memory get the results of those on the host, in their place or behind them.
 static void test_shared_queries(void** state)
 {
 	(void)state;
@@ -396,7 +397,7 @@ static void test_shared_queries(void** state)
 	assert_memory_equal((char*)memory + sizeof probes, found, sizeof found);
 	assert_false(handed_over);
 
-	// items that are no rays do no harm
+	// items that are not rays are harmless
 	memset(memory, 0xff, bytes);
 	OK(scree_world_cast_shared_rays(world, NULL, 0, 2 * RAYS, 0));
 	memset(memory, 0x7f, bytes);
@@ -429,7 +430,7 @@ static void test_shared_opengl(void** state)
 	scree_world_def def = scree_world_def_default();
 	def.device = POCL;
 	scree_world* world = create_world(&def);
-	assert_int_equal(scree_world_get_sharing(world), SCREE_SHARING_COPIED); // which context it is, nobody said
+	assert_int_equal(scree_world_get_sharing(world), SCREE_SHARING_COPIED); // no OpenGL context was given
 	scree_world_destroy(world);
 
 	def.opengl = &(scree_opengl){.system = SCREE_WINDOW_EGL, .context = &context, .display = &display};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_share_view.c -- rows in a buffer of OpenGL are those of the world, and what is drawn of them the same each time.
+// test_share_view.c -- checks that rows in an OpenGL buffer are those of the world, and that all ways to share them
+// give the same picture.
 //
-// Skipped where OpenGL cannot draw without a window.
+// Skipped if OpenGL cannot draw without a window.
 #include "support/make_bodies.h"
 #include "view/offscreen.h"
 #include "view/renderer.h"
@@ -39,7 +40,7 @@ static void check_buffer(const Share* share, int expected)
 	free(drawn);
 }
 
-// The picture after some steps; the world grows beyond the first buffer on the way.
+// Returns the hash of the picture after some steps, in which the world outgrows the first buffer.
 static uint64_t picture_of(const char* device, bool copy)
 {
 	scree_world* world = open_boxes(device, 50);
@@ -84,7 +85,7 @@ static void test_pictures(void** state)
 	assert_true(hash == picture_of("opencl", false));
 }
 
-// Two descriptors of one piece of memory. Where its driver is a program of the CPU's, they are files.
+// Makes two descriptors of one block of memory. If the driver runs on the CPU, they are files.
 static void test_exported_memory(void** state)
 {
 	(void)state;

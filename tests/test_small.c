@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// test_small.c -- bodies of 2 to 20 mm: they rest on segments and boxes, go through neither, and stay in order.
+// test_small.c -- checks that bodies of 2 to 20 mm rest on segments and boxes, do not pass through them, and keep their
+// order.
 #include "support/make_bodies.h"
 #include <math.h>
 
 static const float sizes[] = {0.002f, 0.003f, 0.004f, 0.005f, 0.007f, 0.01f, 0.02f};
 
-// cubes, circles, plates of 0.5 m
+// Returns a cube, a circle or a plate 0.5 m wide.
 static scree_shape small_shape(int kind, float size)
 {
 	float half = 0.5f * size;
 	return kind == 0 ? box_shape(half, half) : kind == 1 ? circle_shape(half) : box_shape(0.25f, half);
 }
 
-// From 0 to 2 m, flat and tilted, 1 to 8 substeps: after 5 s they lie on the floor, less deep than their size, and do not move.
+// Bodies fall from 0 to 2 m, flat and tilted, with 1 to 8 substeps. After 5 s they lie on the floor, overlap it by less
+// than their size, and do not move.
 static void fall_and_rest(void** state)
 {
 	(void)state;
@@ -46,7 +48,8 @@ static void fall_and_rest(void** state)
 	}
 }
 
-// Plates that fall onto each other do not change places: when the lowest stops, those above it are nearer than they move in a step.
+// Plates that fall onto each other keep their order, although the gap to a stopped plate below is less than their
+// motion in a step.
 static void plates_stay_in_order(void** state)
 {
 	(void)state;
@@ -72,7 +75,7 @@ static void plates_stay_in_order(void** state)
 	}
 }
 
-// A plate that slides over the seams of tiles passes a corner, which must not count as going through.
+// A plate slides over the seams of tiles and passes their corners, which must not count as a passage through the floor.
 static void plates_slide_over_seams(void** state)
 {
 	(void)state;
@@ -95,8 +98,8 @@ static void plates_slide_over_seams(void** state)
 	}
 }
 
-// A triangle of 6 cm whose shape lies 80 m from the origin of its body falls as one at the origin does, and lies after 0.6 s. Before,
-// it stopped in the air, and sank for 2 s.
+// A small triangle lies up to 80 m from the origin of its body. It falls like one at the origin, and rests after 0.6 s.
+// An earlier version stopped it in the air and let it sink for 2 s.
 static void shapes_far_from_their_origin(void** state)
 {
 	(void)state;

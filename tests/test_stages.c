@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_stages.c -- single stages on items made by hand, against answers worked out by the plainest way.
+// test_stages.c -- checks single stages on items made by hand, against results of the simplest method.
 //
-// These are the stages whose items must agree with each other, on every backend; test_formulas.c has the ones whose
-// items stand alone, and test_colors.c the colors.
+// Items of these stages depend on each other, on every backend. test_formulas.c has the stages with independent items,
+// and test_colors.c the colors.
 #include "stages/geometry/box.h"
 #include "support/each_backend.h"
 #include "tools/common/random_numbers.h"
@@ -13,8 +13,9 @@
 // trees
 // ---------------------------------------------------------------------------------------------------------------
 
-// Codes of a square of 256 by 256 cells, spacing cells apart from corner on; the tree spans all 65,536 by 65,536. Sorted
-// by code, each cell comes once and beside the one before it. Returns the code of the first one.
+// Computes the codes of a square of 256 by 256 cells, which begins at the corner and has the given spacing, in cells.
+// The tree spans 65,536 by 65,536 cells. Sorted by code, each cell occurs once and is adjacent to its predecessor.
+// Returns the code of the first cell.
 static Word check_curve(Backend* b, float corner_x, float corner_y, float spacing, bool dense)
 {
 	const int side = 256, count = side * side;
@@ -64,11 +65,11 @@ static void curve_visits_neighbors(void** state)
 	(void)state;
 	for (int k = 0; k < backend_count; ++k)
 	{
-		check_curve(backends[k], 0.0f, 0.0f, 257.0f, false); // the whole square, one cell of each 256 by 256
+		check_curve(backends[k], 0.0f, 0.0f, 257.0f, false); // the whole square, every 257th cell
 		check_curve(backends[k], 0.0f, 0.0f, 1.0f, true);
 		check_curve(backends[k], 512.0f, 33536.0f, 1.0f, true);
 		check_curve(backends[k], 65024.0f, 65024.0f, 1.0f, true);
-		// the third quarter of the curve: the lowest code that is negative as a whole number
+		// start of the third quarter of the curve: the lowest code that is negative as a signed integer
 		assert_int_equal(check_curve(backends[k], 32768.0f, 32768.0f, 1.0f, true), 0x80000000u);
 	}
 }
@@ -77,13 +78,13 @@ static void curve_visits_neighbors(void** state)
 // slots of new contacts
 // ---------------------------------------------------------------------------------------------------------------
 
-// Pairs in the order of their keys take the lowest free slots, then new ones behind the last.
+// Pairs take free slots in the order of their keys, lowest slots first, then new slots behind the last.
 static void slots_are_lowest_first(void** state)
 {
 	(void)state;
 	const Int2 alive = {90, 91}, free_slot = {-1, -1};
 	const Int2 before[7] = {alive, free_slot, alive, free_slot, free_slot, alive, alive};
-	const Int2 fresh[5] = {{7, 9}, {0, 3}, {2, 8}, {0, 2}, {7, 8}}; // as they were found
+	const Int2 fresh[5] = {{7, 9}, {0, 3}, {2, 8}, {0, 2}, {7, 8}}; // unsorted
 	const Int2 after[9] = {alive, {0, 2}, alive, {0, 3}, {2, 8}, alive, alive, {7, 8}, {7, 9}};
 	Attribute attribute = {.friction = 0.25f};
 	int zeros[100] = {0}, bodies[100];
@@ -116,7 +117,7 @@ static void slots_are_lowest_first(void** state)
 			get_items(b, POOL_counters, 1, &counters);
 			get_items(b, POOL_pair, 9, pairs);
 
-			// nine slots, and one that stays free: with less room nothing changes, and the host learns the room needed
+			// nine slots are needed, and one stays free; with less room nothing changes but counters.needed
 			bool enough = room == 10;
 			assert_int_equal(counters.stalled, !enough);
 			assert_int_equal(counters.needed, 9);
@@ -130,18 +131,18 @@ static void slots_are_lowest_first(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// contacts moved together
+// contacts are packed
 // ---------------------------------------------------------------------------------------------------------------
 
 #define SLOTS 10000
 
-// written again in every step
+// Returns true for pools that each step writes again.
 static bool is_scratch(int pool)
 {
 	return pool == POOL_scan || pool == POOL_free_slot || pool == POOL_began || pool == POOL_uncolored;
 }
 
-// value of byte number k of an item in a slot
+// Returns byte k of an item in a slot.
 static unsigned char byte_of(int pool, int slot, size_t k)
 {
 	return (unsigned char)(slot * 31 + pool * 7 + (int)k * 13 + slot / 256);
@@ -151,13 +152,14 @@ static bool is_kept(int pool) { return pool_info[pool].per == PER_CONTACT && !is
 
 typedef struct
 {
-	Int2* pairs;      // {-1, -1} in a free slot
-	int* constraints; // place of each slot, -1 for none
-	int* from;        // slot in which the contact was that a slot has in the end
+	Int2* pairs;      // {-1, -1}: free slot
+	int* constraints; // constraint of each slot, -1 for none
+	int* from;        // slot of each contact before it is packed
 	int alive;
 } Slots;
 
-// A third of the slots is in use. Those from the number of contacts on move into the free slots before it, in order.
+// Makes slots of which a third is in use. Contacts in slots from the number of contacts on move into the free slots
+// below, in order.
 static Slots make_slots(void)
 {
 	Slots s = {calloc(SLOTS + 1, sizeof *s.pairs), calloc(SLOTS, sizeof *s.constraints), calloc(SLOTS, sizeof *s.from),
@@ -201,7 +203,7 @@ static void put_contacts(Backend* b, const Slots* s, unsigned char* bytes)
 	put_items(b, POOL_contact_place_slot, SLOTS, s->constraints);
 }
 
-// All that outlives a step moved with its contact.
+// Checks that the contents of all pools that last from step to step have moved with their contacts.
 static void check_pools(Backend* b, const Slots* s, unsigned char* bytes)
 {
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
@@ -217,7 +219,7 @@ static void check_pools(Backend* b, const Slots* s, unsigned char* bytes)
 	}
 }
 
-// Contacts and constraints name each other.
+// Checks that contacts and constraints refer to each other.
 static void check_links(Backend* b, const Slots* s, unsigned char* bytes)
 {
 	int* back = calloc(SLOTS, sizeof *back);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// test_sweep.c -- fast bodies: they stop where they meet something, and what they would pass by does not stop them.
+// test_sweep.c -- checks that fast bodies stop at the first surface that they meet, and that surfaces beside their path
+// have no effect.
 #include "support/make_bodies.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define SHAPES 4
-#define PHASES 16 // starts, a fraction of a step's way apart
+#define PHASES 16 // start positions, spread over the motion of one step
 
-// A shape, all about 1 m wide and with its lowest point 0.5 m below its origin.
+// Returns a shape about 1 m wide, whose lowest point is 0.5 m below its origin.
 static scree_shape shape_of(int kind)
 {
 	scree_shape shape = box_shape(0.5f, 0.5f);
@@ -31,7 +32,7 @@ static scree_body add_bouncer(scree_world* world, scree_shape shape, float resti
 	return body;
 }
 
-// v(t) = v0: a body that flies over a stack with a centimetre to spare, or down beside it, feels nothing of it.
+// v(t) = v0: a body that flies over a stack, or down beside it, at a distance of 1 cm keeps its velocity.
 static void passes_by(void** state)
 {
 	(void)state;
@@ -43,7 +44,7 @@ static void passes_by(void** state)
 				for (int k = 0; k < 3; ++k)
 					add_crate(world, SCREE_BODY_STATIC, 0.0f, (float)k - 2.5f);
 
-				// along its top; down its side; and slantwise over its corner
+				// variants: along the top, down the side, diagonally over the corner
 				float back = 3.0f + (float)phase / PHASES, side = kind == 2 ? 0.7f : 0.5f;
 				scree_vec from = {-back, 0.51f}, v = {60.0f, 0.0f};
 				if (variant == 1)
@@ -53,7 +54,7 @@ static void passes_by(void** state)
 				}
 				if (variant == 2)
 				{
-					// the corner (0.5, 0) is passed by the body's lower left corner, or nearer than that by a round one
+					// the lower left corner of a box passes the corner (0.5, 0) at 7 mm; other shapes pass farther away
 					from = (scree_vec){0.51f + side - back, 0.5f + back};
 					v = (scree_vec){40.0f, -40.0f};
 				}
@@ -66,7 +67,7 @@ static void passes_by(void** state)
 			}
 }
 
-// A wall of 5 cm holds what comes at 60 m/s, a metre a step, and no face overlaps it by more than the slop.
+// A wall 5 cm thick stops bodies at 60 m/s, 1 m per step, and no face overlaps it by more than the slop.
 static void thin_wall(void** state)
 {
 	(void)state;
@@ -80,12 +81,12 @@ static void thin_wall(void** state)
 			float deepest = deepest_of(world, 10);
 			assert_true(position_of(world, body).x < 0.0f);
 			assert_true(deepest <
-			            (kind == 3 ? 0.08f : 0.005f)); // a triangle is hit at a corner and spins by a radian a step
+			            (kind == 3 ? 0.08f : 0.005f)); // a triangle hits with a corner and spins by 1 rad per step
 			scree_world_destroy(world);
 		}
 }
 
-// v' = -e v for every e (Newton's law of impact), wherever within a step the wall is met.
+// v' = -e v for each restitution e (Newton's law of impact), at any time of impact within a step.
 static void bounces(void** state)
 {
 	(void)state;
@@ -122,7 +123,7 @@ static void meets_head_on(void** state)
 	}
 }
 
-// A blade of 4 m that turns at 10 rad/s, a sixth of a radian a step, does not cut into what lies in its way.
+// A blade of 4 m turns at 10 rad/s, 1/6 rad per step. It pushes a body away without cutting into it.
 static void blade(void** state)
 {
 	(void)state;
@@ -144,7 +145,7 @@ static void blade(void** state)
 		}
 }
 
-// A box slides over the seams of a floor of slabs without friction: v(t) = v0.
+// A box slides without friction over the seams of a floor of slabs: v(t) = v0.
 static void seams(void** state)
 {
 	(void)state;
@@ -165,7 +166,7 @@ static void seams(void** state)
 #define DRUM_BOXES 100
 #define DRUM_SHOTS 6
 #define FAR_BODIES 12
-#define DRUM_HALF  5.0f // m: between its middle and its walls
+#define DRUM_HALF  5.0f // m, from center to walls
 
 typedef struct
 {
@@ -173,7 +174,7 @@ typedef struct
 	scree_body drum, inside[DRUM_BOXES + DRUM_SHOTS], far[FAR_BODIES];
 } Drum;
 
-// A drum of four walls that turns, boxes in it, and balls at 90 m/s.
+// Opens a world with a rotating drum of four walls, with boxes and balls inside. The balls have up to 90 m/s in x.
 static Drum open_drum(void)
 {
 	Drum d = {.world = open_world(-10.0f)};
@@ -207,9 +208,9 @@ static Drum open_drum(void)
 	return d;
 }
 
-// Continuous collision compares paths with each kinematic body if there are few, and searches the trees if there are many. Bodies that turn
-// with a drum or hit its walls have the same motion in both cases, bit for bit, while bodies far away become kinematic and static again. No
-// body leaves the drum.
+// Continuous collision compares a path with each kinematic body if there are few, and searches the trees if there are
+// many. Bodies in a drum have the same motion in both cases, bit for bit, while bodies far away become kinematic and
+// static in turn. No body leaves the drum.
 static void drum(void** state)
 {
 	(void)state;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_targets.c -- velocities set apart, and kinematic bodies on their way to a pose; on the CPU and on OpenCL.
+// test_targets.c -- checks linear and angular velocities set separately, and target poses of kinematic bodies, on CPU
+// and OpenCL.
 #include "support/make_bodies.h"
 
 static void velocities_are_set_apart(void** state)
@@ -22,7 +23,7 @@ static void velocities_are_set_apart(void** state)
 	expect_velocity(world, bodies[1], 3, 4, -2);
 	expect_velocity(world, bodies[2], -1, 0, 9);
 
-	// nothing along what is locked
+	// locked directions get no velocity
 	OK(scree_body_set_locks(world, bodies[2], SCREE_LOCK_Y | SCREE_LOCK_ROTATION));
 	OK(scree_body_set_linear_velocity(world, bodies[2], (scree_vec){2, 2}));
 	OK(scree_body_set_angular_velocity(world, bodies[2], 2));
@@ -30,7 +31,7 @@ static void velocities_are_set_apart(void** state)
 	scree_world_destroy(world);
 }
 
-// At the end of the step, whatever it takes, the pose is the target's, and the body stands still.
+// At the end of a step of any duration, the body has the target pose and zero velocity.
 static void targets_are_reached(void** state)
 {
 	(void)state;
@@ -64,7 +65,7 @@ static void targets_are_reached(void** state)
 	scree_world_destroy(world);
 }
 
-// A crate on a platform rides along, and one before it is pushed: they feel the speed of (target - pose) / dt.
+// A platform carries a crate, and pushes a crate in front of it. Contacts use the velocity (target - pose) / dt.
 static void targets_carry_and_push(void** state)
 {
 	(void)state;
@@ -78,7 +79,7 @@ static void targets_carry_and_push(void** state)
 	float start = pose_of(world, crate).position.x;
 	for (int k = 1; k <= 60; ++k)
 	{
-		// from rest to 2 m/s in half a second: friction of 0.6 gives 6 m/s^2
+		// from rest to 2 m/s in 0.5 s, 4 m/s^2; a friction of 0.6 allows 6 m/s^2
 		float t = (float)k * STEP, x = t < 0.5f ? 2.0f * t * t : 0.5f + 2.0f * (t - 0.5f);
 		OK(scree_body_set_target(world, platform, pose_at(x, 0.0f, 0.0f)));
 		run_steps(world, 1);
@@ -97,7 +98,7 @@ static void targets_carry_and_push(void** state)
 	scree_world_destroy(world);
 }
 
-// From 175 to -175 degrees it is 10 degrees counter-clockwise: the right end of a beam goes up.
+// The shorter way from 175 to -175 degrees is 10 degrees counter-clockwise, so the right end of a beam rises.
 static void targets_turn_the_shorter_way(void** state)
 {
 	(void)state;
@@ -124,7 +125,7 @@ static void targets_wait_and_are_dropped(void** state)
 	scree_body body = add_crate(world, SCREE_BODY_KINEMATIC, 0.0f, 0.0f);
 	scree_pose home = pose_of(world, body), there = pose_at(1.0f, 2.0f, 0.5f), later = pose_at(-1.0f, 0.0f, 0.0f);
 
-	// the last counts, and a step of no time does not use it up
+	// the last target counts, and a step with dt 0 keeps it
 	uint64_t before = hash_of(world);
 	OK(scree_body_set_target(world, body, there));
 	uint64_t waiting = hash_of(world);
@@ -136,13 +137,13 @@ static void targets_wait_and_are_dropped(void** state)
 	run_steps(world, 1);
 	expect_pose(world, body, later);
 
-	// the start does not matter
+	// the start pose does not matter
 	OK(scree_body_set_target(world, body, there));
 	OK(scree_body_set_pose(world, body, home));
 	run_steps(world, 1);
 	expect_pose(world, body, there);
 
-	// a velocity takes its place, of whatever part
+	// a velocity, even only linear or angular, replaces the target
 	for (int k = 0; k < 3; ++k)
 	{
 		OK(scree_body_set_pose(world, body, home));
@@ -162,14 +163,14 @@ static void targets_wait_and_are_dropped(void** state)
 	run_steps(world, 1);
 	expect_pose(world, body, home);
 
-	// locked coordinates stay
+	// locked coordinates do not change
 	OK(scree_body_set_locks(world, body, SCREE_LOCK_X | SCREE_LOCK_ROTATION));
 	OK(scree_body_set_target(world, body, there));
 	run_steps(world, 1);
 	expect_pose(world, body, pose_at(0.0f, 2.0f, 0.0f));
 	OK(scree_body_set_locks(world, body, 0));
 
-	// not while it is disabled, but then
+	// a disabled body keeps its target and reaches it once it is enabled
 	OK(scree_body_set_target(world, body, home));
 	OK(scree_body_set_enabled(world, body, false));
 	run_steps(world, 3);
@@ -178,7 +179,7 @@ static void targets_wait_and_are_dropped(void** state)
 	run_steps(world, 1);
 	expect_pose(world, body, home);
 
-	// one that is destroyed leaves the others theirs
+	// destroying a body does not change the targets of others
 	scree_body others[3];
 	scree_pose poses[3];
 	for (int k = 0; k < 3; ++k)
@@ -197,7 +198,7 @@ static void targets_wait_and_are_dropped(void** state)
 	scree_world_destroy(world);
 }
 
-// A step that is refused changes nothing, targets included.
+// A refused step changes nothing and keeps the targets.
 static void refused_steps_keep_targets(void** state)
 {
 	(void)state;

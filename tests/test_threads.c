@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_threads.c -- workers: every block of a job is done once, and what one job wrote the next one reads.
+// test_threads.c -- checks workers: each block of a job runs once, and the next job reads the values that a job wrote.
 #include "platform/threads.h"
 #include "support/checks.h"
 #include <string.h>
@@ -11,8 +11,7 @@ static const int worker_counts[] = {1, 2, 3, 8};
 typedef struct
 {
 	Threads* threads;
-	int runs
-	    [MAX_WORKERS]; // plain ints: two workers at one block, or two jobs at once, are data races for the thread sanitizer
+	int runs[MAX_WORKERS]; // plain ints: two workers at one block or two jobs at once are data races for the sanitizer
 	int values[MAX_WORKERS];
 	int wrong[MAX_WORKERS];
 	int job;
@@ -45,7 +44,7 @@ static void count_run(void* context, int block, int blocks)
 	++scene->runs[block];
 }
 
-// Jobs of all numbers of blocks, with workers that are awake or not.
+// Runs jobs with all numbers of blocks, with workers awake and asleep.
 static void check_runs(Scene* scene, int workers)
 {
 	int expected[MAX_WORKERS] = {0};
@@ -75,7 +74,7 @@ static void test_every_block_runs_once(void** state)
 	with_workers(check_runs);
 }
 
-// Each block writes its own value, and in the next job reads those of the others.
+// Each block writes its value. In the next job each block reads the values of all others.
 static void write_value(void* context, int block, int blocks)
 {
 	Scene* scene = context;
@@ -107,7 +106,7 @@ static void test_a_job_follows_the_one_before(void** state)
 	with_workers(check_order);
 }
 
-// Jobs after pauses in which the workers fell asleep: they are done whether the workers wake or not.
+// Runs jobs after pauses in which workers fall asleep. Each job must be complete whether they wake or not.
 static void check_sleepers(Scene* scene, int workers)
 {
 	for (int job = 1; job <= 10; ++job)
@@ -128,7 +127,8 @@ static void test_sleepers_delay_nobody(void** state)
 	with_workers(check_sleepers);
 }
 
-// A block that takes long: the job lasts until it is done, and workers that come late claim nothing of the next one.
+// Spends a long time in one block. The job must last until this block is done, and workers that are late must not
+// claim blocks in the next job.
 static void take_long(void* context, int block, int blocks)
 {
 	Scene* scene = context;

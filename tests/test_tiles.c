@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_tiles.c -- the tiles of OpenCL, compiled as C with 16 bodies a tile, with work-items in turns that a seed decides.
+// test_tiles.c -- checks the tiles of OpenCL, compiled as C with 16 bodies per tile; a seed decides the turns of
+// work-items.
 //
-// The formula: hash(tiles, seed, step) = hash(cpu, step), for each step; and no row has a word left after a solve. Where a
-// turn on the border never comes, all work-items end and say so.
+// Formula: hash(tiles, seed, step) = hash(cpu, step) for each step, and no word of a mailbox is set after a solve. If a
+// work-item on the border never gets a turn, all others end with a fault.
 #include "emulation/emulation_scenes.h"
 #include "support/checks.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_traffic.c -- bytes of the solve stage against sums made by hand, and the measured bandwidth.
+// test_traffic.c -- checks the bytes of the solve stage against sums made by hand, and the measured bandwidth.
 #include "support/allocations.h"
 #include "support/make_bodies.h"
 #include <stdlib.h>
@@ -12,7 +12,7 @@ static scree_traffic traffic_of(scree_world* world)
 	return traffic;
 }
 
-// One box on a floor: one constraint, three rows of bodies (the ground of the world is one).
+// One box on a floor: one constraint, and three rows of bodies. The ground of the world is one of them.
 static void a_box_on_the_floor(void** state)
 {
 	(void)state;
@@ -24,18 +24,19 @@ static void a_box_on_the_floor(void** state)
 	add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
 	run_steps(world, 1);
 
-	// Prepare 180: slot 4, pair 8, two places 64, points 64; normal 8, arms 24, gaps 8.
-	// Warm start 64: indices 8, normal and arms 32, impulses 24. Bias 64: 48 with gaps, normal impulses twice 16.
-	// Relax 84: 48, friction 4, all impulses twice 32.
+	// Bytes of a constraint in each pass:
+	// prepare 180: slot 4, pair 8, two places 64, points 64, normal 8, arms 24, gaps 8;
+	// warm start 64: indices 8, normal and arms 32, impulses 24;
+	// bias 64: 48 with gaps, normal impulses twice, 16; relax 84: 48, friction 4, all impulses twice, 32.
 	scree_traffic traffic = traffic_of(world);
 	assert_int_equal(traffic.constraints, 1);
 	assert_int_equal(traffic.passes, 1 + 2 * 4);
 	assert_int_equal(traffic.constraint_bytes, 180 + 64 + 4 * (64 + 84));
-	// A pass reads 32 bytes of either body and writes 16. A row costs 44 once, and in a substep 128 for its velocity
-	// (state twice 64, motion 32, base twice 32) and 96 for its position.
+	// A pass reads 32 bytes of each body and writes 16. A row costs 44 once; each substep adds 128 for its velocity
+	// (state twice, 64; motion 32; base twice, 32) and 96 for its position.
 	assert_int_equal(traffic.body_bytes, 9 * 2 * (32 + 16) + 3 * (44 + 4 * (128 + 96)));
 
-	// restitution takes one more pass, and more bytes of each constraint
+	// restitution adds one pass, and bytes to each constraint
 	scree_attribute_def def = scree_attribute_def_default();
 	def.restitution = 0.5f;
 	add_attribute(world, &def);
@@ -45,15 +46,18 @@ static void a_box_on_the_floor(void** state)
 	traffic = traffic_of(world);
 	assert_int_equal(traffic.constraints, 1);
 	assert_int_equal(traffic.passes, 1 + 2 * 2 + 1);
-	// Prepare and 80: slot 4, normal and arms 32, gaps 8, totals 8, indices 8, restitution 4, fall 4, energy 4, rebounds 8. Warm start and 4, bias and 8, relax and 40.
-	// Bounce 96: 48 with gaps, fall 4, energy 4, rebounds 8, totals twice 16, impulses 16.
+	// Bytes added by restitution:
+	// prepare 80: slot 4, normal and arms 32, gaps 8, totals 8, indices 8, restitution 4, fall 4, energy 4, rebounds 8;
+	// warm start 4, bias 8, relax 40;
+	// bounce 96: 48 with gaps, fall 4, energy 4, rebounds 8, totals twice, 16, impulses 16.
 	assert_int_equal(traffic.constraint_bytes, 260 + 68 + 2 * (72 + 124) + 96);
-	// prepare reads a body's state, motion and colors
+	// prepare reads state, motion and colors of each body
 	assert_int_equal(traffic.body_bytes, (6 * 48 + 72) * 2 + 3 * (44 + 2 * 224));
 	scree_world_destroy(world);
 }
 
-// Whatever its figure, it takes no memory for good and changes nothing. On a CPU smaller blocks do, sooner.
+// The measurement keeps no memory and does not change the world. The limit of allocations makes a CPU measure smaller
+// blocks, which is faster.
 static void bandwidth_is_measured(void** state)
 {
 	(void)state;
@@ -74,7 +78,7 @@ static void bandwidth_is_measured(void** state)
 	OK(scree_hooks_set(NULL));
 }
 
-// On the CPU the blocks come from the hook: none at all is a sentence.
+// On the CPU the allocation hook provides the blocks. If it provides none, the measurement returns an error.
 static void bandwidth_takes_what_there_is(void** state)
 {
 	(void)state;

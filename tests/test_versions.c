@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_versions.c -- programs built with an older header, or a newer one, on this library.
+// test_versions.c -- checks programs that are built with an older or a newer header than the library.
 //
-// This file is compiled with a header from which tests/CMakeLists.txt has taken the last members of scree_contact, so that
-// the library's is longer. Newer structs are made here, by members behind the ones of that header.
+// tests/CMakeLists.txt removes the last members of scree_contact from the header of this file, so that the struct of
+// the library is longer. Newer structs are made here, with members added at the end.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -48,7 +48,7 @@ static scree_attribute stage_of(scree_world* world)
 	return attribute;
 }
 
-// a ground and a box that lies on it, each a metre wide
+// Makes a ground and a box that lies on it, each 1 m wide.
 static void two_boxes(scree_world* world, scree_body bodies[2])
 {
 	scree_body_def defs[2] = {scree_body_def_default(), scree_body_def_default()};
@@ -58,7 +58,7 @@ static void two_boxes(scree_world* world, scree_body bodies[2])
 	OK(scree_bodies_create(world, defs, 2, bodies));
 }
 
-// An older program gets the members of a contact that its header has, and nothing is written behind them.
+// An older program gets those members of a contact that its header has, and nothing is written behind them.
 static void older_results(void** state)
 {
 	(void)state;
@@ -78,7 +78,7 @@ static void older_results(void** state)
 	memset(kept, 0x5a, sizeof kept);
 	assert_memory_equal(contacts + 1, kept, sizeof kept);
 
-	// half of the counters
+	// the first half of the counters
 	size_t half = offsetof(scree_counters, reallocations);
 	scree_counters counters;
 	memset(&counters, 0x5a, sizeof counters);
@@ -89,7 +89,7 @@ static void older_results(void** state)
 	scree_world_destroy(world);
 }
 
-// A definition that ends before its last member is that of an older program: the body takes part.
+// A definition without its last member, disabled, is that of an older program. Its body is enabled.
 static void older_definitions(void** state)
 {
 	(void)state;
@@ -158,7 +158,7 @@ static void newer_structs(void** state)
 	scree_world_destroy(twin);
 }
 
-// An attribute of a program built without rules has none; such a program gets events without approvals.
+// In a program built before rules existed, an attribute has no rules, and events have no approvals.
 static void older_than_rules(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_window.c -- parts of the viewer that need no window: events handed out frame by frame, times of frames, tuning of a world.
+// test_window.c -- checks parts of the viewer that need no window: events by frame, frame times, tuning of a world.
 #include "support/make_worlds.h"
 #include "view/window/event_queue.h"
 #include "view/window/history.h"
@@ -7,7 +7,7 @@
 #include "view/window/session.h"
 #include <string.h>
 
-#define ENTER     257 // as GLFW has them
+#define ENTER     257 // key codes of GLFW
 #define BACKSPACE 259
 #define SHIFT     340
 
@@ -21,8 +21,8 @@ static void add_letter(Events* events, unsigned letter)
 	events_add(events, (WindowEvent){.kind = EVENT_LETTER, .letter = letter});
 }
 
-// Checks the events of the next frames, a letter for each event and a space for each frame: k key, l letter, m cursor, b button,
-// w wheel.
+// Checks the events of the next frames. The text has a letter for each event and a space between frames: k key, l
+// letter, m cursor, b button, w wheel.
 static void assert_frames(Events* events, const char* expected)
 {
 	char given[128];
@@ -44,7 +44,7 @@ static void typing_keeps_its_order(void** state)
 {
 	(void)state;
 	Events events = {0};
-	// letters and their keys go together, and a key of editing after letters
+	// letters and their keys share a frame, also with an editing key behind them
 	add_key(&events, 'A', 1);
 	add_letter(&events, 'a');
 	add_key(&events, 'A', 0);
@@ -54,7 +54,7 @@ static void typing_keeps_its_order(void** state)
 	add_key(&events, ENTER, 1);
 	add_key(&events, ENTER, 0);
 	assert_frames(&events, "klkkklk k");
-	// a letter after backspace comes a frame later, else it would be the one that is deleted
+	// a letter after backspace comes one frame later; otherwise backspace would delete it
 	add_key(&events, BACKSPACE, 1);
 	add_key(&events, BACKSPACE, 0);
 	add_letter(&events, 'c');
@@ -69,7 +69,7 @@ static void buttons_come_alone(void** state)
 	Events events = {0};
 	WindowEvent event;
 	const WindowEvent down = {.kind = EVENT_BUTTON, .action = 1}, up = {.kind = EVENT_BUTTON};
-	// the panel has to see the cursor before the button, and the button before what is typed
+	// the panel needs the cursor before the button, and the button before typed letters
 	for (int k = 0; k < 3; ++k)
 		events_add(&events, (WindowEvent){.kind = EVENT_CURSOR, .x = 10.0 * k, .y = 5.0, .seconds = 0.25});
 	events_add(&events, down);
@@ -79,7 +79,7 @@ static void buttons_come_alone(void** state)
 	events_add(&events, (WindowEvent){.kind = EVENT_WHEEL, .y = 1.0});
 	events_begin(&events);
 	assert_true(events_take(&events, &event));
-	assert_true(event.kind == EVENT_CURSOR && event.x == 20.0 && event.seconds == 0.75); // moves in a row are one
+	assert_true(event.kind == EVENT_CURSOR && event.x == 20.0 && event.seconds == 0.75); // consecutive moves are merged
 	assert_false(events_take(&events, &event));
 	assert_frames(&events, "b b lkw");
 	// many events
@@ -105,7 +105,7 @@ static void history_keeps_the_last_frames(void** state)
 	History h = {0};
 	assert_true(history_top(&h) == 20.0f);
 	history_frame(&h, 8.0f);
-	assert_true(h.step[history_at(&h, 0)] < 0.0f); // no step
+	assert_true(h.step[history_at(&h, 0)] < 0.0f); // a frame without a step
 	history_step(&h, 2.0f);
 	history_step(&h, 4.0f);
 	history_frame(&h, 9.0f);
@@ -116,7 +116,7 @@ static void history_keeps_the_last_frames(void** state)
 	assert_true(h.frame[history_at(&h, 0)] == 1000.0f - HISTORY_FRAMES);
 	assert_true(h.frame[history_at(&h, HISTORY_FRAMES - 1)] == 999.0f);
 	assert_true(history_top(&h) == 1000.0f);
-	// a single long frame does not flatten all others
+	// a single long frame does not determine the scale of all others
 	h = (History){0};
 	for (int k = 0; k < 100; ++k)
 		history_frame(&h, k == 50 ? 4000.0f : 31.0f);
@@ -146,7 +146,7 @@ static void tuning_changes_a_world_and_its_scene(void** state)
 	scree_world_destroy(world);
 }
 
-// A restart keeps what was tuned, another scene and a fresh start do not.
+// Tuning lasts over a restart. Another scene with a fresh start resets it.
 static void tuning_lasts_over_a_restart(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_world.c -- handles, batches and commands, on the CPU and on OpenCL where there is one.
+// test_world.c -- checks handles, batches and commands, on the CPU and on OpenCL if it is available.
 #include "support/make_bodies.h"
 #include "world/upload/upload.h"
 #include "world/world.h"
@@ -85,7 +85,7 @@ static void batches_survive_churn(void** state)
 	OK(scree_bodies_create(world, defs, COUNT_OF, bodies));
 	run_steps(world, 1);
 
-	// every third goes and comes back elsewhere, over and over; half of the rounds are not seen by the device
+	// every third body is destroyed and created elsewhere, six times; the device steps in between in every second round
 	for (int round = 0; round < 6; ++round)
 	{
 		for (int k = 0; k < COUNT_OF; k += 3)
@@ -165,7 +165,7 @@ static void rows_travel_together(void** state)
 	OK(world_upload(world));
 	assert_true(writes <= 24);
 
-	// scattered rows are commands
+	// scattered rows are sent as commands
 	writes = 0;
 	for (int k = 0; k < COUNT_OF; k += 5)
 		OK(scree_body_destroy(world, bodies[k]));
@@ -184,7 +184,7 @@ static void rows_travel_together(void** state)
 // commands
 // ---------------------------------------------------------------------------------------------------------------
 
-// v = F dt / m; the force holds for one step
+// v = F dt / m; a force acts for one step.
 static void forces_follow_newton(void** state)
 {
 	(void)state;
@@ -219,7 +219,7 @@ static void forces_follow_newton(void** state)
 	scree_world_destroy(world);
 }
 
-// a body in free fall in n substeps of h: y = -g h^2 n (n + 1) / 2
+// A body in free fall for n substeps of h: y = -g h^2 n (n + 1) / 2.
 static void bodies_fall(void** state)
 {
 	(void)state;
@@ -243,7 +243,7 @@ static void bodies_fall(void** state)
 	NEAR(pose_of(world, driven).position.y, 2.0, 1e-4);
 	NEAR(scree_rot_get_angle(pose_of(world, driven).rotation), 3.0, 1e-3);
 
-	// types change in mid-run
+	// types change between steps
 	OK(scree_body_set_type(world, loose, SCREE_BODY_STATIC));
 	OK(scree_body_set_type(world, driven, SCREE_BODY_DYNAMIC));
 	v = velocity_of(world, loose);
@@ -270,7 +270,8 @@ static void damping_slows(void** state)
 	scree_world_destroy(world);
 }
 
-// A body without collidables has 1 kg and no inertia. With two boxes of 1 kg, 2 m apart, I = 2 (1 / 6 + 1) kg m^2.
+// Makes a body and checks its mass: 1 kg and no inertia without collidables; with two boxes of 1 kg, 2 m apart, I = 2
+// (1 / 6 + 1) kg m^2.
 static scree_body make_pair(scree_world* world, scree_collidable parts[2])
 {
 	scree_body_def def = scree_body_def_default();
@@ -310,7 +311,7 @@ static void bodies_turn_about_their_center(void** state)
 	NEAR(pose.position.x, 3.0 + q.c - turned.c, 1e-3);
 	NEAR(pose.position.y, 4.0 + q.s - turned.s, 1e-3);
 
-	// a new pose is that of the origin
+	// a new pose is the pose of the origin
 	OK(scree_body_set_pose(world, body, (scree_pose){{-7.0f, 0.0f}, {0.0f, 1.0f}}));
 	pose = pose_of(world, body);
 	NEAR(pose.position.x, -7.0, 1e-6);
@@ -335,7 +336,7 @@ static void mass_follows_collidables(void** state)
 	NEAR(mass.mass, 1.0, 1e-6);
 	NEAR(mass.center.x, 0.0, 1e-6);
 
-	// set mass holds until the collidables change
+	// a mass set by the user lasts until the collidables change
 	OK(scree_body_set_mass(world, body, (scree_mass){5.0f, 2.0f, {0.0f, 1.0f}}));
 	OK(scree_body_apply_impulse(world, body, (scree_vec){5.0f, 0.0f}));
 	NEAR(pose_of(world, body).position.x, -7.0, 1e-6);
@@ -378,10 +379,10 @@ static void changes_keep_their_order(void** state)
 	scree_world_destroy(world);
 }
 
-typedef enum // the act after each call
+typedef enum // action after each call
 {
 	NOTHING,
-	FLUSH, // the changes go to the device at once
+	FLUSH, // uploads all changes
 	READ,
 } After;
 
@@ -446,7 +447,8 @@ static void change_bodies(Caller* c, int round)
 	after_call(c, scree_collidable_set_filter(c->world, c->parts[2], (scree_filter){1, UINT64_MAX, round % 3 - 1}));
 }
 
-// Three worlds get the same calls. One applies all changes before its steps, one applies each at once, one is read after each.
+// Three worlds get the same calls. The first uploads all changes before its steps, the second uploads each change at
+// once, and the third is read after each call.
 static void reading_changes_nothing(void** state)
 {
 	(void)state;

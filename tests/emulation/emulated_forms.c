@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// emulated_forms.c -- does with emulated kernels what src/opencl/forms/ does with a device.
+// emulated_forms.c -- executes solves and runs with emulated kernels, as src/opencl/forms/ does on a device.
 #include "emulation/emulated_forms.h"
 #include "constraints/schedule.h"
 #include "emulation/emulated_kernels.h"
@@ -8,17 +8,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ITEM_GROUP  48        // work-items of a group that does an item of a stage
-#define SMALL_GROUP 32        // work-items of kernels in which no group waits for another
-#define NEVER       (1 << 18) // reads of a mailbox: more than any wait needs
+#define ITEM_GROUP  48        // work-items per group in stages with one item per group
+#define SMALL_GROUP 32        // work-items per group in kernels without waits between groups
+#define NEVER       (1 << 18) // reads of a mailbox; more than any wait needs
 
-typedef struct // words that stay from solve to solve
+typedef struct // words that last from solve to solve
 {
 	Word64* words;
 	int count;
 } Kept;
 
-typedef struct // memory that is let go together
+typedef struct // memory that is freed together
 {
 	void* memory[8];
 	int count;
@@ -31,7 +31,7 @@ static Form form;
 static Pools pools;
 static Task task;
 static Kept mailboxes, parts;
-static Buffers solve_buffers, tile_buffers; // memory of the current solve; memory of the tiles as they were laid out
+static Buffers solve_buffers, tile_buffers; // memory of the current solve; memory of the tile layout
 static Task laid_out;
 static int run_words[1024]; // header and runs of the persistent kernel
 static bool stale;          // tiles must be laid out again
@@ -170,7 +170,7 @@ static bool lay_out(const Solve* solve)
 	return well;
 }
 
-// The tiles of the last solve.
+// Reuses the tile layout of the last solve.
 static void take_layout(void)
 {
 	task.tile_rows = laid_out.tile_rows;
@@ -232,7 +232,7 @@ static scree_status solve_emulated(const Solve* solve)
 	              .bound = solve->bound,
 	              .spins = form.spins ? form.spins : NEVER};
 
-	// counters that are written before they are read may hold anything
+	// counters that are written before they are read get arbitrary values
 	Counters* c = pools.counters;
 	if (solve->bound < 0 || ((const int*)c)[solve->bound] > 0)
 		c->nonfinite = c->held = c->first_nonfinite = 5;
@@ -262,7 +262,7 @@ static bool left_out(const Run* run)
 	return run->kernel_id < KERNEL_COUNT && kernel_widths[run->kernel_id] >= WIDTH_ALONE;
 }
 
-// As persistent_run of src/opencl/persistent.c. The header of the list stays from launch to launch.
+// Executes runs like persistent_run of src/opencl/persistent.c. The header of the list lasts from launch to launch.
 static scree_status run_list(const Run* runs, int count)
 {
 	int largest = 1;
@@ -283,7 +283,7 @@ static scree_status run_list(const Run* runs, int count)
 	return SCREE_OK;
 }
 
-// Items of a stage of which each takes a group.
+// Executes a stage with one item per group.
 static scree_status run_groups(const Run* run)
 {
 	task = (Task){.pools = &pools, .run = *run};

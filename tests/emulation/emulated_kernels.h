@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// emulated_kernels.h -- the persistent kernel and those of the relay and of the tiles as functions that run all their work-items (work_items.h).
+// emulated_kernels.h -- the persistent kernel and the kernels of relay and tiles, as functions that run all their
+// work-items (work_items.h).
 #ifndef EMULATED_KERNELS_H
 #define EMULATED_KERNELS_H
 #include "emulation/work_items.h"
@@ -17,7 +18,7 @@ typedef struct // arguments of all kernels that work on pools; each kernel uses 
 	// persistent
 	int *list, *probes;
 	int runs;
-	Run run;    // the one that group_stage does
+	Run run;    // run of group_stage
 	int pushed; // fields have changed forces since the last solve
 } Task;
 
@@ -56,11 +57,11 @@ typedef enum
 	EMULATED_COUNT
 } EmulatedKernel;
 
-// Runs a kernel in a number of groups; group is the number of work-items of each.
+// Runs a kernel in a number of groups; group is the number of work-items per group.
 bool emulated_run(EmulatedKernel kernel, const Task* task, int groups, int group, const Schedule* schedule,
                   char sentence[ITEMS_SENTENCE]);
 
-// Runs relay_probe and returns what it says: 0, FAULT_TIMEOUT or FAULT_STALE; -1 when it came to no end.
+// Runs relay_probe and returns its fault: 0, FAULT_TIMEOUT or FAULT_STALE; -1 if it did not end.
 int probe_run(int groups, int group, int rounds, int spins, const Schedule* schedule);
 
 // sizes of opencl/group_sizes.h that the host uses

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// emulated_words.h -- the words of OpenCL C in kernels that C17 lacks, made of work_items.h. Include it before the kernels.
+// emulated_words.h -- words of OpenCL C that C17 lacks, defined by calls of work_items.h. Include it before the
+// kernels.
 //
-// The stages are those of stage_items.h, with groups of more than one work-item.
+// Stages are those of stage_items.h, with groups of more than one work-item.
 #ifndef EMULATION_EMULATED_WORDS_H
 #define EMULATION_EMULATED_WORDS_H
 #include "emulation/work_items.h"
@@ -9,7 +10,7 @@
 
 #include "support/stage_items.h"
 
-// as a device adds to the list
+// adds to the list as a device does
 #undef LIST_KERNEL
 #define LIST_KERNEL(name, list, length)                           \
 	INLINE int name##_listed(const Pools* p, int i);              \
@@ -20,11 +21,11 @@
 	}                                                             \
 	INLINE int name##_listed(const Pools* p, int i)
 
-// small enough for a small world to have several tiles; a group must have more work-items than there are colors
+// small enough for several tiles in a small world; a group needs more work-items than there are colors
 #define TILE_BODIES 16
 #define TILE_GROUP  80
 
-// and for a small sort to take several groups and passes
+// small enough for several groups and passes in a small sort
 #define PRIMITIVE_GROUP 32
 #define SORT_DIGIT_BITS 5
 #define SORT_GRAIN      64
@@ -34,12 +35,12 @@
 #if !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wold-style-declaration" // volatile static
 #endif
-// PAUSE and FETCH_AHEAD are nothing
+// PAUSE and FETCH_AHEAD are empty
 #pragma GCC diagnostic ignored "-Wempty-body"
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #pragma GCC diagnostic ignored "-Wunused-variable"
 
-// Memory of a group is one for all work-items: work_items.c puts that of the group whose turn it is into this section.
+// Memory of a group is shared by its work-items: work_items.c copies that of the group with the turn into this section.
 #define __local static __attribute__((section("group_memory")))
 #define __global
 #define __kernel                      static __attribute__((unused))
@@ -90,7 +91,7 @@ typedef Words ulong2;
 #define MAILBOX_READ(row)                 items_look(row)
 #define MAILBOX_WRITE(row, first, second) items_put(row, (Words){(first), (second)})
 
-// the pools come as one struct; POOL_NAMES is made of src/pools/pools.def by tests/CMakeLists.txt
+// pools are passed as one struct; tests/CMakeLists.txt makes POOL_NAMES of src/pools/pools.def
 #define POOL_ARGUMENTS const Pools *given,
 #include "emulation/pool_names.h"
 

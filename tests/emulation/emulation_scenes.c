@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// emulation_scenes.c -- small worlds, and a form of the solve against the stages of the CPU.
+// emulation_scenes.c -- small worlds, and comparisons of the forms of a solve with the stages of the CPU.
 #include "emulation/emulation_scenes.h"
 #include "emulation/emulated_kernels.h"
 #include "support/different_pools.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// one body on the floor, and one that nothing touches
+// Makes a body on the floor, and one that touches nothing.
 static void build_one(scree_world* world)
 {
 	add_floor(world);
@@ -24,7 +24,7 @@ static void build_three(scree_world* world)
 		add_crate(world, SCREE_BODY_DYNAMIC, 0.1f * (float)k, 0.6f + 1.05f * (float)k);
 }
 
-// a field that passes over a row of columns at rest
+// Makes a field that passes over columns of boxes at rest.
 static void build_field(scree_world* world)
 {
 	add_floor(world);
@@ -51,7 +51,7 @@ static void build_pyramid(scree_world* world)
 			         0.55f + 1.02f * (float)row, 0.0f);
 }
 
-// Bodies that touch few others: most of them are in the middle of a tile.
+// Makes towers of bodies that touch few others, so that most of them are inside a tile.
 static void build_towers(scree_world* world)
 {
 	add_floor(world);
@@ -61,11 +61,11 @@ static void build_towers(scree_world* world)
 			add_body(world, SCREE_BODY_DYNAMIC, attribute, 6.0f * (float)k, 0.5f + 1.01f * (float)row, 0.0f);
 }
 
-// Everything that a constraint may have: round and flat, bouncing, rubbing, rolling and driving; locks, damping, bodies that
-// push whatever comes.
+// Makes constraints with all properties: round and flat shapes, restitution, friction, rolling resistance and tangent
+// speed; locks, damping and negative gravity; a kinematic body that pushes all others.
 static void build_heap(scree_world* world)
 {
-	// with 7, guard_passes_only of a CPU clears a body that other devices enlist, and Counters.guarded differs
+	// with seed 7, guard_passes_only on a CPU clears a body that other devices list, and Counters.guarded differs
 	uint64_t seed = 1;
 	scree_attribute_def defs[4] = {surface_of(box_shape(0.5f, 0.3f)), surface_of(circle_shape(0.4f)),
 	                               surface_of(box_shape(0.3f, 0.3f)), surface_of(box_shape(0.6f, 0.2f))};
@@ -130,15 +130,15 @@ static void build_hub(scree_world* world)
 	add_box(world, SCREE_BODY_DYNAMIC, 3.0f, 0.2f, 0.0f, 0.9f);
 }
 
-// A hub, and no constraint that is not one of its.
+// Makes a hub whose spokes are the only constraints.
 static void build_raft(scree_world* world)
 {
 	add_floor(world);
 	add_plate(world, 40, 0.0f, 0.2f);
 }
 
-// Five plates side by side on a plank. The first and the last made have one turn, so that the plank is split between them; and
-// they touch, so that one is a light end of the other.
+// Makes five plates, which are hubs, side by side on a plank. The first and the last plate have the same hub color, so
+// the plank is split between them. They also touch, so one is a light end of the other.
 static void build_hubs(scree_world* world)
 {
 	static const float places[5] = {-2.0f, 0.0f, 1.0f, 2.0f, -1.0f};
@@ -150,7 +150,7 @@ static void build_hubs(scree_world* world)
 		add_crate(world, SCREE_BODY_DYNAMIC, 36.0f + 1.1f * (float)k, 1.1f);
 }
 
-// A joint of a type between two bodies, or a body and the world, at a point of the world.
+// Returns a joint between two bodies, or a body and the world, at a point in world coordinates.
 static scree_joint_def pin(scree_world* world, scree_joint_type type, scree_body a, scree_body b, float x, float y)
 {
 	scree_joint_def def = scree_joint_def_make(type);
@@ -160,8 +160,8 @@ static scree_joint_def pin(scree_world* world, scree_joint_type type, scree_body
 	return def;
 }
 
-// Rows of bodies joined by each type, with all kinds of drives, which fall on the floor and on each other; and a wheel of
-// nearly as many joints as there are colors.
+// Makes rows of bodies joined by each type of joint, with all kinds of drives, which fall on the floor and on each
+// other; and a wheel with nearly as many joints as there are colors.
 static void build_joints(scree_world* world)
 {
 	static const scree_joint_type types[6] = {SCREE_JOINT_REVOLUTE, SCREE_JOINT_WELD,      SCREE_JOINT_DISTANCE,
@@ -203,7 +203,7 @@ static void build_joints(scree_world* world)
 	}
 }
 
-// Joints go and come, change, and their bodies are destroyed and disabled.
+// Creates, changes and destroys joints; destroys, disables and enables their bodies.
 static void act_joints(scree_world* world, int step)
 {
 	scree_joint joints[80];
@@ -225,7 +225,8 @@ static void act_joints(scree_world* world, int step)
 		OK(scree_body_destroy(world, bodies[6]));
 }
 
-// Wagons of all drives on a ring that lies in a body, and on an open path in the world; they hit each other.
+// Makes wagons with all kinds of drives on a closed path in a body and on an open path in the world; they hit each
+// other.
 static void build_paths(scree_world* world)
 {
 	add_floor(world);
@@ -267,8 +268,8 @@ static void build_paths(scree_world* world)
 	}
 }
 
-// A plate with balls, which is a hub, hangs by joints; a wheel has more contacts and joints than there are colors for contacts
-// alone, so that its contacts are spokes.
+// Makes a plate with balls, which is a hub and hangs on joints, and a wheel. The wheel has more contacts and joints
+// than there are colors for contacts alone, so its contacts are spokes.
 static void build_joint_hubs(scree_world* world)
 {
 	add_floor(world);
@@ -324,7 +325,7 @@ static const Counters* counted(const scree_world* world)
 	return world->backend->f->address(world->backend, POOL_counters);
 }
 
-// Compares the counters of a solve that are in no hash.
+// Compares the counters of a solve that no hash includes.
 static bool same_counts(const scree_world* one, const scree_world* other)
 {
 	const Counters *a = counted(one), *b = counted(other);
@@ -362,12 +363,12 @@ void check_form(const FormScene* scene, const Form* form)
 	form_close();
 }
 
-// Maximum number of looks at a mailbox while a work-item waits. Every 1,024 looks a waiting work-item checks whether another one has
-// given up, and then ends too, long before its own limit.
+// BOUND is the maximum number of looks at a mailbox by a waiting work-item. Every 1,024 looks it checks whether another
+// work-item has reached that limit. Then it ends too, within LEARN looks.
 #define BOUND 6000
 #define LEARN 4000
 
-// Some steps by the CPU, and one by a form.
+// Takes 15 steps on the CPU and one step by a form.
 static scree_world* step_once(const char* name, Form form, scree_status* status)
 {
 	scree_world* world = open_world(-10.0f);

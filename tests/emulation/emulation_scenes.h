@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// emulation_scenes.h -- small worlds that have in them what a solve must treat.
+// emulation_scenes.h -- small worlds that contain all cases of a solve.
 #ifndef EMULATION_SCENES_H
 #define EMULATION_SCENES_H
 #include "emulation/emulated_forms.h"
@@ -18,21 +18,22 @@ extern const FormScene form_scenes[];
 extern const int form_scene_count;
 const FormScene* form_scene(const char* name);
 
-// Steps two worlds of a scene, of which one is solved by a form. Fails at the first step after which the hashes differ, and
-// says by which seed.
+// Steps two worlds of a scene, one of them with solves by a form. Fails at the first step after which the hashes
+// differ, and prints the seed.
 void check_form(const FormScene* scene, const Form* form);
 
-// Solves a scene by a form whose turns stop somewhere. Fails unless all work-items end, and the device says so.
+// Solves a scene by a form in which a work-item stops. Fails unless all work-items end and the device reports a
+// timeout.
 void check_fault(const char* scene, Form form);
 
-// The same with one word that is lost, for some words of a launch and for each of its last ones.
+// Calls check_fault with one lost word, for some words of a launch and for each of its last words.
 void check_lost(const char* scene, Form form);
 
-// Returns the number of seeds with which a form is tried on a scene: SCREE_SEEDS of the environment, else few; in quick builds one
-// on every third scene.
+// Returns the number of seeds to try for a form on a scene: SCREE_SEEDS of the environment, else 2; in quick builds one
+// seed on every third scene.
 int form_seeds(int form, int scene);
 
-// Exit status of a test that cannot emulate here and says why, else 0.
+// Returns 77 and prints the reason if work-items cannot be emulated here, else returns 0.
 int check_refused(void);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// work_items.c -- fibers that take turns, barriers among them, and words on their way.
+// work_items.c -- fibers that take turns, their barriers, and words that arrive late.
 #include "emulation/work_items.h"
 #include "tools/common/random_numbers.h"
 #include <stdio.h>
@@ -29,8 +29,8 @@
 #endif
 
 #define MOST_GROUPS   512
-#define MOST_SWITCHES ((int64_t)1 << 24) // most switches of a launch: some seconds, and far more than any needs
-#define MOST_LATE     12                 // pieces on their way at a time
+#define MOST_SWITCHES ((int64_t)1 << 24) // maximum of a launch: some seconds, and far more than any launch needs
+#define MOST_LATE     12                 // maximum number of pieces that have not arrived
 
 typedef struct
 {
@@ -38,15 +38,15 @@ typedef struct
 	char* stack;
 	void* shadow; // fake stack of the address sanitizer
 	int group, lane;
-	int at; // among the ready ones of its group
+	int at; // position in Group.ready; -1 after the end of the work-item
 	int looks;
 } Item;
 
 typedef struct
 {
-	Item** ready; // that may go on
+	Item** ready; // work-items that can continue
 	int ready_count, ended;
-	int met; // that wait at a barrier, which is there:
+	int met; // number of work-items at the barrier in this file and line:
 	const char* file;
 	int line;
 	unsigned char* memory; // its __local memory while another group has the turn
@@ -58,7 +58,7 @@ typedef struct // part of two words that has not arrived yet
 	unsigned char bytes[16];
 } Piece;
 
-// all __local memory of all kernels: what the group whose turn it is has there
+// __local memory of all kernels, with the contents of the group that has the turn
 extern unsigned char __start_group_memory[], __stop_group_memory[];
 
 static ucontext_t home;
@@ -67,14 +67,14 @@ static void* home_shadow;
 static const void* home_bottom;
 static size_t home_bytes;
 #endif
-static Item** items; // as many as the largest launch had
+static Item** items; // as many as in the largest launch
 static int item_count;
 static Group groups[MOST_GROUPS];
 static Launch launch;
 static Schedule schedule;
 static Item* now; // work-item that has the turn
 static uint64_t state;
-static unsigned patience; // mean number of places that a work-item passes before it gives its turn away
+static unsigned patience; // mean number of possible switches that a work-item passes before it gives up its turn
 static int64_t switches_left, put_count;
 static Piece pieces[MOST_LATE];
 static int piece_count;
@@ -90,7 +90,8 @@ static int random_of(int count) { return (int)(((uint64_t)next_random() * (uint6
 
 static size_t memory_bytes(void) { return (size_t)(__stop_group_memory - __start_group_memory); }
 
-// A group of which some work-item may go on; -1 for none. Mostly the same one again, for its memory stays where it is.
+// Returns a group in which a work-item can continue; -1 if there is none. It is mostly the last group again, because no
+// memory is copied then.
 static int choose_group(int last)
 {
 	if (last + 1 != schedule.shunned && groups[last].ready_count > 0 && next_random() % 16 != 0)
@@ -104,7 +105,8 @@ static int choose_group(int last)
 	return schedule.shunned > 0 && groups[schedule.shunned - 1].ready_count > 0 ? schedule.shunned - 1 : -1;
 }
 
-// Leaves the fiber at work for another, or for home where it is null. ends: never to come back.
+// Switches from the current fiber to another, or to home if it is null. If ends is true, the current fiber never
+// continues.
 static void go(Item* to, bool ends)
 {
 	Item* from = now;
@@ -152,7 +154,7 @@ static void wait_for_others(Item* item)
 	g->ready[item->at]->at = item->at;
 }
 
-// When all have come to the barrier they go on.
+// Lets the work-items of a group continue when all of them have reached the barrier.
 static void release(int group)
 {
 	Group* g = groups + group;
@@ -210,7 +212,7 @@ int items_group_size(void) { return launch.group; }
 // words
 // ---------------------------------------------------------------------------------------------------------------
 
-// A piece arrives: the oldest of its place.
+// Stores a piece that has arrived: the oldest piece of the same place.
 static void piece_arrives(int k)
 {
 	for (int older = 0; older < k; ++older)

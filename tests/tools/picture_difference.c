@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// picture_difference.c -- difference ONE.png OTHER.png: how far two pictures of one size are apart, 0 to 255 a channel.
+// picture_difference.c -- difference ONE.png OTHER.png: prints the difference of two pictures of equal size, 0 to 255
+// per channel.
 //
-// Prints the mean over all channels, and the share of pixels with a channel that is off by more than 32.
+// Output: the mean over all channels, and the share of pixels with a channel that differs by more than 32.
 #include <cairo.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// api.mjs -- api.mjs FORM: the package by what programs rely on: errors, objects, views that outlive growth, every method, many worlds.
+// api.mjs -- api.mjs FORM: checks the package: errors, objects, views after memory growth, every method, many worlds.
 import assert from "node:assert/strict";
 import {Body, BodyType, FieldType, JointType, load, Report, Scree, ScreeError, Status, World} from "scree";
 
@@ -9,7 +9,7 @@ const box = (world, half = 0.5) => world.createAttribute({shape: scree.shapeMake
 const fails = (run, status, sentence) => assert.throws(run, (error) =>
 	error instanceof ScreeError && error.status === status && sentence.test(error.message));
 
-// errors are the sentences of scree_error; unknown members of objects are refused by name
+// errors have the sentences of scree_error; unknown members of objects are refused by name
 const world = scree.createWorld({gravity: {x: 0, y: -10}});
 fails(() => world.step(-1, 4), Status.ERROR_INVALID, /^scree_world_step: dt is -1, must be 0 or from 1e-09 to 1$/);
 fails(() => world.setGravity({x: 0, y: -Infinity}), Status.ERROR_INVALID, /gravity\.y is -inf, must be finite/);
@@ -21,7 +21,7 @@ assert.throws(() => world.createBody({disabled: 1}), /argument 1\.disabled is 1,
 assert.throws(() => world.step(1 / 60, 4, 1), /step has 2 arguments, not 3/);
 assert.throws(() => world.bodies.applyForces([], [{x: 1}]), /has 1 items, but the array before it has 0/);
 
-// definitions are merged into the defaults; handles are the same objects everywhere
+// definitions are merged into the defaults; a handle is always the same object
 const ground = world.createBody({type: BodyType.STATIC, pose: {position: {y: -0.5}}, attribute: world.createAttribute({shape: scree.shapeMakeBox(20, 0.5)})});
 const [a, b] = world.bodies.create([0, 3].map((x) => ({pose: {position: {x, y: 0.5}, rotation: 0}, attribute: box(world), reports: Report.TOUCHES, user: 7n})));
 assert.deepEqual(world.getBodies(), [ground, a, b]);
@@ -55,7 +55,7 @@ const other = scree.createWorld();
 assert.throws(() => other.bodies.destroy([b]), /must be a body of the same world/);
 other.destroy();
 
-// every method has been made of the header, and answers with a result or with a sentence
+// every method is made from the header, and returns a result or throws a sentence
 let methods = 0;
 for (const target of [scree, world, ...["bodies", "joints", "collidables", "movers"].map((name) => world[name]), b, joint, field, path, b.getCollidables()[0], box(world)])
 	for (let type = Object.getPrototypeOf(target); type !== Object.prototype; type = Object.getPrototypeOf(type))
@@ -70,7 +70,7 @@ for (const target of [scree, world, ...["bodies", "joints", "collidables", "move
 		}
 assert.ok(methods > 190, `${methods} methods`);
 
-// 10,000 bodies need more memory: an old view is empty then, a new one has the poses
+// 10,000 bodies need more memory: then an old view is empty, and a new view has the poses
 const few = scree.createWorld(), one = few.createBody({pose: {position: {x: 1, y: 2}}, attribute: box(few)});
 const before = few.poses([one]);
 assert.deepEqual([...before], [1, 2, 1, 0]);
@@ -88,7 +88,7 @@ fails(() => big.step(1 / 60, 4), Status.ERROR_STALE, /destroyed/);
 few.destroy();
 world.destroy();
 
-// worlds that are destroyed, and worlds that are forgotten, leave nothing behind
+// destroyed worlds and garbage-collected worlds leave no memory behind
 const used = scree.memory();
 for (let k = 0; k < 200; ++k) {
 	const w = scree.createWorld();

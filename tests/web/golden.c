@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// golden.c -- golden LANES THREADS PART: prints the hash of every scene after its steps, or a part of them, as in tests/golden.txt.
+// golden.c -- golden LANES THREADS PART: prints the hash of each scene after its steps divided by PART, as in
+// tests/golden.txt.
 //
 // It needs no test framework, so that it can be built for WebAssembly.
 #include "../support/small_sizes.h"
