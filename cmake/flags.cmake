@@ -58,7 +58,7 @@ endif()
 # two points of a contact stay in registers; loops unrolled in part would be larger and no faster.
 if(EMSCRIPTEN)
 	set(CMAKE_C_FLAGS_RELEASE "-Oz -DNDEBUG")
-	file(GLOB hot src/cpu/*.c)
+	set(hot src/cpu/lanes1.c src/cpu/lanes4.c src/cpu/primitives.c src/cpu/work.c)
 	# -O2 after -Oz does not undo its -fno-inline-functions in emcc; without inlining a step takes up to 2.4 times as long
 	set(hot_options -O2 -finline-functions -funroll-loops -mllvm -unroll-runtime=0 -mllvm -unroll-allow-partial=0
 		-fno-vectorize -fno-slp-vectorize)

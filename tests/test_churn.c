@@ -218,7 +218,7 @@ static void default_limit(void** state)
 		add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.25f, 3.0f, 4.0f);
 	assert_int_equal(scree_world_step(world, STEP, 1), SCREE_ERROR_CONTACT_LIMIT);
 	assert_non_null(strstr(scree_error(), "more than contact_limit, 2000000, allows; most crowded is (3.00, 4.00), "
-	                                      "where the boxes of 2001 collidables overlap"));
+	                                      "where 2001 boxes overlap"));
 	scree_world_destroy(world);
 }
 

@@ -243,9 +243,7 @@ static void wrong_arguments_are_refused(void** state)
 	scree_field_def def = scree_field_def_default(SCREE_FIELD_BUOYANCY);
 	def.shape = circle_shape(1.0f);
 	assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_INVALID);
-	assert_string_equal(scree_error(),
-	                    "scree_field_create: def.shape is not a polygon without rounding: a fluid has no "
-	                    "other region, or none");
+	assert_string_equal(scree_error(), "scree_field_create: def.shape must be a polygon without rounding, or none");
 	def = scree_field_def_default((scree_field_type)6);
 	assert_int_equal(scree_field_create(world, &def, NULL), SCREE_ERROR_INVALID);
 	assert_string_equal(scree_error(), "scree_field_create: def.type is 6, not a scree_field_type");

@@ -99,8 +99,8 @@ scree_status contact_limit_fail(Pipeline* pipeline, const Step* step)
 	{
 		scree_vec place;
 		int over = fullest_place(boxes, count, keys, &place);
-		snprintf(where, sizeof where, "; most crowded is (%.2f, %.2f), where the boxes of %d collidables overlap",
-		         (double)place.x, (double)place.y, over);
+		snprintf(where, sizeof where, "; most crowded is (%.2f, %.2f), where %d boxes overlap", (double)place.x,
+		         (double)place.y, over);
 	}
 	scree_release(boxes);
 	scree_release(keys);

@@ -78,8 +78,8 @@ static scree_status check_sizes(const char* function, const scree_events* events
 	    events->hit_size > MOST_SIZE ||
 	    (events->size >= LEAST_WITH_VISITS && (events->visit_size > MOST_SIZE || events->joint_size > MOST_SIZE)))
 		return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "events", ALONE}, ".size",
-		              "is %u, and those of contacts and hits %u and %u: they were not set by %s", events->size,
-		              events->contact_size, events->hit_size, function);
+		              "is %u, contact_size %u, hit_size %u: %s did not set them", events->size, events->contact_size,
+		              events->hit_size, function);
 	return SCREE_OK;
 }
 

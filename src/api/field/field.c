@@ -35,8 +35,7 @@ static scree_status check_region(ArgumentPlace at, scree_field_def* def)
 		TRY(shape_finish((ArgumentPlace){at.function, argument, ALONE}, &def->shape));
 	if (def->type == SCREE_FIELD_BUOYANCY && def->shape.count != 0 &&
 	    (def->shape.kind != SCREE_SHAPE_POLYGON || def->shape.radius > 0.0f))
-		return refuse(SCREE_ERROR_INVALID, at, ".shape",
-		              "is not a polygon without rounding: a fluid has no other region, or none");
+		return refuse(SCREE_ERROR_INVALID, at, ".shape", "must be a polygon without rounding, or none");
 	return SCREE_OK;
 }
 

@@ -41,8 +41,7 @@ static scree_status check_points(ArgumentPlace at, const scree_path_def* def)
 	scree_vec first = def->points[0], last = def->points[def->count - 1];
 	float x = last.x - first.x, y = last.y - first.y, apart = sqrtf(x * x + y * y);
 	if (def->closed && !(apart >= LEAST_APART))
-		return refuse(SCREE_ERROR_INVALID, at, member,
-		              "is %s m from the first one, must be at least %s: a closed path goes back to it by itself",
+		return refuse(SCREE_ERROR_INVALID, at, member, "is %s m from the first one, must be at least %s if closed",
 		              decimal(apart).text, decimal(LEAST_APART).text);
 	return SCREE_OK;
 }

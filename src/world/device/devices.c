@@ -6,7 +6,7 @@
 
 #ifdef SCREE_NO_OPENCL
 static const char* const without_opencl =
-    "Scree was built without OpenCL: install its headers (Debian, Ubuntu: opencl-c-headers) and build again.";
+    "This build has no OpenCL, because opencl-c-headers (Debian, Ubuntu) was missing.";
 int opencl_devices(scree_device* devices, int capacity)
 {
 	(void)devices;
