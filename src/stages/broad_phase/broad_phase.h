@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// broad_phase.h -- finds the set of new pairs: moved boxes against the trees.
+// broad_phase.h -- finds the new pairs: tests the boxes that moved against the trees.
 //
 // A contact exists exactly as long as the enlarged boxes of its collidables overlap. So a pair is new if its boxes
 // overlap now and did not overlap before this step's transform; no table of known pairs is needed. If both collidables
-// moved, the traversal of the lower index finds the pair.
+// moved, the traversal of the collidable with the lower index finds the pair.
 //
-// Traversals visit leaves in rising order, so one can stop at any leaf and continue elsewhere.
+// Traversals visit leaves in rising order, so a traversal can stop at any leaf, and another work-item can continue it.
 #ifndef BROAD_PHASE_H
 #define BROAD_PHASE_H
 #include "stages/rules/apart.h"
 #include "stages/tree/tree.h"
 #include "stages/tree/tree_packet.h"
 
-// Clears the bits of the leaves, from first on, that overlapped collidable i before: most did. With FETCHES the caller
-// tests them; without, the eight old boxes are loaded together to hide the latency of memory.
+// leaves: mask of eight leaves, of which bit 0 is the leaf at place first. Returns the mask without the leaves whose
+// old boxes overlap the old box of collidable i: these pairs are known, as most are. With FETCHES the mask stays the
+// same, because broad_phase_leaf tests the old boxes. Without FETCHES the eight boxes are loaded together, to hide the
+// latency of memory.
 INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 {
 	int leaf[ARITY];
@@ -45,8 +47,9 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 	return place < p->step.contact_limit;
 }
 
-// Visits the leaves of tree t, from (included) to end (excluded, 0 for all), that overlap the box of collidable i.
-// nodes: limit of visited nodes over leaves. Returns the leaf at which it must continue, 0 if it is complete.
+// Visits the leaves of tree t, from (included) to end (excluded; 0: all leaves), that overlap the box of collidable i.
+// nodes: maximum number of visited nodes of level 1. Returns the leaf at which the search must continue, 0 if the
+// search is complete.
 INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end, int nodes)
 {
 	const GLOBAL Tree* tree = p->tree + t;
@@ -69,7 +72,7 @@ INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end,
 	}
 }
 
-// Starts the search; runs again after a buffer grew.
+// Clears the counters before a search for pairs. The search is repeated after a buffer has grown.
 KERNEL(broad_phase_begin)
 {
 	p->counters->pairs = 0;
@@ -80,13 +83,15 @@ KERNEL(broad_phase_begin)
 	(void)i;
 }
 
-// Returns the number of trees to traverse: static collidables have no pairs in the static tree, sensors have no pairs.
+// Returns the number of trees that a collidable of a kind must traverse. Sensors have no pairs; static and kinematic
+// collidables have no pairs in the static tree.
 INLINE int broad_phase_trees(int kind)
 {
 	return kind & KIND_SENSOR ? 0 : kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1;
 }
 
-// Traverses tree t for one collidable, up to a limit of nodes; lists the rest of a large box for other work-items.
+// Traverses tree t for collidable k, up to a limit of nodes. If nodes are left, lists the rest of the traversal, which
+// other work-items complete.
 INLINE void broad_phase_alone(const Pools* p, int k, int t)
 {
 	int next = broad_phase_traverse(p, k, t, 0, 0, p->step.traversal_nodes);
@@ -96,8 +101,9 @@ INLINE void broad_phase_alone(const Pools* p, int k, int t)
 	raise_int(&p->counters->rest, 0x7fffffff);
 }
 
-// Processes the leaves of tree t that overlap the boxes of a packet, except those of the traversals in alone.
-// kinematic, alone: a bit per traversal. Returns 0 if the search must stop.
+// Processes the leaves of tree t that overlap the boxes of a packet, except for traversals in the mask alone.
+// kinematic, alone: masks with one bit per traversal. Returns 0 if the search must stop, because the limit of contacts
+// is reached.
 INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* collidables, const Float4* boxes,
                               Word kinematic, Word alone, const PacketFront* front)
 {
@@ -129,7 +135,7 @@ INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int
 	return 1;
 }
 
-// Runs the traversals of collidables i and up of the updated list, as one packet, through tree t.
+// Traverses tree t with one packet: up to PACKET_TRAVERSALS collidables of the updated list, beginning at entry i.
 INLINE void broad_phase_packet(const Pools* p, int i, int t)
 {
 	const GLOBAL Tree* tree = p->tree + t;
@@ -163,7 +169,8 @@ INLINE void broad_phase_packet(const Pools* p, int i, int t)
 			broad_phase_alone(p, collidables[k], t);
 }
 
-// Item: an updated collidable. On a CPU, the first item of each PACKET_TRAVERSALS, which divides chunks, runs a packet.
+// Item: an updated collidable. On a CPU the first of every PACKET_TRAVERSALS items traverses the trees for all of them,
+// as a packet. A worker's chunk is a multiple of PACKET_TRAVERSALS items.
 KERNEL(broad_phase)
 {
 	if (FETCHES)
@@ -177,8 +184,8 @@ KERNEL(broad_phase)
 		broad_phase_alone(p, k, t);
 }
 
-// Item: a work-item for the rests of long traversals. Each traversal is split by its leaves into equal parts, one per
-// work-item that is available to it. If there are more traversals than work-items, an item takes several.
+// Item: a work-item that helps to complete long traversals. The remaining leaves of a traversal are split into equal
+// parts, one for each of its work-items. If there are more traversals than work-items, each work-item takes several.
 KERNEL(broad_phase_rest)
 {
 	int traversals = p->counters->traversals,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // contact_slots.h -- puts new pairs into slots of the contact pool, by their keys, lowest free slots first.
 //
-// Slots order contacts (priorities of colors, readback), so they must not depend on the device.
+// The slots of contacts determine their priorities in coloring and their order in a readback, so slots must not depend
+// on the device.
 #ifndef CONTACT_SLOTS_H
 #define CONTACT_SLOTS_H
 #include "constraints/contact_one.h"
@@ -10,7 +11,8 @@
 #include "stages/edit/pool_item.h"
 #include "stages/rules/apart.h"
 
-// Checks the limit of contacts of the world, equal on all devices, and the capacity for new pairs, which is not.
+// Checks the number of contacts against the contact limit of the world, which is equal on all devices, and the
+// number of new pairs against the capacity for pairs, which may differ.
 KERNEL(contact_admit)
 {
 	GLOBAL Counters* c = p->counters;
@@ -54,8 +56,8 @@ KERNEL(contact_reserve)
 	(void)i;
 }
 
-// Moves contacts in slots from alive on to the free slots below alive, the first one to the lowest slot, so that the
-// first slots hold all contacts. No slot is both a source and a destination.
+// Moves each contact whose slot is not below the number of contacts to a free slot below that number, the first contact
+// to the lowest slot. So the first slots hold all contacts. No slot is both a source and a destination.
 KERNEL(contact_pack)
 {
 	const GLOBAL Counters* c = p->counters;
@@ -77,8 +79,9 @@ KERNEL(contact_pack_end)
 
 INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
 
-// Returns friction, restitution, rolling lever and tangent speed of a pair, in any order. Friction is the geometric
-// mean, so ice stays slippery on anything. The lever uses the larger radius. Speeds of opposed belts add up.
+// Returns friction, restitution, rolling lever and tangent speed of a pair; the order of the two attributes does not
+// matter. Friction is the geometric mean, so ice stays slippery on anything. The lever is computed with the larger
+// radius. The tangent speeds are added.
 INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attribute* sb)
 {
 	float lever =
@@ -115,7 +118,7 @@ KERNEL(contact_create)
 	p->contact_bodies[slot] = bodies;
 	p->contact_flags[slot] = flags;
 	contact_count(p, bodies, flags, 1);
-	if (flags & CONTACT_STATIC) // any one of several; only that of a body with a single static contact is read
+	if (flags & CONTACT_STATIC) // if the body has several static contacts, this value is not read
 		write_shared_word((GLOBAL Word*)p->static_contact + bodies.x, (Word)slot);
 	p->contact_color[slot] = COLOR_NONE;
 	p->contact_feature[slot] = make_int2(-1, -1);
@@ -124,7 +127,7 @@ KERNEL(contact_create)
 	    contact_surface_of(p->attribute + p->collidable_attribute[a], p->attribute + p->collidable_attribute[b]);
 }
 
-// Ends or restarts contact i after joints or excluded pairs changed.
+// Restarts contact i if a change of joints or excluded pairs has joined its bodies, or separated them.
 KERNEL(contact_join)
 {
 	Word flags = p->contact_flags[i];
@@ -139,7 +142,8 @@ KERNEL(contact_join)
 	contact_anew(p, i, flags, joined | (flags & CONTACT_REPORTS));
 }
 
-// Recomputes surface and report bits of contact i, also in laid out rows, after a change of attributes or reports.
+// Recomputes the surface and the report bits of contact i after a change of attributes or reports. If the contact has a
+// place among the constraints, its rows are updated too.
 KERNEL(contact_mix)
 {
 	Int2 pair = p->pair[i];

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// transform.h -- world poses and boxes of collidables; an enlarged box is renewed when the tight box leaves it.
+// transform.h -- computes world poses and boxes of collidables. An enlarged box is replaced when the tight box leaves
+// it.
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
 #include "dialect/vec.h"
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
 
-#define REACH_SHARE 0.125f // fraction of the reach that is compared with GRAIN_SIZE, as the thickness is
+#define REACH_SHARE 0.125f // fraction of the reach; like the thickness, it is compared with half of GRAIN_SIZE
 
 // Clears the counters of the step.
 KERNEL(step_begin)
@@ -112,7 +113,8 @@ INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribut
 	return box_grow(box, attribute->radius + extra);
 }
 
-// Returns a bit per level at which length (half a size, m) times 2^level is below GRAIN_SIZE / 2; first: bit 0.
+// Returns a mask with a bit for each level at which length (half a size, m) times 2^level is below GRAIN_SIZE / 2.
+// first: the bit of level 0.
 INLINE int transform_bits(float length, int first)
 {
 	int bits = 0;
@@ -122,7 +124,7 @@ INLINE int transform_bits(float length, int first)
 }
 
 // Returns the COLLIDABLE_GRAIN and COLLIDABLE_REACH bits of a dynamic collidable. thickness, m: distance of its nearest
-// side from its centroid. A segment, without thickness, gets none: others come to rest on it.
+// side from its centroid. A segment has no thickness and gets no bits, because other collidables come to rest on it.
 INLINE int transform_grains(float thickness, float reach)
 {
 	if (!(thickness < 0.5f * GRAIN_SIZE) || thickness == 0.0f)
@@ -137,7 +139,8 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	int moved = p->collidable_flags[i];
 	if (p->collidable_kind[i] == KIND_DEAD)
 	{
-		// an empty box ends its contacts; a new row that was destroyed at once has an empty box already
+		// an empty box ends the contacts of the collidable; if it was destroyed before its first step, the box is
+		// already empty
 		p->collidable_flags[i] = COLLIDABLE_NEW_BOX;
 		p->box[i] = box_empty();
 		return 0;
@@ -193,7 +196,8 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	return 1;
 }
 
-// Restores the boxes after a step that stopped before it found all contacts, so that the next one finds the same pairs.
+// Restores the boxes after a step that stopped before it found all contacts, so that the next step finds the same
+// pairs.
 KERNEL(transform_undo)
 {
 	if (!(p->collidable_flags[i] & COLLIDABLE_NEW_BOX) || p->collidable_kind[i] == KIND_DEAD)
@@ -202,7 +206,7 @@ KERNEL(transform_undo)
 	p->collidable_flags[i] = 0;
 }
 
-// Writes the current pose of a collidable; world_shape has that at which the last step found contacts.
+// Writes the current pose of a collidable; the pool world_shape has the pose at which the last step found contacts.
 KERNEL(render_row)
 {
 	WorldShape world_shape = {0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 0.0f, -1, -1};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// color.h -- colors of the constraints that began, and the layout of each kind by color.
+// color.h -- colors the constraints that began, and lays out the constraints of each kind by color.
 //
 // This work is based on:
 // Mark T. Jones, Paul E. Plassmann, A Parallel Graph Coloring Heuristic, 1993.
@@ -9,8 +9,8 @@
 // of falling priority, for any number of threads. Colors are kept while contacts touch, so only contacts that begin to
 // touch are colored in a step, usually a few.
 //
-// Contacts with bodies that cannot move take the highest free color: they are solved last, so later contacts do not
-// undo their result. The last colors are for contacts with static bodies: of two immovable bodies that press a third
+// Contacts with bodies that cannot move take the highest free color: they are solved last, so that no other contact
+// undoes their result. The last colors are for contacts with static bodies: of two immovable bodies that press a third
 // one, the static one prevails. The contacts of hubs (spoke.h) take no color and do not take part in the rounds; every
 // other contact finds a free color. So a body with thousands of new contacts costs no rounds.
 #ifndef COLOR_H
@@ -20,8 +20,9 @@
 #include "stages/color/edge.h"
 #include "stages/color/spoke.h"
 
-// Returns the priority of an edge: odd multipliers and xor-shifts are invertible, so no two edges share one, and it has
-// no visible order. In the order of slots, a row of contacts would be colored at one contact per round.
+// Returns the priority of an edge. Odd multipliers and xor-shifts are invertible, so no two edges have the same
+// priority; and the priorities are in no visible order. With priorities in the order of slots, a row of contacts would
+// be colored at one contact per round.
 INLINE Word color_priority(int edge)
 {
 	Word x = (Word)edge + 0x9e3779b9u;
@@ -33,7 +34,8 @@ INLINE Word color_priority(int edge)
 	return x;
 }
 
-// Returns the entry of edge i among those left after a round. Work-items write components of one vector as scalars.
+// Returns the address of entry i in the list of edges that are left after a round. It is the address of a scalar,
+// because another work-item may write the other component of the vector.
 INLINE GLOBAL int* color_left(const Pools* p, int round, int i)
 {
 	return (GLOBAL int*)p->uncolored + 2 * i + (round & 1);
@@ -51,8 +53,9 @@ INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
 	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
 }
 
-// Returns whether a joint gets no color, because it is in a chain or because its bodies have no free color in common.
-// Contacts always have one: they become spokes before. argument, here and in color_claim and color_assign: the round.
+// Returns whether a joint gets no color, because it is in a chain or because its bodies have no free color in common. A
+// contact always finds a color: if a body has too many constraints, its contacts become spokes before. argument, here
+// and in color_claim and color_assign: the round.
 INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 {
 	if (edge_kind(edge) == CONSTRAINT_CONTACT)
@@ -64,9 +67,9 @@ INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 	return (mask_a | mask_b) == (Word64)COLOR_MASK;
 }
 
-// Number of last colors of a body, which other constraints take only if no other color is free. A body that something
-// kinematic presses against something static cannot obey both: the constraint that is solved last prevails. Each
-// of four collidables of a level that meet in a corner gets a color of its own.
+// Number of the last colors, which are for contacts with static bodies; other constraints take them only if no other
+// color is free. A body that is pressed by a kinematic body against a static one cannot obey both: the constraint that
+// is solved last prevails. Eight colors are enough for a body in a corner where four collidables of a level meet.
 #define STATIC_COLORS 8
 
 // Returns whether an edge is a contact with something static, which is the second collidable of a pair.
@@ -79,7 +82,7 @@ KERNEL(color_claim)
 {
 	int edge = color_source(p, i);
 	Int2 bodies = edge_bodies(p, edge);
-	// decided here, where no mask changes
+	// tested here, because this kernel changes no mask
 	if (color_overflows(p, edge, bodies))
 	{
 		edge_set_color(p, edge, COLORS);
@@ -136,7 +139,7 @@ KERNEL(color_assign)
 		write_shared_word64(&p->color_mask[bodies.y], mask_b | bit);
 }
 
-// Restarts the counts after MAX_ROUNDS rounds.
+// After MAX_ROUNDS rounds: moves the count of the last round to the first place, and clears the other counts.
 KERNEL(color_wrap)
 {
 	GLOBAL Counters* c = p->counters;
@@ -158,7 +161,8 @@ KERNEL(color_reset)
 
 // Layout: the constraints of a kind by color.
 
-// Sort key: the color; for a spoke, COLORS plus the body of its hub; all bits set for none. argument: number of bits.
+// The upper half of a sort key is the color; for a spoke it is COLORS plus the body of the hub. Returns the upper half
+// for a constraint that has not begun: all bits set. argument of the kernels below: number of these bits.
 INLINE Word64 color_none(int bits) { return ((Word64)1 << bits) - (Word64)1; }
 
 INLINE int color_of_key(Word64 key, int bits)
@@ -167,8 +171,9 @@ INLINE int color_of_key(Word64 key, int bits)
 	return name == color_none(bits) ? COLORS + 1 : name < (Word64)COLORS ? (int)name : COLORS;
 }
 
-// Selects the kinds to lay out. A layout needs a color for every constraint, and keys with bits for hubs if there are
-// any. argument: index in uncolored of the edges left after the last round, and number of bits of contacts' keys.
+// Selects the kinds to lay out. A layout needs a color for every constraint and, if there are hubs, keys with bits for
+// them. argument: index in uncolored of the number of edges left after the last round, and number of bits in the
+// keys of contacts.
 KERNEL(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
@@ -190,7 +195,8 @@ KERNEL(color_arrange)
 	(void)i;
 }
 
-// Sort order of constraints without a color: contacts by their hub; joints of chains before the others.
+// Number by which constraints with the color COLORS are sorted: contacts by their hub, joints of chains before other
+// joints.
 INLINE int contact_group(const Pools* p, int i) { return hub_owner(p, p->contact_bodies[i]); }
 INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 
@@ -212,7 +218,8 @@ INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 	if (place >= 0)                                                              \
 		kind##_keep(p, i, place);
 
-// Writes the first and last sorted keys of each color and hub. scan is 1 where a hub begins, so that it counts hubs.
+// Writes the first and last sorted keys of each color and hub. Sets scan to 1 at the first spoke of each hub, so that
+// the sums of the scan are numbers of hubs.
 INLINE void color_edge(const Pools* p, int kind, int i)
 {
 	GLOBAL KindLayout* layout = &p->counters->layout[kind];
@@ -245,7 +252,7 @@ INLINE void color_edge(const Pools* p, int kind, int i)
 		keys[1] = i + 1;
 }
 
-// Returns the number of the hub of a spoke; i: its sorted key.
+// Returns the number of the hub of a spoke; i: index of the sorted key of the spoke.
 INLINE int color_hub(const Pools* p, int i)
 {
 	int begins = i == 0 || p->key[i - 1] >> 32 != p->key[i] >> 32;
@@ -273,7 +280,7 @@ INLINE void color_range(const Pools* p, int kind)
 		touching += count;
 		if (spokes && k == COLORS && count > 0)
 		{
-			// places that hub_first reserves
+			// adds the places that hub_first reserves
 			c->hubs = color_hub(p, layout->last[k] - 1) + 1;
 			count += MAX_LANES * (c->hubs + 1);
 		}
@@ -303,7 +310,7 @@ INLINE int contact_place_rest(const Pools* p, int i)
 	int end = i + 1 == layout->last[COLORS] ? layout->begin[COLORS + 1] : hub_first(p, n + 1, i + 1);
 	for (int k = place + 1; i + 1 == keys.y && k < end; ++k)
 	{
-		// padding: a contact of the hub with nothing, at one place, so that it adds nothing to sums
+		// padding: an inert contact between the ground and the hub, which adds nothing to sums
 		contact_pad(p, k);
 		contact_row(p, body_b, k) = hub;
 	}
@@ -318,7 +325,8 @@ INLINE int joint_place_rest(const Pools* p, int i)
 	return begin + (spot >= 0 ? spot : p->step.chain_places + (i - p->counters->overflow_first));
 }
 
-// Makes places of joints without a color inert before joints are laid out there; there may be more places than items.
+// Makes the places of joints without a color inert before joints are laid out there. An item may process several
+// places, because there may be more places than items.
 KERNEL(chain_pad)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];
@@ -327,7 +335,8 @@ KERNEL(chain_pad)
 		joint_pad(p, place);
 }
 
-// Writes the values of a row that stay constant until the next layout.
+// Computes the place of a sorted constraint, and writes the values of its rows that stay constant until the next
+// layout.
 #define COLOR_PLACE(kind, KIND)                                                                                \
 	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu);           \
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                                 \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// edge.h -- edges: a constraint of any kind, as coloring and the relay and tiles forms of the solver use it.
+// edge.h -- functions of edges: an edge is a constraint of any kind, for coloring and for the forms relay and tiles.
 #ifndef EDGE_H
 #define EDGE_H
 #include "constraints/constraint_kinds.h"
@@ -26,7 +26,8 @@ INLINE void edge_mark_dirty(const Pools* p, int kind)
 	raise_int(&p->counters->dirty[kind], 1);
 }
 
-// Returns the value of a contact in the pool belts, for both bodies: relative to either, a belt runs the same way.
+// Returns the value that the tangent speed of a contact adds to the pool belts. It is the same for both bodies, because
+// the belt runs in the same direction relative to either of them.
 INLINE int edge_belt(float speed) { return speed > 0.0f ? 1 : speed < 0.0f ? BELT_BACK : 0; }
 
 INLINE int edge_belt_of(const Pools* p, int kind, int slot)
@@ -42,8 +43,9 @@ INLINE void edge_add_belt(const Pools* p, Int2 bodies, int belt)
 	atomic_add_int(&p->belts[bodies.y], belt);
 }
 
-// Counts a constraint that begins at a body. Requests the search for hubs (spoke.h) if the body may now be one and its
-// contacts partly have colors. Others begin and end at the same time, so the search may find no hub.
+// Counts a constraint that begins, for one of its bodies. If the body may now be a hub, and some of its contacts have
+// colors, requests the search for hubs (spoke.h). Other constraints begin and end at the same time, so the search may
+// find no hub.
 INLINE void edge_count(const Pools* p, int body, int belt)
 {
 	int over_limit = atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS;
@@ -102,7 +104,7 @@ INLINE void edge_set_color(const Pools* p, int edge, int color)
 #undef CONSTRAINT_KIND
 }
 
-// Returns the edge at a place of a kind, -1 for padding.
+// Returns the slot of the constraint at a place of a kind, -1 for padding.
 INLINE int edge_slot_at(const Pools* p, int kind, int place)
 {
 #define CONSTRAINT_KIND(name, Name, NAME) \

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// joint_edges.h -- joints that the user created or changed: rows, begin and end, and the bodies that they keep apart.
+// joint_edges.h -- applies the user's changes of joints, begins and ends their constraints, and lists the pairs of
+// bodies that they keep from touching.
 #ifndef JOINT_EDGES_H
 #define JOINT_EDGES_H
 #include "constraints/joint_one.h"
@@ -33,7 +34,8 @@ INLINE void joint_seek(const Pools* p, int slot)
 	path_count_store(p, slot, p->joint_place[slot], &count);
 }
 
-// Item: a joint that the user created or changed. argument: slots in use before. A joint that broke stays broken.
+// Item: a joint that the user created or changed. argument: number of slots in use before these changes. A joint that
+// broke stays broken.
 KERNEL(joint_apply)
 {
 	JointEdit edit = p->joint_edit[i];
@@ -70,7 +72,7 @@ INLINE void joint_rest(const Pools* p, int i)
 	joint_end(p, i);
 	p->joint_kept[i].turned = turned;
 	coupling_count_store(p, i, -1, &count);
-	// bodies may be anywhere when it begins again
+	// the bodies may be anywhere when the joint begins again
 	path.seeks = maximum(path.seeks, PATH_SEEKS);
 	path_count_store(p, i, -1, &path);
 }
@@ -93,8 +95,8 @@ KERNEL(joint_update)
 	edge_begin(p, edge_of(CONSTRAINT_JOINT, i), p->joint_bodies[i]);
 }
 
-// Item: a joint. Finds the point of its path nearest to anchor b, or measures the bodies of a coupling, for the step.
-// Runs after the layout; a second run gives the same result.
+// Item: a joint. For a joint on a path, finds the point of the path that is nearest to anchor b. For a coupling,
+// measures its bodies. Runs after the layout; a second run gives the same result.
 KERNEL(joint_follow)
 {
 	int place = p->joint_place[i], modes = (int)p->joint_data[i].modes;
@@ -123,7 +125,7 @@ INLINE Word64 joint_pair_of(int a, int b)
 	return (Word64)low << 32 | (Word64)high;
 }
 
-// Writes the key of the pair of joint i, for sorting.
+// Writes the sort key of the two bodies that joint i keeps from touching; NO_PAIR if the joint does not do so.
 KERNEL(joint_pair_key)
 {
 	int flags = p->joint_flags[i], apart = JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN;
@@ -131,7 +133,7 @@ KERNEL(joint_pair_key)
 	    (flags & apart) == JOINT_THERE ? joint_pair_of(p->joint_data[i].body_a, p->joint_data[i].body_b) : NO_PAIR;
 }
 
-// Writes the key of a pair that the user excluded, behind those of the joints. argument: number of joints.
+// Writes the key of pair i that the user excluded, behind the keys of the joints. argument: number of joints.
 KERNEL(excluded_key) { p->key[p->argument + i] = p->excluded[i]; }
 
 KERNEL(excluded_changed)
@@ -140,7 +142,7 @@ KERNEL(excluded_changed)
 	(void)i;
 }
 
-// Item: a sorted key. argument: number of keys, including those that are NO_PAIR.
+// Item: a sorted key. Copies the key, and counts the keys that are not NO_PAIR. argument: number of all keys.
 KERNEL(joint_pair)
 {
 	Word64 key = p->key[i];
@@ -161,8 +163,8 @@ INLINE int joint_parts(const Pools* p, Int2 bodies)
 
 // End of a step: turns of couplings, thresholds.
 
-// Item: a place of joints. Reports and breaks the joint if its force or torque exceeded its threshold. Counts the
-// turns of a coupling with the ratio of this step, because the user may set another one.
+// Item: a place of joints. Reports the joint if its force or torque exceeded its threshold, and breaks the joint if it
+// can break. Counts the turns of a coupling with the ratio of this step, because the user may change the ratio.
 KERNEL(joint_finalize)
 {
 	int slot = p->joint_place_slot[i];
@@ -177,7 +179,8 @@ KERNEL(joint_finalize)
 	}
 	JointEvent event;
 	event.slot = slot;
-	// the largest float is no threshold: nothing exceeds it, or the step would depend on thresholds of other joints
+	// a threshold of the largest float means none, so no value may exceed it: these values are computed only in worlds
+	// with thresholds, and a step must not depend on the thresholds of other joints
 	event.force = finite_or_most(joint_rare(p, peak_force, i) * p->step.inv_h);
 	event.torque = finite_or_most(joint_rare(p, peak_torque, i) * p->step.inv_h);
 	event.broken = (p->joint_flags[slot] & JOINT_CAN_BREAK) != 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// key_bound.h -- binary search in sorted keys.
+// key_bound.h -- finds a key among sorted keys by binary search.
 #ifndef KEY_BOUND_H
 #define KEY_BOUND_H
 #include "dialect/dialect.h"

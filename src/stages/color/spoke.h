@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// spoke.h -- hubs and spokes: tests for hubs, the hub of each spoke, and the places of the spokes of a hub.
+// spoke.h -- finds out whether a body is a hub, and computes the hub of each spoke and the places of a hub's spokes.
 //
 // A body with more than HUB_CONTACTS constraints, including joints, becomes a hub: all of its contacts become spokes as
 // long as they touch, so that a varying number of contacts does not switch the layout back and forth.
 //
 // A body on belts that run against each other becomes a hub too. Its friction is the difference of the loads on the
-// belts. Of two contacts that are solved one after the other, the first takes every change of the load; it is shared
-// only as impulses leak, within 0.2 s. With that delay a body on two belts swings more and more, until it is as fast as
-// the belts. The contacts of a hub share a change at once, as springs do.
+// belts. Of two contacts that are solved one after the other, the first takes every change of the load; the two share
+// this change only as impulses leak, within 0.2 s. With that delay a body on two belts swings more and more, until it
+// is as fast as the belts. The contacts of a hub share a change at once, as springs do.
 #ifndef SPOKE_H
 #define SPOKE_H
 #include "pools/pools.h"
@@ -15,7 +15,8 @@
 // Returns whether a body touches belts that run against each other. belts: its item of the pool belts.
 INLINE int hub_belts(int belts) { return (belts & (BELT_BACK - 1)) != 0 && belts / BELT_BACK != 0; }
 
-// Returns the number of constraints of a body; more than HUB_CONTACTS for a hub.
+// Returns the number of constraints of a body, plus HUB_CONTACTS if it is on belts that run against each other. A body
+// with a result above HUB_CONTACTS is a hub.
 INLINE int hub_load(const Pools* p, int body)
 {
 	return p->touching[body] + (p->step.belts && hub_belts(p->belts[body]) ? HUB_CONTACTS : 0);
@@ -29,8 +30,8 @@ INLINE int hub_crowded(const Pools* p, int body)
 // Returns whether a contact without a color becomes a spoke.
 INLINE int hub_wants(const Pools* p, Int2 bodies) { return hub_crowded(p, bodies.x) || hub_crowded(p, bodies.y); }
 
-// Returns the hub of a spoke: the body with more contacts. If both have many, the lighter one, because heavy bodies on
-// both sides may crush it, and a hub is solved exactly.
+// Returns the hub of a spoke: the body with more contacts. If both bodies have more than HUB_CONTACTS, returns the
+// lighter one, because heavy bodies on both sides may crush it, and a hub is solved exactly.
 INLINE int hub_owner(const Pools* p, Int2 bodies)
 {
 	int a = bodies.x, b = bodies.y, touching_a = hub_load(p, a), touching_b = hub_load(p, b);
@@ -46,10 +47,11 @@ INLINE int hub_owner(const Pools* p, Int2 bodies)
 
 typedef struct
 {
-	int body, first, count; // first place and number of its spokes among the constraints, padding included
+	int body, first, count; // first place and number of the hub's spokes among the constraints, padding included
 } HubSpan;
 
-// Returns the first place of hub n, a block of its own; key: its first sorted key. A spare block per hub avoids sums.
+// Returns the first place of the spokes of hub n, where a block begins. key: index of the sorted key of the first
+// spoke. With a spare block for each hub, the place does not depend on the sizes of the blocks of other hubs.
 INLINE int hub_first(const Pools* p, int n, int key)
 {
 	const GLOBAL Counters* c = p->counters;
@@ -76,7 +78,7 @@ INLINE int spoke_places(const Pools* p)
 	       p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS];
 }
 
-// Returns the number of constraint i among the spokes.
+// Returns the index of constraint i, a contact, among the spokes.
 INLINE int spoke_of(const Pools* p, int i) { return i - p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS]; }
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // touch.h -- events for the user: touches, from the meeting of two surfaces until they part, and hits.
 //
-// A contact has points before its surfaces meet, so that it is in place when they do. Its touch begins in the step in
+// A contact has points before its surfaces meet, so that it acts as soon as they meet. Its touch begins in the step in
 // which the surfaces meet: they push each other or overlap. It ends when the contact loses its points or is destroyed.
-// So a body that rests or rolls does not begin another touch, however its impulses vary.
+// So a body that rests or rolls does not begin another touch, even if its impulses vary.
 #ifndef TOUCH_H
 #define TOUCH_H
 #include "constraints/constraint_kinds.h"
@@ -25,7 +25,8 @@ INLINE void touch_end(const Pools* p, Int2 pair, Word flags)
 		p->touch_ended[atomic_add_int(&p->counters->touches_ended, 1)] = (Word64)pair.x << 32 | (Word64)pair.y;
 }
 
-// Ends contact i and restarts it as if its boxes met for the first time. flags: its old ones; kept: those to keep.
+// Ends contact i and restarts it as if its boxes met for the first time. flags: old flags of the contact; kept: flags
+// that it gets beside CONTACT_FRESH.
 RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 {
 	contact_end(p, i);
@@ -35,7 +36,8 @@ RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 }
 
 // Lists the end of the touch of a contact that the narrow phase is about to release, because its boxes parted. This is
-// a kernel of its own: with these lines the narrow phase was slower by a fifth on an H200, in worlds without events.
+// a separate kernel, because with these lines the narrow phase was slower by a fifth on an H200, in worlds without
+// events.
 KERNEL(touch_part)
 {
 	Word flags = p->contact_flags[i];
@@ -45,7 +47,7 @@ KERNEL(touch_part)
 	p->contact_flags[i] = flags & ~CONTACT_TOUCHED;
 }
 
-// Item: a contact, after the solve. Lists its touch when it begins or ends, and its hit.
+// Item: a contact, after the solve. Lists the begin or the end of its touch, and its hit.
 KERNEL(touch)
 {
 	Word flags = p->contact_flags[i];

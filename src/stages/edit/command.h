@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// command.h -- applies the user's changes since the last step; those of one item in the order of the calls.
+// command.h -- applies the user's commands since the last step. Commands of one item are applied in the order of the
+// calls.
 #ifndef COMMAND_H
 #define COMMAND_H
 #include "constraints/angle.h"
@@ -53,7 +54,7 @@ INLINE void command_mass(const Pools* p, int i, Float4 value)
 	BodyState state = p->body[i];
 	Vec v = vec_add(vec(state.vx, state.vy), vec_spin(state.w, shift));
 	p->local_center[i] = make_float2(value.z, value.w);
-	// keeps coordinates of -0
+	// adding 0 would turn a coordinate of -0 into 0
 	if (shift.x != 0.0f || shift.y != 0.0f)
 		pose_move(p, i, shift, turn);
 	p->body[i].inv_mass = value.x;
@@ -136,7 +137,8 @@ INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 	p->body[i].w = 0.0f;
 }
 
-// Initializes a new body at rest, without mass, forces or locks. pose: that of the center of mass, from the host.
+// Initializes a new body at rest, without mass, forces or locks. pose: pose of the center of mass, computed by the
+// host.
 INLINE void command_body(const Pools* p, int i, Float4 pose, Float2 center)
 {
 	item_clear(p, PER_BODY, i);
@@ -237,7 +239,7 @@ INLINE void command_collidable_change(const Pools* p, Command c)
 	}
 }
 
-// Applies a command. Those that push a body or set its velocity are handled here.
+// Applies a command. Commands that push a body or set its velocity are handled here, other ones by the functions above.
 INLINE void command_change(const Pools* p, Command c)
 {
 	int i = c.index;

@@ -21,7 +21,8 @@ INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h)
 	return h;
 }
 
-// Clears a new item. OpenCL C does not accept {0} for a vector, so the zero is the implicit second member of a struct.
+// Clears a new item. OpenCL C does not accept {0} for a vector, so the zero is the second member of a struct, which is
+// initialized to zero by default.
 INLINE void item_clear(const Pools* p, Per per, int i)
 {
 #define X(type, name, of, role)           \

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// field_area.h -- area and centroid of the part of a shape that is in a fluid.
+// field_area.h -- computes area and centroid of the part of a shape that is in a fluid.
 //
 // The outline of a shape is a sequence of edges and arcs. The axes lie on the surface of the fluid: x along it, y = 0
-// on it. The integrals of x dy, x^2 / 2 dy and x y dy around the immersed part are its area and its first moments. They
-// are 0 along the surface itself, so it is enough to sum over the outline below it, which is exact. A shape that
-// several edges of a region cut is clipped by one edge after the other, with corners in place of its arcs.
+// on it. The integrals of x dy, x^2 / 2 dy and x y dy around the immersed part are its area and its first moments. The
+// integrals along the surface itself are 0, so sums over the outline below the surface are exact. A shape that several
+// edges of a region cut is clipped by one edge after the other, with corners in place of its arcs.
 //
 // This work is based on:
 // George Green, An Essay on the Application of Mathematical Analysis, 1828: areas from integrals along outlines.
@@ -50,7 +50,7 @@ INLINE void field_area_edge(FieldArea* sum, Vec a, Vec b)
 INLINE void field_area_piece(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 {
 	float angle = vec_angle(vec_turn_back(a, b)), rise = b.y - a.y;
-	angle = angle < -1.0f ? angle + 6.28318531f : angle; // half a turn may come out as minus half a turn
+	angle = angle < -1.0f ? angle + 6.28318531f : angle; // half a turn may be computed as minus half a turn
 	float squares = 0.5f * (angle + (b.x * b.y - a.x * a.y));
 	float cubes = rise - (b.y * b.y * b.y - a.y * a.y * a.y) * (1.0f / 3.0f);
 	float mixed = 0.5f * (b.y * b.y - a.y * a.y), mixed2 = (a.x * a.x * a.x - b.x * b.x * b.x) * (1.0f / 3.0f);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// field_forces.h -- forces of fields on bodies, once per step, before the solve.
+// field_forces.h -- computes the forces of fields on bodies, once per step, before the solve.
 //
-// Each body sums the forces on it: first the sums of its collidables, in the order of its list, then the fields that
-// act on bodies, by index. So no two items write to one place, and the order of a sum depends only on the user's calls.
-// The result is added to the user's forces, which integrate applies in each substep and finalize clears.
+// One item sums all forces on a body: first the sums of the body's collidables, in the order of their list, then the
+// forces of fields that act on bodies, by index. So no two items write to one place, and the order of a sum depends
+// only on the user's calls. The result is added to the user's forces, which integrate applies in each substep and
+// finalize clears.
 //
 // This work is based on:
 // Henry Crozier Plummer, On the Problem of Distribution in Globular Star Clusters, 1911: soft centers.
@@ -12,7 +13,7 @@
 #include "stages/edit/command.h"
 #include "stages/field/field_shape.h"
 
-// Computes the pose and the box of each field. argument: number of fields; items beyond it are padding.
+// Computes the pose and the box of each field. argument: number of fields; items beyond this number are padding.
 KERNEL(field_place)
 {
 	Float4 box = box_empty();
@@ -33,7 +34,8 @@ KERNEL(field_place)
 	box_pack(p->field_box, i, box);
 }
 
-// Computes boxes around ARITY boxes each. argument: number of boxes; boxes beyond it are padding.
+// Item: a group of ARITY boxes. Computes the box around them. argument: number of boxes; boxes beyond this number are
+// padding.
 KERNEL(field_gather)
 {
 	Float4 box = box_empty();
@@ -42,8 +44,8 @@ KERNEL(field_gather)
 	box_pack(p->field_group, i, box);
 }
 
-// Returns the acceleration toward a center divided by the distance to it, 1/s^2. way: vector to the center. It is
-// limited so that no step carries a body past the center: a field too strong for the step ejects nothing.
+// Returns the acceleration toward a center divided by the distance to it, 1/s^2. way: vector to the center. The
+// acceleration is limited so that no step carries a body past the center; otherwise a strong field would eject bodies.
 INLINE float field_pull(const Pools* p, const GLOBAL Field* field, Vec way)
 {
 	float r = square_root(vec_dot(way, way) + field->softening * field->softening), share = 1.0f;
@@ -59,7 +61,7 @@ INLINE float field_pull(const Pools* p, const GLOBAL Field* field, Vec way)
 	return within(field->strength * share / r, most);
 }
 
-// Returns whether a field acts on some collidable of a body, or on a body without collidables.
+// Returns whether a field acts on a body: the field acts on everything, or on a dynamic collidable of the body.
 INLINE int field_sees_body(const Pools* p, const GLOBAL Field* field, int body)
 {
 	if (field->all)
@@ -101,7 +103,8 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 	}
 }
 
-// Item: a body. argument: 1 if some fields act on shapes, and the number of fields.
+// Item: a body. Adds the forces of fields to the user's forces. argument: 1 if some fields act on shapes, and the
+// number of fields.
 KERNEL(field_body)
 {
 	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f)

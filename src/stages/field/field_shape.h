@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// field_shape.h -- fields that act on shapes: wind on the outline, buoyancy on the immersed part.
+// field_shape.h -- computes forces of fields on shapes: wind on the outline, buoyancy on the immersed part.
 //
 // This work is based on:
 // Archimedes, On Floating Bodies: the force of a fluid is the weight of the displaced fluid, and acts at its centroid.
@@ -12,7 +12,7 @@
 typedef struct // shape on which fields act
 {
 	const GLOBAL Attribute* shape;
-	Vec at, turn, arm; // position and rotation of its origin in the world; arm from the center of mass to the origin
+	Vec at, turn, arm; // world position and rotation of the shape's origin; arm from the center of mass to the origin
 	Vec v;             // velocity of the center of mass
 	float w;
 } FieldTarget;
@@ -33,7 +33,7 @@ INLINE Vec field_middle(const GLOBAL Attribute* shape)
 }
 
 // Adds drag and lift of each edge that faces the wind, at its middle, in proportion to its width across the wind. A
-// rounded shape is wider by twice its radius; the drag of this width acts at the mean of its corners.
+// rounded shape is wider by twice its radius; the drag of this additional width acts at the mean of its corners.
 INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, FieldForce* sum)
 {
 	const GLOBAL Attribute* shape = t->shape;
@@ -90,7 +90,8 @@ INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 	return sign * edge.offset + most + t->shape->radius;
 }
 
-// Returns the immersed part of a shape. *depth, m: shortest distance by which the whole shape leaves the fluid.
+// Returns the immersed part of a shape. *depth, m: length of the shortest translation that takes the whole shape out of
+// the fluid.
 INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, float* depth)
 {
 	FieldArea none = {0.0f, 0.0f, 0.0f};
@@ -117,9 +118,10 @@ INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* sp
 	return field_area_below(t->shape, t->turn, line);
 }
 
-// N: Returns the limit of the force of a fluid at a point, which would throw a much lighter body out. A step gives the
-// point at most the speed that takes the shape out of the fluid within a step, and at most 2 sqrt(g width), about that
-// of a ball released under water. The body still carries dozens of times its weight.
+// N: Returns the limit of the force of a fluid at a point. Without a limit, the force would throw a much lighter body
+// out of the fluid. In a step the point gains at most the speed that takes the shape out of the fluid within a step,
+// and at most 2 sqrt(g width), about the speed of a ball that is released under water. The body still carries dozens of
+// times its weight.
 INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, float weight, float depth, float width)
 {
 	BodyState state = p->body[body];
@@ -129,7 +131,8 @@ INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, flo
 	return (weight + most) / easy;
 }
 
-// Adds buoyancy at the centroid of the displaced fluid, with drag by its area, and by v^2 as for a disc of that area.
+// Adds buoyancy at the centroid of the immersed part, a drag in proportion to the area of this part, and a drag by v^2,
+// as for a disc of this area.
 INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSample* spot, int body,
                         const FieldTarget* t, FieldForce* sum)
 {
@@ -152,7 +155,7 @@ INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSa
 	    field->linear_drag * part.area + 0.5f * field->density * field->drag * width * square_root(vec_dot(e, e));
 	field_brake(sum, arm, rate, vec_scale(rate, e));
 
-	// drag of rotation about that point, as of a rod that reaches to the farthest corner on both sides
+	// drag of rotation, as of a rod that extends on both sides as far as the farthest corner
 	Vec middle = field_middle(t->shape);
 	float most = 0.0f;
 	for (int k = 0; k < t->shape->count; ++k)

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// field_sum.h -- poses of fields and bodies in a step, and the sum of the forces of fields on a body.
+// field_sum.h -- computes the poses of fields and bodies at which fields act, and sums the forces of fields on a body.
 //
 // Fields act once per step. A substep adds the force to the velocity, then the velocity to the position. So with n
 // substeps of h s a constant force moves a body by n (n + 1) / 2 h^2 times its acceleration in a step. If the force is
-// evaluated at the pose that the body reaches by itself after (n - 1) / 2 h, the step is a drift, a kick and a drift,
-// and motion in a conservative field keeps its energy. With the pose at the start of the step, orbits would grow.
+// evaluated at the pose that the body reaches without the force after (n - 1) / 2 h, the step is a drift, a kick and a
+// drift, and motion in a conservative field keeps its energy. With the pose at the start of the step, orbits would
+// grow.
 //
 // This work is based on:
 // Ernst Hairer, Christian Lubich, Gerhard Wanner, Geometric Numerical Integration, 2006, I.1.4: Stoermer and Verlet.
@@ -18,7 +19,7 @@
 // s: time from the start of a step to the poses at which fields act
 INLINE float field_ahead(const Pools* p) { return 0.5f * (p->step.dt - p->step.h); }
 
-// Returns the predicted pose of a body's center of mass at that time.
+// Returns the pose of a body's center of mass at the time field_ahead, predicted from its velocity.
 INLINE Float4 field_body_pose(const Pools* p, int body)
 {
 	BodyState state = p->body[body];
@@ -28,7 +29,8 @@ INLINE Float4 field_body_pose(const Pools* p, int body)
 	return make_float4(pose.x + ahead * state.vx, pose.y + ahead * state.vy, turn.x, turn.y);
 }
 
-// Transforms a pose from the frame of a body to the world. *arm: vector from the center of mass to it.
+// Transforms a pose from the frame of a body to the world. *arm: vector from the center of mass to the position of the
+// pose.
 INLINE Float4 field_body_point(const Pools* p, int body, Float4 own, Vec* arm)
 {
 	Float4 pose = field_body_pose(p, body);
@@ -96,7 +98,7 @@ typedef struct // traversal of the fields whose boxes overlap a box, by rising i
 {
 	Float4 box;
 	int count;        // number of fields
-	int next;         // next item to test: a block of boxes, or a block of groups
+	int next;         // next block to test: of boxes if there are few fields, else of groups
 	int group, first; // first box of the current block of groups, and of the current block of boxes
 	Word groups, hits;
 } FieldTraversal;
@@ -107,7 +109,7 @@ INLINE FieldTraversal field_traverse(int count, Float4 box)
 	return traversal;
 }
 
-// Removes and returns the lowest bit of a non-empty set.
+// Removes the lowest bit of a mask that is not 0. Returns the number of the bit.
 INLINE int field_take(Word* bits)
 {
 	int k = 0;
@@ -185,9 +187,9 @@ INLINE void field_add(FieldForce* sum, FieldForce f)
 	sum->rate_w = sum->rate_w + f.rate_w;
 }
 
-// Limits the drag of a stiff medium, which would otherwise reverse the velocity within the step. First velocity and
-// spin are limited separately, then both together so that the dissipation along this change of velocity is not below 0.
-// So drag never adds energy. Drag that is not stiff stays the same, so the speed at which it balances a force is exact.
+// Limits the drag of a stiff medium, which would otherwise reverse the velocity within the step. First the linear and
+// the angular part are limited separately. Then both are scaled by a common factor, so that drag never adds energy.
+// Drag that is not stiff stays the same, so the speed at which it balances a force is exact.
 INLINE void field_soften(const Pools* p, int body, FieldForce* sum)
 {
 	BodyState state = p->body[body];

@@ -2,8 +2,8 @@
 // contact_approval.h -- contact approval: lists contacts for the user's decision, and stops their bodies as they meet.
 //
 // A contact of a collidable that requires approval has points but no impulses until the user approves it. In the step
-// in which it gets points it is listed and becomes pending. Its bodies move only to where they meet, so that nothing
-// slips through before there is an answer. They keep their velocities.
+// in which it gets points it is listed and becomes pending. Its bodies move only until they meet, so that they do not
+// pass through each other before the user has decided. The bodies keep their velocities.
 #ifndef CONTACT_APPROVAL_H
 #define CONTACT_APPROVAL_H
 #include "constraints/angle.h"
@@ -40,7 +40,7 @@ KERNEL(approval_request)
 
 KERNEL(refused_pair) { p->refused[i] = p->key[i]; }
 
-// Lists contact i if it is pending, at the end of the step, in the slot that it keeps until the next one.
+// Lists contact i at the end of the step, if it is pending. The contact keeps this slot until the next step.
 KERNEL(approval_list)
 {
 	if (p->contact_flags[i] & CONTACT_WAITED)
@@ -57,7 +57,7 @@ KERNEL(approval_begin)
 	p->approval_fraction[i] = float_bits(1.0f);
 }
 
-// Returns the motion of body i in the step, from its poses.
+// Returns the motion of body i in the step, computed from its poses before and after the solve.
 INLINE Advance approval_advance(const Pools* p, int i)
 {
 	Float4 then = p->approval_pose[i], now = p->pose[i];
@@ -89,7 +89,7 @@ KERNEL(approval_find)
 	atomic_min_int(&p->approval_fraction[bodies.y], float_bits(share));
 }
 
-// Moves body i back to where it met another one, after the solve.
+// Moves body i, after the solve, back to the pose at which it met another body.
 KERNEL(approval_stop)
 {
 	float share = bits_float(p->approval_fraction[i]);

@@ -2,16 +2,18 @@
 // continuous.h -- continuous collision: stops a body that the solver would move through something.
 //
 // Contacts are created before bodies meet, from the velocities at the start of a step (sweep.h). A body that is hit
-// within the step moves elsewhere, where it may have no contact, or none at a corner that it rotates to. So the path of
-// a body that moved further than a fraction of its thickness is swept against the collidables along it. It moves until
-// it is slightly inside the surface. It keeps its velocity, and the next step has a contact for it.
+// within the step moves elsewhere. It may have no contact there, or a contact without a point at the corner that it
+// rotates to. So the path of a body that moved further than a fraction of its thickness is swept against the
+// collidables along it. The body moves until it is slightly inside the surface of one of them. It keeps its velocity,
+// and the next step has a contact for it.
 //
-// Static collidables stop it by its own displacement alone. Dynamic ones move at the same time by theirs. Of two such
-// bodies, one stops if it moves toward the other where they meet; one that moves away continues, or it would be run
-// through. A kinematic body does not yield: a body that moves toward it keeps up with it after they meet. The order of
-// bodies does not matter, because this stage reads only data that it does not write.
+// Static collidables do not move during the sweep; dynamic collidables move by their own displacements. When two
+// dynamic bodies meet, a body stops if it moves toward the other one at that point. A body that moves away continues;
+// if it stopped, the other one would run through it. A kinematic body does not yield: after they meet, a body that
+// moves toward it is moved along with it. The order of bodies does not matter, because this stage reads only data that
+// it does not write.
 //
-// Such bodies are few, and the work per body is long, so finalize lists them for a kernel of their own. As a part of
+// Such bodies are few, and the work per body is long, so finalize lists them for a separate kernel. As a part of
 // finalize the code used registers for all bodies of a GPU: 1M bodies in motion took 0.159 ms instead of 0.043 ms on an
 // H200. Several work-items share a body of many collidables.
 //
@@ -21,7 +23,8 @@
 #define CONTINUOUS_H
 #include "stages/finalize/continuous_search.h"
 
-// fraction of the thickness: paths that leave the step's box by more are swept against moving ones without a contact
+// fraction of the thickness: a path that leaves the box of the step by more is also swept against moving collidables
+// without a contact
 #define CONTINUOUS_OUTLIER 0.5f
 
 // Returns the path of collidable i, which moves with its body. path, turn: displacement and rotation of the body.
@@ -49,7 +52,8 @@ INLINE Float4 continuous_box(const Pools* p, const ContinuousPath* g)
 	return box_grow(box_union(box, then), g->swing);
 }
 
-// Returns whether a collidable moves far relative to a kinematic body, or 1 with more than KINEMATIC_FEW such bodies.
+// Returns whether a collidable moves far relative to some kinematic body. With more than KINEMATIC_FEW kinematic
+// bodies, returns 1 without a test.
 RARE int continuous_far_from_some(const Pools* p, const ContinuousPath* g)
 {
 	int far = p->step.kinematic > KINEMATIC_FEW;
@@ -61,10 +65,11 @@ RARE int continuous_far_from_some(const Pools* p, const ContinuousPath* g)
 	return far;
 }
 
-// Returns a bit for each kind that may obstruct a collidable; if there is one, sets the box of its path. While the path
-// stays in the box of the step, everything near has a contact. Boxes of collidables without a contact are apart, so
-// neither gets past the middle of the other while each leaves its box by less than CONTINUOUS_OUTLIER of its thickness.
-// lists: 1 if any kind is enough; then a GPU leaves kinematic bodies to the kernel continuous, to save registers.
+// Returns a mask of the kinds that may obstruct a collidable, one bit per kind. With lists 0, also sets the box of its
+// path if the mask is not 0. While the path stays in the box of the step, the collidable has a contact with everything
+// near it. Boxes of collidables without a contact are apart, so neither gets past the middle of the other while each
+// leaves its box by less than CONTINUOUS_OUTLIER of its thickness. lists: 1 if the caller tests only whether the mask
+// is 0; then a GPU leaves the test of kinematic bodies to the kernel continuous, to save registers.
 INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 {
 	float far = continuous_far(g->way.path, g->swing);
@@ -90,20 +95,22 @@ INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
 
-// Returns whether a body without contacts and forces moved as its boxes predicted at the start: it is inside them.
+// Returns whether a body is certainly still inside the boxes of its collidables: without contacts and forces, it moved
+// as predicted at the start of the step.
 INLINE int continuous_foreseen(const Pools* p, int body, float gravity_scale)
 {
 	return p->step.calm && absolute(gravity_scale) <= 1.0f && p->fixed_contacts[body] == 0 &&
 	       p->other_contacts[body] == 0;
 }
 
-// Returns whether a body of one collidable passes the only static one near it. On a CPU most bodies that roll end here.
+// Returns whether a body with one collidable cannot hit the only static collidable near it. On a CPU this ends the
+// test of most rolling bodies.
 RARE int continuous_passes_only(const Pools* p, int body, Vec path, float turn)
 {
 	int k = p->continuous_body[body].first - 1, c = p->static_contact[body];
 	if (k < 0 || p->next_collidable[k] != 0 || c < 0 || c >= p->counters->live)
 		return 0;
-	// the slot may hold another contact by now; the only one of this body with something static is the right one
+	// the slot may hold another contact by now; if that is a contact of k with something static, it is the right one
 	Int2 pair = p->pair[c];
 	if (pair.x != k || p->collidable_kind[pair.y] != KIND_STATIC)
 		return 0;
@@ -141,7 +148,7 @@ INLINE ContinuousStop continuous_collidable(const Pools* p, int i, int pressed, 
 	return continuous_search(p, &g);
 }
 
-// Returns the collidable count places after k in the list of a body. They are numbered 1 + index; 0 is the end.
+// Returns the collidable that is count places after k in the list of a body. Both are 1 + index; 0 is the end.
 INLINE int continuous_skip(const Pools* p, int k, int count)
 {
 	for (; k > 0 && count > 0; --count)
@@ -149,8 +156,9 @@ INLINE int continuous_skip(const Pools* p, int k, int count)
 	return k;
 }
 
-// Returns the first end among the paths of the collidables of a part of a body; part -1 is a pressed body. Neighboring
-// parts test theirs in the same iteration, because work-items of a GPU wait for each other.
+// Returns the first end among the paths of the collidables in a part of a body. With part -1, for a pressed body,
+// returns that of all its collidables. Neighboring parts test their collidables in the same iteration, because
+// work-items of a GPU wait for each other.
 INLINE ContinuousStop continuous_part(const Pools* p, ContinuousBody continuous_body, int part, Vec path, float turn)
 {
 	ContinuousStop least = continuous_stop(1.0f, vec(0.0f, 0.0f), 0);
@@ -165,7 +173,8 @@ INLINE ContinuousStop continuous_part(const Pools* p, ContinuousBody continuous_
 	return least;
 }
 
-// Returns whether something static may be near a body's path; a GPU tests that later. reach: as in ContinuousBody.
+// Returns whether something static may be near a body's path. A GPU returns whether the static tree has leaves, and
+// tests the path later. reach: as in ContinuousBody.
 INLINE int continuous_near_statics(const Pools* p, int body, Vec path, float reach)
 {
 	const GLOBAL Tree* tree = p->tree + 1;
@@ -177,7 +186,8 @@ INLINE int continuous_near_statics(const Pools* p, int body, Vec path, float rea
 	return tree_hits(p, tree->begin[tree->top], box_grow(box, reach)) != 0;
 }
 
-// Returns whether a body moves far enough to be tested. Bounds in Step rule out most before their own rows are read.
+// Returns whether a body moves far enough to be tested. Bounds in Step exclude most bodies before the row of the body
+// is read.
 INLINE int continuous_wanted(const Pools* p, int body, Vec path, float turn)
 {
 	float far = absolute(path.x) + absolute(path.y), swing = absolute(turn);
@@ -191,13 +201,15 @@ INLINE int continuous_wanted(const Pools* p, int body, Vec path, float turn)
 	       (p->step.kinematic || continuous_near_statics(p, body, path, continuous_body.reach));
 }
 
-// Returns whether a body that is pressed into something static by depth, m, moves so far that it may get too deep.
+// Returns whether a body may get deeper than PRESS_MOST into something static. depth, m: depth to which it is pressed
+// there at the start of the path.
 INLINE int continuous_presses(const Pools* p, int body, float depth, Vec path, float turn)
 {
 	return depth + continuous_far(path, absolute(turn) * p->continuous_body[body].reach) > PRESS_MOST;
 }
 
-// Lists a body for continuous, once per part. One part has a branch: a GPU combines neighbors' atomics that add 1.
+// Lists a body for the kernel continuous, once per part. Bodies with one part have a separate branch, because a GPU
+// combines the atomic additions of 1 by neighboring work-items.
 INLINE void continuous_enlist(const Pools* p, int body)
 {
 	int parts = p->continuous_body[body].parts;
@@ -213,7 +225,8 @@ INLINE void continuous_enlist(const Pools* p, int body)
 	p->continuous_parts[body] = 0;
 }
 
-// Returns whether all parts of a body are done, this one last. Then *share is the least of all parts.
+// Returns whether the calling part is the last of a body's parts to finish. Then sets *share, the share of this part,
+// to the least share of all parts.
 INLINE int continuous_all(const Pools* p, ContinuousBody continuous_body, int body, float* share)
 {
 	if (continuous_body.parts == 1)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// continuous_search.h -- end of a collidable's path: the first obstacle, and the distance that the collidable moves.
+// continuous_search.h -- finds the end of a collidable's path: the first obstacle, and the distance that the collidable
+// moves.
 #ifndef CONTINUOUS_SEARCH_H
 #define CONTINUOUS_SEARCH_H
 #include "stages/broad_phase/transform.h"
@@ -7,11 +8,12 @@
 #include "stages/rules/apart.h"
 #include "stages/tree/tree.h"
 
-#define CONTINUOUS_DEPTH   0.25f  // fraction of the thickness: limit of the increase of depth in a step
-#define CONTINUOUS_DEEPEST 0.75f  // the same for the total depth, so that its middle stays outside
-#define CONTINUOUS_PRESSED 0.5f   // the same for a body pressed into something static, if less than PRESS_MOST
-#define CONTINUOUS_SLACK   0.15f  // fraction: increase always allowed in dynamic ones, so that squeezed bodies slide
-#define CONTINUOUS_MOST    0.015f // m: limit of the increase in something static; less makes piles overlap more
+// Limits of the depth of a collidable in an obstacle, as fractions of the thickness of the collidable.
+#define CONTINUOUS_DEPTH   0.25f  // increase in a step
+#define CONTINUOUS_DEEPEST 0.75f  // total depth; the middle of the collidable stays outside
+#define CONTINUOUS_PRESSED 0.5f   // total depth if it is pressed into something static, at most PRESS_MOST
+#define CONTINUOUS_SLACK   0.15f  // increase that a dynamic obstacle always allows, so that squeezed bodies slide
+#define CONTINUOUS_MOST    0.015f // m: increase in something static; a smaller limit makes piles overlap more
 
 typedef struct // end of a path
 {
@@ -29,7 +31,7 @@ INLINE ContinuousStop continuous_stop(float share, Vec normal, int index)
 	return stop;
 }
 
-// Returns a bound of the distance that points of something move, m. swing: part of it by rotation.
+// Returns a bound of the distance, m, that the points of a shape move. swing: the part of it that is due to rotation.
 INLINE float continuous_far(Vec path, float swing) { return absolute(path.x) + absolute(path.y) + swing; }
 
 INLINE Advance continuous_went(const Pools* p, int body)
@@ -47,10 +49,11 @@ INLINE Sweep continuous_way(const Pools* p, WorldShape s, Advance advance)
 	return sweep_with(advance, vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
-#define CONTINUOUS_ROUNDING 1.00001f // factor of a length that exceeds the effect of rounding
+#define CONTINUOUS_ROUNDING 1.00001f // factor that enlarges a length by more than its rounding error
 
-// Returns the motion with the exact reach of the corners. The bound of sweep_with is much larger for a shape far from
-// its origin: a small body that spins would take more rounds than the limit, and stay in the air.
+// Returns the motion with the exact distance of the farthest corner as its reach. The bound of sweep_with is much
+// larger for a shape far from its origin: a small body that spins would take more rounds than the limit, and stay in
+// the air.
 INLINE Sweep continuous_near(const Pools* p, WorldShape s, Sweep way)
 {
 	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
@@ -79,19 +82,20 @@ INLINE Vec continuous_arm(Sweep way, ContinuousMeeting met)
 	return vec_sub(met.point, vec_turn(vec_rotation(met.time * way.turn), way.center));
 }
 
-// Returns the distance by which the second of two moves away from the first one at that point in a step, m.
+// Returns the distance, m, by which the second of two bodies moves away from the first one in a step, at the point where
+// they met.
 INLINE float continuous_away(Sweep way, ContinuousMeeting met)
 {
 	return vec_dot(met.normal, vec_add(way.path, vec_spin(way.turn, continuous_arm(way, met))));
 }
 
-// Returns whether the second of two moves toward the first one at that point.
+// Returns whether the second of two bodies moves toward the first one at the point where they met.
 INLINE int continuous_yields(Sweep way, ContinuousMeeting met) { return continuous_away(way, met) < 0.0f; }
 
 typedef struct // collidable and its path
 {
-	int index, pressed;     // pressed: into something static, so that its depth is limited to PRESS_MOST
-	int seeks;              // bit k: something of the kind k may obstruct it
+	int index, pressed;     // pressed: 1 if pressed into something static, so that the depth is limited to PRESS_MOST
+	int seeks;              // bit k: a collidable of the kind k may obstruct it
 	float thickness, swing; // m
 	WorldShape from;
 	Sweep way;
@@ -99,7 +103,8 @@ typedef struct // collidable and its path
 	Filter filter;
 } ContinuousPath;
 
-// Returns the fraction of its path for a collidable that keeps up with a kinematic one after they met.
+// Returns the fraction of its path that a collidable moves if it keeps up with a kinematic collidable after they have
+// met.
 INLINE float continuous_follows(const ContinuousPath* g, WorldShape other, Sweep goes, ContinuousMeeting met)
 {
 	Vec center = vec_add(vec(g->from.x - other.x, g->from.y - other.y), vec_sub(g->way.center, goes.center));
@@ -110,7 +115,7 @@ INLINE float continuous_follows(const ContinuousPath* g, WorldShape other, Sweep
 	return met.time + (1.0f - met.time) * maximum(keeps, 0.0f);
 }
 
-#define CONTINUOUS_LEAVES (FETCHES ? 1 : 4) // leaves read together: GPU latencies overlap, a CPU gains nothing
+#define CONTINUOUS_LEAVES (FETCHES ? 1 : 4) // leaves that are read together, because their latencies overlap on a GPU
 
 typedef struct // data that rules out most leaves
 {
@@ -129,7 +134,8 @@ INLINE ContinuousLeaf continuous_leaf_at(const Pools* p, int place)
 }
 
 // m: Returns a bound of the motion of a collidable's points relative to a kinematic body, in its rotating frame. other:
-// a shape of that body. A body that turns with a drum does not move far, so nothing obstructs it.
+// a shape of that body. A body that turns with a drum does not move far relative to the drum, so the drum does not
+// obstruct it.
 INLINE float continuous_far_from(const Pools* p, const ContinuousPath* g, WorldShape other)
 {
 	Advance went = continuous_went(p, other.body);
@@ -158,7 +164,8 @@ INLINE int continuous_meets(const Pools* p, const ContinuousPath* g, const Conti
 	return continuous_far(vec_sub(g->way.path, went.path), swing) > CONTINUOUS_CROSS * g->thickness;
 }
 
-// Returns a mask of those of the leaves, from first on, that may stop a collidable.
+// leaves: mask of leaves, of which bit 0 is the leaf at place first. Returns the mask of those that may stop a
+// collidable.
 INLINE Word64 continuous_meeting(const Pools* p, const ContinuousPath* g, int first, Word64 leaves)
 {
 	Word64 meeting = 0;
@@ -183,7 +190,7 @@ INLINE Word64 continuous_meeting(const Pools* p, const ContinuousPath* g, int fi
 	return meeting;
 }
 
-// Returns the limits of the depth of a collidable in something of a kind.
+// Returns the limits of the depth to which a collidable may get into an obstacle. kind: KIND_* of the obstacle.
 INLINE ContinuousDepth continuous_depth(const ContinuousPath* g, int kind)
 {
 	ContinuousDepth deep;
@@ -196,8 +203,9 @@ INLINE ContinuousDepth continuous_depth(const ContinuousPath* g, int kind)
 	return deep;
 }
 
-// Returns the end of the path of a collidable at j if j stops it before least, otherwise least. The order of leaves is
-// not the same on all devices, so of equal fractions the lower index wins.
+// Returns the end of a collidable's path at obstacle j if that precedes least, otherwise least. Of two ends at the same
+// fraction, the one with the lower obstacle index is returned, because the order of leaves is not the same on all
+// devices.
 RARE ContinuousStop continuous_leaf(const Pools* p, const ContinuousPath* g, int j, ContinuousStop least)
 {
 	int i = g->index, kind = p->collidable_kind[j], moves = kind != KIND_STATIC;
@@ -255,7 +263,7 @@ INLINE int continuous_seeks_in(const Pools* p, const ContinuousPath* g, int t)
 	return (g->seeks & (t == 1 ? statics : ~statics)) != 0 && p->tree[t].leaves > 0;
 }
 
-// Returns the next leaf, -1 after the last.
+// Returns the index of the next collidable, -1 after the last.
 INLINE int continuous_next(const Pools* p, const ContinuousPath* g, ContinuousTraversal* w)
 {
 	while (w->leaves == 0)

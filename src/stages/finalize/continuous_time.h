@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// continuous_time.h -- time at which two collidables get too deep into each other, from the motions in the step.
+// continuous_time.h -- computes the time at which two collidables get too deep into each other, from their motions in
+// the step.
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Here each
@@ -18,14 +19,16 @@ typedef struct // first time at which two collidables a and b are too deep
 	Vec point;  // deepest point at that time, from the origin of b, m
 } ContinuousMeeting;
 
-// Returns the acceleration of the smaller one in the frame of the larger one, which rotates, at a time: m per step^2.
+// Returns the acceleration of the smaller of two collidables at a time, in the rotating frame of the larger one, m per
+// step^2.
 INLINE Vec continuous_bend(Closing c, float time)
 {
 	float frame = c.b.reach < c.a.reach ? c.a.turn : c.b.turn;
 	return vec_sub(c.bend, vec_spin(frame, vec_add(c.near, vec_scale(time, c.bend))));
 }
 
-// Returns the separation up to which points count from a time on, in the frame of a, also those on a curved path.
+// Returns the separation up to which points count in the rest of the step, in the frame of a. Points may move on curved
+// paths. time: start of the rest.
 INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 {
 	Reach reach = sweep_reach(c, axes, time);
@@ -35,8 +38,9 @@ INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 	return reach;
 }
 
-// Returns a time in which no point of the smaller one approaches the larger one along a normal by more than its gap:
-// left, m, for the deepest point, more for the others. c: closing of the pair (a, b). time: current time.
+// Returns a duration, as a fraction of the step, in which each point of the smaller collidable approaches the larger
+// one along a normal by at most its gap. left, m: gap of the deepest point; the gaps of other points are larger. c:
+// closing of the pair (a, b). time: start of the duration.
 INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Closing c, Vec normal, float time,
                                 float left)
 {
@@ -67,7 +71,7 @@ INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Clos
 
 #define CONTINUOUS_SLIDES 1.0e-5f // fraction of a path: a point that approaches by less slides
 
-// Returns whether a point of a manifold at a depth of at least deep, m, gets deeper at once.
+// Returns whether a point of a manifold that is at least as deep as deep, m, gets deeper at once.
 INLINE int continuous_sinks(Closing c, Manifold m, Vec axes, Vec position, float deep)
 {
 	Vec normal = vec_turn(axes, m.normal);
@@ -85,14 +89,14 @@ INLINE int continuous_sinks(Closing c, Manifold m, Vec axes, Vec position, float
 
 typedef struct // limits of the depth of b in a, m
 {
-	float deeper;  // increase over the start of the step
-	float deepest; // total depth
+	float deeper;  // limit of the increase since the start of the step
+	float deepest; // limit of the total depth
 	float slack;   // increase that is always allowed
-	float pressed; // total depth if b is pressed into a, which is at rest, else 0; no increase above it
+	float pressed; // if b is pressed into a resting a: total depth above which it must not increase; else 0
 } ContinuousDepth;
 
-// Returns a bound of the distance by which a point of b leaves the line between its start and its end, in the frame of
-// a, which rotates, m: an eighth of the largest change of its velocity.
+// Returns a bound of the distance, m, by which the path of a point of b, in the rotating frame of a, leaves the
+// straight line from its start to its end: an eighth of the largest change of its velocity.
 INLINE float continuous_bow(Closing c, Vec between)
 {
 	Vec apart = vec_sub(c.b.path, c.a.path);
@@ -138,8 +142,8 @@ INLINE ContinuousSide continuous_side(const GLOBAL Attribute* shape, Vec point)
 	return side;
 }
 
-// Returns whether the depth of b in a along one normal stays below deep, m, on the whole path, as for nearly all pairs.
-// A corner gets no lower than at the lower end of its path, except by its bow (continuous_bow).
+// Returns whether the depth of b in a along one normal stays below deep, m, on the whole path. For nearly all pairs it
+// does. A corner is never lower than at the lower end of its path, except by its bow (continuous_bow).
 RARE int continuous_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;

@@ -23,8 +23,9 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 	pose_move(p, i, d, turn);
 }
 
-// Limits the speed of a body that is or was pressed between two others to that of the presser, unless it was faster at
-// the start of the step, or falls. Returns whether it is pressed too deep into something static.
+// Limits the speed of a body that is pressed between two others, or was so recently. The limit is the speed of the
+// presser or, if that is larger, about the speed of the body at the start of the step; the speed of a fall in a step is
+// added. Returns whether the body may get too deep into something static.
 INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, float da)
 {
 	Press press = p->press[i];
@@ -100,8 +101,8 @@ KERNEL(finalize)
 // Item: a part of a body that moves far. The body moves until something obstructs it. In a world with joints, or if it
 // is pressed, it then slides along the obstacle as far as that path is free: otherwise a chain would press a stopped
 // link harder and harder. A pressed body also keeps rotating, unless that is obstructed, and is one item for all of its
-// collidables. All searches share one call: with two, clang for PTX inlines neither and keeps the pools on the stack of
-// every work-item; all kernels were slower on an H200.
+// collidables. All searches share one call. With two calls, clang for PTX inlines neither of them and keeps the pools
+// on the stack of every work-item, and all kernels were slower on an H200.
 KERNEL(continuous)
 {
 	Int2 item = p->continuous_list[i];
