@@ -5,9 +5,9 @@
 // Mark T. Jones, Paul E. Plassmann, A Parallel Graph Coloring Heuristic, 1993.
 //
 // Graph coloring. Each contact has a unique priority. In each round a contact with the highest priority on both of its
-// bodies takes the lowest color that is free on both. The result is that of a sequential greedy coloring in the order
-// of falling priority, for any number of threads. Colors are kept while contacts touch, so only contacts that begin to
-// touch are colored in a step, usually a few.
+// bodies takes the lowest color that is free on both. The result is that of a sequential greedy coloring by falling
+// priority, for any number of threads. Colors are kept while contacts touch, so only contacts that begin to touch are
+// colored in a step, usually a few.
 //
 // Contacts with bodies that cannot move take the highest free color: they are solved last, so that no other contact
 // undoes their result. The last colors are for contacts with static bodies: of two immovable bodies that press a third

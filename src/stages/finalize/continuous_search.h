@@ -82,8 +82,8 @@ INLINE Vec continuous_arm(Sweep way, ContinuousMeeting met)
 	return vec_sub(met.point, vec_turn(vec_rotation(met.time * way.turn), way.center));
 }
 
-// Returns the distance, m, by which the second of two bodies moves away from the first one in a step, at the point where
-// they met.
+// Returns the distance, m, by which the second of two bodies moves away from the first one in a step, at their
+// meeting point.
 INLINE float continuous_away(Sweep way, ContinuousMeeting met)
 {
 	return vec_dot(met.normal, vec_add(way.path, vec_spin(way.turn, continuous_arm(way, met))));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// convex.h -- exact distance and first contact of a point, at rest or moving along a line, and a rounded convex core.
+// convex.h -- computes the exact distance of a point from a rounded convex core, and the first contact of a moving
+// point with it.
 //
 // A core is the convex hull of its corners; a shape consists of all points within a radius of its core. The core
-// belongs to a shape, or is the Minkowski sum of one shape and the mirror image of another (convex_sum.h): the distance
-// of two shapes is that of the second one's origin from this sum. So these functions answer all queries.
+// belongs to a shape, or is the Minkowski sum of one shape and the mirror image of another (convex_sum.h): the
+// distance of two shapes is the distance of the second shape's origin from this sum. So these functions answer all
+// queries.
 //
 // This work is based on:
 // Mike Cyrus, Jay Beck, Generalized Two- and Three-dimensional Clipping, 1978: a line against half-planes.
@@ -14,9 +16,9 @@
 
 typedef struct
 {
-	const GLOBAL Attribute* shape; // shape whose core it is; null for a sum
+	const GLOBAL Attribute* shape; // shape to which the core belongs; null for a sum
 	const Vec* corners;            // corners of a sum, counter-clockwise
-	const Vec* normals;            // outward normals of its edges, from corner k to k + 1
+	const Vec* normals;            // outward normals of the sum's edges, from corner k to k + 1
 	int count;                     // number of corners
 	int thin;                      // 1 if the core has no area: two edges back to back
 	Real radius;                   // m
@@ -24,7 +26,7 @@ typedef struct
 
 typedef struct // nearest point of a core
 {
-	int edge, corner; // corner -1: within the edge
+	int edge, corner; // corner -1: the nearest point is within the edge
 	Real separation;  // separation of the point from the surface, m; negative inside
 	Vec normal;       // unit vector away from the core
 } ConvexNearest;
@@ -54,15 +56,16 @@ INLINE Vec convex_normal(const Convex* c, int k) { return c->shape ? shape_norma
 INLINE int convex_next(const Convex* c, int k) { return k + 1 < c->count ? k + 1 : 0; }
 INLINE int convex_before(const Convex* c, int k) { return k > 0 ? k - 1 : c->count - 1; }
 
-// Returns the distance of a point along edge k, m, measured from the corner with the index from.
+// Returns the position of point q along edge k, m, relative to the corner with the index from.
 INLINE Real convex_along(const Convex* c, int k, int from, Vec q)
 {
 	Vec up = convex_normal(c, k);
 	return vec_cross(up, vec_sub(q, convex_corner(c, from)));
 }
 
-// Returns the edge of the Voronoi region of a point outside; *corner: its corner, or -1. It begins at an edge that the
-// point is above. Nearly parallel edges may assign the point to each other, so it ends after one turn around the core.
+// Finds the Voronoi region in which a point outside the core is. Returns the edge of the region; *corner: its corner,
+// or -1. edge: an edge that the point is above, where the search begins. Two nearly parallel edges may each assign the
+// point to the other one, so the search ends after as many edges as the core has.
 INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
 {
 	*corner = -1;
@@ -93,7 +96,7 @@ INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
 	return edge;
 }
 
-// Returns the separation of a point from the surface around a corner; up is the normal of a point exactly on it.
+// Returns the separation of a point from the circle around a corner. up: normal of a point exactly at the corner.
 INLINE ConvexNearest convex_at_corner(const Convex* c, int edge, int corner, Vec q, Vec up)
 {
 	Vec d = vec_sub(q, convex_corner(c, corner));
@@ -142,8 +145,9 @@ INLINE ConvexHit convex_miss(void)
 	return hit;
 }
 
-// Returns the first contact with the circle around a corner, for a point that begins outside of it. The nearest point
-// of the line is computed first: a discriminant of the whole path would miss a small circle at the end of a long path.
+// Returns the first contact with the circle around a corner, for a point that begins outside of the circle. The nearest
+// point of the line is computed first: a discriminant of the whole path would miss a small circle at the end of a long
+// path.
 INLINE ConvexHit convex_hit_corner(const Convex* c, int edge, int corner, Vec q, Vec path)
 {
 	ConvexHit hit = convex_miss();
@@ -179,9 +183,10 @@ INLINE ConvexHit convex_inside(int edge, int corner)
 	return hit;
 }
 
-// Returns the fraction of the path at which it reaches edge k, for a line that passes between the corners of the edge.
-// The line of an edge that is nearly parallel to the path may be met anywhere, so the fraction is clamped to the range
-// of the two corners. For a path of squared length 0 this range is NaN and clamps nothing.
+// Returns the fraction of the path at which its point reaches edge k. The line of the path passes between the
+// corners of the edge. With an edge that is nearly parallel to the path, rounding may give any fraction, so the
+// fraction is clamped to the range between the two corners. For a path of squared length 0 this range is NaN and clamps
+// nothing.
 INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 {
 	Vec normal = convex_normal(c, k), from = vec_sub(convex_corner(c, k), q),
@@ -192,8 +197,8 @@ INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 }
 
 // Returns the first contact with a sharp core. The line of the path enters and leaves through the edges whose corners
-// are on different sides of it. The side of a corner is computed once for both of its edges, so that no line slips
-// through between two edges, whatever the rounding.
+// are on different sides of it. The side of a corner is computed once for both of its edges, so that rounding cannot
+// let a line pass between two edges.
 INLINE ConvexHit convex_hit_sharp(const Convex* c, Vec q, Vec path)
 {
 	ConvexHit hit = convex_miss();
@@ -227,7 +232,7 @@ INLINE ConvexHit convex_hit_sharp(const Convex* c, Vec q, Vec path)
 }
 
 // Returns the first contact of a point that moves from q along a path. The half-planes of the edges, moved outward by
-// the radius, bound the shape with mitered corners; beyond a corner only the circle around it counts.
+// the radius, bound the shape, but with mitered corners; near a corner the circle around it is used instead.
 INLINE ConvexHit convex_hit(const Convex* c, Vec q, Vec path)
 {
 	if (c->count > 1 && !(c->radius > 0.0f))

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// convex_sum.h -- the Minkowski sum of the core of a shape and the mirrored core of another one.
+// convex_sum.h -- computes the Minkowski sum of the core of a shape and the mirrored core of another one.
 //
-// Its edges are those of both cores, by angle (Mark de Berg et al., Computational Geometry, 2008, theorem 13.11).
+// The edges of the sum are those of both cores, sorted by angle (Mark de Berg et al., Computational Geometry, 2008,
+// theorem 13.11).
 #ifndef CONVEX_SUM_H
 #define CONVEX_SUM_H
 #include "stages/geometry/convex.h"
 
 #define SUM_CORNERS (2 * MAX_CORNERS)
 
-#define SUM_PARALLEL 2e-7f // sine: edges that differ by less are merged
-#define SUM_FLAT     1e-4f // sine: two segments that differ by less have no area between them
+#define SUM_PARALLEL 2e-7f // sine of the angle between two edges: with a smaller one, the edges are merged
+#define SUM_FLAT     1e-4f // sine of the angle between two segments: with a smaller one, their sum has no area
 
-// source of an edge of a sum
+// source of an edge of a sum: the shape that has the edge
 #define SUM_OF_A    1
 #define SUM_OF_B    2
 #define SUM_OF_BOTH 3
@@ -23,7 +24,8 @@ typedef struct // Minkowski sum, in the frame of a
 	int count, thin;
 } Sum;
 
-// Returns the first corner of a core by angle from 0: the lowest one, then the leftmost. sign -1: of the mirror image.
+// Returns the corner of a core at which its edges, sorted by angle, begin: the lowest corner, and the left one of two
+// that are equally low. sign -1: for the mirror image of the core.
 INLINE int sum_first(const GLOBAL Attribute* shape, Vec turn, float sign)
 {
 	int first = 0;
@@ -40,7 +42,8 @@ INLINE int sum_first(const GLOBAL Attribute* shape, Vec turn, float sign)
 	return first;
 }
 
-// Returns the source of the next edge: the core whose edge has the smaller angle, or both.
+// Returns the source of the next edge of a sum: the core whose next edge has the smaller angle, or both cores. a, b:
+// their next edges.
 INLINE Word sum_turn(Vec a, Vec b)
 {
 	Real cross = vec_cross(a, b), dot = vec_dot(a, b);
@@ -110,7 +113,8 @@ INLINE Convex sum_convex(const Sum* sum, Real radius)
 	return c;
 }
 
-// Returns the point of a's surface nearest to b, for shapes apart or touching at this edge or corner. q: origin of b.
+// Returns the point of a's surface that is nearest to b. The shapes do not overlap. edge, corner, normal: nearest
+// edge of the sum, nearest corner or -1, and normal there. q: origin of b.
 INLINE Vec sum_point(const Sum* sum, const GLOBAL Attribute* a, const GLOBAL Attribute* b, Vec turn, Vec q, int edge,
                      int corner, Vec normal)
 {

@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: MIT
-// manifold.h -- the manifold of two convex shapes: a normal and at most two points.
+// manifold.h -- computes the manifold of two convex shapes: a normal and at most two points.
 //
-// A shape is a core, the hull of its vertices, and a radius around it. A core of two vertices is treated as a polygon
-// of two edges back to back. The reference edge is the one along whose normal the cores are furthest apart. The
-// incident edge, the edge of the other core that faces it most, is clipped to its length (I. Sutherland and G. Hodgman,
-// Reentrant Polygon Clipping, 1974), which leaves two points. If a corner faces a corner, that normal is not the
-// direction of the nearest points; then the nearest points make a manifold of one point.
+// A shape is a core, the hull of its vertices, and a radius around it. A core of two vertices is treated as a
+// polygon of two edges back to back. The reference edge is the one along whose normal the cores are furthest apart. The
+// incident edge, the edge of the other core that faces it most, is clipped to the length of the reference edge (I.
+// Sutherland and G. Hodgman, Reentrant Polygon Clipping, 1974), which leaves two points. If a corner faces a corner,
+// the normal of the reference edge is not the direction of the nearest points; then the nearest points make a
+// manifold of one point.
 #ifndef MANIFOLD_H
 #define MANIFOLD_H
 #include "stages/geometry/manifold_axis.h"
 #include "stages/geometry/manifold_nearest.h"
 
 // m: if two edges face each other, the edge of a is the reference edge only if its separation is larger by this.
-// Otherwise the choice between nearly parallel edges would alternate. b does not move, or is larger. If the edges do
-// not face each other, the one with the larger separation is used, because the other may not be at the nearest points.
+// Otherwise the choice between nearly parallel edges would alternate. The edge of b is preferred, because b does not
+// move or is larger. If the edges do not face each other, the edge with the larger separation is used, because the
+// other edge may not be at the nearest points.
 #define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
-// m: tolerance between a manifold on an edge and the distance of the cores; shorter vectors have no direction
+// m: if the distance of clipped points exceeds the separation of the cores by less, a manifold on an edge is used;
+// vectors that are shorter than this have no direction
 #define NEAREST_TOLERANCE (0.01f * LINEAR_SLOP)
-// m: circles with closer centers get no direction. It is small, so that bodies near one place have fitting normals.
+// m: if the centers of two circles are closer, there is no direction between them. The limit is small, so that the
+// normals of bodies near one place fit their positions.
 #define CENTERS_APART (0.0002f * LINEAR_SLOP)
 
-// cosine: edges face each other if the product of their normals is below -FACING. Then a point's feature is two
-// corners, so that boxes of a stack keep it while one slides over a corner; otherwise a corner and an edge.
+// cosine: edges face each other if the product of their normals is below -FACING. The feature of a point of such edges
+// is two corners, so that boxes of a stack keep their features while a box slides over a corner. Otherwise the feature
+// is a corner and an edge.
 #define FACING       0.9f
 #define FEATURE_EDGE MAX_CORNERS // feature index of a shape's first edge; smaller indices are corners
 
@@ -32,7 +37,7 @@ typedef struct // manifold in the frame of a
 	Real separation[2]; // separation of the surfaces, negative if they overlap, m; NO_POINT for a missing point
 	int feature[2];     // feature of a << 8 | feature of b; different for the two points
 	int count;          // number of points; 0: no normal
-	int made;           // MANIFOLD_* bits: shape whose corner each point is, shape with which the normal rotates
+	int made;           // MANIFOLD_* bits: shape that has the corner of each point, shape with which the normal rotates
 	Real gap;           // lower bound of the distance of the surfaces, m, if there are no points
 } Manifold;
 
@@ -52,7 +57,8 @@ INLINE Reach reach_of(Real within)
 	return r;
 }
 
-// Returns the separation up to which points count along a normal from a to b: within, plus the approach that is left.
+// Returns the separation up to which points count along a normal from a to b: within, plus the largest possible
+// approach in the rest of the step.
 INLINE Real reach_along(Reach r, Vec normal) { return r.within + maximum(r.swing - vec_dot(normal, r.near), 0.0f); }
 
 INLINE Manifold no_manifold(void)
@@ -67,7 +73,8 @@ INLINE Manifold no_manifold(void)
 	return m;
 }
 
-// Adds the point halfway between a point on the core of a and the point of b at a height, m, above it.
+// Adds the point halfway between the surfaces at a point of the core of a (from) and a point of the core of b at a
+// height, m, above it. Does not add a point whose separation is larger than within.
 INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real radius_b, int feature, Real within)
 {
 	Real separation = height - radius_a - radius_b;
@@ -106,7 +113,7 @@ INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 
 INLINE int feature_pair(int a, int b) { return a << 8 | b; }
 
-typedef struct // reference edge of a, from corner edge to corner next
+typedef struct // reference edge of a, from the corner with index edge to the corner with index next
 {
 	Vec origin, right, up; // first corner; unit vectors along the edge and along its normal
 	Real length;           // m
@@ -150,7 +157,7 @@ INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference
 	return incident;
 }
 
-// Returns a manifold of one point, at the nearest points of the two edges.
+// Returns a manifold of one point, halfway between the nearest points of the two edges.
 INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, const Reference* r,
                                  Edge incident, Real separation, Reach reach)
 {
@@ -163,7 +170,7 @@ INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	Nearest n = nearest_points(reference, incident);
 	Real distance = root(n.square);
 
-	// no edge's normal separates two thin cores in line
+	// if two thin cores are on one line, the normals of their edges do not separate them
 	int thin = a->count < 3 && b->count < 3;
 	int apart = separation > 0.0f || (thin && distance + separation > NEAREST_TOLERANCE);
 	Manifold m = no_manifold();
@@ -185,7 +192,8 @@ INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	return m;
 }
 
-// Returns the manifold of a, which has the reference edge, and b. separation: largest one over the edges of both.
+// Returns the manifold of a, which has the reference edge, and b. separation, m: largest separation along the
+// normals of all edges of both shapes.
 INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f,
                               Reach reach)
 {
@@ -203,7 +211,8 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 	if (cut_low)
 		low = vec(0.0f, low.y + low.x / along.x * -along.y);
 
-	// distance of clipped points >= that of the cores >= separation; if it is larger, a corner faces a corner
+	// clipped points are at least as far apart as the cores, and the cores by at least separation; if the clipped
+	// points are farther apart than that, a corner faces a corner
 	if (!overlap || minimum(high.y, low.y) > separation + NEAREST_TOLERANCE)
 		return nearest_manifold(a, b, &r, incident, separation, reach);
 
@@ -243,7 +252,8 @@ INLINE Manifold manifold_swap(Manifold m, Frame f)
 	return m;
 }
 
-// Returns the manifold of two shapes in the frame of a: points with a separation within reach. f: pose of b there.
+// Returns the manifold of two shapes in the frame of a: it has the points whose separation is within reach. f: pose of
+// b in the frame of a.
 INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f, Reach reach)
 {
 	if (a->count == 1 && b->count == 1)

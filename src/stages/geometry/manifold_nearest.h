@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// manifold_nearest.h -- the nearest points of two edges, and their features.
+// manifold_nearest.h -- finds the nearest points of two edges, and their features.
 #ifndef MANIFOLD_NEAREST_H
 #define MANIFOLD_NEAREST_H
 #include "dialect/vec.h"
@@ -13,7 +13,7 @@ typedef struct // edge of a core; start and end as coordinates along the referen
 typedef struct // nearest points of two edges
 {
 	Vec from, to;
-	Real square; // square of their distance, m^2
+	Real square; // square of the distance of the two points, m^2
 	int from_feature, to_feature;
 } Nearest;
 

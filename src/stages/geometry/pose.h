@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// pose.h -- motion of a body's center of mass, and the rounding error of its coordinates.
+// pose.h -- moves a body's center of mass, and stores the rounding errors of its coordinates.
 //
 // This work is based on:
 // Donald E. Knuth, The Art of Computer Programming, volume 2, 1969, 4.2.2: the rounding error of a sum.
 //
-// At 24 m from the origin a coordinate is rounded to 2 um. A body that is pushed by less in each step would never move,
-// and a body that is pushed by a little more would move too far: heaps at rest would creep by some mm per minute, and a
-// body that drifts at 1 mm/s would stop at a kilometer from the origin. So the rounding error of each step is stored
-// and added in the next one.
+// At 24 m from the origin a coordinate is rounded to 2 um. A body that should move by less in each step would never
+// move, and a body that should move by a little more would move too far: heaps at rest would creep by some mm per
+// minute, and a body that drifts at 1 mm/s would stop at a kilometer from the origin. So the rounding error of each
+// step is stored and added in the next one.
 #ifndef POSE_H
 #define POSE_H
 #include "dialect/finite.h"

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// predicted_manifold.h -- manifolds at future poses: of fast bodies that will meet, of corners that pass, of belts.
+// predicted_manifold.h -- computes manifolds at future poses: of fast bodies that will meet, of pairs that pass a
+// corner, and of belts.
 #ifndef PREDICTED_MANIFOLD_H
 #define PREDICTED_MANIFOLD_H
 #include "stages/geometry/sweep.h"
 
-// cosine between normals at two poses; below, the shape went through: a corner turns it by a right angle at most
+// cosine of the angle between the normals of a manifold at two poses. If it is smaller, one shape went through the
+// other one, because a corner turns the normal by a right angle at most.
 #define PAST_THROUGH (-0.5f)
 
-// values of Prediction.ahead: poses at which the two meet; poses of another time
+// values of Prediction.ahead: manifold at the poses at which the pair meets; manifold at other future poses
 #define PREDICT_MEETS 1
 #define PREDICT_LATER 2
 
@@ -19,15 +21,16 @@ typedef struct // manifold, and the poses for which it was computed
 	int ahead; // 0 for the current poses, or PREDICT_*
 } Prediction;
 
-// m: a manifold whose plane is off by less counts as exact. An approach of less than SWEEP_REST is ignored: a wrong
-// push of that size is as harmless as a missing push of a floor.
+// m: a manifold that mispredicts the later separation by less counts as exact. An approach of less than SWEEP_REST is
+// ignored: a wrong push of that size is as harmless as the lack of such a push.
 #define PAST_ERROR (0.002f * LINEAR_SLOP)
 
 // m: a corner is tested at the time of the last relaxation pass (sweep_end), but not before the pair has moved this
-// far. Otherwise a body that sags by less at a seam would appear to meet its side.
+// far. Otherwise a body that sags by less at a seam would appear to meet the side of the next floor.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
-// Returns the manifold of a later pose if it overlaps much less than now predicts (said, m) for that time; else now.
+// Returns the manifold at a later time if its separation exceeds the prediction by at least PAST_ERROR; else returns
+// now. said, m: separation that now predicts for that time.
 RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now, Real time,
                               Real said)
 {
@@ -44,8 +47,8 @@ RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closin
 	return later;
 }
 
-// Returns the manifold of a later pose if the pair passes a corner. A manifold pushes along its normal as if both
-// shapes were flat, and would stop a body that slides over a seam between two floors.
+// Returns the manifold of a later pose if the pair passes a corner, else now. A manifold pushes along its normal as if
+// both shapes were flat, and would stop a body that slides over a seam between two floors.
 INLINE Prediction predict_past(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now)
 {
 	if (now.m.count == 0)
@@ -58,7 +61,8 @@ INLINE Prediction predict_past(const Pools* p, WorldShape a, WorldShape b, Closi
 	return said > -PAST_ERROR ? now : predict_later(p, a, b, closing, now, time, said);
 }
 
-// Returns whether a pair is too far apart to meet in the step, by circles around the shapes, enlarged for rounding.
+// Returns whether a pair is too far apart to meet in the step. Tests circles around the shapes, which are enlarged for
+// rounding.
 INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Closing closing, Vec apart)
 {
 	Real most = closing.within + closing.swing + root(vec_dot(closing.near, closing.near));
@@ -69,10 +73,11 @@ INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Cl
 #define OVER_DEPTH 0.075f  // fraction of its radius by which a round shape may be below a corner that it rolls over
 #define OVER_SAME  0.9999f // cosine of normals that differ by rounding only
 
-// Returns whether predict_end may replace the manifold of a round shape that meets a corner. A loaded wheel on a row of
-// segments is slightly below their ends, and the next end would throw it up like a step. If it will roll over the
-// corner no deeper than OVER_DEPTH, the later manifold is used. A seam looks like a low step, so low steps push softly.
-// The segment must not be able to move: arms other than those at the impact would change the angular momentum.
+// Returns whether a is a round shape and b a segment that cannot move, so that predict_end may replace the manifold of
+// a corner. A loaded wheel on a row of segments is slightly below their ends, and the next end would throw it up like a
+// step. If the wheel will roll over the corner no deeper than OVER_DEPTH, the later manifold is used. A low step looks
+// like a seam, so it pushes softly too. If the segment could move, arms other than those at the impact would change the
+// angular momentum.
 INLINE int predict_rolls(const Pools* p, WorldShape a, WorldShape b)
 {
 	const GLOBAL Attribute* attribute = p->attribute + b.attribute;
@@ -86,16 +91,17 @@ INLINE int predict_rolled(const Pools* p, WorldShape a, const Closing* closing, 
 	Real deepest = OVER_DEPTH * (p->attribute + a.attribute)->radius;
 	Vec normal = vec_turn(later->axes, later->m.normal);
 	Real turned = vec_dot(normal, vec_turn(met->axes, met->m.normal));
-	// separation at the later poses, or now from the later plane, whose contact removes an approach along its normal
+	// separation at the later poses, plus any approach until then, because the contact removes this approach
 	Real deep =
 	    minimum(later->m.separation[0], later->m.separation[1]) - time * minimum(vec_dot(normal, closing->near), 0.0f);
 	return deep >= -deepest && turned > 1.0f - OVER_DEPTH && turned < OVER_SAME;
 }
 
-// Returns the manifold at a later time. has_rolling 1, a pair meets at a corner: after the last relaxation pass, if the
-// round shape then rolls over it. has_rolling 0, a surface is a belt: at the end of the step. The difference of the
-// loads on two belts drives a body and depends on its arms; arms that lag behind its motion would add energy, as in
-// rolling.h. Both cases share one call of collide, because each call uses registers of a GPU.
+// Returns the manifold at a later time, or now. has_rolling 1: a round shape meets a corner; returns the manifold after
+// the last relaxation pass if the shape will then roll over the corner, else now. has_rolling 0: a surface is a belt;
+// returns the manifold at the end of the step. A body on two belts is driven by the difference of the loads on the
+// belts, which depends on its arms; arms that lag behind its motion would add energy, as in rolling.h. Both cases share
+// one call of collide, because each call uses registers of a GPU.
 RARE Prediction predict_end(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now,
                             int has_rolling)
 {
@@ -108,8 +114,9 @@ RARE Prediction predict_end(const Pools* p, WorldShape a, WorldShape b, Closing 
 	return later.m.count > 0 && (!has_rolling || predict_rolled(p, a, &closing, &now, &later, time)) ? later : now;
 }
 
-// Returns the manifold of a pair that may approach by more than the speculative distance: at the poses where they meet,
-// with the points that may follow in the rest of the step; if they will not meet, at the current poses.
+// Returns the manifold of a pair that may approach by more than the speculative distance. If the pair will meet in the
+// step, this is the manifold at the poses at which it meets, including points that may meet later in the step.
+// Otherwise it is the manifold at the current poses or, if the pair passes a corner, at later ones.
 INLINE Prediction predict_meeting(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction start)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
@@ -128,7 +135,8 @@ INLINE Prediction predict_meeting(const Pools* p, WorldShape a, WorldShape b, Cl
 			then.ahead = PREDICT_MEETS;
 			return then;
 		}
-		// keeps a pair that forces may bring together; otherwise nothing could roll or slide fast on a floor
+		// keeps the manifold of a pair that forces may bring together; otherwise nothing could roll or slide fast on a
+		// floor
 		if (round == 0 && gap <= LINEAR_SLOP * closing.grain)
 			now.m = then.m;
 		Real speed = sweep_speed(closing, vec_turn(then.axes, then.m.normal), time);

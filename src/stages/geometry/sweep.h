@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sweep.h -- poses of collidables within the step, from their velocities, and bounds for the time at which two meet.
+// sweep.h -- computes poses of collidables within the step, from their velocities, and bounds for the time at which two
+// meet.
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Two shapes at

@@ -2,20 +2,23 @@
 // manifold_reuse.h -- selects the contacts that keep their manifold, and marks the others for narrow_phase.
 //
 // If the collidables of a pair have hardly moved relative to each other, the points keep their places on both, and
-// nothing is written (contact_points.h computes the points). In a settled pile that is nearly all. A pair that rotates
-// together, as in a drum, keeps the places too, but its normal and arms rotate with it: only the rotation is written.
+// nothing is written (contact_points.h computes the points). In a settled pile, this applies to nearly all contacts. A
+// pair that rotates together, as in a drum, also keeps its points, but the normal and the arms rotate with the pair:
+// only the rotation is written.
 #ifndef MANIFOLD_REUSE_H
 #define MANIFOLD_REUSE_H
 #include "constraints/constraint_kinds.h"
 #include "constraints/sweep_closing.h"
 
-// cosine of 3.6 degrees: a manifold is kept up to this rotation of either side, and up to narrow_phase_distance
+// cosine of 3.6 degrees: a manifold is kept until a side has rotated by more, or a point has moved by more than
+// narrow_phase_distance
 #define HOLD_COSINE 0.998f
 
 #define TURN_SHARE 0.3f // fraction of the motion limit up to which a pair that rotates together keeps its points
 
-// Returns a bound of the motion of any point of b near a, in the frame of a, since b had position and rotation: the
-// motion of the point at the origin of a, plus reach (of a) times the rotation. Sums of components bound lengths.
+// Returns a bound of the distance that any point of b near a has moved since b had the pose (position, rotation). All
+// poses are in the frame of a. The bound is the motion of the point at the origin of a, plus the reach of a times the
+// rotation. A length is bounded by the sum of its components.
 INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec rotation_now, Real reach)
 {
 	Vec turn = vec_turn_back(rotation, rotation_now);
@@ -72,12 +75,12 @@ typedef struct // LANES contacts, and the motion of their collidables since thei
 	Real a[8], b[8];   // rows of the pool world_shape
 	Int far, on;       // masks: a side has COLLIDABLE_FAST; a side has COLLIDABLE_MOVING, and the contact has points
 	Vec then_a;        // rotation of a when the manifold was computed
-	Real shift, limit; // m: motion since then; limit up to which the manifold is kept
+	Real shift, limit; // m: motion since then; largest motion with which the manifold is kept
 	Real room;         // factor of the pair's tolerances along its surfaces, and of its speculative distance
 } ManifoldReuse;
 
-// Returns the lanes whose manifold could be kept but is computed again, because the pair will meet or pass by within
-// the step. For the other lanes that rotate together, writes the rotation. wanders: lanes to test.
+// Returns the lanes whose manifold could be kept but is computed again, because the pair may meet, or moves too far,
+// within the step. For other lanes whose pairs rotate together, writes the rotation. wanders: lanes to test.
 INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, const ManifoldReuse* c)
 {
 	Real at[8];
@@ -108,7 +111,8 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 	return anew;
 }
 
-// Marks the contacts for narrow_phase: new, moved too far, to meet or pass by within the step, or with parted boxes.
+// Marks the contacts that narrow_phase processes: those that are new, have moved too far since their manifold was
+// computed, may meet or move too far within the step, or have a side with a new box.
 WIDE_KERNEL(narrow_phase_keep)
 {
 	int live = p->counters->live;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// narrow_phase.h -- computes manifolds of contacts, transfers impulses to new points, releases contacts that parted.
+// narrow_phase.h -- computes manifolds of contacts, transfers impulses to new points, releases contacts whose boxes
+// parted.
 #ifndef NARROW_PHASE_H
 #define NARROW_PHASE_H
 #include "constraints/contact_one.h"
@@ -8,21 +9,22 @@
 #include "stages/geometry/predicted_manifold.h"
 #include "stages/narrow_phase/manifold_reuse.h"
 
-#define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE) // m: limit for impulses of old points of other features
+#define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE) // m: maximum distance of an old point with another feature
 
 // m: a pair without points is tested again when a point has moved by more than this, plus the distance by which the
-// pair was beyond the speculative distance. A quarter of that distance, so that no contact can be missed.
+// pair was beyond the speculative distance. It is a quarter of the speculative distance, so that no contact can be
+// missed.
 #define STAY_DISTANCE LINEAR_SLOP
 
-// HOLD_DISTANCE, m, and HOLD_SHARE, a fraction of the reach of the smaller collidable: limits of the motion of a point
-// relative to the other collidable, up to which a manifold is kept. A manifold with one sharp point is kept for half of
+// Limits of the motion of a point relative to the other collidable, up to which a manifold is kept. HOLD_DISTANCE: m.
+// HOLD_SHARE: fraction of the reach of the smaller collidable. A manifold with one sharp point is kept for half of
 // HOLD_DISTANCE, so that a second point cannot be missed. With smaller limits heaps shake: where one small body carries
 // many, each new manifold pushes it in another direction.
 #define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 #define HOLD_SHARE    0.1f
 
-// Returns the old point from which a new point inherits: the one of the same feature, else the nearest one within
-// MATCH_DISTANCE; -1 if there is none. taken: mask of old points that are already used.
+// Returns the index of the old point from which a new point inherits impulses: the point of the same feature, else the
+// nearest point within MATCH_DISTANCE, else -1. taken: mask of old points that are already used.
 INLINE int narrow_phase_match(int feature, Vec point, int old_count, const int* old_feature, const Vec* old_point,
                               int taken)
 {
@@ -60,7 +62,7 @@ INLINE float narrow_phase_distance(const GLOBAL Attribute* a, const GLOBAL Attri
 	return minimum(distance * room, HOLD_SHARE * minimum(a->reach, b->reach));
 }
 
-// Releases contact i if the boxes of its pair have parted. Returns whether it did.
+// Releases contact i if the boxes of its pair have parted. Returns whether the contact was released.
 INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 {
 	if (!box_parted(p, pair))
@@ -74,7 +76,7 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 }
 
 #define PLACE_APART CENTERS_APART           // m: bodies with closer centers of mass have no direction between them
-#define PLACE_ASIDE (10.0f * CENTERS_APART) // m: largest displacement of such bodies, each by an offset of its own
+#define PLACE_ASIDE (10.0f * CENTERS_APART) // m: largest component of the offset of such a body
 
 // m: Returns a pseudo-random offset for a body, without visible order: neighbors in a pool are often created together.
 INLINE Vec narrow_phase_place(int body)
@@ -87,9 +89,9 @@ INLINE Vec narrow_phase_place(int body)
 	return vec(scale * (float)((int)(x & 65535u) - 32768), scale * (float)((int)(x >> 16) - 32768));
 }
 
-// Displaces b if both bodies can move and are at one place. With one direction for all such pairs, hundreds of bodies
-// that are created at a point would leave it in a row: each pair parts at contact_push_speed, and the first of 500
-// circles left at 205 m/s.
+// Returns b, displaced if both bodies can move and are at one place. With one direction for all such pairs, hundreds of
+// bodies that are created at a point would leave it in a row: each pair parts at contact_push_speed, and the first of
+// 500 circles left at 205 m/s.
 INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 {
 	float x = (b.x + b.center_x) - (a.x + a.center_x), y = (b.y + b.center_y) - (a.y + a.center_y);
@@ -102,13 +104,14 @@ INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 	return b;
 }
 
-// Returns the manifold of a pair and its poses. answers: 1 if the contact gets impulses, 0 for detection only. far: 1
-// if the pair may approach by more than the speculative distance. belt: not 0 if a surface has a tangent speed. within,
-// m: separation from which on the pair has points. *has_rolling: MANIFOLD_* bits of a rolling manifold.
+// Returns the manifold of a pair and the poses for which it holds. answers: 1 if the contact gets impulses, 0 for
+// detection only. far: 1 if the pair may approach by more than the speculative distance. belt: not 0 if a surface has a
+// tangent speed. within, m: the pair has points if its separation is smaller. *has_rolling: MANIFOLD_* bits of a
+// rolling manifold.
 INLINE Prediction narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt,
                                     int moved, float within, Word* has_rolling)
 {
-	// frame of a, so that the result does not depend on the distance from the origin
+	// computed in the frame of a, so that the result does not depend on the distance from the origin
 	Vec turn = vec(a.c, a.s);
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -240,7 +243,7 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 		contact_end(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)))
 	{
-		p->contact_press[i] = 0; // clears the presses of its last touch
+		p->contact_press[i] = 0; // clears the presses of the contact's last touch
 		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), p->contact_bodies[i]);
 	}
 }

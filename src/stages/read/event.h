@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// event.h -- events of a step in an order that is the same on all devices, for the host to read. No step reads them.
+// event.h -- writes the events of a step for the host, in an order that is the same on all devices. No step reads them.
 #ifndef EVENT_H
 #define EVENT_H
 #include "stages/read/contact_report.h"
 
-// Writes the sort key of event i of a list: the slot of its contact, or the pair that parted. argument: the list.
+// Writes the sort key of event i of a list: the slot of its contact, or the pair that parted. argument: EVENT_* of the
+// list.
 KERNEL(event_key)
 {
 	p->key[i] = p->argument == EVENT_TOUCH_ENDED   ? p->touch_ended[i]

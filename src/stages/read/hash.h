@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// hash.h -- the world hash: a sum of the hashes of all items, so that neither order nor padding matters.
+// hash.h -- computes the world hash: a sum of the hashes of all items, so that neither order nor padding matters.
 #ifndef HASH_H
 #define HASH_H
 #include "constraints/contact_one.h"
 #include "stages/edit/pool_item.h"
 
-// Item: a sum over items i, i + HASH_SUMS, ... below argument. hash_bodies writes sums, the other kernels add to them.
+// Item: a partial sum of hashes, over the bodies i, i + HASH_SUMS, i + 2 HASH_SUMS and so on. argument: number of
+// bodies. This kernel writes the sums; the other kernels add to them.
 KERNEL(hash_bodies)
 {
 	Word64 sum = 0;

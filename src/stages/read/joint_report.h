@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// joint_report.h -- coordinates and forces of joints at the current poses, for the user. No step reads them.
+// joint_report.h -- computes coordinates and forces of joints at the current poses, for the user. No step reads them.
 #ifndef JOINT_REPORT_H
 #define JOINT_REPORT_H
 #include "constraints/constraint_kinds.h"
 #include "constraints/joint_one.h"
 
-// Returns the place of a joint, -1 for one that was in no step yet, although its slot has the place of an older one.
+// Returns the place of a joint; -1 if the joint was in no step yet, because its slot may still have the place of an
+// older joint.
 INLINE int joint_report_place(const Pools* p, int i)
 {
 	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];
 }
 
-// Computes force (N) and torque (N m) from the impulses of the last substep along the axes; without a constraint they
-// stay 0. off: deviation of the coordinates from the targets of the locks. bend, 1/m: curvature of a path.
+// Computes force (N) and torque (N m) from the impulses of the last substep along the axes. Without a constraint, force
+// and torque stay 0. off: deviation of the coordinates from the targets of the locks. bend, 1/m: curvature of a path.
 INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend,
                                GLOBAL JointState* state)
 {
@@ -23,7 +24,7 @@ INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec o
 	float sum[JOINT_COORDINATES], rate = p->step.inv_h;
 	joint_load(p, place, PASS_RELAX, &u);
 
-	// modes of the user's data: forms of the solve that keep joints in registers do not write those of the row
+	// modes from the user's data: forms of the solve that keep joints in registers do not write the modes of the row
 	u.modes = (float)modes;
 	joint_sums(p, place, &u, sum);
 	Body a = body_gather(p, p->joint_data[i].body_a);
@@ -36,7 +37,8 @@ INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec o
 	state->torque = rate * (coupling_turns(&u) ? sum[0] : sum[2]);
 }
 
-// Computes the speed of one side of a coupling. Returns the direction of a force on that body.
+// Computes the speed of the measure of one side of a coupling. Returns the direction of a force on the body of this
+// side.
 INLINE Vec joint_report_side(const Pools* p, int i, int side, const CouplingMeasure* m, float* speed)
 {
 	BodyState now = p->body[side ? p->joint_data[i].body_b : p->joint_data[i].body_a];
@@ -101,7 +103,7 @@ KERNEL(joint_report)
 	state->value[1] = vec_dot(d, across);
 	state->value[2] = joint_turned(&a, &b, joint_turned_last(p, i));
 
-	// speed along an axis, 0 if a velocity that the user's calls made infinite gives NaN
+	// speed along an axis; 0 in place of NaN, which appears if the user's calls have made a velocity infinite
 	state->speed[0] = number_of(vec_dot(apart, axis));
 	state->speed[1] = number_of(vec_dot(apart, across));
 	state->speed[2] = number_of(modes & JOINT_RAILED ? vb.w - va.w - bend * vec_dot(apart, axis) : vb.w - va.w);

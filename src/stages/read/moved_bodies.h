@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// moved_bodies.h -- lists the bodies whose poses differ from those last reported to the user. No step reads this.
+// moved_bodies.h -- lists the bodies whose poses differ from those last reported to the user. No step reads this list.
 //
-// Poses are those of origins, as the user reads them, and are compared as numbers. So another center of mass, or the
-// rounding error of a pose, does not make a body a moved one.
+// Poses are those of origins, as the user reads them, and are compared as numbers. So a new center of mass, or a new
+// rounding error of a pose, does not count as a motion.
 #ifndef MOVED_BODIES_H
 #define MOVED_BODIES_H
 #include "dialect/vec.h"
@@ -23,7 +23,7 @@ INLINE Float4 reported_origin(const Pools* p, int i)
 	return make_float4(pose.x - shift.x, pose.y - shift.y, pose.z, pose.w);
 }
 
-// Lists body i if it moved. A new row has a reported pose of 0, which is no valid rotation.
+// Lists body i if it moved. A new body is always listed: its reported pose is 0, which is no valid rotation.
 LIST_KERNEL(moved_mark, moved_bodies, moved_bodies)
 {
 	Float4 now = reported_origin(p, i), then = p->reported_pose[i];
@@ -42,7 +42,7 @@ KERNEL(moved_list)
 	row.vy = p->body[row.body].vy;
 	row.w = p->body[row.body].w;
 	StoredVelocity stored = p->stored_velocity[row.body];
-	if (stored.stored != 0.0f) // velocity of a disabled body
+	if (stored.stored != 0.0f) // a disabled body: reports the stored velocity
 	{
 		row.vx = stored.vx;
 		row.vy = stored.vy;

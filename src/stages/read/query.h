@@ -1,30 +1,33 @@
 // SPDX-License-Identifier: MIT
-// query.h -- queries of the user: rays, moving or resting shapes, and the nearest collidable; one item per query.
+// query.h -- executes the user's queries: rays, moving or resting shapes, and the nearest collidable; one item per
+// query.
 //
-// docs/queries.md defines the results. Of equal fractions or distances the lower index wins, in any order of search.
+// docs/queries.md defines the results. Of two results at the same fraction or distance, the result with the lower index
+// is returned, in any order of search.
 #ifndef QUERY_H
 #define QUERY_H
 #include "stages/geometry/convex_sum.h"
 #include "stages/read/query_tree.h"
 #include "stages/rules/one_way.h"
 
-typedef struct // query in the world
+typedef struct // query in world coordinates
 {
 	Vec start, turn, path; // motion of the shape's origin: start, m; rotation, cos and sin; path, m
 	float radius;          // m: radius of a ray
 	int ignored;           // ignored body, 0 for none
 	Float4 box;            // box at the start
-	Float4 sides;          // bounds of the box: those that enter first, x and y, then those that leave last
+	Float4 sides;          // sides of the box: the leading ones along the path, x and y, then the trailing ones
 	Float2 inverse;        // 1/m: inverse of the path
 } WorldQuery;
 
-// m: components of a path below QUERY_STILL count as zero; 1/m: their inverse
+// m: a smaller component of a path counts as 0, and QUERY_INVERSE, 1/m, as its inverse
 #define QUERY_STILL   1.0e-30f
 #define QUERY_INVERSE 1.0e30f
 
 INLINE float query_inverse(float path) { return absolute(path) < QUERY_STILL ? QUERY_INVERSE : 1.0f / path; }
 
-// Returns the body that a query ignores, 0 for none: also if it was destroyed, even if another body has its slot.
+// Returns the body that a query ignores, 0 for none. If the body was destroyed, returns 0, even if another body has its
+// slot.
 INLINE int query_ignored(const Pools* p, const Query* query)
 {
 	int body = query->ignored, there = body > 0 && body < p->query_plan->bodies;
@@ -74,7 +77,7 @@ INLINE QueryResult query_nothing(void)
 	return found;
 }
 
-// Writes point and normal of a result in the world. They are given in the frame of the leaf.
+// Writes the point and the normal of a result in the world. point, normal: in the frame of the leaf.
 INLINE void query_place(QueryResult* found, QueryLeaf seen, Vec point, Vec normal)
 {
 	Vec turn = vec(seen.c, seen.s);
@@ -86,8 +89,9 @@ INLINE void query_place(QueryResult* found, QueryLeaf seen, Vec point, Vec norma
 	found->normal_y = normal.y;
 }
 
-// Tests the shape of a query against a leaf: finds where they meet or, with form QUERY_NEAREST, where they are nearest.
-// Returns whether they do. Both use a point at q in the frame of the leaf and the core of both shapes.
+// Tests a query against a leaf, as a point against a rounded core. c: core of the leaf, or the sum of both shapes. q,
+// path: point and its path in the frame of the leaf. Finds the first contact or, with form QUERY_NEAREST, the nearest
+// point. Returns whether there is a result.
 INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 {
 	if (form != QUERY_NEAREST)
@@ -105,7 +109,8 @@ INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 	return 1;
 }
 
-// Returns whether a leaf is a one-way platform that lets a query through. f, path: pose and motion in its frame.
+// Returns whether a leaf is a one-way platform that lets a query through. f, path: pose and motion of the query in the
+// frame of the leaf.
 INLINE int query_passes(const Pools* p, QueryLeaf seen, Frame f, float radius, Vec path, const ConvexHit* hit, int form)
 {
 	Rule rule = p->rule[seen.attribute];
@@ -167,7 +172,8 @@ INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, 
 	return 1;
 }
 
-// Returns the distance of a result in units of the boxes, a fraction or a square; at least that of its box.
+// Returns the measure of a result for comparison with boxes: the fraction or, with QUERY_NEAREST, the square of the
+// distance. It is never less than that of the leaf's box. apart: measure of the box.
 INLINE float query_measure(QueryResult* found, int form, float apart)
 {
 	if (form != QUERY_NEAREST)
@@ -179,7 +185,7 @@ INLINE float query_measure(QueryResult* found, int form, float apart)
 	return maximum(separation * separation, apart);
 }
 
-// Returns whether a result precedes the best one so far, at the same distance.
+// Returns whether result a precedes result b, the best one so far, if both have the same measure.
 INLINE int query_before(QueryResult a, QueryResult b)
 {
 	if (!(b.marks & FOUND_HIT) || a.fraction < b.fraction)
@@ -187,11 +193,12 @@ INLINE int query_before(QueryResult a, QueryResult b)
 	return a.fraction == b.fraction && a.collidable < b.collidable;
 }
 
-// Number of results that a CPU worker collects before it lists them, because workers wait for each other at the
-// counter: 16 of them took ten times as long. A GPU combines the additions of neighbors.
+// Number of results that a CPU worker collects before it lists them. With one result at a time 16 workers took ten
+// times as long, because workers wait for each other at the counter. A GPU combines the additions of neighbors.
 #define QUERY_HELD (FETCHES ? 16 : 1)
 
-// Lists count results of query i. Returns 0 above QUERY_MOST: the list is useless, and the counter must not overflow.
+// Adds count results of query i to the list. If this exceeds QUERY_MOST, returns 0 and adds nothing: the list is
+// useless then, and the counter must not overflow.
 INLINE int query_append(const Pools* p, int i, const QueryResult* held, int count)
 {
 	GLOBAL QueryPlan* plan = p->query_plan;
@@ -209,10 +216,10 @@ INLINE int query_append(const Pools* p, int i, const QueryResult* held, int coun
 	return 1;
 }
 
-#define QUERY_FAR 1.0e7f // m: exceeds the sum of all components of a query that the host accepts
+#define QUERY_FAR 1.0e7f // m: more than the sum of all components of a query that the host accepts
 
-// Returns whether a query has finite numbers. The host refuses others, but only while the device already works, and not
-// in shared memory. NaN would hit the empty boxes that pad a node, which have no children.
+// Returns whether a query has finite numbers. The host refuses other queries, but only while the device already works,
+// and not if they are in shared memory. NaN would hit the empty boxes that pad a node, which have no children.
 INLINE int query_finite(Query query)
 {
 	return absolute(query.a.x) + absolute(query.a.y) + absolute(query.a.z) + absolute(query.a.w) + absolute(query.b.x) +

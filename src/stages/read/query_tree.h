@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// query_tree.h -- trees with tight boxes at the current poses, and the search for the nearest leaves.
+// query_tree.h -- builds trees with tight boxes at the current poses, and searches them for the nearest leaves.
 //
 // The boxes of the broad phase are those from the start of a step. Queries have their own boxes over the same leaves,
-// which are computed on request. The step never reads them, so no query changes it.
+// which are computed on request. The step never reads these boxes, so no query changes a step.
 //
 // A search visits near nodes first, and skips nodes that are farther than the best result so far. A result is never
-// nearer than the box of its leaf, so a skipped leaf cannot have a better one, in any order of the leaves.
+// nearer than the box of its leaf, so a skipped leaf cannot have a better result, in any order of the leaves.
 #ifndef QUERY_TREE_H
 #define QUERY_TREE_H
 #include "stages/broad_phase/transform.h"
 #include "stages/geometry/filter.h"
 #include "stages/tree/tree.h"
 
-#define QUERY_MARGIN  LINEAR_SLOP // m: margin of a box, larger than any rounding of a query on its way
+#define QUERY_MARGIN  LINEAR_SLOP // m: margin of a box, larger than any rounding error along the path of a query
 #define QUERY_SPACING 4.0e-7f     // relative spacing of floats
 
 // Returns the box around the motion of a collidable from the start of the step to a pose. A rotation moves points off
-// the straight line by less than their distance from the center of mass times 1 minus its cosine.
+// the straight line by less than their distance from the center of mass times 1 minus the cosine of the rotation.
 INLINE Float4 query_way_box(const Pools* p, int k, WorldShape at)
 {
 	const GLOBAL Attribute* shape = p->attribute + at.attribute;
@@ -28,7 +28,7 @@ INLINE Float4 query_way_box(const Pools* p, int k, WorldShape at)
 }
 
 // Returns whether the step's box of a collidable still contains it. That box is larger by half the speculative distance
-// than the collidable at the start of the step. A new row has an empty box.
+// than the collidable at the start of the step. A new collidable has an empty box.
 INLINE int query_holds(const Pools* p, int k, WorldShape at)
 {
 	WorldShape start = p->world_shape[k];
@@ -86,7 +86,8 @@ INLINE int query_accepts(const Pools* p, const GLOBAL QueryPlan* plan, QueryLeaf
 	return (plan->mask & filter.category) && (plan->category & filter.mask);
 }
 
-// Capacity for groups of eight siblings that are still to be visited, the nearest on top. Each visit adds up to eight.
+// Capacity of the stack of groups of eight siblings that are still to be visited. The nearest group is on top. Each
+// visit adds up to eight groups.
 #define QUERY_GROUPS (2 + (ARITY - 1) * MAX_LEVELS + 6)
 
 // Returns the code of a group: tree in bit 31, level from bit 27 on, number below.
@@ -95,7 +96,7 @@ INLINE Word query_group(int tree, int level, int number) { return (Word)tree << 
 typedef struct
 {
 	Word group[QUERY_GROUPS];
-	float apart[QUERY_GROUPS]; // lower bound of the distance of the leaves below it
+	float apart[QUERY_GROUPS]; // lower bound of the distance of the leaves below the group
 	int count;
 } QueryTraversal;
 
@@ -115,7 +116,7 @@ INLINE void query_begin(const Pools* p, QueryTraversal* traversal, Word kinds)
 	}
 }
 
-// Adds the children that are hit, so that the nearest one is on top.
+// Adds a group for each child in the mask hits, the nearest child on top. first: code of the group of child 0.
 INLINE void query_push(QueryTraversal* traversal, Word hits, const float apart[ARITY], Word first)
 {
 	int base = traversal->count;

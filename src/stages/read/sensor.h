@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// sensor.h -- sensors: finds the collidables that overlapped them at some time of the step.
+// sensor.h -- finds the collidables that overlapped a sensor at some time of the step.
 //
-// A visit is computed from the motion of both from the start of the step to its end, at constant speed. Velocities are
-// not used, so a body that bounces off a wall in front of a sensor is not found behind the wall. An overlap at the end
-// is tested at the poses of the end.
+// A visit is computed from the motions of sensor and collidable from the start of the step to its end, at constant
+// speed. Velocities are not used, so a body that bounces off a wall in front of a sensor is not found behind the wall.
+// An overlap at the end is tested at the poses of the end.
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement.
@@ -19,9 +19,9 @@
 // rounds of conservative advancement. In the second half each round advances by at least an equal part of the rest of
 // the step: where something rotates fast close to a sensor, a visit that is shorter than this part may be missed
 #define SENSOR_ROUNDS   64
-#define SENSOR_HALVINGS 10    // rounds that halve the interval in which an advance passed the beginning of a visit
+#define SENSOR_HALVINGS 10    // rounds that halve the interval in which a visit began
 #define SENSOR_ROUNDING 1e-6f // fraction of the sizes of two shapes that exceeds rounding errors of positions
-#define SENSOR_NEVER    2.0f  // time beyond the step
+#define SENSOR_NEVER    2.0f  // time after the step: no overlap
 
 INLINE Sweep sensor_sweep(const Pools* p, WorldShape from, WorldShape to)
 {
@@ -35,7 +35,7 @@ INLINE Sweep sensor_sweep(const Pools* p, WorldShape from, WorldShape to)
 }
 
 // Returns the separation of two collidables. f: pose of b in the frame of a. *normal: from a to b in the frame of a. If
-// this were inlined, gcc would no longer inline the narrow phase: storm took 1.2 % more instructions.
+// this function were inlined, gcc would no longer inline the narrow phase: storm took 1.2 % more instructions.
 RARE float sensor_apart(const Pools* p, WorldShape a, WorldShape b, Frame f, Vec* normal)
 {
 	const GLOBAL Attribute *shape_a = p->attribute + a.attribute, *shape_b = p->attribute + b.attribute;
@@ -74,12 +74,12 @@ INLINE int sensor_within(const GLOBAL Attribute* a, const GLOBAL Attribute* b, F
 typedef struct // bounds of the speed at which two collidables approach at any time of the step, m per step
 {
 	Vec path;    // motion of b relative to a, without the rotations
-	float turns; // speed of points by the rotation of their bodies
-	float along; // bound in the frame of the larger one, which rotates: small if both rotate together
+	float turns; // bound of the speed of points by the rotation of their bodies
+	float along; // bound in the rotating frame of the larger collidable: small if both collidables rotate together
 } SensorPace;
 
-// Returns the bounds. In the frame of a body that rotates by w, a velocity u changes by at most |w| |path| + |w| |u|
-// per step, so it stays below e^|w| (|u| + |w| |path|). Up to 1.7 rad, 1 + |w| + w^2 exceeds that power.
+// Returns the bounds for a pair. In the frame of a body that rotates by w, a velocity u changes by at most |w| |path| +
+// |w| |u| per step, so it stays below e^|w| (|u| + |w| |path|). Up to 1.7 rad, 1 + |w| + w^2 exceeds that power.
 INLINE SensorPace sensor_pace(Closing c)
 {
 	SensorPace pace;
@@ -97,8 +97,8 @@ INLINE float sensor_speed(SensorPace pace, Vec normal)
 	return minimum(pace.turns - vec_dot(normal, pace.path), pace.along);
 }
 
-// Returns the time at which two moving collidables first overlap, SENSOR_NEVER for none. An advance ends SENSOR_DEPTH
-// inside, which is long for a slow pair, so the time is interpolated to a separation of 0.
+// Returns the time at which two moving collidables first overlap, SENSOR_NEVER if they do not. An advance ends at an
+// overlap of SENSOR_DEPTH. A slow pair needs long for this depth, so the time is interpolated to a separation of 0.
 RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closing)
 {
 	SensorPace pace = sensor_pace(closing);
@@ -137,7 +137,8 @@ RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closi
 	return met;
 }
 
-// Computes the visit of leaf b to sensor a, at their poses at the end. Returns whether there is one.
+// Computes the visit of a leaf to a sensor. a: pose of the sensor at the end of the step. Returns whether there is a
+// visit.
 INLINE int sensor_visit(const Pools* p, int sensor, WorldShape a, QueryLeaf seen, QueryResult* visit)
 {
 	WorldShape b = collidable_place(p, seen.collidable), start_a = p->world_shape[sensor],
@@ -186,8 +187,8 @@ typedef struct // search for the visits of a sensor
 {
 	int query, sensor;
 	Word kinds;
-	WorldShape at; // pose at the end
-	Float4 box;    // box around its motion
+	WorldShape at; // pose of the sensor at the end of the step
+	Float4 box;    // box around the motion of the sensor
 	int blocks[2]; // range of blocks of eight leaves, end excluded
 } SensorSearch;
 
@@ -206,7 +207,7 @@ INLINE int sensor_covers(const SensorSearch* s, int level, int node)
 	return node << bits < s->blocks[1] && (node + 1) << bits > s->blocks[0];
 }
 
-// Searches the leaves of tree t.
+// Lists the visits of the leaves of tree t.
 INLINE void sensor_tree(const Pools* p, const SensorSearch* s, int t)
 {
 	const GLOBAL Tree* tree = p->tree + t;
@@ -230,8 +231,8 @@ INLINE void sensor_tree(const Pools* p, const SensorSearch* s, int t)
 	}
 }
 
-// Items argument * q and up are the parts of the search of query q, whose collidable is a sensor. Each part searches
-// some of the leaves, because a sensor as large as the world would keep a single work-item busy for long.
+// Item: part i % argument of the search of query i / argument, whose collidable is a sensor. Each part searches some of
+// the leaves, because a sensor as large as the world would keep a single work-item busy for long.
 KERNEL(sensor_overlap)
 {
 	SensorSearch s;

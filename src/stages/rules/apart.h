@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// apart.h -- every reason why two collidables do not collide, and the reasons that each stage checks.
+// apart.h -- checks the reasons why two collidables do not collide. Each stage checks some of the reasons.
 //
 // The broad phase checks the reasons that no step changes, and creates no contact for such a pair. Other reasons may
 // end while a contact lasts. So the contact is created, its flags store the result (CONTACT_DETECTED, CONTACT_APART),
 // and all code that works with contacts uses the flags: manifolds, sweeps of fast pairs, events. Continuous collision
-// also tests pairs without a contact, so it checks all reasons. A sensor touches nothing, whatever joints and rules
-// there are, so it checks only bodies and filters (docs/events.md).
+// also tests pairs without a contact, so it checks all reasons. A sensor touches nothing, so joints and rules do not
+// matter for its overlaps: only bodies and filters are checked (docs/events.md).
 #ifndef APART_H
 #define APART_H
 #include "stages/geometry/filter.h"
@@ -20,13 +20,14 @@
 #define APART_MATERIAL 32                                       // the materials of the pair ignore each other
 #define APART_REFUSED  64                                       // contact approval was refused
 #define APART_PAIR     (APART_KIND | APART_BODY | APART_FILTER) // no contact is created
-#define APART_LASTING  (APART_PAIR | APART_DETECTED)            // no contact, or one without impulses
+#define APART_LASTING  (APART_PAIR | APART_DETECTED)            // no contact, or a contact without impulses
 #define APART_ALL      (APART_LASTING | APART_JOINED | APART_MATERIAL | APART_REFUSED) // all reasons
 #define APART_SEEN     (APART_BODY | APART_FILTER)                                     // no sensor overlap
 
-// Returns a pair in order: a moving collidable before one that does not move, then the smaller one, then the lower
-// index. The manifold is computed in the frame of the first one, and the solver's arms begin at its center, where both
-// are precise: far from the center of a floor, a circle's arms would be off by 1e-7 of the distance, and it would roll.
+// Returns a pair in order: a dynamic collidable comes before one that is not; else the smaller one comes first, and of
+// equal ones that with the lower index. The manifold is computed in the frame of the first collidable, and the solver's
+// arms begin at its center, where manifold and arms are precise: far from the center of a floor, a circle's arms would
+// be off by 1e-7 of the distance, and it would roll.
 INLINE Int2 apart_pair(const Pools* p, int i, int j)
 {
 	int a = i < j ? i : j, b = i < j ? j : i;
@@ -40,7 +41,8 @@ INLINE Int2 apart_pair(const Pools* p, int i, int j)
 // Returns a pair as a number of few bits, which is fast to sort.
 INLINE Word64 apart_key(const Pools* p, Int2 pair) { return (Word64)pair.x << p->step.key_bits | (Word64)pair.y; }
 
-// Returns the first of these reasons that keeps i and j apart, or 0. apart_lets, which is slow, tests platforms.
+// Returns the first of the given reasons that keeps i and j apart, 0 if there is none. One-way platforms are not among
+// them, because apart_lets, which tests them, is slow.
 INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 {
 	int a = p->collidable_body[i], b = p->collidable_body[j];
@@ -62,12 +64,13 @@ INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 	return 0;
 }
 
-// Returns the key of a contact that a one-way platform lets through: the pair reversed, among refused contacts.
+// Returns the key of a contact that a one-way platform lets through. In the list of refused contacts it is a pair in
+// reverse order.
 INLINE Word64 apart_passes_key(const Pools* p, Int2 pair) { return apart_key(p, make_int2(pair.y, pair.x)); }
 
-// Returns whether platform a lets b through, for continuous collision. A contact that the platform holds stays held. A
-// visitor that passes, or whose box is apart from it, is held if it is above the platform, or gets there in the step.
-// way, m: displacement of b relative to a in the step. swing, m: largest additional displacement of its points.
+// Returns whether platform a lets b through, for continuous collision. If their boxes overlap, and the platform does
+// not let their contact through, it holds b. Otherwise it holds b if b is above the platform, or gets there in the
+// step. way, m: displacement of b relative to a in the step. swing, m: largest additional displacement of a point of b.
 RARE int apart_lets(const Pools* p, int a, int b, Vec way, float swing)
 {
 	if (!rule_platform(p, a, b))

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // one_way.h -- one-way platforms: tests whether a visitor is on the side from which a platform is solid.
 //
-// A platform has a direction, up. A visitor that is not held yet becomes held when it is above: no point of it is
-// deeper below one of the platform's upper sides than a small slop, and it is over that side, or gets there in the
-// step. So a visitor that comes from below or from beside, or starts halfway through, passes at any speed. One that
-// comes from above is held in the step in which it meets the platform. It stays held while it touches the platform, and
-// while it is neither below nor beside it: a tilted plank may reach below the platform before the two touch.
+// A platform has a direction, up. A visitor becomes held when it is above the platform. This means that none of its
+// points is below an upper side of the platform by more than a small slop, and that it is over this side or gets there
+// in the step. So a visitor that comes from below or from beside, or starts halfway through, passes at any speed. A
+// visitor that comes from above is held in the step in which it meets the platform. It stays held while it touches the
+// platform, and also while it is neither below nor beside the platform: a tilted plank may reach below the platform
+// before the two touch.
 //
 // This work is based on:
 // Erin Catto, Box2D's sample Platform; Rapier's update_as_oneway_platform: a state for each contact.
@@ -14,9 +15,10 @@
 #include "stages/geometry/sweep.h"
 
 // ONE_WAY_SLOP, m: depth up to which a visitor counts as above. It is more than bodies fall in a step of 1/30 s, and
-// more than loads press them in. ONE_WAY_SHARE: limit of the slop as a fraction of the visitor's thickness, so that a
-// thin visitor that comes from below is not above when it touches. ONE_WAY_FRESH: slop of a pair that was far apart in
-// the last step, as a fraction of the thickness, because continuous collision stops a visitor at CONTINUOUS_DEPTH.
+// more than the depth to which loads press them into a platform. ONE_WAY_SHARE: limit of the slop as a fraction of the
+// visitor's thickness, so that a thin visitor that comes from below is not above when it touches. ONE_WAY_FRESH:
+// slop of a pair that was far apart in the last step, as a fraction of the thickness, because continuous collision
+// stops a visitor at CONTINUOUS_DEPTH.
 #define ONE_WAY_SLOP  SPECULATIVE_DISTANCE
 #define ONE_WAY_SHARE 0.5f
 #define ONE_WAY_FRESH 0.3f
@@ -26,7 +28,8 @@
 #define ONE_WAY_NEW  0 // boxes did not overlap in the last step, or the visitor was higher, but not over the platform
 #define ONE_WAY_PAST 1 // the platform let the visitor through
 #define ONE_WAY_HELD 2 // the platform held the visitor, but the two do not touch
-// cosine: sides with a larger product of normal and up are upper sides; walls of a box must not be, despite rounding
+// cosine: a side is an upper side if the product of its normal and up is larger; rounding must not make the walls of a
+// box upper sides
 #define ONE_WAY_UPPER 0.1f
 
 // heights of a visitor relative to a platform
@@ -66,10 +69,10 @@ INLINE int one_way_meet(OneWaySpan a, OneWaySpan b) { return a.left <= b.right &
 typedef struct // depth up to which a visitor counts as above, m
 {
 	float slop; // value for the current poses
-	float late; // value for the place where it gets over the platform in the step
+	float late; // value for the poses at which the visitor gets over the platform in the step
 } OneWayDepth;
 
-// Returns the height of a visitor relative to a side. n: its normal. way, m: relative motion in the step.
+// Returns the height of a visitor relative to a side. n: normal of the side. way, m: relative motion in the step.
 RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWayDepth depth)
 {
 	float gap = visitor.low - side.high, closes = -vec_dot(n, way), slides = vec_cross(n, way), from = 0.0f, to = 1.0f;
@@ -86,7 +89,8 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	return one_way_meet(side, visitor) ? ONE_WAY_ABOVE : ONE_WAY_HIGH;
 }
 
-// Returns whether n is the normal of an upper side, but not up itself, which the test of the whole width covers.
+// Returns whether n is the normal of an upper side other than up. The side with the normal up is covered by the test of
+// the whole width.
 INLINE int one_way_upper(Vec n, Vec up) { return vec_dot(n, up) > ONE_WAY_UPPER && !(n.x == up.x && n.y == up.y); }
 
 typedef struct // extents of a platform and a visitor along up, in the frame of the platform
@@ -110,7 +114,8 @@ INLINE OneWaySpan one_way_grow(OneWaySpan span, float margin)
 	return span;
 }
 
-// Returns a visitor's largest height over a platform's width and upper sides. f: its pose there; margin, m: its growth.
+// Returns the largest of a visitor's heights relative to the width and the upper sides of a platform. f: pose of the
+// visitor in the frame of the platform. margin, m: distance by which the visitor is enlarged.
 INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f,
                           OneWayWhole whole, float margin, Vec way, OneWayDepth depth)
 {
@@ -128,8 +133,8 @@ INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL
 	return most;
 }
 
-// Returns the depth up to which visitor b counts as above. A load may press it into the platforms that hold it; the
-// next platform accepts it at that depth, plus the depth that continuous collision allows in a step.
+// Returns the depth up to which visitor b counts as above. A load may press b into the platforms that hold it; the next
+// platform accepts b at that depth, plus the depth that continuous collision allows in a step.
 INLINE OneWayDepth one_way_depth(const Pools* p, WorldShape b, int known, float swing)
 {
 	float thickness = p->thickness[b.attribute], sunk = bits_float(p->sunk[b.body]);
@@ -159,7 +164,7 @@ INLINE Vec one_way_up(const Pools* p, WorldShape a)
 }
 
 // Returns the position of visitor b relative to platform a now. way, m: displacement relative to a in the step, in
-// world axes. swing, m: largest additional displacement of its points. known: state, ONE_WAY_*.
+// world axes. swing, m: largest additional displacement of a point of b. known: state of the contact, ONE_WAY_*.
 RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, float swing, int known)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
@@ -175,8 +180,8 @@ RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec w
 	return place;
 }
 
-// m: Returns the depth of visitor b in platform a, which held it, or 0 if it has left. It is that below the upper side
-// with the least depth, at most the thickness of b, because the middle of b is outside.
+// m: Returns the depth of visitor b in platform a, which held it, or 0 if it has left. The depth is measured from the
+// upper side with the least depth. It is at most the thickness of b, because the middle of b is outside the platform.
 RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
 {
 	const GLOBAL Attribute* platform = p->attribute + a.attribute;
@@ -196,7 +201,8 @@ RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
 	return depth;
 }
 
-// Returns whether another collidable of the visitor's body is neither above nor beside: bodies are held as a whole.
+// Returns whether another collidable of b's body is neither above platform a nor beside it. Then b is not held: a
+// platform holds all collidables of a body or none.
 INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, float swing, int known)
 {
 	for (int k = p->continuous_body[p->collidable_body[b]].first; k > 0; k = p->next_collidable[k - 1])
@@ -212,7 +218,8 @@ INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, float s
 
 INLINE int one_way_is(const Pools* p, int a) { return p->rule[p->collidable_attribute[a]].one_way; }
 
-// Returns ONE_WAY_HELD if platform a holds b in the step, else the next state of the contact. known: its state now.
+// Returns ONE_WAY_HELD if platform a holds b in the step, else the next state of the contact. known: current state of
+// the contact.
 INLINE int one_way_finds(const Pools* p, int a, int b, Vec way, float swing, int known)
 {
 	WorldShape platform = p->world_shape[a];

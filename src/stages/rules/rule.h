@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// rule.h -- rules of the user about pairs, which decide which contacts act. Runs only in worlds with rules.
+// rule.h -- evaluates the user's rules about pairs, which decide which contacts act. Used only in worlds with rules.
 //
 // A contact that a rule disables has no points, as if only the boxes of its collidables overlapped. Rules are evaluated
 // before the narrow phase, from the state of the contact in the last step and the current poses.
@@ -29,7 +29,8 @@ INLINE Float4 rule_surface(MaterialPair pair, Float4 surface)
 	                   pair.sets & MATERIAL_SPEED ? pair.tangent_speed : surface.w);
 }
 
-// Returns whether a is a one-way platform for b. A dynamic one is solid for all that is not dynamic, so that it lands.
+// Returns whether a is a one-way platform for b. A dynamic platform is solid for static and kinematic collidables, so
+// that it can land on them.
 INLINE int rule_platform(const Pools* p, int a, int b)
 {
 	return one_way_is(p, a) && (p->collidable_kind[a] != KIND_DYNAMIC || p->collidable_kind[b] == KIND_DYNAMIC);
@@ -42,7 +43,7 @@ INLINE Advance rule_advance(const Pools* p, int i)
 	return sweep_advance_of(&p->step, vec(body.vx, body.vy), body.w);
 }
 
-// Returns the displacement of b relative to a, which rotates, in the step, m.
+// Returns the displacement of b in the step, m, relative to a, in the rotating frame of a.
 INLINE Vec rule_way(const Pools* p, int a, int b)
 {
 	WorldShape at = p->world_shape[a], to = p->world_shape[b];
@@ -52,7 +53,8 @@ INLINE Vec rule_way(const Pools* p, int a, int b)
 	return vec_sub(vec_sub(second.path, first.path), vec_spin(first.turn, arm));
 }
 
-// Returns CONTACT_PASSES if a platform lets a contact pass, CONTACT_HIGH too if it may later be held as if new, or 0.
+// Returns CONTACT_PASSES if a platform lets a contact through, otherwise 0. Adds CONTACT_HIGH if the visitor is high,
+// but not over the platform, so that it may be held later like a new visitor.
 RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 {
 	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED | CONTACT_HIGH) ? ONE_WAY_NEW
@@ -76,7 +78,8 @@ RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 // Clears the depth of body i in the platforms that hold it.
 KERNEL(sunk_begin) { p->sunk[i] = 0; }
 
-// Raises a visitor's depth in a platform to depth, m, or to that of the manifold of their contact (slot) if larger.
+// Raises a visitor's depth in its platforms to depth, m, or to the depth in the manifold of a contact if that is
+// larger. slot: slot of the contact.
 INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 {
 	if (p->contact_flags[slot] & CONTACT_COUNT)
@@ -89,14 +92,16 @@ INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 		atomic_max_int(&p->sunk[p->collidable_body[visitor]], float_bits(depth));
 }
 
-// Raises the depth of visitor b in platform a. slot: of their contact. found: 1 if computed for these poses already.
+// Raises the depth of visitor b if a is a platform. slot: slot of their contact. found: 1 if the depth at the current
+// poses was already added.
 RARE void sunk_by(const Pools* p, int slot, int a, int b, int found)
 {
 	if (rule_platform(p, a, b))
 		sunk_to(p, slot, b, found ? 0.0f : one_way_sunk(p, p->world_shape[a], p->world_shape[b]));
 }
 
-// Raises the depths of the visitors of contact i in its platforms. flags: of the contact; found: as in sunk_by.
+// Raises the depth of each collidable of contact i for which the other one is a platform. flags: flags of the contact;
+// found: as in sunk_by.
 INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 {
 	Int2 pair = p->pair[i];
@@ -114,7 +119,8 @@ INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 		p->contact_flags[i] = flags | CONTACT_SUNK;
 }
 
-// Computes the depths for contact i in its last state, before contact_rule; approval_request repeats it for continuous.
+// Raises the depths for contact i by its manifold of the last step, before contact_rule. approval_request repeats this
+// with the new manifold, for the kernel continuous.
 KERNEL(contact_sunk)
 {
 	if (i < p->counters->live)
@@ -129,7 +135,7 @@ INLINE int approval_finds(const GLOBAL Word64* keys, int count, Word64 key)
 	return at < count && keys[at] == key;
 }
 
-// Returns the CONTACT_APPROVALS bits of a contact with these flags.
+// Returns the new CONTACT_APPROVALS bits of a contact. flags: its flags so far.
 RARE Word rule_answer(const Pools* p, Int2 pair, Word flags)
 {
 	if (!((p->filter[pair.x].reports | p->filter[pair.y].reports) & REPORT_APPROVAL))
@@ -141,7 +147,7 @@ RARE Word rule_answer(const Pools* p, Int2 pair, Word flags)
 	if (flags & CONTACT_WAITED)
 		return approval_finds(p->allowed, p->step.allowed, approval_key(pair)) ? CONTACT_APPROVED
 		                                                                       : CONTACT_PENDING | CONTACT_REFUSED;
-	// without points the two have parted, and approval starts again; a contact that touched before keeps acting
+	// without points the pair has parted, and approval starts again; a contact that touched before keeps acting
 	if (!(flags & CONTACT_COUNT))
 		return CONTACT_PENDING;
 	return flags & CONTACT_APPROVALS ? flags & CONTACT_APPROVALS : CONTACT_APPROVED;

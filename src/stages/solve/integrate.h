@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// integrate.h -- bodies between two passes of the solve: acceleration, or motion.
+// integrate.h -- accelerates or moves bodies between two passes of the solve.
 //
 // Warm starting needs no pass over the contacts. Anchors and normals are constant within a step, so the contacts'
-// impulses of one substep would change a body's velocity by the same amount in the next one: the velocity after the
-// relaxation pass minus the velocity before any impulse (the pool base). integrate_velocity adds this amount then.
+// impulses of one substep would change a body's velocity by the same amount in the next substep. This amount is the
+// velocity after the relaxation pass minus the velocity before any impulse (the pool base); integrate_velocity adds it.
 #ifndef INTEGRATE_H
 #define INTEGRATE_H
 #include "constraints/solver_body.h"
 #include "dialect/finite.h"
 
 // Adds the acceleration and, as warm start, the change of velocity by the contacts in the last substep. b, m, base:
-// pool rows. In the first substep base is still the velocity of the body alone, and the body has its warm start.
+// pool rows. In the first substep, base is the velocity without the warm start, which the velocity in b already
+// contains.
 INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base, int first)
 {
 	Vec v = vec(b[0], b[1]), contacts = vec_sub(v, vec(base[0], base[1]));
@@ -28,7 +29,8 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	v.y = m[7] * finite_of(linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
 	w = number_of(angular * w + h * (b[7] * m[2])); // the limit below makes it finite
 
-	// limits only the body's own velocity: the contacts' change must match their impulses, or they take back more
+	// limits only the velocity without the change by contacts. This change must match the impulses of the contacts;
+	// otherwise they would take back more
 	v = vec_scale(vec_shrink(v, step->max_speed), v);
 	w = within(w, splat(step->max_spin));
 	base[0] = v.x;

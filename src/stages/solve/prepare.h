@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// prepare.h -- terms of the constraints for the passes, computed once per step.
+// prepare.h -- computes the terms of the constraints for the passes, once per step.
 #ifndef PREPARE_H
 #define PREPARE_H
 #include "constraints/constraint_kinds.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// prepare_one.h -- state of bodies at the start of a step.
+// prepare_one.h -- prepares the state of bodies at the start of a step, and restores inertias after the step.
 #ifndef PREPARE_ONE_H
 #define PREPARE_ONE_H
 #include "constraints/constraint_kinds.h"
@@ -33,7 +33,7 @@ KERNEL(body_taut)
 	if (own > 0.0f && pull * own > 1.0f && pull <= MOST_FLOAT)
 		body->inv_inertia = 1.0f / pull;
 	if (i == 0)
-		p->counters->taut = 0; // counted again by the warm starts that follow
+		p->counters->taut = 0; // the warm starts that follow count again
 }
 
 // Restores the inertia of a body after the step.

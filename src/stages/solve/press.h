@@ -2,24 +2,25 @@
 // press.h -- finds bodies that something kinematic presses against something static, directly or through others.
 //
 // A body may overlap a static one because something kinematic presses it there, which no force stops, or because of the
-// load on it. Its own contacts do not distinguish the two. So each press is propagated as a way: a direction, with a
-// number of hops left. A body that overlaps something kinematic is pressed along the normal, and presses the bodies
-// that it touches in about that direction, and so on: contacts pass ways on. Each hop reduces the number, from
-// PRESS_HOPS on, so that a way without its source fades. Static bodies start ways of their own, in the opposite
-// directions. A body with opposite ways of both kinds is pressed between the two. A contact stores its hops between
-// steps; bodies collect their ways again in each step.
+// load on it. The contacts of the body do not distinguish these two cases. So each press is propagated as a way: a
+// direction, with a number of hops left. A body that overlaps something kinematic is pressed along the normal, and
+// presses the bodies that it touches in about that direction, and so on: contacts hand ways on. The number begins at
+// PRESS_HOPS and is reduced by each hop, so that a way fades when its source is gone. Static bodies start ways too, in
+// the opposite directions. A body with opposite ways of both kinds is pressed between the two. A contact stores its
+// hops between steps; bodies collect their ways again in each step.
 #ifndef PRESS_H
 #define PRESS_H
 #include "constraints/contact_report_points.h"
 #include "constraints/joint_prepare.h"
 #include "stages/geometry/sweep.h"
 
-// cosine between a normal and a way, above which the way continues along the normal; with less, carts press the floor
+// cosine between a normal and a way: if it is larger, the way continues along the normal. With a smaller limit, carts
+// press the floor.
 #define PRESS_ALONG 0.15f
 
 #define PRESS_HOPS   63   // largest number of hops of a way, and so of bodies in a row through which a press acts
 #define PRESS_STEPS  32   // steps after a press in which a body leaves no faster than it was pressed
-#define PRESS_SLOWER 0.9f // fraction of its speed that a body keeps per step if it came between the two faster
+#define PRESS_SLOWER 0.9f // fraction of its speed per step that a body between presser and static body keeps, if faster
 
 // Way of a contact in the pool contact_press, of kind 0 (static) or 1 (kinematic): 6 bits of hops, and PRESS_BACK if it
 // goes from b to a.
@@ -36,8 +37,8 @@ INLINE Word press_bits(const int way[2], float speed)
 	return way[1] ? bits | (((Word)float_bits(speed) + 32767u) >> 15 << PRESS_SPEED) : bits;
 }
 
-// Returns the code of a way of a body: hops, and its direction in units of 1/127. The largest code wins, so of equal
-// hops the direction is arbitrary, but the same on every device.
+// Returns the code of a way of a body: hops, and its direction in units of 1/127. The largest code wins, so between
+// ways with equal hops the direction is arbitrary, but the same on every device.
 INLINE int press_code(int hops, Vec direction)
 {
 	int x = (int)(127.0f * direction.x + 128.5f), y = (int)(127.0f * direction.y + 128.5f);
@@ -53,7 +54,8 @@ INLINE int press_left(int code, Vec normal)
 	return along && code >> 16 > 1 ? (code >> 16) - 1 : 0;
 }
 
-// Returns whether the press kernels do nothing: they began before the host read the counters, and the layout changed.
+// Returns whether the press kernels do nothing: they were started before the host read the counters, and the layout has
+// changed since.
 INLINE int press_waits(const Pools* p) { return (p->argument & PRESS_MAY_WAIT) && !p->counters->kept; }
 
 // Returns the slot of the contact at place i, -1 for none.
@@ -70,7 +72,7 @@ RARE ContactPoints press_points(const Pools* p, int slot)
 	return contact_report_points(p->attribute, a, b, manifold, p->contact_flags[slot], p->contact_feature[slot]);
 }
 
-typedef struct // data of a contact that the rounds share
+typedef struct // data of a contact that all rounds use
 {
 	Vec normal;
 	float gap; // m: smaller gap of its points
@@ -78,7 +80,8 @@ typedef struct // data of a contact that the rounds share
 
 #define PRESS_NONE 2.0f // value of normal_x for a contact whose data is not computed yet
 
-// Stores the data of the contact at place i in its rows, which the solve prepares later.
+// Stores the data of the contact at place i in its rows, which are free until the solve prepares them. Returns the
+// data.
 INLINE PressContact press_keep(const Pools* p, int i, const ContactPoints* at)
 {
 	PressContact facts;
@@ -104,7 +107,7 @@ INLINE PressContact press_facts(const Pools* p, int i, int slot)
 	return facts;
 }
 
-// m/s: speed of the kinematic body at a point of contact i that overlaps and approaches; the larger one of its points
+// m/s: largest speed of the kinematic body at the points of contact i that overlap and approach
 INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
 {
 	WorldShape a = p->world_shape[p->pair[i].x], b = p->world_shape[p->pair[i].y];
@@ -158,7 +161,8 @@ RARE void press_start(const Pools* p, int i, int slot, int lasts)
 		raise_int(&p->press[body].speed, float_bits(press_pushes(p, slot, at)));
 }
 
-// Item: a place of contacts. Gives its bodies the ways of the contact: of the last step, and those that start there.
+// Item: a place of contacts. Gives its bodies the ways that the contact has stored, and those that start at the
+// contact.
 KERNEL(press_gather)
 {
 	int slot = press_slot(p, i);
@@ -166,7 +170,7 @@ KERNEL(press_gather)
 		return;
 	Word bits = p->contact_press[slot];
 	int first = !(p->argument & PRESS_AGAIN);
-	// contacts with bodies that do not move pass no way on, and give the same in each round
+	// contacts with bodies that do not move hand no way on, and have given their ways in the first round
 	if (!first && bits == 0)
 		return;
 	int still = p->collidable_kind[p->contact_place_pair[i].y] < KIND_DYNAMIC;
@@ -204,7 +208,8 @@ KERNEL(press_gather)
 
 #define PRESS_HOLDS(k) (JOINT_LOCKED(k) | JOINT_SPRING(k)) // modes that hold the anchors together along coordinate k
 
-// Item: a joint to a body that cannot move. Drags the other body, as a press of any speed, if the anchors cannot meet.
+// Item: a joint to a body that cannot move. If the anchors are far apart, the joint drags the other body: starts a way,
+// as of a presser with max_speed.
 KERNEL(press_joint)
 {
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;
@@ -241,7 +246,7 @@ INLINE PressWays press_ways(const Pools* p, int body)
 	return ways;
 }
 
-// Item: a place of contacts. Passes ways on, and marks bodies pressed into something static for continuous collision.
+// Item: a place of contacts. Hands ways on, and marks bodies pressed into something static for continuous collision.
 KERNEL(press_hand_on)
 {
 	int slot = press_slot(p, i), way[2] = {0, 0};

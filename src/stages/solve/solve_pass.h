@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// solve_pass.h -- one pass of soft sequential impulses over the constraints of one color and kind.
+// solve_pass.h -- runs one pass of soft sequential impulses over the constraints of one color and kind.
 #ifndef SOLVE_PASS_H
 #define SOLVE_PASS_H
 #include "constraints/constraint_kinds.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hilbert.h -- positions of the leaves of a tree along a Hilbert curve, by which they are sorted.
+// hilbert.h -- computes the positions of the leaves of a tree along a Hilbert curve, by which the leaves are sorted.
 #ifndef HILBERT_H
 #define HILBERT_H
 #include "stages/geometry/box.h"

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// tree.h -- packed trees of boxes: leaves in the order of a Hilbert curve, ARITY children per node, no pointers.
+// tree.h -- builds and traverses packed trees of boxes: leaves in the order of a Hilbert curve, ARITY children per
+// node, no pointers.
 //
 // This work is based on:
 // Ibrahim Kamel, Christos Faloutsos, On Packing R-trees, 1993.
 //
-// The children of node n of a level are the nodes ARITY * n and up of the level below. So a level is built by one pass
-// over the level below, the eight boxes of a node are one cache line of a GPU, and a traversal needs a stack of 8 bits
-// per level. A binary radix tree (Karras, Maximizing Parallelism in the Construction of BVHs, 2012) has tighter nodes,
-// but needs pointers, atomics between compute units to refit, and 20 levels instead of 7.
+// The children of node n of a level are ARITY nodes of the level below, beginning at ARITY * n. So a level is built by
+// one pass over the level below, the eight boxes of a node are one cache line of a GPU, and a traversal needs a
+// stack of 8 bits per level. A binary radix tree (Karras, Maximizing Parallelism in the Construction of BVHs, 2012) has
+// tighter nodes, but needs pointers, atomics between compute units to refit, and 20 levels instead of 7.
 //
 // The order of the leaves affects speed only: the set of pairs is defined by the boxes.
 #ifndef TREE_H
@@ -16,7 +17,8 @@
 #include "stages/geometry/filter.h"
 #include "stages/tree/hilbert.h"
 
-// A node is wide above this ratio of its area to the mean of its leaves: twice that of a row of eight with one bend.
+// A node is wide if the ratio of its area to the mean area of its leaves is larger than this: twice the ratio for a
+// row of eight boxes with one bend.
 #define OUTLIER_BOXES 64.0f
 
 INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC; }
@@ -49,8 +51,9 @@ INLINE void tree_join(GLOBAL Float4* boxes, const GLOBAL Tree* tree, int level, 
 	box_pack(boxes, tree->begin[level] + i, box);
 }
 
-// Returns a bit for each child of node i of a level over something that a kinematic collidable can touch. Others are
-// skipped: otherwise each of 40,000 shapes of a kinematic body would visit its neighbors.
+// Returns a mask of the children of node i of a level: bit k is set if something below child k can touch a kinematic
+// collidable. Traversals for kinematic collidables skip the other children; otherwise each of 40,000 shapes of a
+// kinematic body would visit its neighbors.
 INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int i)
 {
 	Word movers = 0;
@@ -73,7 +76,7 @@ KERNEL(tree_node)
 		p->node_movers[tree->begin[level - 1] / ARITY + i] = tree_movers(p, tree, level, i);
 }
 
-// Returns the same bits for the eight nodes of a level from first on.
+// Returns the mask of tree_movers for the eight nodes of a level that begin at first.
 INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, int first)
 {
 	return level < tree->top ? p->node_movers[(tree->begin[level] + first) / ARITY] : 255u;
@@ -82,8 +85,8 @@ INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, i
 INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
 
 // Item: a node of level 1. argument: the tree. Adds to the estimate of wasted visits: a leaf that is new or jumped
-// makes the nodes above it wide, and traversals visit these in vain. The expected fraction of traversals that meet one
-// is its area over that of all leaves. Nodes no wider than rows of leaves do not count.
+// makes the nodes above it wide, and traversals visit these in vain. The expected fraction of traversals that meet such
+// a node is its area divided by the area of all leaves. Nodes that are not wider than a row of leaves do not count.
 KERNEL(tree_outlier)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
@@ -116,14 +119,15 @@ KERNEL(tree_outlier)
 	// factor 2 below: after a jump, the upper nodes cost about as much as this one
 	wide -= box_is_empty(before) ? 0.0f : box_area(before);
 	float traversals = 2.0f * wide / (mean * (float)tree->leaves);
-	if (traversals < 0.0f) // may be outside the range of int
+	if (traversals < 0.0f) // a large negative number would be outside the range of int
 		return;
 	int outliers = traversals < 2.0f ? (int)((float)OUTLIER_UNIT * traversals) : 2 * OUTLIER_UNIT;
 	if (outliers > 0)
 		atomic_add_int(&p->counters->outliers[p->argument], outliers);
 }
 
-// Orders a sort if this step's waste alone costs more; smaller costs add up (src/step/tree_maintenance.c).
+// Requests a sort of the leaves if the wasted visits of this step cost more than the sort. Smaller costs are summed
+// over steps (src/step/tree_maintenance.c).
 KERNEL(tree_measure_quality)
 {
 	GLOBAL Counters* c = p->counters;
@@ -151,10 +155,10 @@ KERNEL(tree_order)
 		p->counters->outliers[p->argument] = 0;
 }
 
-// Returns a mask: bit k is set if the box overlaps child k of the eight nodes from first on.
+// Returns a mask of eight nodes that begin at first: bit k is set if node k of them overlaps the box.
 INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
 
-// Returns a mask: bit k is set if node first + k of a level contains a leaf from (included) to end (excluded).
+// Returns a mask of eight nodes of a level: bit k is set if node first + k contains a leaf with from <= index < end.
 INLINE Word64 tree_span(int level, int first, int from, int end)
 {
 	int low = (from >> (ARITY_BITS * level)) - first, high = ((end - 1) >> (ARITY_BITS * level)) - first;
@@ -164,17 +168,17 @@ INLINE Word64 tree_span(int level, int first, int from, int end)
 	return high < ARITY - 1 ? span & (((Word64)2 << high) - (Word64)1) : span;
 }
 
-typedef struct // traversal of the nodes over leaves that overlap a box, by rising leaf index
+typedef struct // traversal of the nodes of level 1 that overlap a box, by rising leaf index
 {
 	Word64 masks;     // 8 bits per level: siblings on the current path that are still to be visited
-	Word64 leaves;    // bit per leaf of the current node: the leaf overlaps the box
+	Word64 leaves;    // mask of the leaves of the current node that overlap the box
 	int level, first; // current position: level, and first of eight siblings
 	int from, end;    // range of leaves, end excluded; end 0: all leaves
-	int nodes;        // remaining limit of visited nodes over leaves
+	int nodes;        // number of nodes of level 1 that may still be visited
 	int movers;       // 1: visit only nodes that contain something with which a kinematic collidable can collide
 } TreeTraversal;
 
-// Starts a traversal of a tree, not empty, over the leaves from (included) to end (excluded), or all if end is 0.
+// Starts a traversal of a tree that is not empty, over the leaves with from <= index < end; end 0: all leaves.
 INLINE TreeTraversal tree_traverse(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
 {
 	TreeTraversal traversal;
@@ -192,8 +196,9 @@ INLINE TreeTraversal tree_traverse(const Pools* p, const GLOBAL Tree* tree, Floa
 	return traversal;
 }
 
-// Advances to the next node over leaves and returns its first leaf; traversal->leaves has a bit per leaf that overlaps.
-// Returns TREE_DONE after the last, TREE_LEFT at the limit of nodes; then it must continue at traversal->first.
+// Advances to the next node of level 1 and returns the index of its first leaf. Sets traversal->leaves to a mask of its
+// leaves that overlap the box. Returns TREE_DONE after the last node, TREE_LEFT if the limit of visited nodes is
+// reached; the caller must then continue at traversal->first.
 #define TREE_DONE (-1)
 #define TREE_LEFT (-2)
 INLINE int tree_next(const Pools* p, const GLOBAL Tree* tree, Float4 box, TreeTraversal* traversal)

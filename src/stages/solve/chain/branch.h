@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// branch.h -- a pass over a branch: joints whose bodies form a tree, solved exactly, from the ends to the root.
+// branch.h -- runs a pass over a branch: joints whose bodies form a tree are solved exactly, from its ends to its root
+// and back.
 //
-// A pass from joint to joint over a light body that carries heavy ones leaves an error that travels around it, in the
-// order of the joints. The warm start extrapolates this error, and the bias integrates it: wheels with heavy spokes
-// shook themselves apart. So the host finds such trees (src/world/chain/chains.c). Like those of chains, their joints
-// have no color and are solved after the colors of a pass.
+// A pass from joint to joint over a light body that carries heavy ones leaves an error that travels around the light
+// body, in the order of the joints. The warm start extrapolates this error, and the bias integrates it: wheels with
+// heavy spokes shook themselves apart. So the host finds such trees (src/world/chain/chains.c). Like the joints of
+// chains, the joints of branches have no color and are solved after the colors of a pass.
 //
-// Each node is a body with its joint toward the root. Let u be the change of the velocity of the parent body, w that of
-// its own body. The impulses x of the joint satisfy (softness) x = goal - J u - K w. With all bodies below it, the node
-// has the inertia A and gets the push f: A w = f + K^T x. Elimination of w gives
+// Each node is a body with its joint toward the root. Let u be the change of the velocity of the parent body, and w
+// that of the node's own body. The impulses x of the joint satisfy (softness) x = goal - J u - K w. Together with all
+// bodies below it, the node has the inertia A and gets the push f: A w = f + K^T x. Elimination of w gives
 //
 // x = B (goal - K A^-1 f - J u),     B = (softness + K A^-1 K^T)^-1
 //
-// so the node acts on its parent like the inertia J^T B J and the push J^T B (goal - K A^-1 f). These are summed from
-// the ends to the root; then the changes are computed from the root to the ends, in as many steps as joints.
+// so the node acts on its parent like the inertia J^T B J and the push J^T B (goal - K A^-1 f). These inertias and
+// pushes are summed from the ends to the root; then the changes are computed from the root to the ends, in as many
+// steps as joints.
 //
 // This work is based on:
 // Roy Featherstone, The Calculation of Robot Dynamics Using Articulated-Body Inertias, 1983.
@@ -22,13 +24,14 @@
 #define BRANCH_H
 #include "stages/solve/chain/branch_drive.h"
 
-// Fraction of the upper body's yield for a lower body that cannot move. It multiplies changes of impulses only.
+// Fraction of the upper body's yield that is added if the lower body cannot rotate. It multiplies changes of impulses
+// only, so the joint gets no softer.
 #define BRANCH_GIVE   1.0e-3f
-#define BRANCH_TRIALS 4 // limit of repeated solutions of a pass after motors or limits reached their bounds
+#define BRANCH_TRIALS 4 // maximum of repeated solutions in a pass, after motors or limits reached their bounds
 
 typedef struct
 {
-	Chain chain; // its joints, in one row
+	Chain chain; // joints of the branch, in one row
 	int nodes;   // index of node 0 in the pool
 } Branch;
 
@@ -49,13 +52,15 @@ INLINE Branch branch_number(const Pools* p, int i)
 
 // Impulses of joints on their bodies.
 
-// Loads the joint of a node with its bodies; it is inert for a root without a joint, or if it broke.
+// Loads the joint of a node with its bodies. The joint is inert if the node is a root without a joint, or if the joint
+// broke.
 INLINE void branch_load(const Pools* p, const Branch* branch, int k, ChainLink* link)
 {
 	chain_load_posed(p, branch->chain.begin + branch->chain.at.first + k, link);
 }
 
-// Stores the changes by a joint of its bodies' velocities, which other joints change at the same time.
+// Stores the impulses of a joint, and the changes of its bodies' velocities. Other joints change the same bodies at the
+// same time, so branch_gather adds the changes afterwards.
 INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const ChainLink* link)
 {
 	int b = BRANCH_NODE(p, branch, k).side;
@@ -70,7 +75,8 @@ INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const Chain
 	}
 }
 
-// Adds to each body the stored changes of its joints: the one toward the root, then the others in their order.
+// Adds to each body the stored changes of its joints: first that of its joint toward the root, then those of the other
+// joints in their order.
 INLINE void branch_gather(const Pools* p, const Branch* branch)
 {
 	group_meet();
@@ -126,7 +132,8 @@ INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
 
 // Elimination from the ends to the root, and substitution back.
 
-// Inverts a symmetric block, 00, 01, 02, 11, 12, 22, by L D L^T. least1, least2: lower limits of the pivots.
+// Inverts a symmetric 3 x 3 block by L D L^T; its elements are 00, 01, 02, 11, 12, 22. least1, least2: lower limits of
+// the pivots.
 INLINE void branch_invert(const float m[6], float least1, float least2, float b[6])
 {
 	float d0 = 1.0f / m[0], l1 = m[1] * d0, l2 = m[2] * d0, pivot1 = m[3] - l1 * m[1];
@@ -148,7 +155,8 @@ INLINE void branch_times(const float b[6], const float x[3], float y[3])
 	y[2] = b[2] * x[0] + b[4] * x[1] + b[5] * x[2];
 }
 
-// Computes the rows of a joint for its body at side b: row[k] maps x, y, angular velocity to speed k.
+// Computes the rows of a joint for one of its bodies: row[k] maps x, y, angular velocity to speed k. b: 1 for the body
+// at side b, 0 for the body at side a.
 INLINE void branch_rows(const JointPose* c, int b, const int locked[3], float row[3][3])
 {
 	float sign = b ? 1.0f : -1.0f;
@@ -163,7 +171,7 @@ INLINE void branch_rows(const JointPose* c, int b, const int locked[3], float ro
 
 typedef struct // body with all bodies below it
 {
-	float inverse[6], change[3]; // inverse of its inertia; change of its velocity, before its own joint acts
+	float inverse[6], change[3]; // inverse of their inertia; change of the body's velocity before its own joint acts
 } BranchBody;
 
 INLINE BranchBody branch_body(const Pools* p, const Branch* branch, BranchNode node)
@@ -255,7 +263,7 @@ INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int
 				m[n] += answer[i][q] * here[j][q];
 		}
 	}
-	// lower body that cannot move or rotate
+	// not 0 if the lower body cannot move or rotate
 	float give = p->body[node.body].inv_inertia > 0.0f ? 0.0f : BRANCH_GIVE;
 	for (int i = 0, n = 0; i < 3; n += 3 - i, ++i)
 	{
@@ -284,7 +292,7 @@ INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int
 		BRANCH_AT(p, branch, d[n], k) = body.inverse[n];
 }
 
-// Computes the impulses of node k, and the change of its velocity, from that of the body above.
+// Computes the impulses of node k and the change of its velocity, from the change of the velocity of the body above.
 INLINE void branch_down(const Pools* p, const Branch* branch, int k)
 {
 	BranchNode node = BRANCH_NODE(p, branch, k);
@@ -327,7 +335,8 @@ INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int has
 	}
 }
 
-// Sets drives beyond their bounds to these, and applies nothing else of the solution. Returns whether there are any.
+// Sets each drive that the solution takes beyond its bound to the bound, and applies nothing else of the solution.
+// Returns whether there is such a drive.
 INLINE int branch_bound(const Pools* p, const Branch* branch)
 {
 	int found = 0;
@@ -381,7 +390,8 @@ GROUP_KERNEL(branch)
 		branch_locks(p, &branch, p->argument);
 }
 
-// Sets the inertias of the step as for chains: that of the tension of a body's joints, if it exceeds the body's own.
+// Sets the inertias of bodies for the step, as for chains: the inertia that the tension of a body's joints requires, if
+// it exceeds the body's own inertia.
 GROUP_KERNEL(branch_begin)
 {
 	(void)bench;

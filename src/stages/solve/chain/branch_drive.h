@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// branch_drive.h -- motors and limits of a branch that are part of its equations: those that are not at a bound.
+// branch_drive.h -- adds motors and limits to the equations of a branch, unless they are at a bound.
 //
-// Each drive is first solved by itself, as everywhere. A motor below its maximum, and a limit that pushes, then hold
-// their coordinate like a lock: friction in the hinges of a light body couples its ends as much as the hinges do. A
-// drive whose impulse in the solution exceeds its bound stays at the bound, and the rest is solved again.
+// First, each drive is solved separately, as in other joints. A motor below its maximum, and a limit that pushes, then
+// hold their coordinate like a lock: friction in the hinges of a light body couples its ends as much as the hinges do.
+// A drive whose impulse in the solution exceeds its bound stays at the bound, and the rest is solved again.
 #ifndef BRANCH_DRIVE_H
 #define BRANCH_DRIVE_H
 #include "stages/solve/chain/chain.h"
@@ -12,7 +12,7 @@
 #define HELD_BY_MOTOR 1
 #define HELD_BY_LIMIT 2
 
-// Returns the drive that holds coordinate k, if the coordinate is not locked.
+// Returns the drive that holds coordinate k, HELD_BY_*. Returns HELD_BY_NONE if the coordinate is locked.
 INLINE int branch_holder(const JointDrive* d, int modes, int k)
 {
 	if (modes & (k == JOINT_ANGLE ? JOINT_LOCKED(k) : JOINT_LOCKED(k) | JOINT_ELLIPTIC))
@@ -22,7 +22,8 @@ INLINE int branch_holder(const JointDrive* d, int modes, int k)
 	return modes & JOINT_MOTOR(k) && absolute(d->motor_impulse) < d->motor_most ? HELD_BY_MOTOR : HELD_BY_NONE;
 }
 
-// Adds the equations of motors and limits to those of the locks. Returns the holding drives, two bits per coordinate.
+// Adds the equations of motors and limits to those of the locks. Returns the drives that hold coordinates, two bits per
+// coordinate.
 INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* link, JointSystem* s)
 {
 	int modes = (int)link->u.modes, held = 0;
@@ -51,7 +52,7 @@ INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* l
 	return held;
 }
 
-// Returns the impulse of the drive that holds a coordinate, changed by x within its bounds.
+// Returns the impulse of the drive that holds a coordinate after a change by x, limited to the bounds of the drive.
 INLINE float branch_bounded(const JointDrive* d, int holder, float x)
 {
 	if (holder == HELD_BY_MOTOR)
@@ -60,7 +61,7 @@ INLINE float branch_bounded(const JointDrive* d, int holder, float x)
 	return d->limit_impulse > 0.0f ? push_of(now) : -push_of(-now);
 }
 
-// Sets the impulse of the drive that holds coordinate k.
+// Sets the impulse of the drive that holds coordinate k, and applies the change to the bodies.
 INLINE void branch_set(const Pools* p, int place, int holder, int k, float now, JointDrive* d, ChainLink* link)
 {
 	float change = now - (holder == HELD_BY_MOTOR ? d->motor_impulse : d->limit_impulse);
@@ -74,7 +75,8 @@ INLINE void branch_set(const Pools* p, int place, int holder, int k, float now, 
 	                         k == JOINT_ANGLE ? change : 0.0f));
 }
 
-// Sets drives to their bounds where a solution exceeds these. Returns whether there are any.
+// Sets each drive of a joint that a solution takes beyond its bound to the bound. Returns whether there is such a
+// drive.
 INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], ChainLink* link)
 {
 	int found = 0;
@@ -93,7 +95,8 @@ INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], 
 	return found;
 }
 
-// Adds a solution to the impulses of the drives that hold coordinates. The rest in x is for the locks.
+// Adds a solution to the impulses of the drives that hold coordinates. Clears the components of these drives in x; the
+// remaining components are for the locks.
 INLINE void branch_drive(const Pools* p, int place, int held, float x[3], ChainLink* link)
 {
 	for (int k = 0; k < JOINT_COORDINATES; ++k)

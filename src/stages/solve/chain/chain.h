@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// chain.h -- a pass over a chain: joints in a row whose locks are solved together, exactly (chain_solve.h).
+// chain.h -- runs a pass over a chain: the locks of joints in a row are solved together, exactly (chain_solve.h).
 //
 // A rope that carries a hundred times the mass of a link needs hundreds of passes from joint to joint until all links
 // carry the load. The host finds such rows of joints (src/world/chain/chains.c); they have no color, and are solved
 // after the colors of a pass.
 //
-// Joints 0, 2, 4, ... of a chain have no bodies in common, nor have joints 1, 3, 5, ...: a wide pass processes a block
-// of each half at once.
+// Joints 0, 2, 4, ... of a chain have no bodies in common, nor have joints 1, 3, 5, ...: a pass with several lanes
+// processes a block of one half at a time.
 #ifndef CHAIN_H
 #define CHAIN_H
 #include "stages/solve/chain/chain_stiff.h"
@@ -24,7 +24,7 @@ INLINE void chain_start(const Pools* p, int place, int pass, ChainLink* link)
 		joint_turn(p, place, &link->u, &link->c);
 }
 
-// Runs the part of a joint that does not depend on the other ones: chain_start, and limits, springs, motors.
+// Runs the part of a joint that does not depend on the other joints: chain_start, and limits, springs, motors.
 INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 {
 	chain_start(p, place, pass, link);
@@ -33,10 +33,11 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 }
 
 // Factor of the diagonal. If joints hold a body more than once, as in a welded bridge, many solutions exist; a slightly
-// larger diagonal selects the smallest. It multiplies changes of impulses only: the chain gets no softer.
+// larger diagonal selects the smallest one. The factor multiplies changes of impulses only, so the chain gets no
+// softer.
 #define CHAIN_GIVE 1.00001f
 
-// Returns whether the free angle of a joint is damped, in both passes, by an impulse of its own.
+// Returns whether the angle of a joint, which is not locked, gets a separate damping impulse in bias and relax.
 INLINE Int chain_damps(const Pools* p, int spot, const Joint* u)
 {
 	return (CHAIN_AT(p, slack, spot) > splat(0.0f)) & (joint_has(u, JOINT_LOCKED(JOINT_ANGLE)) == 0);
@@ -81,7 +82,8 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 	CHAIN_PUT(p, holds, spot, holds);
 }
 
-// Computes the coupling of a joint with the one before: velocities along its coordinates by impulses of the other.
+// Computes the coupling of a joint with the joint before it: the velocities along the joint's coordinates that unit
+// impulses of the joint before cause.
 INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 {
 	int spot = place.spot;
@@ -115,7 +117,7 @@ INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 		}
 }
 
-// Adds a solution to the impulses of a joint, including that of a damped angle.
+// Adds a solution to the impulses of a joint, including the impulse of a damped angle.
 INLINE void chain_hold(const Pools* p, int spot, const Real x[3], ChainLink* link)
 {
 	Int turns = joint_has(&link->u, JOINT_LOCKED(JOINT_ANGLE)) | chain_damps(p, spot, &link->u);
@@ -134,7 +136,8 @@ INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 	chain_store(p, chain, spot, &link);
 }
 
-// Processes one half of a chain: the own part of its joints if owns is set, then their equations if builds is set.
+// Processes one half of a chain: its even or its odd joints. owns: 1 to run chain_own for each joint. builds: 1 to
+// compute the equations of each joint afterwards.
 INLINE void chain_half(const Pools* p, const Chain* chain, int odd, int pass, int owns, int builds)
 {
 	if (!owns && !builds)
@@ -177,7 +180,7 @@ INLINE Chain chain_number(const Pools* p, int i)
 
 INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 {
-	// even, odd and even joints: the equations use the velocities after all joints have done their own part
+	// three turns, over even, odd and even joints: equations are built with velocities after chain_own of all joints
 	int owns = pass != PASS_RELAX || p->step.has_drives, solves = pass != PASS_WARM_START;
 	for (int turn = 0; turn < 3; ++turn)
 	{
@@ -188,7 +191,7 @@ INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 		chain_locks(p, &chain, pass);
 }
 
-// Item: a range of chains, with those in the same blocks. argument: the pass.
+// Item: ranges of chains that share blocks. argument: the pass.
 GROUP_KERNEL(chain)
 {
 	int first = p->chain[i].item;
@@ -200,7 +203,8 @@ GROUP_KERNEL(chain)
 		Chain chain = chain_number(p, first + k);
 		if (LANES > 1 && chain_side(&chain))
 		{
-			// separate call in which these are constants: without it, a tenth of the instructions computed spots
+			// separate call in which stride and bits are constants; otherwise a tenth of the instructions would compute
+			// spots
 			chain.at.stride = MAX_LANES;
 			chain.at.bits = 1;
 			chain_pass(p, chain, p->argument);
@@ -213,9 +217,9 @@ GROUP_KERNEL(chain)
 	}
 }
 
-// Sets the inertias of the links before any constraint starts the step. A constraint that used a link's own inertia
-// would rotate it by another angle than the chain, which uses the inertia of the step, takes back. That is a kick in
-// every step, and ropes were torn through their pegs.
+// Sets the inertias of the links before any constraint starts the step. Otherwise a constraint would rotate a link with
+// the link's own inertia, and the chain would take back a different angle with the inertia of the step. The difference
+// was a kick in every step, and ropes were torn through their pegs.
 GROUP_KERNEL(chain_begin)
 {
 	(void)bench;
@@ -227,7 +231,7 @@ GROUP_KERNEL(chain_begin)
 	}
 }
 
-// Restores the inertias of the links.
+// Restores the inertias of the links after the step.
 INLINE void chain_restore(const Pools* p, Chain chain)
 {
 	for (int odd = 0; odd < 2; ++odd)

@@ -12,7 +12,7 @@ typedef struct // joint of a chain with its bodies, in registers
 	Int ia, ib;
 } ChainLink;
 
-typedef struct // LANES joints of a row: those from number n on, or the joints number n of chains side by side
+typedef struct // LANES joints: joint n of a row and those behind it, or joint n of each of several chains side by side
 {
 	int row, n, spot;
 } ChainPlace;
@@ -20,7 +20,8 @@ typedef struct // LANES joints of a row: those from number n on, or the joints n
 INLINE int chain_first(const Chain* chain) { return chain_side(chain) ? 0 : group_lane(); }
 INLINE int chain_stride(const Chain* chain) { return chain_side(chain) ? 1 : group_width(); }
 
-// Returns the first place of one half. chain_goes moves on to the next row, and returns whether there are joints.
+// Returns the first place of the even joints (odd 0) or of the odd joints (odd 1). At the end of a row, chain_goes
+// advances a place to the next row. It returns whether joints are left.
 INLINE ChainPlace chain_half_begin(const Chain* chain, int odd)
 {
 	ChainPlace place;
@@ -41,7 +42,7 @@ INLINE int chain_goes(const Chain* chain, ChainPlace* place)
 	return place->row < chain_rows(chain) && place->n < chain_length(chain, place->row);
 }
 
-// Loops over the joints of one half of a chain: 0 for even ones, 1 for odd ones.
+// Loops over one half of the joints of a chain. odd: 0 for the even joints, 1 for the odd joints.
 #define CHAIN_EACH(place, chain, odd) \
 	for (ChainPlace place = chain_half_begin(chain, odd); chain_goes(chain, &place); place.n += chain_stride(chain))
 
@@ -65,7 +66,7 @@ INLINE void chain_load_posed(const Pools* p, int place, ChainLink* link)
 	joint_pose(p, place, &link->u, &link->c);
 }
 
-// Stores the part of a pose that the end of a pass uses: impulses are applied along the axes of the equations.
+// Stores the part of a pose that the end of a pass uses, because impulses are applied along the axes of the equations.
 INLINE void chain_keep_pose(const Pools* p, int spot, const JointPose* c)
 {
 	CHAIN_PUT(p, pose[0], spot, c->axis[0].x);
@@ -77,7 +78,8 @@ INLINE void chain_keep_pose(const Pools* p, int spot, const JointPose* c)
 	}
 }
 
-// Loads a joint with its stored pose and inertias of the step, so that only half of a body's state is gathered.
+// Loads a joint with its stored pose and the inertias of the step, so that only half of the state of its bodies is
+// gathered.
 INLINE void chain_load_kept(const Pools* p, const Chain* chain, int spot, ChainLink* link)
 {
 	JointPose* c = &link->c;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// chain_solve.h -- the linear system of a chain, by cyclic reduction: a work-group eliminates every second joint.
+// chain_solve.h -- solves the linear system of a chain by cyclic reduction: in each step, a work-group eliminates every
+// second joint.
 //
 // The system is symmetric and block tridiagonal, with one row of 3 x 3 blocks per joint. Its solution is exact, so a
-// load at one end acts on the other end within a pass, whatever the masses between them. A CPU processes LANES joints
-// at once: those of the rows of a chain until one row is left, or those of chains that are stored side by side. Inert
-// joints at the ends change no bit.
+// load at one end acts on the other end within a pass, for any masses between them. A CPU processes LANES joints at
+// once: joints of the rows of one chain, until one row is left, or joints of several chains that are stored side by
+// side. Inert joints at the ends change no bit of the result.
 //
 // This work is based on:
 // Bill Buzbee, Gene Golub, Clair Nielson, On Direct Methods for Solving Poisson's Equations, 1970: cyclic reduction.
@@ -13,7 +14,7 @@
 #define CHAIN_SOLVE_H
 #include "pools/pools.h"
 
-#define CHAIN_PIVOT 1.0e-6f // lower limit of a pivot as a fraction of its diagonal: a smaller one is a rounding error
+#define CHAIN_PIVOT 1.0e-6f // lower limit of a pivot as a fraction of its diagonal: a smaller pivot is a rounding error
 
 typedef struct
 {
@@ -24,7 +25,7 @@ typedef struct
 typedef struct // position of LANES joints
 {
 	int here, next; // offsets in the pool, in floats; -1 for none
-	int shift;      // 1 or -1: each is one further or back in its row, which continues at next
+	int shift;      // 1 or -1: joints are one place further on or back in their row, which continues at next
 } ChainNear;
 
 // Number of rows of a ChainBlock. chain_offset returns the offset of a spot in such a row, in floats.
@@ -91,7 +92,7 @@ INLINE int chain_rows(const Chain* chain) { return 1 << chain->at.bits; }
 // Returns whether chains are stored side by side, as only devices with several lanes do.
 INLINE int chain_side(const Chain* chain) { return LANES > 1 && chain->at.stride > 1; }
 
-// Returns the spot of joint k, -1 for none.
+// Returns the spot of joint k, -1 if there is no such joint.
 INLINE int chain_spot(const Chain* chain, int k)
 {
 	return k < 0 || k >= chain->at.count ? -1 : CHAIN_SPOT(&chain->at, k);
@@ -110,7 +111,8 @@ INLINE int chain_row_spot(const Chain* chain, int row, int n)
 	return at->first + (row & 1) * at->odds + (row >> 1) * at->length + n * at->stride;
 }
 
-// Returns the position far joints behind joint n of a row, or before it if far < 0. |far| <= chain_rows.
+// Returns the position of the joint that is far joints behind joint n of a row, or before it if far is negative. |far|
+// <= chain_rows.
 INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 {
 	ChainNear near;
@@ -134,7 +136,8 @@ INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 	for (int row = (from); row < chain_rows(chain); row += (by)) \
 		for (int n = 0; n < (chain)->at.length; n += LANES)
 
-// Eliminates every second one of the joints that are top apart, by rows; chain_reduce_joints does so one by one.
+// Among the joints at every top-th place, eliminates every second one, row by row. chain_reduce_joints does the same
+// joint by joint.
 INLINE void chain_reduce_rows(const Pools* p, const Chain* chain, int top)
 {
 	CHAIN_BLOCKS(row, n, chain, top, 2 * top)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// chain_stiff.h -- start of a step of a chain: inertias that the tension requires, and bodies that neighbors share.
+// chain_stiff.h -- starts a step of a chain: computes the inertias that the tension requires, and the bodies that
+// neighbors share.
 //
 // A link under tension is like a string: its sideways vibration may be faster than substeps can resolve, and the rope
 // whips apart. So for the step a link's inertia is enlarged to that of an implicit integration of the tension, if this
@@ -11,11 +12,13 @@
 #define CHAIN_STIFF_H
 #include "stages/solve/chain/chain_link.h"
 
-// A free angle is damped if its damping exceeds its inertia over this; else softness, its inverse, could overflow sums.
+// A free angle is damped only if the damping exceeds the inertia divided by this value; otherwise the softness, which
+// is the inverse of the damping, could overflow sums.
 #define CHAIN_SLACKEST 1.0e12f
 #define CHAIN_SLOW     0.02f // factor in chain_slack
 
-// Computes the tension of a joint, kg m^2, which its pull adds to the inertia of its bodies. Stores these bodies too.
+// Computes the tension of a joint, kg m^2: the inertia that its pull adds to each of its bodies. Also stores the bodies
+// and their own inertias.
 INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 {
 	ChainLink link;
@@ -32,18 +35,19 @@ INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 	CHAIN_PUT(p, own_b, spot, link.c.b.inv_inertia);
 }
 
-typedef struct // bodies of joints at their sides a and b, and the tension of all joints there
+typedef struct // bodies of joints at their sides a and b, and the sum of the tensions of all joints at each body
 {
 	Int a, b, moves_a, moves_b;
 	Real tension_a, tension_b;
 } ChainBodies;
 
-typedef struct // masks of the sides of a moving body that a joint shares with a neighbor
+typedef struct // masks: sides (of the joint, of the neighbor) at which a joint and its neighbor share a moving body
 {
 	Int here_a, here_b, there_a;
 } ChainShared;
 
-// Returns the sides of the body that joints share with neighbors at a position; adds the neighbors' tension to theirs.
+// Returns the sides of the bodies that joints share with the neighbors at a position. Adds the neighbors' tension to
+// the tension of these bodies.
 INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* bodies)
 {
 	Int a = chain_near_int(p->chain_joints->body_a, neighbor), b = chain_near_int(p->chain_joints->body_b, neighbor);
@@ -66,10 +70,11 @@ INLINE Real chain_inertia(Real inverse, Real tension)
 	return blend(inverse, 1.0f / tension, (more > zero) & (more <= splat(MOST_FLOAT)));
 }
 
-// Returns the softness that damps a free angle between two links, 0 for none. An implicit integration of the tension
-// damps rotations by its inertia t in a substep. The fraction used of t is t / (CHAIN_SLOW I + t), similar to that by
-// which t enlarges the inertia I. It is small for a pendulum, which loses nothing, and large for neighbors that swing
-// against each other. The impulse acts between the two links, so a whirled rope keeps its momentum.
+// Returns the softness that damps a free angle between two links, 0 for no damping. An implicit integration of the
+// tension damps rotations by its inertia t in a substep. Only the fraction t / (CHAIN_SLOW I + t) of t is used, similar
+// to the fraction by which t enlarges the inertia I. The fraction is small for a pendulum, which loses nothing, and
+// large for neighbors that swing against each other. The impulse acts between the two links, so a whirled rope keeps
+// its momentum.
 INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
 {
 	Real zero = splat(0.0f), inverse = CHAIN_AT(p, own_a, spot) + CHAIN_AT(p, own_b, spot);
@@ -106,7 +111,7 @@ INLINE void chain_stiffen(const Pools* p, const Chain* chain, ChainPlace place)
 	CHAIN_PUT(p, turns, spot, blend(step_a, step_b, shared.here_b));
 }
 
-// Clears the solution of the inert joints at the end of the row that remains after elimination: nothing else sets it.
+// Clears the solution of the inert joints at the end of the row that remains after elimination: no other code sets it.
 INLINE void chain_clear(const Pools* p, const Chain* chain)
 {
 	for (int n = (chain->at.count + chain_rows(chain) - 1) >> chain->at.bits; n < chain->at.length; ++n)

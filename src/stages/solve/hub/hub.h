@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hub.h -- hubs: each body with many contacts is solved exactly, together with all of its contacts.
+// hub.h -- solves each hub, a body with many contacts, exactly and together with all of its contacts.
 //
 // This work is based on:
 // Richard Tonge, Feodor Benevolenski, Andrey Voroshilov, Mass Splitting for Jitter-Free Parallel Rigid Body Simulation,
@@ -27,7 +27,8 @@
 #define HUB_EACH_COLUMN(c, h) for (int c = group_lane(); c < HUB_COLUMNS && c < (h)->count; c += group_width())
 #define HUB_EACH_OF(k, c, h)  for (int k = (h)->first + c; k < (h)->first + (h)->count; k += HUB_COLUMNS)
 
-// Returns the sum, by halves, of 16 numbers with a stride. used: all numbers from this one on are 0.
+// Returns the sum of 16 numbers with a stride, added by halves. used: number of the numbers that are read; the rest
+// count as 0.
 INLINE float hub_halve(const LOCAL float* x, int stride, int used)
 {
 	float sum[16];
@@ -58,8 +59,9 @@ INLINE void hub_add_columns(int used, int sums, LOCAL float* bench)
 	}
 }
 
-// Reduces the columns in local memory by halves, for a number of sums. A work-group does so in two rounds of 16.
-// Barriers are few, and none depends on a condition: otherwise an OpenCL compiler for CPUs takes many minutes.
+// Adds up the columns in local memory by halves, for each of several sums. A work-group does so in two rounds, each
+// over 16 numbers. Barriers are few, and none depends on a condition: otherwise an OpenCL compiler for CPUs takes many
+// minutes.
 INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB_SUMS])
 {
 	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, wide = group_width() > LANES;
@@ -87,7 +89,8 @@ INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB
 		sum[q] = q < sums ? total[q * stride] + 0.0f : 0.0f;
 }
 
-// Prepares the problems of all spokes, or warm starts them if warm is set.
+// Prepares the problems of all spokes; if warm is set, warm starts the spokes instead. Stores the sums of the impulses
+// on the hub, by columns.
 INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, LOCAL float* bench)
 {
 	HUB_EACH_COLUMN(c, h)
@@ -103,7 +106,7 @@ INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, LOCAL flo
 	}
 }
 
-// Sums the responses of all spokes to the hub's velocity.
+// Sums the responses of all spokes to the hub's velocity, by columns.
 INLINE void hub_ask(const Pools* p, const Hub* h, int what, LOCAL float* bench)
 {
 	HUB_EACH_COLUMN(c, h)
@@ -117,7 +120,7 @@ INLINE void hub_ask(const Pools* p, const Hub* h, int what, LOCAL float* bench)
 	}
 }
 
-// Returns whether a velocity is within HUB_SPEED; 0 for a NaN.
+// Returns whether a velocity is within HUB_SPEED; 0 if it is NaN.
 INLINE int hub_bears(const float v[3])
 {
 	int bears = 1;
@@ -142,7 +145,7 @@ INLINE float hub_energy(const Hub* h, const float v[3])
 }
 
 // Computes the step of Newton's method: (M + H) d = push - M (now - free), by L D L^T. In exact arithmetic H lowers no
-// pivot. Rounding may, so no pivot is less than that of the hub alone.
+// pivot. Rounding could lower one, so each pivot is raised to at least that of the hub without its spokes.
 INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 {
 	float mass = h->mass, inertia = h->inertia;
@@ -161,7 +164,8 @@ INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 	d[0] = x / xx - yx * d[1] - wx * d[2];
 }
 
-// Returns whether Newton's method has converged, relative to the velocity or to gravity in a substep; 1 if not finite.
+// Returns whether the step d of Newton's method is small compared with the velocity, or with the effect of gravity in a
+// substep. Also returns 1 if d is not finite.
 INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 {
 	float x = step->h * step->gravity_x, y = step->h * step->gravity_y, most = step->max_speed;
@@ -169,14 +173,14 @@ INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 	return !hub_bears(d) || hub_energy(h, d) <= HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
 }
 
-// Applies the same fraction of the responses of all spokes, the fraction with the least energy: 1 if the method has
-// converged, and never so large that an unfinished search adds energy.
+// Applies a fraction of the responses, the same for all spokes: the fraction that leads to the least energy. It is 1 if
+// the method has converged. If not, it is so small that no energy is added.
 INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 {
 	float gain[3], part = 0.0f, down = -sum[9];
 	if (hub_gains(h, sum, gain))
 	{
-		// order of the products: squares of large impulses may not be finite
+		// products in this order, because squares of large impulses may not be finite
 		float bend = sum[10] + gain[0] * sum[0] + gain[1] * sum[1] + gain[2] * sum[2];
 		if (down > 0.0f && bend > 0.0f && bend <= MOST_FLOAT)
 			part = down < bend ? down / bend : 1.0f;
@@ -190,16 +194,17 @@ INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 	HUB_EACH_OF(i, c, h) spoke_give(p, h, i, what, part);
 }
 
-// Returns the fraction of the last step's impulses with which a hub starts. gain: velocity that they give it. It is 1
-// unless gain exceeds START_SHARE of max_speed, as in a jam after bodies have left. Spin counts by its energy.
+// Returns the fraction of the last step's impulses with which a hub starts. gain: velocity that all of these impulses
+// would give the hub. The fraction is 1 unless gain exceeds START_SHARE of max_speed, as in a jam after bodies have
+// left. In gain, rotation counts by its energy.
 INLINE float hub_start(const Step* step, const Hub* h, const float gain[3])
 {
 	float square = hub_energy(h, gain), most = START_SHARE * step->max_speed;
 	return square > most * most ? most / square_root(square) : 1.0f;
 }
 
-// Solves a block: the impulses of one kind of all spokes, and the velocity that they give the hub. The sums are reduced
-// at one place in the code, because each further place costs an OpenCL compiler for CPUs minutes.
+// Solves a block: computes the impulses of one kind of all spokes, and the velocity that these impulses give the hub.
+// The sums are reduced at one place in the code, because each further place costs an OpenCL compiler for CPUs minutes.
 INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, LOCAL float* bench)
 {
 	float sum[HUB_SUMS] = {0.0f}, d[3];
@@ -289,7 +294,8 @@ INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 	return h;
 }
 
-// Writes the velocity of the neighbor back to its pool; hub_merge adds the changes of one that is split into parts.
+// Writes the velocity of the neighbor back to its pool, unless the neighbor is split into parts: hub_merge adds the
+// changes of the parts.
 INLINE void spoke_end(const Pools* p, const Hub* h, int i)
 {
 	int m = spoke_of(p, i);
@@ -324,7 +330,7 @@ INLINE void hub_pass(const Pools* p, int n, int pass, LOCAL float* bench)
 	}
 }
 
-// Item: a hub of a turn. argument: the pass and the turn.
+// Item: a hub of one hub color. argument: the pass and the hub color.
 GROUP_KERNEL(hub) { hub_pass(p, HUB_COLORS * i + RUN_HIGH(p->argument), RUN_LOW(p->argument), bench); }
 
 #endif

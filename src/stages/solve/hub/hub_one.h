@@ -7,7 +7,7 @@
 #include "stages/color/key_bound.h"
 #include "stages/color/spoke.h"
 
-// Frees the color of contact i if one of its bodies became a hub.
+// Frees the color of contact i if one of its bodies became a hub: the contact becomes a spoke.
 KERNEL(hub_enter)
 {
 	int color = p->contact_color[i];
@@ -20,7 +20,7 @@ KERNEL(hub_enter)
 	edge_mark_dirty(p, CONSTRAINT_CONTACT);
 }
 
-// Returns the number of a hub, -1 for another body.
+// Returns the number of the hub that a body is, -1 if the body is not a hub.
 INLINE int hub_number(const Pools* p, int body)
 {
 	int low = 0, high = p->counters->hubs;
@@ -35,7 +35,7 @@ INLINE int hub_number(const Pools* p, int body)
 	return low < p->counters->hubs && p->hub[low] == body ? low : -1;
 }
 
-// Returns the hub of spoke k as it was laid out, even if the user changed masses since.
+// Returns the hub to which spoke k was assigned by the layout, even if the user has changed masses since.
 INLINE int spoke_hub_of(const Pools* p, int k)
 {
 	int c = p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS] + k, a = contact_row(p, body_a, c),
@@ -54,7 +54,8 @@ INLINE int spoke_neighbor_of(const Pools* p, int k)
 
 INLINE int hub_key_spoke(Word64 key) { return (int)(key & (((Word64)1 << HUB_KEY_COLOR) - (Word64)1)); }
 
-// Writes the key of spoke i: its neighbor, and the turn of its hub; padding and immovable neighbors are sorted last.
+// Writes the key of spoke i: its neighbor, the hub color (turn) of its hub, and i. Padding and immovable neighbors are
+// sorted last.
 KERNEL(hub_key)
 {
 	Word64 name = (Word64)0xffffffffu, turn = 0;
@@ -75,8 +76,9 @@ KERNEL(hub_key)
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
 
-// Item: a sorted neighbor. Computes its parts: an equal one for each hub of a turn, split equally among the spokes that
-// it shares with this hub. argument: number of spokes. Keys are sorted by body, then turn, then hub.
+// Item: a sorted key. Computes the number of parts into which the neighbor of the spoke is split: equal parts for all
+// hubs of one hub color, each split equally among the spokes that the neighbor shares with the hub. argument: number of
+// spokes. Keys are sorted by neighbor, then by hub color, then by hub.
 KERNEL(hub_order)
 {
 	Word64 body = p->key[i] >> 32, group = p->key[i] >> HUB_KEY_COLOR;
@@ -117,7 +119,8 @@ KERNEL(hub_order)
 		spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, own).first)) = (float)hubs;
 }
 
-// Returns the spoke of sorted neighbor i if its body is split in a turn and this is its first entry, else -1.
+// Returns the spoke of sorted key i if its neighbor is split in a hub color (turn) and i is the first of the neighbor's
+// keys there, else -1.
 INLINE int hub_merged(const Pools* p, int i, int turn)
 {
 	int order = p->spoke_order[i], spoke = order / HUB_COLORS;
@@ -126,15 +129,16 @@ INLINE int hub_merged(const Pools* p, int i, int turn)
 	return spoke;
 }
 
-// Returns the number of the hub that a neighbor is itself, if it is solved in the same turn; else -1.
+// If a neighbor is itself a hub of a hub color (turn), returns the number of this hub, else -1.
 INLINE int hub_within(const Pools* p, int body, int turn)
 {
 	int n = hub_number(p, body);
 	return n >= 0 && hub_color(n) == turn ? n : -1;
 }
 
-// Merges a split body: adds the changes of its parts, each by its fraction of the mass. The item of its first entry
-// adds them: the part of the hub that it may be itself, then those of the spokes in order. argument: the turn.
+// Merges a split body: adds the changes of its parts, each times its fraction of the mass. The item of the body's first
+// key adds the changes, in a fixed order: first that of the body as a hub, if it is one, then those of the spokes.
+// argument: the hub color.
 KERNEL(hub_merge)
 {
 	int spoke = hub_merged(p, i, p->argument);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// spoke_answer.h -- response of a spoke: impulses that solve it for a fixed velocity of its hub (docs/hubs.md).
+// spoke_answer.h -- computes the response of a spoke: impulses that solve it for a fixed velocity of its hub
+// (docs/hubs.md).
 #ifndef SPOKE_ANSWER_H
 #define SPOKE_ANSWER_H
 #include "stages/solve/hub/spoke_pose.h"
@@ -13,8 +14,9 @@ typedef struct // response: impulses, and minus their derivatives with respect t
 	Real impulse[2], own[2], cross;
 } SpokeAnswer;
 
-// Returns impulses that push and never pull. If both are positive, they solve both equations; otherwise one of them
-// solves its own. want1, want2: velocities of the points without any impulse.
+// Returns impulses at the two points, which push and never pull. If both impulses are positive, they solve both
+// equations. If only one is positive, it solves the equation of its point. want1, want2: velocities of the points
+// without any impulse.
 INLINE SpokeAnswer spoke_push_apart(const Pools* p, int m, Real want1, Real want2)
 {
 	SpokeAnswer r;
@@ -33,7 +35,7 @@ INLINE SpokeAnswer spoke_push_apart(const Pools* p, int m, Real want1, Real want
 	return r;
 }
 
-// Returns impulses within limits, each solved by itself.
+// Returns impulses within limits, for friction and rolling resistance. The two points are solved separately.
 INLINE SpokeAnswer spoke_hold(const Pools* p, int m, const Real slope[2], const Real old[2])
 {
 	SpokeAnswer r;
@@ -50,7 +52,8 @@ INLINE SpokeAnswer spoke_hold(const Pools* p, int m, const Real slope[2], const 
 	return r;
 }
 
-// Adds the response of a spoke to the hub's velocity to sum, and stores its impulses.
+// Computes the response of a spoke to the current velocity of the hub. Adds the response to sum, and stores the
+// impulses.
 INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum[HUB_SUMS])
 {
 	int m = spoke_of(p, i);
@@ -108,7 +111,7 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum
 	store(&spoke_at(p, new2, m), 0, blend(old[1], r.impulse[1], adds));
 }
 
-// Applies a fraction of the response of a spoke. With part 1, rounding may leave a remainder.
+// Applies a fraction of the response of a spoke: part. Even with part 1, rounding may leave a remainder.
 INLINE void spoke_give(const Pools* p, const Hub* h, int i, int what, float part)
 {
 	int m = spoke_of(p, i), limited = spoke_limited(what);

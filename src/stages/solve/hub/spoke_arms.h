@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// spoke_arms.h -- effects of impulses at the points of a spoke on its hub and its neighbor, and access to its impulses.
+// spoke_arms.h -- computes the effects of impulses at the points of a spoke on hub and neighbor; loads and stores the
+// impulses.
 #ifndef SPOKE_ARMS_H
 #define SPOKE_ARMS_H
 #include "constraints/constraint_kinds.h"
@@ -14,15 +15,15 @@
 
 typedef struct // hub while it is solved
 {
-	int body, first, count;      // its body; range of its spokes, padding included
-	float inv_mass, inv_inertia; // inverse mass and inertia of its part
-	float mass, inertia;         // inverses of these; a hub of inertia 0 does not rotate
+	int body, first, count;      // body of the hub; range of its spokes, padding included
+	float inv_mass, inv_inertia; // inverse mass and inertia of the hub's part
+	float mass, inertia;         // mass and inertia of the hub's part; a hub of inertia 0 does not rotate
 	float gyration;              // m^2: inertia over mass
 	float most;                  // limit of the contribution of a spoke to a sum, so that the sum over all stays finite
 	float from[3];               // velocity at the start of the block
-	float free[3];               // the same, after impulses beyond their limits are removed
+	float free[3];               // velocity at the start of the block, without impulses beyond their limits
 	float now[3];
-	Body whole; // body that is not split into parts, as the other passes use it
+	Body whole; // the whole body of the hub, which is not split into parts
 } Hub;
 
 typedef struct // effects of unit impulses at the points of a spoke
@@ -49,7 +50,7 @@ INLINE Body body_blend(Body a, Body b, Int c)
 	return r;
 }
 
-// Returns whether the hub is body b.
+// Returns whether the hub is body b of contact i.
 INLINE Int spoke_turned(const Pools* p, const Hub* h, int i)
 {
 	return (load_int(&contact_row(p, body_b, i), 0) ^ h->body) == 0;
@@ -96,7 +97,7 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 	}
 	if (what == HUB_ROLL)
 	{
-		// torque, stored at the first point
+		// a torque, stored as the impulse at the first point
 		s.n = vec(splat(0.0f), splat(0.0f));
 		s.hub[0] = blend(splat(-1.0f), splat(1.0f), turned);
 		s.neighbor[0] = -s.hub[0];
@@ -117,7 +118,8 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 // Returns whether a spoke may add x to a sum; 0 for a NaN.
 INLINE Int spoke_adds(const Hub* h, Real x) { return (x >= splat(-h->most)) & (x <= splat(h->most)); }
 
-// Computes the share of impulses in the hub's sums. Returns whether it, and the neighbor's velocity, stay finite.
+// Computes the contribution of a spoke's impulses to the hub's sums: push. Returns whether the contribution and the
+// velocity of the neighbor stay finite.
 INLINE Int spoke_sum(const Hub* h, const SpokeArms* s, const Real impulse[2], Real push[3])
 {
 	Real both = impulse[0] + impulse[1];

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// spoke_pose.h -- the problem of a spoke for one kind of impulse (docs/hubs.md): limits, targets, masses, warm start.
+// spoke_pose.h -- prepares the problem of a spoke for one kind of impulse (docs/hubs.md): limits, targets, masses, warm
+// start.
 #ifndef SPOKE_POSE_H
 #define SPOKE_POSE_H
 #include "stages/solve/hub/spoke_arms.h"
 
-// Fraction of the hub's inverse mass that is added to that of a neighbor. Without it a neighbor that cannot move would
-// be infinitely stiff. The solution stays the same, because the term multiplies changes of impulses only.
+// Fraction of the hub's inverse mass that is added to the inverse mass of a neighbor. Without this term a neighbor that
+// cannot move would be infinitely stiff. The solution stays the same, because the term multiplies changes of impulses
+// only.
 #define HUB_YIELD 0.1f
 
-// Same fraction for restitution, which is solved once: no later pass corrects the impulse that this term removes.
+// The same fraction for restitution. It is smaller, because restitution is solved once: no later pass corrects the
+// impulse that this term removes.
 #define BOUNCE_YIELD 0.001f
 
-#define LEAST_RESISTS 1.0e-37f // 1/kg: a smaller inverse mass is immovable; the inverse of this limit is finite
+#define LEAST_RESISTS 1.0e-37f // 1/kg: a smaller inverse mass counts as immovable; the inverse of this limit is finite
 #define HUB_SPEED     1.0e12f  // m/s, rad/s: a faster body is not solved
 
 // Returns whether a block is friction or rolling resistance: impulses of both signs, within limits.
@@ -54,7 +57,7 @@ INLINE Real spoke_resists(const Hub* h, const SpokeArms* s, int k)
 	       s->whole_inertia * s->neighbor[k] * s->neighbor[k];
 }
 
-// Computes the target at point k. *bias, m/s: minus its target velocity. *soft, 1/kg: softness added to inverse mass.
+// Computes the target at point k. *bias, m/s: minus the target velocity. *soft, 1/kg: softness added to inverse mass.
 INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const SpokeArms* s, int k, Real* bias,
                         Real* soft)
 {
@@ -75,13 +78,14 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 	*soft = spoke_resists(h, s, k) * goal.impulse_scale / goal.mass_scale;
 }
 
-// Returns whether only some points take part: those pushed, in restitution; in relaxation, not those yet to bounce.
+// Returns whether the block of a kind solves only some points. Restitution solves the points that were pushed. In
+// relax, points that have yet to bounce are not solved.
 INLINE int spoke_chooses(const Pools* p, int what)
 {
 	return what == HUB_BOUNCE || (what == HUB_NORMAL && p->step.bounces);
 }
 
-// Returns 1 if point k takes part, else 0.
+// Returns 1 if point k is solved, else 0.
 INLINE Real spoke_takes_part(const Pools* p, int i, int what, int k, Real old)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), rebound = spoke_rebound(p, i, k);
@@ -107,8 +111,9 @@ typedef struct // problem of a spoke for one kind of impulse
 	Int well;                  // mask: velocities and masses are finite
 } SpokeProblem;
 
-// Removes impulses beyond their limits, and all of a spoke whose velocity is not finite or exceeds HUB_SPEED, because
-// no solution may keep them. Adds the effect on the hub to taken, and updates the velocity of the neighbor.
+// Removes impulses beyond their limits, because no solution may keep them. Removes all impulses of a spoke whose
+// velocity is not finite or exceeds HUB_SPEED. Adds the effect on the hub to taken, and updates the velocity of the
+// neighbor.
 INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, SpokeArms* s, SpokeProblem* r, Real taken[3])
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), held[2], beyond[2], push[3], speed[2];
@@ -164,14 +169,15 @@ INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const Sp
 	}
 }
 
-// Writes the limits, or the points that take part; adapts masses and coupling to them, and inverts the masses.
+// Stores the limits (friction, rolling resistance), or which points are solved (restitution, relax). Adapts masses and
+// coupling, and inverts the masses.
 INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 {
 	Real zero = splat(0.0f);
 	int m = spoke_of(p, i);
 	if (spoke_limited(what))
 	{
-		// points side by side resist together: each gets the mass of both
+		// two points with limits resist together: the coupling is added to the mass of each
 		Real together = blend(zero, absolute(r->cross), (r->limit[0] > zero) & (r->limit[1] > zero));
 		r->mass[0] += together;
 		r->mass[1] += together;
@@ -215,7 +221,7 @@ INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken
 	store(&spoke_at(p, old2, m), 0, r.old[1]);
 }
 
-// Warm starts a spoke with the impulses of the last step.
+// Warm starts a spoke with the impulses of the last step. Adds the effect on the hub to push.
 INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[3])
 {
 	SpokeArms s = spoke_arms(p, h, i, what);
