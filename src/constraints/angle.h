@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// angle.h -- the angle of a rotation.
+// angle.h -- computes the angle of a rotation.
 #ifndef ANGLE_H
 #define ANGLE_H
 #include "dialect/vec.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// constraint.h -- kinds of constraints: each has a list of rows, from which all code that handles rows is generated.
+// constraint.h -- declares macros that generate the code for the rows of a kind of constraint from a list of its rows.
 //
 // A kind lists its rows as X(name, gate, life, inert, read, written):
 //
@@ -21,7 +21,7 @@
 #define IN_BOUNCE     (1 << PASS_BOUNCE)
 #define IN_PASSES     ((1 << PASS_KINDS) - 1)
 
-// Stages beside the passes.
+// Preparations, numbered behind the passes.
 #define PREPARE           PASS_KINDS
 #define PREPARE_BOUNCE    (PASS_KINDS + 1) // prepared only in a world with restitution
 #define IN_PREPARE        (1 << PREPARE)
@@ -62,7 +62,7 @@
 #define ROW_UNLESS_PREPARED_PREPARED(x)
 #define ROW_UNLESS_PREPARED_KEPT(x) x
 
-// Raises a counter, the float bits of a value that is not negative, to the values of some lanes.
+// Raises a counter to the largest value of some lanes. The counter holds the bits of a float; no value is negative.
 INLINE void raise_lanes(GLOBAL int* counter, Real value, Word lanes)
 {
 	for (int k = 0; lanes >> k != 0; ++k)

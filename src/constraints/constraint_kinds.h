@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// constraint_kinds.h -- all kinds of constraints, and the functions generated from their rows.
+// constraint_kinds.h -- includes all kinds of constraints, and generates functions from their rows.
 #ifndef CONSTRAINT_KINDS_H
 #define CONSTRAINT_KINDS_H
 #include "constraints/contact_constraint.h"
@@ -22,7 +22,7 @@
 		KIND##_RARE_ROWS(ROW)                                              \
 	}
 
-// Loads the rows of constraint i that a pass reads, and stores those that it writes.
+// Loads the rows of constraint i that a pass reads, and stores the rows that the pass writes.
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                       \
 	INLINE void kind##_load(const Pools* p, int i, int pass, Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_LOAD); } \
 	INLINE void kind##_store(const Pools* p, int i, int pass, const Kind* u) { EACH_ROW(kind, Kind, KIND, ROW_STORE); }

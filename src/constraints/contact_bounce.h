@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contact_bounce.h -- prepared rare rows of contacts: rebound speeds by restitution, and approach speeds.
+// contact_bounce.h -- computes the prepared rare rows of contacts: rebound speeds by restitution, and approach speeds.
 #ifndef CONTACT_BOUNCE_H
 #define CONTACT_BOUNCE_H
 #include "constraints/contact_constraint.h"
@@ -32,7 +32,8 @@ INLINE Approach prepare_velocities(const Pools* p, int i, const Contact* u)
 	return at;
 }
 
-// m/s^2: Returns the acceleration of a body by gravity and forces; 0 if it is slow and touches others, its support.
+// m/s^2: Returns the acceleration of a body by gravity and forces. Returns 0 if the body is slow and has more than one
+// constraint, because others support it then.
 INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 {
 	Real row[8], zero = splat(0.0f);
@@ -70,7 +71,8 @@ INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Re
 
 #define MOST_FALL 1.0e18f // m/s^2: with the largest gap and step, the square of a speed is still finite
 
-// Computes the rebound speeds of the points that may bounce within the step, except those that hardly move.
+// Computes the rebound speeds of the points that may bounce within the step. The speed is 0 for points that hardly
+// approach.
 INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 {
 	Real e = load(&contact_rare(p, restitution, i), 0), zero = splat(0.0f), fall = zero, rebound1 = zero,
@@ -105,7 +107,7 @@ INLINE void prepare_approach(const Pools* p, int i, const Contact* u)
 	store(&contact_rare(p, approach2, i), 0, blend(zero, speed2, (speed2 > zero) & (speed2 <= splat(MOST_FLOAT))));
 }
 
-// Computes the prepared rare rows. Those of padding stay 0.
+// Computes the prepared rare rows. The rows of padding stay 0.
 INLINE void contact_setup_rare(const Pools* p, int i, const Contact* u)
 {
 	store(&contact_rare(p, total_impulse1, i), 0, splat(0.0f));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // contact_constraint.h -- a contact as a constraint: impulses at two points, friction, rolling resistance, restitution.
 //
-// This work is based on:
-// Erin Catto, Soft Constraints, GDC 2011: bias rate, mass scale and impulse scale of a constraint with a frequency.
-// Miles Macklin et al., Small Steps in Physics Simulation, 2019: substeps instead of iterations.
-// Erin Catto, Solver2D, 2024: a biased and a relaxing pass per substep ("soft step").
+// This work is based on: Erin Catto, Soft Constraints, GDC 2011: bias rate, mass scale and impulse scale of a
+// constraint with a frequency. Miles Macklin et al., Small Steps in Physics Simulation, 2019: substeps instead of
+// iterations. Erin Catto, Solver2D, 2024: a bias pass and a relax pass per substep ("soft step").
 #ifndef CONTACT_CONSTRAINT_H
 #define CONTACT_CONSTRAINT_H
 #include "constraints/constraint.h"
@@ -60,9 +59,9 @@
 	X(approach1, details, PREPARED, 0.0f, IN_NONE, IN_PREPARE)                                       \
 	X(approach2, details, PREPARED, 0.0f, IN_NONE, IN_PREPARE)
 
-// Columns of the stream (src/opencl/forms/registers.cl), for forms of the solve that do not keep contacts in registers:
-// QUAD(k, four numbers), where the first number of column 0 does not belong to the contact; PAIR(k, passes that read
-// it, passes that write it, two numbers). The last pass of a step writes to the rows instead.
+// Columns of the stream (src/opencl/forms/registers.cl), for forms of the solve that do not keep contacts in registers.
+// QUAD(k, four numbers): column k; the first number of column 0 does not belong to the contact. PAIR(k, passes that
+// read the pair, passes that write it, two numbers). The last pass of a step writes to the rows instead.
 #define CONTACT_STREAM(QUAD, PAIR)                                      \
 	QUAD(0, name, u->friction, u->normal_x, u->normal_y)                \
 	QUAD(1, u->anchor1_x, u->anchor1_y, u->anchor2_x, u->anchor2_y)     \
@@ -72,7 +71,8 @@
 	PAIR(2, IN_PASSES, IN_GAPS, u->normal_impulse1, u->normal_impulse2) \
 	PAIR(3, IN_TANGENTS | IN_BOUNCE, IN_RELAX, u->tangent_impulse1, u->tangent_impulse2)
 
-// Bytes that prepare gathers for a contact, with flags if shapes are round; then for its bodies, with restitution.
+// Bytes that prepare gathers. CONTACT_GATHERS: for a contact, including flags if some shapes are round.
+// CONTACT_BOUNCE_GATHERS: for the bodies of a contact, in worlds with restitution.
 #define CONTACT_GATHERS(step) \
 	(sizeof(Int2) + 2 * sizeof(WorldShape) + sizeof(LocalManifold) + ((step)->round ? sizeof(Word) : 0))
 #define CONTACT_BOUNCE_GATHERS (2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64)))
@@ -133,7 +133,7 @@ INLINE ContactArms pair_of(const Contact* u, const Body* a, const Body* b)
 	return c;
 }
 
-// Returns the normal velocity at point k.
+// Returns the velocity of body b relative to body a at point k, along n.
 INLINE Real pair_approach(ContactArms c, int k, Vec n)
 {
 	return vec_dot(vec_sub(body_velocity_at(c.b, c.rb[k]), body_velocity_at(c.a, c.ra[k])), n);
@@ -156,9 +156,10 @@ typedef struct // the goal of a point's impulse: a velocity bias, m/s, and softn
 	Real bias, mass_scale, impulse_scale;
 } PairGoal;
 
-// Returns the goal of a point with separation s. The relaxing pass (soft is 0) ignores the overlap, which removes the
-// velocity by which the biased pass pushed the bodies apart. Contacts with an immovable body (fixed) are firmer, so
-// nothing sinks into the ground. exact: other constraints of its bodies are solved with it, so it is firm at any depth.
+// Returns the goal of a point with separation s, m. soft: 1 in the bias pass. The relax pass (0) ignores the overlap,
+// and so removes the velocity by which the bias pass pushed the bodies apart. fixed: lanes with an immovable body;
+// their contacts are firmer, so that nothing sinks into the ground. exact: 1 if other constraints of the bodies are
+// solved together with this contact, which is then firm at any depth.
 INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exact)
 {
 	Int apart = s > splat(0.0f);
@@ -171,8 +172,8 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 	if (!soft)
 		return goal;
 
-	// A limited push needs more time, but ends at the force of the whole spring. Otherwise deep bodies would cluster,
-	// because more overlap would not push harder. Therefore impulses leak more slowly by the same factor.
+	// a limited push takes longer, but must reach the force of the whole spring; otherwise deep bodies would cluster,
+	// because more overlap would not push harder. So impulses leak more slowly, by the factor that limits the push
 	Real rate = blend(splat(step->pair.mass_scale * step->pair.bias_rate),
 	                  splat(step->fixed.mass_scale * step->fixed.bias_rate), fixed);
 	Real firm = blend(splat(step->pair.firm), splat(step->fixed.firm), fixed);
@@ -180,7 +181,7 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 	Real push = rate * (s + firm * (exact ? s : maximum(s, -depth))), most = splat(-step->push_speed);
 	Real leak = blend(splat(step->pair.impulse_scale), splat(step->fixed.impulse_scale), fixed);
 	Int limited = push < most;
-	if (lane_bits(limited)) // few lanes are, so this saves a division
+	if (lane_bits(limited)) // few lanes are limited, so this saves a division
 		leak = leak * blend(splat(1.0f), most / push, limited);
 	Real mass_scale = blend(splat(step->pair.mass_scale), splat(step->fixed.mass_scale), fixed);
 	goal.bias = blend(maximum(push, most), goal.bias, apart);
@@ -195,7 +196,7 @@ INLINE Int pair_waits(Real s, Real old, Real rebound)
 	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
 }
 
-#define PAIR_OWN 0.001f // points with a smaller own share of the effective mass nearly coincide, and are solved alone
+#define PAIR_OWN 0.001f // points whose own share of the effective mass is smaller nearly coincide: solved separately
 
 // 1/kg: Returns the normal velocity that a unit impulse at one point causes at the other.
 INLINE Real pair_cross(const ContactArms* c)
@@ -205,15 +206,16 @@ INLINE Real pair_cross(const ContactArms* c)
 }
 
 // Solves the normal impulses of both points together; they are never negative: a linear complementarity problem with
-// two unknowns. Solved point by point, each pass would turn a box, and a push that is taken back would leave a part of
-// itself. gap: separations, m; mass: effective masses, kg. In the relaxing pass, a point that will bounce (rebound > 0)
-// and has not touched in this substep gets no impulse; otherwise it would bounce too early, or not at all.
+// two unknowns. If the points were solved one after the other, each pass would turn a box, and a part of a push that is
+// taken back would remain. gap: separations, m; mass: effective masses, kg. In the relax pass, a point that will bounce
+// (rebound > 0) and has not touched in this substep gets no impulse; otherwise it would bounce too early, or not at
+// all.
 INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], const Step* step, int soft,
                          const Real rebound[2], Real impulse[2])
 {
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
 	Real zero = splat(0.0f), lever_a[2], lever_b[2];
-	Real change[2], yield[2]; // N s: change of a point's impulse if solved alone; kg: its response to a velocity
+	Real change[2], yield[2]; // N s: change of an impulse without the other point; kg: response to a velocity
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
@@ -234,7 +236,8 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 	Real cross = pair_cross(c);
 	Real by1 = yield[0] * cross, by0 = yield[1] * cross, own = 1.0f - by0 * by1;
 
-	// both points push, unless the second would pull; then the first is solved alone, and the second again after it
+	// both points push, unless the second would pull. Then the first is solved without the second, and the second again
+	// after the first
 	Real second = blend(zero, (change[1] - by0 * change[0]) / own, own > splat(PAIR_OWN));
 	Real first = push_of(impulse[0] + (change[0] - by1 * maximum(second, -impulse[1]))) - impulse[0];
 	second = push_of(impulse[1] + (change[1] - by0 * first)) - impulse[1];
@@ -247,7 +250,7 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 	c->b.w = c->b.w + c->b.inv_inertia * (lever_b[0] * first + lever_b[1] * second);
 }
 
-// Solves the friction of one point: Coulomb's cone with the normal impulse of the relaxing pass.
+// Solves the friction of one point: Coulomb's cone with the normal impulse of the relax pass.
 INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limit, Real old)
 {
 	Real impulse = grip_of(old - mass * (pair_approach(*c, k, c->t) + speed), limit);
@@ -256,7 +259,7 @@ INLINE Real pair_tangent(ContactArms* c, int k, Real mass, Real speed, Real limi
 }
 
 // Solves rolling resistance: a torque against the relative spin, at most the load times a lever. The load is that of
-// the relaxing pass; the load of the biased pass varies within a step, so a fast roller would stop too early.
+// the relax pass; the load of the bias pass varies within a step, so a fast roller would stop too early.
 INLINE void pair_roll(const Pools* p, int i, ContactArms* c, Real weight)
 {
 	Real inertia = c->a.inv_inertia + c->b.inv_inertia;
@@ -287,7 +290,8 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 	}
 }
 
-// Computes impulses that add lack1 and lack2 (m/s) to the normal speeds; point 1 takes all if both nearly coincide.
+// Computes impulses that add lack1 and lack2 (m/s) to the normal speeds of the points. If the points nearly coincide,
+// point 1 gets the whole impulse.
 INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1,
                        Real* impulse2)
 {
@@ -298,8 +302,8 @@ INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1,
 	*impulse2 = blend(mass2 * (lack2 - cross * mass1 * lack1) / share, splat(0.0f), one);
 }
 
-// Stops two points that will bounce at the same time. Solved one after the other, they would rotate a body that lands
-// flat, and friction would turn that rotation into a velocity along the surface.
+// Stops the approach of two points at the same time, if both will bounce. Solved one after the other, the points would
+// rotate a body that lands flat, and friction would turn that rotation into a velocity along the surface.
 INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
                       Real* normal1, Real* normal2)
 {
@@ -348,8 +352,9 @@ INLINE Real pair_gained(const ContactArms* c, Real more1, Real more2)
 	return 0.5f * maximum(maximum(more1, more2), zero) / blend(splat(1.0f), mass, mass > zero);
 }
 
-// Returns the share of two bounces with which the energy of the bodies does not exceed that before they met (most).
-// Contacts of a body that bounce in one step are solved in turn, so later ones may push harder than it approached.
+// Returns the largest fraction of two bounces with which the energy of the bodies does not exceed most, J, the energy
+// before they met. Contacts of a body that bounce in one step are solved one after the other, so a later contact may
+// push harder than the body approached.
 INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], const Real mass[2], Real impulse1,
                        Real impulse2)
 {
@@ -365,7 +370,8 @@ INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], con
 	return blend(one, minimum(maximum(part, zero), one), more);
 }
 
-// Applies restitution to points with an impulse. They separate, so their impulses must not warm start the next step.
+// Applies restitution to points with an impulse. These points separate, so their impulses must not warm start the next
+// step.
 INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
                         Real* normal1, Real* normal2)
 {
@@ -400,8 +406,9 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 }
 
 // Bound of the velocity that a warm starting impulse gives a point, as a share of max_speed. In a jam between immovable
-// bodies impulses add up from step to step, and a body that gets free would leave with all of them. With 300 bodies at
-// one point, 20 runs, max_speed 400 m/s, the fastest leaves with 104, 92 and 95 m/s for shares of 0.25, 0.2 and 0.15.
+// bodies impulses add up from step to step, and a body that gets free would leave with all of them. In 20 trials with
+// 300 bodies at one point and max_speed 400 m/s, the fastest body leaves with 104, 92 and 95 m/s for shares of 0.25,
+// 0.2 and 0.15.
 #define START_SHARE 0.2f
 
 INLINE Real pair_start(const Step* step, Real impulse, Real mass)
@@ -420,7 +427,8 @@ INLINE void pair_bias(const Pools* p, int i, const ContactReady* ready, ContactA
 	u->normal_impulse2 = impulse[1];
 }
 
-// Values not held are derived just before use; all at once would exceed a CPU's registers and take 5 % longer.
+// Runs the relax pass of a contact. Without held, gaps and masses are derived just before use, because all of them at
+// once would exceed the registers of a CPU and take 5 % longer.
 INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactArms* c, Contact* u)
 {
 	Real speed = splat(0.0f), rebound[2] = {splat(0.0f), splat(0.0f)};
@@ -441,7 +449,7 @@ INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactA
 	u->normal_impulse1 = impulse[0];
 	u->normal_impulse2 = impulse[1];
 
-	// friction follows the load: impulses of the biased pass also push overlap out, which causes no friction
+	// friction follows the load: impulses of the bias pass also push overlap out, which causes no friction
 	Real mass = held ? u->tangent_mass1 : pair_mass(c, 0, c->t);
 	u->tangent_impulse1 = pair_tangent(c, 0, mass, speed, u->friction * u->normal_impulse1, u->tangent_impulse1);
 	mass = held ? u->tangent_mass2 : pair_mass(c, 1, c->t);
@@ -467,7 +475,7 @@ INLINE void contact_derive(int passes, const Body* a, const Body* b, Contact* u)
 	}
 }
 
-// Limits the impulses of the last step, which warm start this one.
+// Limits the impulses of the last step, which warm start this step.
 INLINE void contact_start(const Step* step, Contact* u)
 {
 	u->normal_impulse1 = pair_start(step, u->normal_impulse1, u->normal_mass1);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// contact_one.h -- functions for single contacts: rows that the layout sets.
+// contact_one.h -- counts single contacts at their bodies, and sets the rows that stay valid until the next layout.
 #ifndef CONTACT_ONE_H
 #define CONTACT_ONE_H
 #include "constraints/contact_constraint.h"
 
 INLINE int contact_in_use(const Pools* p, int slot) { return p->pair[slot].x >= 0; }
 
-// Counts a contact with these flags at its bodies; by is -1 to remove it. A collidable without a body has body 0.
+// Adds by (1 or -1) to the number of contacts of each body of a contact with these flags. Body 0 stands for a
+// collidable without a body, and is not counted.
 INLINE void contact_count(const Pools* p, Int2 bodies, Word flags, int by)
 {
 	GLOBAL int* count = flags & CONTACT_FIXED ? p->fixed_contacts : p->other_contacts;

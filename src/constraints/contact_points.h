@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// contact_points.h -- normal, arms and gaps of a contact for the step, from a held manifold, kept as it was found.
+// contact_points.h -- computes normal, arms and gaps of a contact for the step from a held manifold, which does not
+// change.
 //
-// A held manifold keeps its normal and its arms in the world while bodies turn and shift; only the gap follows them.
-// Therefore the forces of a leaning column still act straight down through it, and it does not buckle. A contact yields
-// like a spring: with arms that follow the bodies, a column of more than 28 boxes would buckle (A. G. Greenhill,
-// Determination of the greatest height consistent with stability that a vertical pole or mast can be made, 1881).
+// A held manifold keeps its normal and its arms in the world while bodies turn and shift; only the gap follows the
+// bodies. Therefore the forces of a leaning column still act straight down through it, and it does not buckle. A
+// contact yields like a spring: with arms that follow the bodies, a column of more than 28 boxes would buckle (A. G.
+// Greenhill, Determination of the greatest height consistent with stability that a vertical pole or mast can be made,
+// 1881).
 #ifndef CONTACT_POINTS_H
 #define CONTACT_POINTS_H
 #include "constraints/angle.h"
@@ -16,7 +18,7 @@ typedef struct // the points of a contact, along world axes
 	Vec normal;         // normal from a to b
 	Vec point[2];       // points halfway between the surfaces, from the origin of collidable a, m
 	Vec anchor[2];      // anchors from the center of mass of a, m
-	Vec offset;         // m: offset from the center of mass of b to that of a, added to an anchor
+	Vec offset;         // m: from the center of mass of b to that of a; anchor on a plus offset: anchor on b
 	Real separation[2]; // m
 } ContactPoints;
 
@@ -33,16 +35,17 @@ INLINE ContactPoints contact_points_blend(ContactPoints a, ContactPoints b, Int 
 	return a;
 }
 
-// Returns an arm's motion in the solver (body_shift) minus the real one, for a body that has the arm at the end.
+// Returns the motion of the end of an arm in the solver (body_shift) minus its real motion. arm: the arm after the
+// motion.
 INLINE Vec contact_points_predicted(Vec turn, Real angle, Vec arm)
 {
 	return vec_sub(vec_spin(angle, arm), vec_sub(arm, vec_turn_back(turn, arm)));
 }
 
 // Computes the points from rows of the pools world_shape and contact_manifold; manifold contains both rows of the
-// contact, one after the other. The two places of a point coincided when it was found. Their distance along the normal
-// since then is added to the separation. The solver turns arms by the turns of bodies within the step. For a predicted
-// manifold, whose poses are in the future, that motion is subtracted from the separation.
+// contact, one after the other. When a point was computed, its places on a and on b coincided. The distance of the two
+// places along the normal is added to the separation. The solver turns arms with the bodies within the step. For a
+// predicted manifold, whose poses are in the future, this motion is subtracted from the separation.
 INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const Real manifold[16])
 {
 	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), from_a = vec(b[0] - a[0], b[1] - a[1]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contact_prepare.h -- the points of a contact for the step, from its manifold.
+// contact_prepare.h -- computes the points of a contact for the step, from its manifold.
 #ifndef CONTACT_PREPARE_H
 #define CONTACT_PREPARE_H
 #include "constraints/contact_constraint.h"
@@ -11,7 +11,8 @@ INLINE void prepare_depth(const Pools* p, Real separation)
 	raise_lanes(&p->counters->penetration, -separation, deeper);
 }
 
-// Marks a body that is deep in a static or a kinematic one, which is the second collidable of its pair.
+// Counts a press if a contact is deep in a static or a kinematic collidable, which is the second collidable of its
+// pair.
 INLINE void prepare_press(const Pools* p, int i, Real separation)
 {
 	Word deep = p->step.presses ? lane_bits(separation < splat(-PRESS_FROM)) : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contact_report_points.h -- the points of a contact at the start of the last step, as reported to the user.
+// contact_report_points.h -- computes the points of a contact at the start of the last step, as reported to the user.
 #ifndef CONTACT_REPORT_POINTS_H
 #define CONTACT_REPORT_POINTS_H
 #include "constraints/rolling.h"

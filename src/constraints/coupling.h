@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// coupling.h -- gears and pulleys: joints with one coordinate, a sum of measures of the two bodies in the world.
+// coupling.h -- computes the one coordinate of a gear or a pulley: a sum of measures of the two bodies in the world.
 //
 //     along = measure of b + ratio * measure of a
 //
 // A side measures a frame of its body in its base, a frame of the world that does not move: the angle over all turns,
 // the translation of the anchor along the base's x axis, or the distance of the anchor from the base. Locks, limits,
-// springs and motors act on the coordinate as on that of other joints.
+// springs and motors act on this coordinate as on the coordinates of other joints.
 //
 // This work is based on:
 // Erin Catto, Iterative Dynamics with Temporal Coherence, GDC 2005: constraints as Jacobians, one body at a time.
@@ -13,7 +13,7 @@
 #define COUPLING_H
 #include "constraints/joint_constraint.h"
 
-typedef struct // one side: derivatives of its measure by the body's motion, and its change in the step
+typedef struct // one side: derivatives of its measure by the body's motion; change of the measure in the step, or distance
 {
 	Vec direction; // 0 for an angle
 	Real lever, value;
@@ -34,7 +34,7 @@ INLINE CouplingSide coupling_side(const Joint* u, int side, Vec line, Vec arm, c
 	return s;
 }
 
-// Replaces the coordinate along in lanes with a coupling.
+// In lanes with a coupling, replaces the first coordinate of a joint by the coordinate of the coupling.
 OUT_OF_LINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	if (!p->step.couplings)
@@ -50,7 +50,7 @@ OUT_OF_LINE void coupling_pose(const Pools* p, int i, const Joint* u, JointPose*
 	CouplingSide b = coupling_side(u, 1, line_b, vec(u->arm_b_x, u->arm_b_y), &c->b);
 	Real value = load(&joint_rare(p, coupled, i), 0) + (b.value + ratio * a.value);
 
-	// a body whose state is not finite must not affect the other one
+	// a body whose state is not finite must not affect the other body
 	Int sound = c->coupled & (absolute(value + (a.lever + b.lever)) <= splat(MOST_FLOAT));
 	Vec none = vec(zero, zero);
 	c->axis_a = vec_blend(none, vec_scale(-ratio, a.direction), sound);
@@ -69,7 +69,7 @@ INLINE void coupling_store(const Pools* p, int i, const JointPose* c)
 	store(&joint_rare(p, given_a_y, i), 0, c->given_a.y);
 }
 
-// Returns whether an impulse along a coupling is that of a torque: the coupling measures an angle of b.
+// Returns whether a coupling measures an angle of b. An impulse along the coupling is then that of a torque.
 INLINE Int coupling_turns(const Joint* u) { return joint_has(u, JOINT_COUPLED) & (joint_has(u, JOINT_LINEAR(1)) == 0); }
 
 #endif

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// coupling_one.h -- functions for single gears and pulleys: the measures of their bodies.
+// coupling_one.h -- measures the bodies of single gears and pulleys.
 //
 // Angles are counted over all turns. A sum of two large angles would be coarse, so the change in a step is added to the
-// sum. Therefore the ratio of a gear can change while it turns, and nothing jumps.
+// sum. Therefore the ratio of a gear can change while the gear turns, and the coordinate does not jump.
 #ifndef COUPLING_ONE_H
 #define COUPLING_ONE_H
 #include "constraints/joint_prepare.h"
 
 #define TURN_REST (-1.7484556e-7f) // 2 pi - TURN
 
-typedef struct // the last counts
+typedef struct // last counts of a coupling
 {
-	float angle[2], turns[2]; // for a and b, rad
-	float geared;             // rad
+	float angle[2], turns[2]; // for a and b: last angle, rad; number of turns
+	float geared;             // rad: contribution of the angles to the coordinate
 } CouplingCount;
 
 typedef struct // one side of a coupling in the world
 {
 	Vec line;           // m: from the base to the anchor; the direction of a translation; 0 for an angle
 	Vec arm;            // m: from the center of mass to the anchor
-	float value, added; // m, rad: its measure; rad: change since the last count
+	float value, added; // m, rad: measure of the side; rad: change since the last count
 } CouplingMeasure;
 
 INLINE CouplingCount coupling_count_new(const Pools* p, int slot)

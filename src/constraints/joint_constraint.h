@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// joint_constraint.h -- a joint as a constraint: three coordinates of a frame of body b in one of body a, some locked.
+// joint_constraint.h -- a joint as a constraint: three coordinates of a frame of body b in a frame of body a.
 //
 //     d = anchor of b - anchor of a      u = axis      w = left of u
 //     along = u . d      across = w . d      angle = angle of b - angle of a
 //
-// The locked coordinates are solved together, as a symmetric 3 x 3 system. Limits, springs and motors (joint_drive.h)
-// are solved before it, because locks have priority.
+// The coordinates that are locked are solved together, as a symmetric 3 x 3 system. Limits, springs and motors
+// (joint_drive.h) are solved before the locks, because locks have priority.
 //
 // Warm starting. Arms turn within a step, so the same impulses do not change velocities by the same amount in each
-// substep, as integrate.h assumes. Therefore a joint stores the impulses that it applied to its two bodies. In its
-// biased pass it first applies the difference between these and the effect of its impulses at the current arms.
+// substep, as integrate.h assumes. Therefore a joint stores the impulses that it applied to its two bodies. In the bias
+// pass it first applies the difference between these stored impulses and the effect of its impulses at the current
+// arms.
 //
-// This work is based on:
-// Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024: a biased and a relaxing pass per substep.
+// This work is based on: Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024: a bias pass and a relax pass per
+// substep.
 #ifndef JOINT_CONSTRAINT_H
 #define JOINT_CONSTRAINT_H
 #include "constraints/constraint.h"
@@ -166,7 +167,7 @@ struct JointRareKept
 #define joint_row(p, name, i)  ((p)->joint_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 #define joint_rare(p, name, i) ((p)->joint_rare_rows[(i) / MAX_LANES].name[(i) % MAX_LANES])
 
-// The drives of the three coordinates are the first rare rows, each in the same order.
+// The drives of the three coordinates are the first rare rows; each drive has the same rows in the same order.
 #define DRIVE_NUMBER(name, gate, life, inert, read, written) name,
 enum
 {
@@ -197,11 +198,11 @@ typedef struct // the bodies and the current coordinates of a joint
 	Real bend; // in lanes on a path: curvature at the current point, 1/m
 } JointPose;
 
-// Returns the lanes that have one of these modes.
+// Returns the lanes that have at least one of the given modes.
 INLINE Int joint_has(const Joint* u, int mode) { return (whole(u->modes) & mode) != 0; }
 
 // Returns whether the axes of a joint are those of the world. If both translations are rigid, any axes are suitable,
-// and impulses along axes of the world stay valid longer than those along axes of a body.
+// and impulses along axes of the world stay valid longer than impulses along axes of a body.
 INLINE Int joint_upright(const Joint* u)
 {
 	return joint_has(u, JOINT_LOCKED(JOINT_ALONG)) & joint_has(u, JOINT_LOCKED(JOINT_ACROSS)) &
@@ -227,9 +228,9 @@ INLINE void joint_alone(JointPose* c)
 
 #define JOINT_FAR 2.0f // error of locks that makes the arm of body a too long, in units of the radius of gyration of a
 
-// Returns whether springs hold both translations, and d is that far off. Then the axes are those of the world, and the
-// impulses keep their direction there. Because the arm of a is shortened, a cannot take the torque of a force that
-// turns with it; such a force would spin b ever faster.
+// Returns whether springs hold both translations, and the anchors are farther apart (d, m) than JOINT_FAR allows. Then
+// the axes are those of the world, and the impulses keep their direction in the world. Because the arm of a is
+// shortened, a cannot take the torque of a force that turns with a; such a force would spin b ever faster.
 INLINE Int joint_torn(const Pools* p, const Joint* u, const Body* a, Vec d)
 {
 	if (!p->step.springs)
@@ -252,7 +253,8 @@ INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real valu
 
 // Shortens the arm of body a. It ends at the anchor of b, so that no impulse of the joint changes the angular momentum.
 // If rigid locks, or a pair of soft ones, are so far off that impulses on the arm would turn a rather than pull b back,
-// the arm ends nearer to a's own anchor. Otherwise they would turn a with a force that other joints of a cannot hold.
+// the arm ends nearer to a's own anchor. Otherwise the impulses would turn a with a force that other joints of a cannot
+// hold.
 INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), off[2], square = zero;
@@ -272,7 +274,7 @@ INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* 
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
-		// blend, because the other joints of a block must not be affected: zeros have signs
+		// blend, because adding 0 in the other lanes of a block could change the sign of a zero there
 		c->arm_a = vec_blend(c->arm_a, vec_sub(c->arm_a, vec_scale(less * off[k], c->axis[k])), far);
 		c->lever_a[k] = blend(c->lever_a[k], c->lever_a[k] + less * (k == 0 ? off[1] : -off[0]), far);
 	}
@@ -287,7 +289,7 @@ OUT_OF_LINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	Vec d = vec_add(vec(u->gap_x, u->gap_y), vec_add(vec_sub(b->d, a->d), vec_sub(swing_b, swing_a)));
 	Real angle = u->angle + (b->da - a->da);
 
-	// a body whose state is not finite must not affect the other one
+	// a body whose state is not finite must not affect the other body
 	Int sound = absolute(((d.x + d.y) + (swing_a.x + swing_b.x)) + angle) <= splat(MOST_FLOAT);
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	d = vec_blend(zero, d, sound);
@@ -415,7 +417,7 @@ INLINE void joint_give_where(Joint* u, JointPose* c, JointImpulse j, Int wanted)
 	c->given_a = vec_blend(c->given_a, then.given_a, wanted);
 }
 
-// Returns an impulse of either sign; 0 in place of NaN, and of one that exceeds all bounds.
+// Returns an impulse of either sign; 0 if it is NaN or exceeds MOST_IMPULSE.
 INLINE Real bounded_impulse(Real x) { return blend(splat(0.0f), x, absolute(x) <= splat(MOST_IMPULSE)); }
 
 #endif

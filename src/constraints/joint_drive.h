@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_drive.h -- limits, springs and motors of a joint, each along one coordinate.
+// joint_drive.h -- solves limits, springs and motors of a joint, each along one coordinate.
 #ifndef JOINT_DRIVE_H
 #define JOINT_DRIVE_H
 #include "constraints/joint_spring.h"
@@ -9,7 +9,7 @@
 // returns. A limit without this bound lets a body turn by half a turn in a step, and such turns cannot be counted.
 #define JOINT_TURNING 30.0f
 
-typedef struct // the rows of one coordinate
+typedef struct // rows of the drives of one coordinate
 {
 	Real lower, upper, limit_rate, limit_soft;
 	Real target, spring_answer, spring_rate, spring_keeps, spring_relaxes, spring_least, spring_most;
@@ -53,15 +53,15 @@ INLINE Word joint_drives(const Pools* p, const Joint* u, int k)
 
 INLINE Real joint_drive_sum(const JointDrive* d) { return d->spring_impulse + d->motor_impulse + d->limit_impulse; }
 
-// Returns the impulse of a spring in the biased pass (joint_spring.h).
+// Returns the impulse of a spring in the bias pass (joint_spring.h).
 INLINE Real joint_spring(const JointDrive* d, Real yield, Real speed, Real error)
 {
 	Real change = -(d->spring_answer * speed + d->spring_rate * error) / yield - d->spring_keeps * d->spring_impulse;
 	return bounded_impulse(d->spring_impulse + change);
 }
 
-// Returns the impulse of a spring in the relaxing pass. A spring at its bound stays there, because its excess over the
-// bound is known only in the biased pass.
+// Returns the impulse of a spring in the relax pass. A spring at its bound stays there, because its excess over the
+// bound is known only in the bias pass.
 INLINE Real joint_spring_relaxed(const JointDrive* d, Real yield, Real speed, Int full)
 {
 	Real old = d->spring_impulse;
@@ -74,15 +74,16 @@ INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
 	return minimum(d->spring_most, maximum(d->spring_least, impulse));
 }
 
-// Returns the rest of a spring's impulse after opposite impulses of the motor and the limit of its coordinate.
+// Returns the part of a spring's impulse that the motor and the limit of the same coordinate do not cancel with
+// opposite impulses.
 INLINE Real joint_spring_left(const JointDrive* d)
 {
 	Real zero = splat(0.0f), whole = d->spring_impulse, left = joint_drive_sum(d);
 	return minimum(maximum(left, minimum(whole, zero)), maximum(whole, zero));
 }
 
-// Returns the part of a limit's impulse under which it gives way. The part that opposes the spring of the same joint is
-// not soft, because it is already computed. sign: direction of the limit's impulses; impulse: their size.
+// Returns the part of a limit's impulse under which the limit gives way. The part that opposes the spring of the same
+// joint is not soft, because it is already computed. sign: direction of the limit's impulses; impulse: their size.
 INLINE Real joint_limit_load(const JointDrive* d, Real sign, Real impulse)
 {
 	Real zero = splat(0.0f);
@@ -96,7 +97,8 @@ INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, int k, Real a
 	return blend(soft ? maximum(d->limit_rate * ahead, -most) : zero, p->step.inv_h * ahead, ahead > zero);
 }
 
-// Returns the impulse of the nearer limit. It ends an approach exactly there (s > 0); beyond, it is as soft as a lock.
+// Returns the impulse of the nearer limit. The limit ends an approach exactly at its position (s > 0); beyond this
+// position it is as soft as a lock.
 INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, Real speed, Real value, int soft)
 {
 	Real zero = splat(0.0f), below = value - d->lower, above = d->upper - value;
@@ -108,8 +110,9 @@ INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, 
 	return sign * push_of(old - back / (yield + yields * yield));
 }
 
-// Returns the speed of a motor: that of the user, but not through the nearer limit. Opposite impulses of motor and
-// limit would both grow to the motor's maximum, and the limit would give way: a slider of 1 kg moves 29 m at 1e8 N.
+// Returns the target speed of a motor: the user's speed, reduced so that it does not lead through the nearer limit.
+// Otherwise, opposite impulses of motor and limit would both grow to the motor's maximum, and the limit would give way:
+// a slider of 1 kg moves 29 m at 1e8 N.
 INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, int k, Real value, Int limit, int soft)
 {
 	Real below = value - d->lower, above = d->upper - value;
@@ -159,7 +162,7 @@ INLINE Real joint_share(Real impulse, Real most)
 	return blend(splat(0.0f), within(impulse / blend(splat(1.0f), most, there), splat(1.0e15f)), there);
 }
 
-// Shortens the impulse (x, y) to an ellipse, along the line to its center.
+// Moves the impulse (x, y) to an ellipse with the half axes most_x and most_y, toward its center, if it is outside.
 INLINE void joint_shorten(Real* x, Real* y, Real most_x, Real most_y)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
@@ -171,8 +174,8 @@ INLINE void joint_shorten(Real* x, Real* y, Real most_x, Real most_y)
 	*y = blend(zero, blend(*y, back * share_y * most_y, beyond), most_y > zero);
 }
 
-// Bounds springs and motors along and across together, for joints with that mode. Bounded separately, a friction of F
-// in any direction would be 1.41 F on the diagonal, and would deflect bodies that slide obliquely.
+// Bounds springs and motors along and across together, for joints with the mode JOINT_ELLIPTIC. Bounded separately, a
+// friction of F in any direction would be 1.41 F on the diagonal, and would deflect bodies that slide obliquely.
 INLINE void joint_drive_together(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	JointDrive x = joint_drive_load(p, i, JOINT_ALONG), y = joint_drive_load(p, i, JOINT_ACROSS);
@@ -192,7 +195,7 @@ INLINE void joint_drive_together(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_give_where(u, c, j, together);
 }
 
-#define JOINT_FULL 0.9999f // square of the share of an ellipse that counts as reaching it, despite rounding
+#define JOINT_FULL 0.9999f // square of a fraction of the ellipse; above it, the bound counts as reached: rounding
 
 INLINE Int joint_springs_full(const Pools* p, int i)
 {
@@ -210,7 +213,8 @@ OUT_OF_LINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, Join
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
-		// bounded before the angle is solved, whose motor would hold against impulses that are taken back
+		// bounds along and across before the angle is solved; otherwise the motor of the angle would hold against
+		// impulses that are taken back later
 		if (k == JOINT_ANGLE && p->step.has_drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 			joint_drive_together(p, i, u, c);
 		if (joint_drives(p, u, k))
@@ -230,7 +234,7 @@ OUT_OF_LINE void joint_sums(const Pools* p, int i, const Joint* u, Real sum[JOIN
 		if (!joint_drives(p, u, k))
 			continue;
 		JointDrive d = joint_drive_load(p, i, k);
-		// blend, because joints without drives in the same block must not be affected: zeros have signs
+		// blend, because adding 0 in the other lanes of a block could change the sign of a zero there
 		sum[k] = blend(sum[k], sum[k] + joint_drive_sum(&d), joint_has(u, JOINT_HAS_DRIVES(k)));
 	}
 }

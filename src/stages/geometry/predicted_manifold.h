@@ -25,7 +25,7 @@ typedef struct // manifold, and the poses for which it was computed
 // ignored: a wrong push of that size is as harmless as the lack of such a push.
 #define PAST_ERROR (0.002f * LINEAR_SLOP)
 
-// m: a corner is tested at the time of the last relaxation pass (sweep_end), but not before the pair has moved this
+// m: a corner is tested at the time of the last relax pass (sweep_end), but not before the pair has moved this
 // far. Otherwise a body that sags by less at a seam would appear to meet the side of the next floor.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
@@ -98,7 +98,7 @@ INLINE int predict_rolled(const Pools* p, WorldShape a, const Closing* closing, 
 }
 
 // Returns the manifold at a later time, or now. has_rolling 1: a round shape meets a corner; returns the manifold after
-// the last relaxation pass if the shape will then roll over the corner, else now. has_rolling 0: a surface is a belt;
+// the last relax pass if the shape will then roll over the corner, else now. has_rolling 0: a surface is a belt;
 // returns the manifold at the end of the step. A body on two belts is driven by the difference of the loads on the
 // belts, which depends on its arms; arms that lag behind its motion would add energy, as in rolling.h. Both cases share
 // one call of collide, because each call uses registers of a GPU.

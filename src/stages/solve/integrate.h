@@ -3,7 +3,7 @@
 //
 // Warm starting needs no pass over the contacts. Anchors and normals are constant within a step, so the contacts'
 // impulses of one substep would change a body's velocity by the same amount in the next substep. This amount is the
-// velocity after the relaxation pass minus the velocity before any impulse (the pool base); integrate_velocity adds it.
+// velocity after the relax pass minus the velocity before any impulse (the pool base); integrate_velocity adds it.
 #ifndef INTEGRATE_H
 #define INTEGRATE_H
 #include "constraints/solver_body.h"

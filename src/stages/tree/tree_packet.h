@@ -12,7 +12,7 @@
 #define PACKET_SHARE      16  // limit of nodes of a level per traversal; with more, it is removed from the packet
 #define PACKET_LEAVES     128 // number of overlapping leaves that are collected before they are processed
 
-typedef struct // remaining nodes of one level, by traversal; node: 4 times the first of eight siblings, plus the traversal
+typedef struct // remaining nodes of a level, by traversal; node: 4 times the first of eight siblings, plus traversal
 {
 	int count;
 	int node[PACKET_TRAVERSALS * PACKET_SHARE + ARITY];
