@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // contact_constraint.h -- a contact as a constraint: impulses at two points, friction, rolling resistance, restitution.
 //
-// This work is based on: Erin Catto, Soft Constraints, GDC 2011: bias rate, mass scale and impulse scale of a
-// constraint with a frequency. Miles Macklin et al., Small Steps in Physics Simulation, 2019: substeps instead of
-// iterations. Erin Catto, Solver2D, 2024: a bias pass and a relax pass per substep ("soft step").
+// This work is based on:
+// Erin Catto, Soft Constraints, GDC 2011: bias rate, mass scale and impulse scale of a constraint with a frequency.
+// Miles Macklin et al., Small Steps in Physics Simulation, 2019: substeps instead of iterations.
+// Erin Catto, Solver2D, 2024: a bias pass and a relax pass per substep ("soft step").
 #ifndef CONTACT_CONSTRAINT_H
 #define CONTACT_CONSTRAINT_H
 #include "constraints/constraint.h"

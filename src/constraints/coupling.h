@@ -13,7 +13,7 @@
 #define COUPLING_H
 #include "constraints/joint_constraint.h"
 
-typedef struct // one side: derivatives of its measure by the body's motion; change of the measure in the step, or distance
+typedef struct // one side: derivatives of its measure by the body's motion; its change in the step, or the distance
 {
 	Vec direction; // 0 for an angle
 	Real lever, value;

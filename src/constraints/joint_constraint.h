@@ -12,8 +12,8 @@
 // pass it first applies the difference between these stored impulses and the effect of its impulses at the current
 // arms.
 //
-// This work is based on: Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024: a bias pass and a relax pass per
-// substep.
+// This work is based on:
+// Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024: a bias pass and a relax pass per substep.
 #ifndef JOINT_CONSTRAINT_H
 #define JOINT_CONSTRAINT_H
 #include "constraints/constraint.h"

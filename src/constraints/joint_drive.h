@@ -195,7 +195,7 @@ INLINE void joint_drive_together(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_give_where(u, c, j, together);
 }
 
-#define JOINT_FULL 0.9999f // square of a fraction of the ellipse; above it, the bound counts as reached: rounding
+#define JOINT_FULL 0.9999f // above this squared fraction of the ellipse, the bound counts as reached, despite rounding
 
 INLINE Int joint_springs_full(const Pools* p, int i)
 {

@@ -101,9 +101,8 @@ INLINE void broad_phase_alone(const Pools* p, int k, int t)
 	raise_int(&p->counters->rest, 0x7fffffff);
 }
 
-// Processes the leaves of tree t that overlap the boxes of a packet, except for traversals in the mask alone.
-// kinematic, alone: masks with one bit per traversal. Returns 0 if the search must stop, because the limit of contacts
-// is reached.
+// Processes the leaves of tree t that overlap the boxes of a packet, except for traversals whose bit is set in alone.
+// kinematic, alone: one bit per traversal. Returns 0 if the search must stop, because the limit of contacts is reached.
 INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* collidables, const Float4* boxes,
                               Word kinematic, Word alone, const PacketFront* front)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// filter.h -- tests filters and kinds of two collidables: may they touch at some poses?
+// filter.h -- tests by filters and kinds whether two collidables may touch, at any poses.
 #ifndef FILTER_H
 #define FILTER_H
 #include "pools/pools.h"

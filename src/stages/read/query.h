@@ -14,7 +14,7 @@ typedef struct // query in world coordinates
 {
 	Vec start, turn, path; // motion of the shape's origin: start, m; rotation, cos and sin; path, m
 	float radius;          // m: radius of a ray
-	int ignored;           // ignored body, 0 for none
+	int ignored;           // body that the query ignores, 0 for no body
 	Float4 box;            // box at the start
 	Float4 sides;          // sides of the box: the leading ones along the path, x and y, then the trailing ones
 	Float2 inverse;        // 1/m: inverse of the path

@@ -100,8 +100,8 @@ RARE void sunk_by(const Pools* p, int slot, int a, int b, int found)
 		sunk_to(p, slot, b, found ? 0.0f : one_way_sunk(p, p->world_shape[a], p->world_shape[b]));
 }
 
-// Raises the depth of each collidable of contact i for which the other one is a platform. flags: flags of the contact;
-// found: as in sunk_by.
+// Raises the depth of each collidable of contact i for which the other collidable is a platform. flags: flags of the
+// contact; found: as in sunk_by.
 INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 {
 	Int2 pair = p->pair[i];

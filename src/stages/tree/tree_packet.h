@@ -23,8 +23,8 @@ INLINE int packet_first(int node) { return node >> 2 & ~(ARITY - 1); }
 INLINE int packet_node(int traversal, int first) { return first << 2 | traversal; }
 
 // Tests the nodes of one level and collects the children that overlap. kinematic, alone: masks of the traversals of
-// kinematic collidables, and of those that were removed from the packet. Returns the mask alone, including the
-// traversals that now have too many nodes.
+// kinematic collidables, and of those that were removed from the packet. Returns the new value of alone, which includes
+// the traversals that now have too many nodes.
 INLINE Word packet_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word kinematic,
                            Word alone, const PacketFront* from, PacketFront* to)
 {

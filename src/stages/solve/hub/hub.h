@@ -60,8 +60,8 @@ INLINE void hub_add_columns(int used, int sums, LOCAL float* bench)
 }
 
 // Adds up the columns in local memory by halves, for each of several sums. A work-group does so in two rounds, each
-// over 16 numbers. Barriers are few, and none depends on a condition: otherwise an OpenCL compiler for CPUs takes many
-// minutes.
+// over 16 numbers. There are few barriers, and no barrier depends on a condition; otherwise an OpenCL compiler for CPUs
+// would take many minutes.
 INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB_SUMS])
 {
 	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, wide = group_width() > LANES;

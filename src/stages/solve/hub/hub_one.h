@@ -137,8 +137,8 @@ INLINE int hub_within(const Pools* p, int body, int turn)
 }
 
 // Merges a split body: adds the changes of its parts, each times its fraction of the mass. The item of the body's first
-// key adds the changes, in a fixed order: first that of the body as a hub, if it is one, then those of the spokes.
-// argument: the hub color.
+// key adds the changes, in a fixed order: first the change of the body as a hub, if the body is a hub, then the
+// changes of the spokes. argument: the hub color.
 KERNEL(hub_merge)
 {
 	int spoke = hub_merged(p, i, p->argument);
