@@ -131,7 +131,7 @@ struct Backend
 	int groups;                        // number of work-groups that run at the same time, at least 1
 	bool distant;                      // a read takes as long as many runs, because the device is not the host
 	bool skips;                        // the backend skips blocks that are not in active
-	scree_sharing sharing;             // if SCREE_SHARING_COPIED, the functions share, render, download and upload are null
+	scree_sharing sharing;             // if SCREE_SHARING_COPIED, the functions of sharing are null
 	int capacity[PER_COUNT];           // capacity of the pools of each kind
 	ActiveBlocks active[ACTIVE_KINDS]; // blocks that may change; the caller sets them before a step
 	uint64_t bytes;                    // memory that the pools use

@@ -16,10 +16,11 @@ typedef struct
 	bool bounces;                // as in Step
 	bool unlocked;               // some body with joints may have no collidable, and therefore no leaf in a tree
 	int chains, chain_places;    // items of a pass over chains; number of spots of chains and branches
-	int carried;                 // first item of the pass over chains with a heavy chain between light bodies; all later items have such a chain too
-	int branches;                // items of a pass over branches, which follow the chains
-	bool taut;                   // colored joints may pull so hard that bodies need larger inertias for the step
-	const Counters* counters;    // counters on the host; they contain the layout of the constraints
+	// first item of the pass over chains with a heavy chain between light bodies; all later items have such a chain too
+	int carried;
+	int branches;             // items of a pass over branches, which follow the chains
+	bool taut;                // colored joints may pull so hard that bodies need larger inertias for the step
+	const Counters* counters; // counters on the host; they contain the layout of the constraints
 	int bound; // counter that is 0 if the layout is out of date, so that the device skips the solve; or NO_COUNT
 } Solve;
 

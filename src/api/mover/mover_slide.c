@@ -228,8 +228,8 @@ static scree_status find_ground(MoverCall* call)
 	return SCREE_OK;
 }
 
-// Moves movers that a wall stopped up, forward and down again, as on a step. They return to their place if there is no
-// ground or the step is too high.
+// Moves movers that a wall stopped up, forward and down again, as on a step. Movers keep their place if there is no
+// ground, or the step is too high.
 static scree_status climb(MoverCall* call)
 {
 	const scree_mover_def* def = call->def;

@@ -69,7 +69,7 @@ scree_status query_check(scree_world* world, const char* function, const scree_q
 
 typedef uint32_t Words4 __attribute__((vector_size(16))); // half of a ray or a probe
 
-typedef struct // for each word of a ray or a probe: mask of the compared bits, and the maximum of the masked word as an integer
+typedef struct // for each word of an item: mask of the compared bits; largest allowed integer
 {
 	Words4 counts[2], most[2];
 } PlainBits;

@@ -92,7 +92,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 		            decimal(SHORTEST_STEP).text);
 	if (substeps < 1 || substeps > 64)
 		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
-	if (dt > 0.0f) // a step with dt 0 only detects contacts, so its duration cannot be compared with that of other steps
+	if (dt > 0.0f) // with dt 0 a step only detects contacts, so its duration is not comparable
 		TRY(auto_choose(world));
 	double start = processor_milliseconds();
 	TRY(reports_reserve(world, function));
