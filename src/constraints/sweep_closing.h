@@ -71,7 +71,7 @@ INLINE Real sweep_shape(const GLOBAL float* member, Int shape)
 // Returns the time, in steps, at which the prediction ends: one substep after the end of the step; 1 if dt is 0.
 INLINE float sweep_end(const Step* step) { return step->dt > 0.0f ? 1.0f + step->h / step->dt : 1.0f; }
 
-// Returns a velocity limited to max_speed; 0 for one that is not finite, because its body will be frozen.
+// Returns a velocity limited to max_speed; 0 for a velocity that is not finite, because its body will be frozen.
 INLINE Vec sweep_velocity(const Step* step, Vec v)
 {
 	if (!lane_bits((vec_dot(v, v) <= splat(step->max_speed * step->max_speed)) == 0))
@@ -119,8 +119,8 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 }
 
 // Sets the tolerances of a closing to those of its pair. If one of two fast bodies is stopped within the step, the two
-// may meet although they do not approach. Therefore within is at least the distance that either of them moves, up to
-// SPECULATIVE_DISTANCE.
+// may meet although they do not approach. Therefore the pair has points up to the distance that either of the two
+// moves, but at most SPECULATIVE_DISTANCE.
 INLINE void sweep_fine(const Step* step, Closing* c, Int moved)
 {
 	if (!step->small)

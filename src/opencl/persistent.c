@@ -10,8 +10,8 @@
 // Maximum number of items in a run of the persistent kernel, in a solve and in other stages. For longer runs launches
 // are faster: memory bandwidth then limits the time, and a launch has a higher occupancy than work-groups that must all
 // be resident at once. Measured on an H200, with the persistent kernel and with launches. Solve of scene pyramids, 88
-// runs: 10k bodies 0.29 and 0.51 ms, 100k 0.40 and 0.49 ms, 300k 1.10 and 0.86 ms. Runs before a solve take less time
-// per item: 1M mixed bodies in motion, 3M contacts, 1.37 and 1.14 ms.
+// runs: 10k bodies 0.29 and 0.51 ms, 100k 0.40 and 0.49 ms, 300k 1.10 and 0.86 ms. Runs before a solve, which are
+// short, 1M mixed bodies in motion with 3M contacts: 1.37 and 1.14 ms.
 #define PERSISTENT_SOLVE 150000
 #define PERSISTENT_ITEMS 1000000
 

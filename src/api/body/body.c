@@ -76,8 +76,8 @@ static void fetch_collidable(const scree_world* world, int collidable)
 	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
 }
 
-// Writes a body from a checked definition to a taken slot, index. slot: taken slot of its collidable, if the definition
-// has one.
+// Writes a body from a checked definition to slot index, which is taken. slot: taken slot of its collidable, if the
+// definition has one.
 static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
