@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// backend.h -- functions of a device: it stores pools, executes lists of runs, solves; the caller orders the stages.
+// backend.h -- declares the functions of a device, which stores pools, executes lists of runs and solves; the caller
+// orders the stages of the step.
 #ifndef BACKEND_H
 #define BACKEND_H
 #include "backend/run_list.h"
@@ -14,16 +15,16 @@
 typedef struct
 {
 	const char* device; // part of a name, or null for the first suitable device
-	int threads, lanes; // 0 for as many as there are
+	int threads, lanes; // 0 for the maximum of the device
 	bool allow_unequal_bits, timings;
 	bool gpu;                   // OpenCL: only a GPU is accepted, otherwise SCREE_ERROR_NO_DEVICE
-	const scree_opengl* opengl; // context for sharing, or null
+	const scree_opengl* opengl; // OpenGL context with which memory is shared, or null
 } BackendOptions;
 
 #define READ_ASYNC_BYTES ((size_t)4096)
 _Static_assert(sizeof(Counters) <= READ_ASYNC_BYTES, "the counters are read in halves");
 
-typedef struct // memory from which OpenGL draws; the caller owns it
+typedef struct // memory that OpenGL or another program uses too; the caller owns it
 {
 	scree_sharing how; // not SCREE_SHARING_COPIED
 	int file;          // SCREE_SHARING_MEMORY: file descriptor, which belongs to the device after it accepted it
@@ -38,8 +39,8 @@ typedef enum // uses of shared memory
 	SHARED_USES
 } SharedUse;
 
-// Blocks of ACTIVE_ITEMS bodies, or collidables, that a step may change. In kernels over all of them, a backend may
-// skip the other blocks, because the kernels would write the values that are already there.
+// Blocks of ACTIVE_ITEMS bodies or collidables that a step may change. A kernel over all bodies or collidables would
+// write the old values to the other blocks, so a backend may skip these.
 #define ACTIVE_ITEMS (8 * MAX_LANES)
 enum
 {
@@ -49,23 +50,24 @@ enum
 };
 typedef struct
 {
-	const int* blocks; // block numbers, ascending; null: all of them
+	const int* blocks; // block numbers in ascending order; null: all blocks
 	int count;
 } ActiveBlocks;
 
-// Distribution of long items, the longest first: forward in even rounds, backward in odd ones. So workers have similar
-// amounts of work, and the same items in every pass. Maps a worker to its position in a round, and back.
+// Distribution of long items, sorted by length, to workers: forward in even rounds, backward in odd rounds. So workers
+// have similar amounts of work, and the same items in every pass. Maps a worker to its position in a round, and a
+// position to its worker.
 static inline int dealt(int round, int place, int workers) { return round & 1 ? workers - 1 - place : place; }
 
-typedef struct // upload of many items, a kernel over each, and readback of an answer for each
+typedef struct // upload of many items, a kernel over each item, and readback of a result for each item
 {
 	PoolId asked; // pool of the items
 	const void* items;
-	Run run; // run, which begins at item 0
+	Run run; // run of the kernel, which begins at item 0
 	PoolId answered;
-	void* answers; // in the order of the items
-	// Checks items begin to end - 1, in any thread while the device works; null for no check. No answer is written
-	// before all items are valid. The kernel ends whatever the items contain.
+	void* answers; // results, in the order of the items
+	// Checks items begin to end - 1, in any thread while the device works; null for no check. No result is written to
+	// `answers` before all items are valid. The kernel ends even if items are invalid.
 	scree_status (*check)(const void* context, int begin, int end);
 	const void* context; // argument of check
 } Batch;
@@ -77,38 +79,44 @@ typedef struct // every function that returns a status sets the error's sentence
 	void (*close)(Backend* b);
 	// sets the capacity of the pools of one kind, and keeps their items; new items are zero
 	scree_status (*resize)(Backend* b, Per per, int capacity);
-	// executes runs in order, each complete before the next begins; may return before the device has finished
+	// executes runs in order; each run is complete before the next begins; may return before the device has finished
 	scree_status (*run)(Backend* b, const Step* step, const Run* runs, int count);
-	// executes a solve to the final poses, with the result of solve_list; list is empty, with capacity for that list
+	// executes a solve to the final poses, with the result of solve_list; list is empty, and its capacity suffices for
+	// solve_list
 	scree_status (*solve)(Backend* b, const Step* step, const Solve* solve, RunList* list);
-	// copy items first to first + count - 1 to and from the device, in order with the runs; read returns after the copy
+	// copy items first to first + count - 1 to and from the device, in order with the runs; read returns when the copy
+	// is done
 	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
 	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);
-	// read in two halves: read_begin copies the results of the runs before it, and read_end returns after that copy,
-	// but does not wait for later runs. One copy at a time, of at most READ_ASYNC_BYTES
+	// a read in two halves: read_begin starts a copy after the runs before it; read_end returns when this copy is done,
+	// even if later runs are not. At most one copy at a time, of at most READ_ASYNC_BYTES
 	scree_status (*read_begin)(Backend* b, PoolId pool, int first, int count);
 	scree_status (*read_end)(Backend* b, void* items);
 	// combines write, run and read, which may overlap
 	scree_status (*batch)(Backend* b, const Step* step, const Batch* batch);
 	scree_status (*wait)(Backend* b);
-	// returns and clears the milliseconds of each stage, after all work; zeros without BackendOptions.timings
+	// returns the milliseconds of each stage since the last call, after all work has ended, and clears them; zeros
+	// without BackendOptions.timings
 	scree_status (*timings)(Backend* b, double milliseconds[STAGE_COUNT]);
-	// replaces the memory of a use, null for none, after all work; on failure keeps the previous memory
+	// sets the memory of a use, null for none, after all work has ended; on failure keeps the previous memory
 	scree_status (*share)(Backend* b, SharedUse use, const SharedMemory* memory);
-	// runs a kernel with the pool render_row in that memory, and returns when OpenGL may read it
+	// executes a run whose pool render_row is the memory of SHARED_ROWS; returns when OpenGL may read this memory
 	scree_status (*render)(Backend* b, const Run* run);
-	// copy the first items of a pool, in order with the runs. download: from the memory for queries, at an offset, into
-	// the pool. upload: from the pool into that memory; returns when others may read it
+	// copy the first items of a pool, in order with the runs. download: from the memory of SHARED_QUERIES, at an
+	// offset, into the pool. upload: from the pool into this memory; returns when other programs may read it
 	scree_status (*download)(Backend* b, PoolId pool, int count, size_t offset);
 	scree_status (*upload)(Backend* b, PoolId pool, int count, size_t offset);
-	// returns a pool's address in host memory, valid until the next resize; null if pools are not in host memory
+	// returns the address of a pool in host memory, valid until the next resize; null if the pools are not in host
+	// memory
 	void* (*address)(Backend* b, PoolId pool);
-	// frees a core for other work of this process, or uses it again, between lists; null if no cores are used
+	// frees a core for other work of this process (true), or takes it back (false), between lists; null if the backend
+	// uses no cores
 	void (*spare)(Backend* b, bool core);
 	// allocate and release two blocks, to measure the speed of copies; release also works without blocks
 	scree_status (*copy_reserve)(Backend* b, size_t bytes);
 	void (*copy_release)(Backend* b);
-	// copies one block to the other the given number of times, with the whole device; returns after the copies
+	// copies one block to the other the given number of times; the whole device takes part; returns when the copies are
+	// done
 	scree_status (*copy)(Backend* b, int times);
 } BackendFunctions;
 
@@ -116,18 +124,18 @@ struct Backend
 {
 	const BackendFunctions* f;
 	char name[160];                    // "cpu", "opencl:NVIDIA H200"
-	int threads, lanes;                // 0 on OpenCL
+	int threads, lanes;                // 0 for OpenCL
 	int traversal_items;               // work-items among which the rest of a long traversal is split, at least 1
-	int traversal_nodes;               // nodes over leaves in a short traversal; a traversal that visits more is long
-	int chain_lanes;                   // chains that are interleaved, at least 1
-	int groups;                        // work-groups that run at the same time, at least 1
-	bool distant;                      // a read takes as long as many runs
+	int traversal_nodes;               // a traversal that visits more nodes over leaves than this is long
+	int chain_lanes;                   // number of chains that are interleaved, at least 1
+	int groups;                        // number of work-groups that run at the same time, at least 1
+	bool distant;                      // a read takes as long as many runs, because the device is not the host
 	bool skips;                        // the backend skips blocks that are not in active
-	scree_sharing sharing;             // if SCREE_SHARING_COPIED, share, render, download and upload are null
+	scree_sharing sharing;             // if SCREE_SHARING_COPIED, the functions of sharing are null
 	int capacity[PER_COUNT];           // capacity of the pools of each kind
-	ActiveBlocks active[ACTIVE_KINDS]; // the caller sets them before a step
-	uint64_t bytes;                    // memory of the pools
-	uint64_t memory;                   // device memory for them, bytes; 0 for the host's memory
+	ActiveBlocks active[ACTIVE_KINDS]; // blocks that may change; the caller sets them before a step
+	uint64_t bytes;                    // memory that the pools use
+	uint64_t memory;                   // bytes of device memory; 0 if the pools are in host memory
 	void* state;                       // state of the backend's implementation
 };
 

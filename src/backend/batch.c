@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// batch.c -- a batch: the upload of many items, a kernel over each, and the readback of an answer for each.
+// batch.c -- executes a batch in one part: uploads all items, executes the kernel, checks the items and reads all
+// results back.
 #include "backend/batch.h"
 #include "platform/error.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// batch.h -- a batch: the upload of many items, a kernel over each, and the readback of an answer for each.
+// batch.h -- executes a batch in one part: uploads all items, executes the kernel, checks the items and reads all
+// results back.
 #ifndef BATCH_H
 #define BATCH_H
 #include "backend/backend.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_list.c -- lists of runs: the kernels that a backend executes in order.
+// run_list.c -- builds lists of runs, which a backend executes in order.
 #include "backend/run_list.h"
 #include "backend/tables.h"
 #include "platform/error.h"

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// solve_form.h -- the forms of a solve on OpenCL devices.
+// solve_form.h -- declares the forms of a solve on OpenCL devices, and the choice of a test.
 #ifndef SOLVE_FORM_H
 #define SOLVE_FORM_H
 
 typedef enum
 {
-	FORM_ANY, // the fastest one
+	FORM_ANY, // the fastest form
 	FORM_RELAY,
 	FORM_TILES,
-	FORM_LAUNCHES, // launches by color
+	FORM_LAUNCHES, // one launch per color and pass
 	FORM_COUNT
 } SolveForm;
 
-// Form of the solve on devices that are opened from here on. Only tests change it. FORM_RELAY and FORM_TILES also apply
-// to CPUs, and the persistent kernel then executes long runs too. With FORM_LAUNCHES it executes none.
+// Form of the solve on devices that are opened later. Only tests change it. FORM_RELAY and FORM_TILES also apply to
+// CPUs; with them, the persistent kernel executes long runs too. With FORM_LAUNCHES it executes no runs.
 extern SolveForm solve_form_setting;
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// solve_runs.c -- a whole solve as a list of runs: one run per color in every pass.
+// solve_runs.c -- builds a whole solve as a list of runs, with one run per color in every pass.
 #include "backend/solve_runs.h"
 #include "backend/tables.h"
 #include "constraints/schedule.h"
@@ -10,14 +10,16 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 
 int solve_runs_most(int substeps)
 {
-	// per pass: one run per color and kind, two per hub color, two of chains; branches, overflow and bodies
+	// maximum of a pass: one run per color and kind, two per hub color, two of chains, one each of branches and
+	// overflow, one over bodies
 	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_COLORS + 5) + 2 * CONSTRAINT_KINDS +
 	       COLORS + 14;
 }
 
-// Adds a pass. Heavy chains between light bodies relax before the colors: they remove the velocity with which the bias
-// pass pulled their frames together. Otherwise contacts of the light bodies would stop it with impulses that remain,
-// and a landing cart would be thrown up again. On the host, Counters.split is up to date only if nothing changed.
+// Adds a pass. In the relax pass, heavy chains between light bodies are solved before the colors: they remove the
+// velocity with which the bias pass pulled their frames together. Otherwise contacts of the light bodies would stop
+// this velocity with impulses that remain, and a landing cart would be thrown up again. Counters.split on the host is
+// up to date only if the layout is: in a solve with a bound.
 static void add_pass(RunList* list, const Solve* solve, int pass)
 {
 	const Counters* c = solve->counters;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tables.c -- tables of the pools, kernels and kinds of constraints in pools.def, kernels.def and kinds.def.
+// tables.c -- defines tables of the pools, kernels and kinds of constraints in pools.def, kernels.def and kinds.def.
 #include "backend/tables.h"
 #include "constraints/constraint_kinds.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tables.h -- enumerators and tables of pools.def, kernels.def and kinds.def.
+// tables.h -- declares enumerators and tables of the pools, kernels and kinds in pools.def, kernels.def and kinds.def.
 #ifndef TABLES_H
 #define TABLES_H
 #include "constraints/schedule.h"
@@ -21,23 +21,23 @@ typedef enum
 #include "stages/kernels.def"
 #undef X
 	KERNEL_COUNT,
-	// Primitives, not kernels: each backend has its own implementation, with equal results. SORT: sorts items 0
-	// to end of pool key, stably, by the bits from RUN_LOW of argument up to, not including, RUN_HIGH.
+	// Primitives, not kernels: each backend has its own implementation, with equal results. SORT: sorts items 0 to end
+	// - 1 of pool key, stably, by bits RUN_LOW to RUN_HIGH - 1 of the key; both are in the run's argument.
 	PRIMITIVE_SORT = KERNEL_COUNT,
-	PRIMITIVE_SCAN, // replaces items 0 to end of pool scan by the sum of the items before each
+	PRIMITIVE_SCAN, // replaces each of items 0 to end - 1 of pool scan by the sum of the items before it
 	RUN_KINDS
 } KernelId;
 
-typedef enum // number of lanes that process an item of a kernel
+typedef enum // the lanes or work-items that process an item of a kernel
 {
 	WIDTH_ONE,
-	WIDTH_WIDE,  // one call processes as many items as there are lanes
-	WIDTH_ALONE, // as WIDTH_ONE, for rare kernels and those on request, which OpenCL's persistent kernel leaves out
-	WIDTH_GROUP, // a worker, or a work-group, whose lanes share the item
-	WIDTH_TEAM,  // the same, except that a worker uses one lane
+	WIDTH_WIDE,  // one lane per item; a call processes an item in each lane
+	WIDTH_ALONE, // as WIDTH_ONE, for kernels that run rarely or on request; OpenCL's persistent kernel leaves them out
+	WIDTH_GROUP, // a worker or a work-group processes an item; its lanes share the item
+	WIDTH_TEAM,  // as WIDTH_GROUP, but a worker uses only one lane
 } Width;
 
-typedef enum // the stages of the step
+typedef enum // stages of the step
 {
 #define X(name) STAGE_##name,
 #include "stages/stages.def"
@@ -45,7 +45,7 @@ typedef enum // the stages of the step
 	STAGE_COUNT
 } Stage;
 
-typedef struct // entry of pools.def, in order
+typedef struct // an entry of pools.def; the table has the order of the file
 {
 	const char* name;
 	size_t bytes; // size of an item
@@ -54,22 +54,22 @@ typedef struct // entry of pools.def, in order
 } PoolInfo;
 extern const PoolInfo pool_info[POOL_COUNT];
 
-typedef struct // pools and kernels of a kind of constraint
+typedef struct // pools and kernels of one kind of constraint
 {
 	Per items, places, blocks;
-	KernelId key, edge, range, layout; // kernels that lay it out
+	KernelId key, edge, range, layout; // kernels that compute the layout of its constraints
 	KernelId prepare, prepare_rare, pass[PASS_KINDS], hash;
 } KindInfo;
 extern const KindInfo kind_info[CONSTRAINT_KINDS];
 
-// Returns the number of slots of a kind up to the last one in use.
+// Returns the number of slots of a kind of constraint, up to the last slot in use.
 int kind_items(const Counters* counters, int kind);
 
 extern const char* const kernel_names[RUN_KINDS];
 extern const Stage kernel_stages[KERNEL_COUNT];
 extern const Width kernel_widths[KERNEL_COUNT];
 
-// Returns the value of Run.count for a member of Counters.
+// Returns the value of Run.count that names a member of Counters.
 #define COUNT(member) ((int)(offsetof(Counters, member) / sizeof(int)))
 #define NO_COUNT      (-1)
 

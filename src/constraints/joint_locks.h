@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
-// joint_locks.h -- the locks of a joint, solved together: a symmetric system of up to three equations.
+// joint_locks.h -- solves the locks of a joint together, as a symmetric system of up to three equations.
 #ifndef JOINT_LOCKS_H
 #define JOINT_LOCKS_H
 #include "constraints/joint_drive.h"
 
-#define JOINT_LEAST_YIELD 1.0e-6f // least share of a coordinate's yield while others are held; less is rounding error
+#define JOINT_LEAST_YIELD 1.0e-6f // minimum of d2 below, as a share of the angle's yield: less is rounding
 
-// m/s, rad/s: greatest speed at which errors are corrected in a chain. With it, frames that are far apart, because a
-// body was teleported or a contact held it back, come together without a blow. Other joints correct distances at up to
-// START_SHARE of max_speed: the joint in the corner of a large net carries all of it, and must follow its error.
+// m/s, rad/s: maximum speed at which errors are corrected in a chain. Frames that are far apart, because a body was
+// teleported or a contact held it back, then come together without a blow. Other joints correct distances at up to
+// START_SHARE of max_speed: the joint in the corner of a large net carries the whole net, and must follow its error.
 #define JOINT_CORRECTION 10.0f
 
 typedef struct // equations of the locks: yield x = goal
 {
-	Real yield[3], cross[3];     // diagonal; elements 01, 02, 12
-	Real soft[3], soft_cross[3]; // softness, which is included in yield and cross
-	Real softness[3];            // softness as a share of a coordinate's own yield
+	Real yield[3], cross[3];     // diagonal of the matrix; its elements 01, 02, 12
+	Real soft[3], soft_cross[3]; // softness, already added to yield and cross
+	Real softness[3];            // softness as a share of the coordinate's rigid yield (joint_yield)
 	Real toward[3];              // m/s, rad/s: speeds at which errors are corrected
 	Real back[3];                // m/s, rad/s: speeds at which locks give way to their impulses
 	Real goal[3];
 	Int locked[3];
 } JointSystem;
 
-// Softness of a nearly free lock, as a multiple of its own yield. An overflow would spoil the other locks.
+// Softness of a nearly free lock, as a multiple of its yield. An overflow would spoil the other locks.
 #define JOINT_NOTHING 1.0e12f
 
 INLINE Real joint_softer(Real softness, Real own)
@@ -31,15 +31,15 @@ INLINE Real joint_softer(Real softness, Real own)
 	return blend(softer, splat(JOINT_NOTHING) * own, softer > splat(1.0e30f));
 }
 
-// Returns the share by which softness increases the yield between two coordinates. Rigid locks are soft together,
-// whatever their axes. If each were soft on its own, two that pull at a long arm oblique to both axes would give way
-// along the arm by the yield of the lever.
+// Returns the softness of element ij of the matrix, as a share of the rigid element; 0 if a lock is soft. Two rigid
+// locks share one softness, independent of the directions of their axes. With separate softnesses, two locks that pull
+// at a long arm oblique to both axes would give way along the arm by the yield of the lever.
 INLINE Real joint_soft_pair(const Joint* u, const Real softness[3], int i, int j)
 {
 	return blend(minimum(softness[i], softness[j]), splat(0.0f), joint_has(u, JOINT_SOFT(i) | JOINT_SOFT(j)));
 }
 
-// Computes the softness of locks. In the relaxing pass, springs damp (joint_spring.h) and other locks are rigid.
+// Computes the softness of locks. In the relax pass, soft locks damp (joint_spring.h) and other locks are rigid.
 INLINE void joint_softnesses(const Pools* p, int i, int soft, const Joint* u, Real softness[3])
 {
 	Real zero = splat(0.0f);
@@ -58,9 +58,9 @@ INLINE Int joint_springs_alone(const Pools* p, int i)
 	return load(&joint_rare(p, springs_alone, i), 0) > splat(0.0f);
 }
 
-// Replaces the equations of rigid locks beside springs. The pull of the springs on the locks is already computed, so
-// the locks hold against it as if they did not yield. Otherwise a spring on an arm would swing more slowly, and the
-// locks would damp it. Only the rest of their impulses is soft:
+// Replaces the equations of the rigid locks of joints that also have springs. The pull of the springs on the locks is
+// already computed, so the locks hold against this pull without yielding. Otherwise a spring on an arm would swing more
+// slowly, and the locks would damp the arm. Only the rest of the locks' impulses is soft:
 //
 //     K x = -(s + b C) / (1 + g) - g / (1 + g) K P      P: impulses of locks and springs
 //
@@ -97,8 +97,9 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 	s->cross[2] = blend(s->cross[2], blend(zero, cross[2], s->locked[1] & s->locked[2]), rigid[1] | rigid[2]);
 }
 
-// Computes the equations of the locks without goals, which depend on velocities. Free coordinates have rows of the
-// identity. Springs pull with their full force, not at a bounded speed. chained: other joints are solved with it.
+// Returns the equations of the locks without goals, which depend on velocities. Free coordinates have rows of the
+// identity matrix. Springs pull with their full force, not at a bounded speed. chained: the joint is solved together
+// with a chain.
 OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chained, float fastest, const Joint* u,
                                      const JointPose* c)
 {
@@ -148,7 +149,7 @@ INLINE void joint_goals(int soft, const JointPose* c, JointSystem* s, Real speed
 	}
 }
 
-// Computes the equations of a joint of a chain.
+// Returns the equations of a joint of a chain, with goals.
 INLINE JointSystem joint_system(const Pools* p, int i, int soft, float fastest, const Joint* u, const JointPose* c)
 {
 	JointSystem s = joint_yields(p, i, soft, 1, fastest, u, c);
@@ -162,7 +163,8 @@ typedef struct // the equations as L D L^T
 	Real first, l01, l02, d1, l12, d2;
 } JointFactors;
 
-// Factors the equations. mass: in exact arithmetic, two translations yield no less than the masses alone, 1/kg.
+// Factors the equations. mass, 1/kg: in exact arithmetic, the yield of two locked translations is at least this, the
+// sum of the inverse masses.
 INLINE JointFactors joint_factor(const JointSystem* s, Real mass)
 {
 	JointFactors f;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// joint_one.h -- functions for single joints: the stored counts of turns, couplings and paths.
+// joint_one.h -- reads and stores the counted turns of a joint, for one joint at a time: angle, coupling and path.
 #ifndef JOINT_ONE_H
 #define JOINT_ONE_H
 #include "constraints/coupling_one.h"
 #include "constraints/path_one.h"
 
-// Returns the counted turns: at the place of the joint, or at its slot if the joint rests and has no place.
+// Returns the last angle of a joint over all turns: from the place of the joint, or from its slot if the joint rests
+// and has no place.
 INLINE float joint_turned_last(const Pools* p, int slot)
 {
 	int place = p->joint_place[slot];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// joint_pass.h -- a pass over a joint: the parts before and after its velocities, and functions that every kind has.
+// joint_pass.h -- executes a pass over a joint: a part that depends on positions only, then a part that depends on
+// velocities.
 #ifndef JOINT_PASS_H
 #define JOINT_PASS_H
 #include "constraints/contact_constraint.h"
@@ -7,14 +8,15 @@
 #include "constraints/joint_locks.h"
 #include "constraints/path_constraint.h"
 
-#define JOINT_CARRIES 1.5f // factor by which the bound of a joint's warm start may grow from step to step
+#define JOINT_CARRIES 1.5f // maximum factor by which the bound of a joint's warm start grows from step to step
 
-// Lower limit of that bound, in units of START_SHARE: all of max_speed and max_spin. The limbs of a ragdoll that lands
-// are held by impulses that balance each other, but each alone would spin a hand by more than a fifth of max_spin. With
-// less, a joint opens again after the impact.
+// Lower limit of the bound of a joint's warm start, in units of START_SHARE; 5 is all of max_speed and max_spin. The
+// limbs of a ragdoll that lands are held by impulses that balance each other, but a single one of them would spin a
+// hand by more than a fifth of max_spin. With a lower limit, a joint opens again after the impact.
 #define JOINT_BLOW 5.0f
 
-// Adds a solution to the impulses of the locks; other coordinates have none. turns: lanes whose angle has one.
+// Adds solution x to the impulses of the locks; clears those of coordinates without a lock. turns: lanes in which the
+// angle has a lock.
 INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
 {
 	Real zero = splat(0.0f), old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
@@ -30,7 +32,7 @@ typedef struct // kg m^2: inertia that the pull of a joint adds to its bodies in
 	Real a, b;
 } JointPull;
 
-// Returns the pull of a joint; 0 unless it holds both translations with rigid locks.
+// Returns the pull of a joint; 0 unless rigid locks hold both translations.
 INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, Vec push)
 {
 	Real zero = splat(0.0f);
@@ -41,7 +43,8 @@ INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, 
 	return pull;
 }
 
-// Share of a body's inertia from which on the pull of one of its few joints causes taut.h to compute the sums.
+// Share of a body's inertia. If the pull of one joint is larger, taut.h sums the pulls of all joints of each body in
+// the next step.
 #define JOINT_TAUT 0.25f
 
 INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Vec push)
@@ -52,13 +55,14 @@ INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Ve
 		raise_int(&p->counters->taut, 1);
 }
 
-// Starts the step with the impulses of the last one, unless these alone would make the bodies faster than a share of
-// max_speed, because an impact must not be repeated. But an impulse that a joint has carried for some steps is a load
-// that the other joints of its bodies hold too: the corner of a net carries the weight of all its knots.
+// Applies the impulses of the last step, as a share if they would change the velocities by more than an allowed share
+// of max_speed and max_spin, because an impact must not be repeated. The allowed share grows while a joint carries an
+// impulse from step to step: such an impulse is a load that the other joints of the bodies hold too, as in the corner
+// of a net, which carries the weight of all knots.
 INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
-	if (p->step.h_ratio != 1.0f) // scales the impulses, so that forces stay the same
+	if (p->step.h_ratio != 1.0f) // the substep has another length: forces stay the same
 		joint_scale(p, i, u, splat(p->step.h_ratio));
 	joint_sums(p, i, u, sum);
 	JointImpulse j = joint_impulse(c, sum[0], sum[1], sum[2]);
@@ -87,11 +91,12 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_give(u, c, j);
 }
 
-// Returns the change of the effect of a joint's impulses, by the turn of the arms since the last substep.
+// Returns the impulse to apply because the arms of a joint have turned since the last substep: the effect of the
+// joint's impulses now, minus their effect then.
 INLINE JointImpulse joint_turn_impulse(const Pools* p, int i, Joint* u, const JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
-	// the axes of the last pass may have been different
+	// the axes of the last pass may have had other directions
 	if (p->step.springs)
 	{
 		Vec given = vec(u->given_x, u->given_y);
@@ -146,13 +151,13 @@ INLINE void joint_start(const Step* step, Joint* u)
 	(void)u;
 }
 
-// Bound of an ordinary correction across a path, as a multiple of that which the bend of the path requires in a
-// substep. Larger corrections pull back a body that was placed elsewhere.
+// Bound of an ordinary correction across a path, as a multiple of the correction that the curvature of the path
+// requires in a substep. Larger corrections pull back a body that was placed away from the path.
 #define JOINT_BENDS 8.0f
 
-// Keeps the speed along of a bead that is pulled back to its path from afar. It turns around the center of the path's
-// circle and would get faster as it shrinks: the axis along turns by bend h along in the substep, and would turn
-// that share of the speed across into speed along. The impulse is applied once, and is not warm started.
+// Keeps the speed along of a bead that is pulled back to its path from afar. The bead turns around the center of the
+// path's circle, and would get faster as its distance shrinks: the axis along turns by (bend h along) in the substep,
+// and would turn this share of the speed across into speed along. The impulse is applied once, and is not warm started.
 INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), along = joint_speed_linear(c, JOINT_ALONG), across = joint_speed_linear(c, JOINT_ACROSS);
@@ -165,7 +170,7 @@ INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 
 typedef struct // the part of a pass that depends on the positions of the bodies, and not on their velocities
 {
-	JointPose c; // without velocities
+	JointPose c; // velocities in it are not used
 	JointImpulse turned;
 	JointSystem system; // without goals
 	JointFactors factors;
@@ -186,7 +191,8 @@ INLINE void joint_ready_locks(const Pools* p, int pass, int i, const Joint* u, c
 	ready->factors = joint_factor(&ready->system, c->mass);
 }
 
-// Computes this part. It is most of a pass; on a GPU it runs while other constraints compute the velocities.
+// Computes the part of a pass that depends on positions. This is most of the work of a pass; on a GPU it runs while
+// other constraints compute the velocities.
 INLINE void joint_ready(const Pools* p, int pass, int i, const Body* a, const Body* b, Joint* u, JointReady* ready)
 {
 	if (pass == PASS_BOUNCE)
@@ -198,7 +204,7 @@ INLINE void joint_ready(const Pools* p, int pass, int i, const Body* a, const Bo
 		joint_ready_locks(p, pass, i, u, &ready->c, ready);
 }
 
-// Solves the impulses of the locks, after all others.
+// Solves the impulses of the locks, after those of the drives.
 INLINE void joint_locks(const Pools* p, int pass, int i, JointReady* ready, Joint* u, JointPose* c)
 {
 	Real speed[JOINT_COORDINATES], x[JOINT_COORDINATES];
@@ -212,7 +218,8 @@ INLINE void joint_locks(const Pools* p, int pass, int i, JointReady* ready, Join
 	joint_hold(u, c, x, joint_has(u, JOINT_LOCKED(JOINT_ANGLE)));
 }
 
-// Executes a pass of joint i. held: the result of joint_ready; 0 derives values just before use, with fewer registers.
+// Executes a pass of joint i. held: result of joint_ready; null: the pass computes these values just before their use,
+// which takes fewer registers.
 INLINE void joint_pass(const Pools* p, int pass, int i, const JointReady* held, Joint* u, Body* a, Body* b)
 {
 	if (pass == PASS_BOUNCE)

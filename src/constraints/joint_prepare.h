@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// joint_prepare.h -- the rows of a joint for the step, from its data and the poses of its bodies.
+// joint_prepare.h -- computes the rows of a joint for the step, from its data and the poses of its bodies.
 #ifndef JOINT_PREPARE_H
 #define JOINT_PREPARE_H
 #include "constraints/angle.h"
 #include "constraints/joint_spring.h"
 
-// Reads four numbers of joint `slot`, at an offset in JointData.
+// Reads four numbers of joint `slot`. place: offset in JointData, in units of four numbers.
 INLINE void joint_quad(const Pools* p, Int slot, int place, Real out[4])
 {
 	gather_rows4((GLOBAL float*)p->joint_data, slot * JOINT_QUADS + place, out);
 }
 
-// Returns the nearest whole number of a number below 2^22.
+// Rounds a number, whose absolute value is below 2^22, to the nearest whole number.
 INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(12582912.0f); }
 
 #define JOINT_SOFTEST 1.0e30f // bound of 1 / a2, which may be infinite
-// Stiffness of joints in a chain relative to other joints; it can be higher because chains are solved exactly. Their
-// errors are corrected at the rate of other joints, because at a higher rate a chain whose end is suddenly moved whips.
+// Stiffness of joints in a chain relative to other joints; it can be higher because chains are solved exactly. The rate
+// at which errors are corrected is that of other joints: at a higher rate a chain whips when its end is suddenly moved.
 #define JOINT_CHAIN_STIFFER 4.0f
 
-// Computes the softness of a rigid lock or a limit: Catto, Soft Constraints, GDC 2011. hertz: Hz; rate: 1/s.
+// Computes the softness of a rigid lock or a limit (Catto, Soft Constraints, GDC 2011), and the rate at which its error
+// is corrected. hertz: Hz; rate: 1/s.
 INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer, Real* rate, Real* soft)
 {
 	Real omega = splat(TURN) * (stiffer * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h)));
@@ -30,7 +31,7 @@ INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer,
 	*soft = blend(splat(0.0f), minimum(1.0f / a2, splat(JOINT_SOFTEST)), hertz > splat(0.0f));
 }
 
-// Computes the softness of the lock of coordinate k. That of a soft lock is set with the rare rows.
+// Computes rate and softness of the lock of coordinate k. joint_setup_spring replaces them for a soft lock.
 INLINE void joint_lock(const Pools* p, const Real joint[4], int k, Int chained, Real* rate, Real* soft)
 {
 	Real chain_rate, chain_soft;
@@ -50,7 +51,7 @@ typedef struct // pose of a frame in the world
 	Vec position, rest; // position of the center of mass, and its rounding error
 } JointFrame;
 
-// Computes the frame at an offset in JointData (place), moved by an offset in the frame.
+// Returns a frame of a joint, moved by offset in the frame's axes. place: offset of the frame in JointData.
 OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body, Vec offset)
 {
 	JointFrame end;
@@ -60,7 +61,7 @@ OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body
 	const GLOBAL float *center = (const GLOBAL float*)p->local_center, *low = (const GLOBAL float*)p->pose_low;
 	Vec own = vec(placed[0], placed[1]), frame = vec(placed[2], placed[3]), turn = vec(pose[2], pose[3]);
 	own = vec_add(vec_sub(own, vec(gather(center, body * 2), gather(center, body * 2 + 1))), vec_turn(frame, offset));
-	// a far point of the world is exact as a position, but not as an arm from which another is subtracted
+	// a far point of the world is exact as a position, but not as an arm, because two arms are subtracted
 	Int world = body == 0;
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	end.arm = vec_blend(vec_turn(turn, own), zero, world);
@@ -75,14 +76,15 @@ INLINE Vec joint_gap(const JointFrame* a, const JointFrame* b)
 	return vec_add(vec_add(vec_sub(b->position, a->position), vec_sub(b->rest, a->rest)), vec_sub(b->arm, a->arm));
 }
 
-// Returns the angle from a to b over all turns, the one nearest to the last angle.
+// Returns the angle from frame a to frame b over all turns; of the possible angles, the nearest to the last one.
 INLINE Real joint_turned(const JointFrame* a, const JointFrame* b, Real last)
 {
 	Real angle = vec_angle(vec_turn_back(a->turn, b->turn));
 	return angle + splat(TURN) * joint_round((last - angle) * splat(1.0f / TURN));
 }
 
-// Returns frame A; on a path it lies at the point that joint_follow found, along the tangent, and locks do not move it.
+// Returns frame A. In lanes on a path (railed), the frame lies at the point that joint_follow found, along the tangent,
+// and offset is not used.
 INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, Vec offset, Int railed)
 {
 	Vec foot = vec(load(&joint_rare(p, foot_x, i), 0), load(&joint_rare(p, foot_y, i), 0));
@@ -92,7 +94,7 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 	return a;
 }
 
-// Updates the widest gap for the user: the error of rigid locks of translations. gap: from anchor to anchor.
+// Updates the widest gap, a counter for the user: the error of rigid locks of translations. gap: from anchor to anchor.
 INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 {
 	Vec axis = joint_line(vec(u->axis_x, u->axis_y), gap, joint_has(u, JOINT_RADIAL));
@@ -112,7 +114,7 @@ INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 		raise_lanes(&p->counters->joint_gap, root(square), wider);
 }
 
-// Marks whether some joint drags a body that cannot follow to a body that cannot move.
+// Sets Counters.press[1] if a joint has a gap of more than PRESS_GAP and one of its bodies cannot move.
 INLINE void joint_press(const Pools* p, int i, const Joint* u, Int there, Vec gap)
 {
 	Int pulls = there & (joint_has(u, JOINT_RADIAL | JOINT_COUPLED | JOINT_RAILED) == 0);
@@ -123,7 +125,7 @@ INLINE void joint_press(const Pools* p, int i, const Joint* u, Int there, Vec ga
 			raise_int(&p->counters->press[1], 1);
 }
 
-// Computes all prepared rows of joint i, except the rare ones. slot is -1 for padding.
+// Computes all prepared rows of joint i, except the rare ones. slot: -1 for padding.
 INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), target[JOINT_COORDINATES];
@@ -178,7 +180,7 @@ INLINE void joint_setup(const Pools* p, int i, Int slot, Joint* u)
 	u->given_a = zero;
 	u->given_b = zero;
 
-	// forms of the solve that keep joints in registers store only the rows that passes write
+	// tiles and relay keep joints in registers, and store only the rows that passes write
 	store(&joint_row(p, turned, i), 0, u->turned);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_rare.h -- the rare rows of a joint for the step: its limits, springs, motors, and soft locks.
+// joint_rare.h -- computes the rare rows of a joint for the step: limits, springs, motors and soft locks.
 #ifndef JOINT_RARE_H
 #define JOINT_RARE_H
 #include "constraints/coupling.h"
@@ -23,7 +23,8 @@ INLINE JointDriven joint_driven(const Pools* p, Int slot, int k)
 // Returns the impulse of a force within a substep.
 INLINE Real joint_most(const Pools* p, Real force) { return minimum(splat(MOST_IMPULSE), force * p->step.h); }
 
-// m: Returns the arc length of the foot, from which along counts: far along a path, a float has few digits left.
+// m: Returns the arc length of the foot, from which along is measured on a path, because a float has few digits left
+// for a long arc; 0 for other coordinates and for joints without a path.
 INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 {
 	Real zero = splat(0.0f);
@@ -33,13 +34,14 @@ INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 	return blend(zero, load(&joint_rare(p, foot_along, i), 0), railed);
 }
 
-// Keeps the impulse of a drive, or clears it if the user has removed the drive. Otherwise the result would depend on
-// the joints beside it, because they decide whether a pass processes a coordinate without drives.
+// Keeps the impulse of a drive, or clears it if the user has removed the drive. A pass processes a coordinate without
+// drives only if another joint in its lanes has one, so an impulse that is left would make the result depend on the
+// other joints.
 #define JOINT_DRIVE_KEPT(k, name, mode)       \
 	store(&joint_drive_row(p, k, name, i), 0, \
 	      blend(splat(0.0f), load(&joint_drive_row(p, k, name, i), 0), joint_has(u, mode)))
 
-// Writes the rows of one coordinate, except those of its spring. rate, soft: softness of its limits.
+// Writes the rows of coordinate k, except those of its spring. rate, soft: those of its limits.
 INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Joint* u, Real rate, Real soft)
 {
 	JointDriven from = joint_driven(p, slot, k);
@@ -59,16 +61,17 @@ INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Join
 	JOINT_DRIVE_KEPT(k, motor_impulse, JOINT_MOTOR(k));
 }
 
-// m: Returns translation k with locks and springs at their targets. A lock moves the frame to its target.
+// m: Returns translation k when locks and springs are at their targets. A lock moves the frame to its target.
 INLINE Real joint_aim(const Joint* u, const JointPose* c, int k, Real target)
 {
 	Real aim = blend(c->value[k], target, joint_has(u, JOINT_SPRING(k)));
 	return blend(aim, splat(0.0f), joint_has(u, JOINT_LOCKED(k)));
 }
 
-// Returns the stiffness of a spring of coordinate k relative to one of the same frequency with the current arms: the
-// root of a ratio of yields. It is that of the arms with locks and springs at their targets. The arm of body a ends at
-// the anchor of b: a spring whose stiffness followed its length would pull less the longer it is, and lose its load.
+// Returns the factor of the frequency and the damping ratio of a spring of coordinate k, so that its stiffness is
+// computed with the arms at which locks and springs are at their targets: the root of the yield with the current arms
+// divided by the yield with those arms. The current arm of body a ends at the anchor of b: a spring whose stiffness
+// followed this arm would pull less the longer it is, and lose its load.
 INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const JointPose* c, int k)
 {
 	Real one = splat(1.0f), zero = splat(0.0f), lock[4];
@@ -84,8 +87,9 @@ INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const Join
 	return root(blend(one, ratio, sound));
 }
 
-// Writes the rows of the spring of coordinate k, or of its soft lock, if some lane has one; a coordinate has at most
-// one of them. Frequency and ratio are defined for the stiffness at the target. rate, hold: softness of the lock.
+// Writes the rows of the spring of coordinate k, or of its soft lock, if some lane has a spring or a soft lock; a
+// coordinate has at most one of them. Frequency and ratio are defined for the stiffness at the target. rate, hold: rate
+// and softness of the lock, changed only in lanes with a soft lock.
 INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joint* u, const JointPose* c, Real beside,
                                Real alone, Real* rate, Real* hold)
 {
@@ -108,7 +112,8 @@ INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joi
 	*hold = blend(*hold, share * (one - answer) / answer, softens);
 }
 
-// Returns the largest number of constraints, including contacts, of a body of joint i that can move; at least 1.
+// Returns the number of constraints, including contacts, of the body of joint i that has more of them; bodies that
+// cannot move do not count. At least 1.
 INLINE Real joint_most_beside(const Pools* p, int i, const JointPose* c)
 {
 	Real zero = splat(0.0f);
@@ -127,7 +132,7 @@ INLINE Real joint_springs_of(const Joint* u)
 	return sum;
 }
 
-// Computes springs and soft locks from the yields of their coordinates at the start of the step.
+// Computes springs and soft locks from the yields of their coordinates (joint_yield) at the start of the step.
 INLINE void joint_setup_springs(const Pools* p, int i, Int slot, Joint* u)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
-// path_constraint.h -- joints on a path: within a step the path is a circle whose curvature changes along it.
+// path_constraint.h -- computes the axes of joints on a path: within a step, a path is a circle whose curvature
+// changes.
 //
 //     d = (x, y) in tangent and normal of the foot, the point of the path at the start of the step
-//     k = curvature there, l = its change
+//     k = curvature there, l = change of curvature along the path, 1/m^2
 //     c = 1 - k y      s = k x      r = sqrt(c^2 + s^2)      cos = c / r      sin = s / r
 //     along = x / r * asin(sin) / sin      across = (1 - r) / k = (2 y - k (x^2 + y^2)) / (1 + r)      turn = k along
 //
 // The change of curvature adds l along^2 / 2 to the turn of the tangent, and subtracts l along^3 / 6 from across.
 //
-// Therefore the axes follow the path in each substep, and the bodies lose no energy to a tangent that is a step old.
-// The angle is measured from the tangent, which turns with the speed along: its row is that of the angle minus k times
-// that of along.
+// With these formulas the axes follow the path in each substep, so that bodies lose no energy because of an outdated
+// tangent. The angle is measured from the tangent, which turns with the speed along: the row of the angle is that of a
+// free angle minus k times the row of along.
 #ifndef PATH_CONSTRAINT_H
 #define PATH_CONSTRAINT_H
 #include "constraints/angle.h"
 #include "constraints/joint_constraint.h"
 
 #define PATH_SERIES    0.01f   // square of the sine up to which the series of asin is exact to a float
-#define PATH_MOST_SWAY 0.5f    // rad: largest turn by the change of curvature; its sine and cosine are series
-#define PATH_CENTER    1.0e-4f // least c^2 + s^2; nearer to the center of the circle the normal has no direction
+#define PATH_MOST_SWAY 0.5f    // rad: maximum turn by the change of curvature; series compute its sine and cosine
+#define PATH_CENTER    1.0e-4f // minimum of c^2 + s^2; nearer to the center of the circle the normal has no direction
 
 typedef struct // a point of the circle
 {
@@ -41,7 +42,7 @@ INLINE PathArc path_arc(Real bend, Real x, Real y)
 	return arc;
 }
 
-// Replaces axes and coordinates in lanes on a path.
+// Replaces axes, levers and coordinates in lanes on a path, and sets c->bend.
 OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	if (!p->step.paths)
@@ -59,7 +60,7 @@ OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	Real angle = c->value[JOINT_ANGLE] - (bend * arc.along + more);
 	across = across - (more * arc.along * (1.0f / 3.0f) + load(&joint_rare(p, beside, i), 0));
 
-	// a body whose state is not finite must not affect the other one
+	// lanes that are not finite keep their axes, so that the other body of the joint is not affected
 	Int sound = c->railed & (absolute((across + arc.along) + (angle + (turn.x + turn.y))) <= splat(MOST_FLOAT));
 	turn = vec_blend(vec(one, zero), turn, sound);
 	c->bend = blend(zero, (bend + sway * arc.along) / maximum(arc.out, splat(0.1f)), sound);
@@ -67,7 +68,7 @@ OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	c->value[JOINT_ACROSS] = blend(c->value[JOINT_ACROSS], across, sound);
 	c->value[JOINT_ANGLE] = blend(c->value[JOINT_ANGLE], angle, sound);
 
-	// both axes and their levers turn alike
+	// both axes and their levers turn by the same angle
 	Vec axis = c->axis[0], levers_a = vec(c->lever_a[0], c->lever_a[1]), levers_b = vec(c->lever_b[0], c->lever_b[1]);
 	axis = vec_blend(axis, vec_turn(turn, axis), sound);
 	levers_a = vec_blend(levers_a, vec_turn_back(turn, levers_a), sound);

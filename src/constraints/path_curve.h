@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// path_curve.h -- a curve of samples, its tangents, and the search for the nearest point, for one item or the host.
+// path_curve.h -- computes points and tangents of a curve of samples, and finds the nearest point, on the device and
+// the host.
 //
-// Between two samples the curve is the cubic of Charles Hermite with their points and tangents. The samples are so
-// dense that its speed is nearly constant, so the parameter is a share of the arc length.
+// Between two samples, the curve is the cubic Hermite curve of their points and tangents. The samples are so dense that
+// the speed of the curve is nearly constant, so its parameter is a share of the arc length.
 #ifndef PATH_CURVE_H
 #define PATH_CURVE_H
 #include "dialect/vec.h"
@@ -19,7 +20,7 @@ typedef struct
 typedef struct // a point of a curve
 {
 	Vec point, tangent;      // m; cos, sin
-	float along, bend, sway; // m; 1/m: curvature; 1/m^2: its change along the curve
+	float along, bend, sway; // m; 1/m: curvature; 1/m^2: change of curvature along the curve
 } PathFoot;
 
 INLINE PathCurve path_curve(const GLOBAL PathSample* samples, int segments)
@@ -35,13 +36,15 @@ INLINE PathCurve path_curve(const GLOBAL PathSample* samples, int segments)
 INLINE Vec path_point(const PathCurve* c, int k) { return vec(c->samples[k].x, c->samples[k].y); }
 INLINE Vec path_tangent(const PathCurve* c, int k) { return vec(c->samples[k].tangent_x, c->samples[k].tangent_y); }
 
-// m: Returns the distance of a point ahead of sample k; above 0, the point is nearer to the next segment.
+// m: Returns the distance of a point ahead of sample k, along the tangent there; above 0, the point is nearer to the
+// segment behind sample k.
 INLINE float path_ahead(const PathCurve* c, int k, Vec point)
 {
 	return vec_dot(vec_sub(point, path_point(c, k)), path_tangent(c, k));
 }
 
-// Follows the curve from a segment while the distance to a point decreases; counts the laps of a closed curve.
+// Follows the curve from a segment while the distance to a point decreases. Returns the segment reached, and adds the
+// laps of a closed curve to *laps.
 INLINE int path_descend(const PathCurve* c, Vec point, int segment, float* laps)
 {
 	int last = c->segments - 1, forward = path_ahead(c, segment + 1, point) > 0.0f;
@@ -58,10 +61,10 @@ INLINE int path_descend(const PathCurve* c, Vec point, int segment, float* laps)
 	return segment;
 }
 
-// Returns a number from 0 to 1; 0 in place of NaN.
+// Clamps t to 0 .. 1; returns 0 for NaN.
 INLINE float path_share(float t) { return t > 0.0f ? (t < 1.0f ? t : 1.0f) : 0.0f; }
 
-// Finds the segment whose chord is nearest to a point; the first one of several.
+// Returns the segment whose chord is nearest to a point; of equally near segments, the first.
 INLINE int path_nearest(const PathCurve* c, Vec point)
 {
 	int nearest = 0;
@@ -135,8 +138,8 @@ INLINE PathFoot path_foot_at(const PathCurve* c, int segment, float t)
 	return foot;
 }
 
-// Finds the nearest point of a segment, by a secant and two steps of Newton. The remaining error lies along
-// the curve and has no effect. Beyond its ends an open curve is straight.
+// Returns the nearest point of a segment, found by a secant and two steps of Newton's method. The remaining error lies
+// along the curve and has no effect. An open curve continues beyond its ends as a straight line, without curvature.
 INLINE PathFoot path_foot(const PathCurve* c, int segment, Vec point)
 {
 	float before = path_ahead(c, segment, point), behind = path_ahead(c, segment + 1, point);

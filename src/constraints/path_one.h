@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
-// path_one.h -- functions for single joints on a path: the position of a joint on its path at the start of a step.
+// path_one.h -- finds the position of a joint on its path at the start of a step, for one joint at a time.
 //
-// From step to step the search continues at the last position, downhill in the distance to the joint's anchor b. Thus a
-// joint stays on its branch of a path that crosses itself. The whole path is searched only when the joint begins, or
-// the user placed a body or a frame.
+// Each search begins at the position of the last step, and follows the path while the distance to anchor b decreases.
+// Thus a joint stays on its branch of a path that crosses itself. The whole path is searched only for a new joint, or
+// after the user placed a body or a frame.
 #ifndef PATH_ONE_H
 #define PATH_ONE_H
 #include "constraints/joint_prepare.h"
 #include "constraints/path_curve.h"
 
 #define PATH_GOES_ON 0.0f // the next search starts at the last position
-#define PATH_SEEKS   1.0f // the same, but another part of the path may be nearer
-#define PATH_NEW     2.0f // at JointData.near
+#define PATH_SEEKS   1.0f // the next search starts at the last position, but another part of the path may be nearer
+#define PATH_NEW     2.0f // the next search starts at JointData.near
 
-// Factor by which another part of the path must be nearer to be taken; near a crossing, less would change branches.
+// Factor by which another part of the path must be nearer, so that the joint changes to it. With less, joints would
+// change branches near a crossing.
 #define PATH_NEARER 2.0f
 
-// Distance from the seam of a closed path at which a joint begins at it, as a share of the spacing of samples.
+// Tolerance of the seam of a closed path, as a share of the spacing of samples: if the arc length of a new joint
+// differs from near by a lap, less this tolerance, the seam is between them.
 #define PATH_SEAM 0.0625f
 
 typedef struct // last position of a joint
@@ -44,7 +46,7 @@ INLINE void path_count_put(const Pools* p, int place, const PathCount* count)
 	joint_rare(p, path_seeks, place) = count->seeks;
 }
 
-// Returns the lap of a closed path in which an arc length lies.
+// Returns the number of the lap in which an arc length over all laps lies; 0 on an open path.
 INLINE float path_lap(const PathCurve* curve, float along)
 {
 	float laps = curve->closed ? (float)(int)(along / curve->length) : 0.0f;
@@ -53,7 +55,8 @@ INLINE float path_lap(const PathCurve* curve, float along)
 
 INLINE float path_spacing(const PathCurve* curve) { return curve->length / (float)curve->segments; }
 
-// Returns the lap of a new joint: that of near, unless the seam is between near and the joint.
+// Returns the lap in which a new joint begins: the lap of near, or a neighboring lap if the seam is between near and
+// the joint. along: arc length of the joint within a lap.
 INLINE float path_first_lap(const PathCurve* curve, float near, float along)
 {
 	float laps = path_lap(curve, near), ahead = (along + laps * curve->length) - near;
@@ -61,7 +64,7 @@ INLINE float path_first_lap(const PathCurve* curve, float near, float along)
 	return curve->closed ? laps + (ahead > lap ? -1.0f : ahead < -lap ? 1.0f : 0.0f) : laps;
 }
 
-// Finds the point of the path to which joint slot belongs now; its arc length is over all laps.
+// Returns the point of the path at which joint slot is now; its arc length is over all laps. Updates *count.
 INLINE PathFoot path_follow(const Pools* p, int slot, PathCount* count)
 {
 	const GLOBAL JointData* data = p->joint_data + slot;
@@ -80,7 +83,7 @@ INLINE PathFoot path_follow(const Pools* p, int slot, PathCount* count)
 		PathFoot nearest = path_foot(&curve, other, anchor);
 		if (path_distance(&foot, anchor) > PATH_NEARER * path_distance(&nearest, anchor) + path_spacing(&curve))
 		{
-			// arc length as close to that of the last position as whole laps allow
+			// laps that bring the new arc length as close as possible to that of the last position
 			float back = (curve.samples[begin].along - nearest.along) / curve.length;
 			count->laps = count->laps + (curve.closed ? joint_round(back) : 0.0f);
 			segment = other;

@@ -1,37 +1,40 @@
 // SPDX-License-Identifier: MIT
-// rolling.h -- normal, arms and gaps of a round contact, which follow the bodies.
+// rolling.h -- computes normal, arms and gaps of a round contact, which follow the motion of its bodies.
 //
-// A point lies at a corner of one core, and on an edge or at a corner of the other. Together with the poses of the
-// bodies this is the complete state, so no point on a surface lags behind a roller.
+// A contact point lies at a corner of one core, and on an edge or at a corner of the other. Corner, edge and the poses
+// of the bodies are the complete state, so no stored point of a surface lags behind a roller.
 //
 // The forces of a step act along the normal while the bodies move on. Consider a roller whose geometry has the
 // stiffness k, which is load divided by mass and radius. A step of N substeps has the determinant 1 + ((N - 1) / (2 N)
-// - s) k dt^2 if the normal is that at the share s of the step: at s = 0 the roller gains energy, at s = 1 it loses
-// some. Therefore the poses at the end of the step are used. If k dt^2 is too large for that, as for a small body under
-// a heap, the contact follows only by a share, and is held for the rest (contact_points.h).
+// - s) k dt^2 if the normal is computed for the time s of the step, from 0 to 1: at s = 0 the roller gains energy, at s
+// = 1 the roller loses some. Therefore the poses at the end of the step are used. If k dt^2 is too large, as for a
+// small body under a heap, the contact points are a mean of points that follow the bodies and points that are held
+// (contact_points.h).
 #ifndef ROLLING_H
 #define ROLLING_H
 #include "constraints/contact_points.h"
 #include "constraints/sweep_closing.h"
 
-// Largest k dt^2 with which a contact follows fully; small, because bodies and their neighbors have several contacts.
+// Maximum of k dt^2 with which a contact follows fully; small, because bodies and their neighbors have several
+// contacts.
 #define ROLLING_STIFFNESS 0.3f
 
-// Rolling resistance: the load acts at most this far ahead of the center, in units of the reach. This is a coefficient
-// of 1e-4, a tenth of that of steel. Below this limit, the resistance takes the share ROLLING_TURN of the turn per
-// step; otherwise bodies would creep down slopes that are too slight for rolling.
+// Rolling resistance: maximum distance of the load ahead of the center, in units of the reach. It is a coefficient of
+// 1e-4, a tenth of that of steel. Below this limit, the resistance takes the share ROLLING_TURN of the relative turn
+// per step; with less, bodies would creep down slopes that are too slight for rolling.
 #define ROLLING_LEVER 1.0e-4f
 #define ROLLING_TURN  0.3f
-#define ROLLING_LIGHT 0.003f // k dt^2: bodies with less load are not braked harder than at this value
+#define ROLLING_LIGHT 0.003f // minimum k dt^2 for the resistance: it brakes bodies with less load no harder
 
-// A stiff contact is partly held and sometimes recomputed, which keeps it swinging; its lever may be longer.
+// Added to ROLLING_LEVER for a contact that is fully held. A stiff contact is partly held and sometimes recomputed,
+// which keeps it swinging.
 #define ROLLING_STIFF_LEVER 0.05f
 
-typedef struct // motion of a body until the end of the step, from the origin of collidable a
+typedef struct // motion of a body until the end of the step; positions are relative to the origin of collidable a
 {
-	Vec center, then; // center of mass, now and at the end, m
-	Vec turn;         // cos, sin
-	Real angle;       // rad
+	Vec center, then; // center of mass, now and at the end of the step, m
+	Vec turn;         // cos, sin of the angle
+	Real angle;       // rad: turn of the body
 	Vec axes;         // rotation of its collidable now
 	Vec origin;       // origin of its collidable now, m
 } Rolling;
@@ -48,16 +51,17 @@ INLINE Rolling rolling_of(Vec origin, const Real world_shape[8], Advance advance
 	return r;
 }
 
-// Returns the arm from the center of mass to a point of the collidable, at the end of the step.
+// Returns the arm from the center of mass to a point of the collidable, as it will be at the end of the step.
 INLINE Vec rolling_arm(Rolling r, Vec place)
 {
 	return vec_turn(r.turn, vec_add(vec_sub(r.origin, r.center), vec_turn(r.axes, place)));
 }
 
-// Returns the displacement that the solver assigns to the point at an arm.
+// Returns the displacement that the solver computes for the point at an arm.
 INLINE Vec rolling_moves(Rolling r, Vec arm) { return vec_add(vec_sub(r.then, r.center), vec_spin(r.angle, arm)); }
 
-// Returns the corner of a core that a feature names, more exact than the stored point. Not every feature is a corner.
+// Returns the corner that a feature names, which is more exact than the stored point. Returns point in other lanes:
+// those where `wanted` is 0, and those whose feature is not a corner.
 INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, Vec point, Int wanted)
 {
 	Int vertex = shape * (int)(sizeof(Attribute) / sizeof(float)) + 2 * (name & (MAX_CORNERS - 1));
@@ -65,7 +69,7 @@ INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, V
 	return vec_blend(point, vec(gather(vertices, vertex), gather(vertices, vertex + 1)), wanted & (name < MAX_CORNERS));
 }
 
-// Computes the points of a round contact. The rows are those of contact_points.h and of the pools with these names.
+// Returns the points of a round contact at the end of the step. a, b: WorldShape rows; manifold: LocalManifold rows.
 INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a[8], const Real b[8],
                                     const Real manifold[16], Int flags, const Int feature[2], Advance advance_a,
                                     Advance advance_b)
@@ -78,7 +82,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	    turn = vec(manifold[10], manifold[11]);
 	Int corners = (flags & (int)MANIFOLD_CORNERS) != 0, turns_b = (flags & (int)MANIFOLD_TURNS_B) != 0;
 	ContactPoints points;
-	Vec now = vec_turn(ra.axes, normal); // reference for the normal from corner to corner, however fast both spin
+	Vec now = vec_turn(ra.axes, normal); // the normal from corner to corner must be near it
 	points.normal =
 	    vec_blend(vec_turn(ra.turn, now), vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal))), turns_b);
 	points.offset = vec_sub(ra.then, rb.then);
@@ -86,7 +90,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	{
 		Int corner_a = (flags & (int)(k ? MANIFOLD_CORNER2 : MANIFOLD_CORNER1)) != 0, by_a = corner_a | corners;
 		Int missing = manifold[2 + k] == splat(NO_POINT);
-		Real above = 0.5f * manifold[2 + k]; // height of the middle above the surface, m
+		Real above = 0.5f * manifold[2 + k]; // height of the point halfway between the surfaces above a surface, m
 		Vec place = vec(manifold[4 + 2 * k], manifold[5 + 2 * k]);
 		Vec core_a = vec_sub(place, vec_scale(radius_a + above, normal));
 		Vec core_b = vec_turn_back(turn, vec_sub(vec_add(place, vec_scale(radius_b + above, normal)), shift));
@@ -103,7 +107,8 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 		}
 		Real gap = vec_dot(points.normal, between) - radius_a - radius_b;
 
-		// anchors start at the center of the body with the corner: the other one may be large, with its center far away
+		// anchors start at the center of the body that has the corner: the other body may be large, with its center far
+		// away
 		Vec from_a = vec_add(arm_a, vec_scale(radius_a + 0.5f * gap, points.normal));
 		Vec from_b = vec_sub(vec_sub(arm_b, vec_scale(radius_b + 0.5f * gap, points.normal)), points.offset);
 		arm_a = vec_blend(from_b, from_a, by_a);
@@ -120,7 +125,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 
 INLINE Vec rolling_between(Vec a, Vec b, Real share) { return vec_add(a, vec_scale(share, vec_sub(b, a))); }
 
-// Computes the points of a contact for the step; load1 and load2 are its normal impulses of a substep, N s.
+// Returns the points of a contact for the step; load1 and load2 are its normal impulses of a substep, N s.
 INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[8], const Real manifold[16], Int flags,
                                   const Int feature[2], Real load1, Real load2)
 {
@@ -135,7 +140,7 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	if (!lane_bits(loaded))
 		return points;
 
-	// a body that rests on two points does not roll; with the load on both, round shapes buckle like sharp ones
+	// a body that rests on two points does not roll; if both carry the load, round shapes buckle like sharp ones
 	Real share = absolute(load1 - load2) / load;
 	Real reach =
 	    minimum(sweep_shape(&p->attribute->reach, real_bits(a[6])), sweep_shape(&p->attribute->reach, real_bits(b[6])));
@@ -145,7 +150,8 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	Real follows = ROLLING_STIFFNESS / stiffness;
 	share = blend(share, share * follows, stiff);
 
-	// lever against the relative turn, along the tangent; limited so that the load does not reverse the turn
+	// shift of the points along the tangent, so that the load opposes the relative rotation; limited so that it does
+	// not reverse this rotation
 	Real rate = ROLLING_TURN / maximum(stiffness, splat(ROLLING_LIGHT));
 	Real turn = (advance_b.turn - advance_a.turn) * rate;
 	Real most = blend(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);

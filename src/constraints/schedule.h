@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // schedule.h -- the order of a solve: its passes over the constraints, and the motion of bodies between them.
 //
-//     warm start; in each substep accelerate, bias, move, relax; then bounce, if something can bounce
+//     warm start; in each substep accelerate, bias, move, relax; then the restitution pass, if something can bounce
 //
-// Passes are numbered from 0. The CPU, all forms of OpenCL and the count of memory traffic use this file.
+// Passes are numbered from 0. The CPU, all forms of OpenCL and the estimate of memory traffic use this file.
 #ifndef SCHEDULE_H
 #define SCHEDULE_H
 #include "dialect/dialect.h"
@@ -32,10 +32,10 @@ INLINE int schedule_before(int substeps, int q)
 	return q == 0 || q > 2 * substeps ? BODY_STAYS : q & 1 ? BODY_ACCELERATES : BODY_MOVES;
 }
 
-// Returns whether bodies accelerate before pass q for the first time.
+// Returns whether bodies accelerate for the first time before pass q.
 INLINE int schedule_first(int q) { return q == 1; }
 
-// Returns the last pass up to q before which bodies moved; 0 for none.
+// Returns the last pass, at most q, before which bodies moved; 0 if they did not move yet.
 INLINE int schedule_moved(int q) { return q & ~1; }
 
 #endif

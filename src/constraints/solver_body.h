@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// solver_body.h -- bodies in the solver: gathered for a constraint, or LANES consecutive ones.
+// solver_body.h -- reads and writes bodies in the solver: those of a constraint, or LANES consecutive ones.
 #ifndef SOLVER_BODY_H
 #define SOLVER_BODY_H
 #include "dialect/vec.h"
@@ -14,7 +14,8 @@ typedef struct
 	Real sine, versine; // sine of da, and cosine minus 1
 } Body;
 
-// Computes sine and cosine - 1 of the turn by series. Error: 2e-4 at 1 rad, 0.53 at pi, the most that max_spin allows.
+// Computes sine and cosine - 1 of the angle da by series. Error: 2e-4 at 1 rad, 0.53 at pi, the maximum that max_spin
+// allows.
 INLINE void body_turn(Body* b)
 {
 	Real square = b->da * b->da;
@@ -37,7 +38,7 @@ INLINE Body body_gather(const Pools* p, Int index)
 	return b;
 }
 
-// Writes velocities back. Many constraints of one color share a body that cannot move; such a body is never written.
+// Writes velocities back, except in lanes whose body cannot move: many constraints of a color may share such a body.
 INLINE void body_scatter(const Pools* p, Int index, Body b)
 {
 	Real row[4];
@@ -48,15 +49,15 @@ INLINE void body_scatter(const Pools* p, Int index, Body b)
 	scatter_rows4of8((GLOBAL float*)p->body, index, row, b.inv_mass > splat(0.0f));
 }
 
-// Returns the displacement since the start of the step of the point at r from the center of mass.
+// Returns the displacement, since the start of the step, of the point at arm r from the center of mass.
 INLINE Vec body_displacement(Body b, Vec r)
 {
 	return vec(b.d.x + (b.versine * r.x - b.sine * r.y), b.d.y + (b.sine * r.x + b.versine * r.y));
 }
 
-// Returns the displacement without the second order of the turn, as contacts need it: the surface of a wheel does not
-// leave the ground when the wheel turns, though the point that touched does. Rows of contacts are prepared so that gaps
-// are exact at the end of the step.
+// Returns the displacement of the point at arm r, to first order of the turn, for contacts: a wheel that turns does not
+// leave the ground, although the point that touched does. Rows of contacts are prepared so that gaps are exact at the
+// end of the step.
 INLINE Vec body_shift(Body b, Vec r) { return vec_add(b.d, vec_spin(b.da, r)); }
 
 INLINE Vec body_velocity_at(Body b, Vec r) { return vec_add(b.v, vec_spin(b.w, r)); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sweep_closing.h -- the approach of two collidables within the step, from their velocities.
+// sweep_closing.h -- computes the approach of two collidables within the step, from their velocities.
 //
 // Time is a share of the step, from 0 to 1, so velocities are in metres and radians per step.
 #ifndef SWEEP_CLOSING_H
@@ -10,8 +10,8 @@
 #define SWEEP_REST (0.03f * LINEAR_SLOP) // m per step: slower motions and approaches count as rest
 #define SWEEP_SLOP LINEAR_SLOP           // m per step: a loaded pair that approaches more slowly keeps its manifold
 
-// m per step: a loaded pair keeps its manifold only while it slides more slowly. If its arms turn by more, they are
-// turned with it. Arms that lag behind cost angular momentum, and let bodies that turn with a drum overlap.
+// m per step: a loaded pair that slides faster does not keep its manifold. If its arms turn by more than this, they are
+// turned with the bodies. Arms that lag behind cost angular momentum, and let bodies that turn with a drum overlap.
 #define SWEEP_LAG (0.3f * LINEAR_SLOP)
 
 typedef struct // motion of a body until the end of the step
@@ -23,20 +23,20 @@ typedef struct // motion of a body until the end of the step
 typedef struct // motion of a collidable with its body
 {
 	Vec path;   // path of the center of mass, m
-	Vec center; // current offset from the collidable to the center of mass, m
+	Vec center; // current offset from the origin of the collidable to the center of mass, m
 	Real turn;  // rad
-	Real reach; // m: farthest point of the core from the center of mass
+	Real reach; // m: distance of the farthest point of the core from the center of mass
 } Sweep;
 
 typedef struct // motion of b relative to a
 {
 	Sweep a, b;
-	Vec near;    // m: velocity of the center of the smaller one, in a frame that turns with the larger one
-	Vec bend;    // m: change of that velocity
-	Real swing;  // m: bound by which other points of the smaller one may be faster
-	Real most;   // m: bound of the approach of any two points of the pair
+	Vec near;    // m: velocity of the center of the smaller collidable, in a frame that turns with the larger one
+	Vec bend;    // m: change of near during the step
+	Real swing;  // m: upper bound of the additional speed of other points of the smaller collidable
+	Real most;   // m: upper bound of the approach of any two points of the pair
 	Real grain;  // factor of the tolerances of the pair
-	Real within; // m: separation from which on the pair has points
+	Real within; // m: the pair has points if its separation is smaller
 } Closing;
 
 RARE Real sweep_halves(Int moved)
@@ -47,14 +47,14 @@ RARE Real sweep_halves(Int moved)
 	return grain;
 }
 
-// Returns the factor of the tolerances of a pair, from the COLLIDABLE_* bits of both sides.
+// Returns the factor of the tolerances of a pair. moved: COLLIDABLE_* bits of both collidables.
 INLINE Real sweep_grain(const Step* step, Int moved) { return step->small ? sweep_halves(moved) : splat(1.0f); }
 
-// Returns the factor of the distance from which on a pair has points.
+// Returns the factor of the separation below which a pair has points.
 INLINE Real sweep_room(const Step* step, Int moved) { return sweep_grain(step, moved >> GRAIN_LEVELS); }
 
-// m: Returns the separation from which on a pair has points: the speculative distance, smaller for small bodies, but at
-// least the distance that gravity closes in a step.
+// m: Returns the separation below which a pair has points: SPECULATIVE_DISTANCE, less for small bodies, but at least
+// the distance that gravity closes in a step.
 INLINE Real sweep_within(const Step* step, Int moved)
 {
 	if (!step->small)
@@ -62,16 +62,16 @@ INLINE Real sweep_within(const Step* step, Int moved)
 	return maximum(SPECULATIVE_DISTANCE * sweep_room(step, moved), splat(step->fall));
 }
 
-// Returns a member of the attributes with these indices; member points to that of attribute 0.
+// Returns one member of the attributes `shape`, an index per lane. member: address of this member in attribute 0.
 INLINE Real sweep_shape(const GLOBAL float* member, Int shape)
 {
 	return gather(member, shape * (int)(sizeof(Attribute) / sizeof(float)));
 }
 
-// Returns the time of the last relaxing pass, a substep after the end of the step; dt may be 0.
+// Returns the time, in steps, at which the prediction ends: one substep after the end of the step; 1 if dt is 0.
 INLINE float sweep_end(const Step* step) { return step->dt > 0.0f ? 1.0f + step->h / step->dt : 1.0f; }
 
-// Returns a velocity limited to max_speed. One that is not finite becomes 0, because its body will be frozen.
+// Returns a velocity limited to max_speed; 0 for a velocity that is not finite, because its body will be frozen.
 INLINE Vec sweep_velocity(const Step* step, Vec v)
 {
 	if (!lane_bits((vec_dot(v, v) <= splat(step->max_speed * step->max_speed)) == 0))
@@ -88,7 +88,8 @@ INLINE Advance sweep_advance_of(const Step* step, Vec v, Real w)
 	return advance;
 }
 
-// Computes a sweep. core: distance of the farthest point of the core from the origin of the collidable, m.
+// Returns the motion of a collidable. core: distance of the farthest point of the core from the origin of the
+// collidable, m.
 INLINE Sweep sweep_with(Advance advance, Vec center, Real core)
 {
 	Sweep s;
@@ -99,7 +100,7 @@ INLINE Sweep sweep_with(Advance advance, Vec center, Real core)
 	return s;
 }
 
-// Computes the closing of a pair. between: from the origin of a to that of b, m.
+// Returns the closing of a pair. between: from the origin of a to that of b, m.
 INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 {
 	Vec arm = vec(between.x + (sb.center.x - sa.center.x), between.y + (sb.center.y - sa.center.y));
@@ -117,8 +118,9 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 	return c;
 }
 
-// Sets the tolerances of a closing to those of its pair. If something stops one of two fast bodies within the step,
-// they may meet although they do not approach. Therefore they have points up to the distance that they move.
+// Sets the tolerances of a closing to those of its pair. If one of two fast bodies is stopped within the step, the two
+// may meet although they do not approach. Therefore the pair has points up to the distance that either of the two
+// moves, but at most SPECULATIVE_DISTANCE.
 INLINE void sweep_fine(const Step* step, Closing* c, Int moved)
 {
 	if (!step->small)

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
-// choice.c -- the measured choice whether the workers share a solve, or one worker executes it alone.
+// choice.c -- chooses by measurements whether the workers share a solve, or one worker executes it.
 #include "cpu/cpu.h"
 #include "platform/processor.h"
 #include <limits.h>
 
 #define ALWAYS_SHARED 2048 // a solve with more items per run is always shared
-#define REST          64 // solves until the slower method is measured again, times the square of the ratio of the times
-#define MOST_SLOWER   4.0 // limit of that ratio, because a busy machine can make one method seem slow
-// Solves in a measurement. The fastest counts, because any may be interrupted, but not the first, which wakes workers.
+// number of solves until the slower method is measured again, times the square of (slower time / faster time)
+#define REST        64
+#define MOST_SLOWER 4.0 // limit of (slower time / faster time): a busy machine can make one method seem slow
+// Solves in a measurement. The time of the fastest counts, because any solve may be interrupted; the first solve, which
+// wakes the workers, does not count.
 #define TURN        4
-#define FIRST_TURNS 4 // initial measurements, in which the two methods alternate
+#define FIRST_TURNS 4 // number of measurements at the start, in which the two methods alternate
 
-// Counts the cost of a solve, and decides about the next one. A cost higher than the last may be due to an
-// interruption, so it has a weight of a quarter. The other method is measured again, less often if it was slower.
+// Adds the cost of a solve, in ms per item, to the measurement, and chooses the method of the next solve. A cost higher
+// than the last one may be due to an interruption, so it has a weight of a quarter. The other method is measured again
+// after REST solves, or later if it was slower.
 static void count_cost(Choice* c, double cost)
 {
 	bool first = c->turns < FIRST_TURNS, measures = first || c->tries;

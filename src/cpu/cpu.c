@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cpu.c -- the CPU backend: pools in host memory, kernels split over threads.
+// cpu.c -- implements the CPU backend: pools in host memory, and kernels shared by threads.
 #include "cpu/cpu.h"
 #include "backend/batch.h"
 #include "platform/error.h"
@@ -8,10 +8,11 @@
 #include <stdio.h>
 #include <string.h>
 
-// Nodes of a traversal, about 5 us, beyond which its rest is split, and number of its parts per worker.
+// TRAVERSAL_NODES: nodes of a traversal, about 5 us, after which its rest is split. TRAVERSAL_ITEMS: number of parts of
+// this rest per worker.
 #define TRAVERSAL_NODES 128
 #define TRAVERSAL_ITEMS 4
-#define CHAIN_ITEM      8 // colored constraints that take as long as a joint of a chain
+#define CHAIN_ITEM      8 // a joint of a chain takes as long as this many colored constraints
 
 static void set_step(Cpu* cpu, const Step* step)
 {
@@ -54,7 +55,7 @@ static scree_status cpu_solve(Backend* b, const Step* step, const Solve* solve, 
 
 static scree_status cpu_wait(Backend* b)
 {
-	(void)b; // run returns after all work is done
+	(void)b; // cpu_run returns after all work is done
 	return SCREE_OK;
 }
 
@@ -66,7 +67,8 @@ static scree_status cpu_timings(Backend* b, double milliseconds[STAGE_COUNT])
 	return SCREE_OK;
 }
 
-// Frees a core by using one worker fewer: a worker whose core is busy delays the others if it has claimed a block.
+// Frees a core (core is true) by using one worker fewer, or takes it back: a worker whose core is busy delays the
+// others if it has claimed a block.
 static void cpu_spare(Backend* b, bool core)
 {
 	Cpu* cpu = b->state;
@@ -106,7 +108,7 @@ static const BackendFunctions functions = {
     .copy = cpu_copy,
 };
 
-// Selects the functions of all kernels. SCREE_LANES is the sum of the lane counts for which this build has kernels.
+// Selects the functions of all kernels. SCREE_LANES: sum of the numbers of lanes for which this build has kernels.
 static void choose_kernels(Cpu* cpu, int lanes)
 {
 	const KernelFunction *wide = kernels_lanes1, *one = kernels_lanes1;

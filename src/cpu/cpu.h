@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cpu.h -- the state of the CPU backend, and the functions that its files share.
+// cpu.h -- declares the state of the CPU backend, and the functions that its files share.
 #ifndef CPU_H
 #define CPU_H
 #include "backend/backend.h"
@@ -8,23 +8,25 @@
 #include "platform/threads.h"
 #include <stdatomic.h>
 
-// A run of fewer items than this is executed by one worker: sharing it costs a microsecond, an item a few nanoseconds.
-// In the solve, reading data that another core wrote last costs more, so nearly all runs are shared, or none (Choice).
+// A run with fewer items is executed by one worker: sharing takes a microsecond, an item a few nanoseconds. In a solve,
+// a worker also reads data that another core wrote last, which takes longer; so nearly all runs of a solve are shared,
+// or none of them (Choice). GRAIN is for runs outside of a solve.
 #define GRAIN       512
 #define SOLVE_GRAIN 64
-// The same in steps of fewer than WAKE_ITEMS items, too few to wake the workers, after a solve by one worker.
+// ALONE_GRAIN replaces GRAIN if the last solve was executed by one worker and the last narrow phase had at most
+// WAKE_ITEMS items, which are too few to wake the workers.
 #define ALONE_GRAIN 65536
 #define WAKE_ITEMS  4096
 
-typedef struct // choice whether workers share the solve; measured, because it depends on the distance between the cores
+typedef struct // measured choice whether the workers share a solve; it depends on the distance between cores
 {
-	double cost[2]; // ms per item: by one worker, shared; 0 if never measured
-	double least;   // least cost in the current measurement
-	int tried;      // solves in the current measurement so far
-	int turns;      // initial measurements so far, in which the two methods alternate
-	int rest;       // solves until the slower method is measured again
+	double cost[2]; // ms per item: by one worker; shared by all; 0 before the first measurement
+	double least;   // lowest cost in the current measurement
+	int tried;      // number of solves in the current measurement so far
+	int turns;      // number of measurements at the start so far, in which the two methods alternate
+	int rest;       // number of solves until the slower method is measured again
 	bool tries;     // the slower method is being measured
-	bool shares;    // the next solve is shared
+	bool shares;    // the workers share the next solve
 } Choice;
 
 typedef struct // the state of the backend
@@ -33,39 +35,39 @@ typedef struct // the state of the backend
 	Pools pools;
 	Threads* threads;
 	Choice choice;
-	bool shares;     // the last solve was shared
-	double detected; // items of the last list with the narrow phase
+	bool shares;     // the workers shared the last solve
+	double detected; // number of items of the last list of runs that contained the narrow phase
 	KernelFunction functions[KERNEL_COUNT];
-	int lanes[KERNEL_COUNT]; // items per call of a function
+	int lanes[KERNEL_COUNT]; // items per call of a kernel function
 	bool timed;
-	Stage stage; // last stage, to which the time of a primitive is added
+	Stage stage; // stage of the last kernel; the time of a primitive is added to it
 	double mark; // ms: end of the last run
 	double milliseconds[STAGE_COUNT];
 
-	size_t async_count; // from read_begin to read_end
+	size_t async_count; // used from read_begin to read_end
 	unsigned char async_bytes[READ_ASYNC_BYTES];
 
-	char *copy_from, *copy_to; // from copy_reserve to copy_release
+	char *copy_from, *copy_to; // allocated from copy_reserve to copy_release
 	size_t copy_bytes;
 	int copy_times;
 
 	const Run* runs;
-	int at, begin, end; // number of the current run in runs, and its items
-	int grain;          // fewest items of a run that is shared
+	int at, begin, end; // index of the current run in runs, and the range of its items
+	int grain;          // a run with fewer items is executed by one worker
 	double items;       // sum over the runs of the list so far
 
-	_Alignas(64) atomic_int next; // for a run in chunks: first item that no worker has taken
+	_Alignas(64) atomic_int next; // for a run in chunks: first item that no worker has claimed
 	Shared shared;
 } Cpu;
 
-// work.c: executes a list of runs. A run of fewer items than grain is executed by one worker.
+// work.c: executes a list of runs. One worker executes a run of fewer items than grain; the workers share the others.
 void cpu_work(Cpu* cpu, const Run* runs, int count, int grain);
 
-// choice.c: executes the list of a solve, shared or by one worker, whichever took less time before. items: its number
-// of items; chains: number of further items that take as long as its chains.
+// choice.c: executes the list of a solve, by one worker or shared by all, by the method that took less time before.
+// items: number of items in the list; chains: number of items that would take as long as its chains.
 void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items, double chains);
 
-// pool_memory.c: functions of the backend.
+// pool_memory.c: functions of the CPU backend.
 void cpu_free_pools(Cpu* cpu);
 scree_status cpu_resize(Backend* b, Per per, int capacity);
 scree_status cpu_write(Backend* b, PoolId pool, int first, int count, const void* items);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// kernel_table.h -- the end of each lanesN.c and of scalar_avx2.c: the table of the kernels compiled above.
+// kernel_table.h -- defines the table of the kernels that lanesN.c or scalar_avx2.c has compiled; included at the end
+// of these files.
 #include "cpu/lanes.h"
 
 #ifndef TABLE
 #define TABLE KERNEL_JOIN(kernels, LANES)
 #endif
 
-// With SCREE_SMALL, for WebAssembly, kernels that are otherwise compiled twice are compiled once: wide kernels with the
-// only number of lanes, group kernels, which are the longest, with one lane.
+// With SCREE_SMALL, for WebAssembly, each kernel is compiled once: wide kernels with the only number of lanes of the
+// build, and group kernels, which are the longest, with one lane.
 #if LANES == 1
 #define ENTRY_ONE(name) KERNEL_JOIN(name, LANES)
 #else

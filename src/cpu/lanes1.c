@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lanes1.c -- all kernels, one item per call.
+// lanes1.c -- compiles all kernels for one item per call.
 #define LANES 1
 #include "stages/all_stages.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lanes16.c -- the wide kernels, sixteen items per call: AVX-512 on x86.
+// lanes16.c -- compiles the wide kernels for sixteen items per call: AVX-512 on x86.
 #define LANES 16
 #include "stages/narrow_phase/manifold_reuse.h"
 #include "stages/solve/chain/chain.h"

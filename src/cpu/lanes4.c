@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lanes4.c -- the wide kernels, four items per call: SSE2 or NEON.
+// lanes4.c -- compiles the wide kernels for four items per call: SSE2 or NEON.
 #define LANES 4
 #ifndef SCREE_SMALL
 #include "stages/solve/chain/chain.h"

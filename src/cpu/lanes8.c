@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lanes8.c -- the wide kernels, eight items per call: AVX2 on x86.
+// lanes8.c -- compiles the wide kernels for eight items per call: AVX2 on x86.
 #define LANES 8
 #include "stages/narrow_phase/manifold_reuse.h"
 #include "stages/solve/chain/chain.h"

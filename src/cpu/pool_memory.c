@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pool_memory.c -- the pools in host memory, and the copies that measure its bandwidth.
+// pool_memory.c -- stores the pools in host memory, and makes the copies that measure the bandwidth of this memory.
 #include "cpu/cpu.h"
 #include "platform/error.h"
 #include <string.h>
@@ -10,7 +10,8 @@ static const size_t pool_offsets[POOL_COUNT] = {
 #undef X
 };
 
-// Returns the allocated items of a pool: wide kernels round up.
+// Returns the number of items to allocate for a pool: a multiple of MAX_LANES, because wide kernels process whole
+// blocks.
 static size_t padded(int capacity) { return ((size_t)capacity + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
 
 static char* pool_memory(const Cpu* cpu, PoolId pool)
@@ -26,7 +27,7 @@ scree_status cpu_resize(Backend* b, Per per, int capacity)
 	if (capacity == b->capacity[per])
 		return SCREE_OK;
 	size_t items = padded(capacity), old_items = padded(b->capacity[per]);
-	uint64_t added = 0; // wraps around when pools shrink
+	uint64_t added = 0; // unsigned: the difference wraps around when pools shrink, and the sum is still right
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
 		if (pool_info[pool].per != per)
@@ -36,10 +37,10 @@ scree_status cpu_resize(Backend* b, Per per, int capacity)
 		if (!memory && capacity > b->capacity[per])
 			return fail(SCREE_ERROR_OUT_OF_MEMORY, "no memory for %d items of pool %s (%zu bytes each)", capacity,
 			            pool_info[pool].name, bytes);
-		// if shrinking fails, or growing the next pool, this pool has more space than capacity
+		// on failure of this call, or of the next pool, a pool may have more space than capacity, which is allowed
 		if (memory)
 			memcpy((char*)&cpu->pools + pool_offsets[pool], &memory, sizeof(memory));
-		added += ((uint64_t)items - old_items) * bytes; // size_t would wrap at 4 GB in WebAssembly
+		added += ((uint64_t)items - old_items) * bytes; // 64 bits, because size_t would wrap at 4 GB in WebAssembly
 	}
 	b->capacity[per] = capacity;
 	b->bytes += added;

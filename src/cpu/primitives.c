@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// primitives.c -- sort and scan, as jobs whose blocks are shares of the items.
+// primitives.c -- sorts keys and computes prefix sums, as jobs whose blocks are shares of the items.
 #include "cpu/primitives.h"
 #include <string.h>
 
-#define FEW_KEYS 64 // most keys that are sorted by insertion; with 64, both methods take about as long
+#define FEW_KEYS 64 // up to this number, keys are sorted by insertion; at 64 keys, both methods take about as long
 
 static void count_digits(int counts[RADIX], const uint64_t* keys, int begin, int end, int shift, uint64_t mask)
 {
@@ -12,8 +12,9 @@ static void count_digits(int counts[RADIX], const uint64_t* keys, int begin, int
 		++counts[keys[i] >> shift & mask];
 }
 
-// Computes the position of a block's first key of each digit: behind all smaller digits, and behind equal digits of the
-// blocks before it, so the sort is stable. Returns false if all digits are equal, so that no key moves.
+// Computes the place of a block's first key of each digit: behind all smaller digits, and behind equal digits of the
+// blocks before it, so that the sort is stable. Returns false if the digits of all keys are equal, so that no key
+// moves.
 static bool place_digits(int place[RADIX], const Shared* shared, int block, int blocks, int count)
 {
 	int sum = 0;
@@ -70,8 +71,8 @@ static void copy_block(void* context, int block, int blocks)
 	memcpy(s->to + begin, s->from + begin, (size_t)(end - begin) * sizeof(uint64_t));
 }
 
-// Radix sort from the lowest digit up. Peter McIlroy, Keith Bostic, Doug McIlroy, Engineering Radix Sort, 1993; in
-// blocks as in Marco Zagha, Guy Blelloch, Radix Sort for Vector Multiprocessors, 1991.
+// Radix sort that begins with the lowest digit. Peter McIlroy, Keith Bostic, Doug McIlroy, Engineering Radix Sort,
+// 1993; in blocks as in Marco Zagha, Guy Blelloch, Radix Sort for Vector Multiprocessors, 1991.
 void sort_keys(Shared* s, Threads* threads, int blocks, uint64_t* keys, uint64_t* other, int count, int low, int high)
 {
 	if (blocks == 1 && count <= FEW_KEYS)

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
-// work.c -- lists of runs on the CPU: each run is executed in blocks by several workers, or by one.
+// work.c -- executes lists of runs on the CPU: each run is executed in blocks by several workers, or by one worker.
 //
-// Worker 0 processes a list: it reads the bound of a run, executes a small run itself, and shares others in blocks.
-// Thus one worker reads a bound, while none writes it, and a small world never wakes a thread.
+// Worker 0 processes the list: it reads the bound of a run, executes a small run alone, and shares larger runs with the
+// other workers, in blocks. Thus only one worker reads a bound, at a time when no worker writes it, and a small world
+// never wakes a thread.
 #include "cpu/cpu.h"
 #include "platform/processor.h"
 #include <limits.h>
 
-#define CHUNK_ITEM     8    // one item in chunks is worth this many, because few long items are worth sharing
-#define DEALT          (-1) // instead of the items per chunk: dealt distributes the items (src/backend/backend.h)
-#define SORT_GRAIN     8192 // fewest items for which a sort is shared
+#define CHUNK_ITEM     8    // an item of a kernel with chunks counts as this many: few long items are shared
+#define DEALT          (-1) // in place of a number of items: the function dealt distributes the items
+#define SORT_GRAIN     8192 // a sort of fewer items is executed by one worker
 #define SCAN_GRAIN     16384
-#define BLOCKS_A_GRAIN 2 // blocks of a run that is just worth sharing
+#define BLOCKS_A_GRAIN 2 // number of blocks of the smallest run that is shared
 
-// Items per chunk. Chunks of a kernel whose items take long, and unequal times, are given to workers that are free.
-// Other kernels are split evenly and in order, so that a worker has the same bodies and constraints in every pass.
+// Items per chunk. Chunks are for kernels whose items take long, and unequal times: each free worker claims the next
+// chunk. Runs of other kernels are split evenly and in order, so that a worker has the same bodies and constraints in
+// every pass.
 static const int chunks[KERNEL_COUNT] = {
     [KERNEL_broad_phase] = CHUNK_ITEMS,
     [KERNEL_broad_phase_rest] = 1,
@@ -37,7 +39,7 @@ static const int chunks[KERNEL_COUNT] = {
 #undef CONSTRAINT_KIND
 };
 
-// Kernels over all bodies, or all collidables: 1 + the kind of blocks that may be skipped.
+// For kernels over all bodies or all collidables, whose inactive blocks may be skipped: 1 + the kind of these blocks.
 static const int kinds[KERNEL_COUNT] = {
     [KERNEL_transform] = 1 + ACTIVE_COLLIDABLES,     [KERNEL_solve_begin] = 1 + ACTIVE_BODIES,
     [KERNEL_integrate_velocity] = 1 + ACTIVE_BODIES, [KERNEL_integrate_position] = 1 + ACTIVE_BODIES,
@@ -53,7 +55,7 @@ static const ActiveBlocks* active_blocks(const Cpu* cpu, int kernel)
 	return active && active->blocks ? active : NULL;
 }
 
-// Executes a share of the active blocks; consecutive ones in one call.
+// Executes a share of the active blocks; consecutive blocks are executed in one call.
 static void do_active(Cpu* cpu, KernelFunction function, const ActiveBlocks* active, int block, int blocks)
 {
 	int end = split(active->count, block + 1, blocks);
@@ -91,7 +93,7 @@ static void do_block(void* context, int block, int blocks)
 	int kernel = cpu->runs[cpu->at].kernel_id, items = cpu->end - cpu->begin;
 	KernelFunction function = cpu->functions[kernel];
 	const ActiveBlocks* active = active_blocks(cpu, kernel);
-	if (active && cpu->end > 1) // a single item updates counters
+	if (active && cpu->end > 1) // a run of one item updates counters, so it is never skipped
 		do_active(cpu, function, active, block, blocks);
 	else if (chunks[kernel] == DEALT)
 		do_dealt(cpu, function, block, blocks);
@@ -99,7 +101,7 @@ static void do_block(void* context, int block, int blocks)
 		do_chunks(cpu, function, chunks[kernel]);
 	else
 	{
-		// shares consist of whole rows of MAX_LANES items, so that no two workers write to one row
+		// shares consist of whole rows of MAX_LANES items, so that two workers never write to the same row
 		int rows = (items + MAX_LANES - 1) / MAX_LANES;
 		int begin = split(rows, block, blocks) * MAX_LANES, end = split(rows, block + 1, blocks) * MAX_LANES;
 		end = end > items ? items : end;
@@ -116,10 +118,10 @@ static int smallest_shared(const Cpu* cpu, int kernel)
 		return SORT_GRAIN;
 	case PRIMITIVE_SCAN:
 		return SCAN_GRAIN;
-	case KERNEL_broad_phase_rest: // an item is a part of a long traversal: worth sharing while the workers are awake
+	case KERNEL_broad_phase_rest: // parts of a long traversal are shared while the workers are awake
 		return cpu->grain == GRAIN ? 2 : INT_MAX;
 	default:
-		// a hub takes as long as many items: two are shared whenever anything is
+		// a hub takes as long as many items, so two hubs are shared, unless the workers are asleep
 		if (kernel_widths[kernel] >= WIDTH_GROUP)
 			return cpu->grain < ALONE_GRAIN ? 2 : INT_MAX;
 		if (!chunks[kernel])
@@ -139,7 +141,7 @@ static void count_time(Cpu* cpu, const Run* run)
 	cpu->mark = time;
 }
 
-// Returns the number of blocks of a run: 1 if it is not worth sharing.
+// Returns the number of blocks of a run: 1 if one worker executes it.
 static int count_blocks(const Cpu* cpu, int kernel, int items, const ActiveBlocks* active)
 {
 	int workers = threads_workers(cpu->threads), least = smallest_shared(cpu, kernel), most = workers;
@@ -158,7 +160,7 @@ static int count_blocks(const Cpu* cpu, int kernel, int items, const ActiveBlock
 	return most < workers ? most : workers;
 }
 
-// Finds the items of the current run. Returns the number of blocks, 0 if there are no items.
+// Computes the items of the current run (cpu->begin, cpu->end). Returns the number of blocks, 0 if there are no items.
 static int begin_run(Cpu* cpu, const Run* run)
 {
 	cpu->begin = run->begin;
@@ -173,7 +175,7 @@ static int begin_run(Cpu* cpu, const Run* run)
 	cpu->pools.argument = run->argument;
 	if (run->kernel_id < KERNEL_COUNT)
 	{
-		// rounding up adds inert items, for which the pools have space
+		// rounding up adds items without effect, for which the pools have space
 		int lanes = cpu->lanes[run->kernel_id];
 		cpu->end = (cpu->end + lanes - 1) / lanes * lanes;
 	}

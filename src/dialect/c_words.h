@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// c_words.h -- the dialect in C, except for the parts that depend on the number of lanes. dialect.h includes it.
+// c_words.h -- defines the dialect in C, except the parts that depend on the number of lanes; included by dialect.h.
 #ifndef C_WORDS_H
 #define C_WORDS_H
 #include <stdint.h>
@@ -90,7 +90,7 @@ INLINE void atomic_max_word(Word* place, Word x)
 #define LANES 1
 #endif
 
-// Rows of 8 and 4 floats; transpose.h contains the functions for several lanes.
+// Rows of 8 and 4 floats for one lane; transpose.h has the functions for several lanes.
 #if LANES == 1
 INLINE void gather_rows8(const float* base, int index, float out[8]) { memcpy(out, base + 8 * (size_t)index, 32); }
 INLINE void store_rows8(float* base, int first, const float in[8]) { memcpy(base + 8 * (size_t)first, in, 32); }

@@ -1,46 +1,50 @@
 // SPDX-License-Identifier: MIT
 // dialect.h -- hides the differences between C and OpenCL C; no other file of the kernels tests the compiler.
 //
-// A wide kernel computes in Real and Int: float and int on a GPU; LANES of them on a CPU, so that one call computes one
-// block. A kernel that branches on an item is compiled with LANES 1, because a branch on a vector does not compile.
-// docs/dialect.md has the table of all names.
+// A wide kernel computes with the types Real and Int. On a GPU these are float and int; on a CPU each is a vector of
+// LANES numbers, so that one call computes LANES items. A kernel that branches on an item is compiled with LANES 1,
+// because a branch on a vector does not compile. docs/dialect.md has the table of all names.
 #ifndef DIALECT_H
 #define DIALECT_H
 
-// Functions of wide passes are always inlined: calls that clang left in them cost 18 to 36 % at 8 and 16 lanes. With
-// one lane, always inlining made the code of gcc half as fast again, for lack of registers. On a GPU, one call keeps
-// the pools on the stack of every work-item: a step of 93,000 bodies of ragdolls took 0.08 ms longer on an H200. CALLS
-// is for OpenCL on a CPU, where PoCL takes over 40 % longer to build functions that are always inlined.
+// INLINE functions of wide passes are always inlined: calls that clang left in these passes cost 18 to 36 % at 8 and 16
+// lanes. With one lane, always inlining made the code of gcc slower, by half, because registers ran out. On a GPU, a
+// single call keeps the pools on the stack of every work-item: a step of 93,000 bodies of ragdolls took 0.08 ms longer
+// on an H200. CALLS is defined for OpenCL on a CPU, where PoCL takes over 40 % longer to build functions that are
+// always inlined.
 #if (defined(LANES) && LANES > 1) || (defined(__OPENCL_C_VERSION__) && !defined(CALLS))
 #define INLINE static inline __attribute__((always_inline))
 #else
 #define INLINE static inline
 #endif
 
-// Inlines long parts of hot kernels with one lane, which gcc would not; a call would write its result to memory.
+// Inlines long parts of hot kernels with one lane, which gcc would not inline; a call would return its result through
+// memory.
 #ifdef CALLS
 #define INLINE_LONG INLINE
 #else
 #define INLINE_LONG static inline __attribute__((always_inline))
 #endif
 
-// Marks large parts of large kernels, without barriers. With CALLS they are calls: PoCL makes three copies of a kernel,
-// and in each three of code between barriers that not all work-items reach. In WebAssembly calls make a page smaller.
+// Marks large parts, without barriers, of large kernels. With CALLS they are not inlined, because PoCL copies the code
+// of a kernel: three times, and again three times between barriers that not all work-items reach. In WebAssembly they
+// are not inlined, so that pages are smaller.
 #if defined(CALLS) || defined(__EMSCRIPTEN__)
 #define OUT_OF_LINE static __attribute__((noinline))
 #else
 #define OUT_OF_LINE INLINE
 #endif
 
-// Marks code that few items need: inlined, it would use registers of all items. On a GPU a call uses them as well.
+// Marks code that few items need. On a CPU it is not inlined, because it would take registers from all items. On a GPU
+// a call takes registers as well.
 #ifdef __OPENCL_C_VERSION__
 #define RARE INLINE
 #else
 #define RARE static __attribute__((noinline))
 #endif
 
-// Unrolls a loop of two or three iterations over arrays, so that the arrays stay in registers: with it, joint_bias
-// needed 89 registers on an H200, without it 185. WebAssembly does not unroll, because a page downloads the code.
+// Unrolls a loop of two or three iterations over arrays, so that the arrays stay in registers: joint_bias needed 89
+// registers on an H200 with it, and 185 without. WebAssembly does not unroll, because a page downloads the code.
 #if defined(__OPENCL_C_VERSION__) || (defined(__clang__) && !defined(__EMSCRIPTEN__))
 #define UNROLL _Pragma("unroll")
 #elif defined(__GNUC__) && !defined(__clang__)
@@ -49,7 +53,8 @@
 #define UNROLL
 #endif
 
-// Kernels between these have small code in WebAssembly, 1.5 kB less compressed, because most worlds do not run them.
+// Enclose kernels that most worlds do not run; in WebAssembly their code is compiled for size, which saves 1.5 kB of
+// compressed code.
 #ifdef __EMSCRIPTEN__
 #define SMALL_BEGIN _Pragma("clang attribute push(__attribute__((minsize)), apply_to = function)")
 #define SMALL_END   _Pragma("clang attribute pop")
@@ -58,17 +63,17 @@
 #define SMALL_END
 #endif
 
-// Macros of kernels, which opencl_words.h and c_words.h define:
-// KERNEL(name) { ... }: the code for item i of the pools p. WIDE_KERNEL(name): the code for items i to i + LANES - 1.
+// Macros that define kernels, in opencl_words.h and c_words.h: KERNEL(name) { ... }: the code for item i of the pools
+// p. WIDE_KERNEL(name): the code for items i to i + LANES - 1.
 //
 // LIST_KERNEL(name, list, length) { ... }: a kernel that appends the items for which it returns 1 to a list of the
-// pools, in any order. A CPU worker counts CHUNK_ITEMS of them at once: with 16 workers, one atomic counter per item
-// took half of a step.
+// pools, in any order. A CPU worker advances the length once per CHUNK_ITEMS items: with 16 workers, an atomic addition
+// per item took half of a step.
 //
 // GROUP_KERNEL(name) { ... }: the code that a work-group executes together for item i, with GROUP_FLOATS floats of
-// local memory, bench. The parts of the item are split among the work-items: group_lane() is the first index of one,
-// group_width() its stride. On a CPU one worker is the whole group, and processes LANES parts at a time; part_lane()
-// and part_width() are for code that it executes one part at a time.
+// local memory, bench. The parts of the item are split among the work-items: a work-item processes every
+// group_width()-th part from part group_lane() on. On a CPU one worker is the whole group, and processes LANES parts at
+// a time; part_lane() and part_width() are for code in which it processes one part at a time.
 #define GROUP_FLOATS 3072
 
 #ifdef __OPENCL_C_VERSION__
@@ -80,7 +85,8 @@
 #endif
 #endif
 
-// Computes an atomic maximum, preceded by a plain read, because most items find the maximum there already.
+// Raises the number at place to at least x, atomically. A plain read comes first, because for most items the number is
+// already high enough.
 INLINE void raise_int(GLOBAL int* place, int x)
 {
 	if (read_shared(place) < x)
@@ -100,37 +106,39 @@ typedef int Int;
 #define real_bits(x)           float_bits(x)
 INLINE Real blend(Real a, Real b, Int c) { return c ? b : a; }
 INLINE Int blend_int(Int a, Int b, Int c) { return c ? b : a; }
-// Conversions of values from 0 to below 2^31.
+// Conversions between Real and Int, of values from 0 to below 2^31.
 #define whole(x)   ((Int)(x))
 #define real_of(x) ((Real)(x))
-// Shifts left, also into the sign bit.
+// Shifts an Int left; bits may enter the sign bit.
 #define shifted(x, bits)                ((Int)((Word)(x) << (bits)))
 #define store_keys(array, i, high, low) ((array)[i] = (Word64)(Word)(high) << 32 | (Word64)(Word)(low))
 #define root(x)                         square_root(x)
 
-// following: the items after those of a, where b follows. preceding: the items before those of b, where a precedes.
+// following(a, b): the values after those of a, if b comes next. preceding(a, b): the values before those of b, if a
+// comes before. wide.h has the versions for several lanes.
 #define following(a, b)     (b)
 #define preceding(a, b)     (a)
 #define following_int(a, b) (b)
 #define preceding_int(a, b) (a)
 
-// indices: numbers i to i + LANES - 1. gather: items by index. load_int2: the members of rows of two integers.
+// indices: numbers i to i + LANES - 1. gather: items of an array by index, one per lane. load_int2: both members of
+// LANES consecutive pairs of integers.
 #define indices(i)                  (i)
 #define gather(array, index)        ((array)[index])
 #define gather_int(array, index)    ((array)[index])
 #define load_int2(array, i, x0, y0) (*(x0) = (array)[i].x, *(y0) = (array)[i].y)
-// lane_bits: a bit mask of the lanes where c is set. lane: the value of a lane.
+// lane_bits: bit mask of the lanes in which c is not 0. lane: the value of one lane.
 #define lane_bits(c)                   ((Word)((c) != 0))
 #define lane(x, k)                     (x)
 #define load_rows8(base, first, out)   gather_rows8(base, first, out)
 #define gather_rows4(base, index, out) load_rows4(base, index, out)
-// Reads one row, whatever the number of lanes.
+// Reads the row of one item, for any number of lanes.
 #define read_row8(base, index, out) gather_rows8(base, index, out)
 #else
 #include "dialect/wide.h"
 #endif
 
-// Returns defined results for NaN and -0 on every target: b is taken only if the comparison holds.
+// maximum and minimum, with defined results for NaN and -0 on every device: b if the comparison holds, otherwise a.
 #ifndef WIDE_EXTREMES
 INLINE Real maximum(Real a, Real b) { return blend(a, b, a < b); }
 INLINE Real minimum(Real a, Real b) { return blend(a, b, b < a); }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// hash_word.h -- the hash of an item, for kernels and for data of the host.
+// hash_word.h -- hashes items, in kernels and on the host.
 #ifndef HASH_WORD_H
 #define HASH_WORD_H
 #include "dialect/dialect.h"
 
-// Mixes bits with the finalizer of MurmurHash3 (Austin Appleby, 2011): every bit changes half of the output's bits.
+// Mixes bits with the finalizer of MurmurHash3 (Austin Appleby, 2011): each input bit changes half of the output bits
+// on average.
 INLINE Word64 hash_mix(Word64 h)
 {
 	h ^= h >> 33;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// opencl_words.h -- the dialect in OpenCL C. dialect.h includes it.
+// opencl_words.h -- defines the dialect in OpenCL C; included by dialect.h.
 #ifndef OPENCL_WORDS_H
 #define OPENCL_WORDS_H
 
@@ -22,7 +22,7 @@ typedef int2 Int2;
 #define lowest_bit(x)           (63 - leading_zeros((x) & (~(x) + (ulong)1)))
 #define square_root(x)          sqrt(x)
 
-// Integer atomics count, and build sets, which are sorted before they are read in order.
+// Integer atomics have two uses: counters, and sets whose items are sorted before they are read in order.
 #define atomic_add_int(place, x)  atomic_add(place, x)
 #define atomic_max_int(place, x)  atomic_max(place, x)
 #define atomic_min_int(place, x)  atomic_min(place, x)
@@ -30,14 +30,16 @@ typedef int2 Int2;
 #define atomic_and_word64(place, x)                                 \
 	((void)atomic_and((volatile __global uint*)(place), (uint)(x)), \
 	 (void)atomic_and((volatile __global uint*)(place) + 1, (uint)((x) >> 32)))
-// Orders memory accesses for the whole device, not only for the group, and invalidates the first-level cache. OpenCL C
-// 1.2 has no such fence; other compilers use mem_fence, and persistent.cl tests whether it suffices.
+// Orders memory accesses for all work-groups of the device, not only for one, and invalidates the first-level cache.
+// OpenCL C 1.2 has no such fence. Compilers other than that of NVIDIA use mem_fence, and persistent.cl tests whether it
+// suffices.
 #ifdef __NV_CL_C_VERSION
 #define DEVICE_FENCE() asm volatile("membar.gl;" ::: "memory")
 #else
 #define DEVICE_FENCE() mem_fence(CLK_GLOBAL_MEM_FENCE | CLK_LOCAL_MEM_FENCE)
 #endif
-// Increments atomically; returns the old value. The last item to arrive reads all writes of the others.
+// Increments a counter atomically, and returns the old value. The last item to arrive can read all that the other items
+// wrote before they arrived.
 INLINE int arrive_int(GLOBAL int* place)
 {
 	DEVICE_FENCE();
@@ -51,11 +53,11 @@ INLINE int arrive_int(GLOBAL int* place)
 #define read_shared_word64(place)     (*(volatile __global ulong*)(place))
 #define write_shared_word(place, x)   (*(volatile __global uint*)(place) = (x))
 #define write_shared_word64(place, x) (*(volatile __global ulong*)(place) = (x))
-// no prefetch: other work-items run while one waits for memory
+// no prefetch: while a work-item is waiting for memory, others run
 #define FETCHES           0
 #define fetch_soon(place) ((void)0)
 
-// Rows of 8 and 4 floats. Reads bypass the first-level cache, which may lack changes of another compute unit.
+// Rows of 8 and 4 floats. Reads bypass the first-level cache, which may lack changes by other compute units.
 #define ROW volatile __global float4*
 INLINE void row_parts(float4 low, float4 high, float out[8])
 {
@@ -122,8 +124,9 @@ INLINE Bound8 bound8(const __global float4* boxes, int which)
 #define group_meet()  barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE)
 #define bench_meet()  barrier(CLK_LOCAL_MEM_FENCE)
 
-// Defines an OpenCL kernel; specialize may set members of pools.step to constants. Only one in spread(items) work-items
-// executes items, so that few long items do not wait for each other. Parentheses keep macros (store) out of the name.
+// Defines an OpenCL kernel. specialize: code that may set members of pools.step to constants. Only one of spread(items)
+// work-items executes items, so that few long items do not share a warp. The parentheses around kernel_name prevent the
+// expansion of a function-like macro of that name, such as store.
 #define KERNEL_FUNCTION(kernel_name, name, specialize, spread)                                        \
 	__kernel void(kernel_name)(POOL_ARGUMENTS Step step, Run run)                                     \
 	{                                                                                                 \

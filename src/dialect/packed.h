@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// packed.h -- tests of one box, at rest or moving, against eight packed ones in turn; a part of dialect.h.
+// packed.h -- tests one box, at rest or moving, against eight packed boxes, one after another; a part of dialect.h.
 #ifndef PACKED_H
 #define PACKED_H
 
-// Eight boxes are packed bound by bound: all lower x, lower y, upper x, upper y (src/stages/geometry/box.h). So a
-// vector of eight contains one bound of all boxes without a transposition, and a GPU reads four bounds at a time.
+// Eight boxes are packed bound by bound: all lower x, all lower y, all upper x, all upper y
+// (src/stages/geometry/box.h). Thus a vector of eight floats contains one bound of all boxes without a transposition,
+// and a GPU reads four bounds at a time.
 
-// Returns which of eight packed boxes overlap another one: bit k for box k.
+// Returns a bit mask of the packed boxes that overlap a box: bit k for packed box k.
 #ifndef OVERLAPS8
 INLINE Word overlaps8(const GLOBAL Float4* boxes, Float4 box)
 {
@@ -24,9 +25,11 @@ INLINE Word overlaps8(const GLOBAL Float4* boxes, Float4 box)
 }
 #endif
 
-// Returns which of eight packed boxes a moving box meets: bit k for box k. sides: x and y of its sides that enter
-// first, then of those that leave last; inverse: of its path. enter: the fraction of the path at which each is entered,
-// at least 0; fractions above most do not count. All operations are monotonic: a box around others is entered no later.
+// Returns a bit mask of the packed boxes that a moving box meets: bit k for packed box k. sides: x and y of the sides
+// of the moving box that enter other boxes first, then of the sides that leave them last. inverse: 1 / x and 1 / y of
+// its path. enter: fraction of the path at which the moving box enters each packed box, at least 0; boxes entered at a
+// fraction above most do not count. All operations are monotonic: a box that encloses other boxes is entered no later
+// than these.
 #ifndef BEAM8
 INLINE Word beam8(const GLOBAL Float4* boxes, Float4 sides, Float2 inverse, float most, float enter[8])
 {
@@ -50,7 +53,8 @@ INLINE Word beam8(const GLOBAL Float4* boxes, Float4 sides, Float2 inverse, floa
 	return hits;
 }
 
-// Returns which of eight packed boxes are near a box. square: squares of the distances; those above most do not count.
+// Returns a bit mask of the packed boxes near a box. square: squares of the distances to all packed boxes; a box is
+// near if its square is at most most.
 INLINE Word apart8(const GLOBAL Float4* boxes, Float4 box, float most, float square[8])
 {
 	Word hits = 0;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// transpose.h -- transfer between LANES items of 4 or 8 floats in memory and one Real per component; part of wide.h.
+// transpose.h -- loads and stores LANES items of 4 or 8 floats, as one Real per component; a part of wide.h.
 //
-// Items are moved in quads of 16 bytes. Real j of four contains the quads of items j, j + 4, j + 8, ... side by side,
-// so a 4 by 4 transposition inside each quad puts component j of all items into Real j. A gather of eight floats on
-// AVX2 takes 8 loads, 8 inserts and 16 shuffles; whole rows would need 24, and the shuffle port is the bottleneck.
+// Items are moved in quads of 16 bytes, four floats. Each of four Reals is loaded with quads side by side: Real j gets
+// the quads of items j, j + 4, j + 8, ... Then a 4 by 4 transposition inside each quad puts component j of all items
+// into Real j. A gather of eight floats on AVX2 takes 8 loads, 8 inserts and 16 shuffles. With whole rows it would take
+// 24 shuffles, and the shuffle port is the bottleneck.
 #ifndef TRANSPOSE_H
 #define TRANSPOSE_H
 #define ALL_LANES ((1u << LANES) - 1)
 
-// Always inlined, because every solver pass uses these functions, and a call would pass its vectors through memory.
+// Always inlined, because every solver pass uses these functions, and a call would pass vectors through memory.
 #define WIDE_INLINE static inline __attribute__((always_inline))
 
 typedef float Quad __attribute__((vector_size(16)));
@@ -18,7 +19,7 @@ WIDE_INLINE Quad quad_load(const float* from) { return *(const Quad*)from; }
 WIDE_INLINE void quad_store(float* to, Quad q) { *(Quad*)to = q; }
 
 #define FOUR_LANES(f, k) f(k), f(k + 1), f(k + 2), f(k + 3)
-// Every second number of two quads, and of all lanes of two vectors.
+// Every second number, from number k on, of two quads; EVERY_SECOND: of all lanes of two vectors.
 #define TWO_QUADS(k) k, k + 2, k + 4, k + 6
 #if LANES == 4
 #define EACH_QUAD(a, b, c, d) a, b, c, d
@@ -41,13 +42,13 @@ WIDE_INLINE Int indices(int i)
 	return k + i;
 }
 
-// Lane k is array[index[k]]. Compilers turn a list of all lanes into inserts, and a loop over lanes into masks.
+// Value of lane k. Compilers turn a list of all lanes into inserts, but a loop over lanes into masks.
 #define NAMED(k) array[index[k]]
 WIDE_INLINE Real gather(const float* array, Int index) { return (Real){EACH_LANE(NAMED)}; }
 WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE(NAMED)}; }
 #undef NAMED
 
-// Shuffles inside each quad: components of a are 0 to 3, those of b LANES to LANES + 3.
+// Shuffles inside each quad: indices 0 to 3 are components of a, LANES to LANES + 3 are components of b.
 #if defined(__clang__) || __GNUC__ >= 12
 #define SHUFFLE_ALL(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
@@ -55,7 +56,8 @@ WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE
 #endif
 #define SHUFFLE(a, b, ...) SHUFFLE_ALL(a, b, EACH_QUAD(__VA_ARGS__))
 
-// following: items after those of a; the last is the first of b. preceding: items before b; the first is the last of a.
+// following(a, b): a shifted by one lane to the left; the last lane is lane 0 of b. preceding(a, b): b shifted by one
+// lane to the right; lane 0 is the last lane of a.
 #define NEXT(k) k + 1
 #define LAST(k) k + LANES - 1
 WIDE_INLINE Real following(Real a, Real b) { return SHUFFLE_ALL(a, b, EACH_LANE(NEXT)); }
@@ -122,7 +124,7 @@ WIDE_INLINE Quad quads_get(Real r, int k)
 #endif
 }
 
-// Transposes each 4 by 4 block of a, b, c, d into out.
+// Transposes each 4 by 4 block of the matrix with rows a, b, c, d into out.
 WIDE_INLINE void transpose(Real a, Real b, Real c, Real d, Real out[4])
 {
 	Real ab01 = SHUFFLE(a, b, 0, LANES, 1, LANES + 1);
@@ -135,13 +137,14 @@ WIDE_INLINE void transpose(Real a, Real b, Real c, Real d, Real out[4])
 	out[3] = SHUFFLE(ab23, cd23, 2, 3, LANES + 2, LANES + 3);
 }
 
-// Gathers quads: out[j], lane k, is float j of the four at base + at[k].
+// Gathers four floats per lane: out[j], lane k, is float j of the four at base + at[k].
 WIDE_INLINE void quads_gather(const float* base, Words at, Real out[4])
 {
 	transpose(quads_load(base, at, 0), quads_load(base, at, 1), quads_load(base, at, 2), quads_load(base, at, 3), out);
 }
 
-// Stores the quads of r to base + at[j], base + at[j + 4], ..., if bits j, j + 4, ... of the mask are set.
+// Stores the quads of r at base + at[j], base + at[j + 4], ...; a quad is stored only if the mask has its bit: j, j +
+// 4, ...
 WIDE_INLINE void quads_store(float* base, Words at, int j, Real r, Word wanted)
 {
 	if (wanted >> j & 1)
@@ -168,7 +171,7 @@ WIDE_INLINE void quads_scatter(float* base, Words at, const Real in[4], Word wan
 	quads_store(base, at, 3, r[3], wanted);
 }
 
-// Returns the offsets of the rows of LANES neighbors, in floats.
+// Returns the offsets, in floats, of LANES consecutive rows of `floats` floats.
 WIDE_INLINE Words neighbors(Word floats)
 {
 	Words k = {EACH_QUAD(0, 1, 2, 3)};
@@ -231,7 +234,7 @@ WIDE_INLINE Word lane_bits(Int lanes)
 WIDE_INLINE Real root(Real x)
 {
 #if LANES == 4 && defined(__wasm_simd128__)
-	return (Real)wasm_f32x4_sqrt((v128_t)x); // clang compiles the loop below through memory
+	return (Real)wasm_f32x4_sqrt((v128_t)x); // clang would compile the loop below to accesses of memory
 #else
 	for (int k = 0; k < LANES; ++k)
 		x[k] = __builtin_sqrtf(x[k]);
@@ -239,13 +242,14 @@ WIDE_INLINE Real root(Real x)
 #endif
 }
 
-// Writes the first four of eight floats of item index[k] for each lane of the mask; these items must be different.
+// Writes the first four of the eight floats of item index[k], for each lane k in which `wanted` is set; these items
+// must differ.
 WIDE_INLINE void scatter_rows4of8(float* base, Int index, const Real in[4], Int wanted)
 {
 	Words at = (Words)index * 8u;
 	Word bits = lane_bits(wanted);
 	if (bits == ALL_LANES)
-		quads_scatter(base, at, in, ALL_LANES); // skips the test of each lane
+		quads_scatter(base, at, in, ALL_LANES); // omits the tests of lanes
 	else
 		quads_scatter(base, at, in, bits);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// vec.h -- vectors and rotations of the plane.
+// vec.h -- computes with vectors and rotations of the plane.
 #ifndef VEC_H
 #define VEC_H
 #include "dialect/dialect.h"
@@ -22,7 +22,7 @@ INLINE Vec vec_scale(Real s, Vec a) { return vec(s * a.x, s * a.y); }
 INLINE Vec vec_neg(Vec a) { return vec(-a.x, -a.y); }
 INLINE Real vec_dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
 INLINE Real vec_cross(Vec a, Vec b) { return a.x * b.y - a.y * b.x; }
-// Returns the velocity of a point at r on a body with angular velocity w.
+// Returns the velocity of a point at arm r on a body with the angular velocity w.
 INLINE Vec vec_spin(Real w, Vec r) { return vec(-w * r.y, w * r.x); }
 // Rotates a vector; q is a rotation (cos, sin).
 INLINE Vec vec_turn(Vec q, Vec a) { return vec(q.x * a.x - q.y * a.y, q.y * a.x + q.x * a.y); }
@@ -30,8 +30,9 @@ INLINE Vec vec_turn_back(Vec q, Vec a) { return vec(q.x * a.x + q.y * a.y, q.x *
 INLINE Vec vec_blend(Vec a, Vec b, Int c) { return vec(blend(a.x, b.x, c), blend(a.y, b.y, c)); }
 INLINE Real absolute(Real a) { return maximum(a, -a); }
 
-// Returns cosine and sine of an angle up to pi: Taylor series of a quarter of it, then the double angle twice. The
-// error is below 2e-7 up to 1 radian, which is 60 rad/s at 60 steps per second, and 2.3e-5 at pi.
+// Returns cosine and sine of an angle up to pi: Taylor series of a quarter of the angle, whose result is doubled twice
+// by the formulas of the double angle. The error is below 2e-7 up to 1 radian, which is 60 rad/s at 60 steps per
+// second, and 2.3e-5 at pi.
 INLINE Vec vec_rotation(Real angle)
 {
 	Real a = 0.25f * angle, q = a * a;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// wide.h -- the dialect in C for 4, 8 and 16 lanes: vectors of gcc and clang. dialect.h includes it.
+// wide.h -- defines the dialect in C for 4, 8 and 16 lanes, with vectors of gcc and clang; included by dialect.h.
 #ifndef WIDE_H
 #define WIDE_H
 #if defined(__SSE2__)
@@ -12,7 +12,7 @@
 typedef float Real __attribute__((vector_size(4 * LANES)));
 typedef int Int __attribute__((vector_size(4 * LANES)));
 typedef Word Words __attribute__((vector_size(4 * LANES)));
-// a difference keeps the sign of zero: -0 - 0 is -0, but -0 + 0 is +0
+// a difference keeps the sign of a zero: -0 - 0 is -0, but -0 + 0 is +0
 #define splat(x)               ((x) - (Real){0})
 #define load(array, i)         (*(const Real*)((array) + (i)))
 #define load_int(array, i)     (*(const Int*)((array) + (i)))

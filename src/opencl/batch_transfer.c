@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// batch_transfer.c -- a batch: sends many items to a GPU, runs a kernel over them, fetches the answers, all at once.
+// batch_transfer.c -- executes a batch on a GPU in parts that overlap: sends the items of a part, runs the kernel over
+// them, and fetches their results.
 //
-// Items are sent in parts: while the kernel works on one, the next one is sent and the answers of the previous one are
-// fetched; a bus transfers in both directions at once. Each direction has its own queue; events order the three.
+// While the kernel works on a part, the items of the next part are sent and the results of the previous part are
+// fetched; a bus transfers in both directions at once. Each direction and the kernel have a queue; events order the
+// commands of the three queues.
 #include "opencl/batch_transfer.h"
 #include "backend/batch.h"
 #include "opencl/launch.h"
@@ -10,17 +12,18 @@
 #include "opencl/transfer.h"
 #include "platform/error.h"
 
-#define DEPTH (TRANSFER_BLOCKS / 2) // parts in flight, each with a block for its items and one for its answers
+#define DEPTH (TRANSFER_BLOCKS / 2) // maximum parts in flight; a part has a block for items and a block for results
 
-// Parts of a batch, unless the size of a block requires more: transfers and work can overlap, and each part still has
-// enough work-items for a GPU. A million rays took an H200 1.9 ms in one part, 2.3 ms in four and 3.0 ms in eight.
+// Number of parts of a batch, unless the size of a block requires more. With more than one part, transfers and work
+// overlap, and a part still has enough work-items for a GPU. A million rays took an H200 1.9 ms in one part, 2.3 ms in
+// four and 3.0 ms in eight.
 #define PARTS 4
 
 typedef struct
 {
 	OpenCl* d;
 	const Batch* batch;
-	size_t item, answer; // bytes of an item and of an answer
+	size_t item, answer; // bytes of an item, and of its result
 	int part, parts;     // items per part; number of parts
 } Way;
 
@@ -39,7 +42,7 @@ static void check_share(void* context, int block, int blocks)
 	checked->bad[block] = begin < end && x->check(x->context, begin, end) != SCREE_OK;
 }
 
-// Checks all items with all threads. The error message is that of the first bad item.
+// Checks all items; the threads share them. On failure the error message is that of the first bad item.
 static scree_status check(OpenCl* d, const Batch* x)
 {
 	BatchCheck checked = {.batch = x};
@@ -66,7 +69,8 @@ static int up_block(int k) { return k % DEPTH; }
 
 static int down_block(int k) { return DEPTH + k % DEPTH; }
 
-// Copies the items of part k to its block, and the answers of part back from its block. A part out of range is skipped.
+// Copies the items of part k to a block, and the results of part back from a block to the user's array. Omits a part if
+// k is too large or back is -1.
 static void copy(const Way* way, int k, int back)
 {
 	const Batch* x = way->batch;
@@ -83,7 +87,8 @@ static void copy(const Way* way, int k, int back)
 		transfer_copy(way->d, loads, count);
 }
 
-// Sends part k, runs the kernel over it, and fetches its answers. begin completes when the device may write the items.
+// Enqueues part k: sends its items, runs the kernel over them, and fetches the results. begin: event after which the
+// device may overwrite the items of the pool.
 static scree_status enqueue(const Way* way, int k, cl_event begin)
 {
 	OpenCl* d = way->d;
@@ -112,14 +117,14 @@ static scree_status go(const Way* way)
 	cl_event begin;
 	TRY(CALL(EnqueueBarrierWithWaitList, d->queue, 0, NULL, &begin));
 	scree_status status = CALL(Flush, d->queue);
-	// part k is sent, and its answers are copied DEPTH parts later
+	// iteration k sends part k, and copies the results of part k - DEPTH
 	for (int k = 0; k < way->parts + DEPTH && status == SCREE_OK; ++k)
 	{
 		int back = k - DEPTH;
 		if (back == 0)
 			status = check(d, way->batch);
 		if (back >= 0 && back < way->parts && status == SCREE_OK)
-			status = transfer_settle(d, down_block(back)); // then its items are no longer needed
+			status = transfer_settle(d, down_block(back)); // afterwards the items of part back are no longer needed
 		if (status != SCREE_OK)
 			break;
 		if (k < way->parts)
@@ -159,10 +164,10 @@ scree_status opencl_batch(Backend* b, const Step* step, const Batch* batch)
 	scree_status status = go(&way);
 	if (status == SCREE_OK)
 	{
-		d->staging.used = 0; // the answers arrived after all uploads
+		d->staging.used = 0; // the results arrived after all uploads
 		return SCREE_OK;
 	}
-	// from here on no transfer may use the blocks
+	// before the blocks may be used again, all transfers must have ended
 	opencl.Finish(d->transfer.up);
 	opencl.Finish(d->queue);
 	opencl.Finish(d->transfer.down);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// batch_transfer.h -- a batch: sends many items to a GPU, runs a kernel over them, fetches the answers, all at once.
+// batch_transfer.h -- executes a batch on a GPU in parts that overlap: sends items, runs the kernel, and fetches
+// results.
 #ifndef BATCH_TRANSFER_H
 #define BATCH_TRANSFER_H
 #include "opencl/opencl_state.h"

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// buffer.h -- buffers that are not pools, scratch buffers and pinned memory.
+// buffer.h -- creates buffers that are not pools, scratch buffers and pinned memory.
 #ifndef OPENCL_BUFFER_H
 #define OPENCL_BUFFER_H
 #include "opencl/opencl_state.h"
 
-// Creates a zeroed buffer. Fails with SCREE_ERROR_OUT_OF_MEMORY if the device has no memory for it.
+// Creates a buffer of zeros. Fails with SCREE_ERROR_OUT_OF_MEMORY if the device has too little memory.
 scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer);
 
-// Grows a scratch buffer to at least the given size. A buffer that grows is zeroed. Backend.bytes includes it.
+// Grows a scratch buffer to at least the given size, and adds the difference to Backend.bytes. A buffer that grows
+// becomes zero.
 scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes);
 void scratch_release(Scratch* scratch);
-// Waits for the queue, releases count scratch buffers and subtracts them from Backend.bytes.
+// Waits for the queue, releases `count` scratch buffers and subtracts their sizes from Backend.bytes.
 scree_status scratch_drop(OpenCl* d, Scratch* const* scratch, int count);
 
 scree_status pinned_open(OpenCl* d, size_t bytes, Pinned* pinned);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cache.c -- compiled programs on disk: one file per key, checked when read, renamed into place when written.
+// cache.c -- stores compiled programs on disk: one file per key, which is checked when it is read. A new file is
+// written under a temporary name and then renamed.
 #include "opencl/cache.h"
 #include "platform/error.h"
 #include <errno.h>
@@ -24,7 +25,7 @@
 #endif
 
 #define PATH_BYTES 1024
-#define MAX_BYTES  ((uint64_t)1 << 28) // a file with a larger length is damaged
+#define MAX_BYTES  ((uint64_t)1 << 28) // a file that states a larger size is damaged
 
 typedef struct // the first bytes of a file
 {
@@ -36,7 +37,8 @@ static const char magic[8] = "scree-1";
 
 Digest digest_begin(void) { return (Digest){0xcbf29ce484222325u, 0x9e3779b97f4a7c15u}; }
 
-// a: FNV-1a (Fowler, Noll, Vo, 1991); b: with another prime and a rotation, so that the order of bytes matters.
+// Adds bytes to a digest. a: FNV-1a (Fowler, Noll, Vo, 1991). b: the same with another factor and a rotation, so that a
+// and b differ.
 void digest_add(Digest* digest, const void* bytes, size_t count)
 {
 	const unsigned char* byte = bytes;
@@ -48,7 +50,7 @@ void digest_add(Digest* digest, const void* bytes, size_t count)
 	}
 }
 
-// Returns false if there is no folder for a cache.
+// Writes the path of the cache's folder. Returns false if there is no folder.
 static bool cache_folder(char* path)
 {
 	const char* own = getenv("SCREE_CACHE");
@@ -61,7 +63,7 @@ static bool cache_folder(char* path)
 		length = snprintf(path, PATH_BYTES, "%s/scree", shared);
 	else if (home && *home)
 		length = snprintf(path, PATH_BYTES, "%s" BELOW_HOME, home);
-	return length > 0 && length < PATH_BYTES - 80; // space for the file name
+	return length > 0 && length < PATH_BYTES - 80; // leaves space for the file name
 }
 
 static void file_path(char* path, const char* folder, Digest key)
@@ -121,7 +123,7 @@ unsigned char* cache_read(Digest key, size_t* count)
 
 void cache_write(Digest key, const unsigned char* bytes, size_t count)
 {
-	static atomic_int writers; // counter for the name of a temporary file, so that each write has its own
+	static atomic_int writers; // number of writes so far; it makes the names of temporary files unique
 	char folder[PATH_BYTES], path[PATH_BYTES], temporary[PATH_BYTES + 32];
 	if (!cache_folder(folder))
 		return;
@@ -136,7 +138,7 @@ void cache_write(Digest key, const unsigned char* bytes, size_t count)
 	if (file)
 		good = fclose(file) == 0 && good;
 #ifdef _WIN32
-	remove(path); // on Windows rename does not replace a file
+	remove(path); // on Windows rename does not replace an existing file
 #endif
 	good = good && rename(temporary, path) == 0;
 	if (!good)

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define LOG_LINES    40 // maximum lines of the compiler's messages that are logged
+#define LOG_LINES    40 // maximum number of lines of the compiler's messages that are logged
 #define OPTION_BYTES 128
 
 static void all_options(const Device* device, const char* more, char text[OPTION_BYTES])

@@ -5,14 +5,14 @@
 #include "opencl/cache.h"
 #include "opencl/device.h"
 
-#define PROGRAM_OPTIONS 64 // maximum bytes of the given options
+#define PROGRAM_OPTIONS 64 // maximum bytes of the argument options
 
-// Builds text, which cmake/embed.cmake generated, with the given options and those that equal bits require. The caller
-// releases *program. If the build fails, the compiler's messages are logged.
+// Builds text, a program that cmake/embed.cmake generated. The compiler's options are the given ones, plus those that
+// equal bits require. The caller releases *program. If the build fails, the compiler's messages are logged.
 scree_status program_build(cl_context context, const Device* device, const char* options, const char* text,
                            size_t length, cl_program* program);
 
-// Returns the key of a program in the cache: a digest of everything that can change the binary.
+// Returns the key of a program in the cache: a digest of everything on which the binary depends.
 Digest program_key(const Device* device, const char* options, const char* text, size_t length);
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// context.c -- OpenCL contexts and the programs built in them, shared by the worlds of a process.
+// context.c -- opens OpenCL contexts and builds programs in them; the worlds of a process share contexts and programs.
 //
 // PoCL takes 0.2 s for every build of a program, so a context on a CPU is kept until the process ends. A context on a
-// GPU is released with its last world, which frees memory. After any OpenCL failure a new world gets a new context,
-// because the old one may be lost.
+// GPU is released with the last world that uses it, to free memory. After any OpenCL failure, new worlds get new
+// contexts, because the existing contexts may be lost.
 #include "opencl/context.h"
 #include "opencl/compile.h"
 #include "opencl/external_memory.h"
@@ -11,7 +11,7 @@
 #include <stdatomic.h>
 #include <string.h>
 
-#define SHARED_CONTEXTS 8 // contexts shared at a time; further worlds get contexts of their own
+#define SHARED_CONTEXTS 8 // maximum number of shared contexts; the context of any further world is not shared
 
 typedef struct
 {
@@ -19,12 +19,12 @@ typedef struct
 	cl_program program;
 	cl_device_id device;
 	char options[PROGRAM_OPTIONS];
-	int worlds;   // worlds that use it
-	int failures; // opencl_failures() at its creation
-	bool stays;   // true: it is kept when no world uses it
+	int worlds;   // number of worlds that use the context
+	int failures; // opencl_failures() when the context was created
+	bool stays;   // true: the context is kept when no world uses it
 } SharedContext;
 
-extern const char opencl_program[]; // written by cmake/embed.cmake
+extern const char opencl_program[]; // text of the program, written by cmake/embed.cmake
 extern const size_t opencl_program_length;
 
 static SharedContext contexts[SHARED_CONTEXTS];
@@ -33,7 +33,7 @@ static atomic_flag locked = ATOMIC_FLAG_INIT;
 static void lock(void)
 {
 	while (atomic_flag_test_and_set(&locked))
-		; // another thread uses the list, for less than a microsecond
+		; // another thread holds the lock, for less than a microsecond
 }
 
 static void unlock(void) { atomic_flag_clear(&locked); }
@@ -44,7 +44,8 @@ static void release(SharedContext gone)
 	opencl.ReleaseContext(gone.context);
 }
 
-// Removes a context from the list. The caller releases it outside the lock, because that may take long.
+// Removes a context from the list and returns it. The caller releases the context after the lock, because this may take
+// long.
 static SharedContext pull(SharedContext* shared)
 {
 	SharedContext gone = *shared;

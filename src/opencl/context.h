@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// context.h -- OpenCL contexts and the programs built in them, shared by the worlds of a process.
+// context.h -- opens OpenCL contexts and builds programs in them; the worlds of a process share contexts and programs.
 #ifndef OPENCL_CONTEXT_H
 #define OPENCL_CONTEXT_H
 #include "opencl/opencl_state.h"
 
-// Gives a device its context and program. opengl: null, or a context to share memory with; then both are its own.
+// Sets the context and the program of a device. opengl: null, or an OpenGL context to share memory with; with it,
+// context and program are not shared with other worlds.
 scree_status context_open(OpenCl* d, const char* options, const scree_opengl* opengl);
 
-// Releases the context and the program, unless another world uses them.
+// Releases the context and the program, unless other worlds use them or they are kept.
 void context_close(OpenCl* d);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// copy_bandwidth.c -- copies within the device, which measure the bandwidth of its memory.
+// copy_bandwidth.c -- copies blocks within the memory of the device, to measure the bandwidth.
 #include "opencl/copy_bandwidth.h"
 #include "opencl/buffer.h"
 #include "opencl/queue.h"
@@ -25,7 +25,7 @@ scree_status opencl_copy_reserve(Backend* b, size_t bytes)
 	d->copy.bytes = bytes;
 	for (int k = 0; k < 2; ++k)
 		TRY(buffer_create(d, bytes, &d->copy.buffers[k]));
-	return finish(d); // drivers that allocate on first use fail here
+	return finish(d); // drivers that allocate on first use fail in this call
 }
 
 scree_status opencl_copy(Backend* b, int times)

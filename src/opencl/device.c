@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// device.c -- lists OpenCL devices, checks what they support, and chooses one.
+// device.c -- lists OpenCL devices, checks which features they support, and chooses a device.
 #include "opencl/device.h"
 #include "opencl/group_sizes.h"
 #include "platform/error.h"
@@ -27,7 +27,7 @@ static void device_text(cl_device_id device, cl_device_info what, char* text, si
 	snprintf(text, size, "%.*s", (int)size - 1, start);
 }
 
-// Returns 0 if the device does not support the query.
+// Returns a number that describes a device, or 0 if the device does not support the query.
 static cl_ulong device_number(cl_device_id device, cl_device_info what)
 {
 	cl_ulong number = 0; // little-endian: a 32-bit answer fills the low half
@@ -48,7 +48,7 @@ static void find_sharing(Device* d)
 		opencl.GetDeviceInfo(d->id, DEVICE_UUID, sizeof d->about.uuid, d->about.uuid, NULL);
 }
 
-// Decides whether a device is usable and computes equal bits. Writes to about.reason why not.
+// Finds out whether a device is usable and computes equal bits. If not, writes the reason to about.reason.
 static void check_support(Device* d)
 {
 	char* reason = d->about.reason;
@@ -140,7 +140,7 @@ static int list(Device* devices, int capacity)
 
 int device_list(Device* devices, int capacity)
 {
-	// two worlds may list devices at a time, and PoCL 3.1 crashes if its first queries come from two threads at once
+	// worlds in two threads may list devices at once, and PoCL 3.1 crashes if its first queries come from two threads
 	static Mutex mutex = MUTEX_OPEN;
 	mutex_lock(&mutex);
 	int count = list(devices, capacity);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// device.h -- the OpenCL devices of this machine, and whether each computes equal bits.
+// device.h -- lists the OpenCL devices of this machine, and finds out whether each computes equal bits.
 #ifndef OPENCL_DEVICE_H
 #define OPENCL_DEVICE_H
 #include "backend/backend.h"
@@ -11,19 +11,20 @@ typedef struct
 	cl_device_id id;
 	cl_device_type type;
 	bool correct_division;             // supports -cl-fp32-correctly-rounded-divide-sqrt
-	bool shares_opengl, shares_memory; // has cl_khr_gl_sharing; imports memory by file descriptor
-	bool compiles_at_launch; // PoCL: its binaries hold kernels for sizes that no launch uses; it has its own cache
-	bool usable;             // false if no option lets Scree run on it; about.reason holds the reason
+	bool shares_opengl, shares_memory; // OpenGL: has cl_khr_gl_sharing; memory: imports file descriptors
+	bool compiles_at_launch; // PoCL: binaries lack kernels for most sizes of launches; it has a separate cache
+	bool usable;             // false: Scree cannot use the device with any option; about.reason states the reason
 	char platform_name[128];
 	char identity[768]; // platform, device and driver with all versions; part of the key of the program cache
 	scree_device about; // the entry that scree_devices_get returns
 } Device;
 
-// Writes at most capacity devices. Returns the total number of devices.
+// Writes at most `capacity` devices. Returns the total number of devices.
 int device_list(Device* devices, int capacity);
 
-// Chooses the best device whose name or platform name contains the given part; case is ignored. Devices with equal bits
-// come first, and GPUs come before others that are equal in this. Fails with SCREE_ERROR_NO_DEVICE.
+// Chooses the best device whose name or platform name contains options->device; case is ignored. A device with equal
+// bits is better than one without; among devices that are equal in this, a GPU is best. Fails with
+// SCREE_ERROR_NO_DEVICE.
 scree_status device_choose(const BackendOptions* options, Device* device);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// execute.c -- executes lists of runs: a run is a launch, or one launch executes many runs (persistent.c).
+// execute.c -- executes lists of runs: a launch per run, or one launch for many runs (persistent.c).
 #include "opencl/execute.h"
 #include "opencl/launch.h"
 #include "opencl/persistent.h"
@@ -17,7 +17,7 @@ scree_status opencl_run(Backend* b, const Step* step, const Run* runs, int count
 {
 	OpenCl* d = b->state;
 	step_set(d, step);
-	// commands may change the mass of a body; a new order of the leaves gives better tiles
+	// commands may change masses, which makes tiles wrong; with a new order of the leaves, new tiles are better
 	for (int i = 0; i < count; ++i)
 	{
 		d->tiles.stale |= runs[i].kernel_id == KERNEL_command || runs[i].kernel_id == KERNEL_tree_order;

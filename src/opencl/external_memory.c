@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// external_memory.c -- memory shared with other programs of the device: render rows, queries and their answers.
+// external_memory.c -- shares memory with other programs on the device: render rows, queries and query results.
 //
-// Drivers offer it by one of two extensions. cl_khr_gl_sharing imports a buffer object of OpenGL, in a context created
-// for it. cl_khr_external_memory imports memory that Vulkan exported as a file descriptor. With both, the memory must
-// be acquired before a kernel uses it and released afterwards. One kernel, render_row, writes rows directly to the
-// memory, which is its argument for one launch. Queries and answers are copied on the device, at the speed of its
-// memory, because their pools share a buffer with other pools.
+// Drivers offer two extensions. cl_khr_gl_sharing imports a buffer object of OpenGL; the OpenCL context must be created
+// for this. cl_khr_external_memory imports memory that Vulkan exported as a file descriptor. With both extensions, the
+// memory must be acquired before a kernel uses it, and released afterwards.
+//
+// Only the kernel render_row writes directly to shared memory, which is its argument for one launch. Queries and query
+// results are copied on the device, at the speed of its memory, because their pools share a buffer with other pools.
 #include "opencl/external_memory.h"
 #include "opencl/launch.h"
 #include "opencl/queue.h"
@@ -17,7 +18,7 @@ typedef cl_ulong MemoryProperty;
 typedef cl_mem(CL_API_CALL* CreateFromFile)(cl_context, const MemoryProperty*, cl_mem_flags, size_t, void*, cl_int*);
 typedef cl_mem(CL_API_CALL* CreateFromOpenGl)(cl_context, cl_mem_flags, cl_uint, cl_int*);
 
-typedef struct // names of the functions of an extension
+typedef struct // names of three functions of an extension
 {
 	const char *create, *acquire, *release;
 } Extension;
@@ -121,12 +122,12 @@ void shared_close(OpenCl* d)
 
 scree_status share_open_context(OpenCl* d, const scree_opengl* opengl)
 {
-	// a context shared with OpenGL if the user requested it and it works, else a plain one
+	// creates a context shared with OpenGL if the user requested this and it works, otherwise a plain context
 	cl_int error;
 	cl_context_properties plain[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
 	if (opengl && d->device.shares_opengl)
 	{
-		// cl_khr_gl_sharing: CL_GL_CONTEXT_KHR, then CL_EGL_, CL_GLX_ or CL_WGL_DISPLAY_KHR (CL_WGL_HDC_KHR)
+		// keys of cl_khr_gl_sharing: CL_GL_CONTEXT_KHR, 0x2008, and CL_EGL_, CL_GLX_ or CL_WGL_HDC_KHR for the display
 		static const cl_context_properties displays[] = {
 		    [SCREE_WINDOW_EGL] = 0x2009, [SCREE_WINDOW_GLX] = 0x200a, [SCREE_WINDOW_WGL] = 0x200b};
 		cl_context_properties shared[] = {0x2008,

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// external_memory.h -- memory shared with other programs of the device: render rows, queries and their answers.
+// external_memory.h -- shares memory with other programs on the device: render rows, queries and query results.
 #ifndef EXTERNAL_MEMORY_H
 #define EXTERNAL_MEMORY_H
 #include "opencl/opencl_state.h"
 
-// Creates the context of a device. It shares memory with OpenGL if opengl is not null and the driver supports it.
+// Creates the context of a device. The context shares memory with OpenGL if opengl is not null and the driver supports
+// it.
 scree_status share_open_context(OpenCl* d, const scree_opengl* opengl);
 void shared_close(OpenCl* d);
 scree_status opencl_share(Backend* b, SharedUse use, const SharedMemory* memory);

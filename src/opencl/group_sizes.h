@@ -1,53 +1,57 @@
 // SPDX-License-Identifier: MIT
-// group_sizes.h -- sizes that are common to the kernels of this folder and the C code that launches them.
+// group_sizes.h -- defines sizes that the kernels of this folder and the C code that launches them share.
 #ifndef GROUP_SIZES_H
 #define GROUP_SIZES_H
 
-#define KERNEL_GROUP     128 // work-items per group; small, so that one color of a small scene uses many compute units
+#define KERNEL_GROUP     128 // work-items per work-group; few, so that a color of a small scene uses many compute units
 #define CONTINUOUS_GROUP 32  // the same for continuous, whose many registers would be partly idle in larger groups
 #define HUB_GROUP        256 // work-items of the group that solves a hub: one per column of its sums (HUB_COLUMNS)
 
-// Nodes above leaves that a traversal visits, about 3 us each, before its rest is split. Usual bodies visit 4 to 8.
+// Number of nodes above leaves that a traversal visits, about 3 us each, before its rest is split. Most bodies visit 4
+// to 8.
 #define TRAVERSAL_NODES 12
 
-// Work-items per group of sort and scan, one per digit; all GPUs support 256. Tests define this block for small worlds.
+// Work-items per group of sort and scan, one per digit; all GPUs support 256. Tests with small worlds define other
+// values for these macros.
 #ifndef PRIMITIVE_GROUP
 #define PRIMITIVE_GROUP 256
-// Bits per pass of the sort, two launches. 9 bits would exceed the 32 KiB of local memory that OpenCL 1.2 guarantees.
+// Bits per pass of the sort; a pass has two launches. 9 bits would need more than the 32 KiB of local memory that
+// OpenCL 1.2 guarantees.
 #define SORT_DIGIT_BITS 8
-#define SORT_GRAIN      512  // minimum keys per work-group; with fewer, another group costs more than it saves
-#define SORT_FEW        2048 // keys that the persistent kernel sorts in one pass: they fit in local memory
+#define SORT_GRAIN      512  // minimum keys per work-group; with fewer keys, another work-group would take longer
+#define SORT_FEW        2048 // maximum keys that the persistent kernel sorts in one pass; they fit in local memory
 #define SORT_TEAM       32   // work-items that together compute the rank of a key
 #endif
 #define SORT_DIGITS (1 << SORT_DIGIT_BITS)
-#define SORT_BLOCKS 256 // maximum groups of a pass; each reads the rows of all others, their square times 1 KiB in all
+#define SORT_BLOCKS 256 // maximum groups of a pass; each group reads 1 KiB for every group
 
 #define SCAN_BLOCKS 512
-#define SCAN_ITEMS  4 // items that a work-item processes at a time, consecutive
+#define SCAN_ITEMS  4 // number of consecutive items that a work-item processes at a time
 #define SCAN_GRAIN  (PRIMITIVE_GROUP * SCAN_ITEMS)
 
-#define PERSISTENT_GROUP  PRIMITIVE_GROUP // group size of the persistent kernel, which sorts too; most runs in its list
-#define PERSISTENT_HEADER 32              // ints before the runs in that list; the first counts arrivals at the barrier
+#define PERSISTENT_GROUP  PRIMITIVE_GROUP // work-items per group, which also sort; maximum runs in its list
+#define PERSISTENT_HEADER 32              // number of ints before the runs in this list; the first counts arrivals
 #define PERSISTENT_PROBE  (-1)            // run that tests whether groups are resident at once and exchange writes
 
-#define RELAY_GROUP     32        // work-items per group, which share a barrier but no body: equal to COLOR_PADDING
+#define RELAY_GROUP     32        // work-items per group, which share barriers but no bodies; equal to COLOR_PADDING
 #define MAILBOX_WORDS   4         // 64-bit words of a mailbox
-#define RELAY_TICKETS   68        // tickets of a pass: one per color, one per hub color, and one more
+#define RELAY_TICKETS   68        // tickets of a pass: one before each color and hub color, and one after the last
 #define RELAY_MAX_SPINS (1 << 22) // limit of a spin-wait, in reads of about 0.5 us: 2 s
-// Columns of float4 and float2 in the stream of constraints not in registers; the last of each is common to all kinds.
+// Numbers of columns of float4 and of float2 in the stream of constraints. The last column of each type is common to
+// all kinds.
 #define STREAM_QUADS   5
 #define STREAM_PAIRS   6
 #define STREAM_FLOAT4S (STREAM_QUADS + (STREAM_PAIRS + 1) / 2)
 
-#ifndef TILE_BODIES      // tests with small worlds define both
-#define TILE_BODIES 1024 // in local memory, 36 bytes each; more mean fewer border constraints, fewer a higher occupancy
+#ifndef TILE_BODIES      // tests with small worlds define other values
+#define TILE_BODIES 1024 // in local memory, 36 bytes each; more bodies: fewer border constraints, but a lower occupancy
 #define TILE_GROUP  256  // work-items per tile
 #endif
-// Columns of the table of tiles: in a row the beginning of each color and kind of a tile's constraints, and the end.
+// Columns of the table of tiles: beginnings of the constraints of each color and kind of a tile, and their end.
 #define TILE_COLUMNS (COLORS * CONSTRAINT_KINDS + 1)
 
 // values of Counters.fault
 #define FAULT_TIMEOUT 1 // a spin-wait reached its limit
-#define FAULT_STALE   2 // a work-group did not read what another wrote before the barrier
+#define FAULT_STALE   2 // a work-group did not read a value that another group wrote before the barrier
 
 #endif

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// kernels.cl -- the OpenCL program: the stages, and the kernels that only OpenCL devices have; cmake/embed.cmake
+// kernels.cl -- contains the OpenCL program: the stages, and kernels that only OpenCL devices have. cmake/embed.cmake
 // inlines all includes.
 #include "stages/all_stages.h"
 #include "opencl/primitives.cl"
 
-// Variant for worlds without small bodies, belts and segments; continuous_plain is for worlds without rules. They use
-// fewer registers, so more work-items are resident. docs/opencl.md has the speed without each variant.
+// Variants for some worlds: narrow_phase_plain without small bodies, belts and segments; continuous_plain without
+// rules. They use fewer registers, so more work-items are resident. docs/opencl.md has the speed without each variant.
 KERNEL_FUNCTION(narrow_phase_plain, narrow_phase, (pools.step.small = pools.step.belts = pools.step.segments = 0), SPREAD_NOT)
 
-// Returns the number of work-items per item: the largest power of two, up to 32, for which the launch has enough.
+// Returns the number of work-items per item: the largest power of two, up to 32, for which the launch has enough
+// work-items.
 INLINE int spread_warp(int items)
 {
 	int spread = 1;
@@ -17,8 +18,8 @@ INLINE int spread_warp(int items)
 	return spread;
 }
 KERNEL_FUNCTION(continuous_plain, continuous, (pools.step.rules = pools.step.asks = pools.step.material_pairs = 0), spread_warp)
-// Kernels for devices that keep several work-groups resident at once. They take most of the compile time. A CPU would
-// compile the persistent kernel for minutes, so it does without; tests emulate it.
+// Kernels for devices that keep several work-groups resident at once. These kernels take most of the compile time. A
+// CPU would compile the persistent kernel for minutes, so its program does not contain it; tests emulate the kernel.
 #ifdef PERSISTENT
 #include "opencl/persistent.cl"
 #endif

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// launch.c -- kernels that take all pools: their arguments and launches.
+// launch.c -- sets the arguments of kernels that take all pools, and launches them.
 #include "opencl/launch.h"
 #include "opencl/queue.h"
 #include "platform/error.h"
 #include <string.h>
 
-// Maximum groups per compute unit in a launch, enough for any device; each work-item then processes several items.
+// Maximum work-groups per compute unit in a launch, enough for any device; beyond this, a work-item processes several
+// items.
 #define GROUPS_A_UNIT 64
 
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel)
@@ -36,7 +37,8 @@ size_t pool_offset(const OpenCl* d, PoolId pool)
 
 scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 {
-	// Capacities of cmake/embed.cmake: beginnings of kinds that share a buffer, then capacities of all kinds
+	// layout of the capacities in cmake/embed.cmake: beginnings of kinds that share a buffer, then capacities of all
+	// kinds
 	struct
 	{
 		cl_ulong begins[PER_COUNT - BUFFERS];
@@ -70,7 +72,7 @@ scree_status kernel_step(OpenCl* d, Kernel* kernel)
 	return SCREE_OK;
 }
 
-// Returns the kernel for the current world, which may be a specialized one.
+// Returns the kernel for the current world, which may be specialized (PLAIN_*).
 static Kernel* kernel_function(OpenCl* d, int kernel)
 {
 	const Step* step = &d->constants.step;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// loader.c -- finds the OpenCL library and its functions.
+// loader.c -- opens the OpenCL library and finds its functions.
 #include "opencl/loader.h"
 #include "platform/error.h"
 #include <stdatomic.h>
@@ -18,8 +18,8 @@ static void* find(void* library, const char* name) { return (void*)GetProcAddres
 #include <stdlib.h>
 #include <unistd.h>
 
-// Describes the machine to hwloc. PoCL gets the memory size from hwloc, and ends the process if hwloc finds none, as in
-// containers without sysfs. HWLOC_SYNTHETIC gives hwloc the numbers of sysconf.
+// Describes the machine to hwloc in HWLOC_SYNTHETIC, with the numbers of sysconf. PoCL gets the memory size from hwloc,
+// and ends the process if hwloc finds no memory, as in containers without sysfs.
 static void describe_machine(void)
 {
 	char text[96];
@@ -86,7 +86,7 @@ bool opencl_load(void)
 	if (atomic_compare_exchange_strong(&state, &seen, OPENING))
 		atomic_store(&state, fill_table() ? LOADED : MISSING);
 	while ((seen = atomic_load(&state)) == OPENING)
-		; // another thread opens the library
+		; // another thread is opening the library
 	return seen == LOADED;
 }
 

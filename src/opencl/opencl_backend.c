@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// opencl_backend.c -- the OpenCL backend: buffers by kind of item, kernels, and one in-order queue.
+// opencl_backend.c -- implements the OpenCL backend: buffers by kind of item, kernels, and one in-order queue.
 #include "opencl/batch_transfer.h"
 #include "opencl/buffer.h"
 #include "opencl/compile.h"
@@ -20,7 +20,7 @@
 #include <limits.h>
 #include <stdio.h>
 
-#define CAPACITY_ITEMS 64 // granularity of a pool's capacity: with it, every pool begins at a multiple of 256 bytes
+#define CAPACITY_ITEMS 64 // capacities are multiples of this, so that each pool begins at a multiple of 256 bytes
 
 static void opencl_close(Backend* b)
 {
@@ -28,7 +28,7 @@ static void opencl_close(Backend* b)
 	if (d)
 	{
 		if (d->queue)
-			finish(d); // errors are ignored here
+			finish(d); // errors are ignored, because the world is being destroyed
 		tiles_close(d);
 		relay_close(d);
 		persistent_close(d);
@@ -67,13 +67,13 @@ static size_t item_bytes(Per per)
 	return bytes;
 }
 
-typedef struct // layout of a buffer: where each of its kinds begins, and its capacity
+typedef struct // new layout of a buffer: the beginning of each of its kinds, and their capacities
 {
 	size_t begin[PER_COUNT], bytes;
 	int room[PER_COUNT];
 } Plan;
 
-// Copies the items of a pool to the same pool of another buffer.
+// Copies the items of a pool to the same pool in another buffer, which has the layout plan.
 static scree_status pool_copy(OpenCl* d, PoolId pool, const Plan* plan, cl_mem copied)
 {
 	Per per = pool_info[pool].per;
@@ -83,7 +83,7 @@ static scree_status pool_copy(OpenCl* d, PoolId pool, const Plan* plan, cl_mem c
 	            NULL, NULL);
 }
 
-// Replaces a buffer by one with other capacities. Copies the items; new ones are zero.
+// Replaces the buffer of a kind by a buffer with other capacities. Copies the items; new items are zero.
 static scree_status buffer_copy(OpenCl* d, Per home, const Plan* plan)
 {
 	cl_mem copied;
@@ -106,11 +106,11 @@ static scree_status buffer_copy(OpenCl* d, Per home, const Plan* plan)
 	return status;
 }
 
-// Gives a kind the capacity for at least the given number of items, rounded up.
+// Gives a kind a capacity of at least the given number of items, rounded up.
 static scree_status kind_reserve(Backend* b, Per per, int capacity)
 {
 	OpenCl* d = b->state;
-	// both buffers exist during the copy
+	// the old and the new buffer exist during the copy
 	size_t bytes = item_bytes(per);
 	uint64_t wanted = (uint64_t)bytes * (uint64_t)capacity, old = (uint64_t)bytes * (uint64_t)d->room[per];
 	if (capacity > INT_MAX - CAPACITY_ITEMS || b->bytes + wanted > d->device.about.memory)
@@ -178,7 +178,7 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 	return SCREE_OK;
 }
 
-// Assigns kinds to buffers, offsets to the pools of a kind, and argument indices to buffers.
+// Assigns kinds to buffers, offsets to the pools of each kind, and argument indices to buffers.
 static void lay_out(OpenCl* d)
 {
 	size_t before[PER_COUNT] = {0};
@@ -209,7 +209,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
-	// the world may come from another device
+	// a world that moves to this device writes these pools; tiles built before are out of date
 	Per per = pool_info[pool].per;
 	d->tiles.stale |= per == PER_CONTACT || per == PER_CONTACT_PLACE || per == PER_BODY;
 	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
@@ -219,7 +219,8 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
-// Returns the work-items per group. A CPU solves a branch with one: PoCL would compile barriers for two minutes.
+// Returns the work-items per group of a kernel. On a CPU, one work-item solves a branch, because PoCL would compile the
+// barriers for two minutes.
 static size_t kernel_group(const OpenCl* d, int stage)
 {
 	if (kernel_widths[stage] == WIDTH_TEAM && d->device.type & CL_DEVICE_TYPE_CPU)
@@ -235,7 +236,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	if (!d)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
-	d->constants.version = 1; // constants.step is zero; kernels begin with version 0, so they take the first step
+	d->constants.version = 1; // kernels have version 0, so their first launch sets the step
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	b->memory = d->device.about.memory;
@@ -249,7 +250,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->persistent.any_size = d->form == FORM_RELAY || d->form == FORM_TILES;
 	d->resident = d->persistent.any_size || (d->form == FORM_ANY && !cpu);
 	char program_options[PROGRAM_OPTIONS];
-	// PoCL compiles a kernel at its first launch, so unused kernels cost nothing and all worlds share the same program
+	// PoCL compiles a kernel at its first launch, so unused kernels take no time, and all worlds share one program
 	bool resident = d->resident || d->device.compiles_at_launch;
 	snprintf(program_options, sizeof program_options, "%s%s%s", resident ? " -DRESIDENT" : "",
 	         d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "");
@@ -276,7 +277,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	}
 	TRY(primitives_open(d));
 
-	// pools without items also have a capacity, because a kernel argument needs a buffer
+	// pools without items have a capacity too, because every kernel argument needs a buffer
 	lay_out(d);
 	for (int i = 0; i < PER_COUNT; ++i)
 		TRY(kind_reserve(b, (Per)i, 1));

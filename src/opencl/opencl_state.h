@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// opencl_state.h -- the state of the OpenCL backend and its types.
+// opencl_state.h -- declares the state of the OpenCL backend and its types.
 #ifndef OPENCL_STATE_H
 #define OPENCL_STATE_H
 #include "backend/solve_form.h"
@@ -12,8 +12,8 @@ typedef struct
 {
 	cl_kernel kernel;
 	size_t group;     // work-items per work-group
-	uint64_t version; // Constants.version of the step that its arguments hold
-	int groups;       // relay: work-groups resident at once; 0 if the device uses other forms only
+	uint64_t version; // Constants.version of the step in the kernel's arguments
+	int groups;       // relay: work-groups resident at once; 0 if the device cannot run the relay
 } Kernel;
 
 typedef struct // a buffer that is not a pool; it loses its contents when it grows
@@ -28,22 +28,22 @@ typedef struct // host memory that the device reads and writes while the host co
 	unsigned char* memory;
 } Pinned;
 
-typedef struct // uploads in flight; the device may read them until the host has waited for the queue
+typedef struct // uploads in flight; the device may read this memory until the host has waited for the queue
 {
 	Pinned pinned;
-	size_t used; // bytes
+	size_t used; // bytes of pinned memory that uploads in flight take
 } Staging;
 
 #define TRANSFER_BLOCKS 4
-typedef struct // large arrays in flight: transfer.c
+typedef struct // transfers of large arrays: transfer.c
 {
 	Pinned pinned;
 	Threads* threads;                 // null until the first large transfer
-	cl_event events[TRANSFER_BLOCKS]; // completion of the blocks that the device may still use
-	cl_command_queue up, down;        // queues of batches, null until the first one
+	cl_event events[TRANSFER_BLOCKS]; // events of blocks that the device may still use
+	cl_command_queue up, down;        // queues of batches, null until the first batch
 } Transfer;
 
-typedef struct // a launch whose time has not been read
+typedef struct // a launch whose time the host has not read yet
 {
 	cl_event event;
 	Stage stage;
@@ -54,7 +54,7 @@ typedef struct
 	LaunchTime* laps; // null unless BackendOptions.timings
 	int lap_count;
 	double milliseconds[STAGE_COUNT];
-	Stage stage; // stage of the current run; the time of a primitive counts for the stage of the run before it
+	Stage stage; // stage of the current run; the time of a primitive is added to the stage of the run before it
 } Timing;
 
 typedef struct // destination of opencl_read_begin
@@ -63,19 +63,19 @@ typedef struct // destination of opencl_read_begin
 	PoolId pool;
 	size_t bytes;
 	size_t staged;  // Staging.used when the read was enqueued
-	cl_event event; // null unless a read is in flight
+	cl_event event; // null if no read is in flight
 } AsyncRead;
 
-typedef struct // source and destination of opencl_copy, or null
+typedef struct // source and destination of opencl_copy; null outside of copy_reserve and copy_release
 {
 	cl_mem buffers[2];
 	size_t bytes;
 } CopyBlocks;
 
-typedef struct // the step that opencl_run or opencl_solve got last
+typedef struct // the last step that opencl_run or opencl_solve received
 {
 	Step step;
-	uint64_t version; // number of changes so far
+	uint64_t version; // number of changes of the step so far
 } Constants;
 
 typedef struct
@@ -90,12 +90,12 @@ typedef struct
 	cl_mem list, probes;
 	Run* listed; // copy of the runs in list
 	int contact_report_count;
-	int groups;    // work-groups resident at once; 0 if the device uses launches only
-	bool any_size; // use it also for runs for which launches are faster
-	Counters last; // the counters as last read; they predict the item counts of runs
+	int groups;    // work-groups resident at once; 0 if the device cannot run the persistent kernel
+	bool any_size; // true: the persistent kernel also executes runs for which launches are faster
+	Counters last; // the last counters that the host has read; they predict the number of items of a run
 } Persistent;
 
-enum // kernels of the relay (registers.cl describes the world of each), then the same for worlds with hubs
+enum // kernels of the relay for worlds without hubs (registers.cl has their specializations), then for worlds with hubs
 {
 	RELAY_COLORS,
 	RELAY_PLAIN,
@@ -111,8 +111,8 @@ typedef struct
 {
 	Kernel kernels[RELAY_KERNELS];
 	int groups;        // work-groups resident at once; 0 if the device cannot run the relay
-	Scratch mailboxes; // MAILBOX_WORDS words per body; also for the border of the tiles
-	Scratch stream;    // STREAM_FLOAT4S per constraint that is not in registers; also for tiles
+	Scratch mailboxes; // MAILBOX_WORDS words per body; the border of the tiles uses them too
+	Scratch stream;    // STREAM_FLOAT4S per constraint that is not in registers; tiles use it too
 	Scratch parts;     // two words per spoke and per hub
 } RelayState;
 
@@ -123,17 +123,17 @@ enum // kernels of kernels.cl that are specialized for worlds without some featu
 	PLAIN_KERNELS
 };
 
-enum // kernels of tiles.cl that take all pools, in launch order
+enum // kernels of tiles.cl that take all pools, in the order of their launches
 {
 	TILE_SETTLE,
 	TILE_LIST,
 	TILE_COUNT,
 	TILE_ORDER,
 	TILE_PREPARE,
-	TILE_PREPARE_PLAIN, // for plain worlds instead of TILE_PREPARE
-	TILE_PASS,          // one per kind of pass, in the order of the kinds
+	TILE_PREPARE_PLAIN, // replaces TILE_PREPARE in plain worlds
+	TILE_PASS,          // one kernel per kind of pass, in the order of PASS_*
 	TILE_BORDER = TILE_PASS + PASS_KINDS,
-	TILE_PREPARE_JOINTS, // the next three replace those above in worlds with joints
+	TILE_PREPARE_JOINTS, // the last three replace the kernels above in worlds with joints
 	TILE_PASS_JOINTS,
 	TILE_BORDER_JOINTS = TILE_PASS_JOINTS + PASS_KINDS,
 	TILE_KERNELS
@@ -144,7 +144,7 @@ enum
 	TILE_PLACE_BUFFER,    // an int per body
 	TILE_EDGE_BUFFER,     // an int per body
 	TILE_RESIDENT_BUFFER, // an int per place of a tile
-	TILE_TABLE_BUFFER,    // TILE_COLUMNS ints per tile, and per two more rows
+	TILE_TABLE_BUFFER,    // TILE_COLUMNS ints per tile, and per each of two more rows
 	TILE_TOTAL_BUFFER,    // an int per row of the table
 	TILE_RANK_BUFFER,     // an int per constraint
 	TILE_ORDER_BUFFER,    // an int per constraint, and the padding of the border's colors
@@ -157,43 +157,44 @@ typedef struct
 	cl_kernel total, begin, range;
 	Scratch buffers[TILE_BUFFERS];
 	bool stale;                 // constraints or motion constants may have changed since the tiles were built
-	bool pushed, pushed_before; // fields have changed forces since the last solve; the same at the last build
-	int rows;                   // tiles at the last build
-	// the number of border constraints at the last build; the host reads it asynchronously
-	cl_event edges_event; // null unless the read is in flight
-	cl_int edges[2];      // begin and end of the border; valid when the event is complete
-	int border;           // -1 before the first build
-	int age;              // solves since the last build
+	bool pushed, pushed_before; // fields changed forces since the last solve; the same at the last build
+	int rows;                   // number of tiles at the last build
+	// number of border constraints at the last build, which the host reads asynchronously
+	cl_event edges_event; // null if no read is in flight
+	cl_int edges[2];      // begin and end of the border, valid when the event is complete
+	int border;           // number of border constraints; -1 before the first read
+	int age;              // number of solves without tiles since the last build
 } TileState;
 
-// type of clEnqueueAcquire... and clEnqueueRelease..., which transfer ownership of memory between OpenCL and other APIs
+// type of clEnqueueAcquire... and clEnqueueRelease..., which pass memory from another API to OpenCL and back
 typedef cl_int(CL_API_CALL* ShareFunction)(cl_command_queue, cl_uint, const cl_mem*, cl_uint, const cl_event*,
                                            cl_event*);
 
-typedef struct // memory that other APIs read and write
+typedef struct // memory that another API reads and writes
 {
-	cl_mem memory; // null if none is shared
+	cl_mem memory; // null if no memory is shared
 	ShareFunction acquire, release;
 } Shared;
 
 typedef struct
 {
-	Backend* backend; // backend whose state this is
+	Backend* backend; // backend that has this state
 	Device device;
 	cl_context context;
 	cl_program program;
-	int shared_context;     // 1 + its index in the list of context.c; 0 for a context of its own
+	int shared_context;     // 1 + index of the context in the list of context.c; 0 if the context is not shared
 	cl_command_queue queue; // in-order queue
 
-	// A buffer holds the pools of some kinds of item (pools/buffers.def); those of one kind have the same capacity.
-	// Kernels take buffers and capacities in the order in which pools.def first names the kinds (cmake/embed.cmake).
-	cl_mem buffers[PER_COUNT]; // null for a kind that has no buffer of its own
-	Per home[PER_COUNT];       // the kind whose buffer holds the pools of a kind
-	size_t begin[PER_COUNT];   // byte at which the pools of a kind begin in their buffer
+	// A buffer holds the pools of one or more kinds of item (pools/buffers.def). Pools of one kind have the same
+	// capacity. Kernels take buffers and capacities in the order in which pools.def first names the kinds
+	// (cmake/embed.cmake).
+	cl_mem buffers[PER_COUNT]; // null for a kind whose pools are in the buffer of another kind
+	Per home[PER_COUNT];       // kind whose buffer holds the pools of a kind
+	size_t begin[PER_COUNT];   // offset of the pools of a kind in their buffer, bytes
 	int place[PER_COUNT];      // position of a kind in pools.def
 	int room[PER_COUNT];       // capacity in items, rounded up
-	int argument[PER_COUNT];   // argument index of the kind's buffer; without one, position among such kinds
-	size_t before[POOL_COUNT]; // bytes per item of the pools of the same kind that precede this pool
+	int argument[PER_COUNT];   // index of the buffer's argument; for a kind without a buffer, position among such kinds
+	size_t before[POOL_COUNT]; // bytes per item of all pools of the same kind before this pool
 
 	Kernel kernels[KERNEL_COUNT], plain[PLAIN_KERNELS];
 	Constants constants;
@@ -201,7 +202,7 @@ typedef struct
 	bool resident; // true: the program has the kernels whose work-groups must be resident at once
 	Persistent persistent;
 
-	SolveForm form; // solve_form_setting; FORM_LAUNCHES after memory for a form ran out
+	SolveForm form; // solve_form_setting; FORM_LAUNCHES after memory for another form ran out
 	RelayState relay;
 	TileState tiles;
 	Kernel solve_end;

@@ -7,14 +7,16 @@
 #include "platform/error.h"
 #include <string.h>
 
-// Maximum number of items in a run of the persistent kernel. For longer runs launches are faster: memory bandwidth then
-// limits the time, and a launch has a higher occupancy than work-groups that must all be resident at once. Measured on
-// an H200, scene pyramids, solve of 88 runs, persistent and launched: 10k bodies 0.29 and 0.51 ms, 100k 0.40 and 0.49
-// ms, 300k 1.10 and 0.86 ms. Runs before the solve are short: 1M mixed bodies in motion, 3M contacts: 1.37 and 1.14 ms.
+// Maximum number of items in a run of the persistent kernel, in a solve and in other stages. For longer runs launches
+// are faster: memory bandwidth then limits the time, and a launch has a higher occupancy than work-groups that must all
+// be resident at once. Measured on an H200, with the persistent kernel and with launches. Solve of scene pyramids, 88
+// runs: 10k bodies 0.29 and 0.51 ms, 100k 0.40 and 0.49 ms, 300k 1.10 and 0.86 ms. Runs before a solve, which are
+// short, 1M mixed bodies in motion with 3M contacts: 1.37 and 1.14 ms.
 #define PERSISTENT_SOLVE 150000
 #define PERSISTENT_ITEMS 1000000
 
-// Limits of a spin-wait, in reads of about 0.5 us: 2 s, which no step reaches, and 30 ms for the probe, which may fail.
+// Limits of a spin-wait, in reads of about 0.5 us. SPINS is 2 s, which no step takes. PROBE_SPINS is 30 ms, for the
+// probe, which may fail.
 #define SPINS       (1 << 22)
 #define PROBE_SPINS (1 << 16)
 #define PROBE_RUNS  64
@@ -29,7 +31,8 @@ enum
 	ARGUMENT_SPINS
 };
 
-// Launches runs. Uploads them only if they changed, because the runs of a settled world are the same in every step.
+// Launches the persistent kernel with a list of runs. Uploads the list only if it has changed, because the runs of a
+// settled world are the same in every step.
 static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int groups, cl_int spins)
 {
 	Persistent* own = &d->persistent;
@@ -47,7 +50,7 @@ static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int gr
 	return launch(d, kernel, (size_t)groups * own->kernel.group, own->kernel.group);
 }
 
-// Tests whether the work-groups are resident at once and read what others wrote before a barrier.
+// Tests whether all work-groups are resident at once and read values that others wrote before a barrier.
 static scree_status probe(OpenCl* d, bool* works)
 {
 	Run runs[PROBE_RUNS];
@@ -72,7 +75,8 @@ static scree_status probe(OpenCl* d, bool* works)
 scree_status persistent_open(OpenCl* d)
 {
 	Persistent* own = &d->persistent;
-	// work-groups that are certainly resident at once: per compute unit, as many as make up one of the largest size
+	// work-groups certainly resident at once: per compute unit, as many as have together the work-items of the largest
+	// group
 	size_t most = 0;
 	TRY(CALL(GetKernelWorkGroupInfo, own->kernel.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
 	         NULL));
@@ -88,7 +92,7 @@ scree_status persistent_open(OpenCl* d)
 	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_TABLE, sizeof d->primitives.table, &d->primitives.table));
 	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_PROBES, sizeof own->probes, &own->probes));
 
-	d->constants.version = 1; // the probe needs a step, with any contents
+	d->constants.version = 1; // the probe needs a step, whose values do not matter
 	bool works;
 	TRY(probe(d, &works));
 	if (!works)
@@ -115,7 +119,7 @@ static bool is_left_out(const Run* run)
 	return run->kernel_id < KERNEL_COUNT && kernel_widths[run->kernel_id] >= WIDTH_ALONE;
 }
 
-// Returns the number of items of a run if the counters do not change.
+// Returns the number of items that a run has if the counters have not changed since the host read them.
 static int likely_items(const OpenCl* d, const Run* run)
 {
 	int end = run->end;
@@ -127,7 +131,7 @@ static int likely_items(const OpenCl* d, const Run* run)
 	return end - run->begin;
 }
 
-// Returns the stage of a run. The time of a primitive counts for the stage of the run before it.
+// Returns the stage of a run: for a primitive, the stage of the run before it.
 static Stage stage_of(const Run* run, Stage before)
 {
 	return run->kernel_id < KERNEL_COUNT ? kernel_stages[run->kernel_id] : before;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// persistent.cl -- many runs in one launch: a device-wide barrier follows each run that has items.
+// persistent.cl -- executes many runs in one launch: a device-wide barrier follows each run that has items.
 //
 // A run may change the counter that bounds a later run of the list, so bounds are read after each barrier. The barrier
-// costs a quarter of a launch. It needs all work-groups resident at once, which OpenCL does not guarantee. The host
-// tests it when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
+// takes a quarter of the time of a launch. It needs all work-groups resident at once, which OpenCL does not guarantee.
+// The host tests this when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
@@ -19,14 +19,15 @@ enum
 
 typedef struct // device-wide barrier
 {
-	volatile __global int* arrived; // number of arrivals; it rises from launch to launch
+	volatile __global int* arrived; // counter of arrivals; it rises from launch to launch
 	volatile __global int* fault;
 	volatile LOCAL int* healthy;
-	int arrivals; // value of the counter at the end of the last barrier
+	int arrivals; // value of the counter after the last barrier
 	int spins;    // limit of a spin-wait
 } DeviceBarrier;
 
-// Waits until all work-groups have arrived. Returns false if a spin-wait reached its limit, here or in another group.
+// Waits until all work-groups have arrived. Returns false if a spin-wait reached its limit, in this or another
+// work-group.
 INLINE bool device_barrier(DeviceBarrier* b)
 {
 	b->arrivals = (int)((uint)b->arrivals + (uint)get_num_groups(0));
@@ -47,7 +48,8 @@ INLINE bool device_barrier(DeviceBarrier* b)
 	return *b->healthy;
 }
 
-// Waits, in the first work-group, until all others have arrived at the next barrier; returns as device_barrier does.
+// Waits, in the first work-group, until all other groups have arrived at the next barrier. Returns the same as
+// device_barrier.
 INLINE bool device_barrier_await(const DeviceBarrier* b)
 {
 	if (get_local_id(0) == 0)
@@ -65,8 +67,8 @@ INLINE bool device_barrier_await(const DeviceBarrier* b)
 	return *b->healthy;
 }
 
-// Executes run k of the probe: writes k for a work-item of another work-group, and checks the k - 1 that a third group
-// wrote. The reads are not volatile and repeat the same addresses, so a stale cache is detected.
+// Executes run k of the probe: writes k for a work-item of another work-group, and checks that a third group wrote k -
+// 1 for this work-item. The reads are not volatile and repeat the same addresses, so that a stale cache is detected.
 INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0), group = (int)get_local_size(0);
@@ -77,7 +79,8 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 	now[(i + 2 * group) % n] = k;
 }
 
-// Waits at the barrier after a run: of the work-group if it runs alone, else of the device.
+// Waits at the barrier after a run: at that of the work-group if alone is true, otherwise at that of the device.
+// Returns false if a spin-wait reached its limit.
 INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 {
 	if (!alone)
@@ -86,7 +89,8 @@ INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 	return true;
 }
 
-// Sorts like the launches of primitives.c. If there are fewer work-groups than parts, a group processes several parts.
+// Sorts as the launches of primitives.c do. If there are fewer work-groups than parts, a group processes several parts.
+// Returns false if a spin-wait reached its limit.
 INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL SortMemory* bench, DeviceBarrier* b,
                             bool alone)
 {
@@ -96,7 +100,7 @@ INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL
 	__global Word64 *key = p->key, *other = p->key_other;
 	if (n <= SORT_FEW && !alone)
 	{
-		// a pass takes two barriers, and there are up to eight passes
+		// a pass of the radix sort takes two barriers, and there are up to eight passes; sort_few takes one barrier
 		sort_few(key, other, n, from, end, bench);
 		if (!device_barrier(b))
 			return false;
@@ -137,7 +141,8 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, LOCAL
 	return true;
 }
 
-// Runs a kernel over the items of a run, one per work-item. Team kernels and rare ones are launched separately.
+// Executes a kernel over the items of a run, one per work-item. Kernels of groups and rare kernels are launched
+// separately.
 #define CASE_ONE(name, p)                                \
 	case KERNEL_##name:                                   \
 		for (int i = run.begin + from; i < end; i += by) \
@@ -148,20 +153,20 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, LOCAL
 #define CASE_GROUP(name, p)
 #define CASE_TEAM(name, p)
 
-// Returns the end of a run. The counter that bounds it may change until the next barrier.
+// Returns the end of a run, which its counter may lower. The counter may change until the next barrier.
 INLINE int run_end(Run run, const Pools* p)
 {
 	return run.count < 0 ? run.end : min(run.end, ((volatile __global int*)p->counters)[run.count]);
 }
 
-// Returns whether the first work-group alone is faster than all groups with a device-wide barrier.
+// Returns whether the first work-group executes a run faster than all groups, which need a device-wide barrier.
 INLINE bool takes_one_group(Run run, int end)
 {
 	int most = run.kernel_id == PRIMITIVE_SORT ? SORT_GRAIN : run.kernel_id < KERNEL_COUNT && run.kernel_id >= 0 ? PERSISTENT_GROUP : 0;
 	return end - run.begin <= most;
 }
 
-// Returns run i of the list, or a run without items if i is not below count.
+// Returns run i of the list; a run without items if the list has no run i.
 INLINE Run run_at(__global const int* list, int count, int i)
 {
 	Run run = {0, 0, 0, -1, 0};
@@ -170,7 +175,8 @@ INLINE Run run_at(__global const int* list, int count, int i)
 	return run;
 }
 
-// Returns the first run from next on that has items, or count, and copies it to chosen. mine: run of this work-item.
+// Returns the index of the first run, from `next` on, that has items, and copies this run to *chosen; returns `count`
+// if there is none. mine: run of this work-item.
 INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile LOCAL int* found, LOCAL Run* chosen)
 {
 	int lane = (int)get_local_id(0);
@@ -186,7 +192,7 @@ INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile 
 	return *found;
 }
 
-// Executes a run that is not a kernel over items. Returns false if a spin-wait reached its limit.
+// Executes a primitive or a run of the probe. Returns false if a spin-wait reached its limit.
 INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __global int* probes, LOCAL SortMemory* bench,
                           DeviceBarrier* b, bool alone)
 {
@@ -199,11 +205,12 @@ INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __globa
 	return true;
 }
 
-// Executes the runs of a list. list begins with PERSISTENT_HEADER ints: arrivals at the barrier, arrivals at the end of
-// the last launch, and the next run of the first work-group. count runs follow, at most one per work-item of a group.
-// Each work-item holds a run and reads its bound after every barrier: all bounds together cost one memory access, and
-// runs without items cost nothing. The first group executes consecutive short runs alone, while the others wait at the
-// next device-wide barrier. It begins when they have arrived there, because its runs change bounds that they read.
+// Executes the runs of a list. The list begins with PERSISTENT_HEADER ints: the arrivals at the barrier, the arrivals
+// at the end of the last launch, and the next run of the first work-group. Then follow `count` runs, at most one per
+// work-item of a group. Each work-item holds one run and reads its bound after every barrier. So all bounds together
+// take the time of one memory access, and runs without items take no time. Consecutive short runs are executed by the
+// first group, while the other groups wait at the next device-wide barrier. The first group begins when the others have
+// arrived there, because its runs change bounds that the others read.
 __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global uint* table,
                          __global int* probes, int spins)
 {
@@ -260,7 +267,7 @@ __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count
 		if (!run_barrier(&b, alone))
 			return;
 	}
-	// all work-groups read header[1] before the last barrier
+	// every work-group has read header[1] before the last barrier
 	if (begin == 0)
 		header[1] = b.arrivals;
 }

@@ -6,7 +6,7 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// Returns the number of work-groups for the given items: one per grain, at most `most`.
+// Returns the number of work-groups for `items` items: one per `grain` items, at most `most`.
 static size_t groups_for(int items, int grain, int most)
 {
 	int groups = (items - 1) / grain + 1;
@@ -72,7 +72,8 @@ void primitives_close(OpenCl* d)
 		opencl.ReleaseMemObject(d->primitives.table);
 }
 
-// Runs one pass: sorts the keys at offset from by bits shift to shift + bits - 1, and writes them to offset to.
+// Launches one pass of the sort: sorts the keys at offset from by bits shift to shift + bits - 1, and writes them to
+// offset to.
 static scree_status sort_pass(OpenCl* d, const Run* run, cl_ulong from, cl_ulong to, cl_int shift, int bits)
 {
 	cl_uint mask = (1u << bits) - 1;
@@ -106,7 +107,7 @@ static scree_status sort_run(OpenCl* d, const Run* run)
 	if (passes % 2 == 0)
 		return SCREE_OK;
 
-	// a copy costs less than another pass
+	// after an odd number of passes the keys are copied, which takes less time than another pass
 	TRY(CALL(SetKernelArg, d->primitives.sort_return, 2, sizeof *run, run));
 	return launch(d, d->primitives.sort_return,
 	              PRIMITIVE_GROUP * groups_for(run->end, PRIMITIVE_GROUP, 4 * SORT_BLOCKS), PRIMITIVE_GROUP);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// primitives.cl -- sort and scan: each pass is two launches, which assume no order of the work-groups.
+// primitives.cl -- sorts keys and computes prefix sums: a pass has two launches, and work-groups of a launch may run in
+// any order.
 //
-// In the first launch each work-group counts (or sums) its part of the items into a row of a table. In the second, each
-// group adds up the rows before its own and writes its items to their places. A third launch between the two, which
-// scans the table, would cost more than reading the table many times, because it is small and cached. The persistent
-// kernel processes the same parts, with a device-wide barrier instead of the end of a launch.
+// In the first launch each work-group counts (or sums) its part of the items into a row of a table. In the second
+// launch, each group adds up the rows of earlier groups and writes its items to their places. A third launch between
+// the two, which scans the table, would take longer than reading the table many times: the table is small and cached.
+// The persistent kernel processes the same parts, with a device-wide barrier instead of the end of a launch.
 //
-// The item count is read on the device; work-groups beyond it return at once. A pool is passed as the buffer of its
-// kind and an offset in bytes. The counters have a buffer of their own.
+// The number of items is read on the device; work-groups without items return at once. A pool is passed as the buffer
+// of its kind and an offset in bytes. The counters have a buffer of their own.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
@@ -18,14 +19,14 @@ INLINE uint item_count(Run run, __global const int* counters)
 	return (uint)max(0, run.count < 0 ? run.end : min(run.end, counters[run.count]));
 }
 
-// Returns the items per work-group if the given number of groups share n items: a multiple of grain.
+// Returns the number of items per work-group, a multiple of grain, when `groups` groups share n items.
 INLINE uint part_size(uint n, uint groups, uint grain)
 {
 	uint grains = (n + grain - 1) / grain;
 	return max(1u, (grains + groups - 1) / groups) * grain;
 }
 
-// Returns the sum of x over the work-items before this one. sum[PRIMITIVE_GROUP - 1] becomes the total.
+// Returns the sum of x over the earlier work-items of the group. sum[PRIMITIVE_GROUP - 1] becomes the sum over all.
 INLINE uint group_scan(LOCAL uint* sum, uint x)
 {
 	uint t = (uint)get_local_id(0);
@@ -43,7 +44,7 @@ INLINE uint group_scan(LOCAL uint* sum, uint x)
 	return all - x;
 }
 
-typedef struct __attribute__((aligned(8))) // local memory of a work-group; member begins at 1 KiB
+typedef struct __attribute__((aligned(8))) // local memory of a work-group; the member `member` begins at 1 KiB
 {
 	uint sum[PRIMITIVE_GROUP];
 	uint member[2][SORT_WORDS][SORT_DIGITS];
@@ -68,8 +69,8 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 }
 
 // Writes the keys of a part to their places by one digit. The sort is stable. Within PRIMITIVE_GROUP consecutive keys,
-// a bit mask per digit gives the rank of a key among equal digits: each work-item sets its bit, in any order, and
-// counts the lower bits. Work-item t also tracks the next place of digit t.
+// a bit mask per digit gives the rank of a key among keys with this digit: each work-item sets its bit, in any order,
+// and counts the lower bits. Work-item t also stores the next place of a key with digit t.
 INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
                             uint block, int shift, uint mask, LOCAL SortMemory* bench)
 {
@@ -79,7 +80,7 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 	if (begin >= end)
 		return;
 
-	// first place of digit t: after all smaller digits, and after digit t in earlier parts
+	// first place of a key with digit t: after keys with smaller digits, and after those with digit t in earlier parts
 	uint before = 0, total = 0, blocks = (n + part - 1) / part;
 	for (uint k = 0; k < blocks; ++k)
 	{
@@ -118,8 +119,9 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 	barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Writes a few keys to their places by bits from to end, in one stable pass: the place of a key is the number of
-// smaller keys. Every work-group holds all keys in local memory; SORT_TEAM work-items compare one key with the others.
+// Sorts up to SORT_FEW keys by bits from to end - 1, in one stable pass: the place of a key is the number of smaller
+// keys and of equal keys before it. Every work-group holds all keys in local memory; SORT_TEAM work-items compare one
+// key with all keys.
 INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
                      LOCAL SortMemory* bench)
 {
@@ -166,7 +168,7 @@ INLINE void scan_sum_part(__global const int* scan, uint n, __global uint* table
 	barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Replaces each item of a part by the sum of all items before it (exclusive scan).
+// Replaces each item of a part by the sum of all items before it.
 INLINE void scan_place_part(__global int* scan, uint n, __global const uint* table, uint block, LOCAL uint* sum)
 {
 	uint t = (uint)get_local_id(0);
@@ -221,7 +223,7 @@ PRIMITIVE sort_place(__global uchar* keys, __global const int* counters, __globa
 	                table, (uint)get_group_id(0), shift, mask, &bench);
 }
 
-// Copies the keys to their pool after an odd number of passes.
+// Copies the sorted keys back to their pool, after an odd number of passes.
 __kernel void sort_return(__global uchar* keys, __global const int* counters, Run run, ulong from, ulong to)
 {
 	__global const Word64* key_other = (__global const Word64*)(keys + from);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// queue.c -- the command queue: launches, uploads, waiting for the queue, and times of launches.
+// queue.c -- enqueues launches and uploads, waits for the queue, and measures launches.
 #include "opencl/queue.h"
 #include "platform/error.h"
 #include <string.h>

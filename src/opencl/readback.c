@@ -16,12 +16,12 @@ void read_close(OpenCl* d)
 	pinned_close(d, &d->read.pinned);
 }
 
-// Stores counters that were read. Fails if a spin-wait reached its limit.
+// Stores counters that were read from the device. Fails if they state that a spin-wait reached its limit.
 static scree_status counters_note(Backend* b, const Counters* counters)
 {
 	OpenCl* d = b->state;
 	d->persistent.last = *counters;
-	// if the constraint layout changed, a solve that was enqueued early built no tiles
+	// if the layout of constraints has changed, a solve that was enqueued early has done nothing and built no tiles
 	d->tiles.stale |= counters->changed || !counters->kept;
 	if (!counters->fault)
 		return SCREE_OK;
@@ -50,7 +50,7 @@ scree_status opencl_read_end(Backend* b, void* items)
 	TRY(CALL(WaitForEvents, 1, &d->read.event));
 	opencl.ReleaseEvent(d->read.event);
 	d->read.event = NULL;
-	// the uploads enqueued before the read are done
+	// if no upload followed the read, all uploads are done
 	if (d->staging.used == d->read.staged)
 		d->staging.used = 0;
 	memcpy(items, d->read.pinned.memory, d->read.bytes);
@@ -65,7 +65,7 @@ scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* it
 	if (count == 0)
 		return SCREE_OK;
 	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
-	// a copy to memory that is not pinned would pass through pinned memory of the driver, and take longer
+	// small reads go to pinned memory: otherwise the driver copies through its own pinned memory, which takes longer
 	if (all <= READ_ASYNC_BYTES && !d->read.event)
 	{
 		TRY(opencl_read_begin(b, pool, first, count));

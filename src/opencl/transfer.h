@@ -6,25 +6,27 @@
 
 #define TRANSFER_BLOCK ((size_t)8 << 20) // bytes of a block of pinned memory
 
-// Returns whether a transfer of count bytes is faster in this way.
+// Returns whether transfer_up and transfer_down are faster than a plain copy for `count` bytes.
 bool transfer_wanted(const OpenCl* d, size_t count);
 
-// transfer_up copies bytes to a buffer, in order with the queue, and returns when the caller may change them.
-// transfer_down copies from a buffer and waits for the end.
+// transfer_up copies bytes to a buffer, in order with the queue, and returns when the caller may change bytes.
+// transfer_down copies from a buffer and returns after the copy.
 scree_status transfer_up(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);
 scree_status transfer_down(OpenCl* d, cl_mem buffer, size_t offset, void* bytes, size_t count);
 
-// Allocates the blocks and starts the threads, once. This function and the next ones are the parts of a transfer.
+// Allocates the blocks and starts the threads, if not done yet. This function and those below are parts of a transfer;
+// batches use them too.
 scree_status transfer_open(OpenCl* d);
 unsigned char* transfer_block(const OpenCl* d, int block);
-// Waits until the device no longer uses a block, by the event of its last command.
+// Waits until the device no longer uses a block: for the event of the block's last command.
 scree_status transfer_settle(OpenCl* d, int block);
-// Enqueue a transfer between a block and a buffer, after the event wait if that is not null. The block must be settled.
+// Enqueue a transfer between a block and a buffer, after the event `wait` if it is not null. The device must not use
+// the block (transfer_settle).
 scree_status transfer_send(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                            size_t bytes);
 scree_status transfer_fetch(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                             size_t bytes);
-// a copy in the host's memory; transfer_copy divides copies among all threads
+// a copy within the host's memory; all threads share the copies of transfer_copy
 typedef struct
 {
 	void* to;

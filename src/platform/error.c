@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// error.c -- the last error message, the log, memory and assertions, all through the hooks of the process.
+// error.c -- implements the last error message, the log, memory and assertions, through the hooks of the process.
 #define _GNU_SOURCE // declares madvise; ignored on other systems
 #include "platform/error.h"
 #include <stdarg.h>
@@ -18,8 +18,8 @@
 #define SENTENCE_BYTES 1024
 #define ALIGNMENT      64
 
-// Minimum size of a block for which huge pages are requested, bytes. Gathering bodies at random from a large pool
-// misses the TLB. With huge pages and a million bodies, the passes of the solver took 5 to 13 % less time.
+// Minimum size of a block for which huge pages are requested, bytes. Reads of bodies at random places of a large pool
+// miss the TLB. With huge pages and a million bodies, passes of the solver took 5 to 13 % less time.
 #define HUGE_BLOCK ((size_t)4 << 20)
 #define HUGE_PAGE  ((size_t)2 << 20)
 
@@ -108,7 +108,7 @@ const char* scree_version(void)
 
 scree_status fail(scree_status status, const char* format, ...)
 {
-	// an argument may be the last message itself, so the new one is written to another buffer
+	// an argument may be the current message, so the new message is written to another buffer first
 	char text[SENTENCE_BYTES];
 	va_list arguments;
 	va_start(arguments, format);
@@ -146,7 +146,7 @@ scree_status scree_hooks_set(const scree_hooks* new_hooks)
 
 size_t scree_memory(void) { return atomic_load(&memory_in_use); }
 
-// Header in front of every block. It holds the function that releases it, because the hooks may have changed since.
+// Header before every block. It stores the function that releases the block, because the hooks may change later.
 typedef struct
 {
 	_Alignas(ALIGNMENT) size_t bytes; // size of the block, header included

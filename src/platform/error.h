@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// error.h -- the last error message, the log, memory and assertions, which use the functions of scree_hooks.
+// error.h -- declares the last error message, the log, memory and assertions, which use the functions of scree_hooks.
 #ifndef ERROR_H
 #define ERROR_H
 #include "scree/scree.h"
@@ -25,14 +25,15 @@ void log_sentence(scree_log_level level, const char* format, ...) FORMAT(2, 3);
 
 // Allocates zeroed memory, aligned to 64 bytes, with the allocator hook, or returns null. bytes may be 0.
 void* scree_allocate(size_t bytes);
-// Keeps the first old_bytes of memory, zeroes the rest. Returns null, and leaves memory untouched, if there is none.
+// Resizes memory: keeps its first old_bytes bytes, and sets new bytes to zero. On failure returns null and leaves
+// memory unchanged.
 void* scree_reallocate(void* memory, size_t old_bytes, size_t bytes);
 void scree_release(void* memory); // memory may be null
 
 void assert_failed(const char* expression, const char* file, int line);
 #define ASSERT(x) ((x) ? (void)0 : assert_failed(#x, __FILE__, __LINE__))
 
-// Counts worlds: hooks cannot change while one exists.
+// Adds to the number of worlds; hooks cannot change while a world exists.
 void worlds_add(int change);
 
 #endif

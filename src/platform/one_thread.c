@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// one_thread.c -- the functions of threads.h on a platform without threads: the caller does all blocks.
+// one_thread.c -- implements threads.h on a platform without threads: the caller processes all blocks.
 #include "platform/error.h"
 #include "platform/threads.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// processor.c -- cores, memory, clock and vector instructions of the processor, and its floating-point mode.
+// processor.c -- returns cores, memory, time and vector instructions of the processor, and sets its floating-point
+// mode.
 #define _GNU_SOURCE // declares sched_getaffinity and clock_gettime; ignored on other systems
 #include "platform/processor.h"
 #include <float.h>
@@ -69,7 +70,7 @@ double processor_milliseconds(void)
 
 bool processor_lanes_compiled(int lanes)
 {
-	// SCREE_LANES is a sum of powers of two
+	// SCREE_LANES is the sum of the numbers of lanes in this build, which are powers of two
 	return (SCREE_LANES & lanes) != 0;
 }
 
@@ -89,7 +90,7 @@ bool processor_has_lanes(int lanes)
 		return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
 		       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
 #else
-	// the compiler splits wider vectors into vectors of the processor
+	// the compiler splits vectors that are wider than those of the processor
 	case 8:
 	case 16:
 		return true;
@@ -141,7 +142,7 @@ void float_mode_leave(FloatMode found) { _mm_setcsr((unsigned)found); }
 
 FloatMode float_mode_enter(void)
 {
-	FloatMode found, plain = 0; // round to nearest, FZ and FZ16 off, no traps
+	FloatMode found, plain = 0; // round to nearest; FZ, FZ16 and traps off
 	__asm__ volatile("mrs %0, fpcr" : "=r"(found));
 	__asm__ volatile("msr fpcr, %0" : : "r"(plain));
 	return found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// system.h -- threads, mutexes and condition variables of the operating system.
+// system.h -- wraps threads, mutexes and condition variables of the operating system.
 #ifndef SYSTEM_H
 #define SYSTEM_H
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// threads.c -- workers that share the blocks of a job.
+// threads.c -- implements workers that share the blocks of a job.
 //
-// The caller publishes a job, its number and its number of blocks in one word, the turn. Each worker claims and
-// processes the block of its own number; idle workers soon claim those that are still unclaimed. So a worker that
-// sleeps, or has lost its core, delays nobody unless it has claimed a block. A claim contains the job's number: a late
-// worker finds all blocks of its job claimed, and does the current job. Similar: Erin Catto, SIMD Matters, box2d.org,
-// 2024.
+// The caller publishes a job: its number and its number of blocks, in one word, the turn. Each worker claims and
+// processes the block that has the worker's number; idle workers soon claim blocks that are still unclaimed. So a
+// worker that sleeps, or has lost its core, delays no other worker unless it has claimed a block. A claim contains the
+// number of the job: a late worker finds all blocks of its job claimed, and continues with the current job. Similar:
+// Erin Catto, SIMD Matters, box2d.org, 2024.
 //
-// A waiting worker spins first, because a step has hundreds of jobs of about 1 us. Then it yields its core, which
-// another worker may need on a busy machine. If yielding helps repeatedly, the spin gets shorter, until every worker
-// has a core of its own again. Then the worker sleeps, but only between threads_end and threads_begin, which wakes it.
+// A waiting worker spins first, because a step has hundreds of jobs of about 1 us. Then it yields its core, because
+// another worker may need the core on a busy machine. If yielding helps repeatedly, spins get shorter; they get longer
+// again when every worker has a core. After its yields a worker sleeps, but never between threads_begin and
+// threads_end; threads_begin wakes it.
 #include "platform/threads.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -19,14 +20,14 @@
 
 #define CACHE_LINE 64
 
-// Pause instructions (20 to 50 ns each) in a spin. A spin must be longer than a job whose workers all run, and shorter
-// than the time slice that a spinning worker could take from a working one.
+// Number of pause instructions, 20 to 50 ns each, in a spin. A spin must be longer than a job whose workers all run,
+// and shorter than the time slice that a spinning worker could take from a working one.
 #define SPINS        1000
 #define FEWEST_SPINS 16
-#define YIELDS       20 // yields after the spin, before the worker sleeps; waking it takes about 50 us
-#define HELP_SPINS   40 // pause instructions before an idle worker claims blocks of workers that may be just late
-#define WAKES        2  // workers that one worker wakes; each of these wakes as many, so waking delays none for long
-#define BLOCK_BITS   8  // bits of a turn that hold the number of blocks
+#define YIELDS       20 // number of yields after the spin, before the worker sleeps; to wake it takes about 50 us
+#define HELP_SPINS   40 // number of pause instructions before an idle worker claims blocks of late workers
+#define WAKES        2  // number of workers that a worker wakes; each of them wakes as many more
+#define BLOCK_BITS   8  // number of bits of a turn for the number of blocks
 
 typedef struct
 {
@@ -35,7 +36,7 @@ typedef struct
 	Thread thread;
 	Mutex mutex;
 	Condition woken;
-	bool sleeps;                                // protected by the mutex
+	bool sleeps;                                // protected by mutex
 	_Alignas(CACHE_LINE) atomic_ullong claimed; // number of the last job whose block for this seat was claimed
 } Seat;
 
@@ -44,11 +45,11 @@ struct Threads
 	int workers, most_spins;
 	BlockFunction* function;
 	void* context;
-	Seat seats[MAX_WORKERS];                  // seat 0 belongs to the caller of threads_run, which never sleeps
-	_Alignas(CACHE_LINE) atomic_ullong turn;  // number of the current job << BLOCK_BITS, plus its blocks
-	_Alignas(CACHE_LINE) atomic_int done;     // finished blocks of the current job
-	_Alignas(CACHE_LINE) atomic_int sleepers; // workers that sleep or are about to sleep
-	_Alignas(CACHE_LINE) atomic_int spins;    // pause instructions in the next spin; rarely written
+	Seat seats[MAX_WORKERS];                  // seat 0 is that of the caller of threads_run, which never sleeps
+	_Alignas(CACHE_LINE) atomic_ullong turn;  // number of the current job << BLOCK_BITS, plus its number of blocks
+	_Alignas(CACHE_LINE) atomic_int done;     // number of finished blocks of the current job
+	_Alignas(CACHE_LINE) atomic_int sleepers; // number of workers that sleep or are about to sleep
+	_Alignas(CACHE_LINE) atomic_int spins;    // number of pause instructions in the next spin; rarely written
 	atomic_bool awake;                        // true: no worker may fall asleep
 	atomic_bool ends;
 };
@@ -60,13 +61,14 @@ static void pause_core(void)
 #elif defined(__aarch64__)
 	__asm__ volatile("yield");
 #elif defined(__wasm__)
-	// WebAssembly has no pause instruction: memory is read and written for about as many cycles
+	// WebAssembly has no pause instruction: accesses of memory take about the same time
 	for (volatile int k = 0; k < 8; ++k)
 		;
 #endif
 }
 
-// Lengthens the spin if workers run at the same time, and shortens it if they share a core.
+// Lengthens spins if the job came during the spin or after many yields, because workers then run at the same time.
+// Shortens spins if one yield was enough, because workers then share a core.
 static void adapt_spins(Threads* t, int spins, bool at_once)
 {
 	int next = at_once ? spins + spins / 4 + 1 : spins - spins / 4;
@@ -93,8 +95,9 @@ static void wake_some(Threads* t)
 		left -= wake(&t->seats[k]);
 }
 
-// Sleeps until woken. Both sides are sequentially consistent: this worker adds itself to sleepers, then reads awake and
-// the turn; the waking thread sets awake, then reads sleepers. So at least one of them reads the other's change.
+// Puts the worker to sleep until it is woken. The accesses of both threads are sequentially consistent: this worker
+// adds itself to sleepers, then reads awake and the turn; the waking thread sets awake, then reads sleepers. So at
+// least one of them reads the change of the other.
 static void sleep_until_woken(Seat* seat, unsigned long long turn)
 {
 	Threads* t = seat->threads;
@@ -135,7 +138,7 @@ static void wait_for_turn(Seat* seat, unsigned long long turn)
 	{
 		if (atomic_load_explicit(&t->turn, memory_order_acquire) != turn)
 		{
-			adapt_spins(t, spins, k != 1); // one yield was enough, so another worker needed this core
+			adapt_spins(t, spins, k != 1); // after exactly one yield, another worker needed this core
 			return;
 		}
 		give_core_away();
@@ -145,7 +148,7 @@ static void wait_for_turn(Seat* seat, unsigned long long turn)
 
 static int blocks_of(unsigned long long turn) { return (int)(turn & ((1 << BLOCK_BITS) - 1)); }
 
-// Claims a block of a job and processes it. The job lasts until its blocks are done, so its data may be read.
+// Claims a block of a job and processes the block. The job's data exist until all of its blocks are done.
 static void try_block(Threads* t, unsigned long long turn, int block)
 {
 	unsigned long long job = turn >> BLOCK_BITS,
@@ -169,7 +172,7 @@ static THREAD_RESULT thread_main(void* argument)
 	Seat* seat = argument;
 	Threads* t = seat->threads;
 	unsigned long long turn = 0;
-	(void)float_mode_enter(); // never left, because the thread belongs to the library
+	(void)float_mode_enter(); // the thread keeps this mode until its end, because it belongs to the library
 	while (!atomic_load(&t->ends))
 	{
 		wait_for_turn(seat, turn);
@@ -229,7 +232,7 @@ void threads_close(Threads* t)
 		wake(&t->seats[k]);
 	for (int k = 1; k < t->workers; ++k)
 		thread_join(t->seats[k].thread);
-	// only now that all threads have ended, because a worker may have been waking another one
+	// all threads must have ended, because a worker may have been waking another worker
 	for (int k = 1; k < t->workers; ++k)
 	{
 		condition_close(&t->seats[k].woken);

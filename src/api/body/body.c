@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// body.c -- creation, destruction and lists of bodies.
+// body.c -- creates, destroys and lists bodies.
 #include "world/definition.h"
 #include "world/edits.h"
 #include "world/failure.h"
@@ -51,7 +51,7 @@ static scree_status check_def(const scree_world* world, ArgumentPlace at, const 
 	return has_attribute(def) ? check_attribute(world, at, ".attribute", def->attribute, &attribute) : SCREE_OK;
 }
 
-#define BODY_SOON 8 // bodies by which host data is prefetched ahead: the slots of a batch may be anywhere in memory
+#define BODY_SOON 8 // host data is prefetched this many bodies ahead: the slots of a batch may be anywhere in memory
 
 static void fetch_rows(const void* rows, int index, size_t bytes)
 {
@@ -76,7 +76,8 @@ static void fetch_collidable(const scree_world* world, int collidable)
 	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
 }
 
-// Writes a body from a checked definition to a slot that was taken. slot: that of its collidable, if it has one.
+// Writes a body from a checked definition to slot index, which is taken. slot: taken slot of its collidable, if the
+// definition has one.
 static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
@@ -197,7 +198,7 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, bodies, count));
 
-	// marks detect a body that is in the batch twice
+	// a body that is already marked is in the batch twice
 	scree_status status = SCREE_OK;
 	int marked = 0, collidables = 0;
 	for (int index = 0; marked < count && status == SCREE_OK;)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// body_motion.c -- sets forces, impulses, velocities and poses of batches and single bodies, by commands.
+// body_motion.c -- sets forces, impulses, velocities and poses of one body or a batch of bodies, by commands.
 #include "step/tree_maintenance.h"
 #include "world/check.h"
 #include "world/edits.h"
@@ -13,17 +13,17 @@
 #include "world/pool_values.h"
 #include "world/world.h"
 
-typedef struct // one call
+typedef struct // command and argument names of one call
 {
 	const char* function;
 	int kind; // COMMAND_*
 	const char* bodies;
 	const char* values;
-	const char* points; // null if the kind has none
-	bool alone;         // true: for a single body, so messages contain no index
+	const char* points; // null if the kind has no points
+	bool alone;         // true: the call is for a single body, so messages contain no index
 } Call;
 
-typedef struct // values of a call: one of these arrays; points only with vectors
+typedef struct // values of a call: only one of these arrays is set, but points may be set together with vectors
 {
 	const float* numbers;
 	const scree_vec* vectors;
@@ -117,7 +117,7 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 		TRY(value_at(call, values, k, &value));
 	}
 	TRY(edits_reserve(world, call->function, 0, 0, count));
-	mass_settle(world); // impulses depend on the inertia
+	mass_settle(world); // impulses depend on the inertia, so pending masses are computed first
 	for (int k = 0; k < count; ++k)
 	{
 		value_at(call, values, k, &value);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// body_read.c -- reads poses, velocities and definitions of bodies, and velocities of their points, from the device.
+// body_read.c -- reads poses, velocities and definitions of bodies, and velocities of points on bodies, from the
+// device.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/memory.h"
@@ -9,7 +10,8 @@
 #include "world/upload/upload.h"
 #include "world/world.h"
 
-// Mean distance of slots up to which one read is cheaper than one per body; on a GPU a read costs as much as 100 kB.
+// Mean distance of slots up to which one read of all slots between the lowest and the highest is cheaper than one read
+// per body; on a GPU a read costs as much time as 100 kB of data.
 #define SPARSE_ROWS 1024
 
 typedef struct // rows of one pool, read for a batch

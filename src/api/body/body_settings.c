@@ -144,7 +144,7 @@ scree_status scree_body_get_locks(const scree_world* world, scree_body body, uin
 	return SCREE_OK;
 }
 
-// Inserts the leaves of the bodies of a batch that become enabled. On failure, removes them again.
+// Inserts the leaves of the bodies of a batch that become enabled. On failure, removes the inserted leaves.
 static scree_status insert_batch(scree_world* world, const scree_body* bodies, const bool* enabled, int count)
 {
 	scree_status status = SCREE_OK;
@@ -171,7 +171,7 @@ static void enable(scree_world* world, int index, bool enabled)
 	if (host->disabled == !enabled)
 		return;
 	if (enabled)
-		body_insert_leaves(world, host); // inserted already, unless the same batch has disabled the body since
+		body_insert_leaves(world, host); // does nothing, unless the same batch has disabled the body
 	else
 		body_remove_leaves(world, host);
 	host->disabled = !enabled;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// attribute.c -- attributes: created once for equal values, and destroyed with the last claim.
+// attribute.c -- creates attributes, one for all equal values, and destroys an attribute when its last claim is
+// removed.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/attributes.h"
@@ -8,7 +9,7 @@
 #include "world/world.h"
 #include <string.h>
 
-// Bounds within which every mass has a finite inverse, and every sum of masses is finite.
+// Bounds of densities. Within them, every mass has a finite inverse, and every sum of masses is finite.
 #define LEAST_DENSITY 1e-6f // kg/m^2
 #define MOST_DENSITY  1e9f
 
@@ -21,7 +22,7 @@ void scree_attribute_def_default_sized(scree_attribute_def* def, size_t size)
 	write_result(def, size, &made, sizeof made);
 }
 
-// Checks a definition and makes it canonical, so that equal values have equal bytes.
+// Checks a definition, and replaces it by its canonical form, in which equal values have equal bytes.
 static scree_status check_def(const char* function, scree_attribute_def* def)
 {
 	ArgumentPlace at = {function, "def", ALONE};

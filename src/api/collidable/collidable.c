@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// collidable.c -- creation, destruction and lists of collidables.
+// collidable.c -- creates, destroys and lists collidables.
 #include "world/definition.h"
 #include "world/edits.h"
 #include "world/failure.h"

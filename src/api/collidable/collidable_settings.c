@@ -38,7 +38,8 @@ scree_status scree_collidable_get_attribute(const scree_world* world, scree_coll
 	return SCREE_OK;
 }
 
-// Marks the tree of a collidable whose row will be uploaded again, because its box changes. Its leaf exists already.
+// Inserts a collidable into its tree again, where it has a leaf already: the tree must be updated because the box
+// changes.
 static scree_status mark_tree(scree_world* world, int index)
 {
 	int kind = collidable_kind(world, index);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// material.c -- surface values of pairs of materials, which replace the values mixed from their attributes.
+// material.c -- sets and reads surface values of pairs of materials, which replace the values mixed from two
+// attributes.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/materials.h"
@@ -19,7 +20,7 @@ static scree_status check_material(const char* function, const char* argument, i
 	              material, MATERIALS - 1);
 }
 
-// Checks a value unless it is NaN, and adds its bit to *sets, which is MaterialPair.sets.
+// Checks a value and adds its bit to *sets (MaterialPair.sets); a value that is NaN is not set.
 static scree_status check_part(ArgumentPlace at, const char* member, float value, float low, float high, int bit,
                                int* sets)
 {

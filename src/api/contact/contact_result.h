@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// contact_result.h -- converts contacts for the user.
+// contact_result.h -- converts a contact report to the contact that the user reads.
 #ifndef CONTACT_RESULT_H
 #define CONTACT_RESULT_H
 #include "world/world.h"
 
-// Converts a row of the device, without handles. details: includes the impulses and speeds of the last step.
+// Returns a contact from a row of the device, without handles. details: includes the impulses and speeds of the last
+// step.
 scree_contact contact_result(const ContactReport* row, bool details);
 
 #endif

@@ -78,7 +78,7 @@ static ContactReport contact_report_at(const scree_world* world, const Rows* row
 	Attribute shapes[2];
 	if (row.flags & MANIFOLD_ROLLS)
 	{
-		// these are the shapes of the last step, even if the attributes have changed since
+		// the shapes are those of the last step, even if the attributes have changed since then
 		attribute_item(world, world->host_collidables[pair.x].attribute, shapes);
 		attribute_item(world, world->host_collidables[pair.y].attribute, shapes + 1);
 		a[6] = bits_float(0);
@@ -176,7 +176,7 @@ scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* o
 	return get(world, "scree_world_get_overlaps", "overlaps", CONTACT_DETECTED, overlaps, size, capacity, count);
 }
 
-// Writes the rows that the device gathered, except contacts that a change by the user ended since.
+// Writes the rows that the device gathered, except contacts that ended by a change of the user after the step.
 static scree_status list_rows(scree_world* world, const char* function, int found, scree_contact* contacts, size_t size,
                               int capacity, int* count)
 {

@@ -11,11 +11,11 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-// Minimum sizes of a scree_events with approvals, and of one with visits and joints.
+// Minimum sizes of a scree_events: with approvals; with visits and joints.
 #define LEAST_WITH_APPROVALS (offsetof(scree_events, approvals) + sizeof(const scree_contact*))
 #define LEAST_WITH_VISITS    (offsetof(scree_events, joints) + sizeof(const scree_joint_event*))
 
-// Sets the handles and user words of both sides of a contact or a hit.
+// Sets the handles and user words of both sides of a contact or a hit. before: as in reports_name.
 #define NAME(world, event, first, second, before)                                         \
 	do                                                                                    \
 	{                                                                                     \
@@ -83,7 +83,8 @@ static scree_status check_sizes(const char* function, const scree_events* events
 	return SCREE_OK;
 }
 
-// Writes the rows of all lists to a buffer, and their addresses to the result, whose counts and sizes are set.
+// Writes the rows of all lists to a buffer, and the addresses of these rows to *result, whose counts and sizes are
+// already set.
 static void write_rows(const scree_world* world, const JointEvent* joints, char* to, scree_events* result)
 {
 	const Reports* r = &world->reports;

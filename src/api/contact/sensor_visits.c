@@ -32,7 +32,7 @@ scree_status scree_collidable_get_visits_sized(scree_world* world, scree_collida
 	if (!world->host_collidables[index].sensor)
 		return refuse(SCREE_ERROR_INVALID, (ArgumentPlace){function, "sensor", ALONE}, "", "(index %u) is no sensor",
 		              sensor.index);
-	// visits from before the collidable became this sensor do not count
+	// visits that began before the collidable became this sensor are left out
 	bool was_there = world->host_collidables[index].born < world->pipeline.steps;
 	*count = was_there ? sensors_visits(world, index, &first) : 0;
 	for (int k = 0; k < *count && k < capacity; ++k)

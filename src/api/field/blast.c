@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// blast.c -- explosions: an impulse for each dynamic collidable near a position.
+// blast.c -- computes explosions: an impulse on each dynamic collidable near a position.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/memory.h"
@@ -27,7 +27,7 @@ typedef struct // bodies and impulses of a blast, one entry per collidable
 	scree_vec *impulses, *points;
 } Push;
 
-// Returns the width of a shape at a pose, perpendicular to a direction, m.
+// Returns the width of a shape at a pose, measured perpendicular to a direction, m.
 static float width_across(const scree_shape* shape, scree_pose pose, scree_vec direction)
 {
 	float least = FLT_MAX, most = -FLT_MAX;
@@ -88,7 +88,8 @@ static scree_status push(scree_world* world, const char* function, const scree_b
 	return SCREE_OK;
 }
 
-// Swaps the lists of queries. Blasts have their own list, so that the list that a program holds stays valid.
+// Swaps the query results of the user with those of blasts. Blasts have a separate list, so that the list that a
+// program reads stays valid.
 static void swap_lists(scree_world* world)
 {
 	Queries queries = world->queries;

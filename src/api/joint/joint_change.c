@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_change.c -- changes coordinates and frames of joints, and enables them, in batches or one by one.
+// joint_change.c -- changes coordinates and frames of joints and enables joints, one joint or a batch at a time.
 #include "world/definition.h"
 #include "world/edits.h"
 #include "world/failure.h"
@@ -16,13 +16,13 @@ typedef struct // a batch of changes
 	const scree_joint* joints;
 	int count;
 	scree_coordinate which;
-	size_t member; // offset in scree_joint_coordinate, if one number changes
+	size_t member; // offset of the changed number in scree_joint_coordinate
 	bool moves;    // true: frames change
 } Change;
 
 typedef scree_status (*Setter)(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def);
 
-// Checks all joints and values, then writes them.
+// Checks all joints and values, then writes the values.
 static scree_status change_all(const Change* change, const void* values, Setter set)
 {
 	scree_world* world = change->world;

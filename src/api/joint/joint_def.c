@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_def.c -- definitions of joints: the types, and values computed from the poses of bodies.
+// joint_def.c -- makes definitions of joints: presets of each type, and frames computed from the poses of bodies.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -24,7 +24,7 @@ const char* scree_joint_type_name(scree_joint_type type)
 	return (unsigned)type < JOINT_TYPES ? presets[type].name : "unknown";
 }
 
-// Bytes of a definition in the version that added gears and pulleys.
+// Size of a definition, in bytes, in the version that added gears and pulleys.
 #define COUPLED_SIZE (offsetof(scree_joint_def, sides) + sizeof((scree_joint_def*)0)->sides)
 
 static void set_spring(scree_joint_coordinate* coordinate, float hertz, float damping_ratio)
@@ -67,7 +67,7 @@ void scree_joint_def_make_sized(scree_joint_type type, scree_joint_def* def, siz
 	write_result(def, size, &made, sizeof made);
 }
 
-// Computes the frame, in a body or the world, that is at the given pose in the world.
+// Converts a pose in the world to a frame in a body; without a body the frame is the pose.
 static scree_status place(scree_world* world, ArgumentPlace at, const char* member, scree_body body, scree_pose pose,
                           scree_pose* frame)
 {
@@ -95,7 +95,7 @@ scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scr
 	scree_pose frame_a, frame_b;
 	TRY(place(world, at, ".body_a", def->body_a, pose, &frame_a));
 	TRY(place(world, at, ".body_b", def->body_b, pose, &frame_b));
-	if (def->type != SCREE_JOINT_PATH) // frame A is the frame of the path
+	if (def->type != SCREE_JOINT_PATH) // on a path, frame A is that of the path
 		def->frame_a = frame_a;
 	def->frame_b = frame_b;
 	return SCREE_OK;

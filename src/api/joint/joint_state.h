@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// joint_state.h -- events of joints that exceeded their thresholds in the last step.
+// joint_state.h -- finds the events of joints that exceeded their thresholds in the last step.
 #ifndef JOINT_STATE_H
 #define JOINT_STATE_H
 #include "world/world.h"
 
-// Reads the rows of events, by index, without joints that were destroyed since. The rows are in world_scratch.
+// Reads the rows of events, sorted by index, without events of joints that were destroyed after the step. The rows are
+// in world_scratch.
 scree_status joint_events_find(scree_world* world, const char* function, JointEvent** rows, int* count);
 scree_joint_event joint_event_result(const scree_world* world, const JointEvent* row);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path.c -- creation, destruction and lists of paths, and reads of their geometry.
+// path.c -- creates, destroys and lists paths, and reads their geometry.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -8,7 +8,8 @@
 #include <math.h>
 #include <stdio.h>
 
-// m: minimum distance of neighboring points; rounding moves a body by more than the length of a shorter curve
+// m: minimum distance of neighboring points: with shorter curves, rounding would move a body by more than the length of
+// a curve
 #define LEAST_APART 1e-4f
 
 void scree_path_def_default_sized(scree_path_def* def, size_t size)

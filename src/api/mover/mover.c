@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// mover.c -- characters: capsules that walk, slide, climb steps and ride on their ground, using only queries.
+// mover.c -- moves characters (capsules that walk, slide, climb steps and ride on their ground) by queries, without
+// forces.
 #include "api/mover/mover_slide.h"
 #include "api/mover/swept.h"
 #include "api/query/query_check.h"
@@ -28,7 +29,7 @@ void scree_mover_def_default_sized(scree_mover_def* def, size_t size)
 	write_result(def, size, &made, sizeof made);
 }
 
-static const scree_pose nowhere = {{0.0f, 0.0f}, {0.0f, 0.0f}}; // ground pose of a mover in the air
+static const scree_pose nowhere = {{0.0f, 0.0f}, {0.0f, 0.0f}}; // ground pose of a mover that stands on no body
 
 static bool is_nowhere(scree_pose pose) { return pose.rotation.c == 0.0f && pose.rotation.s == 0.0f; }
 
@@ -67,7 +68,8 @@ static scree_status check_movers(const scree_world* world, const char* function,
 	return SCREE_OK;
 }
 
-// Reads the pose of each mover's ground into poses: that of its body, or nowhere without ground or body.
+// Writes to poses[k] the pose of the body on which mover k stands; nowhere if there is no ground or the ground has no
+// body.
 static scree_status ground_poses(MoverCall* call, scree_pose* poses)
 {
 	int count = 0;
@@ -99,7 +101,7 @@ static scree_vec ride(scree_pose from, scree_pose to, scree_vec point)
 	                   (to.position.y - from.position.y) + (turned.y - arm.y)};
 }
 
-// Returns the tangent speed of the ground, m/s, clockwise around it.
+// Returns the tangent speed of a collidable's surface, m/s, clockwise around the collidable; 0 if it no longer exists.
 static float belt_speed(const scree_world* world, scree_collidable ground)
 {
 	scree_attribute attribute;
@@ -110,7 +112,7 @@ static float belt_speed(const scree_world* world, scree_collidable ground)
 	return def.tangent_speed;
 }
 
-// Initializes the motion of a mover. now: the current pose of its ground.
+// Initializes the motion of a mover. now: current pose of the body on which the mover stands.
 static void begin(const MoverCall* call, const scree_mover* mover, scree_pose now, float dt, MoverMotion* w)
 {
 	scree_vec up = call->def->up;
@@ -125,7 +127,7 @@ static void begin(const MoverCall* call, const scree_mover* mover, scree_pose no
 	w->carried = add_scaled(w->carried, dt * belt_speed(call->world, mover->ground),
 	                        (scree_vec){mover->normal.y, -mover->normal.x});
 	w->stood = collidable_is_valid(call->world, mover->ground) && rise <= 0.0f;
-	// mover_stand follows the ground, so vertical velocity is removed
+	// the vertical velocity is removed, because mover_stand moves the mover down to the ground
 	scree_vec velocity = w->stood ? add_scaled(mover->velocity, -rise, up) : mover->velocity;
 	w->way = add_scaled((scree_vec){0.0f, 0.0f}, dt, velocity);
 	w->rest = w->carried;
@@ -154,7 +156,7 @@ static scree_status move(MoverCall* call, scree_mover* movers, scree_pose* poses
 		begin(call, movers + k, poses[k], dt, call->motions + k);
 	TRY(mover_is_crushed(call));
 	TRY(mover_swept(call, dt));
-	TRY(mover_slide(call)); // moves them with the ground, which they may overlap then
+	TRY(mover_slide(call)); // moves the movers with their ground; afterwards they may overlap it
 	TRY(mover_recover(call));
 	for (int k = 0; k < call->count; ++k)
 	{

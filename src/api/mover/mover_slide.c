@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// mover_slide.c -- the parts of a mover's motion: each makes a few rounds of queries, for all movers of a call at once.
+// mover_slide.c -- computes the parts of the motion of movers: each part makes a few rounds of queries, for all movers
+// of a call together.
 #include "api/mover/mover_slide.h"
 #include "world/check.h"
 #include "world/failure.h"
@@ -7,7 +8,7 @@
 
 #define RECOVER_ROUNDS 8
 #define SLIDE_ROUNDS   5
-#define TOUCH          1e-4f // m: tolerance by which a mover may be closer than the skin
+#define TOUCH          1e-4f // m: tolerance of the distance between a mover and a surface, which is the skin
 #define BESIDE         0.02f // m: distance from the corner of a step to the ray that searches for its top
 
 static void ask(MoverCall* call, int k, scree_vec from, scree_vec translation)
@@ -16,7 +17,7 @@ static void ask(MoverCall* call, int k, scree_vec from, scree_vec translation)
 	call->of[call->asked++] = k;
 }
 
-// Returns how far a probe may move, m: up to the distance of the skin from the surface.
+// Returns the distance that a probe may move, m: until its distance from the surface that it hits is the skin.
 static float free_length(const MoverCall* call, int k)
 {
 	scree_vec way = call->probes[k].translation;
@@ -29,8 +30,9 @@ static float free_length(const MoverCall* call, int k)
 	return s > 0.0f ? s : 0.0f;
 }
 
-// Casts the probes, and a shape that includes the skin, because the surface hit first need not be the first within the
-// skin. A cast ignores surfaces that it overlaps at its start, so that shape is thinner by mover_recover's tolerance.
+// Casts the probes with the mover's shape, and again with a shape that includes the skin, because the surface that the
+// mover hits first need not be the first within the skin. A cast ignores surfaces that the shape overlaps at the start,
+// so the second shape is thinner by twice the tolerance of mover_recover.
 static scree_status cast(MoverCall* call)
 {
 	scree_query_result* wide = call->found + call->count;
@@ -73,7 +75,8 @@ static scree_vec clip(scree_vec v, scree_vec normal)
 	return against < 0.0f ? add_scaled(v, -against, normal) : v;
 }
 
-// Returns v after a mover met a surface. One too steep to stand on lifts only movers that rise by themselves.
+// Returns velocity or motion v after a mover met a surface. A surface too steep to stand on lifts only movers that rise
+// already.
 static scree_vec deflect(const MoverCall* call, scree_vec v, scree_vec normal)
 {
 	scree_vec up = call->def->up, free = clip(v, normal);
@@ -85,13 +88,14 @@ static scree_vec deflect(const MoverCall* call, scree_vec v, scree_vec normal)
 	return clip(v, (scree_vec){level.x / length, level.y / length});
 }
 
-// Stops a mover at a surface: its remaining motion and its velocity lose their components into the surface.
+// Stops a mover at a surface: removes the components of its remaining motion and its velocity that point into the
+// surface.
 static void meet(const MoverCall* call, MoverMotion* w, scree_collidable collidable, scree_vec normal)
 {
 	scree_vec up = call->def->up;
 	if (is_ground(call, normal))
 	{
-		// ground only ends a fall, so that a walkable slope does not pull the mover down
+		// ground ends a fall and changes nothing else, so that a walkable slope does not pull the mover down
 		w->velocity = clip(w->velocity, up);
 		w->rest = clip(w->rest, up);
 		if (dot(w->velocity, up) <= 0.0f)
@@ -106,17 +110,18 @@ static void meet(const MoverCall* call, MoverMotion* w, scree_collidable collida
 		w->wall_normal = normal;
 		w->kept = w->velocity;
 		w->push = w->stood ? w->rest : (scree_vec){0.0f, 0.0f};
-		// a standing mover does not fall against a wall
+		// falling velocity of a mover that stood is left out of the deflection at a wall
 		float fall = w->stood && dot(w->velocity, up) < 0.0f ? dot(w->velocity, up) : 0.0f;
 		w->velocity = add_scaled(deflect(call, add_scaled(w->velocity, -fall, up), normal), fall, up);
 	}
 	w->rest = deflect(call, w->rest, normal);
 	if (dot(w->rest, w->last) < -1e-6f)
-		w->rest = (scree_vec){0.0f, 0.0f}; // the mover is between two surfaces
+		w->rest = (scree_vec){0.0f, 0.0f}; // the mover is wedged between two surfaces
 	w->last = normal;
 }
 
-// Nothing moves a crushed mover, because a surface beyond its middle would push it out on the other side.
+// Resets the motion of a crushed mover. It is not moved, because a surface beyond its middle would push it out on the
+// other side.
 void mover_crush(const MoverCall* call, int k, scree_collidable by)
 {
 	call->motions[k] = (MoverMotion){.at = call->movers[k].position, .wall = by, .crushed = true};
@@ -147,7 +152,7 @@ scree_status mover_recover(MoverCall* call)
 {
 	for (int round = 0; round < RECOVER_ROUNDS; ++round)
 	{
-		// all movers in the first round, then those that moved
+		// the first round has all movers, later rounds have those that the last round moved
 		int asked = round == 0 ? call->count : call->asked;
 		call->asked = 0;
 		for (int k = 0; k < asked; ++k)
@@ -188,8 +193,9 @@ scree_status mover_recover(MoverCall* call)
 	return SCREE_OK;
 }
 
-// Checks for each probe whether the mover can stand on the surface that it hit: on ground, or on a corner, if there is
-// ground beside it and it is low enough to lift the round end of the capsule. The results replace found[].hit.
+// Replaces found[].hit for each probe by whether the mover can stand on the surface that it hit. The surface is ground,
+// or it is a corner with ground beside it, so low that the round end of the capsule can rise to it by at most
+// step_height.
 static scree_status find_ground(MoverCall* call)
 {
 	const scree_mover_def* def = call->def;
@@ -222,7 +228,8 @@ static scree_status find_ground(MoverCall* call)
 	return SCREE_OK;
 }
 
-// Lets movers that a wall stopped continue one step higher: up, forward and down again. Without ground there they stay.
+// Moves movers that a wall stopped up, forward and down again, as on a step. Movers keep their place if there is no
+// ground, or the step is too high.
 static scree_status climb(MoverCall* call)
 {
 	const scree_mover_def* def = call->def;

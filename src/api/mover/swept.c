@@ -2,8 +2,8 @@
 // swept.c -- pushes movers out of the way of kinematic bodies that swept over them in the last step.
 //
 // A mover that overlaps a wall after a step is pushed out on the nearer side. If the wall moves more than half of a
-// mover's size in a step, that would push the mover out on the wrong side, or leave it behind the wall. So the motions
-// of fast kinematic bodies are tested against the movers, on the host, because such bodies are few.
+// mover's size in a step, the nearer side may be the wrong one, or the mover may be left behind the wall. Therefore the
+// motions of fast kinematic bodies are tested against the movers, on the host, because such bodies are few.
 #include "api/mover/swept.h"
 #include "api/mover/mover_slide.h"
 #include "world/failure.h"
@@ -13,17 +13,17 @@
 #include "world/world.h"
 #include <math.h>
 
-#define SWEPT_FAR 0.5f // share of a mover's radius: slower walls are left to mover_recover
+#define SWEPT_FAR 0.5f // as a share of a mover's radius: mover_recover handles collidables that move less
 
 typedef struct // a moving collidable of a kinematic body
 {
 	scree_collidable handle;
 	scree_shape shape;
-	scree_pose from, to; // poses of its origin, in the world
-	float reach, far;    // m: maximum distance of its points from its origin; maximum displacement of its points
+	scree_pose from, to; // poses of the collidable's origin before and after the step, in the world
+	float reach, far;    // m: maximum distance of its points from its origin; their maximum displacement
 } Sweeper;
 
-// Returns the pose of the origin of a body dt seconds ago.
+// Returns the pose of a body's origin dt seconds ago, computed from its velocity.
 static scree_pose pose_before(scree_pose now, scree_velocity v, scree_vec center, float dt)
 {
 	scree_rot turn = rot_product(scree_rot_make(-v.angular * dt), now.rotation);
@@ -99,7 +99,7 @@ static scree_status push_by(const MoverCall* call, const Sweeper* s, const Mover
 	if (first.distance < -0.5f * call->def->radius || !found.hit)
 		return SCREE_OK;
 
-	// the point of the sweeper that hits the mover continues to its end
+	// the point of the sweeper that hits the mover moves on to its final position, and pushes the mover that far
 	scree_distance met;
 	float f = found.fraction;
 	scree_vec path = {s->to.position.x - s->from.position.x, s->to.position.y - s->from.position.y};
@@ -116,7 +116,8 @@ static scree_status push_by(const MoverCall* call, const Sweeper* s, const Mover
 	return SCREE_OK;
 }
 
-// Moves the pushed movers, unless something static is in their way. crushers: the collidable that pushes each.
+// Moves the pushed movers; a mover is crushed if a static collidable is in its way. crushers: collidable that pushes
+// the mover of each probe.
 static scree_status push_all(MoverCall* call, const scree_collidable* crushers)
 {
 	uint32_t kinds = call->seen.kinds;
@@ -146,7 +147,8 @@ static scree_body owner_of(const MoverCall* call, scree_collidable collidable)
 
 static bool is_body(scree_body a, scree_body b) { return !scree_body_is_null(a) && a.index == b.index; }
 
-// Finds the longest push of mover k by a sweeper, and the sweeper; the motion by its ground if that is a sweeper.
+// Finds the longest displacement of mover k by a sweeper, and this sweeper. A sweeper that is the ground of the mover
+// moves it with it, so its displacement is w->carried.
 static scree_status push_of(MoverCall* call, int k, const Sweeper* sweepers, int count, scree_vec* longest,
                             scree_collidable* crusher)
 {
@@ -193,13 +195,13 @@ static bool sweeps(const scree_world* world, int body)
 	       !world->host_bodies[body].disabled;
 }
 
-typedef struct // kinematic bodies, their poses and velocities; their sweepers
+typedef struct // kinematic bodies with their poses and velocities, and the sweepers of all of them
 {
 	scree_body* bodies;
 	scree_pose* poses;
 	scree_velocity* velocities;
 	Sweeper* sweepers;
-	scree_collidable* crushers; // one per probe
+	scree_collidable* crushers; // collidable that pushes the mover, one per probe
 } SweptBodies;
 
 static scree_status push(MoverCall* call, const SweptBodies* swept, int bodies, float dt)

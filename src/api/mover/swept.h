@@ -4,8 +4,8 @@
 #define SWEPT_H
 #include "api/mover/mover_slide.h"
 
-// Moves the movers that a kinematic body hit during the last step, of dt seconds, to where it pushes them. Movers that
-// something static stops on the way are crushed. Called before anything moves.
+// Moves the movers that a kinematic body hit during the last step, of dt seconds, out of the way of this body. Movers
+// that a static collidable stops are crushed. Called before anything else moves.
 scree_status mover_swept(MoverCall* call, float dt);
 
 #endif

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// query_check.c -- checks queries: the definition and the shape before they start, the items while the device works.
+// query_check.c -- checks queries: definition and shape before the queries start, rays and probes while the device
+// works.
 #include "api/query/query_check.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -68,14 +69,15 @@ scree_status query_check(scree_world* world, const char* function, const scree_q
 
 typedef uint32_t Words4 __attribute__((vector_size(16))); // half of a ray or a probe
 
-typedef struct // for each word: a mask of the compared bits, and their maximum as an integer
+typedef struct // for each word of an item: mask of the compared bits; largest allowed integer
 {
 	Words4 counts[2], most[2];
 } PlainBits;
 
-// Returns how many of count items are certainly within bounds. *ignores becomes whether one of these ignores a body,
-// whose handle is in the last two words. Nonnegative floats are ordered like their bits, with NaN beyond infinity; a
-// word above its bound sets the highest bit. With comparisons of floats a million rays took 6 ms.
+// Returns the number of items, from the first on, that are certainly within bounds. *ignores: set to whether some of
+// these items ignore a body, whose handle is in the last two words, or an item is left. Nonnegative floats are ordered
+// like their bits, with NaN beyond infinity; a word above its bound sets the highest bit. Comparisons of floats took 6
+// ms for a million rays.
 static int plain_items(const void* items, int count, const PlainBits* plain, bool* ignores)
 {
 	enum
@@ -105,7 +107,7 @@ static int plain_items(const void* items, int count, const PlainBits* plain, boo
 
 static uint32_t bits_of(float x) { return (uint32_t)float_bits(x); }
 
-// Checks the ignored bodies. Consecutive queries often ignore the same one.
+// Checks the handles of ignored bodies in items begin to end - 1. Consecutive equal handles are checked once.
 static scree_status check_ignored(const QueryItems* query_items, const char* name, size_t offset, int begin, int end)
 {
 	scree_body last = SCREE_NULL_BODY, body;
@@ -158,7 +160,8 @@ scree_status query_shape_of(const char* function, const char* argument, const sc
 	return SCREE_OK;
 }
 
-// Does the same for a world, which stores the shape of the last query, so that it need not be checked again.
+// Converts the shape of a query as query_shape_of does, unless it is the shape of the last query, whose result the
+// world stores.
 static scree_status set_shape(scree_world* world, const char* function, const scree_shape* shape, Attribute* to)
 {
 	Queries* known = &world->queries;
@@ -175,7 +178,7 @@ static scree_status set_shape(scree_world* world, const char* function, const sc
 	return SCREE_OK;
 }
 
-// Returns whether a rotation has the length 1, to within the tolerance of check_pose.
+// Returns whether the length of a rotation is 1, to within the tolerance of check_pose.
 static bool is_turn(scree_rot r)
 {
 	float square = r.c * r.c + r.s * r.s;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// query_list.c -- queries that return all their answers.
+// query_list.c -- answers queries that return all their results in a list.
 #include "api/query/query_check.h"
 #include "world/definition.h"
 #include "world/device/auto.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// query_shared.c -- queries in device memory that another program fills, and in which it reads the answers.
+// query_shared.c -- answers queries in device memory that another program fills; the results go to the same memory.
 #include "api/query/query_check.h"
 #include "world/device/shared_buffers.h"
 #include "world/failure.h"
@@ -11,7 +11,7 @@ scree_status scree_world_share_queries(scree_world* world, int file_descriptor, 
 	                   &(SharedMemory){.how = SCREE_SHARING_MEMORY, .file = file_descriptor, .bytes = bytes});
 }
 
-// Checks that count items of 32 bytes fit into the memory from an offset on.
+// Checks that `count` items of 32 bytes fit into the shared memory behind offset.
 static scree_status check_place(const scree_world* world, const char* function, const char* name, size_t offset,
                                 int count)
 {

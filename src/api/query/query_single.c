@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// query_single.c -- queries with one answer each: the first, any, or the nearest collidable.
+// query_single.c -- answers queries with one result each: the first, any, or the nearest collidable.
 #include "api/query/query_check.h"
 #include "world/check.h"
 #include "world/device/auto.h"
@@ -98,7 +98,7 @@ scree_status scree_world_find_nearest(scree_world* world, const scree_query_def*
 	TRY(query_probes(world, shape, &query_items, &questions));
 	query_items.longest = 0.0f;
 	questions.form = QUERY_NEAREST;
-	// the distance between two points of a world is never larger, and its square must be finite
+	// the distance between two points of the world is less than this bound, whose square is finite
 	questions.plan.most = distance < 4.0f * SCREE_MAX_COORDINATE ? distance : 4.0f * SCREE_MAX_COORDINATE;
 	return answer(world, function, &questions, found);
 }

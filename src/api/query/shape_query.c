@@ -5,11 +5,11 @@
 #include "stages/geometry/convex_sum.h"
 #include "world/shape/geometry.h"
 
-// m: distance at which shapes have met; a twentieth of the slop of contacts
+// m: shapes at this distance have met; a twentieth of the slop of contacts
 #define IMPACT_DISTANCE (0.05f * LINEAR_SLOP)
 #define IMPACT_ROUNDS   200
 
-typedef struct // two shapes, b in the frame of a
+typedef struct // two shapes with their poses; q, turn: pose of b in the frame of a
 {
 	Attribute a, b;
 	scree_pose pose_a, pose_b;
@@ -131,10 +131,10 @@ scree_status scree_shape_contains(const scree_shape* shape, scree_pose pose, scr
 	return SCREE_OK;
 }
 
-typedef struct // a motion from one pose to another
+typedef struct // a motion from one pose to another, at constant speed
 {
 	scree_pose from, to;
-	float angle; // rad: angle by which it turns
+	float angle; // rad: rotation from one pose to the other
 } Way;
 
 static Way motion_of(scree_pose from, scree_pose to)
@@ -150,7 +150,7 @@ static scree_pose pose_then(const Way* m, float time)
 	                    rot_product(m->from.rotation, scree_rot_make(time * m->angle))};
 }
 
-// Returns the maximum displacement of a point of a shape by its rotation, m.
+// Returns an upper bound of the displacement of a point of a shape by the rotation, m.
 static float swing(const Way* m, const Attribute* shape)
 {
 	float square = 0.0f;
@@ -162,7 +162,8 @@ static float swing(const Way* m, const Attribute* shape)
 	return absolute(m->angle) * square_root(square);
 }
 
-// Advances to the time of impact: two points cannot meet before the speed along the normal has closed their distance.
+// Returns the time of impact of two moving shapes. Each round adds the time in which the maximum speed along the normal
+// closes the current distance: no two points can meet earlier.
 static scree_query_result advance(Pair* pair, const Way* a, const Way* b)
 {
 	scree_vec path = {(b->to.position.x - b->from.position.x) - (a->to.position.x - a->from.position.x),

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// bandwidth.c -- the memory traffic of a step, and the bandwidth of copies on the device, for comparison.
+// bandwidth.c -- returns the memory traffic of a step, and measures the bandwidth of copies on the device.
 #include "platform/processor.h"
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/world.h"
 
-// Bytes of each block of a copy; halved, down to LEAST_BYTES, while the device has no memory for both.
+// Bytes of each of the two blocks of a copy; halved, down to LEAST_BYTES, while the device has too little memory for
+// both blocks.
 #define MOST_BYTES  ((size_t)256 << 20)
 #define LEAST_BYTES ((size_t)1 << 20)
-// The bandwidth is the best of TRIES tries. Each makes COPIES copies, so that the time to start and end them is small.
-// A slow device makes fewer tries: none begins after ENOUGH ms.
+// The bandwidth is that of the best of TRIES tries. Each try makes COPIES copies, so that the time to start and end it
+// has little effect. A slow device makes fewer tries: no try begins after ENOUGH ms.
 #define TRIES  4
 #define COPIES 8
 #define ENOUGH 500.0

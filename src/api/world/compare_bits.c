@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // compare_bits.c -- compares the bits of a device with those of the CPU.
 //
-// Drivers have reported their arithmetic wrongly. So a small world of all shapes falls, bounces, slides and rolls on
-// the device and on the CPU: contracted products, other rounding of divisions and flushed denormals change its hash.
+// Some drivers report their arithmetic wrongly. Therefore a small world of all shapes falls, bounces, slides and rolls
+// on the device and on the CPU: contracted products, other rounding of divisions and flushed denormals change the hash
+// of this world.
 #include "api/world/compare_bits.h"
 #include "platform/error.h"
 #include "world/create.h"
 #include "world/world.h"
 
 #define SIDE  7  // the sample has SIDE * SIDE bodies
-#define STEPS 32 // at the end the lowest bodies have landed
+#define STEPS 32 // after these steps the lowest bodies have landed
 
 static scree_status sample_attributes(scree_world* world, scree_attribute attributes[4])
 {
@@ -94,7 +95,7 @@ scree_status compare_bits(Backend* b)
 
 	TRY(world_create(&def, b, &there));
 	status = sample_hash(there, &hash);
-	there->backend = NULL; // keeps the device open
+	there->backend = NULL; // the device stays open when the world is destroyed
 	scree_world_destroy(there);
 	TRY(status);
 	if (hash != expected)

@@ -4,7 +4,8 @@
 #define COMPARE_BITS_H
 #include "backend/backend.h"
 
-// Steps a sample world on the device and on the CPU; fails if the hashes differ. Then all pools of the device are zero.
+// Steps a sample world on the device and on the CPU; fails if the hashes differ. Afterwards all pools of the device are
+// zero.
 scree_status compare_bits(Backend* backend);
 
 #endif

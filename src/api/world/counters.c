@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// counters.c -- counters and timings of the last step.
+// counters.c -- returns counters and timings of the last step.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/pool_read.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// device_choice.c -- lists the devices, and moves a world to another one.
+// device_choice.c -- lists the devices, and moves a world to another device.
 #include "api/world/compare_bits.h"
 #include "world/definition.h"
 #include "world/device/auto.h"

@@ -17,7 +17,7 @@
 #include "world/world.h"
 #include <string.h>
 
-#define SHORTEST_STEP 1e-9f // s: minimum dt other than 0; rates of change in a shorter step are too large for floats
+#define SHORTEST_STEP 1e-9f // s: minimum dt other than 0: in shorter steps, rates of change exceed the range of floats
 
 void scree_world_def_default_sized(scree_world_def* def, size_t size)
 {
@@ -92,7 +92,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 		            decimal(SHORTEST_STEP).text);
 	if (substeps < 1 || substeps > 64)
 		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
-	if (dt > 0.0f) // a step with dt 0 only detects contacts, so its duration is not comparable
+	if (dt > 0.0f) // with dt 0 a step only detects contacts, so its duration is not comparable
 		TRY(auto_choose(world));
 	double start = processor_milliseconds();
 	TRY(reports_reserve(world, function));
@@ -130,7 +130,8 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 		targets_arrived(world);
 		idle_end(world);
 	}
-	// the boxes have moved but the bodies have not, so pairs that began to touch in between would never be found
+	// the boxes have moved but the bodies have not, so later steps would not find pairs whose boxes began to overlap
+	// now
 	if (status != SCREE_OK && world->pipeline.started)
 		world->broken = status;
 	double milliseconds = processor_milliseconds() - start;
@@ -140,7 +141,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 	TRY(world_note(world, status));
 	world->reports.fetched = false;
 	status = sensors_update(world, function);
-	if (status != SCREE_OK) // the step is done, and its visits would be missing in later steps
+	if (status != SCREE_OK) // the step is done, and later steps would miss its visits
 		world->broken = status;
 	TRY(world_note(world, status));
 	world->pipeline.milliseconds = milliseconds;

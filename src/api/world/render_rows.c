@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// render_rows.c -- the rows that a renderer draws: copied to the host, or written to memory shared with OpenGL.
+// render_rows.c -- copies the rows that a renderer draws to the host, or writes them to memory shared with OpenGL.
 #include "step/state_readback.h"
 #include "world/check.h"
 #include "world/device/shared_buffers.h"

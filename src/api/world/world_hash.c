@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// world_hash.c -- the hash of a world: the sum of the device, plus data that only the host has.
+// world_hash.c -- computes the hash of a world: the sum over the pools of the device, plus data that only the host has.
 #include "pools/hash_types.h"
 #include "step/state_readback.h"
 #include "world/check.h"
@@ -15,7 +15,7 @@
 
 static Word64 hash_pose(Word64 h, scree_pose pose) { return hash_float4(h, pose_row(pose)); }
 
-// Hashes a disabled body. The device does not hash its collidables and its gravity scale.
+// Hashes a disabled body: its gravity scale and its collidables, which the device does not hash.
 static Word64 hash_disabled(const scree_world* world, int body)
 {
 	const HostBody* host = world->host_bodies + body;
@@ -30,7 +30,7 @@ static Word64 hash_disabled(const scree_world* world, int body)
 	return sum;
 }
 
-// Hashes a mass set by the user. The device has the mass of a body only while it is dynamic.
+// Hashes a mass set by the user. The device has the mass of a body only while the body is dynamic.
 static Word64 hash_own_mass(int body, scree_mass mass)
 {
 	return hash_float4(hash_begin(HASH_OWN_MASS, body),

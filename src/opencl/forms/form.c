@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// form.c -- chooses the fastest form of a solve: launches by color, a relay (relay.cl), or tiles (tiles.cl).
+// form.c -- chooses and executes the fastest form of a solve: launches by color, a relay (relay.cl), or tiles
+// (tiles.cl).
 #include "opencl/forms/form.h"
 #include "opencl/execute.h"
 #include "opencl/forms/relay.h"
@@ -10,10 +11,11 @@
 
 #define RELAY_CONSTRAINTS 1000000 // maximum number of constraints for which a relay is faster than tiles
 
-// Most groups of continuous per compute unit. Items of one group would wait for each other, so each gets its own.
+// Maximum work-groups of continuous per compute unit. Each item gets a work-group, because items in one work-group
+// would delay each other.
 #define CONTINUOUS_GROUPS 12
 
-// arguments of the kernel solve_end, which follow the step
+// arguments of the kernel solve_end that follow the step
 enum
 {
 	END_BODIES = ARGUMENT_STEP + 1,
@@ -22,7 +24,7 @@ enum
 	END_BOUND
 };
 
-// Reserves memory for a solve by relay or tiles. If that fails, the solve uses launches by color, which need none.
+// Reserves memory for a solve by relay or tiles. On failure the solve uses launches by color, which need no memory.
 static scree_status form_reserve(OpenCl* d, const Solve* solve, SolveForm form)
 {
 	return form == FORM_RELAY ? relay_reserve(d, solve) : tiles_reserve(d, solve);
@@ -37,12 +39,12 @@ static SolveForm solve_form(OpenCl* d, const Solve* solve)
 	bool few = solve_constraints(solve) <= RELAY_CONSTRAINTS;
 	if (d->form == FORM_RELAY || (d->form == FORM_ANY && few))
 		return FORM_RELAY;
-	// the spokes of a hub belong to many tiles, and a body without collidables belongs to none
+	// a hub has spokes in many tiles, and a body without collidables is in no tile
 	bool tiles = solve->counters->hubs == 0 && !solve->unlocked && (d->form == FORM_TILES || tiles_pay(d, solve));
 	return tiles ? FORM_TILES : FORM_LAUNCHES;
 }
 
-// Integrates bodies without constraints, finalizes all bodies, then runs continuous collision for fast bodies.
+// Integrates bodies without constraints, finalizes all bodies, and tests fast bodies for continuous collision.
 static scree_status solve_end(OpenCl* d, const Solve* solve)
 {
 	cl_kernel kernel = d->solve_end.kernel;

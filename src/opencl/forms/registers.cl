@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// registers.cl -- code of relay and tiles: constraints in registers and in the stream, and bodies without constraints.
+// registers.cl -- functions that relay and tiles share: constraints in registers and in the stream, and bodies without
+// constraints.
 //
 // A pass over registers calls the same functions as a pass over pools (solve_pass.h), so the bits are the same.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-// Specializations of a kernel for some worlds: they make members of Step constants. A specialized kernel uses fewer
-// registers, so its occupancy is higher. A plain world has no joints, radii, restitution, rolling resistance or tangent
-// speed. On an H200 the solve of a million stacked boxes takes 1.379 ms with its kernel and 1.420 ms without.
+// Specializations of a kernel for worlds without some features: they set members of Step to constants. A specialized
+// kernel uses fewer registers, so its occupancy is higher. STEP_PLAIN: worlds without joints, radii, restitution,
+// rolling resistance and tangent speed. On an H200, a solve of a million stacked boxes takes 1.379 ms with STEP_PLAIN
+// and 1.420 ms without.
 #define STEP_JOINTS(step)   ((void)0)
 #define STEP_HINGES(step)   ((step).springs = (step).couplings = (step).paths = 0)
 #define STEP_CONTACTS(step) ((step).joints = (step).has_drives = (step).springs = (step).couplings = (step).paths = 0)
@@ -50,7 +52,7 @@ INLINE void body_keep(const Pools* p, int body, const float row[8])
 	state->da = row[6];
 }
 
-// Returns whether all values are +0.
+// Returns whether the first `count` values are all +0.
 INLINE bool all_zero(const float* values, int count)
 {
 	int bits = 0;
@@ -59,9 +61,10 @@ INLINE bool all_zero(const float* values, int count)
 	return bits == 0;
 }
 
-// Computes the state of a body without constraints at pass q. Every reader computes it, because a state in memory could
-// only be replaced after its last reader. Most such bodies rest and need only the first substep: if body_accelerate
-// maps rest to rest, it does so in every later one, because it gets the same bits; body_move then adds nothing.
+// Computes the state of a body without constraints before pass q. Every work-item that needs the state computes it: a
+// state in memory could be replaced only after the last of them has read it. Most such bodies rest, and only the first
+// substep is computed: if body_accelerate leaves a body at rest, it does so in every later substep, because its
+// arguments have the same bits; body_move then adds nothing.
 INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[8])
 {
 	float m[8], base[4];
@@ -89,11 +92,12 @@ INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[
 
 typedef struct // one body of a constraint
 {
-	int body, before; // before: constraints of the body that precede this one in a pass
-	bool moves, last; // last: no other constraint of the body follows this one
+	int body, before; // before: number of constraints of the body that precede this one in a pass
+	bool moves, last; // last: no other constraint of the body follows in a pass
 } Side;
 
-// Returns the side of a constraint with a color. In worlds with hubs, the hubs of a body precede its colors.
+// Returns the side of a constraint with a color. hubs: the world has hubs, which precede the colors of a body in a
+// pass.
 INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 {
 	Side side;
@@ -107,14 +111,14 @@ INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 	return side;
 }
 
-typedef union // a constraint of any kind; it takes registers for the largest kind only
+typedef union // a constraint of any kind; it takes as many registers as the largest kind
 {
 #define CONSTRAINT_KIND(kind, Kind, KIND) Kind kind;
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 } AnyKind;
 
-typedef union // the part of a pass that depends on the positions of the bodies of a constraint
+typedef union // values of a pass that depend only on the positions of the bodies of a constraint
 {
 #define CONSTRAINT_KIND(kind, Kind, KIND) Kind##Ready kind;
 #include "pools/kinds.def"
@@ -130,7 +134,7 @@ typedef struct // a constraint in registers
 	bool inert;
 } Registers;
 
-// Loads the masses of the two bodies, with zero displacement as at the start of a step.
+// Loads the masses of both bodies of a constraint, and sets their displacements to zero, as at the start of a step.
 INLINE void registers_bodies(const Pools* p, Registers* u)
 {
 	BodyState a = p->body[u->side[0].body], b = p->body[u->side[1].body];
@@ -144,7 +148,8 @@ INLINE void registers_bodies(const Pools* p, Registers* u)
 	u->b.da = 0.0f;
 }
 
-// Loads a constraint and its bodies, but not its sides. Derives the values that the passes use.
+// Prepares and loads a constraint and the masses of its bodies, but not its sides. Derives the values that the passes
+// use.
 OUT_OF_LINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 {
 	Registers u;
@@ -169,7 +174,7 @@ OUT_OF_LINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 	return u;
 }
 
-// Prepares the constraint of task t, which may be padding.
+// Returns the prepared constraint of task t, or an inert one if the task is padding. hubs: as in side_of.
 INLINE Registers registers_prepare(const Pools* p, int t, bool hubs)
 {
 	Registers u;
@@ -212,17 +217,18 @@ OUT_OF_LINE void registers_store_kept(const Pools* p, const Registers* u)
 #undef CONSTRAINT_KIND
 }
 
-// The stream: constraints that are not in registers, in STREAM_QUADS columns of float4, then STREAM_PAIRS of float2.
+// The stream: constraints that are not in registers, in STREAM_QUADS columns of float4, followed by STREAM_PAIRS
+// columns of float2.
 
-#define EDGE_QUAD (STREAM_QUADS - 1) // last column, common to all kinds: inverse masses
-#define EDGE_PAIR (STREAM_PAIRS - 1) // the same: bodies
+#define EDGE_QUAD (STREAM_QUADS - 1) // last column of float4, common to all kinds: inverse masses
+#define EDGE_PAIR (STREAM_PAIRS - 1) // last column of float2, common to all kinds: bodies
 
 INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 {
 	return (__global float2*)(stream + STREAM_QUADS * n) + i;
 }
 
-// quads and pairs are the first float4 and float2 of constraint j; n is the length of a column.
+// quads and pairs: addresses of the first float4 and the first float2 of constraint j. n: length of a column.
 #define STREAM_SKIP_QUAD(k, c0, c1, c2, c3)
 #define STREAM_STORE_QUAD(k, c0, c1, c2, c3)        quads[k * n] = make_float4(c0, c1, c2, c3);
 #define STREAM_STORE_PAIR(k, read, written, c0, c1) pairs[k * n] = make_float2(c0, c1);
@@ -270,7 +276,7 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// Stores constraint j of the stream: registers_store all columns, registers_update only those that a pass writes.
+// Store constraint j of the stream: registers_store all columns, registers_update only the columns that a pass writes.
 OUT_OF_LINE void registers_store(const Registers* u, __global float4* stream, int n, int j)
 {
 	if (u->inert)
@@ -309,7 +315,7 @@ INLINE Side side_load(int body, int sides)
 	return side;
 }
 
-// Loads task t, which is constraint j of the stream.
+// Returns the constraint of task t, loaded from place j of the stream.
 OUT_OF_LINE Registers registers_load(const Pools* p, int t, __global float4* stream, int n, int j)
 {
 	Registers u;
@@ -336,7 +342,7 @@ OUT_OF_LINE Registers registers_load(const Pools* p, int t, __global float4* str
 	return u;
 }
 
-// Integrates the bodies without constraints, and finalizes all bodies. The kernel continuous runs next.
+// Integrates the bodies without constraints, and finalizes all bodies. The kernel continuous follows.
 __kernel void solve_end(POOL_ARGUMENTS Step step, int bodies, int substeps, int passes, int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relay.c -- launches the whole solve as one kernel, a relay (relay.cl).
+// relay.c -- launches a whole solve as one kernel, a relay (relay.cl).
 #include "opencl/forms/relay.h"
 #include "opencl/buffer.h"
 #include "opencl/launch.h"
@@ -11,12 +11,13 @@
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
-// Maximum work-items per constraint. A warp continues when all its constraints can, so constraints wait less if a warp
-// has fewer of them. On an H200 the solve of the scene washer, 4,600 constraints, took 0.335, 0.315, 0.294, 0.287,
-// 0.288 and 0.290 ms with 1, 2, 4, 8, 16 and 32 work-items per constraint.
+// Maximum work-items per constraint. A warp continues when all its constraints can be solved, so a constraint waits
+// less if its warp has fewer constraints. On an H200 the solve of the scene washer, 4,600 constraints, took 0.335,
+// 0.315, 0.294, 0.287, 0.288 and 0.290 ms with 1, 2, 4, 8, 16 and 32 work-items per constraint.
 #define MAX_SPREAD 8
 
-// arguments that follow the step, of relay (RELAY_) and of relay_hubs (HUBS_); both begin with the same two
+// indices of the kernel arguments after the step: RELAY_* of relay, HUBS_* of relay_hubs; the first two are common to
+// both kernels
 enum
 {
 	RELAY_MAILBOXES = ARGUMENT_STEP + 1,
@@ -59,7 +60,7 @@ static bool solve_hinges(const OpenCl* d)
 	return !step->springs && !step->couplings && !step->paths;
 }
 
-// Returns the kernel for the current world if it has no hubs. hubs_kernel: the same for a world with hubs.
+// Return the kernel for the features of the current world: relay_kernel without hubs, hubs_kernel with hubs.
 static Kernel* relay_kernel(OpenCl* d)
 {
 	int plain = solve_plain(d) ? RELAY_PLAIN : RELAY_COLORS, joints = solve_hinges(d) ? RELAY_HINGES : RELAY_JOINTS;
@@ -72,7 +73,8 @@ static Kernel* hubs_kernel(OpenCl* d)
 	return &d->relay.kernels[d->constants.step.joints ? joints : RELAY_HUBS];
 }
 
-// Returns the number of groups for hubs. Others solve the other constraints; if only one is resident, it solves both.
+// Returns the number of work-groups that solve hubs. The other groups solve the other constraints; if only one group is
+// resident, it solves all.
 static size_t hub_groups(OpenCl* d, const Solve* solve)
 {
 	size_t most = hubs_kernel(d)->groups > 1 ? (size_t)hubs_kernel(d)->groups / 2 : 1,
@@ -85,7 +87,8 @@ static size_t other_most(OpenCl* d, const Solve* solve)
 	return (size_t)hubs_kernel(d)->groups - hub_groups(d, solve);
 }
 
-// Returns how many work-items per constraint fit on the device. Only one of them computes.
+// Returns the number of work-items per constraint, a power of two up to MAX_SPREAD, for which `places` work-items
+// suffice. Only one of them computes.
 static int spread_of(int constraints, size_t places)
 {
 	int spread = 1;
@@ -117,7 +120,7 @@ scree_status relay_reserve(OpenCl* d, const Solve* solve)
 	                       registers ? 1 : (size_t)constraints * STREAM_FLOAT4S * sizeof(cl_float4));
 }
 
-// Tests whether all work-items are resident at once and make progress independently.
+// Tests whether all work-items are resident at once and make progress independently, and writes the result to *runs.
 static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem fault, bool* runs)
 {
 	cl_int rounds = PROBE_ROUNDS, spins = PROBE_SPINS, found = 0;
@@ -135,7 +138,8 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem 
 	return SCREE_OK;
 }
 
-// Counts the groups resident at once. A CPU runs items in turn and gets one group of one item, enough for tests.
+// Computes the work-groups that are resident at once. A CPU executes work-items one after another, so it gets one group
+// of one work-item, which suffices for tests.
 static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 {
 	size_t most = 0;
@@ -163,7 +167,7 @@ scree_status relay_bind(OpenCl* d, Per per)
 
 scree_status relay_open(OpenCl* d)
 {
-	// a CPU has no persistent kernel; on other devices its probe found that work-groups are not resident at once
+	// the probe of the persistent kernel, which a CPU does not have, found that work-groups are not resident at once
 	if (d->persistent.kernel.kernel && d->persistent.groups == 0)
 		return SCREE_OK;
 	for (int k = 0; k < RELAY_KERNELS; ++k)
@@ -203,7 +207,7 @@ void relay_close(OpenCl* d)
 	scratch_release(&d->relay.parts);
 }
 
-// Sets the arguments that both kernels have. substeps is the index of the first of five consecutive arguments.
+// Sets the arguments that both kernels have. substeps: index of the first of five consecutive arguments.
 static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel kernel, cl_uint substeps, cl_int spread)
 {
 	cl_int spins = SPINS;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// relay_hub.cl -- the relay for a world with hubs: some work-groups solve hubs, the others constraints with colors.
+// relay_hub.cl -- executes a solve as a relay in a world with hubs: some work-groups solve hubs, the others solve
+// constraints with colors.
 //
 // In each pass the hubs of a body precede its colors. The work-group of a hub waits for the mailboxes of the hub and of
-// all its neighbors, solves them together (hub.h), and sends each body to its next hub or its first color. If a body is
-// split into parts, one work-item collects the parts and sends the body on.
+// all its neighbors, solves all spokes together (hub.h), and sends each body to its next hub or its first color. If a
+// body is split into parts, one work-item collects the parts and sends the body on.
 //
 // Tasks are done in the order of passes; within a pass, hubs precede colors, in the order of hub colors; within a hub
-// color, the hubs precede the split bodies. The first unfinished task never waits.
+// color, the hubs precede the split bodies. The first unfinished task in this order never waits.
 #include "opencl/forms/relay.cl"
 
-// Returns the side of a body for a hub color; turn is the color, below HUB_COLORS.
+// Returns the side of a body for a hub color. turn: number of the hub color.
 INLINE Side relay_side(const Pools* p, int body, int turn)
 {
 	Side side;
@@ -59,7 +60,7 @@ OUT_OF_LINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, 
 	b.inv_inertia = row[7];
 	if (side.last && schedule_moved(q) > 0)
 	{
-		// the displacement arrived before the velocity
+		// this displacement arrived before the velocity, so no wait is needed
 		volatile __global const ulong* moved = r->mailboxes + MAILBOX_WORDS * (ulong)side.body + 2;
 		mailbox_unpack(MAILBOX_READ(moved), relay_ticket(schedule_moved(q), 0), &b.d.x, &b.d.y, &b.da);
 	}
@@ -68,8 +69,8 @@ OUT_OF_LINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, 
 	relay_finish_pass(p, r, side, q, b, m, base);
 }
 
-// Sends the velocity of a part of a body to the work-item that collects the parts. Tickets rise from pass to pass, and
-// the first one of a step is lower than the last one of the previous step, so parts need not be cleared.
+// Sends the velocity of a part of a body to the work-item that collects the parts. Tickets rise from pass to pass. The
+// first ticket of a step is lower than the last one of the previous step, so old parts do not have to be cleared.
 INLINE void relay_send_part(volatile __global ulong* parts, int k, int q, float vx, float vy, float w)
 {
 	mailbox_write(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
@@ -83,8 +84,8 @@ INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global
 	return relay_wait(p, r, true, parts + 2 * (ulong)k, (uint)q + 1u, v, w, false, parts, 0u, &none, &no);
 }
 
-// Runs pass q of hub n in a work-group. Sets fault if a ticket did not arrive, and then does nothing. The part of a
-// neighbor has the index of its spoke; the parts of hubs come after those.
+// Executes pass q of hub n in a work-group. If a ticket did not arrive, sets *fault and solves nothing. Index of a part
+// in `parts`: of a neighbor, the index of its spoke; of a hub, n after all spokes.
 INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* parts, int n, int q,
                       LOCAL float* bench, volatile LOCAL int* fault)
 {
@@ -108,7 +109,7 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 		return;
 	hub_work(p, &h, schedule_pass(r->substeps, q), bench);
 
-	// index h.count, after the spokes, is the hub itself
+	// index h.count, after the spokes, stands for the hub itself
 	group_meet();
 	for (int k = group_lane(); k <= h.count; k += group_width())
 	{
@@ -122,7 +123,8 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 	}
 }
 
-// Collects the parts of a split body in pass q of a hub color, like hub_merge. Its run of sorted spokes begins at i.
+// Adds up the parts of a split body in pass q of hub color turn, as the kernel hub_merge does, and sends the body on.
+// i: first of the body's sorted spokes. Returns false if a ticket did not arrive.
 OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q, int turn)
 {
 	int spoke = hub_merged(p, i, turn);
@@ -156,13 +158,13 @@ OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global u
 	return true;
 }
 
-typedef struct // the tasks of a work-group or a work-item
+typedef struct // the tasks of a work-group and a work-item
 {
-	bool hubs, colors;                // the group solves hubs; the group solves constraints with colors
+	bool hubs, colors;                // whether the group solves hubs; whether it solves constraints with colors
 	int group, hub_groups, hub_count; // the group solves hubs group, group + hub_groups, ...
 	int spokes;
 	int begin, stride, constraints; // the work-item solves constraints begin, begin + stride, ...
-	bool streamed;                  // false: the only constraint of the work-item stays in registers
+	bool streamed;                  // false: the work-item has one constraint, which stays in registers
 	__global float4* stream;
 } HubTasks;
 
@@ -213,7 +215,7 @@ INLINE void hub_tasks_prepare_colors(const Pools* p, const HubTasks* t, Register
 	}
 }
 
-// Runs pass q of the hubs of a work-group. Returns false in the whole group if a ticket did not arrive.
+// Executes pass q of the hubs of a work-group. Returns false in all work-items of the group if a ticket did not arrive.
 INLINE bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTasks* t, volatile __global ulong* parts, int q,
                                 LOCAL float* bench, volatile LOCAL int* fault)
 {
@@ -235,7 +237,7 @@ INLINE bool hub_tasks_pass_hubs(const Pools* p, const Relay* r, const HubTasks* 
 	return !*fault;
 }
 
-// Runs pass q of the constraints of a work-item. Returns false if a ticket did not arrive.
+// Executes pass q of the constraints of a work-item. Returns false if a ticket did not arrive.
 INLINE bool hub_tasks_pass_colors(const Pools* p, const Relay* r, const HubTasks* t, int q, Registers* u,
                                   volatile LOCAL int* fault)
 {
@@ -262,8 +264,8 @@ INLINE void hub_tasks_store_colors(const Pools* p, const HubTasks* t, Registers*
 	}
 }
 
-// Does the same as relay_tasks, but the first hub_groups work-groups solve hubs and the others constraints. A single
-// work-group does both. parts holds two words per spoke and per hub.
+// Executes all passes, as relay_tasks does, but the first hub_groups work-groups solve hubs, and the other groups solve
+// constraints. A single work-group solves both. parts: two words per spoke and per hub.
 INLINE void relay_hub_tasks(const Pools* p, const Relay* r, __global float4* stream, int bound, int spread,
                             __global ulong* parts, int hub_groups, LOCAL float* bench, volatile LOCAL int* fault)
 {
@@ -285,7 +287,7 @@ INLINE void relay_hub_tasks(const Pools* p, const Relay* r, __global float4* str
 	{
 		if (tasks.hubs && !hub_tasks_pass_hubs(p, r, &tasks, parts, q, bench, fault))
 		{
-			// spin-waits of other work-groups read this flag
+			// spin-waits of other work-groups end when they read this flag
 			*(volatile __global int*)&p->counters->fault = FAULT_TIMEOUT;
 			return;
 		}

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// tile_pass.cl -- one pass of the solve: over all tiles, then over the border constraints.
+// tile_pass.cl -- executes one pass of the solve, over all tiles, and then over the border constraints.
 #include "opencl/forms/tiles.cl"
 
-typedef struct // the bodies of a tile
+typedef struct // bodies of a tile in local memory
 {
 	float4 motion[TILE_BODIES + 1]; // velocity x, y, angular velocity, inverse mass
 	float4 moved[TILE_BODIES + 1];  // displacement x, y, rotation, inverse inertia
 } Tile;
 
-// Loads a body into local memory, integrated up to pass q.
+// Loads a body into local memory, integrated up to pass q. resident: index of the body, perhaps with TILE_PLAIN.
 INLINE void tile_fetch(const Pools* p, const Relay* r, int resident, int q, LOCAL Tile* tile, int k)
 {
 	int body = resident & ~TILE_PLAIN;
@@ -61,7 +61,7 @@ INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
 		tile->motion[place] = make_float4(b->v.x, b->v.y, b->w, b->inv_mass);
 }
 
-// Runs pass q of the constraint at place j; pass is the kind of pass q.
+// Executes pass q of the constraint at place j; pass: kind of pass q (PASS_*).
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                        \
 	INLINE void kind##_tile_task(const Pools* p, const Relay* r, const Tiles* t, LOCAL Tile* tile, int j, int q, \
 	                             int pass)                                                                       \
@@ -88,7 +88,8 @@ INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
 
 #define TILE_LAST_COLUMN (TILE_COLUMNS - 1)
 
-// Returns the place of the next constraints of a work-group, in the same column or the next one that is not empty.
+// Returns the place of the next constraints of a work-group: `at` if it is in the same column, otherwise the beginning
+// of the next column with constraints.
 INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column)
 {
 	if (at < range[*column + 1])
@@ -113,11 +114,12 @@ INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column
 	if ((read) >> pass & 1)                         \
 		FETCH_AHEAD(stream_pairs(t->stream, n, j) + k * n);
 
-// Returns whether the world may have constraints of a kind; constant in a kernel without joints.
+// Returns whether the world may have constraints of a kind. The compiler computes the result in a kernel without
+// joints.
 INLINE bool tile_has(const Pools* p, int kind) { return kind == CONSTRAINT_CONTACT || p->step.joints; }
 
 // Prefetches the next constraints of a work-group, one work-item per cache line. Memory bandwidth limits the pass: on
-// an H200 prefetching is 6 % faster than loading them into registers early, and a higher occupancy gains nothing.
+// an H200, prefetching is 6 % faster than an early load into registers, and a higher occupancy is not faster.
 INLINE void tile_fetch_ahead(const Pools* p, const Tiles* t, int kind, int j, int lane, int pass)
 {
 	int n = t->stride;
@@ -199,7 +201,7 @@ INLINE void tile_work(const Pools* p, const Relay* r, const Tiles* t, LOCAL Tile
 TILE_PASS_KERNELS(, STEP_CONTACTS)
 TILE_PASS_KERNELS(_joints, STEP_JOINTS)
 
-// Sends a body to its next border constraint in pass q, or writes it to the pool after the last one.
+// Sends a body to its next border constraint in pass q; after its last border constraint, writes the body to its pool.
 INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, Body b)
 {
 	relay_send_next(r, side, q, b);
@@ -210,7 +212,8 @@ INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, B
 		mailbox_clear(r->mailboxes + MAILBOX_WORDS * (ulong)side.body);
 }
 
-// Runs pass q of a border constraint. A body comes from its pool, or from its previous border constraint by mailbox.
+// Executes pass q of a border constraint. Its bodies come from their pool, or by mailbox from their previous border
+// constraints. Returns false if a ticket did not arrive.
 INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile LOCAL int* fault)
 {
 	Registers u = registers_load(p, t->order[j], t->stream, t->stride, j);

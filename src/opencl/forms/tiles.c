@@ -7,14 +7,14 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// Stale tiles are rebuilt if at most BORDER_SHARE of the constraints were border constraints at the last build. After
-// BORDER_AGE solves without tiles they are rebuilt anyway, to measure the share again.
+// Tiles that are out of date are rebuilt if at most BORDER_SHARE of the constraints were border constraints at the last
+// build. After BORDER_AGE solves without tiles, they are rebuilt in any case, to measure this share again.
 #define BORDER_SHARE 0.1
 #define BORDER_AGE   64
 
-#define BORDER_GRAIN 64 // border constraints per relay group if there are few; more groups make the launch longer
+#define BORDER_GRAIN 64 // border constraints per work-group of the relay if there are few; more groups take longer
 
-// kernel names, and maximum work-items per work-group
+// names of kernels, and maximum work-items per work-group
 static const struct
 {
 	const char* name;
@@ -78,10 +78,10 @@ scree_status tiles_bind(OpenCl* d, Per per)
 	return SCREE_OK;
 }
 
-// a tree has at most one leaf per collidable
+// number of tiles; a tree has at most one leaf per collidable
 static cl_int row_count(const OpenCl* d) { return (d->constants.step.collidables - 1) / TILE_BODIES + 1; }
 
-// number of places: all constraints, and the padding of the border's colors
+// number of places: one per constraint, and padding for the colors of the border
 static cl_int place_count(const Solve* solve) { return solve_constraints(solve) + TILE_COLUMNS * RELAY_GROUP; }
 
 scree_status tiles_reserve(OpenCl* d, const Solve* solve)
@@ -119,7 +119,7 @@ typedef struct // a kernel argument
 	}
 #define VALUES(...) (const Value[]){__VA_ARGS__}, (int)(sizeof((const Value[]){__VA_ARGS__}) / sizeof(Value))
 
-// Launches a kernel over the given number of items. The values are its arguments from index first on.
+// Launches a kernel over `items` items. values: its arguments, from index `first` on.
 static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int items, cl_uint first, const Value* values,
                               int count)
 {
@@ -128,7 +128,7 @@ static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int ite
 	return launch(d, kernel, groups_of(items, group) * group, group);
 }
 
-// Does the same for a kernel that takes all pools; the values follow the step.
+// Launches a kernel that takes all pools. values: its arguments after the step.
 static scree_status tile_run(OpenCl* d, int k, int items, const Value* values, int count)
 {
 	Kernel* kernel = &d->tiles.kernels[k];
@@ -174,13 +174,13 @@ static scree_status lay_out(OpenCl* d, const Solve* solve, cl_int rows, int plac
 	t->age = 0;
 	if (t->edges_event)
 		return SCREE_OK;
-	// entries of the last two rows: begin and end of the border
+	// last two entries of total: begin and end of the border
 	TRY(CALL(EnqueueReadBuffer, d->queue, total, CL_FALSE, (size_t)rows * sizeof(cl_int), sizeof t->edges, t->edges, 0,
 	         NULL, &t->edges_event));
 	return SCREE_OK;
 }
 
-// Stores the size of the border, once the read that lay_out enqueued is complete.
+// Stores the size of the border in t->border, if the read that lay_out enqueued is complete.
 static void border_poll(TileState* t)
 {
 	cl_int status = CL_QUEUED;

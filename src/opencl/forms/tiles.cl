@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// tiles.cl -- the solve of a large world, one launch per pass: a work-group keeps a tile of bodies in local memory.
+// tiles.cl -- solves a large world with tiles, one launch per pass: a work-group keeps a tile of bodies in local
+// memory.
 //
-// A pass by colors reads and writes each body in global memory once per constraint. Here the bodies are divided into
-// tiles of neighbors along the Hilbert curve of the broad phase's tree. A work-group loads a tile once per pass,
-// integrates its bodies, and solves the constraints inside it color by color, with barriers between the colors.
+// A pass by colors reads and writes a body in global memory once for each of its constraints. With tiles, the bodies
+// are divided into tiles of neighbors along the Hilbert curve of the broad phase's tree. A work-group loads a tile once
+// per pass, integrates its bodies, and solves the constraints inside the tile color by color, with barriers between the
+// colors.
 //
 // The constraints of each body must still be solved in the order of their colors. A constraint between two tiles is a
-// border constraint, and so is each one that follows a border constraint on either body. A second launch solves the
-// border as a relay (relay.cl). The result does not depend on the tiles.
+// border constraint, and so is every later constraint of either of its bodies. A second launch solves the border as a
+// relay (relay.cl). The result does not depend on the tiles.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-#define TILE_RESTS TILE_BODIES // place in local memory of all bodies that rest and cannot move
-#define TILE_PLAIN 0x40000000  // flag in a resident, a body's index: its motion has the usual constants (tile_plain)
+#define TILE_RESTS TILE_BODIES // place in local memory that stands for all bodies that rest and cannot move
+#define TILE_PLAIN 0x40000000  // added to the index of a body for which tile_plain is true
 
-// Tiles and their constraints.
-
-// Returns false if the counter at bound is 0: constraints differ from those assumed by the host; nothing is done.
+// Returns false if bound names a counter that is 0: then the layout of constraints has changed, and no kernel of the
+// tiles does anything.
 INLINE bool tile_wanted(const Pools* p, int bound)
 {
 	return bound < 0 || ((__global const int*)p->counters)[bound] != 0;
@@ -32,8 +33,9 @@ INLINE int tile_body_of(const Pools* p, int leaf)
 	return leaf < p->tree[0].leaves ? p->collidable_body[p->leaf[p->tree[0].leaf_begin + leaf]] : -1;
 }
 
-// Returns TILE_PLAIN if a body has no force, damping or lock, and gravity scale 1: passes do not read its constants.
-// Only forces of fields can change before the tiles are rebuilt, because every change by the user rebuilds them.
+// Returns TILE_PLAIN if a body has no force, damping or lock, and gravity scale 1: passes then do not read its
+// constants. Only fields can change these before the tiles are rebuilt, because every change by the user rebuilds the
+// tiles.
 INLINE int tile_plain(const Pools* p, int body)
 {
 	Motion m = p->motion[body];
@@ -42,7 +44,7 @@ INLINE int tile_plain(const Pools* p, int body)
 	return odd == 0 && m.gravity_scale == 1.0f && m.free_x == 1.0f && m.free_y == 1.0f ? TILE_PLAIN : 0;
 }
 
-// Assigns each body the place of one of its leaves; the last write wins. place has an item per body.
+// Assigns each body the place of one of its leaves; the last write is kept. place has an int per body.
 __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __global int* border, int places,
                           int bound)
 {
@@ -54,7 +56,8 @@ __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __globa
 	border[body] = COLORS + 1;
 }
 
-// Lists the bodies by place: resident has an item per place, -1 for none. pushed: 1 with fields, which change forces.
+// Lists the bodies by place: resident has an int per place, -1 without a body. pushed: 1 if fields change forces, so
+// that no body is plain.
 __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places,
                         int bound, int pushed)
 {
@@ -69,8 +72,8 @@ INLINE bool tile_still(const float row[8])
 	return all_zero(row, 3) && all_zero(row + 4, 4);
 }
 
-// Returns the table row of constraints with a body that cannot move: -1 for any row, or the border's row if the body is
-// kinematic and moving, because its position then differs in every pass.
+// Returns the row of the table for a body that cannot move: -1 for any row, or the row of the border if the body is
+// kinematic and moving, because its position then differs from pass to pass.
 INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 {
 	float first[8], second[8];
@@ -81,8 +84,8 @@ INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 
 INLINE int tile_column(int color, int kind) { return color * CONSTRAINT_KINDS + kind; }
 
-// Returns the table row of a constraint: that of its tile, or the last one for a border constraint. border holds, for
-// each body, its first color with a border constraint.
+// Returns the row of the table for a constraint: that of its tile, or the last row for a border constraint. border: per
+// body, its first color with a border constraint.
 INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int* place, __global const int* border,
                     int rows)
 {
@@ -100,12 +103,13 @@ INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int*
 	return row == -1 ? rows : row;
 }
 
-// Counts the constraints of one color, and finds the border constraints. Each color has its own launch, because it
-// depends on the colors before it. The count so far becomes a constraint's rank, so ranks have any order.
+// Counts the constraints of one color, and finds border constraints. Each color has a separate launch, because its
+// border depends on earlier colors. The count before a constraint is added becomes its rank; the order of ranks may
+// differ between executions.
 __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
                          __global int* rank, int rows, int bound, int begin, int end)
 {
-	// the border has one counter per kind: a work-group adds its constraints with one atomic operation
+	// counts of the border, per kind: a work-group adds each with one atomic operation
 	__local int border_count[CONSTRAINT_KINDS], first[CONSTRAINT_KINDS], found;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
@@ -143,11 +147,11 @@ __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __
 
 INLINE int tile_padded(int count, int row, int rows)
 {
-	// the work-items of a work-group of the relay need constraints of one color
+	// in the border, all work-items of a work-group must have constraints of one color
 	return row < rows ? count : (count + RELAY_GROUP - 1) / RELAY_GROUP * RELAY_GROUP;
 }
 
-// Sums the constraints of each row. The last row is the border.
+// Sums the number of places of each row of the table. The last row is the border.
 __kernel void tile_total(__global const int* table, __global int* total, int rows)
 {
 	int row = (int)get_global_id(0), sum = 0;
@@ -158,7 +162,7 @@ __kernel void tile_total(__global const int* table, __global int* total, int row
 	total[row] = sum;
 }
 
-// Computes the beginning of each row, in one work-group.
+// Replaces the sums by the beginning of each row, in one work-group.
 __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_begin(__global int* total, int rows)
 {
 	__local uint sum[PRIMITIVE_GROUP];
@@ -174,7 +178,7 @@ __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_
 	}
 }
 
-// Replaces the counts of the table by beginnings. The row after the border holds the end.
+// Replaces the counts of the table by beginnings. The row after the border gets the end of the last place.
 __kernel void tile_range(__global int* table, __global const int* total, int rows)
 {
 	int row = (int)get_global_id(0);
@@ -189,7 +193,7 @@ __kernel void tile_range(__global int* table, __global const int* total, int row
 	}
 }
 
-// Writes to order the task at each place, -1 for none.
+// Writes the task of each constraint to its place in order. The other places keep -1.
 __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
                          __global const int* table, __global const int* rank, int rows, int bound,
                          __global int* order, int constraints)
@@ -205,8 +209,6 @@ __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __
 	order[table[row * TILE_COLUMNS + tile_column(color, at.kind)] + rank[i]] = i;
 }
 
-// The stream of constraints, which the passes read.
-
 typedef struct
 {
 	__global const int* place;
@@ -214,17 +216,17 @@ typedef struct
 	__global const int* resident;
 	__global const int* table;
 	__global const int* order;
-	__global float4* stream; // columns of length stride
+	__global float4* stream; // columns of `stride` entries
 	int stride, rows;
 } Tiles;
 
-// Returns the place of a body in its tile, for a constraint inside the tile.
+// Returns the place of a body in its tile, for a constraint inside the tile; TILE_RESTS if the body cannot move.
 INLINE uint tile_place(const Pools* p, const Tiles* t, int body)
 {
 	return p->body[body].inv_mass > 0.0f ? (uint)t->place[body] % TILE_BODIES : TILE_RESTS;
 }
 
-// Returns the side of a border constraint. Constraints of the body before its first border constraint are not counted.
+// Returns the side of a border constraint. side.before counts only border constraints of the body.
 INLINE Side tile_side(const Pools* p, const Tiles* t, int body, int color)
 {
 	Side side = side_of(p, body, color, false);
@@ -236,7 +238,7 @@ INLINE Side tile_side(const Pools* p, const Tiles* t, int body, int color)
 	return side;
 }
 
-// Writes the constraint at place j to the stream, for the passes.
+// Prepares the constraint at place j and writes it to the stream, for the passes.
 INLINE void tile_prepare_at(const Pools* p, const Tiles* t, int j)
 {
 	if (j == 0)

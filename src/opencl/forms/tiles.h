@@ -6,7 +6,7 @@
 
 scree_status tiles_open(OpenCl* d);
 void tiles_close(OpenCl* d);
-scree_status tiles_bind(OpenCl* d, Per per); // binds all kernels of the tiles, like kernel_bind
+scree_status tiles_bind(OpenCl* d, Per per); // binds a buffer to all kernels of the tiles, like kernel_bind
 // Returns whether tiles are faster than launches by color.
 bool tiles_pay(OpenCl* d, const Solve* solve);
 scree_status tiles_reserve(OpenCl* d, const Solve* solve);
