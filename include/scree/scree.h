@@ -335,7 +335,7 @@ typedef struct scree_counters
 	int bodies, dynamic_bodies;  // current numbers
 	int collidables, attributes; // current numbers
 	int contacts;                // pairs whose enlarged boxes overlap
-	int touching;                // contacts with manifold points, speculative ones included
+	int touching;                // contacts with manifold points, including speculative contacts
 	int colors;                  // colors of the constraint graph in use (scree_contact.color)
 	int spokes;                  // contacts of hubs (bodies with more than 32 contacts), which are solved together
 	int updated_boxes;           // collidables whose enlarged box changed in the last step
@@ -417,8 +417,8 @@ typedef enum scree_shape_kind
 } scree_shape_kind;
 
 // A shape in local coordinates: all points within radius of the convex hull of the vertices. The scree_shape_make_*
-// functions fill all members. Functions that take a shape compute normals, centroid, area, inertia and reach
-// themselves.
+// functions fill all members. Functions that take a shape ignore its normals, centroid, area, inertia and reach, and
+// compute them again.
 typedef struct scree_shape
 {
 	scree_shape_kind kind;
@@ -663,10 +663,10 @@ SCREE_API scree_status scree_bodies_apply_impulses_at(scree_world* world, const 
 // and a static body stays at rest.
 SCREE_API scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* bodies,
                                                    const scree_velocity* velocities, int count);
-// Sets the linear velocities, m/s; the angular ones stay.
+// Sets the linear velocities, m/s; angular velocities stay.
 SCREE_API scree_status scree_bodies_set_linear_velocities(scree_world* world, const scree_body* bodies,
                                                           const scree_vec* velocities, int count);
-// Sets the angular velocities, rad/s; the linear ones stay.
+// Sets the angular velocities, rad/s; linear velocities stay.
 SCREE_API scree_status scree_bodies_set_angular_velocities(scree_world* world, const scree_body* bodies,
                                                            const float* velocities, int count);
 
@@ -728,9 +728,9 @@ SCREE_API scree_status scree_body_apply_angular_impulse(scree_world* world, scre
 SCREE_API scree_status scree_body_set_velocity(scree_world* world, scree_body body, scree_velocity velocity);
 // Returns the velocity of the center of mass.
 SCREE_API scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity);
-// Sets the linear velocity, m/s; the angular one stays.
+// Sets the linear velocity, m/s; the angular velocity stays.
 SCREE_API scree_status scree_body_set_linear_velocity(scree_world* world, scree_body body, scree_vec velocity);
-// Sets the angular velocity, rad/s; the linear one stays.
+// Sets the angular velocity, rad/s; the linear velocity stays.
 SCREE_API scree_status scree_body_set_angular_velocity(scree_world* world, scree_body body, float velocity);
 // Sets the pose that a kinematic body has at the end of the next step with dt > 0; see scree_bodies_set_targets.
 SCREE_API scree_status scree_body_set_target(scree_world* world, scree_body body, scree_pose pose);
@@ -1049,21 +1049,21 @@ static inline bool scree_joint_equals(scree_joint a, scree_joint b)
 	return a.index == b.index && a.generation == b.generation;
 }
 
-typedef enum scree_joint_type // the coordinates that are locked, and other values that scree_joint_def_make presets
+typedef enum scree_joint_type // each comment: locked coordinates, then other values that scree_joint_def_make sets
 {
-	SCREE_JOINT_FREE,      // none: for joints whose values you set yourself
+	SCREE_JOINT_FREE,      // no coordinate: for joints whose values you set yourself
 	SCREE_JOINT_DISTANCE,  // along, at along.target (1 m); unlock it for a spring, or for a rope with limits
 	SCREE_JOINT_REVOLUTE,  // along and across: a hinge
 	SCREE_JOINT_PRISMATIC, // across and angle: a slider along the x axis of frame A
 	SCREE_JOINT_SLOT,      // across: a pin in a slot along the x axis of frame A
 	SCREE_JOINT_WELD,      // all; lock_hertz makes it soft
 	SCREE_JOINT_WHEEL,     // across; a spring along the x axis of frame A, 1 Hz, damping ratio 0.7
-	SCREE_JOINT_MOTOR,     // none; motors on all three with speed 0 and maximum 0, to be set for friction or a drive
-	SCREE_JOINT_TARGET,    // none; springs along and across, 5 Hz, damping ratio 1: pull a body to frame A
-	SCREE_JOINT_FILTER,    // none: its only effect is that the two bodies do not collide
-	SCREE_JOINT_GEAR,      // along: couples two angles (scree_joint_side)
-	SCREE_JOINT_PULLEY,    // along: couples two distances; the two bodies may collide
-	SCREE_JOINT_PATH,      // across: a bead on a wire; also lock the angle for a wagon on a rail
+	SCREE_JOINT_MOTOR,  // no coordinate; motors on all three, speed 0 and maximum 0, to be set for friction or a drive
+	SCREE_JOINT_TARGET, // no coordinate; springs along and across, 5 Hz, damping ratio 1: pull a body to frame A
+	SCREE_JOINT_FILTER, // no coordinate: its only effect is that the two bodies do not touch
+	SCREE_JOINT_GEAR,   // along: couples two angles (scree_joint_side)
+	SCREE_JOINT_PULLEY, // along: couples two distances; the two bodies may collide
+	SCREE_JOINT_PATH,   // across: a bead on a wire; also lock the angle for a wagon on a rail
 } scree_joint_type;
 
 // Returns the name of a type ("free", "distance", ...), a constant string; never null.
@@ -1550,7 +1550,7 @@ typedef struct scree_query_results // all results of a call
 	const int* first;
 } scree_query_results;
 
-// Finds the first collidable that each ray meets; of several at the same fraction, the one with the lowest index.
+// Finds the first collidable that each ray meets; of several at the same fraction, that with the lowest index.
 // Writes one result per ray to found. def may be null for the default. Method: an 8-ary tree of boxes, searched in the
 // order of the distance; rounded polygons are exact.
 SCREE_API scree_status scree_world_cast_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
