@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# auto.sh -- measures the cost of device "auto": whole runs of 500 steps on the CPU, on the GPU and on auto, by size.
+# auto.sh -- measures the cost of device "auto": whole runs of 500 steps on the CPU, on the GPU and with auto, for several sizes.
 #
 # usage: bench/auto.sh SCREE [DEVICE]
 #   SCREE   path of the command line, for example build/scree
-#   DEVICE  --device of the other device; default opencl
-# Each run is a process of its own, and the devices take turns. Variables and their defaults: STEPS (500), REPEATS (5), SCENES ("pyramids
-# smash"), SIZES ("100 1000 10000 100000"). Prints one row for each scene and size with the medians of ms_wait: the time from
-# scree_world_create to the end of the last step, without the creation of the bodies. CSV_ALL names a file for the rows of all
+#   DEVICE  device that is compared with the CPU, as for --device; default opencl
+# Each run is a separate process, and the devices take turns. Variables and their defaults: STEPS (500), REPEATS (5), SCENES
+# ("pyramids smash"), SIZES ("100 1000 10000 100000"). Prints one row for each scene and size with the medians of ms_wait: the time
+# from scree_world_create to the end of the last step, without the creation of the bodies. CSV_ALL names a file for the rows of all
 # runs. Exit 1 when hashes differ.
 set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# bench.sh -- measures fixed scenes at fixed sizes on the CPU and on the GPU if there is one; then the curves.
+# bench.sh -- measures scenes of fixed sizes on the CPU, and on the GPU if the machine has one, then draws the curves.
 #
 # usage: bench/bench.sh [NAME]
 #   NAME  folder in bench/results for bench.csv, machine.txt and the curves; default local
-# CURVES=no leaves out the curves; SCREE names the command line (build/scree). Hashes must be those of bench/known.csv. After a
-# change that must change them, KNOWN=write writes that file from the rows of the CPU. Exit 1 when a row is invalid.
+# CURVES=no leaves out the curves; SCREE is the path of the command line (build/scree). Hashes must be equal to those in
+# bench/known.csv. After a change that must change hashes, KNOWN=write writes that file from the rows of the CPU. Exit 1 when a row
+# is invalid.
 set -uo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.." || exit 1
@@ -25,7 +26,7 @@ gpu=$("$scree" devices | awk '/^opencl:/ { name = $0 } / driver / && name { if (
 	"$scree" devices
 } >"$folder/machine.txt"
 
-# the rows of all scenes on all devices; each command prints a heading
+# Prints the rows of all scenes on all devices, with a heading from each command.
 measure()
 {
 	local failed=0 device

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# curves.sh -- measures the cost of a step over the number of bodies: 100 to 10 million, at rest and in a storm.
+# curves.sh -- measures the time of a step for 100 to 10 million bodies, at rest and in a storm.
 #
 # usage: bench/curves.sh [FOLDER [DEVICE...]]
 #   FOLDER  gets curves.csv, curves.svg and curves.png; default bench/results/local
 #   DEVICE  as for scree --device; default cpu
-# Variables and their defaults: SIZES (100 1k 10k 100k 1M 10M); CPU_SIZES, the sizes on the CPU (those up to 1M); SCENES (pyramids
-# storm); LIMIT, seconds for one run (600); SCREE, the command line (build/scree).
+# Variables and their defaults: SIZES (100 1k 10k 100k 1M 10M); CPU_SIZES, the sizes on the CPU (SIZES without 10M); SCENES
+# (pyramids storm); LIMIT, seconds for one run (600); SCREE, the path of the command line (build/scree).
 # bench/plot.sh draws the curves. Exit 1 when a row is invalid or missing.
 set -uo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
@@ -19,7 +19,7 @@ csv=$folder/curves.csv
 known=()
 [ -e bench/known.csv ] && [ "${KNOWN:-}" != write ] && known=(--known bench/known.csv)
 
-# Prints the settings of a scene and size: a pyramid has 55 boxes, a cell of the storm 364 bodies and a rotor.
+# Prints the settings for a scene and a size: a pyramid has 55 boxes; a cell of the storm has 364 bodies and a rotor.
 settings_of()
 {
 	case $1.$2 in
@@ -39,8 +39,8 @@ settings_of()
 	esac
 }
 
-# Prints the options of a size. The storm begins within 30 steps. The large sizes are not repeated: their times vary little, and
-# building them takes longer than running them.
+# Prints the options for a size. The storm begins within 30 steps. The large sizes are not repeated, because their times vary little
+# and building them takes longer than running them.
 steps_of()
 {
 	case $1 in

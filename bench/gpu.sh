@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# gpu.sh -- on a machine with a GPU: builds, compares the hashes of all scenes and of random programs on CPU and GPU, then
-# measures.
+# gpu.sh -- tests and measures a GPU: builds, compares hashes of all scenes and of random programs on CPU and GPU, then measures.
 #
 # usage: bench/gpu.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
 #   FOLDER  gets parity.csv, programs.txt, bench.csv, queries.csv, rays.csv, frames.csv, machine.txt and the curves; default
 #           bench/results/DEVICE
-# Variables and their defaults: STEPS, after which hashes are compared (300); HEAVY, the scenes that one thread simulates for only
-# HEAVY_STEPS (10) steps; PROGRAMS and SECONDS_EACH, as for bench/programs.sh, which PROGRAMS=0 leaves out.
-# BENCH lists the scenes to measure, FRAMES those to draw, QUERIES the scene for a million queries, RAYS the scene whose rays are
-# cast after every step; none leaves the part out. CURVES=yes also runs bench/curves.sh, and FIGURES=yes draws the figures of
-# docs/paper.md. Exit 1 when a hash or a picture differs or a row is invalid.
+# Variables and their defaults: STEPS, the number of steps after which hashes are compared (300); HEAVY, the scenes that the CPU
+# simulates with one thread for only HEAVY_STEPS (10) steps (million); PROGRAMS and SECONDS_EACH, as for bench/programs.sh, which
+# PROGRAMS=0 leaves out.
+# BENCH: the scenes to measure. FRAMES: the scenes to draw. QUERIES: the scene for a million queries. RAYS: the scene whose rays are
+# cast after every step. The value none leaves out the part. CURVES=yes also runs bench/curves.sh, and FIGURES=yes draws the figures
+# of docs/paper.md. Exit 1 when a hash or a picture differs or a row is invalid.
 set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."
@@ -19,7 +19,7 @@ folder=${2:-bench/results/$(echo "$device" | tr 'A-Z ' 'a-z-')}
 steps=${STEPS:-300}
 heavy=" ${HEAVY:-million} "
 heavy_steps=${HEAVY_STEPS:-10}
-limit=${LIMIT:-240} # s for each run, so that a kernel that hangs does not block the machine
+limit=${LIMIT:-240} # maximum seconds of a run, so that a kernel that hangs does not block the machine
 mkdir -p "$folder"
 
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release >build.log 2>&1 && ninja -C build >>build.log 2>&1 ||
@@ -45,12 +45,12 @@ keep()
 	local file=$work/$2.$1
 	timeout "$limit" "${@:3}" >"$file" 2>"$file.err" || echo "failed:$(tr '\n,' '  ' <"$file.err" | cut -c 1-120)" >"$file"
 }
-# hash_of NAME SCENE STEPS OPTION...: the same for the hash of a scene
+# hash_of NAME SCENE STEPS OPTION...: writes the hash of a scene after this number of steps to $work/SCENE.NAME
 hash_of() { keep "$1" "$2" $scree hash "$2" --steps "${@:3}"; }
 export -f keep hash_of
 export work scree limit
 
-# the references, computed on the CPU by several processes while the GPU runs the scenes
+# compute the references on the CPU in several processes, while the GPU runs the scenes
 jobs=$work/jobs
 for scene in $($scree scenes --names); do
 	count=$steps
@@ -74,7 +74,8 @@ for scene in $($scree scenes --names); do
 done
 wait $references
 
-# NVIDIA's programs are PTX. A function that was not inlined keeps the pools on the stack of every work-item.
+# NVIDIA's programs are PTX. A function that is not inlined is slow, because every work-item then keeps its pool pointers on the
+# stack.
 calls=$(cat "$SCREE_CACHE"/* | grep -a '^\.func' | sort -u || true)
 echo "functions that are not inlined: ${calls:-none}" | tee -a "$folder/machine.txt"
 
@@ -132,7 +133,7 @@ if [ "$frames" != none ]; then
 			timeout "$limit" $scree bench frames "$scene" --device "$where" --steps 150
 		done
 	done | awk 'NR == 1 || !/^scene,/' | tee "$folder/frames.csv" || differ=1
-	# rows are shared or copied, from a world on the CPU or on the GPU: all four must have the same picture and hash
+	# shared rows and copied rows, each with a world on the CPU and on the GPU: all four must have the same picture and hash
 	pictures=$(sed 1d "$folder/frames.csv" | cut -d, -f 1,11,12 | sort | uniq -c | grep -c '^ *4 ')
 	[ "$pictures" = "$(echo $frames | wc -w)" ] || { echo "frames.csv: pictures differ, or are missing"; differ=1; }
 fi

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# plot.sh -- draws the curves that bench/curves.sh measured, on this machine or on one without gnuplot.
+# plot.sh -- draws the curves that bench/curves.sh measured, on this machine or on another one.
 #
 # usage: bench/plot.sh FOLDER
-#   FOLDER  has curves.csv and gets curves.svg and curves.png
+#   FOLDER  contains curves.csv, and gets curves.svg and curves.png
 set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# programs.sh -- on a machine with a GPU: runs random sequences of API calls on CPU and GPU, in three forms of the solve.
+# programs.sh -- runs random sequences of API calls on CPU and GPU, with three forms of the solve, and compares the bits.
 #
 # usage: bench/programs.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
 #   FOLDER  gets programs.txt, and a shortened copy of each program that fails; default bench/results/DEVICE
-# PROGRAMS (1000) programs run in each form, for at most SECONDS_EACH (120) seconds. Exit 1 when bits differ from those of the CPU.
-# build/tests/programs must have been built.
+# PROGRAMS (1000) programs run with each form, for at most SECONDS_EACH (120) seconds. Exit 1 when bits differ from those of the
+# CPU. build/tests/programs must have been built.
 set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."

@@ -3,8 +3,8 @@
 #
 # usage: bench/validate.sh [FOLDER]
 #   FOLDER  holds before.csv, now.csv and box2d.csv, each optional; default bench/results/validate
-# Replaces the rows between the two marks of docs/validate.md: the values and their limits. A value beyond its limit is bold. Values
-# of Box2D are never bold, because the limits are for Scree.
+# Replaces the rows between the two marks in docs/validate.md by new rows with the values and their limits. A value beyond its limit
+# is bold. Values of Box2D are never bold, because the limits are for Scree.
 set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // bench_whole.c -- scree bench --whole: measures runs from end to end, including the time to open the device.
 //
-// Nothing is read back between the steps, and the clock stops when the device has finished the last one. Each run
-// should be a process of its own (--repeats 1), because a process starts a driver only once.
+// Nothing is read back between the steps, and the clock stops when the device has finished the last one. For exact
+// results each run needs a separate process (--repeats 1), because a process starts a driver only once.
 #include "bench_whole.h"
 #include "cli/common/library_error.h"
 #include "cli/common/open_scene.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// command_options.c -- the options of scree, and the commands that take them.
+// command_options.c -- defines the options of scree, and the commands that accept each option.
 #include "command_options.h"
 #include "cli/common/option_values.h"
 #include <string.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// command_options.h -- the options of scree, and the commands that take them.
+// command_options.h -- defines the options of scree, and the commands that accept each option.
 #ifndef COMMAND_OPTIONS_H
 #define COMMAND_OPTIONS_H
 #include "cli/common/options.h"
 
-enum // bits, so that an option can belong to several commands
+enum // commands; bits, so that an option can belong to several of them
 {
 	RUN = 1,
 	HASH = 2,
@@ -12,9 +12,9 @@ enum // bits, so that an option can belong to several commands
 	DEVICES = 8,
 	BENCH = 16,
 	VIEW = 32,
-	FRAMES = 64, // bench frames
+	FRAMES = 64, // the command bench frames
 	VALIDATE = 128,
-	QUERIES = 256, // bench queries
+	QUERIES = 256, // the command bench queries
 };
 
 extern const OptionTable command_options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// commands.h -- the commands of scree; each returns an exit code.
+// commands.h -- declares the commands of scree. Each function returns an exit code.
 #ifndef COMMANDS_H
 #define COMMANDS_H
 #include "cli/common/options.h"
@@ -9,8 +9,8 @@ int hash_command(const Options* options);
 int scenes_command(const Options* options);
 int devices_command(const Options* options);
 int bench_command(const Options* options);
-int frames_command(const Options* options);  // bench frames
-int queries_command(const Options* options); // bench queries
+int frames_command(const Options* options);  // the command bench frames
+int queries_command(const Options* options); // the command bench queries
 int view_command(const Options* options);
 int validate_command(const Options* options);
 

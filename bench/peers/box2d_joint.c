@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// box2d_joint.c -- a joint of Scree as a joint of Box2D.
+// box2d_joint.c -- adds a joint of Scree to a world of Box2D.
 #include "box2d_joint.h"
 #include <stdio.h>
 
@@ -21,7 +21,7 @@ static void set_base(b2JointDef* base, const scree_joint_def* def, b2BodyId a, b
 	base->collideConnected = def->collide_connected;
 }
 
-// Members that joints of several types have under one name.
+// Set members that have the same names in the definitions of several joint types of Box2D.
 #define SET_SPRING(to, from)            \
 	(to).enableSpring = (from)->spring; \
 	(to).hertz = (from)->spring_hertz;  \
@@ -80,7 +80,7 @@ static void add_distance(b2WorldId world, const scree_joint_def* def, b2BodyId a
 	b2DistanceJointDef to = b2DefaultDistanceJointDef();
 	set_base(&to.base, def, a, b);
 	to.length = along->target;
-	to.enableSpring = !along->locked; // a distance without a spring is rigid
+	to.enableSpring = !along->locked; // in Box2D, a distance joint without a spring is rigid
 	to.hertz = along->spring ? along->spring_hertz : 0.0f;
 	to.dampingRatio = along->spring_damping_ratio;
 	to.enableLimit = along->limited;

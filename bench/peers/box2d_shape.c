@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// box2d_shape.c -- a collidable of Scree as a shape of Box2D.
+// box2d_shape.c -- adds a collidable of Scree to a body of Box2D.
 #include "box2d_shape.h"
 #include <stdio.h>
 
@@ -14,7 +14,7 @@ bool box2d_add_shape(b2BodyId body, const scree_attribute_def* surface, const sc
 	def.material.rollingResistance = surface->rolling_resistance;
 	def.material.tangentSpeed = surface->tangent_speed;
 	def.filter = (b2Filter){filter.category, filter.mask, filter.group};
-	def.updateBodyMass = false; // once a body, by the caller
+	def.updateBodyMass = false; // the caller computes the mass once per body
 	b2Polygon polygon = {.centroid = vec(shape->centroid), .radius = shape->radius, .count = shape->count};
 	switch (shape->kind)
 	{

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// box2d_shape.h -- a collidable of Scree as a shape of Box2D.
+// box2d_shape.h -- adds a collidable of Scree to a body of Box2D.
 #ifndef BOX2D_SHAPE_H
 #define BOX2D_SHAPE_H
 #include "scree/scree.h"
 #include <box2d/box2d.h>
 
-// Adds a shape, in the body's frame, with the other values of the surface; masses are the caller's to apply. Returns
-// false after printing that Box2D has no such shape.
+// Adds a shape, in the body's frame, with the surface values of an attribute; the shape in surface is not used. The
+// caller applies the mass afterwards. If Box2D has no such shape, prints a sentence and returns false.
 bool box2d_add_shape(b2BodyId body, const scree_attribute_def* surface, const scree_shape* shape, scree_filter filter);
 
 #endif

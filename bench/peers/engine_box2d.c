@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// engine_box2d.c -- Box2D v3 as an engine, through its public interface.
+// engine_box2d.c -- implements the functions of Engine with the public interface of Box2D v3.
 //
-// Contact stiffness and the like have each engine's defaults. Sleep is off, because Scree has none.
+// Solver parameters, such as the contact stiffness, have each engine's default values. Sleep is off, because Scree does
+// not have it.
 #include "engine_box2d.h"
 #include "box2d_joint.h"
 #include "box2d_shape.h"
@@ -12,8 +13,8 @@ typedef struct
 {
 	b2WorldId world;
 	b2BodyId ground;  // body to which joints with the world are attached; null before the first one
-	b2BodyId* bodies; // by their index
-	int room;
+	b2BodyId* bodies; // by EngineBody.index
+	int room;         // number of entries allocated in bodies
 } State;
 
 static b2Vec2 vec(scree_vec v) { return (b2Vec2){v.x, v.y}; }
@@ -77,12 +78,12 @@ static bool create_one(State* state, const EngineBody* body)
 			return false;
 	}
 	b2Body_ApplyMassFromShapes(created);
-	// the velocity is that of the center of mass, which Box2D has only now
+	// def.linearVelocity is that of the center of mass, which Box2D has computed only now
 	b2Body_SetLinearVelocity(created, def.linearVelocity);
 	return true;
 }
 
-// Allocates places for bodies up to this index.
+// Allocates memory for bodies with indices up to this one. Returns false after printing a sentence.
 static bool grow(State* state, int index)
 {
 	if (index < state->room)
@@ -167,7 +168,7 @@ static bool step(void* context, float dt, int substeps)
 
 static bool wait(void* context)
 {
-	(void)context; // a step returns when all work is done
+	(void)context; // nothing to wait for: a step of Box2D returns when all work is done
 	return true;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// engine_box2d.h -- Box2D v3 as an engine.
+// engine_box2d.h -- declares Box2D v3 as an Engine.
 #ifndef ENGINE_BOX2D_H
 #define ENGINE_BOX2D_H
 #include "validate/engine.h"
@@ -7,7 +7,7 @@
 
 extern const Engine box2d_engine;
 
-// The world of Box2D; state is that of box2d_engine.
+// Returns the world of Box2D in the state that box2d_engine.open returned.
 b2WorldId box2d_world(void* state);
 
 #endif

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// fixture_car.c -- a car whose two wheels have a spring and a motor, on rough ground.
+// fixture_car.c -- builds a scene: a car on rough ground, whose two wheels have springs and motors.
 #include "fixtures.h"
 
 #define PI     3.14159265f
-#define WHEEL  0.4f // m: radius
-#define FIRST  -20  // m: where the ground begins
-#define GROUND 1200 // m: its length
+#define WHEEL  0.4f // m: radius of a wheel
+#define FIRST  -20  // m: x at the left end of the ground
+#define GROUND 1200 // m: length of the ground
 
 enum
 {
@@ -13,7 +13,7 @@ enum
 	ROUGHNESS
 };
 
-// A height from -1 to 1 that is the same on every machine.
+// Returns the height of the ground at x = k, from -1 to 1: a random number that is the same on every machine.
 static float height_of(int k)
 {
 	uint32_t word = (uint32_t)(k + 1000) * 2654435761u;
@@ -67,7 +67,7 @@ static void build_car(FixtureBuild* build)
 	body.density = 4.0f;
 	scree_body_def def = fixture_body(SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
 	def.velocity.linear.x = speed;
-	def.locks = SCREE_LOCK_ROTATION; // at this speed it would fall over sooner or later, in both engines
+	def.locks = SCREE_LOCK_ROTATION; // at this speed the car would overturn sooner or later, in both engines
 	scree_body chassis = fixture_put(build, def, &body);
 	add_wheel(build, chassis, -1.0f, speed);
 	add_wheel(build, chassis, 1.0f, speed);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// fixture_links.c -- links without motors: a net, ropes with a load, bridges, a beam of welded boxes.
+// fixture_links.c -- builds scenes with joints without motors: a net, ropes with a load, bridges, a welded beam.
 #include "fixtures.h"
 #include <stdlib.h>
 
 #define PI 3.14159265f
 
-static const scree_filter apart = {.category = 2, .mask = 1, .group = 0}; // links do not touch each other
+static const scree_filter apart = {
+    .category = 2, .mask = 1, .group = 0}; // bodies with this filter do not touch each other
 
 enum
 {
@@ -43,9 +44,9 @@ enum
 	LEVEL
 };
 
-#define LINK 0.25f // m: half its length; a link has 1 kg
+#define LINK 0.25f // m: half the length of a link; its mass is 1 kg
 
-// A rope from the world at x, hanging or level.
+// Adds a rope with a load at its end, which begins at the fixed point (x, 0) and hangs down or lies level.
 static void add_rope(FixtureBuild* build, float x)
 {
 	int links = (int)build->values[LINKS];
@@ -87,7 +88,8 @@ enum
 	MASS
 };
 
-// A bridge of planks of 1 m between two points of the world. The boxes on it are heavier than a plank by the ratio of masses.
+// Adds a bridge of planks of 1 m between two points of the world, and boxes on the planks. The parameter mass is the
+// mass of a box in units of a plank's mass.
 static void add_bridge(FixtureBuild* build, float y)
 {
 	int planks = (int)build->values[PLANKS], loads = (int)build->values[LOADS];
@@ -120,7 +122,7 @@ static void build_bridges(FixtureBuild* build)
 const Fixture bridges_fixture = {
     "bridges", 500, {{"count", 20}, {"planks", 100}, {"loads", 10}, {"mass", 4}}, build_bridges, NULL};
 
-// A level beam of boxes of 1 m by 0.5 m, welded to each other and to the world.
+// Adds a level beam of boxes of 1 m by 0.5 m. Each box is welded to the box before it, the first to the world.
 static void build_beam(FixtureBuild* build)
 {
 	scree_attribute_def box = fixture_box(build, 0.5f, 0.25f);

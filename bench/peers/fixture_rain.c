@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// fixture_rain.c -- ragdolls that fall on five floors, the oldest of which leave for new ones, and some that come to rest.
+// fixture_rain.c -- builds two scenes: rain, ragdolls that fall on five floors and are replaced after some steps; and
+// humans, ragdolls that come to rest on a floor.
 #include "fixtures.h"
 #include "ragdoll.h"
 #include "validate/scree_world.h"
 #include <stdlib.h>
 
 #define ROWS       5
-#define ROW_HEIGHT 45.0f // m
-#define DROP       40.0f // m above a floor
-#define GROUP      5     // ragdolls
-#define LIFE       320   // steps that a ragdoll stays
-#define TILE       0.5f  // m
-#define COLUMN     6.25f // m
+#define ROW_HEIGHT 45.0f // m: distance from floor to floor
+#define DROP       40.0f // m: initial height of ragdolls above their floor
+#define GROUP      5     // number of ragdolls that are created together in a column and row
+#define LIFE       320   // number of steps after which a ragdoll is destroyed
+#define TILE       0.5f  // m: side of the square tiles of the floors
+#define COLUMN     6.25f // m: width of a column
 
 enum
 {
@@ -35,7 +36,7 @@ static void build_rain(FixtureBuild* build)
 	}
 }
 
-// Destroys the ragdolls of a column, whose bodies have this user data.
+// Destroys the ragdolls of one column: all bodies with this user data.
 static void destroy_column(FixtureBuild* build, uint64_t user)
 {
 	int count, chosen = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fixture_turning.c -- a motor turns a bar among small bodies, or a box that is full of them.
+// fixture_turning.c -- builds two scenes: a motor turns a bar among small bodies; a motor turns a box full of boxes.
 #include "fixtures.h"
 #include <float.h>
 #include <math.h>
@@ -11,7 +11,7 @@ enum
 	SIZE
 };
 
-// A joint that turns a body about its origin.
+// Adds a joint whose motor turns a body about its origin.
 static void add_motor(FixtureBuild* build, scree_body body, scree_vec at, float speed, float torque)
 {
 	scree_joint_def def = fixture_joint(SCREE_JOINT_REVOLUTE, SCREE_NULL_BODY, at, body, (scree_vec){0.0f, 0.0f});
@@ -22,7 +22,7 @@ static void add_motor(FixtureBuild* build, scree_body body, scree_vec at, float 
 	fixture_join(build, &def);
 }
 
-// A ring of thick boxes: a thin line would lose bodies without continuous collision.
+// Adds a ring of thick boxes: without continuous collision, bodies would get through a thin line.
 static void add_ring(FixtureBuild* build, scree_vec center, float radius)
 {
 	const int sides = 360;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fixtures.c -- all scenes made by code.
+// fixtures.c -- finds scenes made by code by their names.
 #include "fixtures.h"
 #include <string.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// fixtures.h -- all scenes made by code.
+// fixtures.h -- declares all scenes made by code, and finds them by name.
 #ifndef FIXTURES_H
 #define FIXTURES_H
 #include "fixture.h"
 
-// Returns the fixture of a name, or null.
+// Returns the fixture of this name, or null if there is none.
 const Fixture* fixture_find(const char* name);
 
 // Box2D's benchmarks with joints. Sizes, counts and frequencies are those of shared/benchmarks.c and shared/human.c in

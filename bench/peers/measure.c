@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// measure.c -- measures overlaps, contacts and joints of poses, in the same way for all engines.
+// measure.c -- measures the overlaps, contacts and joint errors of poses, in the same way for all engines.
 //
-// Engines define separation differently: Box2D does not compute a manifold in every step. So the poses are copied into a Scree
-// world, at rest and without gravity, which takes one very short step and then has the overlaps.
+// Engines define separation differently, and Box2D does not compute a manifold in every step. So the poses are copied
+// into a Scree world, at rest and without gravity. After one very short step that world has the overlaps and contacts.
 #include "measure.h"
 #include "validate/scree_world.h"
 #include <math.h>
@@ -26,7 +26,7 @@ static bool find_locks(Measure* measure)
 	return true;
 }
 
-// Lists what the world has.
+// Lists the bodies and joints of the world, and allocates arrays of their sizes.
 static bool list(Measure* measure)
 {
 	free(measure->bodies);
@@ -53,7 +53,7 @@ bool measure_open(Measure* measure, const Setup* setup)
 	       report_status(scree_world_set_gravity(measure->world, (scree_vec){0.0f, 0.0f}));
 }
 
-// Bodies that a scene in a file replaces keep their place in the list.
+// A scene in a file needs no new list: bodies that it replaces keep their places.
 bool measure_change(Measure* measure, const Setup* setup, int64_t step)
 {
 	return setup->scene || !setup->fixture->change || (setup_change(setup, measure->world, step) && list(measure));

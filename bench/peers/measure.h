@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// measure.h -- measures overlaps, contacts and joints of poses, in the same way for all engines.
+// measure.h -- measures the overlaps, contacts and joint errors of poses, in the same way for all engines.
 #ifndef MEASURE_H
 #define MEASURE_H
 #include "setup.h"
@@ -12,33 +12,33 @@ typedef struct // locked coordinates of a joint, by scree_coordinate
 
 typedef struct
 {
-	scree_world* world; // with the bodies of the scene, at the poses of the engine
+	scree_world* world; // Scree world with the bodies of the scene, at the poses of the engine
 	scree_body* bodies;
-	scree_velocity* still; // zeros
+	scree_velocity* still; // zero velocities, one per body
 	int count;
 	scree_pose* poses; // poses of the engine; the caller fills them before measuring
 
-	int measured;
-	float penetration; // deepest so far, m
-	double depths;     // sum of the deepest of each measurement, m
-	double contacts;   // sum of the touching contacts of each
+	int measured;      // number of measurements
+	float penetration; // deepest overlap of all measurements, m
+	double depths;     // sum of the deepest overlaps of each measurement, m
+	double contacts;   // sum of the numbers of touching contacts of each measurement
 	float* height;     // height of each body at the first measurement, m
-	int heights;
-	float sunk; // largest distance that one of them has sunk since, m
+	int heights;       // number of entries of height
+	float sunk;        // largest descent of a body from the first measurement to the last, m
 
 	scree_joint* joints;
 	scree_joint_state* states; // at the last measurement
 	MeasureLock* locks;
 	int joint_count;
-	float separation;    // largest distance of an anchor from where it is held, so far, m
-	double gaps, gauged; // sum of all these distances, m; number of them
+	float separation;    // largest distance of an anchor from its locked place in all measurements, m
+	double gaps, gauged; // sum of these distances over all joints and measurements, m; number of distances
 } Measure;
 
-// These return false after printing a sentence. The caller closes the measure also then.
+// Functions that return a bool return false after printing a sentence; the caller must call measure_close also then.
 bool measure_open(Measure* measure, const Setup* setup);
-bool measure_change(Measure* measure, const Setup* setup, int64_t step); // follows bodies that come and go
-bool measure_take(Measure* measure);
-double measure_gap(const Measure* measure); // the mean of these distances, m
+bool measure_change(Measure* measure, const Setup* setup, int64_t step); // makes the scene's changes before a step
+bool measure_take(Measure* measure);                                     // measures the poses and adds the results
+double measure_gap(const Measure* measure);                              // returns gaps / gauged, m
 void measure_close(Measure* measure);
 
 #endif

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// mirror.c -- a setup in an engine: Scree builds it itself, other engines get the bodies and joints of a Scree world.
+// mirror.c -- builds a setup in an engine. Engines other than Scree get the bodies and joints of a Scree world.
 //
-// So all engines get the same numbers. The engine does what the setup does in the same order, because states depend on it.
+// So all engines get the same numbers. The engine gets all changes in the order in which the setup makes them, because
+// the results depend on it.
 #include "mirror.h"
 #include "scene/churn.h"
 #include "validate/scree_world.h"
@@ -20,7 +21,8 @@ static bool destroy_body(const Mirror* mirror, int index) { return mirror->engin
 
 static int index_of(scree_body body) { return scree_body_is_null(body) ? ENGINE_WORLD : (int)body.index; }
 
-// Adds the joints of the model that were not there before. Those that are gone went with their bodies.
+// Adds the new joints of the model to the engine. Joints that the model lost are gone in the engine, because their
+// bodies were destroyed.
 static bool add_joints(Mirror* mirror)
 {
 	int count, old = 0;
@@ -46,7 +48,7 @@ static bool add_joints(Mirror* mirror)
 	return good;
 }
 
-// Replaces the list of bodies by that of the world.
+// Replaces the list of bodies by the current bodies of the world.
 static bool list(Mirror* mirror)
 {
 	free(mirror->bodies);
@@ -60,7 +62,7 @@ static bool list(Mirror* mirror)
 	return mirror->bodies && mirror->indices;
 }
 
-// Destroys the bodies that the model no longer has, and adds those that are new.
+// Destroys the bodies that the model no longer has, and adds its new bodies and joints.
 static bool follow(Mirror* mirror)
 {
 	scree_body* before = mirror->bodies;
@@ -94,7 +96,8 @@ static bool place_body(const Mirror* mirror, scree_body body)
 	       mirror->engine->set_velocity(mirror->state, index, velocity);
 }
 
-// Follows a scene in a file: bodies that it replaces keep their places in the list, and their indices.
+// Copies the changes of a scene in a file to the engine. Bodies that the scene replaces keep their places in the list,
+// and their indices.
 static bool follow_scene(Mirror* mirror, int64_t step)
 {
 	SceneChange* changes;

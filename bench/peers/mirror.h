@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mirror.h -- a setup in an engine: Scree builds it itself, other engines get the bodies and joints of a Scree world.
+// mirror.h -- builds a setup in an engine. Engines other than Scree get the bodies and joints of a Scree world.
 #ifndef MIRROR_H
 #define MIRROR_H
 #include "setup.h"
@@ -10,15 +10,16 @@ typedef struct
 	const Setup* setup;
 	const Engine* engine;
 	void* state; // state of the engine
-	// world of the engine if that is Scree; else a model that is never stepped, with the bodies as the setup last placed them
+	// If the engine is Scree, its world. Otherwise the model: a Scree world that is never stepped, whose bodies are at
+	// the poses that the setup last gave them.
 	scree_world* world;
-	scree_body* bodies;  // bodies of the world, by rising index
-	int* indices;        // indices of the bodies in the engine, as in their handles
+	scree_body* bodies;  // bodies of the world, in ascending index order
+	int* indices;        // indices of the bodies in the engine, equal to the indices of their handles
 	scree_joint* joints; // joints of the model
 	int count, joint_count;
 } Mirror;
 
-// These return false after printing a sentence. The caller closes the mirror also then.
+// Functions that return a bool return false after printing a sentence; the caller must call mirror_close also then.
 bool mirror_open(Mirror* mirror, const Setup* setup, const Engine* engine, const EngineOptions* options);
 bool mirror_change(Mirror* mirror, int64_t step); // changes the bodies as the setup does before a step
 bool mirror_step(const Mirror* mirror);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// peer_queries.c -- scree_peers queries: rays, moving shapes and overlaps in both engines, on the same world of mixed bodies.
+// peer_queries.c -- scree_peers queries: measures rays, moving shapes and overlaps in both engines, on equal worlds.
 //
-// Bodies of five kinds of shapes lie in a square without touching, one in five of them static. Both worlds make one step without
-// gravity, so that their trees are what a game would have. Then the engines take turns. Scree gets all queries in one call, then each
-// in a call of its own.
+// Bodies of five kinds of shapes lie in a square without touching, one in five of them static. Both worlds make one
+// step without gravity, so that their trees are in the state that they have in a game. Then the engines take turns.
+// Scree gets all queries in one call, then each query in a separate call.
 #include "peer_queries.h"
 #include "engine_box2d.h"
 #include "tools/common/clock.h"
@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SPACING 3.0f // m
+#define SPACING 3.0f // m: distance of neighboring bodies, without their random offsets
 
 static const char* const help = "usage: scree_peers queries [OPTION]...\n"
                                 "\n"
@@ -53,10 +53,10 @@ static const float lengths[KINDS] = {20.0f, 200.0f, 10.0f, 10.0f, 0.0f, 0.0f};
 typedef struct
 {
 	void* states[2];    // states of the engines; null before they are open
-	scree_world* scree; // their worlds
+	scree_world* scree; // world of Scree; box2d is that of Box2D
 	b2WorldId box2d;
 	int bodies, queries, repeats;
-	float side; // m
+	float side; // m: side of the square with the bodies
 	scree_ray* rays;
 	scree_probe* probes;
 	scree_query_result* found;
@@ -64,11 +64,11 @@ typedef struct
 	uint64_t seed;
 } Contest;
 
-typedef struct // results of an engine: equal worlds give nearly equal sums
+typedef struct // results of an engine, which are nearly equal for both engines
 {
 	double ms;
 	int hits;
-	double sum; // sum of fractions
+	double sum; // sum of the fractions of all hits
 } Score;
 
 static bool make_shape(Contest* c, int kind, scree_shape* shape)
@@ -193,7 +193,7 @@ static float note_closest(b2ShapeId shape, b2Pos point, b2Vec2 normal, float fra
 	(void)point;
 	(void)normal;
 	if (fraction == 0.0f)
-		return -1.0f; // it began inside
+		return -1.0f; // the cast began inside this shape: ignore the shape and continue
 	*(float*)context = fraction;
 	return fraction;
 }
@@ -235,7 +235,7 @@ static bool compare(Contest* c, Kind kind)
 	static double batch[MAX_REPEATS], single[MAX_REPEATS], other[MAX_REPEATS], ratio[MAX_REPEATS], alone[MAX_REPEATS];
 	Score scree = {0}, box2d = {0};
 	make_queries(c, kind);
-	for (int k = -1; k < c->repeats; ++k) // the first time warms up
+	for (int k = -1; k < c->repeats; ++k) // repeat -1 warms up the caches and does not count
 	{
 		Score one = {0};
 		scree = box2d = (Score){0};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// peer_queries.h -- scree_peers queries: rays, moving shapes and overlaps in both engines.
+// peer_queries.h -- scree_peers queries: measures rays, moving shapes and overlaps in both engines.
 #ifndef PEER_QUERIES_H
 #define PEER_QUERIES_H
 

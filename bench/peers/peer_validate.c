@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// peer_validate.c -- scree_peers validate: the experiments of scree validate, made with both engines.
+// peer_validate.c -- scree_peers validate: makes the experiments of scree validate with both engines.
 #include "peer_validate.h"
 #include "engine_box2d.h"
 #include "process.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// peer_validate.h -- scree_peers validate: the experiments of scree validate, made with both engines.
+// peer_validate.h -- scree_peers validate: makes the experiments of scree validate with both engines.
 #ifndef PEER_VALIDATE_H
 #define PEER_VALIDATE_H
 
-// Reads the words after "validate" and runs the experiments. Returns an exit code; a row of Box2D beyond its limit is no
-// failure, for the limits are Scree's.
+// Reads the words after "validate" and runs the experiments. Returns an exit code. A result of Box2D beyond a limit is
+// no failure, because the limits are meant for Scree.
 int validate_peers(int count, char** words, const char* executable);
 
 #endif

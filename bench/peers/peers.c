@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// peers.c -- Scree and Box2D v3 side by side: the same scenes, steps, substeps and threads, sleep off.
+// peers.c -- compares the speed of Scree and Box2D v3 with the same scenes, steps, substeps and threads, without sleep.
 //
-// Each trial is a process, so that the engines do not share memory, threads or clock speed. The trials alternate, A B A B,
-// because the speed of a machine changes: each ratio is that of two consecutive trials, and their median is printed.
-// Overlaps, contacts and final states come from trials that are not timed. A timed trial must end in the same state.
+// Each trial is a process, so that the engines do not share memory, threads or clock speed. The trials alternate, A B A
+// B, because the speed of a machine changes. A ratio is computed from each pair of consecutive trials, and the median
+// of the ratios is printed. Overlaps, contacts and final states come from trials that are not timed. A timed trial must
+// end in the same state.
 #include "engine_box2d.h"
 #include "peer_queries.h"
 #include "peer_validate.h"
@@ -18,7 +19,7 @@
 #include <string.h>
 
 #define MAX_SETTINGS 16
-#define MAX_THREADS  16 // entries of --threads
+#define MAX_THREADS  16 // maximum number of entries of --threads
 #define MAX_REPEATS  101
 #define MAX_SCENES   100
 #define MAX_WORDS    64
@@ -30,7 +31,7 @@ typedef struct
 	bool measured;
 	EngineOptions options;
 	int threads[MAX_THREADS], thread_count;
-	int steps, repeats; // steps 0: as many as the scene says
+	int steps, repeats; // steps 0: the number in the scene
 	const char* settings[MAX_SETTINGS];
 	int setting_count;
 } Options;
@@ -148,7 +149,7 @@ static bool load(const Options* options, const char* name, Setup* setup)
 	return setup_load(setup, name, options->executable, settings, options->setting_count);
 }
 
-// Runs one trial in this process.
+// Runs one trial in this process and prints its result. Returns an exit code.
 static int try_engine(const Options* options, const char* name)
 {
 	Setup setup;
@@ -163,7 +164,7 @@ static int try_engine(const Options* options, const char* name)
 	return good ? EXIT_GOOD : EXIT_FAILED;
 }
 
-// Starts one trial in a new process.
+// Runs one trial in a new process and reads its result. Returns false if it failed.
 static bool start_trial(const Options* options, const char* name, const Engine* engine, int threads, bool measured,
                         Result* result)
 {
@@ -225,7 +226,8 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 	printf("%s,%d,%d,%d,%.4f,%.4f,%.3f", name, threads, steps, options->options.continuous,
 	       upper_median_of(mean[SCREE], options->repeats), upper_median_of(mean[BOX2D], options->repeats),
 	       upper_median_of(ratio, options->repeats));
-	printf(",%.3f,%.3f", ratio[0], ratio[options->repeats - 1]); // sorted now: the least and the most
+	printf(",%.3f,%.3f", ratio[0],
+	       ratio[options->repeats - 1]); // smallest and largest: upper_median_of has sorted the ratios
 	printf(",%.4f,%.4f,%.3f", upper_median_of(first[SCREE], options->repeats),
 	       upper_median_of(first[BOX2D], options->repeats), upper_median_of(first_ratio, options->repeats));
 	printf(",%.4f,%.4f", upper_median_of(median[SCREE], options->repeats),
@@ -241,7 +243,8 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 
 static bool compare_all(const Options* options, const char* name, int steps)
 {
-	// the final state of both engines does not depend on threads, so that one trial each is measured for all
+	// the final states of both engines do not depend on the number of threads, so one measured trial per engine is
+	// enough
 	Result measured[ENGINES];
 	bool good = true;
 	int threads = options->threads[options->thread_count - 1];
@@ -275,7 +278,7 @@ int main(int count, char** arguments)
 		options.options.threads = options.threads[0];
 		return try_engine(&options, names[0]);
 	}
-	// loads all scenes before it measures the first, so that an error is found early
+	// load all scenes before the first trial, so that an error in any of them is found at once
 	int steps[MAX_SCENES];
 	for (int k = 0; k < name_count; ++k)
 	{

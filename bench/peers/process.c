@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// process.c -- runs this program again in a new process.
+// process.c -- runs a program in a new process.
 #include "process.h"
 #include <stdio.h>
 #include <sys/wait.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ragdoll.c -- a ragdoll of 11 bodies in a scene made by code.
+// ragdoll.c -- adds a ragdoll of 11 bodies to a scene made by code.
 #include "ragdoll.h"
 #include "validate/bones.h"
 

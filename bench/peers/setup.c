@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// setup.c -- the scene of a trial: read from a file, or made by code.
+// setup.c -- loads the scene of a trial, from a file or made by code, and builds it in a world.
 #include "setup.h"
 #include "fixtures.h"
 #include "scene/build.h"

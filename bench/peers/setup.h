@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// setup.h -- the scene of a trial: read from a file, or made by code.
+// setup.h -- loads the scene of a trial, from a file or made by code, and builds it in a world.
 #ifndef SETUP_H
 #define SETUP_H
 #include "fixture.h"
@@ -7,31 +7,32 @@
 
 typedef struct
 {
-	Scene* scene;           // null if made by code
-	const Fixture* fixture; // null if in a file
+	Scene* scene;           // scene from a file; null if the scene is made by code
+	const Fixture* fixture; // scene made by code; null if the scene is from a file
 	double values[FIXTURE_PARAMETERS];
 	float dt; // s
 	int substeps, steps;
 } Setup;
 
-// Finds the scene of this name, made by code or in a file, and sets its parameters. Returns false after printing a sentence.
-// The caller frees what it holds.
+// Finds the scene of this name, made by code or in a file, and sets its parameters. Returns false after printing a
+// sentence. The caller calls setup_free afterwards.
 bool setup_load(Setup* setup, const char* name, const char* executable, const SceneSetting* settings, int count);
 void setup_free(Setup* setup);
 
-// The definition of its world; the caller sets device, threads and lanes.
+// Returns the definition of the scene's world; the caller sets device, threads and lanes.
 scree_world_def setup_world(const Setup* setup);
 
-// Builds the bodies and joints in a new world. Returns false after printing a sentence.
+// Adds the bodies and joints of the scene to a new world. Returns false after printing a sentence.
 bool setup_fill(const Setup* setup, scree_world* world);
 
-// Makes a world on the CPU with its bodies and joints. Returns null after printing a sentence. threads 0: one a core.
+// Creates a world on the CPU with the scene's bodies and joints. threads 0: one thread per core. Returns null after
+// printing a sentence.
 scree_world* setup_open(const Setup* setup, int threads);
 
-// Whether the bodies change between steps.
+// Returns whether the scene changes bodies between steps.
 bool setup_changes(const Setup* setup);
 
-// Changes the bodies as the scene does before a step. Returns false after printing a sentence.
+// Makes the changes of the scene before a step. Returns false after printing a sentence.
 bool setup_change(const Setup* setup, scree_world* world, int64_t step);
 
 #endif

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// stiffness.c -- scree_peers stiffness: how far joints give way, with both engines.
+// stiffness.c -- scree_peers stiffness: measures how far joints give way in both engines.
 //
-// Each row is a scene at 60 Hz with 4 substeps. After every step one quantity is taken from the poses; the table has
-// its largest value, its mean and its last value, from a time on at which the bodies have left their unloaded start.
+// Each row is a scene at 60 Hz with 4 substeps. After every step one quantity is computed from the poses. The table has
+// its largest value, its mean and its last value, for the steps after the time Row.from. Before that time, the bodies
+// move from their unloaded start.
 #include "stiffness.h"
 #include "engine_box2d.h"
 #include "measure.h"
@@ -29,7 +30,7 @@ static const struct option words_known[] = {
 
 typedef enum
 {
-	STRETCH,    // lengthening by all joints together, % of the original length
+	STRETCH,    // sum of the gaps of all joints, % of the original length
 	SAG,        // descent of the body that sank most, m
 	SEPARATION, // gap of the joint that is open most, m
 	RESTLESS,   // mean of the squared speeds of all bodies, m^2/s^2
@@ -46,10 +47,10 @@ static const char* const quantities[QUANTITIES] = {
 typedef struct
 {
 	const char *name, *fixture;
-	SceneSetting settings[SETTINGS]; // ended by a null name
+	SceneSetting settings[SETTINGS]; // the list ends at a null name
 	Quantity quantity;
-	float length;      // m: of what stretches
-	float from, until; // s
+	float length;      // m: original length, for STRETCH
+	float from, until; // s: the part of the scene that counts
 } Row;
 
 #define ROPE(name, load, level)                                                                        \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// stiffness.h -- scree_peers stiffness: how far joints give way, with both engines.
+// stiffness.h -- scree_peers stiffness: measures how far joints give way in both engines.
 #ifndef STIFFNESS_H
 #define STIFFNESS_H
 

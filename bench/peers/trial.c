@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// trial.c -- one engine, one scene, one process: timed or measured.
+// trial.c -- runs a scene in an engine, and either measures the time of the steps or measures the poses after them.
 #include "trial.h"
 #include "measure.h"
 #include "mirror.h"
@@ -8,7 +8,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 
-// Steps at the start that are not timed: buffers grow, contacts are found for the first time, threads start.
+// Number of steps at the start that are not timed: buffers grow, the first contacts are found and threads start.
 #define WARM_UP 2
 
 static bool run_timed(Mirror* mirror, const Trial* trial, Result* result)

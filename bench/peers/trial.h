@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// trial.h -- one engine, one scene, one process: timed or measured.
+// trial.h -- runs a scene in an engine, and either measures the time of the steps or measures the poses after them.
 #ifndef TRIAL_H
 #define TRIAL_H
 #include "setup.h"
@@ -11,27 +11,30 @@ typedef struct
 {
 	const Setup* setup;
 	int steps;
-	bool measured; // every step is measured and not timed
+	bool measured; // true: poses are measured after every step; false: steps are timed
 	EngineOptions options;
 } Trial;
 
 typedef struct
 {
-	double mean, median; // ms a step, the first steps left out; zeros when measured
-	double first;        // the same mean, up to step FIRST_STEPS: while bodies still fall
-	float penetration;   // deepest of all steps, m; zero unless measured, as the next five
-	float depth;         // mean of the deepest of each step, m
-	float contacts;      // touching ones, mean of all steps
-	float sunk;          // largest distance that a body sank, m
-	float separation;    // largest separation of the anchors of a joint over all steps, m
-	float gap;           // mean of it over all joints and steps, m
-	uint64_t hash;       // the engine's own, at the end
+	// in a timed trial, ms per step, without the first steps; else 0
+	double mean, median;
+	double first; // mean up to step FIRST_STEPS, while bodies still fall
+	// in a measured trial; else 0
+	float penetration; // deepest overlap of all steps, m
+	float depth;       // mean of the deepest overlaps of each step, m
+	float contacts;    // number of touching contacts, mean of all steps
+	float sunk;        // largest descent of a body from the start to the last step, m
+	float separation;  // largest distance of the anchor of a joint from its locked place over all steps, m
+	float gap;         // mean of this distance over all joints and steps, m
+	// in both
+	uint64_t hash; // hash of the final state, computed by the engine
 } Result;
 
-// Runs a trial in this process. False after printing a sentence.
+// Runs a trial in this process and fills result. Returns false after printing a sentence.
 bool trial_run(const Engine* engine, const Trial* trial, Result* result);
 
-// A process writes its result as one line of text, which another reads.
+// Print a result as one line of text, and read such a line. Returns false if the line is not complete.
 void result_print(const Result* result);
 bool result_scan(const char* line, Result* result);
 

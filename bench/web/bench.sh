@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# bench.sh -- measures steps of Scree and of other npm engines under node, into bench/results/web/steps.csv.
+# bench.sh -- measures steps of Scree and of other npm engines with node, and writes bench/results/web/steps.csv.
 #
 # usage: bench/web/bench.sh [ENGINE...]
 #   ENGINE  scree, scree-scalar, native, native-4, box2d3-wasm, rapier2d-simd, matter-js or planck; default all
-# Run make web before. The other engines are installed in build/web-bench; Scree does not depend on them. The engines take turns,
-# three times; the median counts, for each engine and scene. native is build/scree with one thread, native-4 the same with four
-# lanes: the time of a step is the mean of processor time from step 101 on.
+# Run make web before. The other engines are installed in build/web-bench; Scree does not depend on them. Every engine runs each
+# scene three times, in turns with the others; the file gets the run with the median time. native is build/scree with one thread,
+# native-4 the same with four lanes. Their time per step is the mean processor time of steps 101 to 300.
 set -euo pipefail
 . "$(dirname "$0")/../../tools/usage.sh"
 cd "$(dirname "$0")/../.."
@@ -18,7 +18,7 @@ cp -r build/web/package $work/node_modules/scree
 cp bench/web/*.mjs $work
 [ $# -gt 0 ] || set -- scree scree-scalar native native-4 box2d3-wasm rapier2d-simd matter-js planck
 
-# user_time SCENE STEPS [OPTION ...]: seconds
+# user_time SCENE STEPS [OPTION ...]: prints the processor time of build/scree in user mode, in seconds
 user_time() {
 	local TIMEFORMAT=%U scene=$1 steps=$2
 	shift 2
@@ -34,7 +34,7 @@ run() {
 			awk -v all="$(user_time "$scene" 300 "${lanes[@]}")" -v first="$(user_time "$scene" 100 "${lanes[@]}")" \
 				-v row="$engine,$scene,300" 'BEGIN { printf "%s,,%.3f,\n", row, 5 * (all - first) }'
 			;;
-		# planck takes 0.1 s for a step
+		# planck makes only 60 steps, because a step takes 0.1 s
 		planck) (cd $work && node one.mjs planck "$scene" 60) ;;
 		*) (cd $work && node one.mjs "$engine" "$scene" 300) ;;
 	esac | grep "^$engine,"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// engines.mjs -- each engine behind the same two functions: make(bodies) gives step() and read(), the poses of all bodies.
+// engines.mjs -- wraps each engine: make(bodies) returns step(), which takes a step, and read(), which returns the poses of all bodies.
 //
-// Gravity 10 m/s^2, friction 0.6, density 1, no sleep, steps of 1/60 s, 4 substeps where an engine has them.
+// All engines have gravity 10 m/s^2, friction 0.6, density 1, no sleep and steps of 1/60 s; engines with substeps make 4.
 const DT = 1 / 60, SUBSTEPS = 4, FRICTION = 0.6;
 
 async function scree(form) {
@@ -95,7 +95,7 @@ async function planck() {
 	};
 }
 
-// matter counts in pixels and milliseconds, downwards: 50 pixels are a metre here
+// The units of matter are pixels and milliseconds, and its y axis points down. Here 50 pixels are one metre.
 async function matter() {
 	const m = (await import("matter-js")).default, SCALE = 50;
 	return (bodies) => {

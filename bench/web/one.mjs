@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// one.mjs -- one.mjs ENGINE SCENE STEPS: a line of CSV: start, ms from import to the end of the first step; median of a step; deepest overlap.
+// one.mjs -- one.mjs ENGINE SCENE STEPS: measures an engine and prints a line of CSV: engine; scene; steps; ms from the import to
+// the end of the first step; median ms of a step; deepest overlap, m.
 //
-// Processor time of the process, because other programs on the machine disturb it less. The last two thirds of the steps count. Depths
-// are those that Scree finds between the shapes at the final poses.
+// The time of a step is the processor time of the process, because other programs on the machine disturb it less. Only the last two
+// thirds of the steps count. Scree computes the deepest overlap of the shapes at the final poses of the engine.
 import "./usage.mjs";
 import {performance} from "node:perf_hooks";
 import {engines} from "./engines.mjs";

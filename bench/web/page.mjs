@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// page.mjs -- page.mjs SCREE PAGE [ROUNDS]: what steps of about 10,000 bodies cost in the page, beside the command line.
+// page.mjs -- page.mjs SCREE PAGE [ROUNDS]: measures steps of about 10,000 bodies in the web page, and compares them with the
+// command line.
 //
-// Steps 100 to 300 of each scene, nothing drawn: CPU time of the worker, which hardly depends on what else the machine does, beside that
-// of the command line with one thread and vectors as wide; and by the clock, as the page shows them. Medians of the rounds. Then
-// three seconds of each scene drawn in 320 x 200 pixels with bodies as points, because a Chromium without a graphics card draws
-// on the same cores. Linux only: CPU times are read from /proc.
+// Steps 100 to 300 of each scene are measured without drawing. The CPU time of the page's worker, which hardly depends on other
+// programs, is compared with that of the command line with one thread and 4 lanes. The table also has the wall-clock time, as the
+// page shows it. All values are medians of the rounds. Then each scene is drawn for three seconds in 320 x 200 pixels with bodies
+// as points, because a Chromium without a graphics card draws on the same cores. Linux only: CPU times are read from /proc.
 import './usage.mjs';
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -12,18 +13,18 @@ import { loadavg } from 'node:os';
 import { join } from 'node:path';
 import { Browser, sleep, startServer, stop } from '../../tests/page/browser.mjs';
 
-// settings that differ from those with which the page begins the scenes
+// settings that differ from the start values of the page
 const SCENES = {
 	drift: { boxes: 10000 }, pyramids: { columns: 13, rows: 14 }, smash: {}, storm: { columns: 6, rows: 5 }, pile: { count: 10000 },
 };
-const FIRST = 100, LAST = 300; // steps
+const FIRST = 100, LAST = 300; // numbers of the steps between which times are measured
 const [scree = 'build/scree', page = 'build/web', rounds = '3'] = process.argv.slice(2);
 const server = await startServer(new URL('../../web/serve.mjs', import.meta.url).pathname, page, false);
 const scenes = new Map(JSON.parse(readFileSync(join(page, 'scenes.json'), 'utf8')).map((scene) => [scene.name, scene]));
 
 const median = (list) => [...list].sort((a, b) => a - b)[Math.floor(list.length / 2)];
 
-// s of CPU that the command line takes for the first steps of a scene
+// Returns the CPU time of the command line for the first steps of a scene, s.
 function nativeTime(name, steps) {
 	const sets = scenes.get(name).parameters.flatMap(({ name: key, start }) => ['--set', `${key}=${SCENES[name][key] ?? start}`]);
 	const words = ['hash', name, ...sets, '--steps', String(steps), '--device', 'cpu', '--threads', '1', '--lanes', '4'];
@@ -35,7 +36,7 @@ const native = (name) => (1000 * (nativeTime(name, LAST) - nativeTime(name, FIRS
 const children = (pid) => readdirSync(`/proc/${pid}/task`).flatMap((task) => readFileSync(`/proc/${pid}/task/${task}/children`, 'utf8').split(' ').filter(Boolean));
 const family = (pid) => [pid, ...children(pid).flatMap(family)];
 
-// ms of CPU that the workers of a browser have taken so far
+// Returns the CPU time of all workers of a browser since they started, ms.
 function workerTime(browser) {
 	let sum = 0;
 	for (const pid of family(browser.driver.pid))
@@ -46,7 +47,7 @@ function workerTime(browser) {
 	return sum;
 }
 
-// ms of a step: of CPU, and by the clock
+// Returns the mean CPU time and the median wall-clock time of a step in the page, ms, and the number of bodies.
 async function inPage(browser, name) {
 	await browser.run(
 		`const [name, settings, first] = args;
@@ -60,7 +61,7 @@ async function inPage(browser, name) {
 	return { cpu: (workerTime(browser) - begin) / (LAST - FIRST), clock: median(state.times), bodies: state.bodies };
 }
 
-// Frames and steps per second in the visible page for the same steps, and ms of drawing in the worker.
+// Draws the scene from step FIRST on for three seconds. Returns frames and steps per second, and the median ms of drawing in the worker.
 async function drawn(browser) {
 	const now = () => browser.run(`await scree.host.ask({ type: 'pause', paused: scree.state.paused }); return { step: scree.state.step, time: performance.now() }`);
 	await browser.run(`scree.say({ type: 'resize', width: 320, height: 200, density: 1 });

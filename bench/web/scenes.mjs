@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// scenes.mjs -- the three scenes as lists of boxes and circles, the same for each engine: units m, rad, rad/s.
+// scenes.mjs -- makes three scenes as lists of bodies, the same for each engine. Units: m, rad, rad/s.
 //
-// A body is {x, y, type, boxes: [{w, h, x, y, a}]} or {..., radius}; w and h are half of the sides.
+// A body of boxes is {x, y, type, boxes: [{w, h, x, y, a}]}, with half sides w and h; a circle is {x, y, type, radius}.
 
 const still = (x, y, w, h) => ({x, y, type: "static", boxes: [{w, h, x: 0, y: 0, a: 0}]});
 
@@ -22,7 +22,7 @@ function pile() {
 	return bodies;
 }
 
-// a drum of four walls that turns at 30 degrees a second
+// A drum of four walls turns at 30 degrees per second.
 function tumbler() {
 	const half = 20, wall = (x, y, w, h) => ({w, h, x, y, a: 0}), bodies = [{x: 0, y: 0, type: "kinematic", spin: Math.PI / 6,
 		boxes: [wall(0, -half, half, 1), wall(0, half, half, 1), wall(-half, 0, 1, half), wall(half, 0, 1, half)]}];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// usage.mjs -- for programs to import first: prints the comment at the head of the program for --help, and refuses other options.
+// usage.mjs -- handles --help for programs that import it: prints the comment at the head of the program, and refuses other
+// options.
 import {readFileSync} from "node:fs";
 import {basename} from "node:path";
 

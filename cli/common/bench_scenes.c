@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// bench_scenes.c -- measures scenes: repeats each, checks that the work was done, prints a row of CSV.
-// Measuring each kernel of a GPU costs time itself. So the repeats run without timings and give ms_step. One more run
-// with timings gives the stages; its hash must be the same.
-// timings gives the stages; its hash must be the same.
+// bench_scenes.c -- measures each scene several times, checks that its work was done, and prints a row of CSV.
+//
+// Timings of each kernel slow down a GPU. So the repeats run without timings and give ms_step. One more run with
+// timings gives the times of the stages; its hash must be the same.
 #include "bench_scenes.h"
 #include "csv.h"
 #include <stdlib.h>

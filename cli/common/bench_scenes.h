@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// bench_scenes.h -- measures scenes: repeats each, checks that the work was done, prints a row of CSV.
+// bench_scenes.h -- measures each scene several times, checks that its work was done, and prints a row of CSV.
 #ifndef BENCH_SCENES_H
 #define BENCH_SCENES_H
 #include "measurement.h"
 #include "open_scene.h"
 
-// Runs the scene of a measurement once. timings: measure each stage. Prints a sentence on failure. Returns an exit
-// code.
+// Runs the scene of a measurement once and adds the results to it. timings: true measures each stage. Prints a sentence
+// on failure. Returns an exit code.
 typedef int RunScene(const Options* options, bool timings, Measurement* m);
 
-// Measures the scenes of a list. stages: names of the columns of Record.stages. Returns an exit code.
+// Measures the scenes of a list with run, and prints one row per scene. stages: names of the columns of Record.stages.
+// Returns an exit code.
 int bench_scenes(const Options* options, const SceneList* list, const char* const* stages, RunScene* run);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// command_line.c -- the command line of a program: runs the command that its words name, and prints help.
+// command_line.c -- reads the command line of a program: runs the command that its first words name, or prints help.
 #include "command_line.h"
 #include <errno.h>
 #include <string.h>
@@ -26,7 +26,7 @@ static void print_help(FILE* file, const CommandLine* line)
 
 static void print_command_help(FILE* file, const CommandLine* line, const Command* command)
 {
-	// bench is a command, and also the first word of other commands
+	// print also the commands of two words that begin with this name, such as "bench frames" for bench
 	size_t length = strlen(command->name);
 	for (const Command* c = line->commands; c < line->commands + line->command_count; ++c)
 		if (strncmp(c->name, command->name, length) == 0 && (c->name[length] == ' ' || !c->name[length]))
@@ -44,7 +44,7 @@ static void print_command_help(FILE* file, const CommandLine* line, const Comman
 		command->print_more(file);
 }
 
-// Returns the path of this program; scenes may be in the folder beside it.
+// Returns the path of this program, because scenes may be in a folder next to it.
 static const char* executable_path(const char* first_word, char* text, size_t size)
 {
 	ssize_t length = readlink("/proc/self/exe", text, size - 1);
@@ -54,7 +54,8 @@ static const char* executable_path(const char* first_word, char* text, size_t si
 	return text;
 }
 
-// Returns the number of words of a command's name if words[1], or words[1] and words[2], are that name; else 0.
+// Returns 1 if words[1] is the name of a command, 2 if words[1] and words[2] are that name, else 0. count: size of
+// words.
 static int match(const char* name, int count, char** words)
 {
 	size_t first = strcspn(name, " ");
@@ -65,8 +66,8 @@ static int match(const char* name, int count, char** words)
 	return count > 2 && strcmp(words[2], name + first + 1) == 0 ? 2 : 0;
 }
 
-// Returns the command with the longest name that begins at words[1], null if there is none; named is the number of
-// words of the name.
+// Returns the command with the longest name that begins at words[1], or null if there is none. *named: number of words
+// of the name.
 static const Command* find_command(const CommandLine* line, int count, char** words, int* named)
 {
 	const Command* found = NULL;
@@ -112,7 +113,7 @@ static int run_named(const CommandLine* line, Options* options, int count, char*
 	return command->run(options);
 }
 
-// Prints the help of the command whose name follows "help".
+// Prints the help of the command whose name follows the word help. Returns an exit code.
 static int explain(const CommandLine* line, int count, char** words)
 {
 	int named;

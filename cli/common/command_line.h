@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// command_line.h -- the command line of a program: runs the command that its first words name, and prints help.
+// command_line.h -- reads the command line of a program: runs the command that its first words name, or prints help.
 #ifndef COMMAND_LINE_H
 #define COMMAND_LINE_H
 #include "options.h"
@@ -7,11 +7,11 @@
 typedef struct
 {
 	int bit;          // bit in OptionRow.commands
-	const char* name; // one word, or two, such as "bench frames"; the first of two words may also be a command
+	const char* name; // one word, or two, such as "bench frames"; bench may also be a command
 	const char *usage, *help;
-	int least, most;                    // range of the number of arguments
+	int least, most;                    // least and largest number of arguments
 	int (*run)(const Options* options); // returns an exit code
-	void (*print_more)(FILE* file);     // prints more help after the options; null: there is none
+	void (*print_more)(FILE* file);     // prints more help after the options; may be null
 } Command;
 
 typedef struct
@@ -22,8 +22,8 @@ typedef struct
 	OptionTable options;
 } CommandLine;
 
-// Runs a command. options contains the defaults, and has the type that the rows of the table set. Returns the exit
-// code.
+// Runs the command that words name. *options: contains the defaults; its type is that to which the rows of the option
+// table write. Returns the exit code.
 int command_line_run(const CommandLine* line, Options* options, int count, char** words);
 
 #endif

@@ -12,18 +12,19 @@
 //
 // Threads. Only one thread at a time may use a world. Different threads may use different worlds at the same time.
 //
-// Errors. Every function that can fail returns a scree_status. If it is not SCREE_OK, nothing has changed, except where
-// noted, and scree_error() returns one sentence that names the argument and its value. A null pointer, a number that is
-// not finite and a value out of range give SCREE_ERROR_INVALID; a null or destroyed handle gives SCREE_ERROR_STALE.
+// Errors. Every function that can fail returns a scree_status. If the status is not SCREE_OK, nothing has changed,
+// except where noted, and scree_error() returns one sentence that names the argument and its value. A null pointer, a
+// number that is not finite and a value out of range give SCREE_ERROR_INVALID.
 //
-// Handles consist of an index and a generation. The all-zero handle is null. SCREE_ERROR_STALE is also the result for a
-// handle whose object has been destroyed. The exception is a body that a query ignores: it may have been destroyed.
+// Handles consist of an index and a generation. The all-zero handle is null. A null handle, or the handle of a
+// destroyed object, gives SCREE_ERROR_STALE, except where noted. The body that a query or a mover ignores may have been
+// destroyed.
 //
 // Ownership. The library copies all arguments, except where noted. The caller owns every world and destroys it; a world
 // owns everything in it.
 //
-// Batches. A function with an array of handles or definitions and a count processes all of them or, on failure, none.
-// The count is 0 to 16,777,216; an array may be null if the count is 0.
+// Batches. A function with an array of handles or definitions and a count processes all entries or, on failure, none of
+// them. The count is 0 to 16,777,216; an array may be null if the count is 0.
 //
 // Lists. A function with a capacity and a pointer to a count writes at most capacity entries and sets the count to the
 // number of entries that exist. The array may be null if the capacity is 0.
@@ -69,7 +70,8 @@ extern "C" {
 // every pair.
 #define SCREE_MAX_VERTICES 8
 
-// Largest coordinate, in metres; larger ones are refused. The spacing of floats is 8 mm there.
+// Largest magnitude of a coordinate, m. Larger coordinates are refused. At this distance, the spacing of floats is 8
+// mm.
 #define SCREE_MAX_COORDINATE 100000.0f
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -81,7 +83,7 @@ typedef enum scree_status
 	SCREE_OK = 0,
 	SCREE_ERROR_INVALID = 1,       // an argument is out of range; nothing changed
 	SCREE_ERROR_STALE = 2,         // a handle is null, or its object was destroyed; nothing changed
-	SCREE_ERROR_OUT_OF_MEMORY = 3, // host or device memory; nothing changed, except late in a step (scree_world_step)
+	SCREE_ERROR_OUT_OF_MEMORY = 3, // host or device memory ran out; nothing changed, except if a step failed late
 	SCREE_ERROR_NO_DEVICE = 4,     // the requested device does not exist or is not bit-identical to the CPU
 	SCREE_ERROR_DEVICE_FAILED = 5, // the driver reported an error; the world can only be destroyed
 	SCREE_ERROR_NOT_SUPPORTED = 6, // the device does not support this operation; nothing changed
@@ -104,8 +106,8 @@ typedef enum scree_log_level
 	SCREE_LOG_WARNING,
 } scree_log_level;
 
-// Process-wide hooks. A null member selects the default. Any thread that calls Scree may call the hooks, and so may the
-// background thread that opens a GPU for a world with device "auto".
+// Process-wide hooks. A null member selects the default. The hooks are called on any thread that calls Scree, and on
+// the background thread that opens a GPU for a world with device "auto".
 typedef struct scree_hooks
 {
 	void* (*allocate)(size_t bytes, size_t alignment, void* context); // alignment is a power of two; may return null
@@ -165,9 +167,9 @@ SCREE_API float scree_rot_get_angle(scree_rot rotation);
 // Devices
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef enum scree_sharing // transfer of render rows to an OpenGL buffer; the fastest way is last
+typedef enum scree_sharing // transfer of render rows to an OpenGL buffer, from the slowest kind to the fastest
 {
-	SCREE_SHARING_COPIED, // through host memory: scree_world_get_render_rows, then upload to the buffer
+	SCREE_SHARING_COPIED, // through host memory: scree_world_get_render_rows, then an upload to the buffer by the user
 	SCREE_SHARING_MEMORY, // cl_khr_external_memory with file descriptors: scree_world_share_memory
 	SCREE_SHARING_OPENGL, // cl_khr_gl_sharing: scree_world_share_opengl
 } scree_sharing;
@@ -178,12 +180,12 @@ SCREE_API const char* scree_sharing_name(scree_sharing sharing);
 typedef struct scree_device
 {
 	char name[128];        // valid as scree_world_def.device: "cpu", "opencl:NVIDIA H200"
-	char driver[128];      // platform and driver version; for the CPU its widest lanes
+	char driver[128];      // platform and driver version; for the CPU: the widest lanes that it supports
 	bool equal_bits;       // true if results are bit-identical to those of the CPU
 	char reason[192];      // if equal_bits is false: the cause and the remedy; otherwise empty
 	int compute_units;     // CPU threads or OpenCL compute units
 	uint64_t memory;       // bytes
-	scree_sharing sharing; // the fastest way that its driver supports
+	scree_sharing sharing; // fastest kind of sharing that the driver supports
 	uint8_t uuid[16];      // device UUID as in OpenGL and Vulkan; zero if the driver does not report it
 } scree_device;
 
@@ -221,29 +223,30 @@ typedef struct scree_world_def
 	const char* device;      // "auto" (default), "cpu", "opencl", "opencl:NAME" (NAME is any part of a device's name)
 	int threads;             // CPU worker threads, 0 to 64; 0 (default): one per core
 	int lanes;               // CPU SIMD lanes: 1, 4, 8 or 16; 0 (default): the widest that the processor supports
-	bool allow_unequal_bits; // accept a device whose results are not bit-identical; default false
-	bool timings;            // measure each stage (scree_world_get_timings); slows down a GPU slightly; default false
-	// Contact stiffness, Hz, 1e-3 to 1e6, default 40. The effective frequency is at most 1/6 of the substep rate. For deep
-	// contacts it is 1.03 times that value, but at most 2/3 of the step rate.
+	bool allow_unequal_bits; // true: a device whose results are not bit-identical is accepted; default false
+	bool timings;            // true: each stage is measured (scree_world_get_timings), which slows down a GPU slightly;
+	                         // default false
+	// Contact stiffness, Hz, 1e-3 to 1e6, default 40. The effective frequency is at most 1/6 of the substep rate. For
+	// deep contacts the frequency is 1.03 times the effective one, but at most 2/3 of the step rate.
 	float contact_hertz;
 	float contact_damping_ratio; // 0 to 1e6, default 10
 	float contact_push_speed;    // maximum speed at which overlapping pairs are pushed apart, m/s,
 	                             // 0 to SCREE_MAX_COORDINATE, default 3
-	float restitution_threshold; // slower impacts do not bounce, m/s, >= 0, default 1
-	// Speed limit at the end of a step, m/s, 1e-3 to SCREE_MAX_COORDINATE, default 400. Rotation is limited to pi radians
-	// per step and pi / 4 per substep.
+	float restitution_threshold; // m/s, >= 0, default 1; impacts below this speed do not bounce
+	// Speed limit at the end of a step, m/s, 1e-3 to SCREE_MAX_COORDINATE, default 400. Rotation is limited to pi
+	// radians per step and pi / 4 per substep.
 	float max_speed;
 	const scree_opengl* opengl; // null (default), or the context for scree_world_share_opengl. The struct is copied;
 	                            // the context must outlive the world
-	int body_capacity;          // initial capacity, 0 to 16,777,216, grows on demand; 0 (default): small
-	int contact_capacity;       // the same for contacts, 0 to 134,217,728
+	int body_capacity;          // initial capacity for bodies, 0 to 16,777,216; grows on demand; 0 (default): small
+	int contact_capacity;       // initial capacity for contacts, 0 to 134,217,728; grows on demand; 0 (default): small
 	int contact_limit;          // maximum number of contacts, 0 to 134,217,728, 300 bytes each; a step that finds more
 	    // fails with SCREE_ERROR_CONTACT_LIMIT. 0 (default): 32 per collidable, at least 2 million
-	// Fills scree_contact.details with data of the last step. Costs up to 5 % of the solve and 36 bytes per contact;
-	// changes no motion. Default false.
+	// true: scree_contact.details has data of the last step. This costs up to 5 % of the time of the solve stage and 36
+	// bytes per contact, and changes no motion. Default false.
 	bool contact_details;
-	float hit_speed;   // a contact with a lower approach speed is not a scree_hit, m/s, >= 0, default 1
-	float hit_impulse; // a contact with a smaller impulse is not a scree_hit, N s, >= 0, default 0
+	float hit_speed;   // m/s, >= 0, default 1; a contact with a lower approach speed is not a scree_hit
+	float hit_impulse; // N s, >= 0, default 0; a contact with a smaller impulse is not a scree_hit
 } scree_world_def;
 
 // Returns a definition with the default values.
@@ -253,10 +256,10 @@ static inline scree_world_def scree_world_def_default(void);
 // with SCREE_ERROR_NO_DEVICE if def->device does not exist, or if its results differ from those of the CPU and
 // allow_unequal_bits is false.
 //
-// With device "auto" the world starts on the CPU. scree_world_step moves it to a GPU, and back, when steps are faster
-// there, and logs both times (SCREE_LOG_INFO). A background thread opens the GPU once the world is large enough to gain
-// from it. A GPU that fails, or whose results differ from the CPU's, is logged and not used. A move changes no bit of
-// the world. docs/auto.md has the rules.
+// With device "auto" the world starts on the CPU. scree_world_step moves the world to a GPU if steps are faster there,
+// and back if steps are faster on the CPU, and logs both times (SCREE_LOG_INFO). A background thread opens the GPU once
+// the world is large enough to gain from a GPU. A GPU that fails, or whose results differ from those of the CPU, is
+// logged and not used. A move changes no bit of the world. docs/auto.md has the rules.
 SCREE_API scree_status scree_world_create(const scree_world_def* def, scree_world** world);
 
 // Destroys a world and everything in it. world may be null.
@@ -265,11 +268,13 @@ SCREE_API void scree_world_destroy(scree_world* world);
 // Advances a world by dt seconds (1e-9 to 1, or 0) in 1 to 64 substeps. Typical values are 1/60 and 4. Method: Erin
 // Catto, Solver2D, 2024; Macklin et al., Small Steps in Physics Simulation, 2019.
 //
-// A step of dt 0 only detects contacts: contacts and overlaps begin and end at the current poses. Thus they can be
-// read, together with scree_counters.penetration, as soon as a world is built or a body is placed. Poses, velocities,
-// forces, targets and the impulses of existing contact points stay; a new contact has no impulse. The step counts in
-// scree_counters.steps, and scree_traffic is zero after it. It leaves the same bits on every device. Later steps differ
-// in their bits from those without it, because boxes and contacts were updated at another time.
+// A step of dt 0 only detects contacts: contacts and overlaps begin and end at the current poses. Thus contacts,
+// overlaps and scree_counters.penetration can be read as soon as a world is built or a body is placed. Poses,
+// velocities, forces, targets and the impulses of existing contact points stay; a new contact has no impulse. The step
+// counts in scree_counters.steps, and scree_traffic is zero after it.
+//
+// A step of dt 0 has the same bits on every device. Later steps have other bits than without the step of dt 0, because
+// boxes and contacts were updated at another time.
 //
 // The number of contacts grows with the square of the number of bodies in one place. If it exceeds
 // scree_world_def.contact_limit, the step fails with SCREE_ERROR_CONTACT_LIMIT; the message names the most crowded
@@ -298,8 +303,8 @@ typedef struct scree_tuning // the members of scree_world_def with the same name
 // Returns the parameters of the solver. Units and ranges are those of scree_world_def.
 static inline scree_status scree_world_get_tuning(const scree_world* world, scree_tuning* tuning);
 
-// Sets the parameters of the solver, from the next step on. To change some of them, pass a changed result of
-// scree_world_get_tuning.
+// Sets the parameters of the solver, from the next step on. To change a single parameter, get all of them with
+// scree_world_get_tuning, change the member, and pass the struct.
 SCREE_API scree_status scree_world_set_tuning(scree_world* world, const scree_tuning* tuning);
 
 // Returns the name of the device on which the world currently runs, as in scree_device.name. The world owns the string,
@@ -313,8 +318,8 @@ SCREE_API const char* scree_world_get_device(const scree_world* world);
 //
 // A move opens the device (about 0.3 s for a GPU) and transfers about 1 kB per body; both devices hold the world
 // meanwhile. On failure (SCREE_ERROR_NO_DEVICE, SCREE_ERROR_OUT_OF_MEMORY, ...) the world stays unchanged on its
-// device. If that device fails while it is read, the error (SCREE_ERROR_DEVICE_FAILED) is sticky, as after
-// scree_world_step.
+// device. If the old device fails while the world is copied from it, the error (SCREE_ERROR_DEVICE_FAILED) is sticky,
+// as after scree_world_step.
 SCREE_API scree_status scree_world_move(scree_world* world, const char* device);
 
 // Returns the number of CPU threads in use; 0 on an OpenCL device.
@@ -327,11 +332,11 @@ SCREE_API scree_status scree_world_get_hash(scree_world* world, uint64_t* hash);
 
 typedef struct scree_counters
 {
-	int bodies, dynamic_bodies;  // existing now
-	int collidables, attributes; // existing now
+	int bodies, dynamic_bodies;  // current numbers
+	int collidables, attributes; // current numbers
 	int contacts;                // pairs whose enlarged boxes overlap
-	int touching;                // contacts with manifold points, speculative ones included
-	int colors;                  // colors in use
+	int touching;                // contacts with manifold points, including speculative contacts
+	int colors;                  // colors of the constraint graph in use (scree_contact.color)
 	int spokes;                  // contacts of hubs (bodies with more than 32 contacts), which are solved together
 	int updated_boxes;           // collidables whose enlarged box changed in the last step
 	int new_contacts;            // contacts found in the last step
@@ -339,24 +344,25 @@ typedef struct scree_counters
 	int frozen_bodies;  // bodies frozen in the last step because their state became infinite or NaN. No force, impulse
 	                    // or mass ratio that causes this is known. A body that reaches 1e8 m is stopped there
 	int stopped_bodies; // bodies stopped in the last step because they would have tunneled through a static or dynamic
-	                    // body, or because a kinematic body pressed them too far into one
+	                    // body, or because a kinematic body pressed them too far into such a body
 	float penetration;  // deepest overlap at the start of the last step, m
 	int64_t steps;      // steps taken, those of dt 0 included
 	uint64_t device_bytes; // device memory of the pools, bytes
 	// Widest gap of a joint at the start of the last step, m: the largest error of a distance that a rigid lock holds.
-	// Locks with a lock_hertz of their own, gears and pulleys do not count. In a world at rest, a gap of more than some
-	// mm means that joints shake or are overloaded.
+	// Locks whose lock_hertz is not 0, gears and pulleys do not count. In a world at rest, a gap of more than some mm
+	// means that joints shake or are overloaded.
 	float joint_gap;
 } scree_counters;
 
-// Returns the counters: bodies, dynamic_bodies, collidables and attributes of now, the others of the last step.
+// Returns the counters. bodies, dynamic_bodies, collidables and attributes are current; all others are those of the
+// last step.
 static inline scree_status scree_world_get_counters(scree_world* world, scree_counters* counters);
 
 typedef struct scree_timings // milliseconds of the last step; zero unless scree_world_def.timings is set
 {
 	float step; // wall-clock time of scree_world_step, from the upload of changes until the device has finished
 	float transform, broad_phase, narrow_phase, color, solve, finalize;
-	float queries; // time of the last call of queries, without transfers
+	float queries; // time of the last call that made queries, without transfers
 } scree_timings;
 
 // Returns the times of the last step. They are zero before the first step.
@@ -364,15 +370,15 @@ static inline scree_status scree_world_get_timings(scree_world* world, scree_tim
 
 typedef struct scree_traffic // memory traffic of the solve stage in the last step
 {
-	int constraints;           // touching contacts that were solved
-	int passes;                // passes over all constraints
-	uint64_t constraint_bytes; // read and written for constraints, which are streamed in every pass
-	uint64_t body_bytes;       // read and written for bodies; caches can serve much of it
+	int constraints;           // number of touching contacts that were solved
+	int passes;                // number of passes over all constraints
+	uint64_t constraint_bytes; // bytes read and written for constraints, which every pass reads from memory
+	uint64_t body_bytes;       // bytes read and written for bodies; caches can serve many of them
 } scree_traffic;
 
-// Returns the number of bytes that the solve stage of the last step read and wrote. They are counted from the
-// algorithm: the same on every device, regardless of caches. The sum of both byte counts divided by scree_timings.solve
-// is the achieved bandwidth. All members are zero before the first step.
+// Returns the number of bytes that the solve stage of the last step read and wrote. The numbers are computed from the
+// algorithm, so they are the same on every device and independent of caches. The sum of both byte counts divided by
+// scree_timings.solve is the achieved bandwidth. All members are zero before the first step.
 static inline scree_status scree_world_get_traffic(scree_world* world, scree_traffic* traffic);
 
 // Measures the copy bandwidth of the world's device, in bytes per second, reads plus writes; a CPU uses all threads.
@@ -411,12 +417,12 @@ typedef enum scree_shape_kind
 } scree_shape_kind;
 
 // A shape in local coordinates: all points within radius of the convex hull of the vertices. The scree_shape_make_*
-// functions fill all members. Functions that take a shape compute normals, centroid, area, inertia and reach
-// themselves.
+// functions fill all members. Functions that take a shape ignore its normals, centroid, area, inertia and reach, and
+// compute them again.
 typedef struct scree_shape
 {
 	scree_shape_kind kind;
-	int count;                              // 1 circle, 2 capsule and segment, 3 to 8 polygon
+	int count;                              // number of vertices: circle 1, capsule and segment 2, polygon 3 to 8
 	float radius;                           // m; polygon: rounding radius; segment: 0
 	scree_vec vertices[SCREE_MAX_VERTICES]; // m; polygon: convex, counter-clockwise
 	scree_vec normals[SCREE_MAX_VERTICES];  // outward unit normal of the edge from vertex i to i + 1
@@ -427,8 +433,9 @@ typedef struct scree_shape
 } scree_shape;
 
 // Functions that make a shape. Lengths are in m. They fail with SCREE_ERROR_INVALID if a value is not finite, a size is
-// below 1 mm, or a coordinate exceeds SCREE_MAX_COORDINATE. Bodies of 4 cm and more suit the solver best; smaller ones,
-// down to 2 mm, come to rest too, heaps of them with at least 4 substeps (docs/manifolds.md, "Small bodies").
+// below 1 mm, or a coordinate exceeds SCREE_MAX_COORDINATE. Bodies of 4 cm and more suit the solver best. Smaller
+// bodies, down to 2 mm, also come to rest, but heaps of them need at least 4 substeps (docs/manifolds.md, "Small
+// bodies").
 
 // Makes a box around the origin, a polygon of 4 corners; half sizes in m.
 SCREE_API scree_status scree_shape_make_box(float half_width, float half_height, scree_shape* shape);
@@ -445,8 +452,8 @@ SCREE_API scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_
 // Makes a convex polygon of 3 to 8 corners in clockwise or counter-clockwise order, rounded by radius (m; 0: sharp).
 // Fails with SCREE_ERROR_INVALID if a corner is concave, collinear or coincident; scree_shape_make_hull drops such
 // corners. A corner is coincident if its distance to another is less than a twentieth of the largest distance of two
-// corners; this limit is at most 5 mm and at least 0.5 mm. It is collinear if its distance to the line between its
-// neighbors is less than a tenth of that limit.
+// corners; this limit is at most 5 mm and at least 0.5 mm. A corner is collinear if its distance to the line between
+// its neighbors is less than a tenth of that limit.
 SCREE_API scree_status scree_shape_make_polygon(const scree_vec* corners, int count, float radius, scree_shape* shape);
 
 // Makes the convex hull of 3 to 64 points (m), rounded by radius (m). Coincident points are merged and collinear
@@ -454,7 +461,8 @@ SCREE_API scree_status scree_shape_make_polygon(const scree_vec* corners, int co
 // 3 or more than 8 corners. Method: Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996.
 SCREE_API scree_status scree_shape_make_hull(const scree_vec* points, int count, float radius, scree_shape* shape);
 
-// Transforms a shape: rotates it by pose.rotation, then translates it by pose.position. transformed may be shape.
+// Transforms a shape: rotates it by pose.rotation, then translates it by pose.position. The shape may be changed in
+// place: transformed may be equal to shape.
 SCREE_API scree_status scree_shape_transform(const scree_shape* shape, scree_pose pose, scree_shape* transformed);
 
 typedef struct scree_attribute_def
@@ -464,11 +472,12 @@ typedef struct scree_attribute_def
 	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1; scree_body_get_mass describes bodies without mass
 	float friction;           // 0 to 1e6, default 0.6; a pair uses the geometric mean, at most 1000
 	float restitution;        // 0 to 100, default 0; above 1 it adds speed; a pair uses the larger value
-	float rolling_resistance; // 0 to 1e6, default 0; times the larger radius of the pair it is a lever arm in m
+	float rolling_resistance; // 0 to 1e6, default 0; times the pair's larger radius: lever arm of the resistance, m
 	float tangent_speed; // speed of a conveyor belt along the surface, m/s, within SCREE_MAX_COORDINATE, default 0;
 	                     // clockwise around the shape if positive, so that a body on top moves to the right
-	// A vector other than 0 makes a one-way platform: it is solid only for bodies that come from the side to which the
-	// vector points. In the frame of the shape, at least 1e-3 long; default 0. docs/rules.md has the rules.
+	// A vector other than 0 makes the shape a one-way platform: it is solid only for bodies that come from the side to
+	// which the vector points. The vector is in the frame of the shape, at least 1e-3 long; default 0. docs/rules.md
+	// has the rules.
 	scree_vec one_way;
 	int material; // 0 to 255, default 0: the material for scree_world_set_material_pair
 } scree_attribute_def;
@@ -477,13 +486,13 @@ typedef struct scree_attribute_def
 static inline scree_attribute_def scree_attribute_def_default(void);
 
 // Creates an attribute, or returns the existing one with equal values. Attributes are immutable. An attribute exists
-// until it is destroyed, or its world is.
+// until it or its world is destroyed.
 SCREE_API scree_status scree_attribute_create(scree_world* world, const scree_attribute_def* def,
                                               scree_attribute* attribute);
 
-// Reverts one scree_attribute_create. An attribute that was created several times, with equal values, is destroyed by
-// the last of as many calls. That last call fails with SCREE_ERROR_INVALID while a collidable uses the attribute. Later
-// attributes reuse the slot; the handle stays stale.
+// Reverts one scree_attribute_create. An attribute that was created n times, with equal values, is destroyed by the
+// n-th call. That call fails with SCREE_ERROR_INVALID while a collidable uses the attribute. Later attributes reuse the
+// slot; the handle stays stale.
 SCREE_API scree_status scree_attribute_destroy(scree_world* world, scree_attribute attribute);
 
 // Returns true if the handle refers to an existing attribute.
@@ -498,17 +507,17 @@ typedef struct scree_material_pair // surface values of a pair of materials, whi
 	uint32_t size;     // set by scree_material_pair_default
 	float friction;    // 0 to 1e6, at most 1000 is used; NaN (default): the attributes' mixing rule
 	float restitution; // 0 to 100; NaN (default): the attributes' mixing rule
-	bool ignored;      // the two pass through each other, as if their filters kept them apart; default false
+	bool ignored;      // true: collidables of the two materials pass through each other; default false
 	// Relative speed of the two surfaces, m/s, within SCREE_MAX_COORDINATE, clockwise around each of the two shapes if
-	// positive; NaN (default): the sum of the attributes' tangent speeds.
+	// positive; NaN (default): the sum of the tangent speeds of the attributes.
 	float tangent_speed;
 } scree_material_pair;
 
 // Returns a pair that changes nothing: NaN for all values, not ignored.
 static inline scree_material_pair scree_material_pair_default(void);
 
-// Sets the surface values for contacts between two materials (0 to 255; they may be equal); their order makes no
-// difference. A null pair restores the values of the attributes. The change takes effect in the next step, also for
+// Sets the surface values for contacts between two materials (0 to 255; they may be equal); the order of the two makes
+// no difference. A null pair restores the values of the attributes. The change takes effect in the next step, also for
 // existing contacts: a contact that becomes ignored ends with its event, and a new contact begins when the pair is no
 // longer ignored.
 SCREE_API scree_status scree_world_set_material_pair(scree_world* world, int material_a, int material_b,
@@ -557,7 +566,9 @@ typedef struct scree_filter
 	int32_t group;     // default 0
 } scree_filter;
 
-enum // bits of scree_collidable_def.reports: events of a collidable that are listed; one side of a contact needs the bit
+// Bits of scree_collidable_def.reports: the kinds of events that are listed. An event of a contact is listed if at
+// least one of the two collidables has the bit.
+enum
 {
 	SCREE_REPORT_TOUCHES = 1,  // scree_events.touches_began, touches_ended
 	SCREE_REPORT_HITS = 2,     // scree_events.hits
@@ -566,8 +577,9 @@ enum // bits of scree_collidable_def.reports: events of a collidable that are li
 
 // Bits of scree_body_def.sensor and scree_collidable_def.sensor: the kinds of collidables that a sensor detects. A
 // sensor touches nothing and stops nothing; it reports the collidables that overlap it (scree_events.visits_began,
-// scree_collidable_get_visits). It may belong to a body of any type, or to none. It does not detect collidables of its
-// own body. It adds to the mass of its body unless its density is 0. Filters apply to sensors, joints do not.
+// scree_collidable_get_visits). A sensor may belong to a body of any type, or to no body. It does not detect
+// collidables of its own body. It adds to the mass of its body unless its density is 0. Filters apply to sensors.
+// Joints and excluded pairs do not: a sensor detects the bodies that they keep from touching.
 enum
 {
 	SCREE_SENSOR_MOVING = 1,  // collidables of dynamic and kinematic bodies
@@ -608,7 +620,7 @@ SCREE_API scree_status scree_bodies_create(scree_world* world, const scree_body_
 SCREE_API scree_status scree_body_create(scree_world* world, const scree_body_def* def, scree_body* body);
 
 // Destroys bodies with their collidables, contacts, joints and fields. On failure, for instance because a body is twice
-// in the batch, none is destroyed.
+// in the batch, no body is destroyed.
 SCREE_API scree_status scree_bodies_destroy(scree_world* world, const scree_body* bodies, int count);
 // Destroys one body, as above.
 SCREE_API scree_status scree_body_destroy(scree_world* world, scree_body body);
@@ -651,10 +663,10 @@ SCREE_API scree_status scree_bodies_apply_impulses_at(scree_world* world, const 
 // and a static body stays at rest.
 SCREE_API scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* bodies,
                                                    const scree_velocity* velocities, int count);
-// Sets the linear velocities, m/s; the angular ones stay.
+// Sets the linear velocities, m/s; angular velocities stay.
 SCREE_API scree_status scree_bodies_set_linear_velocities(scree_world* world, const scree_body* bodies,
                                                           const scree_vec* velocities, int count);
-// Sets the angular velocities, rad/s; the linear ones stay.
+// Sets the angular velocities, rad/s; linear velocities stay.
 SCREE_API scree_status scree_bodies_set_angular_velocities(scree_world* world, const scree_body* bodies,
                                                            const float* velocities, int count);
 
@@ -662,18 +674,18 @@ SCREE_API scree_status scree_bodies_set_angular_velocities(scree_world* world, c
 SCREE_API scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses,
                                               int count);
 
-// Sets targets: the poses that kinematic bodies have at the end of the next step with dt > 0. They are poses of the
+// Sets targets: the poses that kinematic bodies have at the end of the next step with dt > 0. Targets are poses of the
 // bodies' origins, within SCREE_MAX_COORDINATE. Static and dynamic bodies are refused with SCREE_ERROR_INVALID. During
 // that step the body has the velocity that moves it to its target, so that it pushes and carries the bodies that it
-// touches. It takes the shorter rotation (half a turn is counter-clockwise). At the end it is exactly at its target and
-// at rest: its velocity is 0 before that step and after it.
+// touches. The body takes the shorter rotation (half a turn is counter-clockwise). At the end it is exactly at its
+// target and at rest: its velocity is 0 before that step and after it.
 //
 // Locked motion stays locked. A body that would exceed max_speed, or rotate further than one step allows
-// (scree_world_def.max_speed), still arrives, but other bodies are pushed with the limited velocity only.
+// (scree_world_def.max_speed), still reaches its target, but pushes other bodies with the limited velocity only.
 //
 // A second target replaces the first. Setting the velocity, changing the type or destroying the body drops the target;
-// scree_body_set_pose only moves the start. A step of dt 0, a refused step and steps while the body is disabled keep
-// it.
+// scree_body_set_pose changes only the pose from which the body moves to the target. The target is kept by a step of dt
+// 0, by a step that fails without changes, and by steps while the body is disabled.
 SCREE_API scree_status scree_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses,
                                                 int count);
 
@@ -716,11 +728,11 @@ SCREE_API scree_status scree_body_apply_angular_impulse(scree_world* world, scre
 SCREE_API scree_status scree_body_set_velocity(scree_world* world, scree_body body, scree_velocity velocity);
 // Returns the velocity of the center of mass.
 SCREE_API scree_status scree_body_get_velocity(scree_world* world, scree_body body, scree_velocity* velocity);
-// Sets the linear velocity, m/s; the angular one stays.
+// Sets the linear velocity, m/s; the angular velocity stays.
 SCREE_API scree_status scree_body_set_linear_velocity(scree_world* world, scree_body body, scree_vec velocity);
-// Sets the angular velocity, rad/s; the linear one stays.
+// Sets the angular velocity, rad/s; the linear velocity stays.
 SCREE_API scree_status scree_body_set_angular_velocity(scree_world* world, scree_body body, float velocity);
-// Sets the pose that a kinematic body has at the end of the next step: scree_bodies_set_targets.
+// Sets the pose that a kinematic body has at the end of the next step with dt > 0; see scree_bodies_set_targets.
 SCREE_API scree_status scree_body_set_target(scree_world* world, scree_body body, scree_pose pose);
 // Teleports a body; its velocity does not change.
 SCREE_API scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose);
@@ -738,14 +750,16 @@ SCREE_API scree_status scree_body_get_local_point(scree_world* world, scree_body
 SCREE_API scree_status scree_body_get_point_velocity(scree_world* world, scree_body body, scree_vec point,
                                                      scree_vec* velocity);
 
-// Returns a definition of the body as it is now: its type, pose, velocity, values, locks and user data, and whether it is
-// disabled. A body that is created from it has no collidable: attribute is null, and filter, reports and sensor have their
-// defaults. A mass of scree_body_set_mass and the target of a kinematic body are not part of it.
+// Returns a definition of the body as it is now: its type, pose, velocity, values, locks and user data, and whether it
+// is disabled. A body that is created from this definition has no collidable: attribute is null, and filter, reports
+// and sensor have their defaults. The definition contains neither a mass set by scree_body_set_mass nor the target of a
+// kinematic body.
 static inline scree_status scree_body_get_def(scree_world* world, scree_body body, scree_body_def* def);
 
 // Settings of one body, with the units and ranges of scree_body_def. Changes are uploaded with the next batch.
 
-// Changes the type. The contacts of the body end and begin again, its target is dropped, and a static body stops.
+// Changes the type. The contacts of the body end and begin again, its target is dropped, and a body that becomes static
+// stops.
 SCREE_API scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body_type type);
 // Returns the type.
 SCREE_API scree_status scree_body_get_type(const scree_world* world, scree_body body, scree_body_type* type);
@@ -769,9 +783,9 @@ SCREE_API scree_status scree_body_get_user(const scree_world* world, scree_body 
 // Enables or disables bodies. The simulation ignores a disabled body: it does not move, nothing touches it, forces and
 // gravity do not act on it, and its collidables are not drawn (scree_render_row.attribute is -1). Its contacts end as
 // if it were destroyed. Everything else is kept and can still be read and set: velocity, pose, collidables. Forces
-// applied to it are lost. When it is enabled, it continues with that velocity, and its contacts are new. It counts in
-// scree_counters.bodies. Enabling an enabled body changes nothing, nor does disabling a disabled one. On failure no
-// body of the batch changes.
+// applied to a disabled body are lost. When the body is enabled, it continues with the kept velocity, and its contacts
+// are new. A disabled body counts in scree_counters.bodies. Enabling an enabled body changes nothing, nor does
+// disabling a disabled one. On failure no body of the batch changes.
 SCREE_API scree_status scree_bodies_set_enabled(scree_world* world, const scree_body* bodies, const bool* enabled,
                                                 int count);
 // Enables or disables one body, as above.
@@ -780,16 +794,17 @@ SCREE_API scree_status scree_body_set_enabled(scree_world* world, scree_body bod
 // Returns true if the body exists and is enabled.
 SCREE_API bool scree_body_is_enabled(const scree_world* world, scree_body body);
 
-// Adds (true) or removes (false) excluded pairs: two different bodies that never touch each other, whatever their
+// Adds (true) or removes (false) excluded pairs: two different bodies that never touch each other, regardless of their
 // filters; the order of the two makes no difference. If an excluded pair touches now, the touch ends in the next step,
-// with its event. When a pair is removed, its contacts begin again. A pair that a joint keeps apart stays apart.
-// Destroying a body removes its pairs. A world holds up to 16,777,216 pairs. On failure no pair of the batch changes.
+// with its event. When a pair is removed, its contacts begin again. Bodies that a joint keeps from touching still do
+// not touch then. Destroying a body removes its pairs. A world holds up to 16,777,216 pairs. On failure no pair of the
+// batch changes.
 SCREE_API scree_status scree_bodies_set_excluded(scree_world* world, const scree_body* a, const scree_body* b,
                                                  const bool* excluded, int count);
 // Adds or removes one excluded pair, as above.
 SCREE_API scree_status scree_body_set_excluded(scree_world* world, scree_body body, scree_body other, bool excluded);
 
-// Returns true if both bodies exist and are an excluded pair. Pairs that joints keep apart do not count.
+// Returns true if both bodies exist and are an excluded pair. Pairs that only a joint keeps from touching do not count.
 SCREE_API bool scree_body_is_excluded(const scree_world* world, scree_body body, scree_body other);
 
 // Writes up to capacity bodies that form an excluded pair with a body, in ascending index order, and sets count to
@@ -810,12 +825,13 @@ SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body 
 
 // Overrides the computed mass of a dynamic body until a collidable is added or removed, or gets an attribute with
 // another shape or density. The override is kept, but has no effect, while the body is static or kinematic. When the
-// center of mass changes, each point of the body keeps its velocity: that of the new center is v + w x (new - old).
+// center of mass changes, each point of the body keeps its velocity: the velocity of the new center is v + w x (new -
+// old).
 //
 // Range: mass 1e-15 to 1e30 kg; inertia 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate; center within
-// SCREE_MAX_COORDINATE. A step uses at least a thousandth of the mass times the square of the longest arm for the
-// inertia. The longest arm is that to a joint or to the end of a solid shape. With less inertia, floats have too few
-// digits for the impulses of joints and contacts. Fails with SCREE_ERROR_INVALID for a body that is not dynamic.
+// SCREE_MAX_COORDINATE. A step uses at least m r^2 / 1000 for the inertia, because with less, floats have too few
+// digits for the impulses of joints and contacts. m is the mass; r is the largest distance from the center of mass to
+// the anchor of a joint or to the end of a solid shape. Fails with SCREE_ERROR_INVALID for a body that is not dynamic.
 SCREE_API scree_status scree_body_set_mass(scree_world* world, scree_body body, scree_mass mass);
 // Overrides the masses of a batch of bodies, as above. On failure no mass changes.
 SCREE_API scree_status scree_bodies_set_masses(scree_world* world, const scree_body* bodies, const scree_mass* masses,
@@ -849,7 +865,7 @@ typedef struct scree_collidable_def
 	scree_filter filter;
 	uint64_t user;    // user data, not simulated; default 0
 	uint32_t reports; // bits of SCREE_REPORT_*; default 0
-	uint32_t sensor;  // bits of SCREE_SENSOR_*: the collidables that it detects; default 0: it is not a sensor
+	uint32_t sensor;  // bits of SCREE_SENSOR_*: the kinds of collidables that it detects; default 0: it is not a sensor
 } scree_collidable_def;
 
 // Returns a definition with the default values, a null attribute and a null body.
@@ -864,7 +880,7 @@ SCREE_API scree_status scree_collidable_create(scree_world* world, const scree_c
                                                scree_collidable* collidable);
 
 // Destroys collidables with their contacts; the masses of their bodies are computed again. On failure, for instance
-// because a collidable is twice in the batch, none is destroyed.
+// because a collidable is twice in the batch, no collidable is destroyed.
 SCREE_API scree_status scree_collidables_destroy(scree_world* world, const scree_collidable* collidables, int count);
 // Destroys one collidable, as above.
 SCREE_API scree_status scree_collidable_destroy(scree_world* world, scree_collidable collidable);
@@ -873,7 +889,7 @@ SCREE_API scree_status scree_collidable_destroy(scree_world* world, scree_collid
 SCREE_API bool scree_collidable_is_valid(const scree_world* world, scree_collidable collidable);
 
 // Writes the handles of up to capacity collidables of a body, in the order in which they were added, and sets count to
-// their number. For a null body it lists the collidables without a body, in ascending index order.
+// their number. For a null body the function lists the collidables without a body, in ascending index order.
 SCREE_API scree_status scree_body_get_collidables(const scree_world* world, scree_body body,
                                                   scree_collidable* collidables, int capacity, int* count);
 
@@ -911,7 +927,7 @@ SCREE_API scree_status scree_collidable_get_reports(const scree_world* world, sc
 // Sets the kinds of events that are listed for a collidable (bits of SCREE_REPORT_*), from the next step on. The end of
 // a touch that began with the old bits is still listed.
 SCREE_API scree_status scree_collidable_set_reports(scree_world* world, scree_collidable collidable, uint32_t reports);
-// Sets the kinds of events of a batch of collidables, as above. On failure none of them changes.
+// Sets the kinds of events of a batch of collidables, as above. On failure no collidable changes.
 SCREE_API scree_status scree_collidables_set_reports(scree_world* world, const scree_collidable* collidables,
                                                      const uint32_t* reports, int count);
 
@@ -919,24 +935,25 @@ SCREE_API scree_status scree_collidables_set_reports(scree_world* world, const s
 SCREE_API scree_status scree_collidable_get_sensor(const scree_world* world, scree_collidable collidable,
                                                    uint32_t* sensor);
 // Sets the kinds of collidables that a sensor detects (bits of SCREE_SENSOR_*), from the next step on. A collidable
-// that becomes a sensor ends its touches. With 0 it is no longer a sensor and has no visits.
+// that becomes a sensor ends its touches. With 0 the collidable is no longer a sensor and has no visits.
 SCREE_API scree_status scree_collidable_set_sensor(scree_world* world, scree_collidable collidable, uint32_t sensor);
 
-// Teleports collidables without a body: sets their poses in the world, m. Fails with SCREE_ERROR_INVALID if one belongs
-// to a body.
+// Teleports collidables without a body: sets their poses in the world, m. Fails with SCREE_ERROR_INVALID if any of the
+// collidables belongs to a body.
 SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scree_collidable* collidables,
                                                    const scree_pose* poses, int count);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Paths
 //
-// A path is a smooth curve through points. Joints of type SCREE_JOINT_PATH hold bodies on it: a wire with beads, a rail
-// with wagons. Its points are in frame A of the joints that use it. So a path can lie in the world, or on a body that
-// moves, and one path can lie in several places. Positions on a path are arc lengths from its first point, in metres.
+// A path is a smooth curve through points. Joints of type SCREE_JOINT_PATH hold bodies on a path: beads on a wire,
+// wagons on a rail. The points of a path are in frame A of the joints that use the path. So a path can lie in the
+// world, or on a body that moves, and one path can lie in several places. Positions on a path are arc lengths from its
+// first point, in metres.
 //
-// The curve is the cubic spline through the points whose parameter is the sum of their distances, so its curvature is
-// continuous. Give more points where it bends more: 12 on a full circle are within 1e-3 of its radius, 24 within 1e-4.
-// ---------------------------------------------------------------------------------------------------------------
+// The curve is the cubic spline through the points, whose parameter is the sum of the distances between successive
+// points. Its curvature is continuous. More points make the curve more exact: with 12 points on a full circle it is
+// within 1e-3 of the radius, with 24 points within 1e-4.
 
 typedef struct scree_path
 {
@@ -955,7 +972,7 @@ typedef struct scree_path_def
 	uint32_t size;           // set by scree_path_def_default
 	const scree_vec* points; // m, within SCREE_MAX_COORDINATE; neighbors at least 1e-4 m apart
 	int count;               // 2 to 65,536; at least 3 for a closed path
-	bool closed;             // continues from the last point to the first; default false
+	bool closed;             // true: the path continues from the last point to the first; default false
 	uint64_t user;           // user data, not simulated; default 0
 } scree_path_def;
 
@@ -974,11 +991,12 @@ SCREE_API bool scree_path_is_valid(const scree_world* world, scree_path path);
 // Writes the handles of up to capacity paths in ascending index order, and sets count to their number.
 SCREE_API scree_status scree_world_get_paths(const scree_world* world, scree_path* paths, int capacity, int* count);
 
-// Returns the arc length of a path, m; of a closed one, that of a full lap.
+// Returns the arc length of a path, m; for a closed path, the length of one lap.
 SCREE_API scree_status scree_path_get_length(const scree_world* world, scree_path path, float* length);
 
 // Returns the point at an arc length (m, any finite value), and the direction of the path there as a rotation. On a
-// closed path an arc length beyond the last point continues in the next lap; on an open path it gives the end.
+// closed path an arc length beyond the last point continues in the next lap; on an open path an arc length beyond an
+// end gives that end.
 SCREE_API scree_status scree_path_get_pose(const scree_world* world, scree_path path, float along, scree_pose* pose);
 
 // Returns the arc length (m) at which the path is nearest to a point (m) of frame A.
@@ -1000,16 +1018,16 @@ SCREE_API scree_status scree_path_set_user(scree_world* world, scree_path path, 
 //
 // A joint holds two frames together: frame A in body A, frame B in body B. It measures three coordinates of frame B in
 // frame A: the translation along the x axis of frame A, the translation across it (along its y axis), and the angle.
-// Each coordinate can be locked, and can have limits, a spring and a motor. A type of joint (scree_joint_def_make) is a
-// preset of these, which can be changed.
+// Each coordinate can be locked, and can have limits, a spring and a motor. A type of joint presets these values
+// (scree_joint_def_make), and each of them can be changed.
 //
 // A joint of type DISTANCE measures along the line from anchor A to anchor B instead: its translation along is the
-// distance. Joints of types GEAR and PULLEY measure each body in the world and couple the two measures:
-// scree_joint_side.
+// distance. Joints of types GEAR and PULLEY measure each body in the world and couple the two measures
+// (scree_joint_side).
 //
-// A joint of type PATH holds anchor B on a path, which lies in frame A. Its translation along is the arc length of the
-// path, over all laps of a closed one. Its translation across is the distance from the path, positive to the left of
-// the path's direction. Its angle is that of frame B relative to the direction of the path. The ends of an open path
+// A joint of type PATH holds anchor B on a path, which lies in frame A. Its translation along is an arc length of the
+// path, with all full laps on a closed path. Its translation across is the distance from the path, positive to the left
+// of the path's direction. Its angle is that of frame B relative to the direction of the path. The ends of an open path
 // act as limits.
 //
 // Either body can be null: its frame is then in the world. Joints with a static or kinematic body are usual. A joint
@@ -1031,21 +1049,21 @@ static inline bool scree_joint_equals(scree_joint a, scree_joint b)
 	return a.index == b.index && a.generation == b.generation;
 }
 
-typedef enum scree_joint_type // the coordinates that are locked, and other values that scree_joint_def_make presets
+typedef enum scree_joint_type // each comment: locked coordinates, then other values that scree_joint_def_make sets
 {
-	SCREE_JOINT_FREE,      // none: a start for joints of your own
+	SCREE_JOINT_FREE,      // no coordinate: for joints whose values you set yourself
 	SCREE_JOINT_DISTANCE,  // along, at along.target (1 m); unlock it for a spring, or for a rope with limits
 	SCREE_JOINT_REVOLUTE,  // along and across: a hinge
 	SCREE_JOINT_PRISMATIC, // across and angle: a slider along the x axis of frame A
 	SCREE_JOINT_SLOT,      // across: a pin in a slot along the x axis of frame A
 	SCREE_JOINT_WELD,      // all; lock_hertz makes it soft
-	SCREE_JOINT_WHEEL,     // across; spring along the x axis of frame A of 1 Hz and damping ratio 0.7
-	SCREE_JOINT_MOTOR,     // none; motors of speed 0 and maximum 0 on all three: friction, or a drive
-	SCREE_JOINT_TARGET,    // none; springs of 5 Hz and damping ratio 1 along and across: pulls a body to frame A
-	SCREE_JOINT_FILTER,    // none: its only effect is that the two bodies do not collide
-	SCREE_JOINT_GEAR,      // along: couples two angles (scree_joint_side)
-	SCREE_JOINT_PULLEY,    // along: couples two distances; the two bodies may collide
-	SCREE_JOINT_PATH,      // across: a bead on a wire; lock the angle as well for a wagon on a rail
+	SCREE_JOINT_WHEEL,     // across; a spring along the x axis of frame A, 1 Hz, damping ratio 0.7
+	SCREE_JOINT_MOTOR,  // no coordinate; motors on all three, speed 0 and maximum 0, to be set for friction or a drive
+	SCREE_JOINT_TARGET, // no coordinate; springs along and across, 5 Hz, damping ratio 1: pull a body to frame A
+	SCREE_JOINT_FILTER, // no coordinate: its only effect is that the two bodies do not touch
+	SCREE_JOINT_GEAR,   // along: couples two angles (scree_joint_side)
+	SCREE_JOINT_PULLEY, // along: couples two distances; the two bodies may collide
+	SCREE_JOINT_PATH,   // across: a bead on a wire; also lock the angle for a wagon on a rail
 } scree_joint_type;
 
 // Returns the name of a type ("free", "distance", ...), a constant string; never null.
@@ -1059,28 +1077,29 @@ typedef enum scree_coordinate // coordinates of frame B in frame A
 } scree_coordinate;
 
 // One coordinate of a joint. Units are m and N, or rad and N m for the angle; speeds are per second. Soft locks and
-// springs oscillate with the given frequency and damping ratio, up to a twelfth of the substep rate. Stiffer ones, and
-// many on one body, are damped more, so that none adds energy.
+// springs oscillate with the given frequency and damping ratio, up to a twelfth of the substep rate. Above this rate,
+// or if one body has many soft locks and springs, they are damped more, so that they add no energy.
 typedef struct scree_joint_coordinate
 {
 	float target; // the value at which a lock holds the coordinate, and to which a spring pulls it,
 	              // within SCREE_MAX_COORDINATE; default 0
 	bool locked;
-	bool limited; // limits it to the range from lower to upper; the angle counts all turns
+	bool limited; // limits the coordinate to the range from lower to upper; the angle counts all turns
 	bool spring;
 	bool motor;
-	float lock_hertz;           // stiffness of a soft lock, Hz, 0 to 1e6; 0 (default): as stiff as the joint
-	float lock_damping_ratio;   // 0 to 1e6, default 0
+	float lock_hertz;           // stiffness of a soft lock, Hz, 0 to 1e6; 0 (default): that of the joint
+	float lock_damping_ratio;   // damping ratio of a soft lock, 0 to 1e6, default 0
 	float lower, upper;         // lower <= upper, within SCREE_MAX_COORDINATE; default 0
-	float spring_hertz;         // 0 to 1e6, default 0: the spring is off, whatever its damping ratio
+	float spring_hertz;         // 0 to 1e6, default 0: the spring is off, with any damping ratio
 	float spring_damping_ratio; // 0 to 1e6, default 0
 	float spring_max;           // largest force or torque of the spring, >= 0, default FLT_MAX
-	// Largest force or torque that increases (push) and that decreases (pull) the coordinate, >= 0, default FLT_MAX; the
-	// smaller of this and spring_max holds. With a push of 0 a spring of type DISTANCE is a rubber band.
+	// Largest force or torque of the spring that increases (push) and that decreases (pull) the coordinate, >= 0,
+	// default FLT_MAX. The smaller of this value and spring_max applies. With a push of 0 a spring of type DISTANCE is
+	// a rubber band.
 	float spring_push;
 	float spring_pull;
 	float motor_speed; // m/s or rad/s, within SCREE_MAX_COORDINATE; default 0
-	float motor_max;   // largest force or torque of the motor, >= 0, default 0: off; with speed 0 the motor is friction
+	float motor_max;   // largest force or torque of the motor, >= 0, default 0: off; at speed 0 it is friction
 } scree_joint_coordinate;
 
 typedef enum scree_measure // measure of a frame relative to a base, which is a frame of the world
@@ -1090,15 +1109,15 @@ typedef enum scree_measure // measure of a frame relative to a base, which is a 
 	SCREE_MEASURE_DISTANCE,    // m: distance of the anchor from the position of the base
 } scree_measure;
 
-// One side of a coupling. The coordinate along of joints of types GEAR and PULLEY is the measure of frame B in its
-// base, plus ratio times the measure of frame A in its base. It can have a lock, limits, a spring and a motor like any
-// other coordinate. Its unit of force is N m if the measure of b is an angle. Bases do not move: couple two wheels of
-// one vehicle through their angles only if the vehicle does not rotate.
+// One side of a coupling. In joints of types GEAR and PULLEY, the coordinate along is the measure of frame B in its
+// base, plus ratio times the measure of frame A in its base. This coordinate can have a lock, limits, a spring and a
+// motor like any other. Its unit of force is N m if the measure of b is an angle. Bases do not move: couple two wheels
+// of one vehicle through their angles only if the vehicle does not rotate.
 typedef struct scree_joint_side
 {
 	scree_measure measure;
 	scree_pose base;     // pose in the world; default: the origin of the world
-	float initial_angle; // rad: selects the turn, the first angle is the one nearest to it; default 0. Set by
+	float initial_angle; // rad, default 0: the angle begins in the turn that is nearest to this value. Set by
 	                     // scree_joint_def_couple
 } scree_joint_side;
 
@@ -1109,19 +1128,20 @@ typedef struct scree_joint_def
 	scree_body body_a, body_b;   // null: the world; not the same body
 	scree_pose frame_a, frame_b; // poses in the bodies' frames; default: the bodies' origins
 	// The coordinates, by scree_coordinate. Limits, spring and motor have no effect while the coordinate is locked. A
-	// definition is refused if a locked coordinate has a motor with a speed or a maximum. scree_joint_set_coordinate may
-	// lock a coordinate that has such a motor.
+	// definition is refused if a locked coordinate has a motor with a speed or a maximum. scree_joint_set_coordinate
+	// may lock a coordinate that has such a motor.
 	scree_joint_coordinate coordinates[3];
 	// Stiffness of locks and limits, Hz, 0 to 1e6, default 60; 0: rigid, and errors are not corrected. The effective
 	// frequency of locks, limits and springs is at most a quarter of the substep rate; joints in a row are stiffer
 	// (docs/joints.md).
 	float hertz;
 	float damping_ratio;    // damping ratio of locks and limits, 0 to 1e6, default 2
-	bool collide_connected; // lets the two bodies touch each other; default false
-	bool can_break;         // breaks the joint when a threshold is exceeded; default false
+	bool collide_connected; // true: the two bodies may touch each other; default false
+	bool can_break;         // true: the joint breaks when a threshold is exceeded; default false
 	bool disabled;          // true: the joint starts disabled (scree_joint_set_enabled); default false
-	// If true, spring_max and motor_max of along and across are the half axes of an ellipse, so that equal ones bound the
-	// force in any direction. Otherwise each bounds its own coordinate. Default true for MOTOR and TARGET.
+	// If true, spring_max and motor_max of along and across are the half axes of an ellipse that bounds the force:
+	// equal half axes give the same bound in all directions. Otherwise each value bounds only its own coordinate.
+	// Default true for MOTOR and TARGET.
 	bool elliptic;
 	float force_threshold;     // N, >= 0, default FLT_MAX; a joint above it is listed by scree_world_get_joint_events
 	float torque_threshold;    // N m, >= 0, default FLT_MAX; the same for the torque
@@ -1130,7 +1150,8 @@ typedef struct scree_joint_def
 	scree_joint_side sides[2]; // GEAR, PULLEY: a, b; default: angles of a GEAR, distances of a PULLEY
 	scree_path path;           // PATH: the path on which anchor B is held
 	// PATH: the arc length, laps included, at which the search for the point nearest to anchor B begins; m, within
-	// SCREE_MAX_COORDINATE, default 0. Another part of the path is used only if it is less than half as far from anchor B.
+	// SCREE_MAX_COORDINATE, default 0. Another part of the path is used only if it is less than half as far from anchor
+	// B.
 	float initial_along;
 } scree_joint_def;
 
@@ -1139,18 +1160,18 @@ typedef struct scree_joint_def
 static inline scree_joint_def scree_joint_def_make(scree_joint_type type);
 
 // Sets frame_a and frame_b of a definition so that both lie at a pose in the world (m), for the current poses of the
-// bodies, which the definition must already name. Locks and springs whose target is 0 then hold the bodies as they are.
-// For type PATH it sets only frame_b, because frame_a is the place of the path.
+// bodies, which the definition must already name. Locks and springs whose target is 0 then hold the bodies at their
+// current poses. For type PATH the function sets only frame_b, because frame_a is the place of the path.
 SCREE_API scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose);
 
-// Sets the target along of a GEAR or PULLEY to its current value, so that two wheels mesh as they are, and a rope is as
-// long as it is. The definition must already have bodies, frames, sides and ratio. Sets sides[].initial_angle to the
-// current angles. Fails with SCREE_ERROR_INVALID for other types.
+// Sets the target of the coordinate along of a GEAR or PULLEY to its current value, so that two wheels keep their
+// current angles and a rope its current length. The definition must already have bodies, frames, sides and ratio. Also
+// sets sides[].initial_angle to the current angles. Fails with SCREE_ERROR_INVALID for other types.
 SCREE_API scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def);
 
 // Sets frame_b of a PATH joint so that it lies on the path at an arc length (m, within SCREE_MAX_COORDINATE), in the
 // direction of the path, for the current poses of the bodies. The definition must already have bodies, frame_a and
-// path. Sets initial_along to that arc length. Fails with SCREE_ERROR_INVALID for other types.
+// path. Also sets initial_along to that arc length. Fails with SCREE_ERROR_INVALID for other types.
 SCREE_API scree_status scree_joint_def_mount(scree_world* world, scree_joint_def* def, float along);
 
 // Creates count joints from count definitions and writes their handles to joints (may be null). On failure no joint is
@@ -1161,7 +1182,7 @@ SCREE_API scree_status scree_joints_create(scree_world* world, const scree_joint
 SCREE_API scree_status scree_joint_create(scree_world* world, const scree_joint_def* def, scree_joint* joint);
 
 // Destroys joints. Destroying a body destroys its joints. On failure, for instance because a joint is twice in the
-// batch, none is destroyed.
+// batch, no joint is destroyed.
 SCREE_API scree_status scree_joints_destroy(scree_world* world, const scree_joint* joints, int count);
 // Destroys one joint.
 SCREE_API scree_status scree_joint_destroy(scree_world* world, scree_joint joint);
@@ -1180,7 +1201,7 @@ static inline scree_status scree_joint_get_def(const scree_world* world, scree_j
 
 // Changes of joints. Each function takes count joints and count values, with the units and ranges of scree_joint_def;
 // on failure nothing has changed. Impulses stay, so a motor can get another speed in every step. A broken joint can be
-// changed, and stays broken. If an angle had neither limit, spring nor lock and gets one, it starts in the turn that is
+// changed, and stays broken. If an angle without limit, spring and lock gets one of them, it starts in the turn that is
 // nearest to the limit or target.
 
 // Replaces one coordinate of each joint.
@@ -1216,9 +1237,9 @@ SCREE_API scree_status scree_joint_set_frames(scree_world* world, scree_joint jo
                                               scree_pose frame_b);
 
 // Enables or disables joints. A disabled joint has no effect, and does not keep its bodies from touching. It can still
-// be read and changed. When it is enabled, it starts without impulses and keeps its turns. A broken joint stays broken.
-// Enabling an enabled joint changes nothing, nor does disabling a disabled one. On failure no joint of the batch
-// changes.
+// be read and changed. When a joint is enabled, it starts without impulses and keeps the counted turns of its angles. A
+// broken joint stays broken. Enabling an enabled joint changes nothing, nor does disabling a disabled one. On failure
+// no joint of the batch changes.
 SCREE_API scree_status scree_joints_set_enabled(scree_world* world, const scree_joint* joints, const bool* enabled,
                                                 int count);
 // Enables or disables one joint, as above.
@@ -1235,14 +1256,14 @@ SCREE_API scree_status scree_joint_set_stiffness(scree_world* world, scree_joint
 // Sets the thresholds in N and N m. If can_break is true, a joint breaks when it exceeds one of them.
 SCREE_API scree_status scree_joint_set_thresholds(scree_world* world, scree_joint joint, float force, float torque,
                                                   bool can_break);
-// Sets the ratio of a GEAR or PULLEY; fails with SCREE_ERROR_INVALID for other types. Only later turns of angles have
-// the new ratio, so that a gear does not jump; translations and distances have it at once.
+// Sets the ratio of a GEAR or PULLEY; fails with SCREE_ERROR_INVALID for other types. For angles the new ratio applies
+// only to later turns, so that a gear does not jump. For translations and distances it applies at once.
 SCREE_API scree_status scree_joint_set_ratio(scree_world* world, scree_joint joint, float ratio);
-// Sets the bases of a GEAR or PULLEY, as poses in the world; fails with SCREE_ERROR_INVALID for other types. The
-// measures are relative to the new bases at once.
+// Sets the bases of a GEAR or PULLEY, as poses in the world; fails with SCREE_ERROR_INVALID for other types. From now
+// on, the measures are relative to the new bases.
 SCREE_API scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_pose base_a,
                                              scree_pose base_b);
-// Selects whether the maxima of along and across are the half axes of an ellipse: scree_joint_def.elliptic.
+// Selects whether the maxima of along and across are the half axes of an ellipse; see scree_joint_def.elliptic.
 SCREE_API scree_status scree_joint_set_elliptic(scree_world* world, scree_joint joint, bool elliptic);
 // Selects whether the two bodies may touch each other.
 SCREE_API scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides);
@@ -1296,7 +1317,7 @@ typedef struct scree_contact_point
 typedef struct scree_contact_detail // data of a point in the last step with dt > 0
 {
 	float total_impulse;  // N s, normal impulse, summed over the substeps, restitution included
-	float approach_speed; // m/s, approach speed of the surfaces when the step began; 0 if they parted
+	float approach_speed; // m/s, approach speed of the surfaces at the start of the step; 0 if they moved apart
 	int touched;          // 1 if the surfaces touched in some substep, even if they have parted since
 } scree_contact_detail;
 
@@ -1312,7 +1333,7 @@ typedef struct scree_contact
 	scree_body body_a, body_b;       // bodies of a and b; null for a collidable without a body
 	uint64_t user_a, user_b;         // user data of a and b
 	scree_contact_detail details[2]; // zero unless scree_world_def.contact_details is set, or in an event
-	int destroyed_a, destroyed_b;    // 1 in an event if the collidable was destroyed; then its handles are the old ones
+	int destroyed_a, destroyed_b;    // 1 in an event whose collidable has been destroyed; its handles are stale
 } scree_contact;
 
 // Writes up to capacity touching contacts between bodies and sets count to their number. The order is that of the
@@ -1320,12 +1341,14 @@ typedef struct scree_contact
 static inline scree_status scree_world_get_contacts(scree_world* world, scree_contact* contacts, int capacity,
                                                     int* count);
 
-// Writes the touching contacts of one body, in the same order. The device gathers them, and only they are transferred.
+// Writes up to capacity touching contacts of one body and sets count to their number, in the order of
+// scree_world_get_contacts. The device gathers them, and no other contacts are transferred.
 static inline scree_status scree_body_get_contacts(scree_world* world, scree_body body, scree_contact* contacts,
                                                    int capacity, int* count);
 
-// Writes the pairs in which at least one collidable has no body, in the same order. Impulses are zero. A pair is listed
-// if the shapes are within the speculative distance, 0.02 m; they overlap if the separation is at most 0.
+// Writes up to capacity pairs in which at least one collidable has no body, and sets count to their number, in the
+// order of scree_world_get_contacts. Impulses are zero. A pair is listed if the shapes are within the speculative
+// distance, 0.02 m; the shapes overlap if the separation is at most 0.
 static inline scree_status scree_world_get_overlaps(scree_world* world, scree_contact* overlaps, int capacity,
                                                     int* count);
 
@@ -1343,7 +1366,7 @@ typedef struct scree_hit // a contact whose surfaces met fast
 	uint64_t user_a, user_b;      // user data of a and b
 	scree_vec point;              // m, in the world: the point with the larger impulse
 	scree_vec normal;             // unit vector from a to b
-	float approach_speed;         // m/s: when the step began, the larger one of the points
+	float approach_speed;         // m/s, at the start of the step: the larger value of the contact's points
 	float impulse;                // N s: normal impulse of all points and substeps, restitution included
 	int destroyed_a, destroyed_b; // as in scree_contact
 } scree_hit;
@@ -1361,25 +1384,27 @@ typedef struct scree_events
 {
 	uint32_t size, contact_size, hit_size; // set by scree_world_get_events
 
-	// Touches in which one side has SCREE_REPORT_TOUCHES. A touch begins in the step in which the surfaces push each
-	// other or overlap: contacts of surfaces that are only near do not count. It ends when they are farther apart than
-	// 0.02 m. It also ends when a collidable is destroyed, disabled or gets another shape, filter or type of body, or
-	// when a joint keeps the two apart. Each beginning has exactly one end. Within a step, ends come before beginnings.
-	// Both are in an order that is the same on all devices. Beginnings are in that of scree_world_get_contacts, with
-	// points, impulses and details. Ends are in ascending index order of a, then of b, with handles, bodies and user
-	// data only.
+	// Touches in which at least one collidable has SCREE_REPORT_TOUCHES. A touch begins in the step in which the
+	// surfaces push each other or overlap: contacts of surfaces that are only near do not count. A touch ends when the
+	// surfaces are farther apart than 0.02 m. It also ends when a collidable is destroyed, disabled or gets another
+	// shape, filter or type of body, or when a joint keeps the two apart. Each beginning has exactly one end. Within a
+	// step, ends come before beginnings.
+	//
+	// Both lists have the same order on all devices. touches_began is in the order of scree_world_get_contacts, with
+	// points, impulses and details. touches_ended is in ascending index order of a, then of b, with handles, bodies and
+	// user data only.
 	const scree_contact* touches_began;
 	const scree_contact* touches_ended;
 
-	// Contacts in which one side has SCREE_REPORT_HITS, and which exceeded scree_world_def.hit_speed and hit_impulse,
-	// in the order of scree_world_get_contacts.
+	// Contacts in which at least one collidable has SCREE_REPORT_HITS, and which exceeded scree_world_def.hit_speed and
+	// hit_impulse, in the order of scree_world_get_contacts.
 	const scree_hit* hits;
 
 	int touches_began_count, touches_ended_count, hit_count;
 
-	// Visits to sensors that began and ended in the step, in ascending index order of the sensor, then of the visitor.
-	// Each beginning has exactly one end. A collidable that passes through a sensor within the step begins and ends its
-	// visit.
+	// Visits to sensors that began in the step, and visits that ended in it, in ascending index order of the sensor,
+	// then of the visitor. Each beginning has exactly one end. The visit of a collidable that passes through a sensor
+	// within the step is in both lists.
 	uint32_t visit_size; // set by scree_world_get_events
 	int visits_began_count, visits_ended_count;
 	const scree_visit* visits_began;
@@ -1390,16 +1415,16 @@ typedef struct scree_events
 	int joint_count;
 	const scree_joint_event* joints;
 
-	// Contacts that are pending: one side has SCREE_REPORT_APPROVAL, and they touch, or will in this step, for the
-	// first time since the two were apart. scree_world_approve_contacts approves or refuses them. Their impulses are 0.
-	// In the order of scree_world_get_contacts.
+	// Pending contacts, in the order of scree_world_get_contacts: at least one collidable has SCREE_REPORT_APPROVAL,
+	// and the two touch, or will touch in this step, for the first time since they were apart.
+	// scree_world_approve_contacts approves or refuses them. Their impulses are 0.
 	int approval_count;
 	const scree_contact* approvals;
 } scree_events;
 
 // Returns the events of the last step. The arrays belong to the world; they are valid until the next call of this
-// function or of scree_world_step, and until the world is destroyed. Objects that have been destroyed since the step
-// are listed with their old handles, and marked as destroyed.
+// function or of scree_world_step, or until the world is destroyed. Objects that have been destroyed since the step are
+// listed with their old handles, and marked as destroyed.
 static inline scree_status scree_world_get_events(scree_world* world, scree_events* events);
 
 // Approves (true) or refuses (false) the contacts in scree_events.approvals of the last step. approved[k] belongs to
@@ -1407,11 +1432,11 @@ static inline scree_status scree_world_get_events(scree_world* world, scree_even
 //
 // An approved contact acts from the next step on, until the two are farther apart than 0.02 m. A contact that is
 // refused, or neither approved nor refused before the next step, has no effect: the two pass through each other until
-// they are farther apart than that. After that the next contact of the two is pending again.
+// they are farther apart than 0.02 m. The next contact of the two is pending again.
 //
-// In the step in which a contact becomes pending, its bodies move no further than to where they meet, and keep their
-// velocities. A step of dt 0, or one that fails, refuses nothing: a contact that is still pending is listed again in
-// the next step. A second call before the next step replaces the values of the first.
+// In the step in which a contact becomes pending, its bodies move at most to the poses at which they meet, and keep
+// their velocities. A step of dt 0, or one that fails, refuses nothing: a contact that is still pending is listed again
+// in the next step. A second call before the next step replaces the values of the first.
 SCREE_API scree_status scree_world_approve_contacts(scree_world* world, const bool* approved, int count);
 
 typedef struct scree_moved_body // a body whose pose has changed
@@ -1430,17 +1455,19 @@ typedef struct scree_moved_bodies
 } scree_moved_bodies;
 
 // Returns the bodies that have moved since the last call, by motion or by the user, and those that were created since.
-// This is the data that a renderer or a network needs. A body has moved if a number of its pose, as returned by
-// scree_body_get_pose, differs from that at the last call, by however little: the pose of a body at rest under a load
-// may change by a rounding error in each step. A body that came back to its earlier pose has not moved, nor has one
-// that got another center of mass, type or velocity. The first call lists all bodies. The array belongs to the world;
-// it is valid until the next call of this function, or until the world is destroyed. The device gathers the list, and
-// only the list is transferred.
+// This is the data that a renderer or a network needs. The first call lists all bodies.
+//
+// A body has moved if any component of its pose (scree_body_get_pose) differs at all from that at the last call, even
+// by a rounding error, which may occur in each step for a body at rest under a load. A body that is back at its earlier
+// pose has not moved. A new center of mass, type or velocity does not count.
+//
+// The array belongs to the world; it is valid until the next call of this function, or until the world is destroyed.
+// The device gathers the list, and only the list is transferred.
 static inline scree_status scree_world_get_moved_bodies(scree_world* world, scree_moved_bodies* list);
 
 // Writes up to capacity visits to a sensor that had not ended at the end of the last step, in ascending index order of
-// the visitor, and sets count to their number. scree_visit.time is the time at which a visit began, if it began in that
-// step. Fails with SCREE_ERROR_INVALID for a collidable that is not a sensor.
+// the visitor, and sets count to their number. For a visit that began in that step, scree_visit.time is the time at
+// which it began. Fails with SCREE_ERROR_INVALID for a collidable that is not a sensor.
 static inline scree_status scree_collidable_get_visits(scree_world* world, scree_collidable sensor, scree_visit* visits,
                                                        int capacity, int* count);
 
@@ -1451,9 +1478,9 @@ SCREE_API scree_status scree_world_set_hit_thresholds(scree_world* world, float 
 // ---------------------------------------------------------------------------------------------------------------
 // Queries
 //
-// Queries find collidables in the current world, including changes since the last step: the first one that a ray or a
-// moving shape meets, all that it meets, all that overlap a shape, or the nearest one. They change no bit of the world.
-// Results and their order are the same on all devices. docs/queries.md has examples and times.
+// Queries find collidables in the current world, including changes since the last step: the first collidable that a ray
+// or a moving shape meets, all collidables that it meets, all that overlap a shape, or the nearest one. Queries change
+// no bit of the world. Results and their order are the same on all devices. docs/queries.md has examples and times.
 //
 // One call takes one query or a million. On a GPU a call costs about 70 us even for one query, so put many into one
 // call. The first call after a step or a change computes boxes of all collidables that can move: 25 ns each on one CPU
@@ -1476,11 +1503,11 @@ typedef struct scree_query_def // the collidables that the queries of a call fin
 {
 	uint32_t size;     // set by scree_query_def_default
 	uint32_t kinds;    // bits of SCREE_QUERY_*; default: STATIC, KINEMATIC and DYNAMIC
-	uint64_t category; // a collidable is found only if its mask has a bit of this; default all bits
-	uint64_t mask;     // and if this has a bit of its category; default all bits
-	bool any;          // sets only scree_query_result.hit, which is faster; the rest is zero; default false
-	bool skip_inside;  // ignores collidables in which a ray or shape begins; default false
-	bool one_way;      // finds one-way platforms only from the side from which they are solid; default false
+	uint64_t category; // bits; finds only collidables whose filter.mask has one of them; default all bits
+	uint64_t mask;     // bits; finds only collidables whose filter.category has one of them; default all bits
+	bool any;          // true: sets only scree_query_result.hit, which is faster; other members are 0; default false
+	bool skip_inside;  // true: ignores collidables in which a ray or shape begins; default false
+	bool one_way;      // true: ignores one-way platforms unless the query comes from the solid side; default false
 } scree_query_def;
 
 // Returns a definition with the default values.
@@ -1492,12 +1519,12 @@ typedef struct scree_ray // 32 bytes
 	scree_vec translation; // m: from the origin to the end of the ray; 0 finds collidables at the origin
 	float radius;          // m, 0 to SCREE_MAX_COORDINATE: radius of a circle that moves along the ray, 0 for a point
 	uint32_t reserved;     // 0
-	scree_body ignored;    // body whose collidables are not found; null or destroyed: none
+	scree_body ignored;    // body whose collidables are not found; null or destroyed: no body is ignored
 } scree_ray;
 
-typedef struct scree_probe // 32 bytes: a place for the shape of a call
+typedef struct scree_probe // 32 bytes: pose and motion of the shape in one query of a call
 {
-	scree_pose pose;       // initial pose of the shape; a rotation of {0} is refused
+	scree_pose pose;       // initial pose of the shape; a rotation of {0, 0} is refused
 	scree_vec translation; // m: motion of the shape without rotation; 0 for a shape at rest
 	scree_body ignored;    // as in scree_ray
 } scree_probe;
@@ -1505,12 +1532,12 @@ typedef struct scree_probe // 32 bytes: a place for the shape of a call
 typedef struct scree_query_result // 32 bytes: the result of a query
 {
 	scree_collidable collidable; // null if nothing was found
-	scree_vec point;             // m: point of its surface that is met or nearest; if inside, the start of the query
+	scree_vec point;             // m: met or nearest point of the collidable's surface; if inside, the query's start
 	scree_vec normal;            // unit vector from the collidable to the query; 0 if inside
-	float fraction;              // fraction of the translation, 0 to 1; for the nearest one its distance, m, below 0 if
-	                             // the shapes overlap
+	float fraction;              // fraction of the translation, 0 to 1; for scree_world_find_nearest the distance, m,
+	                             // negative if the shapes overlap
 	bool hit;                    // true if a collidable was found
-	bool inside;                 // true if it overlapped where the query begins
+	bool inside;                 // true if the ray or shape overlaps the collidable at its start
 	uint16_t reserved;
 } scree_query_result;
 
@@ -1519,13 +1546,13 @@ typedef struct scree_query_results // all results of a call
 	uint32_t size;                     // set by the function that fills it
 	int count;                         // number of results
 	const scree_query_result* results; // sorted by query, then by fraction, then by index of the collidable
-	// first[k] is the index in results of the first result of query k; after that of the last query follows count.
+	// first[k] is the index in results of the first result of query k; one more entry at the end has the value count.
 	const int* first;
 } scree_query_results;
 
-// Finds the first collidable that each ray meets; among those met at the same fraction, the one with the lowest index.
-// Writes count results to found. def may be null for the default. Method: an 8-ary tree of boxes, searched in the order
-// of the distance; rounded polygons are exact.
+// Finds the first collidable that each ray meets; of several at the same fraction, that with the lowest index.
+// Writes one result per ray to found. def may be null for the default. Method: an 8-ary tree of boxes, searched in the
+// order of the distance; rounded polygons are exact.
 SCREE_API scree_status scree_world_cast_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
                                              int count, scree_query_result* found);
 
@@ -1534,7 +1561,7 @@ SCREE_API scree_status scree_world_cast_ray(scree_world* world, scree_vec origin
                                             scree_query_result* found);
 
 // Finds the first collidable that a shape meets when it moves from the pose of each probe by its translation. A null
-// shape is a point. Shapes are as in scree_attribute_def. Writes count results to found. def may be null for the
+// shape is a point. Shapes are as in scree_attribute_def. Writes one result per probe to found. def may be null for the
 // default. Method: exact, without iterations: a ray against the Minkowski sum of the two shapes.
 SCREE_API scree_status scree_world_cast_shapes(scree_world* world, const scree_query_def* def, const scree_shape* shape,
                                                const scree_probe* probes, int count, scree_query_result* found);
@@ -1544,8 +1571,8 @@ SCREE_API scree_status scree_world_cast_shape(scree_world* world, const scree_sh
                                               scree_vec translation, scree_query_result* found);
 
 // Finds the nearest collidable within a distance (m, at least 0) of the shape at each probe, with its nearest point. A
-// null shape is a point. If some overlap, the result is the one that overlaps most. Translations must be 0, and
-// def->any false. def may be null for the default.
+// null shape is a point. If collidables overlap the shape, the result is the one that overlaps most. Translations must
+// be 0, and def->any false. Writes one result per probe to found. def may be null for the default.
 SCREE_API scree_status scree_world_find_nearest(scree_world* world, const scree_query_def* def,
                                                 const scree_shape* shape, const scree_probe* probes, int count,
                                                 float distance, scree_query_result* found);
@@ -1554,20 +1581,20 @@ SCREE_API scree_status scree_world_find_nearest(scree_world* world, const scree_
 // descriptor and the errors are those of scree_world_share_memory.
 SCREE_API scree_status scree_world_share_queries(scree_world* world, int file_descriptor, size_t bytes);
 
-// Casts count rays that lie in the memory of scree_world_share_queries, and writes count results there. The rays begin
-// at one offset in bytes, the results at another one, which may be the same; both are multiples of 4. The results are
-// complete when the function returns. The rays are not checked: a ray that scree_world_cast_rays would refuse has an
-// undefined result.
+// Casts count rays that lie in the memory of scree_world_share_queries, and writes count results there. rays_offset and
+// found_offset are the places of the first ray and of the first result, in bytes, multiples of 4; they may be equal.
+// The results are complete when the function returns. The rays are not checked: a ray that scree_world_cast_rays would
+// refuse has an undefined result.
 SCREE_API scree_status scree_world_cast_shared_rays(scree_world* world, const scree_query_def* def, size_t rays_offset,
                                                     int count, size_t found_offset);
-// Casts a shape from count probes that lie in that memory, as above; a null shape is a point.
+// Casts a shape from count probes in the memory of scree_world_share_queries, as above; a null shape is a point.
 SCREE_API scree_status scree_world_cast_shared_shapes(scree_world* world, const scree_query_def* def,
                                                       const scree_shape* shape, size_t probes_offset, int count,
                                                       size_t found_offset);
 
-// Finds all collidables that each ray meets; with a translation of 0 all that it overlaps. The arrays of list belong to
-// the world; they are valid until the next call that fills a list, or until the world is destroyed. def may be null for
-// the default; def->any must be false.
+// Finds all collidables that each ray meets; a ray with translation 0 finds all that overlap its origin. The arrays of
+// list belong to the world; they are valid until the next call that fills a list, or until the world is destroyed. def
+// may be null for the default; def->any must be false.
 static inline scree_status scree_world_list_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
                                                  int count, scree_query_results* list);
 // Finds all collidables that a shape meets when it moves from the pose of each probe, as above; a null shape is a
@@ -1590,8 +1617,9 @@ typedef struct scree_blast_def // an explosion; an implosion if the impulse is n
 	uint32_t size;      // set by scree_blast_def_default
 	scree_vec position; // m
 	float radius;       // m, 0 to SCREE_MAX_COORDINATE: nearer surfaces get the whole impulse; default 1
-	float falloff; // m, 0 to SCREE_MAX_COORDINATE: width of the ring beyond radius in which it falls to 0; default 1
-	float impulse; // N s per m of a collidable's width across the direction from the position; default 1
+	float falloff; // m, 0 to SCREE_MAX_COORDINATE: width of the ring beyond radius where the impulse decreases to 0;
+	               // default 1
+	float impulse; // N s per m of a collidable's width as seen from the position; default 1
 	uint64_t category; // as in scree_query_def; default all bits
 	uint64_t mask;     // as in scree_query_def; default all bits
 } scree_blast_def;
@@ -1600,25 +1628,25 @@ typedef struct scree_blast_def // an explosion; an implosion if the impulse is n
 static inline scree_blast_def scree_blast_def_default(void);
 
 // Pushes the dynamic bodies around a position, and sets count (may be null) to the number of collidables that were
-// pushed. Each gets an impulse at its point that is nearest to the position, in the direction away from the position;
-// if the position is inside it, at its centroid. Sensors, disabled bodies and collidables beyond SCREE_MAX_COORDINATE
-// get no impulse. The impulses are applied like those of scree_bodies_apply_impulses_at, in the order of the
-// collidables. Walls do not shield: a program can find the shielded bodies with scree_world_cast_rays and push the
-// others itself. A list that a query returned stays valid.
+// pushed. Each collidable gets an impulse at its point that is nearest to the position, in the direction away from the
+// position. If the position is inside a collidable, the impulse acts at its centroid. Sensors, disabled bodies and
+// collidables beyond SCREE_MAX_COORDINATE get no impulse. The impulses are applied like those of
+// scree_bodies_apply_impulses_at, in the order of the collidables. Walls do not shield: a program can find the shielded
+// bodies with scree_world_cast_rays and push the others itself. A list that a query returned stays valid.
 SCREE_API scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count);
 
 typedef struct scree_mover_def // characters of one kind: upright capsules that are moved by queries
 {
 	uint32_t size;       // set by scree_mover_def_default
-	uint32_t kinds;      // bits of SCREE_QUERY_*: the collidables that stop it; default STATIC, KINEMATIC and DYNAMIC
+	uint32_t kinds;      // bits of SCREE_QUERY_*: collidables that stop a mover; default STATIC, KINEMATIC and DYNAMIC
 	float length;        // m, 0 or 0.002 to SCREE_MAX_COORDINATE: distance between the centers of the capsule's ends, 0
 	                     // for a circle; default 0.6
 	float radius;        // m, 0.001 to SCREE_MAX_COORDINATE; default 0.3
 	scree_vec up;        // unit vector; default (0, 1)
 	float max_slope;     // rad, 0 to pi / 2: the steepest ground on which it can stand; default 50 degrees
-	float step_height;   // m, 0 to SCREE_MAX_COORDINATE: the highest step that it walks up; default 0.3
-	float snap_distance; // m, 0 to SCREE_MAX_COORDINATE: how far down it snaps to stay on the ground; default 0.3
-	float skin;          // m, 0.001 to SCREE_MAX_COORDINATE: the distance that it keeps from everything; default 0.01
+	float step_height;   // m, 0 to SCREE_MAX_COORDINATE: the highest stair that it walks up; default 0.3
+	float snap_distance; // m, 0 to SCREE_MAX_COORDINATE: largest move down that keeps it on the ground; default 0.3
+	float skin;          // m, 0.001 to SCREE_MAX_COORDINATE: the distance that it keeps from collidables; default 0.01
 	uint64_t category;   // as in scree_query_def; default all bits
 	uint64_t mask;       // as in scree_query_def; default all bits
 } scree_mover_def;
@@ -1626,20 +1654,20 @@ typedef struct scree_mover_def // characters of one kind: upright capsules that 
 // Returns a definition with the default values.
 static inline scree_mover_def scree_mover_def_default(void);
 
-// A character. Set position and velocity at first, all other members to zero. Between calls change only velocity and
-// ignored.
+// A character. At first, set position and velocity, and all other members to zero. Between calls change only velocity
+// and ignored.
 typedef struct scree_mover
 {
 	scree_vec position;        // m: center of the capsule
 	scree_vec velocity;        // m/s, in addition to that of the ground; in: desired velocity, out: after collisions
-	scree_body ignored;        // body that does not stop it, such as one that follows it, or null; as in scree_ray
-	scree_collidable ground;   // the collidable on which it stands, null in the air
+	scree_body ignored;        // body that does not stop the mover, such as a body that follows it; as in scree_ray
+	scree_collidable ground;   // the collidable on which the mover stands, null in the air
 	scree_vec normal;          // normal of the ground, 0 in the air
-	scree_pose ground_pose;    // pose of the body on which it stands; the next call moves it along by the difference
-	scree_vec ground_velocity; // m/s: the velocity that the ground gave it. Add it to velocity for a jump
-	scree_collidable wall;     // the last wall, ceiling or steep slope that stopped it, or null
-	scree_vec wall_normal;     // unit vector from the wall to it, or 0. For a crushed mover it is 0, and wall is the
-	                           // collidable that it overlaps
+	scree_pose ground_pose;    // pose of the ground's body; the next call moves the mover with the body from this pose
+	scree_vec ground_velocity; // m/s: velocity that the ground gave the mover; add it to velocity for a jump
+	scree_collidable wall;     // the last wall, ceiling or steep slope that stopped the mover, or null
+	scree_vec wall_normal;     // unit vector from the wall to the mover, or 0; for a crushed mover wall_normal is 0
+	                           // and wall is the collidable that the mover overlaps
 } scree_mover;
 
 // Moves characters for a time dt (s, 0 to 1); call it after each step. Movers slide along walls, stand still on slopes,
@@ -1648,25 +1676,24 @@ typedef struct scree_mover
 // ceiling, is crushed: it stays at its place, at rest, until it overlaps nothing.
 //
 // Movers do not collide with each other, and push no body: give the body of wall an impulse yourself. Add gravity to
-// the velocity of movers in the air. On ground a velocity against up is set to 0; one along up is a jump. def may be
-// null for the default. A call makes ten to twenty batches of queries, however many movers; the bits are the same on
-// every device. On failure movers are unchanged.
+// the velocity of movers in the air. On ground, a velocity component opposite to up is set to 0, and a component along
+// up is a jump. def may be null for the default. A call makes ten to twenty batches of queries for any number of
+// movers; the bits are the same on every device. On failure movers are unchanged.
 SCREE_API scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count,
                                          float dt);
 
 // ---------------------------------------------------------------------------------------------------------------
 // Fields
 //
-// A field pushes the dynamic bodies in a region in each step: gravity of its own, attraction, a vortex, drag, wind, or
-// a fluid in which they float. Its region is a shape that lies in the world or on a body, or the whole plane. The
-// forces of several fields add up. The force of a step is computed at the poses in the middle of the step and the
+// A field pushes the dynamic bodies in a region in each step: by an additional gravity, attraction, a vortex, drag,
+// wind, or a fluid in which they float. Its region is a shape that lies in the world or on a body, or the whole plane.
+// The forces of several fields add up. The force of a step is computed at the poses in the middle of the step and the
 // velocities at its start; docs/fields.md has the formulas. Fields cost nothing in a world without fields.
 //
-// Types UNIFORM, RADIAL, VORTEX and DRAG act on bodies, at the center of mass, if that is in the region. WIND acts on
-// each collidable whose middle is in the region, BUOYANCY on the part of each collidable that is in it. Fields do not
-// act on sensors, disabled bodies and the body that carries the field. That body feels no reaction. Static and
-// kinematic bodies do not move by forces.
-// ---------------------------------------------------------------------------------------------------------------
+// Types UNIFORM, RADIAL, VORTEX and DRAG act on a body, at its center of mass, if the center is in the region. WIND
+// acts on each collidable whose middle is in the region, BUOYANCY on the part of each collidable that is in the region.
+// Fields do not act on sensors, on disabled bodies or on the body that carries the field. That body feels no reaction.
+// Static and kinematic bodies do not move by forces.
 
 typedef struct scree_field
 {
@@ -1693,37 +1720,38 @@ typedef enum scree_field_type
 typedef enum scree_field_falloff // factor of the strength of RADIAL and VORTEX at the distance r from the origin
 {
 	SCREE_FALLOFF_CONSTANT,       // 1
-	SCREE_FALLOFF_LINEAR,         // 1 - r / radius, 0 from there on
+	SCREE_FALLOFF_LINEAR,         // 1 - r / radius; 0 beyond radius
 	SCREE_FALLOFF_INVERSE,        // radius / r
 	SCREE_FALLOFF_INVERSE_SQUARE, // (radius / r)^2
 } scree_field_falloff;
 
-// A field. Capital words name the types that use a member; for other types it must be finite and in range, and has no
-// effect. Magnitudes of accelerations, forces, strengths, drags and densities are at most 1e12, lengths and velocities
-// at most SCREE_MAX_COORDINATE.
+// A field. Capital words name the types that use a member; for other types the member must be finite and in range, and
+// has no effect. Magnitudes of accelerations, forces, strengths, drags and densities are at most 1e12, lengths and
+// velocities at most SCREE_MAX_COORDINATE.
 typedef struct scree_field_def
 {
 	uint32_t size; // set by scree_field_def_default
 	scree_field_type type;
-	scree_body body;   // body that carries the region, and with which the field is destroyed; null (default): the world
+	scree_body body;   // body that carries the region; the field is destroyed with it; null (default): the world
 	scree_pose pose;   // pose of the field's frame in the frame of the body, or in the world; default: the origin
-	scree_shape shape; // the region, in that frame; count 0 (default): everywhere. BUOYANCY: a polygon, not rounded
+	scree_shape shape; // region, in the field's frame; shape.count 0 (default): everywhere; BUOYANCY: a sharp polygon
 	bool disabled;     // true: the field has no effect; default false
-	// Acts on a collidable if its mask has a bit of category and mask has a bit of its category. Types that act on
-	// bodies act on those with such a collidable. Default all bits: then it acts on all, whatever their filters.
+	// The field acts on a collidable if category has a common bit with the mask of its filter, and mask with the
+	// category of its filter. Types that act on bodies act on bodies with such a collidable. With all bits in both
+	// (default) the field acts on all, regardless of filters.
 	uint64_t category, mask;
 	scree_vec acceleration;      // UNIFORM: m/s^2, in the field's frame; default 0
 	scree_vec force;             // UNIFORM: N, in the field's frame; default 0
 	float strength;              // RADIAL, VORTEX: m/s^2; default 10
 	scree_field_falloff falloff; // RADIAL, VORTEX: default inverse square
 	float radius;                // RADIAL, VORTEX: radius of the falloff, m, >= 1e-3; default 1
-	float softening;      // RADIAL, VORTEX: m, >= 0, default 0.1; r^2 is the square of the distance plus its square
+	float softening;             // RADIAL, VORTEX: m, >= 0, default 0.1; r^2 is the squared distance plus softening^2
 	scree_vec velocity;   // DRAG, WIND, BUOYANCY: velocity of the medium, m/s, in the field's frame, in addition to
 	                      // that of the field's body; default 0
 	float density;        // WIND, BUOYANCY: density of the medium, kg/m^2, >= 0; default 1
-	float drag;           // WIND, BUOYANCY: drag coefficient, >= 0: force = drag density / 2 width speed^2; default 1
+	float drag;           // WIND, BUOYANCY: drag coefficient, >= 0, default 1: force / (density / 2 * width * speed^2)
 	float lift;           // WIND: coefficient of the force across the wind, >= 0; default 0
-	float linear_drag;    // DRAG: force per speed, kg/s, >= 0; default 0. BUOYANCY: the same for 1 m^2; default 2
+	float linear_drag;    // DRAG: force per speed, kg/s, >= 0; default 0. BUOYANCY: the same per m^2; default 2
 	float quadratic_drag; // DRAG: force per square of the speed, kg/m, >= 0; default 0
 	float spin_drag;      // DRAG: torque per angular velocity, N m s, >= 0; default 0
 	float spin_drag_quadratic; // DRAG: torque per square of the angular velocity, N m s^2, >= 0; default 0
@@ -1759,13 +1787,12 @@ SCREE_API scree_status scree_world_get_fields(const scree_world* world, scree_fi
 // ---------------------------------------------------------------------------------------------------------------
 // Two shapes, without a world
 //
-// The geometry of queries for shapes at poses of your own. Coordinates are at most SCREE_MAX_COORDINATE. Results are
-// the same on every machine.
-// ---------------------------------------------------------------------------------------------------------------
+// Distances, casts and times of impact of shapes at given poses, with the geometry of queries. Coordinates are at most
+// SCREE_MAX_COORDINATE. Results are the same on every machine.
 
 typedef struct scree_distance
 {
-	// m: the nearest points of the surfaces, in the world. If the shapes overlap, they are distance apart along the
+	// m: the nearest points of the surfaces, in the world. If the shapes overlap, point_b - point_a is distance times
 	// normal.
 	scree_vec point_a, point_b;
 	scree_vec normal; // unit vector from a to b
@@ -1780,17 +1807,17 @@ SCREE_API scree_status scree_shapes_get_distance(const scree_shape* a, scree_pos
 // Finds the point at which a ray from origin by a translation (m) meets a shape. found->collidable is null.
 SCREE_API scree_status scree_shape_cast_ray(const scree_shape* shape, scree_pose pose, scree_vec origin,
                                             scree_vec translation, scree_query_result* found);
-// Finds the point at which shape b, moving by a translation (m) without rotation, meets shape a, in the same way. A
-// null shape is a point.
+// Finds the point at which shape b, moving by a translation (m) without rotation, meets shape a. A null shape is a
+// point. found->collidable is null.
 SCREE_API scree_status scree_shapes_cast(const scree_shape* a, scree_pose pose_a, const scree_shape* b,
                                          scree_pose pose_b, scree_vec translation, scree_query_result* found);
 
 // Sets contains to true if a point (m, in the world) is in a shape, its surface included.
 SCREE_API scree_status scree_shape_contains(const scree_shape* shape, scree_pose pose, scree_vec point, bool* contains);
 
-// Finds the time of impact of two shapes that move from one pose to another at constant speed, rotating the shorter way
-// about their origins. found->fraction is the fraction of the motion at which their distance is at most 0.25 mm;
-// found->hit is false if they do not meet. Method: conservative advancement (Brian Mirtich, Impulse-based Dynamic
+// Finds the time of impact of two shapes that move from one pose to another at constant speed, with the shorter
+// rotation about their origins. found->fraction is the fraction of the motion at which their distance is at most 0.25
+// mm; found->hit is false if they do not meet. Method: conservative advancement (Brian Mirtich, Impulse-based Dynamic
 // Simulation of Rigid Body Systems, 1996), at most 200 iterations; a motion that needs more counts as a hit at the
 // fraction that was reached.
 SCREE_API scree_status scree_shapes_get_impact(const scree_shape* a, scree_pose from_a, scree_pose to_a,
@@ -1803,8 +1830,8 @@ SCREE_API scree_status scree_shapes_get_impact(const scree_shape* a, scree_pose 
 // One row per collidable, laid out for a vertex buffer: row k is the collidable whose handle has the index k + 1.
 // scree_world_get_render_rows copies the rows to the host. If scree_world_get_sharing returns SCREE_SHARING_MEMORY or
 // SCREE_SHARING_OPENGL, the rows can stay on the device: share a buffer from which OpenGL draws, and
-// scree_world_write_render_rows writes into it. Both ways give the same bits. docs/share.md has an example.
-// ---------------------------------------------------------------------------------------------------------------
+// scree_world_write_render_rows writes into it. Copied and shared rows have the same bits. docs/share.md has an
+// example.
 
 typedef struct scree_render_row // 32 bytes
 {
@@ -1819,8 +1846,9 @@ typedef struct scree_render_row // 32 bytes
 SCREE_API scree_status scree_world_get_render_rows(scree_world* world, scree_render_row* rows, int capacity,
                                                    int* count);
 
-// Returns the fastest way in which this world can share render rows: that of its device, but SCREE_SHARING_OPENGL only
-// if the driver accepted scree_world_def.opengl.
+// Returns the fastest kind of sharing of render rows that this world supports: SCREE_SHARING_OPENGL if the driver
+// accepted scree_world_def.opengl, otherwise SCREE_SHARING_MEMORY if the device supports it, otherwise
+// SCREE_SHARING_COPIED.
 SCREE_API scree_sharing scree_world_get_sharing(const scree_world* world);
 
 // Shares memory that another API allocated on the same device (scree_device.uuid) and exported as an opaque file
@@ -1837,8 +1865,8 @@ SCREE_API scree_status scree_world_share_memory(scree_world* world, int file_des
 // SCREE_SHARING_OPENGL, or if the driver rejects the buffer.
 SCREE_API scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes);
 
-// Ends all sharing, that of queries included, and releases the imported memory or buffer. world may be null, and may
-// share nothing.
+// Ends all sharing, also that of queries, and releases the imported memory or buffer. world may be null. Without
+// sharing the call does nothing.
 SCREE_API void scree_world_unshare(scree_world* world);
 
 // Writes the rows of the current state into the shared memory and sets count to their number. The rows are complete
@@ -1850,9 +1878,9 @@ SCREE_API scree_status scree_world_write_render_rows(scree_world* world, int* co
 // ---------------------------------------------------------------------------------------------------------------
 // Versions
 //
-// The static inline functions above call these library functions and pass the size of the struct in the program. A
-// binding for another language calls them directly. Members that the library does not have are set to 0.
-// ---------------------------------------------------------------------------------------------------------------
+// The static inline functions above call the library functions below and pass the size of the struct in the program. A
+// binding for another language calls the library functions directly. Members that the library does not have are set to
+// 0.
 
 SCREE_API void scree_world_def_default_sized(scree_world_def* def, size_t size);
 static inline scree_world_def scree_world_def_default(void)

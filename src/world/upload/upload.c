@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// upload.c -- uploads the user's changes: long runs of rows, then commands.
+// upload.c -- uploads the user's changes: long sequences of rows first, then commands.
 #include "world/upload/upload.h"
 #include "platform/error.h"
 #include "step/reserve.h"
@@ -22,8 +22,8 @@
 
 typedef struct // memory that an upload needs
 {
-	int body_rows, collidable_rows; // rows in the longest of the long runs
-	int commands;                   // upper bound
+	int body_rows, collidable_rows; // rows in the longest sequence of at least LONG_RUN rows
+	int commands;                   // upper bound of their number
 } Demand;
 
 static Demand demand_of(const scree_world* world)
@@ -75,7 +75,7 @@ static scree_status reserve(scree_world* world, const Demand* demand, char** mem
 	return SCREE_OK;
 }
 
-// Returns whether some edit places or creates a collidable, so that its box may jump.
+// Returns whether any edit creates a body or a collidable, or changes a pose, so that boxes may jump.
 static bool places(const Edits* p)
 {
 	bool found = p->body_count + p->collidable_count > 0;
@@ -132,7 +132,7 @@ static scree_status upload_all(scree_world* world, bool steps)
 {
 	TRY(upload_fields(world));
 	if (steps)
-		TRY(chains_update(world)); // joints whose place changed become edits
+		TRY(chains_update(world)); // adds an edit for each joint whose place in the chains changed
 	TRY(upload_materials(world));
 	TRY(upload_exclusions(world));
 	if (no_edits(&world->edits))
@@ -141,7 +141,7 @@ static scree_status upload_all(scree_world* world, bool steps)
 	TRY(edits_sort(world));
 	Demand demand = demand_of(world);
 	char* memory;
-	TRY(reserve(world, &demand, &memory)); // reserves everything before anything is sent
+	TRY(reserve(world, &demand, &memory)); // reserves all memory first, so that a failure leaves the device unchanged
 	world->pipeline.jumps |= places(&world->edits);
 	TRY(upload_attributes(world, memory));
 	TRY(upload_long_runs(world, memory));
@@ -159,7 +159,7 @@ static scree_status upload(scree_world* world, bool steps)
 	if (no_edits(&world->edits) && !chains && !world->materials.waiting && !world->exclusions.waiting &&
 	    !world->fields.stale)
 		return SCREE_OK;
-	TRY(reports_fetch(world)); // an upload may change the items that events refer to
+	TRY(reports_fetch(world)); // reads the events first, because an upload may change the items to which they refer
 	world->pipeline.trees[0].seen = false;
 	double begin = auto_clock();
 	scree_status status = world_note(world, upload_all(world, steps));

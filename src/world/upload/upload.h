@@ -4,10 +4,11 @@
 #define UPLOAD_H
 #include "scree/scree.h"
 
-// Sends all changes by the user since the last call to the device. Called before anything is read back.
+// Sends all changes by the user since the last call to the device. Called before every readback.
 scree_status world_upload(scree_world* world);
 
-// Does the same before a step, and finds the chains again: for a read, this would affect impulses of the next step.
+// Does the same before a step, and also finds the chains again if they changed. Before a readback this would change
+// the impulses of the next step.
 scree_status world_upload_to_step(scree_world* world);
 
 #endif

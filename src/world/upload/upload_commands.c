@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// upload_commands.c -- sends short runs of rows and the user's changes as commands, grouped by item.
+// upload_commands.c -- sends short sequences of rows and the user's changes as commands, grouped by item.
 #include "world/upload/upload_commands.h"
 #include "platform/error.h"
 #include "world/objects/collidables.h"
@@ -57,7 +57,7 @@ static PendingEdits* command_waiting(scree_world* world, const Command* c)
 	return &world->host_bodies[c->index].waiting;
 }
 
-// Returns whether a command is older than the current body or collidable of its slot.
+// Returns whether command k belongs to an earlier body or collidable of its slot, and must not be applied.
 static bool is_void(scree_world* world, int k)
 {
 	const Edits* p = &world->edits;
@@ -68,12 +68,13 @@ static bool is_void(scree_world* world, int k)
 
 typedef struct // commands grouped by item
 {
-	Command *from, *grouped; // in the order of collection; in the order of the items
-	int* begins;             // first command of each group, and the end
+	Command *from, *grouped; // commands in the order of collection; commands in the order of their groups
+	int* begins;             // index in grouped of the first command of each group, and the end of the last group
 	int collected, count, groups;
 } Groups;
 
-// Adds the commands of a row: at once as a group, or, if there are later commands, collected to be grouped with those.
+// Adds the commands of a row, which the caller has written behind the last group. Without later commands of the user
+// for the same item they form a group. Otherwise they are moved to from, and group_commands groups them with those.
 static void add_row(Groups* g, const PendingEdits* waiting, int count)
 {
 	if (waiting->group > 0)
@@ -86,7 +87,7 @@ static void add_row(Groups* g, const PendingEdits* waiting, int count)
 	g->count += count;
 }
 
-// Collects the commands of short runs, then the user's. Rows without later commands are the most common.
+// Collects the commands of short sequences of rows, then those of the user.
 static void collect_commands(scree_world* world, Groups* g)
 {
 	const Edits* p = &world->edits;
@@ -130,7 +131,7 @@ static void group_commands(scree_world* world, Groups* g)
 		++begins[*group];
 	}
 
-	// begins[n] counts group n; after the sum it is the place of the group's next command, and finally the group's end
+	// begins[n] is the size of group n; below it becomes the place of the group's next command, and finally its end
 	begins[0] = g->count;
 	int sum = g->count;
 	for (int n = 1; n <= groups; ++n)

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// upload_commands.h -- sends short runs of rows and the user's changes as commands, grouped by item.
+// upload_commands.h -- sends short sequences of rows and the user's changes as commands, grouped by item.
 #ifndef UPLOAD_COMMANDS_H
 #define UPLOAD_COMMANDS_H
 #include "world/world.h"
 
-// Minimum rows of a long run; shorter ones are commands: a transfer to a GPU costs as much as some hundred commands.
+// Minimum length of a sequence of rows that is written directly to the pools. Rows of shorter sequences are sent as
+// commands, because a transfer to a GPU costs as much as some hundred commands.
 #define LONG_RUN 16
 
-#define BODY_COMMANDS       5 // commands per row
-#define COLLIDABLE_COMMANDS 3
+#define BODY_COMMANDS       5 // commands per row of a body
+#define COLLIDABLE_COMMANDS 3 // maximum number of commands per row of a collidable
 
-// Sends all commands and runs them. most: bound of their number; memory: 2 most commands and most + 1 ints.
+// Sends all commands to the device and applies them there. most: upper bound of the number of commands. memory: space
+// for 2 * most commands and most + 1 ints.
 scree_status upload_commands(scree_world* world, int most, char* memory);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// upload_rows.c -- writes long runs of rows, pool by pool.
+// upload_rows.c -- uploads attributes and long sequences of rows, pool by pool.
 #include "world/upload/upload_rows.h"
 #include "platform/error.h"
 #include "world/objects/attributes.h"
@@ -17,7 +17,7 @@ Float4 body_pose(const BodyRow* row)
 	return make_float4(center.x, center.y, row->pose.rotation.c, row->pose.rotation.s);
 }
 
-// Writes the values of a new body that are not zero to an item of a pool.
+// Writes a new body's values for one pool to *item, which the caller has set to zero.
 static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
 	// a disabled body has velocity 0; its own velocity is in the pool stored_velocity
@@ -98,7 +98,7 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
 		size_t bytes = pool_info[pool].bytes;
-		// reported poses have a meaning only after the user's first request for moved bodies
+		// the pool of reported poses is in use only after the user's first request for moved bodies
 		if (!is_cleared(pool, PER_BODY) && !(pool == POOL_reported_pose && world->pipeline.tells))
 			continue;
 		memset(stage, 0, (size_t)(end - begin) * bytes);
@@ -137,7 +137,7 @@ static scree_status write_attributes(scree_world* world, int first, int count, c
 		((float*)stage)[k] = attribute_thickness(world, first + k);
 	TRY(b->f->write(b, POOL_thickness, first, count, stage));
 	if (!world->ruled)
-		return SCREE_OK; // new rows are zero
+		return SCREE_OK; // all rules are zero, and so are new rows of the pool
 	for (int k = 0; k < count; ++k)
 		((Rule*)stage)[k] = attribute_rule(world, first + k);
 	return b->f->write(b, POOL_rule, first, count, stage);

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
-// upload_rows.h -- writes long runs of rows, pool by pool.
+// upload_rows.h -- uploads attributes and long sequences of rows, pool by pool.
 #ifndef UPLOAD_ROWS_H
 #define UPLOAD_ROWS_H
 #include "world/world.h"
 
-// Write rows begin to end, which are one run, or all pending attributes, by runs of neighboring slots. stage has space
-// for the largest item of each row. An attribute that was destroyed meanwhile is written with its old values.
+// Upload the rows begin to end - 1 of bodies or collidables, whose slots are consecutive. stage: space for one item of
+// the largest pool per row.
 scree_status upload_bodies(scree_world* world, int begin, int end, char* stage);
 scree_status upload_collidables(scree_world* world, int begin, int end, char* stage);
+
+// Uploads all pending attributes, with one transfer per sequence of consecutive slots. An attribute that was destroyed
+// before the upload is written with its old values. stage: space for one Attribute per pending attribute.
 scree_status upload_attributes(scree_world* world, char* stage);
 
-// Returns the pose of the center of mass of a new body, as the pool pose holds it.
+// Returns the pose of the center of mass of a new body, in the format of the pool pose.
 Float4 body_pose(const BodyRow* row);
 
 #endif
