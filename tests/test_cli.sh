@@ -88,7 +88,6 @@ sed -n '/^```json$/,/^```$/p' "$SCREE_SOURCE/docs/scenes.md" | sed '1d;$d' >wall
 expect 0 'bodies         82' run wall.json --steps 2 --device cpu
 expect 0 'bodies         10' run wall.json --steps 2 --device cpu --set rows=1
 
-# frames: two ways of drawing give the same picture of the same world; a build without a renderer names the missing
 # frames: shared and copied rows give the same picture of the same world; without a renderer a message says so
 if "$scree" bench frames pyramid "${small[@]}" --size 320x200 >out 2>err; then
 	[ "$(sed 1d out | wc -l)" = 2 ] || fail "bench frames: not two rows"

@@ -255,8 +255,8 @@ static void check_colors(Graph* g)
 	free(mask);
 }
 
-// Colors random contacts: first those with even indices, then those with odd indices. fixed_one_in: number of bodies for
-// each body that cannot move.
+// Colors random contacts: first those with even indices, then those with odd indices. Every k-th body cannot move, with
+// k = fixed_one_in.
 static void check_random_graph(uint64_t* seed, int bodies, int contacts, int fixed_one_in)
 {
 	Graph* g = calloc(1, sizeof *g);
