@@ -205,8 +205,8 @@ static void far_away(void** state)
 	}
 }
 
-// Chains of ten links of 1 cm to 100 m come to rest. The second joint opens by 2 F / (m w^2) with F = 9 m g. All joints
-// together lower the last link by 90 g / w^2.
+// Chains of ten links of 1 cm to 100 m come to rest. The second joint opens by 2 F / (m w^2) with F = 9 m g. The second
+// and all later joints lower the last link by 90 g / w^2.
 static void tiny_and_huge(void** state)
 {
 	(void)state;
