@@ -2,9 +2,10 @@
 // test_answer_faults.c -- checks that no event, moved body or query result is lost when memory runs out while a program
 // reads them.
 //
-// The test runs a world with sensors, reports, rules and a field once without a fault, then many times with one failing
-// allocation, a later one each time. The failed call returns an error and is repeated; then all results equal those of
-// the first run. Visits are the exception: a world that has no memory for the visits of a step is broken.
+// The test runs a world with sensors, reports, rules and a field once without a fault. Then it repeats the run with one
+// failing allocation: in run k, allocation k fails. The call that fails returns an error and is repeated. At the end
+// all results are equal to those of the first run, with one exception: a world that has no memory for the visits of a
+// step is broken.
 #include "support/allocations.h"
 #include "support/make_bodies.h"
 #include "tools/common/byte_hash.h"
@@ -12,7 +13,7 @@
 #include <string.h>
 
 #define ROUNDS 8
-#define GROUP  24 // bodies that a round adds
+#define GROUP  24 // number of bodies that each round adds
 #define MOVERS 4
 
 typedef struct
@@ -22,11 +23,11 @@ typedef struct
 	scree_body last;
 	scree_mover movers[MOVERS];
 	int round, asked;
-	uint64_t answers; // hash of all answers so far
+	uint64_t answers; // hash of all results that were read so far
 } Log;
 
-// Adds rows to the hash of all answers. size is the distance between rows, bytes; only the first bytes of a row count,
-// because padding follows them.
+// Adds rows to the hash of all results. size: distance between two rows, bytes. bytes: number of bytes of a row that
+// are hashed; the rest is padding.
 static void log_rows(Log* log, const void* rows, int count, size_t size, size_t bytes)
 {
 	for (int k = 0; k < count; ++k)
@@ -197,8 +198,8 @@ static const Act first[] = {make_world, make_box, make_ball, make_floor, make_se
 static const Act acts[] = {add_group, exclude,   take_step, get_events, answer,      get_moved,
                            list_box,  cast_rays, move,      blast,      destroy_last};
 
-// Runs all acts. allocations is the number of allocations before the one that fails, -1 for no failure. Returns whether
-// an allocation failed.
+// Runs all acts. allocations: number of allocations that succeed before one fails; -1: no allocation fails. Returns
+// whether an allocation failed. *broken: whether the world broke.
 static bool run_once(int allocations, uint64_t* answers, bool* broken)
 {
 	Log log = {.answers = HASH_BEGIN};

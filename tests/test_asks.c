@@ -13,7 +13,7 @@ static scree_body put(scree_world* world, scree_body_type type, float x, float y
 	return create_body(world, &def);
 }
 
-// Takes steps and gives the same answer for all pending contacts. Returns their number.
+// Takes steps. Approves or refuses all contacts that become pending. Returns the number of these contacts.
 static int step_answering(scree_world* world, int steps, bool answer)
 {
 	int asked = 0;
@@ -91,7 +91,7 @@ static void asked_again(void** state)
 	scree_world_destroy(world);
 }
 
-// A body hits a static, kinematic or dynamic one at 5 to 400 m/s. It does not pass while the contact is pending. After
+// A body hits a static, kinematic or dynamic body at 5 to 400 m/s. It does not pass while the contact is pending. After
 // an approval it is stopped; after a refusal it continues at the same speed.
 static void fast(void** state)
 {
@@ -130,8 +130,8 @@ static void fast(void** state)
 	}
 }
 
-// A touch that exists when the bit is set lasts until the two bodies part. After the bit is cleared, a refused pair
-// touches again.
+// Bodies that touch when SCREE_REPORT_APPROVAL is set keep touching without an approval until they part. When this flag
+// is cleared, the bodies of a refused contact collide again.
 static void marked_in_mid_run(void** state)
 {
 	(void)state;
@@ -152,8 +152,8 @@ static void marked_in_mid_run(void** state)
 	scree_world_destroy(world);
 }
 
-// Checks changes while a contact is pending: its body is destroyed and another body takes the slot, the world moves to
-// another device, and a step has a length of 0 s.
+// Checks changes while a contact is pending. First the body is destroyed and another body takes its slot; then the
+// world moves to another device. The first contact begins in a step of 0 s.
 static void between(void** state)
 {
 	(void)state;
@@ -188,7 +188,8 @@ static void answer_one(scree_world* world, bool yes)
 	OK(scree_world_approve_contacts(world, &yes, 1));
 }
 
-// A step of 0 s reports a pending contact again until it is answered. After the answer, such a step does not change it.
+// Each step of 0 s reports a contact that is still pending. After the contact is approved or refused, a step of 0 s
+// keeps it so.
 static void steps_of_no_time(void** state)
 {
 	(void)state;
@@ -219,8 +220,8 @@ static void steps_of_no_time(void** state)
 	}
 }
 
-// Approvals of a step that fails are lost. The contacts are pending again in the next step, and no body has passed
-// another.
+// After a step that fails, no contact is listed as pending. The next step lists the contacts again, and no body has
+// passed another.
 static void a_step_that_fails(void** state)
 {
 	(void)state;

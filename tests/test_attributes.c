@@ -54,7 +54,7 @@ static void shapes_change_and_contacts_start_anew(void** state)
 	scree_mass mass;
 	OK(scree_body_set_mass(world, crate, (scree_mass){7, 1, {0, 0}}));
 
-	// a change of friction alone keeps the mass that the user has set
+	// only friction changes, so the mass that the user has set stays
 	OK(scree_collidable_set_attribute(world, part, surface(world, 0.3f, 1.0f)));
 	mass = mass_of(world, crate);
 	assert_true(mass.mass == 7.0f);
@@ -92,7 +92,7 @@ static void attributes_are_destroyed(void** state)
 	scree_body_def def = scree_body_def_default();
 	def.attribute = first;
 	scree_body body = create_body(world, &def);
-	OK(scree_attribute_destroy(world, first)); // created twice, so still valid
+	OK(scree_attribute_destroy(world, first)); // created twice, so one destruction leaves it valid
 	assert_int_equal(scree_attribute_destroy(world, first), SCREE_ERROR_INVALID);
 	assert_non_null(
 	    strstr(scree_error(), "scree_attribute_destroy: attribute (index 0) is still used by 1 collidable"));
@@ -104,7 +104,7 @@ static void attributes_are_destroyed(void** state)
 	assert_int_equal(scree_body_create(world, &def, NULL), SCREE_ERROR_STALE);
 	assert_int_equal(counters_of(world).attributes, 1);
 
-	// a new attribute, even one with the same values, takes the slot again; the old handle stays stale
+	// a new attribute takes the slot of the destroyed one; the old handle stays invalid, even if all values are equal
 	same = surface(world, 0.1f, 1.0f);
 	assert_int_equal(same.index, first.index);
 	assert_false(scree_attribute_equals(first, same));
@@ -120,7 +120,7 @@ static void attributes_are_destroyed(void** state)
 	scree_world_destroy(world);
 }
 
-// Creates 3,000 shapes, 20 at a time. Each takes the slot of an earlier shape of another size. The table stays small.
+// Creates 3,000 attributes, 20 at a time, and destroys each. New attributes reuse slots, so the table stays small.
 static void attributes_do_not_pile_up(void** state)
 {
 	(void)state;

@@ -15,7 +15,7 @@ static int forget_auto(void** state)
 	return release_log(state) || memory_is_released(state);
 }
 
-// Takes steps until a trial begins; returns their number.
+// Takes steps until the world tries the second device. Returns the number of steps.
 static int run_to_trial(scree_world* world)
 {
 	int steps = 0;
@@ -29,8 +29,8 @@ static int run_to_trial(scree_world* world)
 	return steps;
 }
 
-// A trial keeps the device with the shorter measured step. Times are set by hand: first the CPU is slower, then the
-// other device.
+// A trial keeps the device with the shorter measured step. The test overwrites the measured times: first the CPU is
+// slower, then the other device.
 static void trial_decides(void** state)
 {
 	(void)state;
@@ -44,7 +44,7 @@ static void trial_decides(void** state)
 	assert_false(world->auto_device.trial);
 	assert_true(was_logged("the world moves to opencl:") && was_logged("ms a step, and 1000000.0000 ms on cpu"));
 
-	// the CPU is tried again after the world has spent enough time
+	// the CPU is tried again when the world has spent enough time in steps since the last trial
 	world->auto_device.spent = 1e9;
 	run_steps(world, 1);
 	assert_string_equal(scree_world_get_device(world), "cpu");
@@ -77,7 +77,7 @@ static void world_goes_back(void** state)
 	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(was_logged("the world does not stay on opencl:"));
 
-	// the next trial starts after many times the cost of this one
+	// the next trial starts when the world has spent many times the cost of this trial in steps
 	assert_true(world->auto_device.cost > 0.0);
 	assert_true(world->auto_device.failures == 1);
 	assert_false(world->auto_device.trial);
@@ -85,7 +85,7 @@ static void world_goes_back(void** state)
 	scree_world_destroy(world);
 }
 
-// No GPU is opened for a world that would gain nothing from it.
+// No GPU is opened for a world that is too small to gain from a GPU.
 static void small_world_stays(void** state)
 {
 	(void)state;
@@ -162,7 +162,7 @@ static void user_decides(void** state)
 	run_steps(world, 20);
 	assert_string_equal(scree_world_get_device(world), second_device);
 
-	// a trial of the CPU starts from the second device too
+	// a world on the second device also tries the CPU
 	OK(scree_world_move(world, "auto"));
 	while (!world->auto_device.trial && steps < 1000)
 	{

@@ -253,7 +253,8 @@ static void body_functions(void** state)
 	assert_false(scree_body_is_valid(NULL, body));
 }
 
-// Checks plural(world, bodies, values, count) and single(world, body, value).
+// Checks that a function for many bodies and its variant for one body refuse bad arguments: plural(world, bodies,
+// values, count) and single(world, body, value).
 #define BATCH(plural, single, type, good, wrong, values, value, component)       \
 	do                                                                           \
 	{                                                                            \
@@ -428,7 +429,7 @@ static void setting_functions(void** state)
 	INVALID(scree_body_set_type, (NULL, body, SCREE_BODY_STATIC), "world is null");
 }
 
-// A rotation that is slightly off unit length is accepted and normalized.
+// A rotation with a length slightly different from 1 is accepted and normalized.
 static void nearly_normal_rotations_are_taken(void** state)
 {
 	(void)state;

@@ -101,7 +101,7 @@ static void coordinates(void** state)
 	{
 		const char* name;
 		size_t offset;
-		float low, high; // out of range
+		float low, high; // values below and above the valid range
 	} numbers[] = {
 #define NUMBER(name, low, high) {#name, offsetof(scree_joint_coordinate, name), low, high}
 	    NUMBER(target, -2e5f, 2e5f),
@@ -203,7 +203,7 @@ static void couplings(void** state)
 #undef DEF
 }
 
-// A gear or a pulley has the coordinate along only.
+// A gear or a pulley has only the coordinate along. Settings of the other coordinates are refused.
 static void held_coordinates(void** state)
 {
 	(void)state;
@@ -230,8 +230,8 @@ static void held_coordinates(void** state)
 		}
 }
 
-// A motor on a locked coordinate is refused in a definition, unless its speed and force are 0. Later the motor of a
-// locked coordinate may be set.
+// A definition with a motor on a locked coordinate is refused, unless the speed and the maximum of the motor are 0. In
+// an existing joint, the motor of a locked coordinate may be set.
 static void locked_motors(void** state)
 {
 	(void)state;
@@ -279,7 +279,7 @@ static void measures(void** state)
 	DEF(body_a = stale, body_a = body, SCREE_ERROR_STALE, "def.body_a (index 4");
 	DEF(body_b = stale, body_b = second, SCREE_ERROR_STALE, "def.body_b (index 4");
 
-	// end of the definition in versions without gears and pulleys
+	// size of the definition in versions without gears and pulleys
 	uint32_t older = (uint32_t)offsetof(scree_joint_def, ratio);
 	char sentence[96];
 	snprintf(sentence, sizeof sentence, "def.size is %u, of a version without gears and pulleys", older);
@@ -287,7 +287,7 @@ static void measures(void** state)
 
 #undef DEF
 
-	// a coordinate of 1,000 km is refused, and bases that need normalizing stay unchanged
+	// a definition that is refused, because its coordinate is 1,000 km, stays unchanged; its bases are not normalized
 	for (int k = 0; k < 2; ++k)
 	{
 		def.sides[k].measure = SCREE_MEASURE_DISTANCE;
@@ -298,7 +298,7 @@ static void measures(void** state)
 	INVALID(scree_joint_def_couple, (world, &def), "def.coordinates[SCREE_ALONG].target is ");
 	assert_memory_equal(&def, &same, sizeof def);
 
-	// members that an older definition lacks are read as 0, so its bases have no direction
+	// members that an older definition lacks are read as 0, so the rotation of a base is (0, 0)
 	def.size = older;
 	INVALID(scree_joint_create, (world, &def, NULL), "def.sides[0].base.rotation is (0, 0)");
 }
@@ -427,7 +427,8 @@ static void changes(void** state)
 	STALE(scree_joint_set_user, (world, gone, 1), "joint (index 2");
 }
 
-// Messages of functions that also take the size of a struct contain the names that users call.
+// Some functions are called through inline functions that add the size of a struct. Messages contain the name that the
+// user calls.
 static void readings(void** state)
 {
 	(void)state;
@@ -450,7 +451,7 @@ static void readings(void** state)
 	INVALID(scree_world_get_joint_events, (world, events, 2, NULL), "count is null");
 }
 
-// Members beyond the definition of this version are refused unless they are 0.
+// A definition may be longer than that of this version. It is refused unless the additional members are 0.
 static void unknown_members(void** state)
 {
 	(void)state;

@@ -18,7 +18,7 @@
 typedef struct
 {
 	const char* text;
-	const char* sentence; // expected part of the message
+	const char* sentence; // text that the message contains
 } BadScene;
 
 // Checks that each scene is refused with its message, which begins with the name of the file.

@@ -19,8 +19,8 @@ static int blast(scree_world* world, float x, float y, float radius, float fallo
 	return count;
 }
 
-// A crate of 2 m by 1 m and 2 kg gets the impulse of the blast times its width across the direction to the blast. The
-// impulse acts at the point nearest to the blast.
+// A crate of 2 m by 1 m and 2 kg gets the impulse of the blast times its width as seen from the blast. The impulse acts
+// at the point of the crate that is nearest to the blast.
 static void impulses_follow_the_width(void** state)
 {
 	(void)state;
@@ -39,7 +39,7 @@ static void impulses_follow_the_width(void** state)
 	NEAR(v.linear.x, -4.0 * 1.0 / 2.0, 1e-5);
 	NEAR(v.angular, 0.3 * 4.0 * 1.0 / (2.0 * (4.0 + 1.0) / 12.0), 1e-4);
 
-	// half of the impulse at half of the falloff, none beyond it; a negative impulse pulls
+	// in the middle of the falloff the impulse is half as large, beyond the falloff it is 0; a negative impulse pulls
 	throw_body(world, wide, 0.0f, 0.0f, 0.0f);
 	assert_int_equal(blast(world, 0.0f, 0.0f, 1.5f, 2.0f, -4.0f), 1);
 	NEAR(velocity_of(world, wide).linear.y, -2.0, 1e-5);
@@ -47,8 +47,8 @@ static void impulses_follow_the_width(void** state)
 	assert_int_equal(blast(world, 0.0f, 0.0f, 1.0f, 1.0f, 4.0f), 0);
 	NEAR(velocity_of(world, wide).linear.y, 0.0, 1e-6);
 
-	// a position inside the crate pushes it from there through its centroid; a position at the centroid pushes in any
-	// direction, but the velocity is finite
+	// a blast inside the crate pushes in the direction from the blast to the centroid; a blast at the centroid pushes
+	// in any direction, with a finite velocity
 	assert_int_equal(blast(world, 0.0f, 2.9f, 1.0f, 1.0f, 4.0f), 1);
 	NEAR(velocity_of(world, wide).linear.y, 4.0, 1e-5);
 	assert_int_equal(blast(world, 0.0f, 3.0f, 1.0f, 1.0f, 4.0f), 1);
@@ -78,7 +78,7 @@ static void who_is_pushed(void** state)
 	scree_world_destroy(world);
 }
 
-// Blows up a heap several times, 70 km from the origin. Returns the hash.
+// Applies several blasts to a heap, 70 km from the origin. Returns the hash.
 static uint64_t blown_heap(const Variant* variant)
 {
 	scree_world* world = open_default_variant(variant);

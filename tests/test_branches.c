@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_branches.c -- checks that light bodies carry heavy ones by joints, as wheels, torsos, trees and ropes that meet;
-// and the counter joint_gap.
+// test_branches.c -- checks branches, in which joints of light bodies carry heavy bodies: wheels, torsos and ropes that
+// meet. Also checks the counter joint_gap.
 #include "support/make_joints.h"
 #include <math.h>
 
@@ -16,7 +16,7 @@ static scree_world* open_rig(double gravity)
 	return open_world((float)-gravity);
 }
 
-// Adds a body to a rig. Bodies of a rig do not touch each other.
+// Adds a body to the world and to the list parts. Bodies of this list do not touch each other.
 static scree_body put(scree_world* world, scree_shape shape, float density, double x, double y, double angle)
 {
 	scree_attribute_def surface = surface_of(shape);
@@ -29,7 +29,7 @@ static scree_body put(scree_world* world, scree_shape shape, float density, doub
 	return parts[part_count++];
 }
 
-// Joins two bodies at a point. rubs: friction of a hinge, N m; 0 for none.
+// Joins two bodies at a point, and adds the joint to the list joints. rubs: friction of a hinge, N m; 0: none.
 static void link_at(scree_world* world, scree_joint_type type, scree_body a, scree_body b, double x, double y,
                     double rubs)
 {
@@ -39,7 +39,7 @@ static void link_at(scree_world* world, scree_joint_type type, scree_body a, scr
 	joints[joint_count++] = add_joint(world, &def);
 }
 
-// Returns the largest gap of all joints, m; *spin gets the largest angular speed, rad/s.
+// Returns the largest gap of all joints, m. *spin: largest angular speed of all bodies, rad/s.
 static double gap_now(scree_world* world, double* spin)
 {
 	double gap = 0.0;
@@ -54,8 +54,8 @@ static double gap_now(scree_world* world, double* spin)
 	return gap;
 }
 
-// Runs the world for 5 s and returns the widest gap of all steps. Checks that joint_gap reports the gap of each step
-// one step later.
+// Runs the world for 5 s and returns the largest gap in that time, m. Checks that the counter joint_gap has the gap at
+// the end of the step before. *spin: largest angular speed at the end, rad/s.
 static double watch(scree_world* world, double* spin)
 {
 	double widest = 0.0, last = 0.0;
@@ -70,7 +70,8 @@ static double watch(scree_world* world, double* spin)
 	return widest;
 }
 
-// Adds a round hub with count arms; each arm is a row of length boxes of 1 m.
+// Adds a round hub with arms, and returns the hub. count: number of arms. length: number of boxes per arm, each 1 m
+// long.
 static scree_body add_arms(scree_world* world, scree_joint_type type, int count, int length, double radius,
                            float density, double x, double y, double rubs)
 {
@@ -91,8 +92,8 @@ static scree_body add_arms(scree_world* world, scree_joint_type type, int count,
 	return hub;
 }
 
-// Inertia of count arms with length parts about the center of the hub, kg m^2. A part, a box of 1 m x 0.1 m and 0.1 kg,
-// has 0.1 (1 + 0.01) / 12 about its own center.
+// Returns the inertia of all arms about the center of their hub, kg m^2. count: number of arms. length: number of boxes
+// per arm. A box of 1 m x 0.1 m has 0.1 kg, and the inertia 0.1 (1 + 0.01) / 12 about its own center.
 static double arms_inertia(int count, int length, double radius)
 {
 	double sum = 0.0;
@@ -101,13 +102,13 @@ static double arms_inertia(int count, int length, double radius)
 	return count * sum;
 }
 
-// Density at which the inertia of the hub, density pi r^4 / 2, is that of its arms divided by ratio.
+// Returns the density of a hub with 1 / ratio of the inertia of its arms. The inertia of the hub is density pi r^4 / 2.
 static float density_of(int count, int length, double radius, double ratio)
 {
 	return (float)(arms_inertia(count, length, radius) / ratio / (0.5 * PI * pow(radius, 4.0)));
 }
 
-// Welded arms on a hub with an axle stay at rest. Hinged arms hang and swing. No joint opens by 5 mm.
+// Welded arms on a hub with an axle stay at rest. Hinged arms hang and swing. All gaps stay below 5 mm.
 static void wheels_rest(void** state)
 {
 	(void)state;
@@ -130,8 +131,8 @@ static void wheels_rest(void** state)
 			}
 }
 
-// Eight arms of one to three parts on a small torso hold, in free flight and on an axle, also with friction in all
-// hinges.
+// Eight arms keep their places on a small torso, which flies freely or has an axle. An arm has one to three parts,
+// which are welded, or joined by hinges with friction.
 static void torsos_hold(void** state)
 {
 	(void)state;
@@ -153,8 +154,8 @@ static void torsos_hold(void** state)
 	}
 }
 
-// Wheels with light hubs are welded to each other between two axles. Then spokes and a rim form a ring, which is not a
-// tree.
+// Five wheels with light hubs, welded in a row between two axles, stay at rest. A wheel whose spokes are joined by a
+// rim also stays at rest; its joints form rings, not a tree.
 static void hubs_beside_each_other(void** state)
 {
 	(void)state;
@@ -189,7 +190,7 @@ static void hubs_beside_each_other(void** state)
 	scree_world_destroy(world);
 }
 
-// Ropes of 10 links hang on one light ring; each carries a load with the mass of 100 links.
+// Five ropes of 10 links hang on one light ring. Each rope carries a load with the mass of 100 links.
 static void ropes_meet(void** state)
 {
 	(void)state;
@@ -266,8 +267,8 @@ static void wheels_change(void** state)
 	scree_world_destroy(world);
 }
 
-// joint_gap is the gap of rigid locks at the start of the step, for a translation or a rod. Soft locks and broken
-// joints do not count.
+// The counter joint_gap is the gap of rigid locks at the start of a step. The test moves a body on a hinge, then a body
+// on a rod. Soft locks and destroyed joints do not count.
 static void counters_report_gaps(void** state)
 {
 	(void)state;

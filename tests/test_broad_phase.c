@@ -14,9 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct // state of one collidable, from the public interface
+typedef struct // state of a collidable from the public interface; box: enlarged box from the device
 {
-	bool alive, has_body, moves, fixed; // moves: dynamic; fixed: static
+	bool alive, has_body, moves, fixed; // moves: its body is dynamic; fixed: static
 	scree_body body;
 	scree_filter filter;
 	Float4 box;
@@ -31,7 +31,7 @@ typedef struct
 } Layout;
 
 // ---------------------------------------------------------------------------------------------------------------
-// all pairs against the contact pool
+// comparison of all pairs with the contact pool
 // ---------------------------------------------------------------------------------------------------------------
 
 static bool overlap(Float4 a, Float4 b) { return a.x <= b.z && b.x <= a.z && a.y <= b.w && b.y <= a.w; }
@@ -43,7 +43,8 @@ static bool filters_agree(scree_filter a, scree_filter b)
 	return (a.category & b.mask) && (b.category & a.mask);
 }
 
-// Two collidables can be a pair only if one of them is dynamic, or has no body and thus only reports overlaps.
+// Returns whether two collidables must be a pair. One of them must be dynamic, or have no body and only report
+// overlaps.
 static bool is_pair(const Item* a, const Item* b)
 {
 	bool same_body = a->has_body && b->has_body && a->body.index == b->body.index;
@@ -51,7 +52,7 @@ static bool is_pair(const Item* a, const Item* b)
 	return a->alive && b->alive && !same_body && meet && overlap(a->box, b->box) && filters_agree(a->filter, b->filter);
 }
 
-// Checks in double precision that the box contains each corner of the shape with its radius.
+// Checks in double precision that the box of a collidable contains each corner of its shape with the radius.
 static void check_box(scree_world* world, const Item* item, const WorldShape* placed, int index)
 {
 	scree_attribute attribute;
@@ -129,7 +130,7 @@ static int check_pairs(scree_world* world, const char* name, int step)
 	for (int k = 0; k < slots; ++k)
 		if (pairs[k].x >= 0)
 		{
-			// a pair begins with its dynamic collidable, or with the smaller index; a key begins with the smaller index
+			// x of a pair is its dynamic collidable or its smaller index; a key always begins with the smaller index
 			int a = pairs[k].x < pairs[k].y ? pairs[k].x : pairs[k].y, b = pairs[k].x ^ pairs[k].y ^ a;
 			have[found++] = (uint64_t)a << 32 | (uint64_t)b;
 		}
@@ -143,7 +144,7 @@ static int check_pairs(scree_world* world, const char* name, int step)
 				want[expected++] = (uint64_t)a << 32 | (uint64_t)b;
 			}
 
-	// both lists are sorted
+	// finds differences between the two lists, which are sorted
 	int wrong = 0;
 	for (int i = 0, j = 0; i < found || j < expected;)
 	{
@@ -238,7 +239,8 @@ static void build_huge(scree_world* world, uint64_t* seed)
 		    random_between(seed, -70.0f, 70.0f));
 }
 
-// bodies with traversals so long that they are divided, among each other and across both trees
+// six large bodies among small ones; the traversals of the large bodies are so long that they are divided, in both
+// trees
 static void build_huges(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 6; ++k)
@@ -312,7 +314,8 @@ static void build_compound(scree_world* world, uint64_t* seed)
 	}
 }
 
-// large kinematic bodies among a few others; their traversals skip kinematic collidables until these change their type
+// kinematic bodies of many collidables among a few dynamic bodies; traversals of kinematic collidables skip nodes
+// without any possible partner; changes of type between steps create such partners
 static void build_kinematic(scree_world* world, uint64_t* seed)
 {
 	scree_collidable_def def = scree_collidable_def_default();
@@ -341,7 +344,7 @@ static scree_collidable add_free(scree_world* world, uint64_t* seed, float x, fl
 	return create_collidable(world, &def);
 }
 
-// collidables without a body among bodies of all kinds
+// collidables without a body among bodies of all types
 static void build_free(scree_world* world, uint64_t* seed)
 {
 	build_random(world, seed);
@@ -457,7 +460,7 @@ static void change(scree_world* world, const Layout* layout, uint64_t* seed)
 		else
 			change_body(world, layout, bodies[random_below(seed, count)], seed);
 
-		// a read uploads all changes so far, so that a step has one upload or several
+		// hash_of uploads all changes so far, so there may be several uploads before a step
 		if (random_below(seed, 6) == 0)
 			hash_of(world);
 	}
@@ -508,7 +511,7 @@ static void run_layout(const Layout* layout, const Variant* variant)
 	int steps = quick() ? layout->steps / 2 : layout->steps, most = 0, traversals = 0;
 	for (int step = 0; step < steps; ++step)
 	{
-		// no changes in the first steps, so that faults of the layout alone appear
+		// no changes before the first four steps, so that they show faults without any change
 		if (step >= 4)
 			change(world, layout, &seed);
 		burst(world, layout, step, &seed);

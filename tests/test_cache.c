@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_cache.c -- checks that compiled OpenCL programs are read back from disk, and that damaged files are not.
+// test_cache.c -- checks that compiled OpenCL programs are read from files, and that damaged files are rejected.
 #include "opencl/cache.h"
 #include "opencl/compile.h"
 #include "opencl/device.h"
@@ -21,7 +21,7 @@ static void path_of(Digest key, char path[512])
 	         (unsigned long long)key.b);
 }
 
-// Changes the byte at a place of a file; a place at its end makes the file longer.
+// Changes one byte of a file. place: offset of this byte; an offset at the end of the file adds a byte.
 static void damage(const char* path, long place)
 {
 	FILE* file = fopen(path, "r+b");
@@ -48,8 +48,8 @@ static void check_read(Digest key, const char* expected)
 	scree_release(bytes);
 }
 
-// A file has 48 bytes (magic, key, digest of the content, length) and the content. It counts as missing if any byte is
-// changed, added or removed.
+// A file has 48 bytes (magic, key, digest of the content, length) and the content. If any byte is changed, added or
+// removed, the file is treated as missing.
 static void damaged_files_are_not_read(void** state)
 {
 	(void)state;
@@ -99,7 +99,8 @@ static int built(const Device* device, cl_context context, const char* text, con
 	return 1;
 }
 
-// A program is loaded from its file. It is built again if the file is damaged or contains no program.
+// A program is loaded from its file. The program is built again if the file is damaged, or if the content is not a
+// program.
 static void programs_are_kept(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_chain_trials.c -- checks chains that are dragged over corners, pulled apart, stepped with alternating lengths of
-// steps, and edited.
+// test_chain_trials.c -- checks chains that are dragged over corners, whose ends jump, that take steps of alternating
+// lengths, and that are edited.
 #include "platform/processor.h"
 #include "support/make_joints.h"
 #include "tools/common/median.h"
@@ -15,8 +15,8 @@ enum
 static scree_body links[MOST];
 static scree_joint joints[MOST];
 
-// Adds a chain of capsules, each 1.4 m long with a radius of 0.1 m, to the left of x. Its first joint is to the body
-// first, or to the world.
+// Adds a chain of capsules, each 1.4 m long with a radius of 0.1 m, to the left of x. A joint connects the first
+// capsule to a body, or to the world if this body is null.
 static void add_chain(scree_world* world, scree_body first, int count, float x, float y)
 {
 	scree_shape shape = capsule_shape(0.7f, 0.1f);
@@ -28,7 +28,7 @@ static void add_chain(scree_world* world, scree_body first, int count, float x, 
 	}
 }
 
-// Returns the largest gap of the joints, m; *speed gets the speed of the fastest link, m/s.
+// Returns the largest gap of the joints, m. *speed: speed of the fastest link, m/s.
 static double worst(scree_world* world, int count, double* speed)
 {
 	double gap = 0.0;
@@ -43,8 +43,8 @@ static double worst(scree_world* world, int count, double* speed)
 	return gap;
 }
 
-// Drags a chain over the corner of a static box for 10 s, by a body of constant velocity. Returns the largest gap, m;
-// *fastest gets the speed of the fastest link, m/s.
+// Drags a chain over the corner of a static box for 10 s, by a body of constant velocity. Returns the largest gap, m.
+// *fastest: largest speed of a link, m/s.
 static double dragged(int count, float drag, double* fastest)
 {
 	scree_world* world = open_world((float)-G);
@@ -67,11 +67,11 @@ static double dragged(int count, float drag, double* fastest)
 	return most;
 }
 
-// Number of drags, at speeds 1 % apart: the whip of a long chain differs between them by a factor of ten.
+// Number of drags of a chain, at speeds that differ by 1 %. Long chains whip, and the drags differ by a factor of ten.
 #define DRAGS 9
 
-// Links slide over the corner, and continuous collision does not stop them there. Box2D has gaps up to 0.2 m, up to 12
-// m with 40 links, and speeds up to 405 m/s.
+// Links slide over the corner, and continuous collision does not stop them there. In Box2D, gaps are at most 0.2 m,
+// with 40 links 12 m, and speeds are at most 405 m/s.
 static void chains_slide_over_corners(void** state)
 {
 	(void)state;
@@ -95,7 +95,7 @@ static void chains_slide_over_corners(void** state)
 	}
 }
 
-// The end of a chain is moved by 0.5 m or 2 m within one step. The chain follows without a high speed.
+// The upper end of a chain is moved by 0.5 m or 2 m within one step. The links follow without a high speed.
 static void ends_are_moved_at_once(void** state)
 {
 	(void)state;
@@ -128,8 +128,8 @@ static void ends_are_moved_at_once(void** state)
 	}
 }
 
-// A rope with a load of 100 times the mass of a link stays at rest when lengths of steps alternate, although stored
-// impulses belong to the length of the last step.
+// A rope with a load of 100 times the mass of a link stays at rest when long and short steps alternate. The impulses of
+// the warm start then come from a step of another length.
 static void steps_of_other_lengths(void** state)
 {
 	(void)state;
@@ -159,7 +159,7 @@ static void steps_of_other_lengths(void** state)
 	}
 }
 
-// Writes the hash after each of several edits of a chain, with and without steps between them.
+// Edits a chain several times, with and without steps between the edits. Writes the hash after each edit and step.
 static void edit(int lanes, uint64_t hashes[9])
 {
 	scree_world_def def = scree_world_def_default();
@@ -190,8 +190,8 @@ static void edit(int lanes, uint64_t hashes[9])
 	scree_world_destroy(world);
 }
 
-// The memory layout of a chain depends on the number of lanes. The hash does not, not even between an edit and the next
-// step.
+// The memory layout of a chain depends on the number of lanes. The hash is the same for all layouts, even between an
+// edit and the next step.
 static void edits_have_one_hash(void** state)
 {
 	(void)state;

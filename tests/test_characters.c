@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_characters.c -- checks characters of scenes: control by keys and by a script, the coins that they take, and the
-// scene platformer.
+// test_characters.c -- checks characters of scenes: control by keys and by a script, coins, belts, and the scene
+// platformer.
 #include "scene/scene_keys.h"
 #include "support/make_bodies.h"
 #include "support/scene_text.h"
@@ -81,7 +81,7 @@ static void belts_carry(void** state)
 {
 	(void)state;
 	ScenePlayer town = open_text(SCRATCH, TOWN(""));
-	OK(scree_body_set_enabled(town.world, town.characters.bodies[4], false)); // the floor; the belt takes its place
+	OK(scree_body_set_enabled(town.world, town.characters.bodies[4], false)); // the belt takes the place of the floor
 	OK(scree_body_set_pose(town.world, town.characters.bodies[5], (scree_pose){{0.0f, -1.0f}, {1.0f, 0.0f}}));
 	after(&town, 30, 0);
 	scree_vec from = after(&town, 1, 0), to = after(&town, 60, 0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_churn.c -- checks worlds whose bodies jump, are destroyed and created again, or lie at one point.
 //
-// Times are too noisy to test. The test checks their causes instead: the width of the nodes of the trees, the number of
-// contacts, and the memory that is reserved for them.
+// Times vary too much for a test. The test checks their causes instead: the size of the nodes of the trees, the number
+// of contacts, and the memory that is reserved for contacts.
 #include "platform/processor.h"
 #include "stages/geometry/box.h"
 #include "support/make_bodies.h"
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SIDE  60 // circles along a side of the field
+#define SIDE  60 // number of circles along each side of the field
 #define PITCH 1.2f
 
 static void for_every_device(void (*check)(const Variant* variant))
@@ -50,8 +50,8 @@ static scree_pose at(scree_vec place) { return (scree_pose){place, {1.0f, 0.0f}}
 // trees
 // ---------------------------------------------------------------------------------------------------------------
 
-// Mean number of nodes of level 1 that a small box in the field overlaps: the sum of their areas divided by that of the
-// field.
+// Returns the mean number of nodes of level 1 that contain a point of the field: the sum of the areas of all nodes,
+// divided by the area of the field.
 static double nodes_met(scree_world* world)
 {
 	const Tree* tree = &world->pipeline.trees[0].tree;
@@ -72,11 +72,11 @@ static double nodes_met(scree_world* world)
 
 typedef struct
 {
-	int moved, replaced; // number of bodies before each step
-	bool shuffled;       // bodies created in random order
+	int moved, replaced; // number of bodies that move or are replaced before each step
+	bool shuffled;       // bodies are created in random order
 } Mix;
 
-// Churns the field for 12 steps. Returns the largest number of nodes that a small box overlapped after a step.
+// Takes 12 steps with these changes. Returns the largest result of nodes_met after a step.
 static double churned(const Variant* variant, Mix mix)
 {
 	scree_world* world = open_with_limits(variant, 0, 0);
@@ -123,7 +123,8 @@ static double churned(const Variant* variant, Mix mix)
 	return most;
 }
 
-// If nodes hold leaves in rows, a place lies in about two nodes. A node that spans the field would contain every place.
+// If nodes contain leaves that are close together, about two nodes contain a point. Nodes that span the field contain
+// every point.
 static void check_order(const Variant* variant)
 {
 	static const Mix mixes[] = {{0, 0, false},  {0, 0, true},    {200, 0, false},
@@ -133,8 +134,8 @@ static void check_order(const Variant* variant)
 		double met = churned(variant, mixes[k]);
 		print_message("%s: %d moved, %d replaced%s: a place meets %.1f nodes\n", variant->name, mixes[k].moved,
 		              mixes[k].replaced, mixes[k].shuffled ? ", shuffled" : "", met);
-		// some leaves stay unsorted, because that costs less than sorting; without any sorting there would be about 150
-		// nodes
+		// some leaves stay unsorted, because sorting them would take more time than it saves; with no leaves sorted,
+		// about 150 nodes would contain a point
 		assert_true(met < 45.0);
 	}
 }
@@ -151,9 +152,9 @@ static void jumps_do_not_widen_nodes(void** state)
 
 #define CROWD 300
 
-// CROWD boxes at one point make CROWD * (CROWD - 1) / 2 pairs. With a contact limit one below that, the step fails,
-// changes nothing, and reports the place. After the boxes have moved apart, the world continues like one that was never
-// crowded.
+// CROWD boxes at one point are CROWD * (CROWD - 1) / 2 pairs. The contact limit is one below this number, so the step
+// fails, changes nothing, and reports the place. When the boxes have moved apart, the world continues like a world that
+// was never crowded.
 static void check_crowd(const Variant* variant)
 {
 	const int pairs = CROWD * (CROWD - 1) / 2;
@@ -226,8 +227,8 @@ static void default_limit(void** state)
 // memory that is released
 // ---------------------------------------------------------------------------------------------------------------
 
-#define HEAP  130 // boxes at one place: 8,385 pairs
-#define CALM  700 // number of steps, more than unused memory is kept
+#define HEAP  130 // number of boxes at one place; they are 8,385 pairs
+#define CALM  700 // number of steps; unused memory is released in fewer steps
 #define AMPLE 60000
 
 static void build_row(scree_world* world, const void* context)
@@ -238,8 +239,8 @@ static void build_row(scree_world* world, const void* context)
 		add_crate(world, SCREE_BODY_DYNAMIC, -50.0f + 1.1f * (float)k, 0.5f);
 }
 
-// Adds a heap, which is destroyed 10 steps later. Meanwhile boxes fall onto the row, so that contacts in high slots
-// outlive the heap.
+// Adds a heap before step 10, and destroys it before step 20. Between these steps boxes fall onto the row, so that
+// contacts in high slots outlive the heap.
 static void heap_comes(scree_world* world, int step, const void* context)
 {
 	(void)context;
@@ -262,8 +263,8 @@ static Scenario heap_scenario(int contacts)
 	return scenario;
 }
 
-// Pools that grow and shrink give the same bits as pools with enough room from the start. At the end the memory and the
-// slots of the 8,000 contacts of the heap are released.
+// Pools that grow and shrink give the same bits as pools that have enough room from the start. At the end, the memory
+// and the slots of the 8,000 contacts of the heap are released.
 static void check_room(const Variant* variant)
 {
 	uint64_t* hashes[2] = {calloc(CALM, sizeof(uint64_t)), calloc(CALM, sizeof(uint64_t))};

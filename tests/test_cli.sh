@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_cli.sh -- the command line: what each command prints, and the exit codes and sentences of what cannot be done.
+# test_cli.sh -- checks the command line: output of each command, and exit codes and messages of calls that fail.
 set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 . "${SCREE_SOURCE:?}/tests/cli_support.sh"
@@ -88,7 +88,7 @@ sed -n '/^```json$/,/^```$/p' "$SCREE_SOURCE/docs/scenes.md" | sed '1d;$d' >wall
 expect 0 'bodies         82' run wall.json --steps 2 --device cpu
 expect 0 'bodies         10' run wall.json --steps 2 --device cpu --set rows=1
 
-# frames: both ways draw the same picture of the same world, if the build can draw
+# frames: shared and copied rows give the same picture of the same world; without a renderer a message says so
 if "$scree" bench frames pyramid "${small[@]}" --size 320x200 >out 2>err; then
 	[ "$(sed 1d out | wc -l)" = 2 ] || fail "bench frames: not two rows"
 	[ "$(sed 1d out | cut -d, -f 11,12 | sort -u | wc -l)" = 1 ] || fail "bench frames: two pictures"
@@ -97,14 +97,14 @@ else
 fi
 refuse 2 'no scene is called "nothing"' bench frames nothing
 
-# queries: five kinds, with the same results on one thread and on two
+# queries: five kinds; two threads give the same results as one
 "$scree" bench queries pyramid --steps 5 --queries 500 --repeats 1 --device cpu --threads 1 >one || fail "bench queries: failed"
 "$scree" bench queries pyramid --steps 5 --queries 500 --repeats 1 --device cpu --threads 2 --lanes 1 >two
 [ "$(sed 1d one | wc -l)" = 5 ] || fail "bench queries: not five rows"
 cmp -s <(cut -d, -f 4-6,9 one) <(cut -d, -f 4-6,9 two) || fail "bench queries: other answers on two threads"
 refuse 2 'no scene is called "nothing"' bench queries nothing
 
-# rays of a scene: the same results on one thread and on two; steps are the same without rays
+# rays of a scene: two threads give the same results as one; the hash of the world is the same without rays
 few=(lidar --set robots=8 --set rays=20 --steps 10 --device cpu)
 expect 0 'rays           180 a step, ' run "${few[@]}" --threads 1 --lanes 1 --csv rows.csv
 head -n 1 rows.csv | grep -q ',rays,ray_hits,ms_rays$' || fail "run --csv: no columns of rays"
@@ -138,7 +138,7 @@ refuse 1 'cannot write nowhere/rows.csv' run pyramid "${small[@]}" --csv nowhere
 if "$scree" run pyramid "${small[@]}" --picture picture.png >out 2>err; then
 	[ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "run --picture: not a PNG"
 	expect 0 '' run pyramid "${small[@]}" --picture picture.png --size 320x200
-	# the last frame of a zoom is its view
+	# a zoom ends at its view
 	expect 0 '' run pyramid "${small[@]}" --picture view.png --size 320x200 --view 0,0,4,2
 	expect 0 '' run pyramid "${small[@]}" --picture zoom.png --size 320x200 --zoom 0,0,4,2
 	cmp -s view.png zoom.png || fail "run --zoom: its end is another picture than --view"
@@ -174,7 +174,7 @@ grep -qE "^pyramid,rows=6,cpu,1,[0-9]+,22,.*,$hash,1\$" <<<"$row" || fail "bench
 awk -F, '{ exit !($12 <= $11 && $11 <= $13 && $20 > 200 && $21 > 0 && $22 > 0 && $23 > 0 && $24 > 0) }' <<<"$row" ||
 	fail "bench: columns that cannot be"
 
-# a row that is invalid is marked, and a message names it
+# an invalid row is marked, and a message names the expected value
 cp out known.csv
 expect 0 ",$hash,1" bench pyramid "${small[@]}" --repeats 1 --known known.csv
 sed "s/,$hash,/,0123456789abcdef,/" known.csv >other.csv
@@ -196,7 +196,7 @@ grep -q ',0$' out || fail "bench: a sunk pile is not marked"
 refuse 2 'no scene is called "nothing"' hash nothing --steps 1
 refuse 2 'no scene is called "nothing"' bench pyramid nothing
 
-# validate: one experiment, and arguments that are refused; tests/test_validate.sh checks its rows
+# validate: one experiment, and arguments that are refused; tests/test_validate.sh checks the rows of this command
 expect 0 'motion,free spin for a minute,scree,change of spin,' validate --quick --device cpu --threads 1 motion
 expect 0 'motion' validate --names
 [ "$(wc -w <out)" = "$(wc -l <out)" ] || fail "validate --names: more than one word a line"

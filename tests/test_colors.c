@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// test_colors.c -- checks the stages that color contacts, lay them out, and split bodies between hubs, against simple
-// sequential solutions.
+// test_colors.c -- checks the kernels that color contacts, lay out constraints, and split bodies between hubs, against
+// simple sequential code.
 #include "support/each_backend.h"
 #include "tools/common/random_numbers.h"
 #include <stdlib.h>
 #include <string.h>
 
-// needed for the priorities of contacts
+// included before color.h, which then defines kernels as functions
 #include "support/stage_items.h"
 
 #include "stages/color/color.h"
 
-#define KEY_BITS 13 // bits for a color, or for a hub among MOST_BODIES
+#define KEY_BITS 13 // bits of a color, or of a hub among MOST_BODIES bodies
 
 // ---------------------------------------------------------------------------------------------------------------
 // colors
@@ -21,7 +21,7 @@ typedef struct
 {
 	int bodies, contacts;
 	bool moves[MOST_BODIES];
-	int kind[MOST_BODIES]; // kinds of bodies, used only for those that cannot move
+	int kind[MOST_BODIES]; // kinds of bodies that cannot move; other entries are unused
 	Word64 mask[MOST_BODIES];
 	int touching[MOST_BODIES];
 	Int2 ends[MOST_ITEMS];
@@ -43,9 +43,9 @@ static bool is_spoke(const Graph* g, Int2 ends)
 	       (g->moves[ends.y] && g->touching[ends.y] > HUB_CONTACTS);
 }
 
-// Contacts of hubs lose their colors and get no other. Then each new contact, in the order of falling priority, takes
-// the lowest color that is free on both bodies. If one of the bodies cannot move, the contact takes the highest free
-// color; the last STATIC_COLORS are for static bodies.
+// Colors the contacts one after the other. First, contacts that are now spokes lose their colors and get no other. Then
+// each new contact, in the order of falling priority, takes the lowest color that is free on both bodies. If one of the
+// bodies cannot move, the contact takes the highest free color; the last STATIC_COLORS are reserved for such contacts.
 static void color_greedily(Graph* g)
 {
 	for (int k = 0; k < g->contacts; ++k)
@@ -88,7 +88,7 @@ static void color_greedily(Graph* g)
 	free(order);
 }
 
-// Colors the contacts by the stages, which also lay out the constraints.
+// Colors the contacts with the kernels on a backend, and lays out the constraints there. Writes color and mask.
 static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask)
 {
 	Counters* counters = calloc(1, sizeof *counters);
@@ -134,7 +134,7 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	get_items(b, POOL_contact_color, g->contacts, color);
 	get_items(b, POOL_color_mask, g->bodies, mask);
 
-	// claims are zero between steps
+	// all claims are zero after coloring
 	Word* claims = calloc((size_t)g->bodies, sizeof *claims);
 	for (int odd = 0; odd < 2; ++odd)
 	{
@@ -147,7 +147,8 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	free(counters);
 }
 
-// Returns the hub of a spoke: the end that can move and has more contacts.
+// Returns the hub of a spoke: the only body that can move, or else the body with more contacts. If both have equally
+// many, this is the body of smaller index.
 static int owner_of(const Graph* g, Int2 ends)
 {
 	if (!g->moves[ends.x] || !g->moves[ends.y])
@@ -156,7 +157,8 @@ static int owner_of(const Graph* g, Int2 ends)
 	return more > 0 || (more == 0 && ends.x < ends.y) ? ends.x : ends.y;
 }
 
-// Checks that spokes are sorted by hub, and hubs by body. Each hub begins at a new block, padded with -1.
+// Checks that spokes are sorted by hub, and hubs by body. Each hub begins at a new block, padded with -1. Adds the
+// number of spokes to *touching.
 static void check_spokes(const Graph* g, const Counters* counters, const int* constraints, const int* hubs,
                          int* touching)
 {
@@ -226,7 +228,7 @@ static void check_layout(Backend* b, const Graph* g)
 	free(places);
 }
 
-// Colors the contacts that begin, on the host and on every backend, and compares the results. g gets those of the host.
+// Colors the new contacts on the host and on every backend, and compares the results. g gets the results of the host.
 static void check_colors(Graph* g)
 {
 	int* color = calloc((size_t)g->contacts, sizeof *color);
@@ -253,7 +255,8 @@ static void check_colors(Graph* g)
 	free(mask);
 }
 
-// Colors the contacts in two halves. One body in fixed_one_in cannot move.
+// Colors random contacts: first those with even indices, then those with odd indices. Every k-th body cannot move, with
+// k = fixed_one_in.
 static void check_random_graph(uint64_t* seed, int bodies, int contacts, int fixed_one_in)
 {
 	Graph* g = calloc(1, sizeof *g);
@@ -287,12 +290,12 @@ static void colors_are_those_of_greedy(void** state)
 	(void)state;
 	uint64_t seed = 1;
 	check_random_graph(&seed, 3000, 6000, 10);
-	check_random_graph(&seed, 500, 8000, 4);   // 32 contacts per body: some bodies become hubs with the second half
+	check_random_graph(&seed, 500, 8000, 4);   // 32 contacts per body: some bodies become hubs with the odd contacts
 	check_random_graph(&seed, 60, 6000, 1000); // all bodies are hubs
-	check_random_graph(&seed, 2, 40, 2);       // one body that moves, on one that does not
+	check_random_graph(&seed, 2, 40, 2);       // a body that can move and a body that cannot
 }
 
-// A body with 1,000 contacts: all of them become spokes, whether the other bodies can move or not.
+// A body has 1,000 contacts. All of them become spokes, whether or not the other bodies can move.
 static void star_is_a_hub(void** state)
 {
 	(void)state;
@@ -324,7 +327,7 @@ static void star_is_a_hub(void** state)
 #define HUBS   9
 #define LIGHTS 40
 
-// Three hubs have spokes. The first and the last, numbers 0 and 8, have the same hub color.
+// The bodies of three hubs, which have spokes. Hubs A and C have the same hub color.
 enum
 {
 	HUB_A = 1,
@@ -332,7 +335,7 @@ enum
 	HUB_C = 9
 };
 
-typedef struct // hubs 1 to HUBS, each with a block of spokes to later bodies; body 0 cannot move
+typedef struct // bodies: 0 cannot move, 1 to HUBS are hubs with a block of spokes each, then come the lights
 {
 	Counters counters;
 	BodyState bodies[1 + HUBS + LIGHTS];
@@ -344,8 +347,9 @@ typedef struct // hubs 1 to HUBS, each with a block of spokes to later bodies; b
 	ContactRows constraints[HUBS * 64 / MAX_LANES];
 } Wheel;
 
-// Hub A has 48 spokes, hub B has 47 and hub C has 33. Lights (light bodies) 0 to 9 are on all three hubs, and lights 10
-// to 39 are on one or two. The other spokes go to body 0, which cannot move, and hub C is also a light of hub A.
+// Hub A has 48 spokes, hub B has 47 and hub C has 33. Lights are light bodies: lights 0 to 9 touch all three hubs, and
+// lights 10 to 39 touch one or two. The other spokes go to body 0, which cannot move. Hub C is also a neighbor of hub
+// A.
 static void make_wheel(Wheel* w, uint64_t* seed)
 {
 	const int counts[HUBS] = {[HUB_A - 1] = 48, [HUB_B - 1] = 47, [HUB_C - 1] = 33};
@@ -397,8 +401,8 @@ static int hub_of(const Wheel* w, int k) { return w->ends[k].x ^ w->ends[k].y ^ 
 
 static int turn_of(int hub) { return (hub - 1) % HUB_COLORS; }
 
-// Hubs around a body: beside is the number of spokes with each hub whose neighbor it is; hubs is the number of hubs of
-// each color, including the body itself if it is a hub.
+// The hubs around a body. beside: number of spokes of the body with each hub. hubs: number of such hubs of each hub
+// color; the body is counted too if it is a hub.
 typedef struct
 {
 	int beside[1 + HUBS], hubs[HUB_COLORS];
@@ -421,8 +425,9 @@ static float parts_of(const Wheel* w, const Share* shares, int k)
 	return light == 0 ? 1.0f : (float)(shares[light].hubs[turn_of(hub)] * shares[light].beside[hub]);
 }
 
-// Merges the parts of a body: v += (change by its own hub) / n + sum over the spokes of the turn, by rising place, of
-// change / (n times spokes beside).
+// Computes the velocity of a body after all hubs of one color, from the velocities of its parts. turn: index of the hub
+// color. v += sum of change / (n m) over the spokes of the body with these hubs, by rising place, for n hubs of this
+// color and m spokes with the same hub. If the body is a hub of this color, the sum begins with its own change / n.
 static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyState* b)
 {
 	BodyState old = *b;
@@ -452,8 +457,8 @@ static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyS
 	b->w = old.w + spin;
 }
 
-// A body that n hubs of one turn reach is split into n parts, one for each hub. Each part is split again among the
-// spokes of the body with that hub.
+// A body with n hubs of one hub color is split into n parts, one for each hub. Each part is split again among the
+// spokes that the body has with that hub.
 static void parts_come_together(void** state)
 {
 	(void)state;

@@ -31,7 +31,7 @@ static void contacts_carry_weight(void** state)
 	NEAR(contact.points[0].point.x + contact.points[1].point.x, 6.0, 0.02);
 	assert_int_not_equal(contact.points[0].feature, contact.points[1].feature);
 
-	// the point stays at its place of the last step, although the box was moved
+	// the contact still has the point of the last step, although the box was moved
 	float x = contact.points[0].point.x;
 	OK(scree_body_set_pose(world, box, (scree_pose){{-20.0f, 5.0f}, {1.0f, 0.0f}}));
 	OK(scree_world_get_contacts(world, &contact, 1, &count));
@@ -51,7 +51,7 @@ static void contacts_end_with_their_collidables(void** state)
 	run_steps(world, 30);
 	assert_int_equal(contacts_of(world), 2);
 
-	// a new body in the slot has no contacts before the next step
+	// a new body in the same slot has no contacts before the next step
 	OK(scree_body_destroy(world, low));
 	assert_int_equal(contacts_of(world), 0);
 	scree_body other = add_crate(world, SCREE_BODY_DYNAMIC, 30.0f, 0.5f);
@@ -105,8 +105,8 @@ static void filters_decide(void** state)
 	}
 }
 
-// Static bodies collide at the poses that the user has set, after a move or a change of type. A destroyed one no longer
-// collides.
+// Static bodies collide at the poses that the user has set, after a move or a change of type. Destroyed static bodies
+// do not collide.
 static void statics_obey_the_user(void** state)
 {
 	(void)state;
@@ -201,8 +201,8 @@ static void settings_are_kept(void** state)
 
 #define CROWD 1000
 
-// The contacts of a plate under 1,000 crates, and of single crates, are those entries of the list of all contacts that
-// contain the body, in the same order.
+// The contacts of one body are those entries of the list of all contacts that contain this body, in the same order. The
+// test reads them for a plate under 1,000 crates, and for single crates.
 static void contacts_of_one_body(void** state)
 {
 	(void)state;
@@ -238,7 +238,7 @@ static void contacts_of_one_body(void** state)
 	}
 	assert_true(hash_of(world) == before);
 
-	// with a smaller array, and after some crates are destroyed
+	// reads into an array that is too small, and again after some crates are destroyed
 	memset(some, 0x5a, 2 * CROWD * sizeof *some);
 	scree_contact kept = some[3];
 	OK(scree_body_get_contacts(world, plate, some, 3, &count));
@@ -251,7 +251,7 @@ static void contacts_of_one_body(void** state)
 	scree_world_destroy(world);
 }
 
-// After a step of 0 s, the contact of a body has the same details as in the list of all contacts.
+// After a step of 0 s, the contact of a body has the same details as this contact in the list of all contacts.
 static void details_of_a_first_look(void** state)
 {
 	(void)state;
@@ -274,8 +274,8 @@ static void details_of_a_first_look(void** state)
 	scree_world_destroy(world);
 }
 
-// Bullets of 0.1 kg and 100 m/s stop at a wall within a step, in different substeps. The details of each contact have
-// the momentum that the bullet lost and its speed of approach.
+// Bullets of 0.1 kg and 100 m/s stop at a wall within a step, in different substeps. The details of each contact
+// contain the momentum that the bullet lost, and the speed at which the bullet approached the wall.
 static void details_show_every_blow(void** state)
 {
 	(void)state;

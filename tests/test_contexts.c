@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_contexts.c -- checks that worlds of a process share the context and the program of an OpenCL device, one after
-// the other, at the same time and from threads, and that they do not after a failure.
+// the other, at the same time and in several threads. After a failure, new worlds use a new context.
 #include "opencl/loader.h"
 #include "support/second_device.h"
 #include <pthread.h>
@@ -9,8 +9,8 @@
 #define WORLDS 4
 
 static OpenClFunctions plain;
-static atomic_int contexts, programs; // numbers of created objects
-static int buffers_left;              // buffers that can still be created, -1 for any number
+static atomic_int contexts, programs; // numbers of created contexts and of built programs
+static int buffers_left;              // number of buffers that can still be created; -1: no limit
 
 static cl_context count_context(const cl_context_properties* properties, cl_uint count, const cl_device_id* devices,
                                 void(CL_CALLBACK* notify)(const char*, const void*, size_t, void*), void* user,
@@ -71,7 +71,7 @@ static void worlds_share_a_context(void** state)
 	scree_world* worlds[WORLDS];
 	for (int k = 0; k < WORLDS; ++k)
 		worlds[k] = open_there();
-	assert_in_range(contexts - before, 0, 1); // 1 on a GPU, whose context was released with the previous world
+	assert_in_range(contexts - before, 0, 1); // a GPU releases its context with its last world
 	assert_in_range(programs - built, 0, 1);
 	uint64_t hash = fall(worlds[0]);
 	scree_world_destroy(worlds[0]);

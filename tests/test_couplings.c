@@ -28,7 +28,7 @@ static scree_joint gear(scree_world* world, scree_body a, scree_body b, float ra
 	return couple(world, &def);
 }
 
-// Adds a rope over two points, one above a and one above b, both at this height.
+// Adds a rope over two fixed points, one above each body. height: y of these points, m.
 static scree_joint pulley(scree_world* world, scree_body a, scree_body b, float ratio, float height)
 {
 	scree_joint_def def = coupling(SCREE_JOINT_PULLEY, a, b, ratio);
@@ -38,7 +38,7 @@ static scree_joint pulley(scree_world* world, scree_body a, scree_body b, float 
 	return couple(world, &def);
 }
 
-// Wheels of radii r and s turn by angles a and b with b = -a r / s, after any number of turns.
+// A gear turns wheels of radii r and s by angles a and b with b = -a r / s, after any number of turns.
 static void gears_keep_their_ratio(void** state)
 {
 	(void)state;
@@ -79,8 +79,8 @@ static void gears_keep_their_ratio(void** state)
 	scree_world_destroy(world);
 }
 
-// A torque M on wheel a accelerates a by M / (I + r^2 J), and b by -r times that. The torque of the gear on b is -r J M
-// / (I + r^2 J).
+// A torque M on wheel a accelerates this wheel by M / (I + r^2 J), and wheel b by -r M / (I + r^2 J). The torque of the
+// gear on b is -r J M / (I + r^2 J).
 static void gears_carry_torque(void** state)
 {
 	(void)state;
@@ -119,7 +119,7 @@ static void atwood(void** state)
 		OK(scree_body_set_mass(world, b, (scree_mass){(float)n, (float)n / 6.0f, {0.0f, 0.0f}}));
 		scree_joint joint = pulley(world, a, b, 1.0f, 20.0f);
 		run_steps(world, 60);
-		// substeps move bodies by the velocity at their end: t (t + h) / 2 in place of t^2 / 2
+		// a substep moves bodies by the velocity at its end, so t^2 / 2 becomes t (t + h) / 2
 		double acceleration = G * (n - m) / (n + m), fallen = 0.5 * acceleration * (1.0 + h),
 		       tension = 2.0 * G * m * n / (n + m);
 		print_message("masses 1 : %.1f: fell %.4f m, theory %.4f m; tension %.3f N, theory %.3f N\n", n / m,
@@ -132,7 +132,7 @@ static void atwood(void** state)
 	}
 }
 
-// A tackle of ratio r balances a load of r times the mass for one minute.
+// A tackle of ratio r balances a load of r times the mass of the other load for one minute.
 static void tackles_balance(void** state)
 {
 	(void)state;
@@ -219,8 +219,9 @@ static void racks_and_winches(void** state)
 
 // Nicholas Tufillaro and others, Swinging Atwood's Machine, Am. J. Phys. 52 (1984): a load M that moves up and down and
 // a load m that swings at r, phi hang on one rope:
-//     (M + m) r'' = m r phi'^2 - M g + m g cos phi        r phi'' = -2 r' phi' - g sin phi
-// The test integrates this by the classical Runge-Kutta method. The sum of kinetic and potential energy stays constant.
+//     (M + m) r'' = m r phi'^2 - M g + m g cos phi r phi'' = -2 r' phi' - g sin phi
+// Writes the derivatives d of the state s = (r, phi, r', phi'). The test integrates these equations by the classical
+// Runge-Kutta method. The sum of kinetic and potential energy stays constant.
 static void tufillaro(const double s[4], double ratio, double d[4])
 {
 	d[0] = s[2];
@@ -275,7 +276,8 @@ static void swinging_loads(void** state)
 }
 
 // A gear counts turns while one of its bodies is disabled, and keeps its angles when a body becomes kinematic and
-// dynamic again. A teleport counts as the smaller rotation to the new angle. A broken gear stays broken.
+// dynamic again. A body that is placed at another angle counts as turned by the smaller rotation. A broken gear stays
+// broken.
 static void turns_are_counted(void** state)
 {
 	(void)state;
@@ -320,8 +322,8 @@ static void turns_are_counted(void** state)
 	scree_world_destroy(world);
 }
 
-// Joints of other types do not read the members of couplings. A program that sets them, or that was built with a
-// shorter definition, gets the same hash.
+// Joints of other types do not read the members of couplings. The hash is the same if a program sets these members, or
+// if its definition ends before them.
 static void other_types_have_none(void** state)
 {
 	(void)state;
@@ -349,7 +351,7 @@ static void other_types_have_none(void** state)
 	assert_int_equal(hashes[2], hashes[0]);
 }
 
-// The ratio of a turning gear can change: earlier turns count with the earlier ratio.
+// The ratio of a turning gear can change. Turns before the change count with the earlier ratio.
 static void gears_shift(void** state)
 {
 	(void)state;

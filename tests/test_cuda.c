@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_cuda.c -- checks that rays in memory that CUDA allocated get the same results as rays in host memory. Skipped
-// without CUDA.
+// test_cuda.c -- checks that rays in memory of CUDA get the same results as rays in memory of the host. Skipped without
+// CUDA.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 #include <dlfcn.h>
@@ -8,15 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Interface of the driver, declared here because its header may be missing (NVIDIA, CUDA Driver API, Virtual Memory
+// Types of CUDA's driver, declared here because its header may be missing (NVIDIA, CUDA Driver API, Virtual Memory
 // Management).
 typedef struct
 {
-	int type, id; // type 1: a device
+	int type, id; // type 1: a device; id: its number
 } Location;
 typedef struct
 {
-	int type, handles; // type 1: pinned; handles 1: file descriptors
+	int type, handles; // type 1: pinned memory; handles 1: exported as file descriptors
 	Location location;
 	void* windows;
 	unsigned char flags[8];
@@ -116,7 +116,7 @@ static void rays_of_cuda(void** state)
 	assert_memory_equal(shared, found, RAYS * sizeof *found);
 	print_message("%d of %d rays of CUDA hit\n", hits, RAYS);
 
-	// random bits in place of rays do no harm, and the search ends
+	// rays of random bits change nothing, and their search ends
 	uint64_t hash = hash_of(world);
 	for (int k = 0; k < RAYS; ++k)
 		for (size_t i = 0; i < sizeof *rays / 4; ++i)

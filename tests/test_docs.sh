@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# test_docs.sh -- checks paths, kernels, words of the dialect and the first program in documents, and the words of comments.
+# test_docs.sh -- checks paths, kernels, words of the dialect and the first program in documents, and first words and
+# paths in comments.
 set -euo pipefail
 cd "$SCREE_SOURCE"
 failed=0
@@ -9,7 +10,7 @@ complain()
 	failed=1
 }
 
-# text in back quotes that looks like a path of this repository exists; a * may stand for files of one kind
+# text in back quotes that looks like a path of this repository is a path that exists; it may contain a *
 for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md CONTRIBUTING.md SECURITY.md .github/*.md docs/*.md; do
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
@@ -32,13 +33,13 @@ done
 sed -n '/^```c$/,/^```$/p' README.md | sed '1d;$d' | diff -u examples/hello.c - ||
 	complain "README.md: its program is not examples/hello.c"
 
-# Succeeds if a path is there, relative to the root, to src/ or to a folder.
+# exists PATH FOLDER: succeeds if PATH exists relative to the root, to src/ or to FOLDER.
 exists()
 {
 	compgen -G "${1%/}" >/dev/null || compgen -G "src/${1%/}" >/dev/null || compgen -G "$2/${1%/}" >/dev/null
 }
 
-# these folders have a README with a table of files for each change; its paths exist
+# each of these folders has a README, in which a table names the files for each kind of change; these files exist
 for folder in bench cli scene tests view web src/*/; do
 	document=${folder%/}/README.md
 	[ -e "$document" ] || { complain "$document: does not exist"; continue; }
@@ -48,7 +49,7 @@ for folder in bench cli scene tests view web src/*/; do
 		grep -E '\.(awk|c|cl|cmake|cpp|def|frag|glsl|h|html|js|json|md|mjs|sh|txt|vert)$|/$' | sort -u)
 done
 
-# docs/step.md has a line for every kernel; a kernel of constraints has one for each kind
+# docs/step.md has a line for every kernel, and for a kernel of constraints one line per kind of constraint
 steps=$(<docs/step.md)
 while read -r kernel; do
 	[[ $steps = *"\`$kernel\`"* ]] || complain "docs/step.md: kernel $kernel is missing"
@@ -56,7 +57,7 @@ done < <(sed -nE 's/^CONSTRAINT_KIND\(([a-z]+),.*/\1/p' src/pools/kinds.def | wh
 	sed -nE -e '/^\/\//d' -e "s/kind##/$kind/" -e 's/^.*X\(([a-z_0-9]*),.*/\1/p' src/stages/kernels.def
 done | sort -u)
 
-# docs/dialect.md has a line for every word of the dialect, except those that only other words use
+# docs/dialect.md has a line for every word of the dialect, except words that only other words use
 words=$(<docs/dialect.md)
 while read -r word; do
 	[[ $words = *"\`$word"[\`\(]* ]] || complain "docs/dialect.md: the word $word is missing"
@@ -64,7 +65,7 @@ done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9
 	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/dialect/{dialect,opencl_words,c_words,wide}.h |
 	grep -vxE '(DIALECT|OPENCL_WORDS|C_WORDS|WIDE)_H|ROW|KERNEL_JOIN_?' | sort -u)
 
-# Comments are plain English: STYLE.md has the rule, of which first words and some phrases are checked.
+# Comments are plain English, see STYLE.md. The check covers first words and some phrases.
 sources=(-name '*.c' -o -name '*.h' -o -name '*.cl' -o -name '*.cpp' -o -name '*.def' -o -name '*.js' -o -name '*.mjs'
 	-o -name '*.vert' -o -name '*.frag' -o -name '*.glsl')
 scripts=(-name '*.sh' -o -name '*.awk' -o -name '*.cmake' -o -name CMakeLists.txt)
@@ -73,8 +74,9 @@ while read -r line; do
 	complain "$line"
 done < <(find "${folders[@]}" \( "${sources[@]}" \) -print0 | sort -z | xargs -0 awk -f tests/comments.awk)
 
-# Paths in comments exist. A path with a folder is relative to the root, to src/, to include/ or to the folder of the file; a name
-# without a folder is that of any file. Names with capitals, as NAME.c, are placeholders.
+# Paths in comments exist. A path with a folder is relative to the root, to src/, to include/ or to the folder of the
+# file that contains the comment. A name without a folder may be the name of any file. Names with capitals, such as
+# NAME.c, are placeholders.
 others=' shared/human.c shared/benchmarks.c ' # files of Box2D
 files=$(find . -path ./build -prune -o -type f -printf '/%f\n' | sort -u)
 while read -r place path; do
@@ -100,7 +102,7 @@ done < <(find cmake "${folders[@]}" \( "${sources[@]}" -o "${scripts[@]}" \) -pr
 		}
 	}')
 
-# only src/dialect distinguishes compilers
+# only files in src/dialect distinguish compilers
 found=$(grep -rlE "__OPENCL|__GNUC__|__clang__" src/stages src/constraints src/pools | tr '\n' ' ' || true)
 [ -z "$found" ] || complain "only src/dialect/dialect.h may distinguish compilers, not $found"
 

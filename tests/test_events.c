@@ -32,7 +32,8 @@ static int moved_of(scree_world* world, scree_body* first)
 // the contents of events
 // ---------------------------------------------------------------------------------------------------------------
 
-// A ball falls, rests for ten seconds and is carried away: one touch begins and ends, and there is one hit.
+// A ball falls, and is at rest ten seconds later; then it is moved away. One touch begins and ends, and there is one
+// hit.
 static void a_ball_lands(void** state)
 {
 	(void)state;
@@ -77,7 +78,8 @@ static void a_ball_lands(void** state)
 	scree_world_destroy(world);
 }
 
-// Events show a destroyed collidable by its old handle and mark it as destroyed, although its slot was reused at once.
+// Events contain the old handle of a destroyed collidable and mark it as destroyed, although a new collidable has taken
+// its slot.
 static void the_destroyed_are_named(void** state)
 {
 	(void)state;
@@ -104,8 +106,8 @@ static void the_destroyed_are_named(void** state)
 	assert_true(scree_collidable_equals(events.touches_began[0].a, own) && events.touches_began[0].user_a == 5);
 	assert_true(scree_body_equals(events.touches_began[0].body_a, ball) && !events.touches_began[0].destroyed_b);
 
-	// events of the next steps: the touch of the ball ends, that of the new body begins, and the new body is destroyed
-	// at once
+	// events of the next steps: the touch of the ball ends, and the touch of the new body begins; the new body is
+	// destroyed after the first of these steps
 	int heirs = 0;
 	for (int k = 0; k < 5; ++k)
 	{
@@ -124,7 +126,7 @@ static void the_destroyed_are_named(void** state)
 	scree_world_destroy(world);
 }
 
-// The same holds if the contacts of the collidable have just started again because of a new shape.
+// Events also name a destroyed collidable whose shape was changed just before, so that its contacts had started again.
 static void the_changed_and_destroyed_are_named(void** state)
 {
 	(void)state;
@@ -171,7 +173,7 @@ static void events_change_no_motion(void** state)
 	assert_memory_equal(velocities[0], velocities[1], sizeof velocities[0]);
 }
 
-// Each bullet hits its wall once, with an impulse equal to its momentum.
+// Each bullet hits one wall once, with an impulse equal to the momentum of the bullet.
 static void bullets_hit(void** state)
 {
 	(void)state;
@@ -205,7 +207,7 @@ static void bullets_hit(void** state)
 	scree_world_destroy(world);
 }
 
-// Reports may be switched on and off while collidables touch.
+// Reports may be switched on and off while two collidables touch.
 static void reports_change(void** state)
 {
 	(void)state;
@@ -222,7 +224,7 @@ static void reports_change(void** state)
 	run_steps(world, 1);
 	assert_int_equal(events_of(world).touches_began_count, 1);
 
-	// reports are off, but the touch that began still ends
+	// reports are off, but the end of the open touch is still reported
 	OK(scree_collidable_set_reports(world, own, 0));
 	run_steps(world, 30);
 	assert_int_equal(events_of(world).touches_ended_count, 0);
@@ -233,12 +235,12 @@ static void reports_change(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// balance of begins and ends, and parity
+// every touch that begins ends, and all devices agree
 // ---------------------------------------------------------------------------------------------------------------
 
 #define MOST_OPEN 4096
 
-typedef struct // touches that began and have not ended, and a hash of all events
+typedef struct // touches that have begun and not ended, and a hash of all events
 {
 	scree_collidable a[MOST_OPEN], b[MOST_OPEN];
 	int count, began, hits;
@@ -292,7 +294,8 @@ static void note(Ledger* ledger, const scree_events* events)
 	ledger->hits += events->hit_count;
 }
 
-// Each open touch is a contact. Each contact with an impulse, of a collidable that reports touches, is an open touch.
+// Checks that each open touch is in the list of contacts. Also checks that a contact is an open touch if it has an
+// impulse and one of its collidables reports touches.
 static void compare(scree_world* world, const Ledger* ledger)
 {
 	static scree_contact contacts[MOST_OPEN];
@@ -322,8 +325,8 @@ static scree_body add_random(scree_world* world, uint64_t* seed)
 
 #define HEAP 60
 
-// Makes a random change of one body of a heap: replaces, moves, disables, enables or joins it, or changes its filter,
-// reports or type.
+// Makes a random change of one body of a heap: replaces, moves, disables, enables or joins the body, or changes its
+// filter, reports or type.
 static void churn(scree_world* world, scree_body bodies[HEAP], int step, uint64_t* seed)
 {
 	int k = random_below(seed, HEAP);
@@ -388,7 +391,7 @@ static Ledger record_heap(const Variant* variant, int steps)
 			churn(world, bodies, k, &seed);
 		if (variant->other[0] && k % 7 == 3)
 			OK(scree_world_move(world, k % 2 ? variant->other : variant->device));
-		if (!early) // changes made before the read have one effect: events mark destroyed collidables
+		if (!early) // reads after changes; only marks of destroyed collidables differ
 		{
 			velocity_of(world, bodies[0]);
 			scree_events events = events_of(world);
@@ -405,7 +408,8 @@ static Ledger record_heap(const Variant* variant, int steps)
 	return ledger;
 }
 
-// Bodies that moved are listed once: moved by the step, moved by the user, or new, also in a reused slot.
+// The list of moved bodies contains each body once that was moved by a step or by the user, and each new body, also in
+// a reused slot.
 static void moved_bodies_are_listed(void** state)
 {
 	(void)state;
@@ -440,8 +444,8 @@ static void moved_bodies_are_listed(void** state)
 	}
 }
 
-// The user word in the definition of a body is also that of its collidable, in events and in contacts. Later each can
-// be set separately.
+// The user word in the definition of a body is also given to its collidable, and appears in events and contacts.
+// Afterwards the user words of body and collidable can be set separately.
 static void a_body_gives_its_word(void** state)
 {
 	(void)state;
@@ -470,8 +474,8 @@ static void a_body_gives_its_word(void** state)
 	scree_world_destroy(world);
 }
 
-// Changes that do not move a body are not listed: another center of mass, locks, the same pose, zeros of the other
-// sign, a step at rest. A disabled body is listed when the user sets its pose.
+// The list of moved bodies contains no body that kept its pose: after another center of mass, locks, the same pose
+// again, zeros of the other sign, or a step at rest. A disabled body is listed when the user sets its pose.
 static void bodies_at_rest_are_not_listed(void** state)
 {
 	(void)state;
@@ -505,7 +509,7 @@ static void bodies_at_rest_are_not_listed(void** state)
 	}
 }
 
-// A joint above its threshold is among the events.
+// A joint whose force exceeds its threshold is among the events.
 static void joints_are_listed(void** state)
 {
 	(void)state;

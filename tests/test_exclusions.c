@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_exclusions.c -- checks pairs of bodies that never touch: set and read, together with joints, after a
+// test_exclusions.c -- checks exclusions, pairs of bodies that never touch: set and read, beside joints, after a
 // destruction, and in reused slots.
 #include "support/make_joints.h"
 #include <math.h>
@@ -16,8 +16,8 @@ static int excluded_of(scree_world* world, scree_body body)
 	return count;
 }
 
-// A box lies on another. As soon as they are excluded, the upper box falls through the lower one, and their touch ends
-// once.
+// A box lies on another. When the two boxes are excluded, the upper box falls through the lower one, and their touch
+// ends once.
 static void while_touching(void** state)
 {
 	(void)state;
@@ -48,8 +48,8 @@ static void while_touching(void** state)
 	scree_world_destroy(world);
 }
 
-// An exclusion prevents contacts even after a joint between the bodies is destroyed. A joint prevents them even after
-// the exclusion has ended.
+// An exclusion prevents contacts even after a joint between the bodies is destroyed. A joint prevents contacts even
+// after an exclusion of its bodies has ended.
 static void beside_joints(void** state)
 {
 	(void)state;
@@ -97,7 +97,7 @@ static void destroyed(void** state)
 	scree_world_destroy(world);
 }
 
-// A fast body passes through a wall while the two are excluded, and is stopped by it otherwise.
+// A fast body passes through a wall if the two are excluded. Otherwise the wall stops it.
 static void fast(void** state)
 {
 	(void)state;
@@ -115,8 +115,8 @@ static void fast(void** state)
 	}
 }
 
-// Each of 60 bodies excludes all others: in batches, read as lists, some ended again, and after a move to another
-// device.
+// Each of 60 bodies excludes all others. The test sets exclusions in batches, reads them as lists, moves the world to
+// another device, and ends some.
 static void crowd(void** state)
 {
 	(void)state;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_faults.c -- checks memory that runs out and devices that fail, at every point in turn.
+// test_faults.c -- checks that memory may run out and devices may fail, at every call in turn.
 //
-// A scenario is a list of acts. It runs once without a fault, which gives the expected hash after every act; then many
-// times with one fault, one call later each time. A fault must be returned as a status with a message. Then there are
-// two cases. Either the world is as it was before the act, so that the act can be repeated and the end is the same. Or
-// the world is broken, and can only be destroyed.
+// A scenario is a list of acts. It runs once without a fault, which gives the expected hash after every act. Then it
+// runs many times with one fault, each time at a later call. The act with the fault must return a status and a message.
+// Then there are two cases. If the world is unchanged, the act is repeated, and the hash at the end is the expected
+// one. Otherwise the world is broken and can only be destroyed.
 #include "support/allocations.h"
 #include "support/faulty_device.h"
 #include "support/make_bodies.h"
@@ -20,7 +20,7 @@
 // the scenario
 // ---------------------------------------------------------------------------------------------------------------
 
-#define BODIES 300 // more than the initial room of a world
+#define BODIES 300 // more bodies than a new world has room for
 #define FREE   20
 
 typedef struct
@@ -53,8 +53,8 @@ static scree_status act_attributes(FaultRun* s)
 	return status ? status : scree_attribute_create(s->world, &slab, &s->slab);
 }
 
-// Creates more attributes than the first table has room for. When the act is repeated, the attributes that exist
-// already are found.
+// Creates more attributes than the first table has room for. When the act is repeated, attributes that exist already
+// are not created again.
 static scree_status act_more_attributes(FaultRun* s)
 {
 	for (int k = 0; k < 80; ++k)
@@ -69,7 +69,7 @@ static scree_status act_more_attributes(FaultRun* s)
 	return SCREE_OK;
 }
 
-// Creates a slab that can move, with 100 circles on it: more contacts than there are colors.
+// Creates a slab that can move, with 100 circles on it, so the slab has more contacts than there are colors.
 static scree_status act_slab(FaultRun* s)
 {
 	scree_body_def defs[101];
@@ -209,7 +209,7 @@ static scree_status act_target(FaultRun* s)
 	return scree_body_set_target(s->world, s->slab_body, (scree_pose){{0.5f, -50.0f}, {1.0f, 0.0f}});
 }
 
-// Gives one collidable without a body another surface, and a second one another shape.
+// Gives one collidable without a body another surface, and a second collidable another shape.
 static scree_status act_dress(FaultRun* s)
 {
 	scree_attribute made;
@@ -305,7 +305,7 @@ static void expect(bool timings)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// Checks that every call on a broken world returns its status, with the same message.
+// Checks that every call on a broken world returns the status of the fault, and a message with the same words.
 static void check_broken(FaultRun* s, scree_status status)
 {
 	static const Act refused[] = {act_more_attributes, act_slab,         act_forces, act_step,    act_contacts,
@@ -331,8 +331,9 @@ static void check_broken(FaultRun* s, scree_status status)
 // memory runs out
 // ---------------------------------------------------------------------------------------------------------------
 
-// Runs the scenario with one fault. If again is true, the failed act is repeated; otherwise the world only takes a few
-// steps. Returns whether there was a fault; *broken counts worlds that broke.
+// Runs the scenario with one failing allocation. allocations: number of allocations before it. again: true repeats the
+// failed act, false takes a few steps instead and ends. Returns whether an allocation failed. *broken: incremented if
+// the world broke.
 static bool run_with_little_memory(int allocations, bool again, int* broken)
 {
 	FaultRun s = {0};
@@ -363,7 +364,7 @@ static bool run_with_little_memory(int allocations, bool again, int* broken)
 			break;
 		}
 
-		// these acts consist of several calls, some of which may have succeeded
+		// these acts consist of several calls, so a failed act may have changed the hash
 		if (acts[k] != act_attributes && acts[k] != act_more_attributes && acts[k] != act_dress)
 			assert_true(hash_of(s.world) == expected[k - 1]);
 		--k;
@@ -376,7 +377,7 @@ static bool run_with_little_memory(int allocations, bool again, int* broken)
 	return failed;
 }
 
-// Returns the step from one failing call to the next: 1, or 3 in quick builds.
+// Returns the distance between the failing calls of two successive runs of the scenario: 1, or 3 in quick builds.
 static int stride(void) { return quick() ? 3 : 1; }
 
 static void memory_runs_out(void** state)
@@ -398,8 +399,8 @@ static void memory_runs_out(void** state)
 // the device fails
 // ---------------------------------------------------------------------------------------------------------------
 
-// Runs the scenario with a device that fails after this number of calls. Returns whether it failed; *broken counts
-// worlds that broke.
+// Runs the scenario with a device that fails after a number of calls. Returns whether an act failed. *broken:
+// incremented if the world broke.
 static bool run_with_faulty_device(int calls, int* broken)
 {
 	FaultRun s = {.timings = device_fault.calls != FAULT_RESIZE};

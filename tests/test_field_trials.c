@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_field_trials.c -- checks fields in unusual use: boats, moving fields, extremes, changes between steps, all
-// devices.
+// test_field_trials.c -- checks fields in unusual use: floating bodies, moving fields, extreme values, changes between
+// steps, all devices.
 #include "support/allocations.h"
 #include "support/make_fields.h"
 #include "support/scenarios.h"
@@ -36,7 +36,7 @@ static void bodies_float_and_sink(void** state)
 	assert_true(position_of(world, stone).y < -10.0f);
 	scree_world_destroy(world);
 
-	// no motion for minutes, also far from the origin
+	// the body does not move for minutes, at the origin and far away
 	for (int far = 0; far < 2; ++far)
 	{
 		world = open_world((float)-G);
@@ -54,9 +54,9 @@ static void bodies_float_and_sink(void** state)
 	}
 }
 
-// Bodies with 1/50 to 1/1,000,000 of the density of the fluid dive and come up again. They are not thrown out, and lie
-// on the surface. The default density is 1/1,000 of that of water. A raft with a twentieth of the density of the fluid
-// carries fifteen times its weight, at the depth by Archimedes.
+// Bodies with 1/50 to 1/1,000,000 of the density of the fluid dive and come up again. They are not thrown out of the
+// fluid, and lie on its surface. The default density of bodies is 1/1,000 of the density of water. A raft with 1/20 of
+// the density of the fluid carries fifteen times its own weight, at the depth given by Archimedes.
 static void light_bodies_stay(void** state)
 {
 	(void)state;
@@ -93,8 +93,8 @@ static void light_bodies_stay(void** state)
 	scree_world_destroy(world);
 }
 
-// Buoyancy acts on each part of a compound: a narrow boat with a heavy keel rights itself from its side, or from almost
-// upside down.
+// Buoyancy acts on each part of a compound. A narrow boat with a heavy keel rights itself after it lay on its side or
+// almost upside down.
 static void boats_right_themselves(void** state)
 {
 	(void)state;
@@ -114,14 +114,14 @@ static void boats_right_themselves(void** state)
 		OK(scree_collidable_create(world, &part, NULL));
 		run_steps(world, 1800);
 		NEAR(angle_of(world, boat), 0.0, 0.01);
-		// both parts weigh as much as the fluid that they displace: 0.2 * 0.8 + 6 * 0.06 = keel 0.06 + hull 1 * draft
+		// weight of hull and keel 0.2 * 0.8 + 6 * 0.06 = displaced fluid: keel 0.06 + hull 1 * draft
 		double draft = 0.2 * 0.8 + 6.0 * 0.06 - 0.06;
 		NEAR(position_of(world, boat).y, 0.4 - draft, 0.01);
 		scree_world_destroy(world);
 	}
 }
 
-// A field on a moving body moves with it and does not push it.
+// A field on a moving body moves with this body and does not push it.
 static void fields_move_with_bodies(void** state)
 {
 	(void)state;
@@ -141,7 +141,7 @@ static void fields_move_with_bodies(void** state)
 	assert_true(velocity_of(world, ahead).linear.y > 1.0f);
 	NEAR(velocity_of(world, truck).linear.y, 0.0, 1e-9);
 
-	// the field of a disabled body does not act, and is destroyed with the body
+	// the field of a disabled body does not act; the field of a destroyed body is destroyed too
 	OK(scree_body_set_pose(world, ahead, upright_at(position_of(world, truck).x + 3.0f, 0.0f)));
 	throw_body(world, ahead, 5.0f, 0.0f, 0.0f);
 	OK(scree_body_set_enabled(world, truck, false));
@@ -193,7 +193,7 @@ static void who_is_pushed(void** state)
 	scree_world_destroy(world);
 }
 
-// Drag on a body at rest is 0 with any coefficient.
+// Drag on a body at rest is 0, for any coefficient.
 static void drag_leaves_weights_alone(void** state)
 {
 	(void)state;
@@ -265,7 +265,7 @@ static void wrong_arguments_are_refused(void** state)
 	scree_world_destroy(world);
 }
 
-// Each allocation fails in turn: the call returns a status and changes nothing.
+// Each allocation of a field and of its first step fails in turn. The call returns a status and changes nothing.
 static void memory_runs_out(void** state)
 {
 	(void)state;
@@ -303,7 +303,8 @@ static void memory_runs_out(void** state)
 	OK(scree_hooks_set(NULL));
 }
 
-// A step that is refused for too many contacts changes nothing: its forces do not act twice in the next step.
+// A step that is refused because of too many contacts changes nothing. Forces of fields do not act twice in the next
+// step.
 static void refused_steps_push_nothing(void** state)
 {
 	(void)state;
@@ -338,7 +339,7 @@ static void refused_steps_push_nothing(void** state)
 
 #define FIELDS 200
 
-// Defines a random field of any type, on a body or in the world. If extreme is true, some numbers are up to 1e12.
+// Returns a random definition of a field of any type, on a body or in the world. extreme: some numbers are up to 1e12.
 static scree_field_def any_def(scree_world* world, uint64_t* seed, bool extreme)
 {
 	scree_field_def def = scree_field_def_default((scree_field_type)random_below(seed, 6));
@@ -393,7 +394,8 @@ static void build_crowd(scree_world* world, const void* context)
 	}
 }
 
-// Destroys, creates and changes fields in each step; destroys or disables some of the bodies that carry them.
+// Destroys, creates and changes fields in each step. In some steps destroys, disables or enables a body, which may
+// carry a field.
 static void change_crowd(scree_world* world, int step, const void* context)
 {
 	const bool* extreme = context;
@@ -435,7 +437,8 @@ static void all_devices_agree(void** state)
 	}
 }
 
-// A field passes over a heap at rest and presses it down. No contact begins or ends, and the user changes nothing.
+// Builds a heap at rest. A field on a kinematic body passes over the heap and presses it down, although no contact
+// begins or ends and the user changes nothing.
 static void build_passing(scree_world* world, const void* context)
 {
 	(void)context;

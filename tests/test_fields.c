@@ -3,7 +3,8 @@
 #include "support/make_fields.h"
 #include <math.h>
 
-// Acceleration along the axes of the field, and force divided by mass: v = a t. Outside the region there is none.
+// A uniform field accelerates bodies in its region: v = (acceleration + force / mass) t, along the axes of the field. A
+// body outside of the region stays at rest.
 static void uniform_fields_push(void** state)
 {
 	(void)state;
@@ -11,8 +12,8 @@ static void uniform_fields_push(void** state)
 	scree_field_def def = scree_field_def_default(SCREE_FIELD_UNIFORM);
 	def.shape = box_shape(50.0f, 1.0f);
 	def.pose = (scree_pose){{0.0f, 0.0f}, scree_rot_make((float)PI / 2.0f)};
-	def.acceleration = (scree_vec){3.0f, 0.0f}; // upwards, because the field is rotated
-	def.force = (scree_vec){0.0f, -8.0f};       // to the right
+	def.acceleration = (scree_vec){3.0f, 0.0f}; // upwards in the world, because the field is rotated
+	def.force = (scree_vec){0.0f, -8.0f};       // to the right in the world
 	add_field(world, &def);
 	scree_body in = add_dense(world, box_shape(0.5f, 0.5f), 4.0f, 0.0f, 0.0f);
 	scree_body out = add_dense(world, box_shape(0.5f, 0.5f), 4.0f, 3.0f, 0.0f);
@@ -23,7 +24,7 @@ static void uniform_fields_push(void** state)
 	scree_world_destroy(world);
 }
 
-// A field that cancels gravity lets bodies of any mass float.
+// Bodies of any mass float in a field that cancels gravity.
 static void fields_cancel_gravity(void** state)
 {
 	(void)state;
@@ -40,8 +41,8 @@ static void fields_cancel_gravity(void** state)
 	scree_world_destroy(world);
 }
 
-// Attraction by 1 / r^2: a body with v^2 = strength radius^2 / r moves on a circle and keeps its radius for two
-// minutes. By 1 / r the speed is v^2 = strength radius at every distance.
+// With attraction by 1 / r^2, a body with v^2 = strength radius^2 / r moves on a circle and keeps its distance r for
+// two minutes. With attraction by 1 / r, v^2 = strength radius at every distance.
 static void orbits_keep_their_radius(void** state)
 {
 	(void)state;
@@ -100,11 +101,11 @@ static void ellipses_keep_energy(void** state)
 		worst = fmax(worst, fabs(energy / first - 1.0));
 	}
 	print_message("ellipse: energy within %.4f\n", worst);
-	assert_true(worst < 0.2); // varies within an orbit, but does not drift
+	assert_true(worst < 0.2); // the energy varies within an orbit, but does not drift
 	scree_world_destroy(world);
 }
 
-// A body that starts near the center of a strong field is not thrown out.
+// A body that starts near the center of a strong attraction is not thrown out.
 static void centers_throw_nothing_out(void** state)
 {
 	(void)state;
@@ -154,8 +155,8 @@ static void vortices_turn(void** state)
 	scree_world_destroy(world);
 }
 
-// Drag balances the weight at a speed of m g / k (linear) or sqrt(m g / c) (quadratic), and a torque at a spin of T /
-// k. This is exact for any length of step.
+// Drag balances the weight of a body at the speed m g / k (linear) or sqrt(m g / c) (quadratic). Drag balances a torque
+// T at the spin T / k. These final speeds are exact for any length of step.
 static void falling_bodies_reach_their_speed(void** state)
 {
 	(void)state;
@@ -198,7 +199,7 @@ static void drag_slows_down(void** state)
 	scree_world_destroy(world);
 }
 
-// A body takes on the velocity and spin of the medium without overshooting, however stiff the drag.
+// A body takes on the velocity and spin of the medium without overshooting, for drag of any strength.
 static void stiff_drag_never_reverses(void** state)
 {
 	(void)state;
@@ -225,7 +226,8 @@ static void stiff_drag_never_reverses(void** state)
 	}
 }
 
-// Drag on a box is c density / 2 w v^2, with w its width across the wind, and acts at the middle of that side.
+// Drag on a box is c density / 2 w v^2, with w the width of the box across the wind. It acts at the middle of the side
+// that faces the wind.
 static void wind_blows(void** state)
 {
 	(void)state;
@@ -246,15 +248,15 @@ static void wind_blows(void** state)
 	NEAR(velocity_of(world, box).angular, 0.0, 1e-6);
 	scree_world_destroy(world);
 
-	// a light box soon has the speed of the wind; lift pushes a plate across the wind, to the side that faces away from
-	// it
+	// a light box soon has the speed of the wind; lift pushes a plate across the wind, away from the side that the wind
+	// hits
 	world = open_world(0.0f);
 	def.lift = 2.0f;
 	add_field(world, &def);
 	box = add_dense(world, box_shape(0.5f, 0.5f), 0.1f, 0.0f, 0.0f);
 	scree_body wing = add_shape(world, SCREE_BODY_DYNAMIC, box_shape(1.0f, 0.01f), 0.0f, 10.0f, 0.5f);
 	run_steps(world, 1);
-	assert_true(velocity_of(world, wing).linear.y < -0.001f); // the wind meets the rising plate from above
+	assert_true(velocity_of(world, wing).linear.y < -0.001f); // the wind hits the upper side of the rising plate
 	run_steps(world, 1200);
 	NEAR(velocity_of(world, box).linear.x, 8.0, 0.3);
 	check_finite(world);
@@ -282,7 +284,8 @@ static void force_is_the_displaced_weight(void** state)
 					def.drag = def.linear_drag = 0.0f;
 					def.pose.rotation = scree_rot_make(0.3f);
 					float c = cosf(0.3f), n = sinf(0.3f);
-					// the region is a box with its upper edge at the surface; in variant 2 its corner lies in the shape
+					// variants 1 and 2: the region is a box whose upper edge is the surface; in variant 2 a corner of
+					// it lies in the shape
 					if (variant > 0)
 					{
 						float wide = variant == 1 ? 20.0f : 10.0f, right = variant == 1 ? 0.0f : -9.8f;
@@ -292,7 +295,7 @@ static void force_is_the_displaced_weight(void** state)
 					add_field(world, &def);
 					scree_body body = add_shape(world, SCREE_BODY_DYNAMIC, shapes[s], 0.0f, y, turn);
 					OK(scree_world_step(world, STEP, 1));
-					// the same area by a grid of points that are in the shape and in the fluid
+					// reference: the points of a grid that lie both in the shape and in the fluid
 					double area = 0.0, x_sum = 0.0;
 					int grid = 100;
 					for (int i = 0; i < grid; ++i)
@@ -317,7 +320,7 @@ static void force_is_the_displaced_weight(void** state)
 					scree_velocity v = velocity_of(world, body);
 					double found = ((double)v.linear.y * 60.0 + G) * mass / (2.0 * G);
 					double moment = (double)v.angular * 60.0 * inertia / (2.0 * G);
-					// error of corners in place of arcs, and of the grid
+					// error of the grid, and of arcs that are approximated by corners
 					double error = variant == 2 && shapes[s].radius > 0.0f ? 0.05 : 0.03;
 					NEAR(found, area, error);
 					NEAR(moment, x_sum, error);

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-// Opens a world with one box of 1 kg.
+// Opens a world with one box of 1 kg, and writes the handle of the box to body.
 static scree_world* open_lonely(scree_body* body)
 {
 	scree_world* world = open_world(0.0f);
@@ -15,7 +15,7 @@ static scree_world* open_lonely(scree_body* body)
 	return world;
 }
 
-// Finite forces give v = min(h f / m, max_speed) along f, without a warning.
+// Finite forces lead to the speed min(h f / m, max_speed) in the direction of f, without a warning.
 static void forces_lead_to_the_limit(void** state)
 {
 	(void)state;
@@ -40,7 +40,7 @@ static void forces_lead_to_the_limit(void** state)
 	assert_int_equal(warning_count, 0);
 }
 
-// The same holds for gravity whose square is beyond a float.
+// Gravity whose square is beyond a float leads to max_speed, without a warning.
 static void gravity_leads_to_the_limit(void** state)
 {
 	(void)state;
@@ -53,8 +53,8 @@ static void gravity_leads_to_the_limit(void** state)
 	scree_world_destroy(world);
 }
 
-// Densities and surfaces from the smallest to the largest: all states are finite, no warning is logged, and the bodies
-// lie on the floor.
+// Bodies have densities, friction and rolling resistance from the smallest to the largest value. All states are finite,
+// no warning is logged, and the bodies lie on the floor.
 static void surfaces_may_be_extreme(void** state)
 {
 	(void)state;
@@ -79,8 +79,8 @@ static void surfaces_may_be_extreme(void** state)
 	scree_world_destroy(world);
 }
 
-// A stack loses its middle body, which is pushed harder than a float can express. No body is frozen, and all impulses
-// are finite.
+// The middle body of a stack is pushed out by two forces whose sum is beyond a float. No body is frozen, and all
+// impulses are finite.
 static void one_body_leaves(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_flashes.c -- checks the marks of events in pictures: touches and hits, sensors, broken joints; their fading and
+// test_flashes.c -- checks marks of events in pictures: touches, hits, sensors and broken joints; how marks fade, and
 // their maximum number.
 #include "support/make_joints.h"
 #include "view/flashes.h"
@@ -10,7 +10,7 @@
 
 static const Camera camera = {.middle = {0.0f, 0.0f}, .scale = 50.0f, .width = 800, .height = 600};
 
-// Adds a falling box of 1 m that reports touches and hits. above: height of its bottom above the floor, m.
+// Adds a box of 1 m that falls and reports touches and hits. above: height of its lower side above the floor, m.
 static scree_body drop(scree_world* world, float x, float above, float speed)
 {
 	scree_body_def def = scree_body_def_default();
@@ -52,7 +52,7 @@ static void touches_and_hits_flash(void** state)
 		NEAR(flashes.list[k].diameter, 5 + 24 * 6.0 / 11.0, 0.1); // diameter at 6 m/s, px
 	}
 
-	// rings fade with the time of the world
+	// rings fade in the time of the world
 	flashes_mark(&flashes, &strokes, &camera, (double)STEP);
 	assert_int_equal(strokes.count, 2);
 	assert_true(strokes.list[0].ring > 0 && strokes.list[0].color[3] == 255);
@@ -92,7 +92,7 @@ static void too_many_are_counted(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint bears 10 N and breaks at 5 N. A cross marks its place, 2 m above the box.
+// A load of 10 N breaks a joint with a threshold of 5 N. A cross marks the place of the joint, 2 m above the box.
 static void broken_joints_have_a_cross(void** state)
 {
 	(void)state;
@@ -120,7 +120,7 @@ static void broken_joints_have_a_cross(void** state)
 	scree_world_destroy(world);
 }
 
-// A box enters one of two sensors: the mark of that sensor changes and flashes.
+// A box enters one of two sensors. The mark of this sensor changes and flashes.
 static void sensors_have_marks(void** state)
 {
 	(void)state;
@@ -163,7 +163,7 @@ static void sensors_have_marks(void** state)
 	scree_world_destroy(world);
 }
 
-// Outlines lie on the surface of shapes: all ends have a distance of 0.
+// Outlines lie on the surfaces of shapes: the ends of all strokes have a distance of 0 from the shape.
 static void outlines_follow_shapes(void** state)
 {
 	(void)state;
@@ -182,7 +182,7 @@ static void outlines_follow_shapes(void** state)
 			scree_distance distance;
 			if (n == 0)
 			{
-				NEAR(strokes.list[k].width, 50, 1e-3); // px
+				NEAR(strokes.list[k].width, 50, 1e-3); // diameter of the circle, px
 				continue;
 			}
 			OK(scree_shapes_get_distance(&shapes[n], pose, NULL, (scree_pose){strokes.list[k].a, {1.0f, 0.0f}},

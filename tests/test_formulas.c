@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_formulas.c -- checks stages with independent items, called as functions, against formulas in double precision.
+// test_formulas.c -- checks kernels whose items are independent, called as functions, against formulas in double
+// precision.
 #include "support/make_worlds.h"
 #include "tools/common/random_numbers.h"
 #include <math.h>
@@ -13,7 +14,7 @@
 #include "stages/solve/integrate.h"
 #include "stages/solve/solve_pass.h"
 
-#define ITEMS 64 // number of items in every pool
+#define ITEMS 64 // capacity of each pool
 
 static void open_pools(Pools* p)
 {
@@ -33,9 +34,10 @@ static void close_pools(Pools* p)
 // boxes and rotations
 // ---------------------------------------------------------------------------------------------------------------
 
-// A box of 2 m by 1 m lies at (3, 0) on a body with its center of mass at (1, 0), which is at (10, 20) in the world.
-// After a turn by t, vertex v is at (10, 20) + R(t) ((3, 0) - (1, 0) + v). The tight box adds half of the speculative
-// distance on each side. The enlarged box also adds the margin, and stays until the tight box leaves it.
+// A box of 2 m by 1 m lies at (3, 0) in the frame of a body. The center of mass is at (1, 0) in this frame, and at (10,
+// 20) in the world. After a turn by t, vertex v is at (10, 20) + R(t) ((3, 0) - (1, 0) + v). The tight box adds half of
+// the speculative distance on each side. The enlarged box also adds the margin, and stays the same until the tight box
+// leaves it.
 static void boxes_follow_bodies(void** state)
 {
 	(void)state;
@@ -96,8 +98,8 @@ static void boxes_follow_bodies(void** state)
 	close_pools(&p);
 }
 
-// |vec_rotation(a) - (cos a, sin a)| is below 2e-7 up to 1 radian, and below 2.3e-5 up to pi. Up to 0.1 radian, as in
-// ordinary steps, it is one or two roundings.
+// The error |vec_rotation(a) - (cos a, sin a)| is below 2e-7 up to 1 radian, and below 2.3e-5 up to pi. Up to 0.1
+// radian, as in ordinary steps, the error is one or two roundings.
 static void rotations_are_exact_enough(void** state)
 {
 	(void)state;
@@ -120,7 +122,7 @@ static void rotations_are_exact_enough(void** state)
 // warm starting
 // ---------------------------------------------------------------------------------------------------------------
 
-#define CHAIN 48 // bodies, each with a contact to the next; even contacts have one color, odd contacts another
+#define CHAIN 48 // number of bodies; each touches the next; even contacts have one color, odd contacts another
 
 static void make_chain(Pools* p)
 {
@@ -165,7 +167,7 @@ static void make_chain(Pools* p)
 	}
 }
 
-// Runs a stage for both colors of the chain.
+// Calls a kernel for each contact of the chain, one color after the other.
 static void pass(const Pools* p, void (*stage)(const Pools* p, int i))
 {
 	for (int color = 0; color < 2; ++color)
@@ -173,8 +175,9 @@ static void pass(const Pools* p, void (*stage)(const Pools* p, int i))
 			stage(p, k);
 }
 
-// A plain substep does v += h g, then v += sum of all impulses so far (a pass over the contacts), bias, move, relax.
-// The pool base saves that pass. Velocities and impulses are the same except for rounding.
+// A plain substep does v += h g, then v += all impulses so far, which takes a pass over the contacts, then bias, move
+// and relax. The pool base makes the pass over the contacts unnecessary, except in the first substep. Velocities and
+// impulses of both methods are equal except for rounding.
 static void warm_start_equals_plain(void** state)
 {
 	(void)state;
@@ -220,8 +223,8 @@ static void warm_start_equals_plain(void** state)
 // lists of query results
 // ---------------------------------------------------------------------------------------------------------------
 
-// The counter of results goes up to QUERY_MOST and by one call beyond. Then it stays with any number of calls: it never
-// overflows, and shows the host that there are too many results.
+// The counter of results stops at the first call that leads beyond QUERY_MOST. So it never overflows, and shows the
+// host that there are too many results.
 static void answers_are_counted_up_to_a_limit(void** state)
 {
 	(void)state;

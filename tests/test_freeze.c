@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_freeze.c -- checks that bodies with numbers that are not finite stop for a step and are logged, that the others
-// continue, and that no valid call makes such a body.
+// test_freeze.c -- checks that bodies with numbers that are not finite stop for a step and are logged, and that other
+// bodies continue. Also checks that no valid call makes such a body.
 #include "support/log_lines.h"
 #include "support/make_joints.h"
 #include "world/upload/upload.h"
@@ -22,8 +22,9 @@ static void poke_velocity(scree_world* world, scree_body body, float vx, float w
 	OK(b->f->write(b, POOL_body, (int)body.index, 1, &row));
 }
 
-// Gives one body a velocity that is not a number, far from the others or among them. Bodies that it touches may freeze
-// with it for one step. Other bodies do not change, and after that step all bodies move again.
+// Makes the state of one body not finite by the function hurt. amid: true for a body among the others, false for a body
+// far away. Bodies that touch this body may freeze with it for one step. Other bodies do not change, and after that
+// step all bodies move.
 static void check_frozen(bool amid, void (*hurt)(scree_world* world, scree_body body))
 {
 	scree_world* world = open_world(-10.0f);
@@ -49,14 +50,14 @@ static void check_frozen(bool amid, void (*hurt)(scree_world* world, scree_body 
 	scree_velocity velocity = velocity_of(world, victim);
 	assert_true(velocity.linear.x == 0.0f && velocity.linear.y == 0.0f && velocity.angular == 0.0f);
 
-	// the warning comes with the counters of the next step
+	// the next step reads the counters and logs a warning
 	run_steps(world, 1);
 	assert_int_equal(warning_count, 1);
 	char name[32];
 	snprintf(name, sizeof name, "body %u", victim.index);
 	assert_non_null(strstr(last_warning, name));
 
-	// all bodies continue
+	// all bodies continue to move
 	run_steps(world, 119);
 	assert_int_equal(warning_count, 1);
 	assert_int_equal(counters_of(world).frozen_bodies, 0);
@@ -85,7 +86,7 @@ static void bodies_freeze(void** state)
 	}
 }
 
-// Applies valid forces, torques or impulses whose sum is beyond a float.
+// The functions push_by_... apply valid forces, torques or impulses whose sum is beyond a float.
 static void push_by_force(scree_world* world, scree_body body)
 {
 	OK(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, 0.0f}));
@@ -107,8 +108,8 @@ static void push_by_impulse(scree_world* world, scree_body body)
 	                               (scree_vec){SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE}));
 }
 
-// Checks that values that are read are finite, also while the body is disabled, and that it then moves at the speed
-// limit.
+// Pushes a body, which may be disabled. Checks that velocities that are read are finite, and that the body, when
+// enabled, moves at the speed limit.
 static void check_most(void (*push)(scree_world* world, scree_body body), bool disabled)
 {
 	scree_world* world = open_world(0.0f);
@@ -147,8 +148,8 @@ static void sums_end_at_the_most(void** state)
 	}
 }
 
-// Beads of 2 mm, welded or hinged at arms of 0.5 m, have 1/100,000 of the inertia of their mass at the arms. They fall,
-// and stay in a row.
+// Beads of 2 mm are welded or hinged at arms of 0.5 m. The inertia of a bead is 1/100,000 of its mass times the square
+// of the arm. The beads fall, and stay in a row.
 static void beads_at_long_arms(scree_joint_type type)
 {
 	scree_world* world = open_world(-10.0f);
@@ -254,7 +255,7 @@ static void unequal_masses_do_not_freeze(void** state)
 	assert_int_equal(warning_count, 0);
 }
 
-// The smallest valid inertia at 1 kg, in a box that hits a floor with a corner and in a sensor that becomes solid. No
+// A box of 1 kg with the smallest valid inertia hits a floor with a corner. So does a box that was a sensor before. No
 // body freezes.
 static void contacts_without_inertia_do_not_freeze(void** state)
 {
@@ -282,7 +283,7 @@ static void contacts_without_inertia_do_not_freeze(void** state)
 	{
 		read = mass_of(world, boxes[k]);
 		assert_true(read.inertia == mass.inertia);
-		NEAR(position_of(world, boxes[k]).y, 0.06, 0.04); // overlaps a little, and does not sink further
+		NEAR(position_of(world, boxes[k]).y, 0.06, 0.04); // the box overlaps a little, and does not sink further
 	}
 	assert_int_equal(warning_count, 0);
 	scree_world_destroy(world);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_gallery.sh -- tools/gallery.sh on two small scenes: its files, the text of the page, and arguments that it refuses.
+# test_gallery.sh -- runs tools/gallery.sh on two small scenes, and checks its files, the text of the page, and an
+# unknown scene.
 set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 build=${SCREE_BUILD:?is the build folder}
@@ -21,7 +22,7 @@ fail()
 	failures=$((failures + 1))
 }
 
-# 0.1 s of the world are 6 steps of the scene slope, and of gears
+# 0.1 s are 6 steps, in both scenes
 timeout 300 bash "$source/tools/gallery.sh" "$folder/page" slope gears >"$folder/out" 2>"$folder/err" || fail "gallery.sh: exit code $?"
 page=$folder/page/index.html
 for scene in slope gears; do
@@ -33,14 +34,14 @@ for scene in slope gears; do
 	grep -q "step 6 .*<code>$hash</code>" "$page" || fail "$scene: another step or hash than $hash"
 	grep -qF "<pre>build/scree run $scene --steps 6 --picture $scene.png --size 320x180</pre>" "$page" || fail "$scene: no command"
 	grep -qF "$(jq -r .title "$source/scenes/$scene.json")" "$page" || fail "$scene: no title"
-	# a clip of few steps is slowed down
+	# a clip of few steps is shown slowly
 	seconds=$(ffprobe -v error -show_entries format=duration -of csv=p=0 "$folder/page/$scene.mp4")
 	awk -v s="$seconds" 'BEGIN { exit !(s >= 2.5 && s <= 5) }' || fail "$scene: the clip lasts $seconds s"
 done
 grep -q '<td>degrees<td>25<td>of the slopes' "$page" || fail "slope: no parameters"
 grep -qi '<script\|http' "$page" && fail "the page has a script or an address"
 
-# a scene that does not exist is an error, and the others are drawn
+# an unknown scene is an error, and the other scenes are still drawn
 timeout 300 bash "$source/tools/gallery.sh" "$folder/other" slope nowhere >"$folder/out" 2>"$folder/err"
 [ $? = 1 ] || fail "an unknown scene: no failure"
 grep -q 'there is no scene nowhere' "$folder/err" || fail "an unknown scene: no sentence"

@@ -3,7 +3,8 @@
 // machine.
 //
 // After an intended change of bits, SCREE_GOLDEN=write ctest -R test_golden writes tests/golden.txt again, and
-// CHANGELOG.md gives the reason. The smaller set of tests has shorter runs with hashes of their own.
+// CHANGELOG.md gives the reason. The smaller set of tests takes a quarter of the steps; the file also has the hashes at
+// these steps.
 #include "support/small_scenes.h"
 #include <inttypes.h>
 #include <stdio.h>
@@ -22,7 +23,8 @@ typedef struct
 static Golden computed[64], committed[64];
 static int computed_count, committed_count;
 
-// Computes the hash after a quarter of the steps, which the smaller set of tests runs, and at the end.
+// Adds two hashes of a scene to computed: after a quarter of its steps, and at the end. The smaller set of tests takes
+// only the first quarter, so it adds one hash.
 static void compute(const Scenario* scenario)
 {
 	Variant variant = {.name = "cpu", .device = "cpu"};

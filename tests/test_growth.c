@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_growth.c -- checks that pools that begin with room for one item give the same run as pools with room for all.
+// test_growth.c -- checks that pools that begin with room for one item give the same hashes as pools with room for all
+// items.
 //
 // Formula: hash(capacity 1, step) = hash(ample capacity, step) for each step. Growth only shows in
 // scree_counters.reallocations.
@@ -15,16 +16,17 @@
 typedef struct
 {
 	const char* name;
-	int columns, rows; // columns and rows of bodies
-	int steps, burst;  // burst: step before which the bodies are added
-	bool plate;        // the bodies fall on a plate, which then has more contacts than there are colors
+	int columns, rows; // columns and rows of the grid of bodies
+	int steps, burst;  // burst: the bodies are added before this step
+	bool plate;        // true: the bodies fall on a plate, which gets more contacts than there are colors
 } Case;
 
 // ---------------------------------------------------------------------------------------------------------------
 // scenarios
 // ---------------------------------------------------------------------------------------------------------------
 
-// Adds a grid of bodies, each with its own attribute, so close together that each begins with several contacts.
+// Adds a grid of bodies, each with its own attribute. Bodies are so close together that each has several contacts at
+// once.
 static void add_grid(scree_world* world, const Case* c)
 {
 	for (int k = 0; k < c->columns * c->rows; ++k)
@@ -50,7 +52,7 @@ static void come(scree_world* world, int step, const void* context)
 	if (step == c->burst)
 		add_grid(world, c);
 
-	// one command per body, more than the initial size of the pool of commands
+	// one command per body, which is more than the pool of commands has room for at first
 	scree_body bodies[4096];
 	int count;
 	OK(scree_world_get_bodies(world, bodies, 4096, &count));
@@ -118,7 +120,7 @@ static void growth_changes_nothing_on_opencl(void** state)
 		skip();
 }
 
-// The data of a contact stays the same while its pool grows.
+// The data of contacts stays the same while their pools grow.
 static void impulses_survive(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_hubs.c -- checks bodies with many contacts: plates that carry crates rest, fly and bounce like other bodies,
-// equally on all devices.
+// test_hubs.c -- checks hubs, bodies with many contacts: plates that carry crates rest, fly and bounce like other
+// bodies, equally on all devices.
 #include "support/make_joints.h"
 #include "support/scenarios.h"
 #include <math.h>
@@ -12,7 +12,7 @@
 
 typedef struct
 {
-	int crates, plates; // crates: number on each plate
+	int crates, plates; // crates: number of crates on each plate
 	float density;      // density of the plates
 	float friction, restitution, rolling;
 } Stack;
@@ -27,7 +27,7 @@ static scree_attribute surface(scree_world* world, scree_shape shape, float dens
 	return add_attribute(world, &def);
 }
 
-// Adds crates side by side, with their lower sides at height y. Writes their handles to bodies.
+// Adds crates side by side and writes their handles to bodies. y: height of their lower sides, m.
 static void add_crates(scree_world* world, const Stack* s, float y, scree_body* bodies)
 {
 	scree_attribute crate = surface(world, box_shape(CRATE, CRATE), 1.0f, s);
@@ -36,7 +36,8 @@ static void add_crates(scree_world* world, const Stack* s, float y, scree_body* 
 		                     y + CRATE, 0.0f);
 }
 
-// Adds plates and rows of crates in turn on a floor, in contact. bodies: the plates, then the crates.
+// Adds a stack on a floor: a plate, a row of crates on it, the next plate, and so on, all in contact. bodies: the
+// plates, then the crates.
 static void add_stack(scree_world* world, const Stack* s, scree_body* bodies)
 {
 	float half = 0.5f * PITCH * (float)s->crates + 1.0f, y = 0.0f;
@@ -72,7 +73,8 @@ static void check_rest(const Stack* s, int steps, double limit)
 	scree_world_destroy(world);
 }
 
-// A plate under any number of crates overlaps by at most 1 mm; light plates and stacks of plates by at most 2 mm.
+// A plate under any number of crates overlaps by at most 1 mm. Light plates and stacks of plates overlap by at most 2
+// mm.
 static void plates_carry_crates(void** state)
 {
 	(void)state;
@@ -88,8 +90,8 @@ static void plates_carry_crates(void** state)
 	check_rest(&(Stack){64, 3, 1.0f, 0.6f, 0.0f, 0.0f}, 240, 0.002);
 }
 
-// Adds combs, which are bodies with many teeth, on top of each other around x: hubs that touch hubs in many places,
-// heavy and light ones in turn.
+// Adds a stack of combs around x. A comb is a body with many boxes, its teeth, so it is a hub that touches other hubs
+// in many places. other_density: density of every second comb.
 static void add_combs(scree_world* world, int teeth, int combs, float other_density, float x)
 {
 	Stack floor = {.friction = 0.6f};
@@ -156,7 +158,7 @@ static void plate_stays(void** state)
 	scree_world_destroy(world);
 }
 
-// A plate without gravity hits crates at 50 m/s: momentum and angular momentum are kept, and energy never grows.
+// A plate hits crates at 50 m/s without gravity. Momentum and angular momentum are kept, and energy never grows.
 static void impacts_keep_momentum(void** state)
 {
 	(void)state;
@@ -192,7 +194,7 @@ static void impacts_keep_momentum(void** state)
 	}
 }
 
-// Coulomb friction on a tilted plane (gravity is tilted instead): below the friction angle all bodies stay. Above it a
+// Coulomb friction on a tilted plane: the test tilts gravity. Below the friction angle all bodies stay. Above it a
 // plate slides together with its crates at a = g (sin - friction cos).
 static void hubs_slide_by_coulomb(void** state)
 {
@@ -214,7 +216,7 @@ static void hubs_slide_by_coulomb(void** state)
 	}
 }
 
-// Balls with restitution e, dropped on a plate that lies on the ground, leave with e times the speed of their impact.
+// Balls with restitution e fall on a plate that lies on the ground. They leave with e times the speed of their impact.
 static void hubs_bounce(void** state)
 {
 	(void)state;
@@ -246,7 +248,7 @@ static void hubs_bounce(void** state)
 }
 
 // Rolling resistance with a lever c slows down rollers on a plate: v = v0 - 2 c g t / (3 r), because the inertia of a
-// disc is m r^2 / 2. Without resistance they keep rolling.
+// disc is m r^2 / 2. Without resistance the rollers keep rolling.
 static void hubs_resist_rolling(void** state)
 {
 	(void)state;
@@ -275,7 +277,7 @@ static void hubs_resist_rolling(void** state)
 	NEAR(left[1], 1.0 - 2.0 * 0.05 * CRATE * G * 2.0 / (3.0 * CRATE), 0.02);
 }
 
-// A plate that cannot rotate carries crates as well.
+// A plate that cannot rotate also carries its crates.
 static void locked_hubs_carry(void** state)
 {
 	(void)state;
@@ -292,8 +294,8 @@ static void locked_hubs_carry(void** state)
 // joints, changes and parity
 // ---------------------------------------------------------------------------------------------------------------
 
-// Joints count like contacts. With one more contact or one more joint, all contacts of a body become spokes in the same
-// step.
+// Joints count like contacts. With one joint more than 32 contacts, a plate becomes a hub, and all of its contacts
+// become spokes in the same step. They stay spokes when the joint is destroyed.
 static void joints_make_hubs(void** state)
 {
 	(void)state;
@@ -313,9 +315,9 @@ static void joints_make_hubs(void** state)
 	scree_world_destroy(world);
 }
 
-// Plates on plates (hubs that touch hubs), crates between two plates, a compound body that touches a plate in many
-// places, several surfaces, and a rotating body that drives the plates. Bodies are destroyed and created during the
-// run.
+// Builds plates on plates (hubs that touch hubs), crates between two plates, a compound body that touches a plate in
+// many places, several surfaces, and a rotating body that drives the plates. act_all moves, destroys and creates
+// bodies.
 static void build_all(scree_world* world, const void* context)
 {
 	(void)context;
@@ -364,7 +366,7 @@ static void act_all(scree_world* world, int step, const void* context)
 	if (step % 3 == 2)
 		OK(scree_body_set_pose(world, bodies[10 + step % 40],
 		                       (scree_pose){{0.3f * (float)(step % 20), 5.0f}, scree_rot_make(0.1f * (float)step)}));
-	if (step == 30) // the upper plate, a hub with crates on both sides
+	if (step == 30) // a crate between two plates
 		OK(scree_body_destroy(world, bodies[2]));
 	if (step == 40)
 		OK(scree_body_set_type(world, bodies[1], SCREE_BODY_KINEMATIC));
@@ -393,8 +395,8 @@ static scree_attribute belt_of(scree_world* world, float speed)
 	return add_attribute(world, &def);
 }
 
-// Lays a box on the ends of two belts of 1 m/s; the second belt runs in the opposite direction if back is true. Writes
-// the handles of the box and of the second belt.
+// Opens a world with a box on the ends of two belts of 1 m/s. back: the second belt runs in the opposite direction.
+// Writes the handles of the box and of the second belt.
 static scree_world* lay_on_belts(bool back, scree_body* box, scree_body* second)
 {
 	scree_world* world = open_world(-(float)G);
@@ -406,7 +408,7 @@ static scree_world* lay_on_belts(bool back, scree_body* box, scree_body* second)
 }
 
 // A box in the middle of two belts that run towards each other is a hub and rests there, because both belts carry the
-// same load. On belts that run in the same direction it is no hub until one of them is reversed.
+// same load. A box on belts that run in the same direction is no hub until one belt is reversed.
 static void belts_make_hubs(void** state)
 {
 	(void)state;

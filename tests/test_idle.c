@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_idle.c -- checks that blocks of static bodies that the CPU skips give the same bits as without skipping, after
-// changes of all kinds.
+// test_idle.c -- checks that a CPU may skip blocks of static bodies: after changes of all kinds, the bits are the same
+// as without skipping.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 #include "world/device/idle.h"
@@ -14,12 +14,12 @@ enum
 	KINDS = 12
 };
 
-typedef struct // two worlds with the same calls; the second one never skips a block
+typedef struct // two worlds that get the same calls; the second world never skips a block
 {
 	scree_world* worlds[2];
 	scree_body statics[2][STATICS], movers[2][MOVERS];
 	scree_collidable free[2];
-	int left_out; // number of steps in which blocks were skipped
+	int left_out; // number of steps in which the first world skipped blocks
 } Level;
 
 // Creates floors of boxes in rows, and bodies that fall on them.
@@ -64,7 +64,7 @@ static void advance(Level* level, int steps)
 	}
 }
 
-// Makes one change of a static body.
+// Makes a change of one kind, of static body k or of a collidable without a body, in world w.
 static void change(Level* level, int w, int kind, int k)
 {
 	scree_world* world = level->worlds[w];
@@ -114,7 +114,8 @@ static void change(Level* level, int w, int kind, int k)
 	}
 }
 
-// Makes each change twice in a level at rest. The second time, types are reset and disabled bodies are enabled.
+// Makes each kind of change in a level at rest, and then again. The second time, types are reset and disabled bodies
+// are enabled.
 static void changes_are_seen(void** state)
 {
 	(void)state;
@@ -143,7 +144,7 @@ static void changes_are_seen(void** state)
 	}
 }
 
-// Makes random changes before any step, and moves the world to the same device.
+// Makes random changes between steps, and sometimes moves the first world to the device that it is on.
 static void random_changes(void** state)
 {
 	(void)state;

@@ -15,7 +15,8 @@ static scree_body add(scree_world* world, scree_body_type type, scree_shape shap
 	return add_body(world, type, add_attribute(world, &def), at.x, at.y, radians);
 }
 
-// Adds a rim of many boxes, which several work-items of continuous collision share.
+// Adds a rim, a body of many boxes on a circle and one in its middle. Several work-items of continuous collision share
+// such a body.
 static scree_body add_rim(scree_world* world, int boxes, float radius, scree_vec at)
 {
 	scree_attribute attribute = shape_attribute(world, box_shape(0.05f, 3.2f * radius / (float)boxes));
@@ -33,8 +34,8 @@ static scree_body add_rim(scree_world* world, int boxes, float radius, scree_vec
 	return rim;
 }
 
-// Returns the kinetic and potential energy of a body, divided by mass and gravity, m. A body that falls in substeps of
-// h is on a parabola on which its vertical velocity is g h / 2 lower.
+// Returns the sum of kinetic and potential energy of a body, divided by mass and gravity, m. resting: height of the
+// body at rest, m. A body that falls in substeps of h is on a parabola; the velocity of this parabola is g h / 2 lower.
 static double energy_of(scree_world* world, scree_body body, double resting, int substeps)
 {
 	scree_velocity v = velocity_of(world, body);
@@ -44,7 +45,7 @@ static double energy_of(scree_world* world, scree_body body, double resting, int
 	return position_of(world, body).y - resting + 0.5 * squares / G;
 }
 
-// A ball that falls from h rises to e^2 h.
+// A ball with restitution e that falls from the height h rises to e^2 h.
 static void rebound_height(void** state)
 {
 	(void)state;
@@ -95,8 +96,8 @@ static void bounces_keep_energy(void** state)
 	}
 }
 
-// The first of several equal balls in a row passes its momentum to the last if they are apart. No energy is gained,
-// whether they touch or not.
+// One ball hits a row of equal balls. If the balls are apart, it passes its momentum to the last ball. No energy is
+// gained, whether or not the balls touch.
 static void rows_of_balls(void** state)
 {
 	(void)state;
@@ -128,7 +129,7 @@ static void rows_of_balls(void** state)
 	}
 }
 
-// A body that is slower than the threshold comes to rest with any restitution, and stays at rest.
+// A body that is slower than the threshold of restitution comes to rest with any restitution, and stays at rest.
 static void slow_impacts_end(void** state)
 {
 	(void)state;
@@ -145,8 +146,8 @@ static void slow_impacts_end(void** state)
 	scree_world_destroy(world);
 }
 
-// A heavy body hits a light one, which rests in front of a wall, at 60 m/s: both stay in front of the wall. Of 2,560
-// pairs, 6 pass through with Box2D, and 1,800 without continuous collision.
+// A heavy body hits a light body, which rests in front of a wall, at 60 m/s. Both bodies stay in front of the wall. Of
+// 2,560 pairs, 6 pass through with Box2D, and 1,800 without continuous collision.
 static void strikes_before_a_wall(void** state)
 {
 	(void)state;
@@ -170,8 +171,8 @@ static void strikes_before_a_wall(void** state)
 	}
 }
 
-// No shape crosses a thin wall at 100 to 400 m/s (Box2D: 158 of 5,760; an earlier version of Scree: 191), or leaves it
-// faster than it came. A body passes through walls that its filter excludes.
+// No shape crosses a thin wall at 100 to 400 m/s (Box2D: 158 of 5,760; an earlier version of Scree: 191), or leaves the
+// wall faster than it arrived. A body passes through walls that its filter excludes.
 static void fast_bodies_at_walls(void** state)
 {
 	(void)state;
@@ -205,8 +206,8 @@ static void fast_bodies_at_walls(void** state)
 	}
 }
 
-// A body of many collidables does not cross a wall either: a rotating rim of 2 to 200 boxes with another box in the
-// middle, hit by a heavier body at 100 to 300 m/s.
+// A body of many collidables does not cross a wall: a rotating rim of 2 to 200 boxes with another box in the middle,
+// hit by a heavier body at 100 to 300 m/s.
 static void fast_rims_at_walls(void** state)
 {
 	(void)state;
@@ -236,7 +237,8 @@ static void fast_rims_at_walls(void** state)
 }
 
 // Continuous collision stops only bodies that would pass through others. It does not stop stacks on flush tiles and
-// segments, a thin rod that slides fast under a load, or a body that leaves a static one in which it started.
+// segments, or a thin rod that slides fast under a load. It does not stop a body that starts inside a static body and
+// leaves it.
 static void held_by_no_mistake(void** state)
 {
 	(void)state;
@@ -265,9 +267,9 @@ static void held_by_no_mistake(void** state)
 	scree_world_destroy(world);
 }
 
-// Chips of 4 cm by 2 cm fly at a wall with a spinning rod among them. All are finite, so none is frozen (an earlier
-// version froze 41 % at 100 m/s), and no limit is exceeded. A force of 1e22 N gives max_speed along its direction, and
-// so does one of 3.4e38 N, whose acceleration is beyond a float.
+// Chips of 4 cm by 2 cm fly at a wall, with a spinning rod among them. All chips stay finite, so no chip is frozen (an
+// earlier version froze 41 % at 100 m/s), and no chip exceeds the limits of speed and spin. A force of 1e22 N gives
+// max_speed along its direction. A force of 3.4e38 N, whose acceleration is beyond a float, also gives max_speed.
 static void limits_hold(void** state)
 {
 	(void)state;
@@ -328,8 +330,8 @@ static void build_heap(scree_world* world, const void* context)
 	}
 }
 
-// Overlapping bodies that start from rest, among kinematic bodies of up to 7 m/s, are pushed apart below 100 m/s (an
-// earlier version: 160 m/s, Box2D: 102 m/s).
+// Bodies that overlap and start from rest, among kinematic bodies of up to 7 m/s, are pushed apart at less than 100 m/s
+// (an earlier version: 160 m/s, Box2D: 102 m/s).
 static void heaps_do_not_explode(void** state)
 {
 	(void)state;
@@ -350,7 +352,7 @@ static void heaps_do_not_explode(void** state)
 	}
 }
 
-// Builds all cases of this file in one world. act_all creates and destroys collidables of its bodies.
+// Builds all cases of this file in one world. act_all creates and destroys collidables of bodies in this world.
 static void build_all(scree_world* world, const void* context)
 {
 	(void)context;
@@ -412,7 +414,7 @@ static double motion_of(scree_world* world, scree_body body)
 	return 0.5 * ((double)mass.mass * square + (double)(mass.inertia * v.angular * v.angular));
 }
 
-// Boxes with restitution 1 in a closed room without gravity gain no energy, also when a box bounces off two others at
+// Boxes with restitution 1 in a closed room without gravity gain no energy, even if a box bounces off two others at
 // once.
 static void gases_gain_nothing(void** state)
 {
@@ -478,7 +480,7 @@ static void corners_gain_nothing(void** state)
 		add_body(world, SCREE_BODY_STATIC, add_attribute(world, &def), 0.0f, -0.5f, 0.0f);
 		scree_body body = add_body(world, SCREE_BODY_DYNAMIC, box, 0.0f, 2.5f, 0.0131f * (float)(k - 30));
 		run_steps(world, 60);
-		// a body that falls in substeps is on a parabola with half a substep less of gravity
+		// half: a body that falls in substeps is on a parabola whose velocity is lower by half a substep of gravity
 		double half = 0.5 * 10.0 * (double)STEP / SUBSTEPS * (double)velocity_of(world, body).linear.y;
 		NEAR(fmax(motion_of(world, body) - half + 10.0 * (double)position_of(world, body).y, 25.0), 25.0, 0.3);
 		scree_world_destroy(world);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_joint_bounds.c -- checks the bounds of springs and motors: separate bounds of push and pull, and common bounds
-// of along and across.
+// test_joint_bounds.c -- checks maximum forces of springs and motors: separate bounds of push and pull, and common
+// bounds of along and across.
 #include "support/make_joints.h"
 #include <float.h>
 #include <math.h>
@@ -14,8 +14,8 @@ static scree_body add_puck(scree_world* world, scree_velocity velocity)
 	return body;
 }
 
-// A rubber band only pulls and a bumper only pushes: each is a spring of the same stiffness on one side, and exerts no
-// force on the other.
+// A rubber band only pulls and a bumper only pushes. On one side of its target each is a spring of the same stiffness.
+// On the other side it exerts no force.
 static void springs_push_or_pull(void** state)
 {
 	(void)state;
@@ -35,12 +35,12 @@ static void springs_push_or_pull(void** state)
 			*(pulls ? &along->spring_push : &along->spring_pull) = 0.0f;
 			scree_joint joint = add_joint(world, &def);
 
-			// without a force on this side the body keeps moving
+			// the body keeps its speed on the side without a force
 			run_steps(world, 30);
 			NEAR(velocity_of(world, body).linear.x, pulls ? -1.0 : 1.0, 1e-5);
 			NEAR(joint_state_of(world, joint).force.x, 0.0, 0.0);
 
-			// on the other side the body is back after half a second
+			// the body turns around on the other side, within half a second
 			OK(scree_body_set_pose(world, body, (scree_pose){{0.0f, 0.0f}, {1.0f, 0.0f}}));
 			throw_body(world, body, pulls ? 1.0f : -1.0f, 0.0f, 0.0f);
 			run_steps(world, 15);
@@ -53,12 +53,12 @@ static void springs_push_or_pull(void** state)
 		}
 }
 
-// The smaller one of two bounds limits each side.
+// The force of a spring is limited by the smaller of two bounds: the common bound, and that of its side, push or pull.
 static void bounds_of_a_side(void** state)
 {
 	(void)state;
 	static const float bounds[][3] = {
-	    {FLT_MAX, 3.0f, 5.0f}, {4.0f, 3.0f, 5.0f}, {2.0f, FLT_MAX, FLT_MAX}}; // max, push, pull
+	    {FLT_MAX, 3.0f, 5.0f}, {4.0f, 3.0f, 5.0f}, {2.0f, FLT_MAX, FLT_MAX}}; // common, push, pull
 	for (int k = 0; k < 3; ++k)
 		for (int side = -1; side <= 1; side += 2)
 		{
@@ -79,8 +79,8 @@ static void bounds_of_a_side(void** state)
 		}
 }
 
-// Friction of a box on a table, seen from above. With an elliptic bound the box slows down equally in every direction
-// and keeps its direction. Without it, each coordinate stops by itself.
+// Friction of a box on a table, seen from above. With an elliptic bound, the box slows down equally in every direction
+// and moves in a straight line. Otherwise the speeds along and across decrease separately.
 static void friction_in_any_direction(void** state)
 {
 	(void)state;
@@ -111,8 +111,8 @@ static void friction_in_any_direction(void** state)
 		}
 }
 
-// A skate has little friction along and much across. It resists a constant force inside the ellipse of its bounds, and
-// no larger one.
+// A skate has little friction along and much across. It stays under a constant force inside of the ellipse of its
+// bounds, and moves under a larger force.
 static void friction_of_a_skate(void** state)
 {
 	(void)state;
@@ -140,8 +140,8 @@ static void friction_of_a_skate(void** state)
 		}
 }
 
-// A target joint drags a body with a force of at most F in any direction, and with none along a coordinate whose bound
-// is 0.
+// A target joint drags a body with a force of at most F in any direction. Along a coordinate whose bound is 0, it
+// exerts no force.
 static void targets_in_any_direction(void** state)
 {
 	(void)state;
@@ -164,9 +164,9 @@ static void targets_in_any_direction(void** state)
 		}
 }
 
-// A puck on a table, seen from above, has friction 0.4 m beside its center of mass. A force of 15 N pushes it against a
-// friction of 10 N, whose torque of 4 N m is below the 10 N m of its friction against spin. So it does not turn. An
-// earlier version turned it by 0.005 rad/s.
+// A puck on a table, seen from above, has friction at a point 0.4 m beside its center of mass. A force of 15 N moves
+// the puck against a friction of 10 N. The torque of this friction, 4 N m, is below the 10 N m of the friction against
+// spin, so the puck does not turn. In an earlier version the puck turned at 0.005 rad/s.
 static void friction_beside_the_center(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_joint_chains.c -- checks rows of joints that are solved together: heavy loads, rings, and rows that grow, tear
-// and join.
+// test_joint_chains.c -- checks chains, rows of joints that are solved together: heavy loads, rings, and rows that grow
+// and tear.
 #include "support/make_joints.h"
 #include <math.h>
 #include <stdlib.h>
@@ -10,15 +10,15 @@
 
 static scree_body links[MOST + 1];
 
-// Adds count links of half a metre in a row to the right.
+// Adds links of half a metre in a row to the right of x, and writes their handles to links. count: number of links.
 static void add_links(scree_world* world, int count, float x, float y)
 {
 	for (int k = 0; k < count; ++k)
 		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, x + 0.25f + 0.5f * (float)k, y);
 }
 
-// A load at the end of a rope, ratio times as heavy as a link, falls from the horizontal and pulls with up to three
-// times its weight. Each joint of the rope then opens by 2 F / (m w^2).
+// The last link of a rope is the load: it is as heavy as up to 10,000 other links. It falls from the horizontal and
+// pulls with a force F of up to three times its weight. Each joint of the rope then opens by 2 F / (m w^2).
 static void ropes_swing_heavy_loads(void** state)
 {
 	(void)state;
@@ -48,7 +48,7 @@ static void ropes_swing_heavy_loads(void** state)
 	}
 }
 
-// A hanging rope of n = 300 links is longer by n^2 g / w^2.
+// A hanging rope of n = 300 links gets longer by n^2 g / w^2.
 static void long_ropes_hang(void** state)
 {
 	(void)state;
@@ -130,7 +130,7 @@ static void ropes_tear(void** state)
 		weak = k == 12 ? joint : weak;
 	}
 	run_steps(world, 120);
-	assert_false(joint_state_of(world, weak).broken); // it carries 18 links
+	assert_false(joint_state_of(world, weak).broken); // 18 links hang from this joint
 	OK(scree_body_apply_force(world, links[29], (scree_vec){0.0f, -20.0f}));
 	run_steps(world, 1);
 	assert_true(joint_state_of(world, weak).broken);
@@ -143,8 +143,8 @@ static void ropes_tear(void** state)
 	scree_world_destroy(world);
 }
 
-// Rows grow link by link, are cut in several places, and are joined to each other and to a body with many joints, in
-// motion.
+// A row grows link by link while it moves. Then it is cut, links become kinematic and disabled for a time, a link gets
+// a third joint, and a link is destroyed.
 static void rows_change(void** state)
 {
 	(void)state;
@@ -171,7 +171,7 @@ static void rows_change(void** state)
 	print_message("row that grows to 60 links: gaps up to %.4f m\n", gap);
 	assert_true(gap < 0.05);
 
-	// two cuts, a ring closed by a rod, a third joint in the middle, a kinematic and a disabled link
+	// a cut, a kinematic link, a disabled link, a third joint on a link, and a link that is destroyed
 	OK(scree_joint_destroy(world, joints[20]));
 	run_steps(world, 2);
 	OK(scree_body_set_type(world, links[10], SCREE_BODY_KINEMATIC));
@@ -203,7 +203,8 @@ static void damp(scree_world* world, int count, float rate)
 		OK(scree_body_set_damping(world, links[k], rate, rate));
 }
 
-// A bridge, tight between two points, whose second plank presses on a box at its end, comes to rest.
+// A bridge is tight between the middle of a box and a point. Its second plank presses on the edge of the box. The
+// bridge comes to rest.
 static void bridges_rest_on_boxes(void** state)
 {
 	(void)state;
@@ -221,7 +222,7 @@ static void bridges_rest_on_boxes(void** state)
 	scree_world_destroy(world);
 }
 
-// A rope that hangs from the middle of a box, with its second link inside the box, comes to rest.
+// A rope hangs from the middle of a box, so its second link lies in the box. The rope comes to rest.
 static void ropes_rest_in_boxes(void** state)
 {
 	(void)state;
@@ -239,8 +240,8 @@ static void ropes_rest_in_boxes(void** state)
 	assert_true(speed < 5e-4);
 }
 
-// A rope with a load of 20 links at both ends lies over a peg and comes to rest, although contacts of light links carry
-// its tension.
+// A rope lies over a peg, with a load of the mass of 20 links at each end. The rope comes to rest, although contacts of
+// light links carry its tension.
 static void ropes_stay_on_pegs(void** state)
 {
 	(void)state;
@@ -268,8 +269,8 @@ static void ropes_stay_on_pegs(void** state)
 
 #define ROPES 20
 
-// Adds a rope of count links. The last link is heavy, and one of the joints has a motor. Returns the joint that is cut
-// later.
+// Adds a rope that starts at x. count: number of links. The last link is heavy, and one of the joints has a motor.
+// Returns the joint that the test cuts later.
 static scree_joint hang(scree_world* world, int count, float x)
 {
 	scree_joint cut = SCREE_NULL_JOINT;
@@ -288,7 +289,8 @@ static scree_joint hang(scree_world* world, int count, float x)
 	return cut;
 }
 
-// Ropes of many lengths lie side by side. Each moves with the same bits as alone, while it hangs and after it was cut.
+// A rope moves with the same bits in an empty world and among 19 ropes of other lengths, while it hangs and after it is
+// cut.
 static void ropes_side_by_side(void** state)
 {
 	(void)state;
@@ -316,8 +318,8 @@ static void ropes_side_by_side(void** state)
 }
 
 // A net hangs by the middle of its upper side, as in Box2D's benchmark joint_grid. Its joints open as far as a lock of
-// 60 Hz yields under the load. In an earlier version bodies rotated back and forth faster than substeps could follow,
-// and joints opened three times as far.
+// 60 Hz yields under the load. In an earlier version, bodies rotated back and forth faster than substeps could follow,
+// and the joints opened three times as far.
 static void nets_hold_their_weight(void** state)
 {
 	(void)state;

@@ -40,7 +40,7 @@ static void joints_keep_bodies_apart(void** state)
 	run_steps(world, 1);
 	assert_int_equal(contacts_of(world), 1);
 
-	// bodies that meet later, and a joint that is disabled with its body
+	// one body is moved away, is disabled together with the joint, and comes back
 	OK(scree_joint_set_collide_connected(world, first, false));
 	OK(scree_body_set_pose(world, b, pose_at(0.0f, 30.0f, 0.0f)));
 	OK(scree_body_set_enabled(world, b, false));
@@ -55,7 +55,7 @@ static void joints_keep_bodies_apart(void** state)
 	scree_world_destroy(world);
 }
 
-// After a joint has broken, its bodies collide from the next step on.
+// The bodies of a joint collide from the step after the joint has broken.
 static void broken_joints_let_bodies_collide(void** state)
 {
 	(void)state;
@@ -93,8 +93,8 @@ static void broken_joints_let_bodies_collide(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint with the world prevents no contact, neither with a static body nor with a collidable that only reports
-// overlaps.
+// A joint between a body and the world prevents no contact of this body, neither with static bodies nor with
+// collidables that only report overlaps.
 static void joints_with_the_world_keep_overlaps(void** state)
 {
 	(void)state;
@@ -119,8 +119,8 @@ static void joints_with_the_world_keep_overlaps(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint prevents a contact. One of its bodies is destroyed, and a new body takes the slot. No contact remains, in
-// that step or later.
+// A joint prevents a contact. Then one of its bodies is destroyed, and a new body takes the slot. The other body has no
+// contact, in the next step and later.
 static void contacts_go_with_their_bodies(void** state)
 {
 	(void)state;
@@ -173,7 +173,7 @@ static void joints_go_with_their_bodies(void** state)
 	scree_joint_state unread;
 	assert_int_equal(scree_joint_get_state(world, joints[3], &unread), SCREE_ERROR_STALE);
 
-	// a new body and a new joint in the same slots have no state of the old ones
+	// a new body and a new joint in the same slots have no state of the destroyed ones
 	bodies[1] = add_crate(world, SCREE_BODY_DYNAMIC, 50.0f, 0.0f);
 	scree_joint fresh = join(world, SCREE_JOINT_WELD, bodies[0], bodies[1], 25.0f, 0.0f);
 	assert_false(scree_joint_is_valid(world, joints[0]) || scree_joint_is_valid(world, joints[1]));
@@ -183,8 +183,8 @@ static void joints_go_with_their_bodies(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint between bodies that cannot move does not act. It acts again as soon as one of them can move, without its
-// earlier impulses.
+// A joint between bodies that cannot move does not act. It acts again when one of its bodies can move, and then starts
+// without impulses.
 static void types_change(void** state)
 {
 	(void)state;
@@ -215,7 +215,7 @@ static void types_change(void** state)
 }
 
 // A joint with a disabled body does not act, so the other body falls freely. When the body is enabled, the joint pulls
-// both together.
+// its two bodies together.
 static void bodies_are_switched(void** state)
 {
 	(void)state;
@@ -279,7 +279,7 @@ static void settings_are_read_and_act(void** state)
 	assert_true(event.user == 9 && event.force > 7.0f);
 	OK(scree_world_move(world, test_device));
 
-	// a motor, then a spring, then nothing replaces a lock
+	// replaces a lock by a motor, then by a spring, and then removes the spring
 	scree_joint_coordinate across, read;
 	OK(scree_joint_get_coordinate(world, joint, SCREE_ACROSS, &across));
 	assert_true(across.locked && !across.limited);
@@ -328,7 +328,7 @@ static void joints_are_disabled(void** state)
 	run_steps(world, 60);
 	assert_true(pose_of(world, b).position.y < -1.0f);
 
-	// enabled: three turns
+	// the joint is enabled and turns three times
 	OK(scree_body_set_pose(world, b, pose_at(0.9f, 0.0f, 0.0f)));
 	OK(scree_body_set_velocity(world, b, (scree_velocity){0}));
 	OK(scree_joint_set_enabled(world, joint, true));
@@ -346,7 +346,7 @@ static void joints_are_disabled(void** state)
 	run_steps(world, 1);
 	NEAR(joint_state_of(world, joint).values[SCREE_ANGLE], turned + 20.0 / 60.0, 0.05);
 
-	// disabled while it turns: the body flies off, and the thresholds are not exceeded
+	// disabled while it turns: the body flies off, and no threshold is exceeded
 	OK(scree_joint_set_thresholds(world, joint, 0.0f, 0.0f, true));
 	OK(scree_joint_set_enabled(world, joint, false));
 	OK(scree_joint_set_enabled(world, joint, true));
@@ -362,7 +362,7 @@ static void joints_are_disabled(void** state)
 	scree_world_destroy(world);
 }
 
-// Disabling the middle joint of a chain makes two ropes, and enabling it makes one rope again.
+// A rope becomes two ropes when the joint in its middle is disabled, and one rope again when this joint is enabled.
 static void chains_are_disabled(void** state)
 {
 	(void)state;
@@ -390,7 +390,7 @@ static void chains_are_disabled(void** state)
 	NEAR(pose_of(world, bodies[LINKS - 1]).position.y, -1.5 * (LINKS - 1) - 5.0, 0.2);
 	NEAR(joint_state_of(world, joints[LINKS - 1]).force.y, 0.0, 0.1);
 
-	// the lower half has fallen, and the joint pulls both halves together
+	// the lower half has fallen; the joint pulls both halves together again
 	OK(scree_joint_set_enabled(world, joints[LINKS / 2], true));
 	run_steps(world, 600);
 	NEAR(joint_state_of(world, joints[0]).force.y, 10.0 * LINKS, 5.0);
@@ -398,7 +398,7 @@ static void chains_are_disabled(void** state)
 	scree_world_destroy(world);
 }
 
-// One joint is created and one destroyed in every step, so that slots, colors and places of impulses are reused.
+// Each step creates one joint and destroys one, so that slots, colors and places of impulses are reused.
 static void joints_come_and_go(void** state)
 {
 	(void)state;

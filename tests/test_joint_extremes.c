@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// test_joint_extremes.c -- checks joints in large numbers, at rest for long, far from the origin, between tiny, huge,
-// light and heavy bodies, and under extreme forces.
+// test_joint_extremes.c -- checks joints in extreme cases: many joints, long rest, places far from the origin, tiny,
+// huge, light and heavy bodies, and extreme forces.
 #include "support/make_joints.h"
 #include <math.h>
 #include <stdlib.h>
 
-// Adds count boxes in a row of hinges. The first hinge is to anchor, or to the world.
+// Adds a row of boxes that are joined by hinges. count: number of boxes. The first hinge joins the row to anchor, or to
+// the world if anchor is null.
 static void add_chain(scree_world* world, scree_body* links, int count, float size, scree_vec from, scree_body anchor)
 {
 	for (int k = 0; k < count; ++k)
@@ -16,8 +17,8 @@ static void add_chain(scree_world* world, scree_body* links, int count, float si
 	}
 }
 
-// A wheel with 200 arms has more joints than there are colors. Each arm holds, and the pin carries the wheel and all
-// arms.
+// A wheel with 200 arms has more joints than there are colors. Each arm stays at its place, and the pin carries the
+// wheel and all arms.
 static void hubs_hold(void** state)
 {
 	(void)state;
@@ -44,7 +45,7 @@ static void hubs_hold(void** state)
 	assert_true(gap < 2e-3 && speed < 1e-6);
 	NEAR(joint_state_of(world, pin).force.y, weight, 0.01 * weight);
 
-	// half of the arms are destroyed, and others are added
+	// half of the arms are destroyed, and replaced by new ones
 	for (int k = 0; k < ARMS; k += 2)
 		OK(scree_body_destroy(world, arms[k]));
 	run_steps(world, 30);
@@ -60,7 +61,8 @@ static void hubs_hold(void** state)
 	scree_world_destroy(world);
 }
 
-// A net of 10,000 joints, created in one call, hangs from a row of pins. One call destroys all of it.
+// A net of 10,000 joints is created in one call and hangs from a row of pins. Another call destroys all of these
+// joints.
 static void many_joints(void** state)
 {
 	(void)state;
@@ -180,8 +182,8 @@ static void joints_rest(void** state)
 	scree_world_destroy(world);
 }
 
-// Floats are 0.5 mm apart 5 km from the origin. A chain hangs there as it does at the origin, from a static body nearby
-// and from a point of the world.
+// Floats 5 km from the origin are 0.5 mm apart. A chain there comes to rest, as it does at the origin. It hangs from a
+// static body, or from a point of the world.
 static void far_away(void** state)
 {
 	(void)state;
@@ -203,8 +205,8 @@ static void far_away(void** state)
 	}
 }
 
-// Chains of ten links of 1 cm to 100 m come to rest. The second joint opens by 2 F / (m w^2) with F = 9 m g. This and
-// the later joints lower the last link by 90 g / w^2.
+// Chains of ten links of 1 cm to 100 m come to rest. The second joint opens by 2 F / (m w^2) with F = 9 m g. The second
+// and all later joints lower the last link by 90 g / w^2.
 static void tiny_and_huge(void** state)
 {
 	(void)state;
@@ -267,7 +269,7 @@ static void unequal_masses(void** state)
 		}
 }
 
-// Forces whose sum is beyond a float freeze no body, and joints hold a body on which they act.
+// Forces whose sum is beyond a float freeze no body. Joints still hold the body on which these forces act.
 static void forces_freeze_nothing(void** state)
 {
 	(void)state;
@@ -275,7 +277,7 @@ static void forces_freeze_nothing(void** state)
 	{
 		scree_world* world = open_world((float)-G);
 		scree_body links[6];
-		bool holds = true; // whether the joint holds a point
+		bool holds = true; // whether this type of joint holds a point
 		for (int k = 0; k < 6; ++k)
 		{
 			links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, 0.25f + 0.5f * (float)k, 0.0f);
@@ -306,7 +308,7 @@ static void forces_freeze_nothing(void** state)
 	}
 }
 
-// A net of 75 x 75 boxes hangs from seven of its knots. Each of these holds the weight of 800 others.
+// A net of 75 x 75 boxes hangs from seven static boxes. Each of the seven carries the weight of 800 boxes.
 static void a_net_hangs(void** state)
 {
 	(void)state;
@@ -338,7 +340,7 @@ static void a_net_hangs(void** state)
 	scree_world_destroy(world);
 }
 
-// A row of six sliders, pulled apart by 100 and 1,000 times the weight of a box, comes together again.
+// Six sliders in a row are pulled apart by 100 or 1,000 times the weight of a box. Afterwards they come together again.
 static void sliders_come_together(void** state)
 {
 	(void)state;

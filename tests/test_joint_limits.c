@@ -12,7 +12,7 @@ static double weight_of(scree_world* world, scree_body body)
 	return mass.mass * G;
 }
 
-// A motor turns a wheel against limits of -3 pi and 5 pi. The wheel stops at each of them, because the angle counts all
+// A motor turns a wheel against limits of -3 pi and 5 pi. The wheel stops at each limit, because the angle counts all
 // turns.
 static void angles_count_turns(void** state)
 {
@@ -45,7 +45,7 @@ static void angles_count_turns(void** state)
 	}
 }
 
-// Hundreds of turns at 20 rad/s are all counted.
+// The angle of a wheel at 20 rad/s counts hundreds of turns.
 static void wheels_turn_long(void** state)
 {
 	(void)state;
@@ -60,7 +60,7 @@ static void wheels_turn_long(void** state)
 }
 
 // A slider on a slope of 30 degrees slides down to its limit. The limit carries m g sin 30, and the rail m g cos 30. A
-// slider holds the angle; a pin in a slot leaves it free.
+// slider holds the angle of its body; a pin in a slot leaves the angle free.
 static void sliders_stop(void** state)
 {
 	(void)state;
@@ -142,7 +142,8 @@ static void ropes_are_slack(void** state)
 	scree_world_destroy(world);
 }
 
-// Locks hold any target and follow it: m, m and rad in frame A, which is rotated in the world.
+// Locks follow moving targets and hold them. The targets are in m, m and rad, in frame A, which is rotated in the
+// world.
 static void targets_are_held(void** state)
 {
 	(void)state;
@@ -193,8 +194,8 @@ static void soft_locks_have_a_direction(void** state)
 	}
 }
 
-// The force at rest is m g. A joint breaks at a threshold slightly below that, and not at one slightly above, from the
-// first step on. A joint that only reports does so in every step.
+// The force at rest is m g. A joint breaks if its threshold is slightly below m g. It does not break, not even in its
+// first step, if its threshold is slightly above m g. A joint that only reports makes an event in every step.
 static void joints_break_at_their_threshold(void** state)
 {
 	(void)state;
@@ -236,7 +237,7 @@ static void joints_break_at_their_threshold(void** state)
 		}
 }
 
-// A torque of m g l breaks a weld in the same way.
+// A weld breaks if its threshold is slightly below the torque m g l, and does not break if it is slightly above.
 static void torques_break(void** state)
 {
 	(void)state;
@@ -254,7 +255,7 @@ static void torques_break(void** state)
 	}
 }
 
-// A load that is heavier than the bound F of its spring or motor falls with (m g - F) / m.
+// A spring or motor with the bound F cannot hold a heavier load, which falls with (m g - F) / m.
 static void drives_are_limited(void** state)
 {
 	(void)state;
@@ -303,7 +304,7 @@ static void springs_of_nothing(void** state)
 	}
 }
 
-// A lock with almost no stiffness holds nothing, and the other locks of the joint hold as usual.
+// A lock with almost no stiffness holds nothing. The other locks of the joint hold as usual.
 static void soft_locks_of_nothing(void** state)
 {
 	(void)state;
@@ -324,7 +325,7 @@ static void soft_locks_of_nothing(void** state)
 	}
 }
 
-// Limits hold against motors and springs of the same joint, however strong these are.
+// Limits hold against motors and springs of the same joint, even very strong ones.
 static void limits_hold_their_drives(void** state)
 {
 	(void)state;
@@ -355,9 +356,9 @@ static void limits_hold_their_drives(void** state)
 	}
 }
 
-// A hinge at the end of a bar has a spring of 30 Hz that pulls 3 rad beyond its limit; a slider has one that pulls 10 m
-// beyond. The limit carries all of the spring, so the hinge and the rail hold as if there were neither spring nor
-// limit. In an earlier version the hinge opened by 1.5 m, and the slider rotated by 0.05 rad.
+// A hinge at the end of a bar has a spring of 30 Hz whose target is 3 rad beyond its limit. A slider has such a spring
+// with a target 10 m beyond. The limit carries all of the spring, so the hinge and the rail hold as if there were
+// neither spring nor limit. In an earlier version the hinge opened by 1.5 m, and the slider rotated by 0.05 rad.
 static void limits_take_springs_from_locks(void** state)
 {
 	(void)state;
@@ -389,9 +390,9 @@ static void limits_take_springs_from_locks(void** state)
 	}
 }
 
-// A motor turns a bar 32 times; then the joint gets limits, or a spring, around 0. The bar goes there by the shorter
-// way, at most at 31 rad/s, and earlier turns are no longer counted. Limits around the current angle, with all turns,
-// keep it.
+// A motor turns a bar 32 times. Then the joint gets limits, or a spring, around 0. The bar goes there by the shorter
+// rotation, at most at 31 rad/s, and earlier turns are no longer counted. Limits around the current angle, with all
+// turns counted, keep the bar where it is.
 static void turns_count_from_what_uses_them(void** state)
 {
 	(void)state;

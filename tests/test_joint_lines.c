@@ -6,7 +6,8 @@
 #include <float.h>
 #include <stdlib.h>
 
-// Adds a box that hangs from the world by a pin at a height above its center.
+// Adds a box and a pin that joins it to the world. above: height of the pin above the center of the box, m. Returns the
+// pin.
 static scree_joint hang(scree_world* world, float x, float half, float above, float threshold)
 {
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
@@ -43,7 +44,8 @@ static void lines_follow_joints(void** state)
 	OK(joint_lines_update(&lines, &tables));
 	assert_int_equal(lines.links.count, 1);
 
-	// one line between the anchors, one to the center of the box, and a dot at each anchor; red for the largest load
+	// dots at both anchors, a line between the anchors, and a line to the center of the box, which is red for the
+	// largest load
 	joint_lines_mark(&lines, &strokes, &camera, &(Style){.detail = 1.0f});
 	assert_int_equal(strokes.count, 4);
 	NEAR(strokes.list[1].a.y, 7.0f, 0.01f);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // test_joint_springs.c -- checks springs and soft locks against their differential equation: C" + 2 z o C' + o^2 C = 0,
-// with o = 2 pi hertz.
+// with o = 2 pi hertz and the damping ratio z.
 //
-// A coordinate that starts at 0 with the speed v moves as v e^(-z o t) sin(q t) / q, with q = o sqrt(1 - z^2); for
-// z = 1 as v t e^(-o t), for z > 1 with sinh. Substeps of h have the same eigenvalues, so C(t) of the engine is this
-// solution times a constant factor, which the first step determines.
+// A coordinate that starts at 0 with the speed v moves as v e^(-z o t) sin(q t) / q, with q = o sqrt(1 - z^2). For z =
+// 1 it moves as v t e^(-o t), and for z > 1 sin becomes sinh. The method of the engine has the same eigenvalues, so its
+// C(t) is this solution times a constant factor, which the first step determines.
 #include "support/make_joints.h"
 #include <math.h>
 
@@ -14,7 +14,7 @@ typedef struct
 	scree_joint_type type;
 	scree_coordinate coordinate;
 	bool lock;
-	float arm; // m: from the anchor to the center, along x
+	float arm; // m, from the anchor to the center of the body, along x
 } Kind;
 
 static const Kind kinds[] = {
@@ -50,7 +50,7 @@ static void set_spring(scree_joint_coordinate* c, bool lock, double hertz, doubl
 	c->spring_damping_ratio = (float)ratio;
 }
 
-// Solution of the equation for a speed of 1 at the start.
+// Returns the solution of the equation at the time t, s, for a speed of 1 at the start. rate: o, 1 / s. ratio: z.
 static double solution(double rate, double ratio, double t)
 {
 	double decay = ratio * rate, square = rate * rate - decay * decay;
@@ -60,7 +60,7 @@ static double solution(double rate, double ratio, double t)
 	return exp(-decay * t) * (square > 0.0 ? sin(q * t) : sinh(q * t)) / q;
 }
 
-// Compares the coordinate with the solution in each step. The first step determines the factor between them.
+// Compares a coordinate with the solution in each step. The value after the first step determines the constant factor.
 static void check_swing(const Kind* kind, double hertz, double ratio, int substeps)
 {
 	scree_world* world = open_world(0.0f);
@@ -85,7 +85,7 @@ static void check_swing(const Kind* kind, double hertz, double ratio, int subste
 		OK(scree_path_create(world, &path, &def.path));
 	scree_joint joint = add_joint(world, &def);
 
-	// stiffness and damping are those without an arm; the inertia that the arm adds makes the motion slower
+	// stiffness and damping do not depend on the arm; the arm adds inertia, which makes the motion slower
 	double m = (double)mass.mass, own = (double)mass.inertia, arm = (double)kind->arm;
 	double share = turns ? own / (own + m * arm * arm) : 1.0;
 	double rate = 2.0 * PI * hertz * sqrt(share), most = 0.0, first = 0.0;
@@ -103,8 +103,8 @@ static void check_swing(const Kind* kind, double hertz, double ratio, int subste
 			fail_msg("%s of %g Hz and %g, %d substeps: %g after %d steps, must be %g", kind->name, hertz, ratio,
 			         substeps, value, n, first * wanted);
 	}
-	// factor is the speed at the start, 0.5; the first substep has a whole impulse, so the motion is shifted by half a
-	// substep
+	// the factor is the speed at the start, 0.5; the first substep has a whole impulse, which shifts the motion by half
+	// a substep
 	NEAR(first, 0.5, 0.5 * 0.6 * rate * (double)STEP / substeps + 1e-3);
 	scree_world_destroy(world);
 }
@@ -153,7 +153,7 @@ static void springs_carry(void** state)
 			}
 }
 
-// Springs without damping on one body, of any number and any stiffness, add no energy.
+// Undamped springs on one body add no energy, for any number of springs and any stiffness.
 static void springs_together_gain_nothing(void** state)
 {
 	(void)state;
@@ -184,14 +184,15 @@ static void springs_together_gain_nothing(void** state)
 				{
 					run_steps(world, 1);
 					scree_velocity v = velocity_of(world, body);
-					// a spin of 1 rad/s is 0.16 m/s at the radius of gyration; all energy may go into either motion
+					// a spin of 1 rad/s is 0.16 m/s at the radius of gyration; all energy may go into the translation
+					// or into the spin
 					assert_true(hypotf(v.linear.x, v.linear.y) < 1.5f && fabsf(v.angular) < 7.0f);
 				}
 				scree_world_destroy(world);
 			}
 }
 
-// Arms in a row, each on a spring or a soft lock of the angle, swing for a minute and gain no energy.
+// Arms in a row, joined by springs or by soft locks of the angle, swing for a minute and gain no energy.
 static void arms_in_a_row_gain_nothing(void** state)
 {
 	(void)state;
@@ -235,7 +236,7 @@ static void arms_in_a_row_gain_nothing(void** state)
 			}
 }
 
-// A soft lock pulls back a body that was placed far away, no faster than max_speed.
+// A soft lock pulls back a body that was placed far away. The body gets no faster than with critical damping.
 static void soft_locks_after_a_jump(void** state)
 {
 	(void)state;
@@ -261,8 +262,8 @@ static void soft_locks_after_a_jump(void** state)
 }
 
 // A row of softly welded boxes hangs from its first joint. Joints open by decimeters and turn, but each pulls as if it
-// were closed. The last one carries the weight of one box, 2 N. Its stiffness along its axis is (2 pi f)^2 times the
-// mass 1 / (1 / 0.2 + 1 / 0.2) kg; across the axis, (2 pi f)^2 times the mass at arms of 0.5 m.
+// were closed. The last joint carries the weight of one box, 2 N. Its stiffness along its axis is (2 pi f)^2 times the
+// mass 1 / (1 / 0.2 + 1 / 0.2) kg. Across the axis it is (2 pi f)^2 times the effective mass at arms of 0.5 m.
 static void soft_rows_carry(void** state)
 {
 	(void)state;

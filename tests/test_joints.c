@@ -9,7 +9,8 @@
 // pendulums
 // ---------------------------------------------------------------------------------------------------------------
 
-// Returns the mean time between crossings of x = 0 to the right, interpolated, over a number of periods.
+// Returns the mean period of a pendulum, s: the time between two crossings of x = 0 to the right, interpolated within
+// steps.
 static double period_of(scree_world* world, scree_body body, int periods)
 {
 	double first = -1.0, before = position_of(world, body).x;
@@ -69,8 +70,8 @@ static void pendulums_keep_time(void** state)
 	}
 }
 
-// A pendulum that is released at 90 degrees passes the bottom with v^2 = 2 g h and comes back up. Its energy neither
-// grows nor gets lost for a minute.
+// A pendulum that is released at 90 degrees passes the bottom with v^2 = 2 g h and comes back up. Its energy stays
+// constant for a minute.
 static void pendulums_keep_energy(void** state)
 {
 	(void)state;
@@ -98,10 +99,10 @@ static void pendulums_keep_energy(void** state)
 // ---------------------------------------------------------------------------------------------------------------
 
 // Returns the sag of a beam of n boxes of length l that are welded to each other and to the world. A lock of f Hz is a
-// spring: a load F opens it by C F / w^2, with w = 2 pi f, and C F the velocity that F adds in a unit of time. Joint k
-// carries the force (n - k) m g and the torque (n - k)^2 m g l / 2. Between two boxes C is 2 / I for the angle and
-// 2 (1 / m + l^2 / 4 I) for the translation; at the wall it is half of that, with -l / 2 I between both. A chain is
-// stiffer and does not bend.
+// spring: a load F opens it by C F / w^2, with w = 2 pi f. C F is the velocity that F adds in a unit of time. Joint k
+// carries the force (n - k) m g and the torque (n - k)^2 m g l / 2. Between two boxes, C is 2 / I for the angle and 2
+// (1 / m + l^2 / 4 I) for the translation. At the wall C is half as large, and -l / 2 I couples angle and translation.
+// A chain is stiffer and does not bend.
 static double beam_sag(int boxes, double length, double mass, double inertia)
 {
 	bool chain = boxes >= CHAIN_LEAST;
@@ -156,7 +157,7 @@ static void beams_hold(void** state)
 }
 
 // A rope of 40 links carries a load with the mass of a link, or 100 times that mass. Each joint is a spring, as in
-// beam_sag: it gets longer by (1 / m + 1 / m') F / w^2, with the masses m and m' of its bodies.
+// beam_sag, and opens by (1 / m + 1 / m') F / w^2, with the masses m and m' of its bodies.
 static void ropes_carry(void** state)
 {
 	(void)state;
@@ -189,8 +190,7 @@ static void ropes_carry(void** state)
 	}
 }
 
-// A load m on a spring of f Hz sinks by g / w^2, with w = 2 pi f: F = m w^2 x, where m is the mass that the spring
-// moves.
+// A load m on a spring of f Hz sinks by x = g / w^2, with w = 2 pi f, because the force of the spring is m w^2 x.
 static void springs_give(void** state)
 {
 	(void)state;
@@ -213,7 +213,7 @@ static void springs_give(void** state)
 	}
 }
 
-// A motor with the maximum torque M holds a lever with m g l < M for long. It does not hold one with m g l > M, but
+// A motor with the maximum torque M holds a lever with m g l < M for long. It cannot hold a lever with m g l > M, but
 // still applies M.
 static void motors_stall(void** state)
 {
@@ -236,7 +236,7 @@ static void motors_stall(void** state)
 	}
 }
 
-// A motor without load reaches its speed w; with the torque M it takes I w / M seconds.
+// A motor without a load reaches its speed w. With the torque M this takes I w / M seconds.
 static void motors_drive(void** state)
 {
 	(void)state;
@@ -263,7 +263,8 @@ static void motors_drive(void** state)
 // joints in flight
 // ---------------------------------------------------------------------------------------------------------------
 
-// Impulses of joints are equal and opposite, along one line, so m v and m r x v + I w are constant, for each type.
+// Impulses of joints are equal and opposite, along one line. So m v and m r x v + I w are constant, for each type of
+// joint.
 static void momentum_stays(void** state)
 {
 	(void)state;

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# test_layers.sh -- the order of the files: folders of src/ include only files of their own and of folders below, no includes form a
-# circle, and a function that a header declares is defined in the .c file of the same name.
+# test_layers.sh -- checks the order of the files. Files in src/ include only files of the same folder and of lower
+# folders, and no includes form a circle. A function that a header declares is defined in the .c file of the same name.
 set -euo pipefail
 cd "$SCREE_SOURCE"
 
-# The rooms in order, the lowest first; ARCHITECTURE.md describes them. Rooms of one line do not include each other. A line may name
-# single files of a folder: they are above the rest of it.
+# Folders in order, the lowest first; ARCHITECTURE.md describes them. Folders of one line do not include each other. A
+# line may name single files of a folder: these files are above the rest of the folder.
 layers='platform dialect
 pools
 constraints
@@ -37,7 +37,7 @@ world/create world/pool_read
 api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover'
 
-# folders beside the library, which are only searched for circles
+# folders beside the library; the test only searches them for circles
 beside='cli scene tools validate view'
 
 # folders of src/ whose headers are not checked for definitions: functions of the stages, the constraints, the pools and the dialect
@@ -51,14 +51,15 @@ backend/backend.h opencl_open    the same; src/world/device/devices.c in a build
 backend/backend.h opencl_devices the same
 backend/backend.h opencl_hint  the same'
 
-# "file includes file", both from the root of the tree, for some folders
+# Prints "file includes file" for each include, with paths from the root of the tree. Arguments: folders.
 includes()
 {
 	grep -rHoE '^#include "[^"]+"' --include='*.h' --include='*.c' --include='*.cl' --include='*.cpp' "$@" |
 		sed -E 's#^([^:]+):\#include "([^"]+)"#\1 \2#'
 }
 
-# Reads lines of two files, and prints the circles. A file and its header count as one. tsort prints one file of a circle per line.
+# Reads lines with two files, the first of which includes the second, and prints circles. A file and its header count as
+# one file. tsort prints one file of a circle per line.
 circles()
 {
 	sed -E 's/\.(c|h|cpp)( |$)/\2/g' | awk '$1 != $2' | sort -u | tsort 2>&1 >/dev/null |
@@ -79,8 +80,9 @@ check_layers()
 		}'
 }
 
-# A declaration is a line that begins with a type and has "name(" in it, and is neither inline nor a typedef; a definition is
-# such a line that does not end its statement. Reads the headers first.
+# Prints functions that are declared but not defined. A declaration is a line that begins with a type and contains
+# "name(", and is neither inline nor a typedef. A definition is such a line that does not end its statement. Headers are
+# read first.
 check_definitions()
 {
 	local files
@@ -104,7 +106,7 @@ check_definitions()
 		}' $files | sort
 }
 
-# Folders of src/ that no line of layers names.
+# Prints folders of src/ that are missing in layers.
 check_rooms()
 {
 	find . -mindepth 1 -type d | sed 's#^\./##' | while read -r room; do
@@ -112,14 +114,15 @@ check_rooms()
 	done
 }
 
-# Prints files that have the name of another file. A header and its .c file count as one, and each program has a main.
+# Prints files that have the name of another file. A header and its .c file count as one file. Each program may have a
+# main.
 check_names()
 {
 	find src cli scene view bench/peers tools tests -name '*.[ch]' -o -name '*.cpp' | grep -v '/primitives\.' |
 		sed -E 's/\.[a-z]+$//' | sort -u | awk -F/ '{ if ($NF in first && $NF != "main") print $0 " has the name of " first[$NF]; first[$NF] = $0 }'
 }
 
-# Checks the tree in the current folder.
+# Runs all checks on the tree in the current folder, and prints the errors.
 check()
 {
 	check_names
@@ -144,7 +147,7 @@ if [ -n "$found" ]; then
 	exit 1
 fi
 
-# the check finds each kind of error: a change of one file, and the complaint about it
+# the checks find each kind of error; expect adds a line to a file, and fails unless check prints the complaint
 mkdir "$work/tree"
 # shellcheck disable=SC2086
 cp -r --parents src $beside bench/peers tests "$work/tree"
@@ -166,7 +169,7 @@ expect src/world/objects/handles.h 'void world_missing(void);' 'handles.h declar
 expect src/world/objects/handles.h 'scree_status world_upload(scree_world* world);' 'handles.h declares world_upload, which'
 expect cli/common/options.h '#include "csv.h"' '^cli/common/options is part of a circle'
 
-# the same for a file in the wrong room; the files that include it get its new path
+# misplace moves a file to a wrong folder, with its new path in all includes; it fails unless check prints the complaint
 misplace()
 {
 	local file=$1 room=$2 complaint=$3

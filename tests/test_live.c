@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_live.c -- checks that the time at which changes are uploaded makes no difference; on the CPU and on OpenCL.
+// test_live.c -- checks on the CPU and on OpenCL that the time at which changes are uploaded makes no difference.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 
@@ -85,8 +85,8 @@ static void begin_life(Life* l)
 		be_born(l, k);
 }
 
-// Makes the same calls in two worlds. In one of them it reads the hash and contacts after each call, which uploads the
-// changes. Hashes of the two worlds are equal.
+// Makes the same calls in two worlds. In one world it reads the hash and contacts after each call, which uploads the
+// changes. After each step both worlds have the same hash.
 static void reading_changes_nothing(void** state)
 {
 	(void)state;

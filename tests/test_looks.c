@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_looks.c -- checks which contacts a step of length 0 finds, and that it changes nothing else; on the CPU and on
-// OpenCL.
+// test_looks.c -- checks on the CPU and on OpenCL that a step of length 0 finds contacts and changes nothing else.
 #include "support/make_bodies.h"
 #include <float.h>
 #include <string.h>
@@ -64,7 +63,8 @@ static void looking_changes_nothing_else(void** state)
 	assert_int_equal(again, count);
 	assert_memory_equal(before, after, (size_t)count * sizeof *before);
 
-	// impulses are unchanged: m g of the load in one substep; a force acts only in the next step with a length above 0
+	// impulses are unchanged: together m g of the top crate in one substep; a force acts only in the next step that is
+	// longer than 0 s
 	double load = 0.0;
 	OK(scree_body_get_contacts(world, crates[4], after, 8, &again));
 	assert_int_equal(again, 1);
@@ -80,7 +80,7 @@ static void looking_changes_nothing_else(void** state)
 	run_steps(world, 1);
 	NEAR(velocity_of(world, crates[4]).linear.y, 50.0 * STEP, 1e-2);
 
-	// a pile stays at rest if there is a step of length 0 between every two steps
+	// a pile stays at rest if each step is followed by a step of length 0
 	for (int k = 0; k < 60; ++k)
 	{
 		run_steps(world, 1);
@@ -95,7 +95,7 @@ static void no_time_is_no_error(void** state)
 {
 	(void)state;
 	scree_world* world = open_test_world(-10.0f);
-	update_contacts(world); // a world without contacts
+	update_contacts(world); // there are no contacts yet
 	OK(scree_world_step(world, -0.0f, 1));
 	scree_attribute_def ball = scree_attribute_def_default();
 	ball.shape = circle_shape(0.5f);
@@ -123,8 +123,8 @@ static void no_time_is_no_error(void** state)
 	scree_world_destroy(world);
 }
 
-// A step of length 0 lays out hubs. The steps after it have the data of the solver, even if the host lists a solve
-// before it has read the counters. Formula: hash(device) = hash(cpu).
+// A step of length 0 lays out hubs. The solver has this layout in later steps, even if the host lists a solve before it
+// has read the counters. Formula: hash(device) = hash(cpu).
 static void looking_lays_out_hubs(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_manifold.c -- checks manifolds against worked examples, and for every two shapes against distances in double
+// test_manifold.c -- checks manifolds against worked examples, and for each pair of shapes against distances in double
 // precision.
 #include "stages/geometry/manifold.h"
 #include "support/checks.h"
@@ -8,14 +8,14 @@
 #include <stdio.h>
 
 #define TAU   6.283185307179586
-#define POSES 400 // random poses of each pair of shapes
+#define POSES 400 // number of random poses for each pair of shapes
 
 typedef struct
 {
 	double x, y;
 } Point;
 
-typedef struct // core of a shape at its pose
+typedef struct // corners of a shape at its pose, without its radius
 {
 	int count;
 	Point corner[8];
@@ -96,7 +96,7 @@ static int make_shapes(void** state)
 	return 0;
 }
 
-// Reference: distances in double precision.
+// reference: distances in double precision
 
 static double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
 
@@ -152,7 +152,7 @@ static double core_distance(const Core* a, const Core* b)
 	return nearest;
 }
 
-// Returns the distance of the cores when b lies at a position and rotation in the frame of a.
+// Returns the distance of the cores. position, rotation: pose of b in the frame of a.
 static double true_distance(const Attribute* a, const Attribute* b, Vec position, Vec rotation)
 {
 	Core core_a = place(a, vec(0.0f, 0.0f), vec(1.0f, 0.0f)), core_b = place(b, position, rotation);
@@ -178,7 +178,7 @@ static bool same_features(const Manifold* m, const Manifold* n)
 	return true;
 }
 
-// Returns the text by which a failed check reports its pose.
+// Returns a text that describes a pose, for messages of failed checks.
 static const char* pose_name(int a, int b, Vec position, Vec rotation)
 {
 	static char name[256];
@@ -198,7 +198,8 @@ static const char* pose_name(int a, int b, Vec position, Vec rotation)
 		}                                                             \
 	} while (0)
 
-// Checks properties that hold for every pose. Returns the manifold.
+// Checks properties that hold for every pose, and returns the manifold. a, b: indices of shapes. position, rotation:
+// pose of b in the frame of a.
 static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 {
 	const Attribute *shape_a = shapes + a, *shape_b = shapes + b;
@@ -207,8 +208,8 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	CHECK(m.count >= 0 && m.count <= 2, "%d points", m.count);
 	CHECK(isfinite(m.normal.x) && isfinite(m.normal.y), "normal is not finite");
 
-	// every point is the middle between the two surfaces, so its distance from a core is at most the radius and half of
-	// the separation
+	// every point is in the middle between both surfaces, so its distance from each core is limited by radius and
+	// separation
 	Core core_a = place(shape_a, vec(0.0f, 0.0f), vec(1.0f, 0.0f)), core_b = place(shape_b, position, rotation);
 	for (int k = 0; k < m.count; ++k)
 	{
@@ -233,7 +234,8 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	if (m.count == 0)
 		return m;
 
-	// if the cores are apart, the deepest separation is the gap; if they overlap, moving b out by it parts the cores
+	// if the cores are apart, the deepest separation is the gap; if they overlap, moving b out by this separation parts
+	// them
 	if (distance > 1e-4)
 		CHECK(fabs(deepest(&m) - gap) < 1e-4, "gap %g and separation %g", gap, deepest(&m));
 	Vec out = vec_sub(position, vec_scale(deepest(&m), m.normal));
@@ -242,7 +244,7 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	return m;
 }
 
-// Checks that the other order of the shapes has the same depth and the opposite normal.
+// Checks that the manifold of b and a has the same depth and the opposite normal.
 static void check_order(int a, int b, Vec position, Vec rotation, const Manifold* m)
 {
 	Vec back = vec_neg(vec_turn_back(rotation, position));
@@ -257,7 +259,7 @@ static void check_order(int a, int b, Vec position, Vec rotation, const Manifold
 		      m->normal.y, normal.x, normal.y);
 }
 
-// Checks that the manifold is the same anywhere in the world, except for the rounding of poses: 1e-6 at 20 m.
+// Checks that the manifold is the same if both shapes are moved together, except for rounding of poses: 1e-6 at 20 m.
 static void check_elsewhere(int a, int b, Vec position, Vec rotation, const Manifold* m, Vec place_of_a, Vec turn)
 {
 	Vec place_of_b = vec_add(place_of_a, vec_turn(turn, position)), rotation_of_b = vec_turn(turn, rotation);
@@ -291,9 +293,9 @@ static Vec centroid(const Attribute* shape)
 	return vec((float)(x / shape->count), (float)(y / shape->count));
 }
 
-// Returns a pose of b in a random direction from the middle of a, at which the cores are a random distance apart; in
-// 30 % of the poses b is closer, so that cores overlap. Half of the angles and 30 % of the directions are multiples of
-// 45 degrees, or nearly so.
+// Returns a position of b in a random direction from the middle of a, at which the cores have a random distance. In 30
+// % of the cases b is closer, so that the cores overlap. *rotation: half of the angles are multiples of 45 degrees, or
+// nearly so. 30 % of the directions are multiples of 45 degrees.
 static Vec random_pose(const Attribute* a, const Attribute* b, Vec* rotation)
 {
 	bool square = random_real(&seed, 0.0, 1.0) < 0.5;
@@ -352,7 +354,7 @@ static void test_random_poses(void** state)
 	assert_true(renamed * 100 < compared);
 }
 
-// Checks poses at which centers or corners coincide exactly: all results are finite.
+// Checks that all results are finite at poses at which centers or corners coincide exactly.
 static void test_coincidence(void** state)
 {
 	(void)state;
@@ -368,7 +370,7 @@ static void test_coincidence(void** state)
 				{
 					for (int j = 0; j < shapes[b].count; ++j)
 					{
-						// corner on corner
+						// a corner of b lies on a corner of a
 						Vec corner = vec(shapes[a].vertices[i].x, shapes[a].vertices[i].y);
 						Vec other = vec(shapes[b].vertices[j].x, shapes[b].vertices[j].y);
 						Vec position = vec_sub(corner, vec_turn(rotation, other));
@@ -383,32 +385,33 @@ static void test_coincidence(void** state)
 
 typedef struct
 {
-	int a, b, quarters; // quarter turns of b
+	int a, b, quarters; // quarters: rotation of b, in quarter turns
 	float x, y;
 	int count;
 	float normal[2], separation, point[2][2];
 } Example;
 
-// radii: circle 0.5, capsule 0.25; half sizes: box 0.5, capsule's core 1, ground segment 20
+// radii: circle 0.5, capsule 0.25; half sizes: box 0.5, core of capsule 1, ground segment 20
 static const Example examples[] = {
-    // centers 0.9 apart: 0.9 - 0.5 - 0.5; centers at one point, with the fixed normal; a gap of more than 0.02
+    // three poses: distance of the centers 0.9, so 0.9 - 0.5 - 0.5; equal centers, with the default normal; a gap above
+    // 0.02
     {CIRCLE, CIRCLE, 0, 0.9f, 0.0f, 1, {1.0f, 0.0f}, -0.1f, {{0.45f, 0.0f}}},
     {CIRCLE, CIRCLE, 0, 0.0f, 0.0f, 1, {0.0f, 1.0f}, -1.0f, {{0.0f, 0.0f}}},
     {CIRCLE, CIRCLE, 0, 0.0f, 1.021f, 0, {0.0f, 0.0f}, 0.0f, {{0.0f, 0.0f}}},
-    // circle over a face: 0.99 - 0.5 - 0.5; at a corner: the length of (0.3, 0.4) is 0.5; inside: the nearest face is
-    // 0.1 away
+    // circle over a face: 0.99 - 0.5 - 0.5; circle at a corner: the length of (0.3, 0.4) is 0.5; center of the circle
+    // in the box: the nearest face is 0.1 away
     {BOX, CIRCLE, 0, 0.2f, 0.99f, 1, {0.0f, 1.0f}, -0.01f, {{0.2f, 0.495f}}},
     {BOX, CIRCLE, 1, 0.8f, 0.9f, 1, {0.6f, 0.8f}, 0.0f, {{0.5f, 0.5f}}},
     {BOX, CIRCLE, 0, 0.4f, 0.0f, 1, {1.0f, 0.0f}, -0.6f, {{0.2f, 0.0f}}},
     {CIRCLE, BOX, 0, -0.2f, -0.99f, 1, {0.0f, -1.0f}, -0.01f, {{0.0f, -0.495f}}},
-    // faces overlap over x from -0.25 to 0.5, by 0.005
+    // faces overlap by 0.005, for x from -0.25 to 0.5
     {BOX, BOX, 0, 0.25f, 0.995f, 2, {0.0f, 1.0f}, -0.005f, {{-0.25f, 0.4975f}, {0.5f, 0.4975f}}},
     {BOX, BOX, 3, 0.25f, 0.995f, 2, {0.0f, 1.0f}, -0.005f, {{-0.25f, 0.4975f}, {0.5f, 0.4975f}}},
     // corner opposite a corner: the length of (0.006, 0.008) is 0.01
     {BOX, BOX, 0, 1.006f, 1.008f, 1, {0.6f, 0.8f}, 0.01f, {{0.503f, 0.504f}}},
     {BOX, BOX, 0, 1.015f, 1.015f, 0, {0.0f, 0.0f}, 0.0f, {{0.0f, 0.0f}}},
     {GROUND_SEGMENT, BOX, 0, 3.0f, 0.51f, 2, {0.0f, 1.0f}, 0.01f, {{2.5f, 0.005f}, {3.5f, 0.005f}}},
-    // capsules and segments: parallel, in line, standing on a face, and crossed
+    // capsules and segments: parallel, in line, standing on a face, crossed
     {CAPSULE, CAPSULE, 0, 0.5f, 0.49f, 2, {0.0f, 1.0f}, -0.01f, {{-0.5f, 0.245f}, {1.0f, 0.245f}}},
     {CAPSULE, CAPSULE, 2, 2.49f, 0.0f, 1, {1.0f, 0.0f}, -0.01f, {{1.245f, 0.0f}}},
     {BOX, CAPSULE, 1, 0.1f, 1.745f, 1, {0.0f, 1.0f}, -0.005f, {{0.1f, 0.4975f}}},
@@ -472,13 +475,13 @@ static const Rest rests[] = {
     {GROUND_BOX, CAPSULE, TAU / 4.0, 1.0f, 1.245f, 1},
     {CAPSULE, GROUND_BOX, TAU / 4.0, 1.245f, 0.0f, 1},
     {GROUND_SEGMENT, CIRCLE, 0.0, 1.0f, 0.495f, 1},
-    {BOX, CIRCLE, 0.0, 0.85f, 0.85f, 1}, // circle at a corner
+    {BOX, CIRCLE, 0.0, 0.85f, 0.85f, 1}, // circle at a corner of a box
     {CIRCLE, GROUND_BOX, 0.0, 0.0f, -0.495f, 1},
 };
 
-// Best edges of a and b that differ by less than the bias in favor of b. The bias must not apply, because the edges do
-// not face each other: short capsules nearly in line, with cores 0.18 mm apart; slivers that stand across each other,
-// 0.5 mm apart.
+// The best edges of a and b differ by less than the bias in favor of b. The bias must not apply here, because these
+// edges do not face each other: short capsules nearly in line, with cores 0.18 mm apart; slivers that stand across each
+// other, 0.5 mm apart.
 static void test_near_ties(void** state)
 {
 	(void)state;
@@ -504,7 +507,7 @@ static void test_rest(void** state)
 			CHECK(m.count == r->count, "%d points", m.count);
 			CHECK(same_features(&m, &first), "features %d, %d were %d, %d", m.feature[0], m.feature[1],
 			      first.feature[0], first.feature[1]);
-			// the reference does not alternate between the boxes: the normal is always that of b
+			// the normal is always that of b; it does not alternate between edges of a and b
 			Vec own = vec_turn_back(rotation, m.normal);
 			if (a == BOX && b == BOX)
 				CHECK(absolute(own.x - first_own.x) < 1e-6f && absolute(own.y - first_own.y) < 1e-6f,
@@ -538,7 +541,7 @@ static void test_slide(void** state)
 	}
 }
 
-// A rounded box rolls over the end of a capsule: the depth never jumps.
+// The depth changes without jumps while a rounded box rolls over the end of a capsule.
 static void test_roll_over(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_masses.c -- checks masses of bodies: masses set by the user, bodies without density, and motion while the
-// center of mass changes.
+// test_masses.c -- checks masses of bodies: masses set by the user, bodies without density, and motion when the center
+// of mass changes.
 #include "support/make_bodies.h"
 #include <string.h>
 
@@ -11,8 +11,8 @@ static void assert_mass(scree_world* world, scree_body body, scree_mass expected
 	assert_true(mass.center.x == expected.center.x && mass.center.y == expected.center.y);
 }
 
-// Checks that an impulse of 1 N s at a point 1 m from the center adds a velocity of 1 / m and a spin of 1 / I, on the
-// device as well.
+// Checks on the device that an impulse of 1 N s at a point 1 m from the center adds the velocity 1 / m and the spin 1 /
+// I.
 static void assert_pushed(scree_world* world, scree_body body, scree_mass mass)
 {
 	scree_vec center;
@@ -26,8 +26,8 @@ static void assert_pushed(scree_world* world, scree_body body, scree_mass mass)
 	OK(scree_body_set_velocity(world, body, (scree_velocity){0}));
 }
 
-// A mass set by the user applies again after the body had another type, while it is disabled, after it is enabled, and
-// on another device.
+// A mass set by the user applies again when the body is dynamic again after another type. It also applies while the
+// body is disabled, after it is enabled, and on another device.
 static void a_set_mass_holds(void** state)
 {
 	(void)state;
@@ -61,8 +61,8 @@ static void a_set_mass_holds(void** state)
 	scree_world_destroy(world);
 }
 
-// A dynamic body without collidables, or with collidables without density, has 1 kg and does not turn; it falls and
-// lands.
+// A dynamic body has 1 kg and does not turn if it has no collidables, or only collidables without density. Such a body
+// falls and lands.
 static void without_density(void** state)
 {
 	(void)state;
@@ -108,8 +108,8 @@ static scree_collidable add_part(scree_world* world, scree_body body, float x)
 	return create_collidable(world, &def);
 }
 
-// Checks the motion of a body that passes the point (1, 2) at (3, 4) m/s and turns at 2 rad/s: each of its points keeps
-// its motion, at any center of mass.
+// Checks the motion of a body that passes the point (1, 2) at (3, 4) m/s and turns at 2 rad/s. Each of its points keeps
+// its motion, for any center of mass. center: expected x of the center of mass.
 static void assert_motion(scree_world* world, scree_body body, float center)
 {
 	static const scree_vec points[] = {{1.0f, 2.0f}, {-4.0f, 7.0f}};
@@ -126,8 +126,8 @@ static void assert_motion(scree_world* world, scree_body body, float center)
 	NEAR(pose_of(world, body).position.y, 2.0, 1e-5);
 }
 
-// The motion stays while boxes of 1 kg are added, removed and made heavier, and a mass is set: without and with reads
-// in between, and on a disabled body.
+// The motion of a body stays the same while boxes of 1 kg are added, removed and made heavier, and while its mass is
+// set. The test does this with and without reads in between, and on an enabled and on a disabled body.
 static void motion_stays(void** state)
 {
 	(void)state;
@@ -157,17 +157,17 @@ static void motion_stays(void** state)
 		OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
 		assert_motion(world, body, -3.0f);
 		add_part(world, body, 6.0f);
-		assert_motion(world, body, 3.0f); // 3 kg at 2 m, 1 kg at 6 m
+		assert_motion(world, body, 3.0f); // 3 kg at x = 2 m and 1 kg at x = 6 m
 		scree_world_destroy(world);
 	}
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// bodies that are built shape by shape
+// bodies that are built box by box
 // ---------------------------------------------------------------------------------------------------------------
 
-// Adds boxes to two bodies by turns, seven at a time, with impulses, locks, masses and types set in between. If reads
-// is set, reads mass, velocity and hash after each box. Returns the hash.
+// Adds boxes to two bodies by turns, seven at a time. In between applies impulses, and sets locks, masses and types.
+// reads: reads mass, velocity and hash after each box. Returns the hash at the end.
 static uint64_t build(bool reads, scree_mass masses[2])
 {
 	scree_world* world = open_test_world(0.0f);
@@ -191,7 +191,7 @@ static uint64_t build(bool reads, scree_mass masses[2])
 			OK(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
 		if (k % 29 == 11)
 			OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
-		if (k == 60) // new body in the same slot
+		if (k == 60) // a new body takes the slot
 		{
 			OK(scree_body_destroy(world, body));
 			bodies[k / 7 % 2] = add_crate(world, SCREE_BODY_DYNAMIC, 80.0f, 0.0f);
@@ -219,8 +219,8 @@ static void reads_change_nothing(void** state)
 	assert_memory_equal(without, with, sizeof with);
 }
 
-// 8,000 boxes in a row have the same mass if they are created one by one or at once. Their inertia is that of a bar of
-// boxes with m (a^2 + b^2) / 12 each.
+// 8,000 boxes in a row have the same mass whether they are created one by one or at once. Their inertia is the sum of m
+// (a^2 + b^2) / 12 + m r^2 for boxes at distances r.
 static void many_shapes(void** state)
 {
 	(void)state;

@@ -22,7 +22,8 @@ static scree_body put(scree_world* world, scree_body_type type, scree_attribute 
 	return create_body(world, &def);
 }
 
-// Adds a floor of material 1 with its top at y = 0, and a box of material 2 at the height y. Returns the box.
+// Adds a floor of material 1 with its top at y = 0, and a box of material 2. y: height of the center of the box.
+// Returns the box.
 static scree_body put_box(scree_world* world, float y)
 {
 	put(world, SCREE_BODY_STATIC, make_surface(world, 50.0f, 1.0f, 1), 0.0f, -1.0f);
@@ -39,7 +40,8 @@ static void set(scree_world* world, int a, int b, float friction, float restitut
 	OK(scree_world_set_material_pair(world, a, b, &pair));
 }
 
-// A box slides v^2 / (2 mu g) far. Without friction it keeps its speed, from the next step on even if it was at rest.
+// A box slides v^2 / (2 mu g) far. Without friction it keeps its speed; this applies from the next step on, even to a
+// box at rest.
 static void friction(void** state)
 {
 	(void)state;
@@ -53,7 +55,7 @@ static void friction(void** state)
 	OK(scree_body_set_linear_velocity(world, box, (scree_vec){5.0f, 0.0f}));
 	run_steps(world, 60);
 	NEAR(velocity_of(world, box).linear.x, 5.0, 1e-5);
-	OK(scree_world_set_material_pair(world, 1, 2, NULL)); // 0.6, the friction of the attributes
+	OK(scree_world_set_material_pair(world, 1, 2, NULL)); // now the friction of the attributes applies, 0.6
 	run_steps(world, 60);
 	NEAR(velocity_of(world, box).linear.x, 0.0, 1e-3);
 	scree_world_destroy(world);
@@ -76,7 +78,8 @@ static void restitution(void** state)
 	scree_world_destroy(world);
 }
 
-// A belt runs clockwise around the shape, so a box on it moves to the right, for either order of the two materials.
+// A belt runs clockwise around its shape, so a box on the belt moves to the right. The order of the two materials does
+// not matter.
 static void belts(void** state)
 {
 	(void)state;
@@ -95,8 +98,8 @@ static void belts(void** state)
 	}
 }
 
-// Bodies with materials that ignore each other end their touch and fall through each other at any speed, without
-// continuous collision. Their touch begins again when the materials no longer ignore each other.
+// Two bodies with materials that ignore each other end their touch. They fall through each other at any speed, because
+// continuous collision also ignores them. The touch begins again when the materials no longer ignore each other.
 static void ignored(void** state)
 {
 	(void)state;
@@ -124,8 +127,8 @@ static void ignored(void** state)
 	scree_world_destroy(world);
 }
 
-// The table of material pairs is part of the hash before anything touches. Its values can be read, and survive moves
-// between devices.
+// The table of material pairs is part of the hash, even if nothing touches. Its values can be read, and remain after a
+// move to another device.
 static void reported_and_moved(void** state)
 {
 	(void)state;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_memory.c -- checks that memory may run out at each allocation.
+// test_memory.c -- checks that memory may run out at each allocation of a world that grows.
 #include "support/allocations.h"
 #include <stdlib.h>
 
-// Creates a world, adds 40 boxes in each of 20 rounds, and steps it once, until an allocation fails. Adds the number of
-// created boxes to *bodies.
+// Creates a world, adds 40 boxes in each of 20 rounds, and takes one step. Returns the status of the first call that
+// fails. Adds the number of created boxes to *bodies.
 static scree_status build(scree_world** world, int* bodies)
 {
 	scree_world_def world_def = scree_world_def_default();
@@ -30,7 +30,7 @@ static scree_status build(scree_world** world, int* bodies)
 	return status == SCREE_OK ? scree_world_step(*world, 0.01f, 2) : status;
 }
 
-// Lets memory run out at each allocation in turn. The call returns a status, and nothing is lost or changed.
+// Lets memory run out at each allocation in turn. The call that fails returns a status, and nothing is lost or changed.
 static void memory_runs_out(void** state)
 {
 	(void)state;
@@ -51,7 +51,8 @@ static void memory_runs_out(void** state)
 			++refused;
 		}
 
-		// memory is available again, so the next calls succeed, unless a step had begun (test_faults.c)
+		// there is memory again, so the next step succeeds, unless the failed call was a step that broke the world
+		// (test_faults.c)
 		allocations_left = -1;
 		if (made)
 		{

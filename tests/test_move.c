@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_move.c -- checks that the user's moves of a world between devices do not change its state.
+// test_move.c -- checks that moves of a world between devices, which the user requests, do not change its state.
 //
-// Formula: hash(moved, step) = hash(not moved, step). test_parity.c checks it for every scene; this file checks moves
-// at unusual times and moves that fail.
+// Formula: hash(moved, step) = hash(not moved, step). test_parity.c checks this formula for every scene. This file
+// checks moves at unusual times, and moves that fail.
 #include "support/allocations.h"
 #include "support/faulty_device.h"
 #include "support/second_device.h"
@@ -16,7 +16,7 @@
 // moves by the user
 // ---------------------------------------------------------------------------------------------------------------
 
-// A world may leave its device while the device computes, and before the first step.
+// A world may move before its first step, and while its device is still computing.
 static void moves_in_mid_run(void** state)
 {
 	(void)state;
@@ -83,7 +83,8 @@ static void what_is_read_stays(void** state)
 	scree_world_destroy(world);
 }
 
-// Makes changes of all kinds. They are still pending on one device when the world moves to another.
+// Makes changes of all kinds. The world moves to another device while they are pending. Writes the handles of 40 new
+// bodies to made.
 static void change(scree_world* world, scree_body* made)
 {
 	scree_body bodies[64];
@@ -193,7 +194,7 @@ static void memory_runs_out(void** state)
 	OK(scree_hooks_set(NULL));
 }
 
-// The new device fails in each of its calls in turn. The world stays on the old device and continues there.
+// Each call of the new device fails in turn. The world stays on the old device and continues there.
 static void new_device_falls(void** state)
 {
 	(void)state;
@@ -226,7 +227,7 @@ static void new_device_falls(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// The old device fails in each of its calls in turn. The world cannot continue afterwards.
+// Each call of the old device fails in turn. The world cannot continue after such a failure.
 static void old_device_falls(void** state)
 {
 	(void)state;
@@ -264,7 +265,7 @@ static void old_device_falls(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// Neither device shares memory with the host, as in a move between two GPUs.
+// A move between two devices that share no memory with the host, such as two GPUs.
 static void far_to_far(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_movers.c -- checks movers on floors, walls, slopes, steps and platforms, and that batches have equal bits on all
-// devices.
+// test_movers.c -- checks movers on floors, walls, slopes, steps and platforms. Also checks that batches of movers have
+// equal bits on all devices.
 #include "support/make_bodies.h"
 #include "support/variants.h"
 #include "tools/common/byte_hash.h"
@@ -12,11 +12,11 @@
 
 #define SPEED   4.0f
 #define GRAVITY 10.0f
-#define HALF    0.6f // m: from the center of a default mover to its foot
+#define HALF    0.6f // m, height of the center of a default mover above its foot
 
 static scree_mover mover_at(float x, float y) { return (scree_mover){.position = {x, y}}; }
 
-// Moves a mover for a number of frames at a horizontal speed, with gravity.
+// Moves a mover for a number of frames, with a horizontal speed and with gravity. def: null for the default definition.
 static void walk_frames(scree_world* world, const scree_mover_def* def, scree_mover* m, float speed, int frames)
 {
 	for (int k = 0; k < frames; ++k)
@@ -44,7 +44,7 @@ static void walks_on_a_floor(void** state)
 	NEAR(m.velocity.x, SPEED, 1e-6);
 	NEAR(m.position.y, HALF + 0.01, 1e-4);
 
-	// a jump leaves the ground and lands again after 2 v / g
+	// a mover that jumps at v leaves the ground and lands after 2 v / g
 	int frames = 0;
 	m.velocity.y = 5.0f;
 	do
@@ -68,14 +68,14 @@ static void stops_at_walls(void** state)
 	scree_world* world = open_world(0.0f);
 	add_floor(world);
 	add_box(world, SCREE_BODY_STATIC, 0.5f, 3.0f, 3.0f, 3.0f);
-	add_box(world, SCREE_BODY_STATIC, 2.0f, 0.5f, -3.0f, 2.0f); // a ceiling at 1.5 m
+	add_box(world, SCREE_BODY_STATIC, 2.0f, 0.5f, -3.0f, 2.0f); // a ceiling, 1.5 m above the floor
 	scree_mover m = mover_at(0.0f, HALF + 0.01f);
 	walk_frames(world, NULL, &m, SPEED, 120);
 	NEAR(m.position.x, 2.5 - 0.3 - 0.01, 1e-3);
 	NEAR(m.velocity.x, 0.0, 1e-5);
 	NEAR(m.wall_normal.x, -1.0, 1e-5);
 	assert_false(scree_collidable_is_null(m.wall));
-	// walls stop a mover at 1000 m/s as well
+	// a wall also stops a mover at 1000 m/s
 	m = mover_at(-10.0f, HALF + 3.0f);
 	m.velocity = (scree_vec){1000.0f, 0.0f};
 	OK(scree_movers_move(world, NULL, &m, 1, STEP));
@@ -89,7 +89,7 @@ static void stops_at_walls(void** state)
 	scree_world_destroy(world);
 }
 
-// Walks against a step of a height in m. Returns the height of the mover at the end in m.
+// Lets a mover walk to a step. height: of the step, m. Returns the height of the ground below the mover at the end, m.
 static float up_a_step(float height, float speed)
 {
 	scree_world* world = open_world(0.0f);
@@ -109,15 +109,15 @@ static void climbs_steps(void** state)
 			NEAR(up_a_step(height, speed), height <= 0.3f ? height : 0.0f, 2e-3);
 }
 
-// Walks on a plane that rises by an angle. Writes the last state of the mover; returns its distance along the plane in
-// m.
+// Lets a mover walk on a plane that rises to the right. Writes the last state of the mover to m. Returns the distance
+// along the plane, m.
 static float along_a_slope(float degrees, float speed, int frames, scree_mover* m)
 {
 	scree_world* world = open_world(0.0f);
 	float radians = degrees * (float)PI / 180.0f;
 	scree_rot r = scree_rot_make(radians);
 	scree_shape shape = box_shape(50.0f, 1.0f);
-	add_shape(world, SCREE_BODY_STATIC, shape, r.s, -r.c, radians); // its surface passes through 0
+	add_shape(world, SCREE_BODY_STATIC, shape, r.s, -r.c, radians); // its surface contains the origin
 	*m = mover_at(0.0f, 0.31f / r.c + 0.3f);
 	walk_frames(world, NULL, m, 0.0f, 60);
 	scree_vec from = m->position;
@@ -132,13 +132,13 @@ static void walks_on_slopes(void** state)
 	scree_mover m;
 	for (float degrees = -45.0f; degrees < 46.0f; degrees += 15.0f)
 	{
-		NEAR(along_a_slope(degrees, 0.0f, 600, &m), 0.0, 1e-3); // mover stands still for ten seconds
+		NEAR(along_a_slope(degrees, 0.0f, 600, &m), 0.0, 1e-3); // a mover stands still for ten seconds
 		float c = scree_rot_make(degrees * (float)PI / 180.0f).c;
 		float came = along_a_slope(degrees, 2.0f, 60, &m);
 		assert_false(scree_collidable_is_null(m.ground));
 		NEAR(came, degrees > 0.0f ? 2.0f * c : 2.0f / c, 0.05);
 	}
-	// a slope that is too steep: the mover slides down and cannot walk up
+	// on a slope that is too steep, a mover slides down and cannot walk up
 	float down = along_a_slope(60.0f, 0.0f, 120, &m), up = along_a_slope(60.0f, 4.0f, 120, &m);
 	printf("down a slope of 60 degrees %.2f m, up %.2f m\n", (double)down, (double)up);
 	assert_true(down < -0.5f && up < 0.3f);
@@ -179,7 +179,7 @@ static void rides_on_platforms(void** state)
 	scree_world_destroy(world);
 }
 
-// A moving wall pushes the mover. Two walls do not press it through the floor, and everything stays finite.
+// A moving wall pushes a mover. Two walls do not press the mover through the floor, and its position stays finite.
 static void is_pushed(void** state)
 {
 	(void)state;
@@ -213,7 +213,8 @@ static void build_town(scree_world* world)
 		                           (scree_velocity){{k % 2 ? 1.0f : -1.0f, 0.3f}, 0.2f}));
 }
 
-// Moves a crowd in a town, one by one if alone is set. Returns the hash of all frames.
+// Moves a crowd of movers in a town. alone: one call per mover instead of one call for all. Returns a hash of the
+// movers in all frames.
 static uint64_t hash_crowd(const Variant* variant, bool alone)
 {
 	scree_world* world = open_default_variant(variant);
@@ -255,8 +256,8 @@ static void crowds_are_equal_everywhere(void** state)
 			assert_int_equal(hash_crowd(variants + k, false), expected);
 }
 
-// Movers with definitions of all sizes, at random places, among walls and far away: results stay finite and within
-// reach.
+// Movers with definitions of all sizes are at random places, among walls and far away. Their positions and speeds stay
+// finite and limited.
 static void hostile_movers(void** state)
 {
 	(void)state;
@@ -291,7 +292,7 @@ static void hostile_movers(void** state)
 				    (scree_vec){random_between(&seed, -speed, speed), random_between(&seed, -speed, speed)};
 			}
 			most += 2.0f * 3000.0f * STEP +
-			        8.0f * (def.radius + def.length + def.skin + 10.0f); // distance for leaving an overlap
+			        8.0f * (def.radius + def.length + def.skin + 10.0f); // distance to leave an overlap
 			OK(scree_movers_move(world, &def, movers, 20, random_below(&seed, 20) ? STEP : 0.0f));
 			for (int k = 0; k < 20; ++k)
 			{
@@ -304,7 +305,7 @@ static void hostile_movers(void** state)
 	scree_world_destroy(world);
 }
 
-// A walking mover follows the ground down stairs. It falls off a ledge that is higher than snap_distance.
+// A walking mover follows the ground down stairs. At a ledge that is higher than snap_distance, the mover falls.
 static void follows_the_ground_down(void** state)
 {
 	(void)state;
@@ -329,8 +330,8 @@ static void follows_the_ground_down(void** state)
 	scree_world_destroy(world);
 }
 
-// A mover jumps up through a one-way platform, lands on it, walks through it from the side, and drops through an
-// ignored one.
+// A mover jumps up through a one-way platform, lands on it, and walks through it from the side. The mover drops through
+// a platform that it ignores.
 static void jumps_through_platforms(void** state)
 {
 	(void)state;
@@ -355,14 +356,14 @@ static void jumps_through_platforms(void** state)
 	walk_frames(world, NULL, &m, 0.0f, 600);
 	NEAR(m.position.y, top, 1e-3);
 
-	// the mover drops through the platform while it ignores it, and is not lifted by it afterwards
+	// the mover ignores the platform for 8 frames and drops through it; afterwards the platform does not lift the mover
 	m.ignored = platform;
 	walk_frames(world, NULL, &m, 0.0f, 8);
 	m.ignored = SCREE_NULL_BODY;
 	walk_frames(world, NULL, &m, 0.0f, 120);
 	NEAR(m.position.y, HALF + 0.01, 1e-3);
 
-	// the mover walks through a platform at its own height
+	// the mover walks from the side through a platform that is as high as the mover
 	OK(scree_body_set_pose(world, platform, (scree_pose){{0.0f, 0.6f}, {1.0f, 0.0f}}));
 	m = mover_at(-4.0f, HALF + 0.01f);
 	walk_frames(world, NULL, &m, SPEED, 120);
@@ -393,7 +394,7 @@ static void jumps_through_platforms(void** state)
 	scree_world_destroy(world);
 }
 
-// A step with its corner in the last centimetre of the world. The queries beside it stay within the world.
+// A step lies in the last centimetre of the world. Queries of a mover that walks to it stay within the world.
 static void at_the_end_of_the_world(void** state)
 {
 	(void)state;
@@ -411,8 +412,8 @@ static void at_the_end_of_the_world(void** state)
 	scree_world_destroy(world);
 }
 
-// A mover between a lift and a ceiling is crushed. It stays below the ceiling and reports the collidable that it cannot
-// leave, without a normal. When the lift goes down again, the mover stands on it.
+// A mover between a lift and a ceiling is crushed. The mover stays below the ceiling and reports the collidable that it
+// cannot leave, without a normal. When the lift is down again, the mover stands on it.
 static void lifts_crush(void** state)
 {
 	(void)state;
@@ -431,7 +432,7 @@ static void lifts_crush(void** state)
 			assert_true(m.position.y + HALF < 4.0f && m.position.y > 0.0f);
 			crushed = !scree_collidable_is_null(m.wall) && m.wall_normal.x == 0.0f && m.wall_normal.y == 0.0f;
 			if (crushed && speed > 40.0f)
-				break; // the lift is past the mover in the next step
+				break; // in the next step the lift is above the mover
 		}
 		assert_true(crushed);
 		assert_true(m.velocity.x == 0.0f && m.velocity.y == 0.0f);
@@ -448,8 +449,8 @@ static void lifts_crush(void** state)
 	}
 }
 
-// A thin wall, straight or rotated, pushes a mover ahead of it, even if the wall moves further in a step than the mover
-// is wide. Between the wall and a static one the mover is crushed, and stays outside of the static one.
+// A thin wall, upright or tilted, pushes a mover ahead of it, even if the wall moves further in a step than the mover
+// is wide. A mover between this wall and a static wall is crushed, and stays outside of the static wall.
 static void fast_walls_push(void** state)
 {
 	(void)state;
@@ -474,7 +475,7 @@ static void fast_walls_push(void** state)
 			walk_frames(world, NULL, &m, 0.0f, 1);
 			scree_vec at = position_of(world, wall);
 			crushed = !scree_collidable_is_null(m.wall) && m.wall_normal.x == 0.0f && m.wall_normal.y == 0.0f;
-			// distance of the mover from the middle of the wall, along the normal
+			// distance of the mover from the middle of the wall, along the normal of the wall
 			float before = cosf(angle) * (m.position.x - at.x) + sinf(angle) * (m.position.y - at.y);
 			assert_true(crushed || before > half + 0.3f - 1e-3f);
 			assert_true(!blocked || m.position.x < 5.7f + 1e-3f);
@@ -484,7 +485,7 @@ static void fast_walls_push(void** state)
 	}
 }
 
-// A lift of any speed carries a mover.
+// A lift carries a mover at any speed.
 static void fast_lifts_carry(void** state)
 {
 	(void)state;

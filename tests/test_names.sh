@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_names.sh -- builds the static library in several ways; a program may define every name that does not begin with scree_.
+# test_names.sh -- builds the static library in two ways, and checks that a program may define every name that does not
+# begin with scree_.
 set -euo pipefail
 scratch=$SCREE_BUILD/names_test
 rm -rf "$scratch"
@@ -30,7 +31,8 @@ int main(void)
 }
 C
 
-# check NAME COMPILER FLAGS OPTION...: builds for one number of lanes, which is enough for names and compiles fast
+# check NAME COMPILER FLAGS OPTION...: builds the library with one number of lanes, which is fast and has all names;
+# checks its names
 check()
 {
 	local name=$1 compiler=$2 flags=$3 build=$scratch/$1 strangers

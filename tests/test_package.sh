@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# test_package.sh -- installs into a scratch folder, builds the examples against it through CMake, hello.c also through
-# pkg-config, static and shared, and runs it: all four must print the same.
+# test_package.sh -- installs into a scratch folder and builds the examples against it: through CMake, and hello.c also
+# through pkg-config, each static and shared. The four builds of hello must print the same.
 set -euo pipefail
 scratch=$SCREE_BUILD/package
 rm -rf "$scratch"
@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 export CC=${CC:-cc}
 
 cmake --install "$SCREE_BUILD" --prefix "$scratch/first" >"$scratch/log"
-# an installed tree may be moved
+# moves the installed tree, which must still work
 mv "$scratch/first" "$scratch/prefix"
 prefix=$scratch/prefix
 libdir=$(dirname "$(find "$prefix" -name pkgconfig -type d)")
@@ -28,7 +28,7 @@ done
 export PKG_CONFIG_PATH=$libdir/pkgconfig
 [ "$(pkg-config --modversion scree)" = "$(sed -n 's/^#define SCREE_VERSION_[A-Z]* //p' "$SCREE_SOURCE/include/scree/scree.h" | paste -sd .)" ]
 hello=$SCREE_SOURCE/examples/hello.c
-# word splitting of the output of pkg-config is intended
+# the output of pkg-config is several words
 $CC -std=c17 -Wall -Wextra -Werror "$hello" -o "$scratch/hello_shared" $(pkg-config --cflags --libs scree)
 $CC -std=c17 -Wall -Wextra -Werror "$hello" -o "$scratch/hello_static" $(pkg-config --cflags scree) "$libdir/libscree.a" \
 	$(pkg-config --static --libs scree | sed 's/-lscree//')
@@ -43,13 +43,13 @@ grep -q 'the box rests at .*, 0\.[45]' "$scratch/cmake_OFF.txt"
 cmp "$scratch/car_OFF.txt" "$scratch/car_ON.txt"
 grep -q '^3\.0 s: the car is at 1[0-9]\..*, 0\.[89]' "$scratch/car_OFF.txt"
 
-# the library exports its interface and nothing else
+# the library exports only names of its interface
 strangers=$(nm -D --defined-only "$libdir/libscree.so" | awk '{print $3}' | grep -v '^scree_' || true)
 [ -z "$strangers" ] || { echo "libscree.so exports: $strangers"; exit 1; }
 strangers=$(nm -g --defined-only "$libdir/libscree.a" | awk 'NF == 3 { print $3 }' | grep -v '^scree_' || true)
 [ -z "$strangers" ] || { echo "libscree.a has the global names" $strangers; exit 1; }
 
-# the header compiles as C++ too
+# the header also compiles as C++
 if command -v c++ >/dev/null; then
 	echo '#include <scree/scree.h>' | c++ -x c++ -fsyntax-only -Wall -Wextra -Werror $(pkg-config --cflags scree) -
 fi

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_page.sh -- the page in Chromium: hashes of all scenes in three forms, pictures, mouse and fingers, links, the comparison.
+# test_page.sh -- checks the page in Chromium: hashes of all scenes in three builds, pictures, mouse and fingers, links,
+# the comparison.
 set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 build=${SCREE_BUILD:?is the build folder}
 source=${SCREE_SOURCE:?is the folder of the sources}
-# skip WHY...: skips the test, or fails if SCREE_EXPECT requires the page
+# skip REASON...: skips the test, or fails if SCREE_EXPECT requires the page
 skip()
 {
 	echo "skipped: $*"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_paints.c -- checks colors of bodies and legends: forces of contacts, starting places, ramps, and the box around
-// most bodies.
+// test_paints.c -- checks colors of bodies and their legends: forces of contacts, starting places, ramps, and boxes
+// around most bodies.
 #include "support/make_bodies.h"
 #include "view/bounds.h"
 #include "view/contact_loads.h"
@@ -19,8 +19,8 @@ static scree_body add_crate_at(scree_world* world, float y)
 	return create_body(world, &def);
 }
 
-// A column of three crates of m kg. The floor carries 3 m g; the force of a crate is the sum of the contacts above and
-// below.
+// Three crates of m kg stand on each other. The floor carries 3 m g. The force of a crate is the sum of the forces
+// above and below it.
 static void forces_are_those_of_a_column(void** state)
 {
 	(void)state;
@@ -49,10 +49,10 @@ static void ranges_are_round_and_stay(void** state)
 	(void)state;
 	float forces[1000];
 	for (int k = 0; k < 1000; ++k)
-		forces[k] = 0.1f * (float)k;                        // up to 99.9
-	assert_true(loads_range(forces, 1000, 0.0f) == 200.0f); // a bin is an eighth of a power of two
+		forces[k] = 0.1f * (float)k;                        // the largest is 99.9
+	assert_true(loads_range(forces, 1000, 0.0f) == 200.0f); // the bin of the 99.5 % quantile ends at 104
 	assert_true(loads_range(forces, 500, 0.0f) == 100.0f || loads_range(forces, 500, 0.0f) == 50.0f);
-	forces[999] = 1.0e9f; // one value of a thousand is left out
+	forces[999] = 1.0e9f; // beyond the 99.5 % quantile
 	forces[998] = NAN;
 	forces[997] = -5.0f;
 	assert_true(loads_range(forces, 1000, 0.0f) == 200.0f);
@@ -76,10 +76,10 @@ static void starts_are_remembered(void** state)
 	assert_true(starts_frame(&starts, points, 3));
 	assert_true(starts_add(&starts, bodies, poses, 3));
 	poses[2].position = (scree_vec){9, 9};
-	assert_true(starts_add(&starts, bodies, poses, 3)); // known bodies keep their places
+	assert_true(starts_add(&starts, bodies, poses, 3)); // bodies that are known keep their starting places
 	scree_vec share = starts_share(&starts, bodies[2]);
 	assert_true(share.x == 0.5f && share.y == 0.25f);
-	// another body with the same index, and a place outside of the box
+	// a new body with the index of a known body, which starts outside of the box
 	const scree_body other = {5, 4};
 	assert_true(starts_misses(&starts, other));
 	share = starts_share(&starts, other);
@@ -89,7 +89,7 @@ static void starts_are_remembered(void** state)
 	share = starts_share(&starts, other);
 	assert_true(share.x == 0.0f && share.y == 1.0f);
 	starts_close(&starts);
-	// all bodies at one place
+	// all bodies start at one place
 	const scree_vec same[] = {{2, 3}, {2, 3}};
 	assert_true(starts_frame(&starts, same, 2));
 	assert_true(starts_add(&starts, bodies, (scree_pose[]){{{2, 3}, {1, 0}}}, 1));
@@ -112,10 +112,10 @@ static void boxes_leave_out_what_is_far_away(void** state)
 	points[9] = (scree_vec){NAN, 0.0f};
 	assert_true(bounds_find(points, 100, 0.5f, &box));
 	assert_true(box.upper.x == 9.5f && box.lower.y == -0.5f);
-	points[8] = (scree_vec){15.0f, 3.0f}; // a point a little aside is included
+	points[8] = (scree_vec){15.0f, 3.0f}; // a point a little outside is included
 	assert_true(bounds_find(points, 100, 0.5f, &box));
 	assert_true(box.upper.x == 15.5f);
-	// a column of points, two points, one, none
+	// a column of points, then two points, one point, no point
 	for (int k = 0; k < 20; ++k)
 		points[k] = (scree_vec){3.0f, (float)k};
 	assert_true(bounds_find(points, 20, 1.0f, &box));
@@ -127,7 +127,7 @@ static void boxes_leave_out_what_is_far_away(void** state)
 	assert_true(box.lower.x == -30.0f && box.lower.y == 2.0f && box.upper.x == 4.0f && box.upper.y == 40.0f);
 }
 
-// Every paint except PAINT_ATTRIBUTE has a legend, with ticks in rising order.
+// Checks that every paint except PAINT_ATTRIBUTE has a legend, with ticks in rising order.
 static void legends_have_numbers(void** state)
 {
 	(void)state;
@@ -160,7 +160,7 @@ static void legends_have_numbers(void** state)
 	assert_string_equal(legend.ticks[2].text, "8");
 }
 
-// The ramp of forces gets lighter from one end to the other.
+// Checks that the ramp of forces gets lighter from its first to its last color.
 static void the_ramp_of_force_rises(void** state)
 {
 	(void)state;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// test_pair_reasons.c -- checks every reason why two bodies do not collide, in every stage that tests it, with equal
+// test_pair_reasons.c -- checks each reason why two bodies do not collide, in each stage that tests for it, with equal
 // bits on all devices.
 //
-// A ball meets a thin upright wall in four ways: it lies in the wall; it is thrown at the wall; a force pushes it
+// A ball meets a thin upright wall in four cases: it lies in the wall; it is thrown at the wall; a force pushes it
 // through the wall within one step, so that no contact exists before; or it is a sensor that flies through the wall.
-// The table has the expected result of each.
+// The table has the expected result for each reason in each of the four cases.
 #include "platform/processor.h"
 #include "support/make_joints.h"
 #include <math.h>
 #include <string.h>
 
-#define RADIUS 0.1f // m, of the ball
+#define RADIUS 0.1f // radius of the ball, m
 
 typedef enum
 {
@@ -28,8 +28,8 @@ typedef enum
 	REFUSED,
 } Reason;
 
-// true if the two collide: in a contact (touches), in the sweep of a thrown body (sweeps), in continuous collision
-// (stops); sees is true if a sensor reports the wall
+// touches, sweeps, stops: true if ball and wall collide in a contact, in the sweep of a thrown ball, in continuous
+// collision; sees: true if the ball as a sensor reports the wall
 static const struct
 {
 	const char* name;
@@ -123,7 +123,7 @@ static void keep_apart(const Pair* pair, Reason reason)
 	}
 }
 
-// Creates a world with a wall at 0 and a ball at x. With contact approval, the ball begins close to the wall, and the
+// Creates a world with a wall at 0 and a ball at x. For the reason REFUSED the ball begins close to the wall, and their
 // contact is refused.
 static Pair begin(Reason reason, scree_body_type type, float x, bool sensor)
 {
@@ -181,8 +181,8 @@ static uint64_t sweep(Reason reason, scree_body_type type)
 	return end(pair);
 }
 
-// The force moves the ball by 10 a h^2 = 0.6 m in four substeps of 1/240 s. The ball is at rest before, so there is no
-// speculative contact.
+// The force moves the ball by 10 a h^2 = 0.6 m in four substeps of h = 1/240 s. The ball starts at rest, so there is no
+// speculative contact before.
 static uint64_t continuous(Reason reason, scree_body_type type)
 {
 	Pair pair = begin(reason, type, -0.3f, false);
@@ -200,7 +200,7 @@ static uint64_t sensor(Reason reason, scree_body_type type)
 	OK(scree_body_set_linear_velocity(pair.world, pair.ball, (scree_vec){100.0f, 0.0f}));
 	run_steps(pair.world, 1);
 	scree_events events = events_of(pair.world);
-	int seen = 0; // visits reported by the ball
+	int seen = 0; // number of visits that the ball reports
 	for (int k = 0; k < events.visits_began_count; ++k)
 		seen += events.visits_began[k].body_sensor.index == pair.ball.index;
 	expect(seen == 1, table[reason].sees, "sensor", reason, type);
@@ -242,8 +242,8 @@ static void all_reasons_in_all_stages(void** state)
 	}
 }
 
-// A bar on a hinge overlaps the static frame at the other side of the hinge. It turns exactly as with a frame without a
-// shape, also if the two bodies are excluded.
+// A bar on a hinge overlaps its static frame at the other side of the hinge. The bar turns in exactly the same way if
+// the frame has no shape, and if bar and frame are excluded.
 static void a_door_turns_in_its_frame(void** state)
 {
 	(void)state;

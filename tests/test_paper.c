@@ -21,7 +21,7 @@ static scree_body add_moving(scree_world* world, scree_body_type type, scree_att
 	return create_body(world, &def);
 }
 
-// Creates the paper's pipeline from the content of a world, and destroys the world.
+// Creates the paper's pipeline from the content of a world, destroys the world, and returns the pipeline.
 static Paper* take(scree_world* world, const char* device)
 {
 	Paper* paper;
@@ -66,8 +66,8 @@ static void test_free_fall(void** state)
 	paper_destroy(paper);
 }
 
-// A force F for one step gives v = F dt / m. A torque T gives w = T dt / I, and the angle n w dt after n steps. The
-// accumulators are empty in the next step.
+// A force F during one step gives v = F dt / m. A torque T during one step gives w = T dt / I, and the angle n w dt
+// after n steps. Forces and torques do not act in later steps.
 static void test_accumulators(void** state)
 {
 	(void)state;
@@ -88,8 +88,8 @@ static void test_accumulators(void** state)
 	paper_destroy(paper);
 }
 
-// A box comes to rest on the ground, upright and without speed. Its center is at half its height, except for the
-// millimetre of overlap that resolution leaves.
+// A box comes to rest on the ground, upright. Its center is at half its height, except for the millimetre of overlap
+// that remains.
 static void test_rest(void** state)
 {
 	(void)state;
@@ -140,8 +140,8 @@ static void test_friction(void** state)
 }
 
 // A circle overlaps a floor by 2 cm, and a wall with the normal (-0.6, 0.8) by 1 cm. The deeper overlap is resolved
-// first: raised by 2 cm from the floor, the circle is 0.8 * 2 cm farther from the wall and free. In the other order it
-// would move 6 mm to the left as well. Resolution leaves an overlap of half a millimetre.
+// first. This raises the circle by 2 cm, so it is 0.8 * 2 cm farther from the wall and free. In the other order the
+// circle would also move 6 mm to the left. An overlap of half a millimetre remains.
 static void test_most_severe_first(void** state)
 {
 	(void)state;
@@ -149,7 +149,7 @@ static void test_most_severe_first(void** state)
 	float nx = -0.6f, ny = 0.8f, radius = 0.5f, half = 1.0f;
 	add_moving(world, SCREE_BODY_DYNAMIC, disc(world, radius, 0.0f), 0.0f, 0.0f, 0.0f, 0.0f);
 
-	// the pair of the wall comes first, so that the order of pairs is not the order of overlaps
+	// the wall is created first, so that the order of pairs is not the order of depths
 	float away = half + radius - 0.01f;
 	scree_attribute wall = box_attribute(world, 0.3f, half);
 	add_moving(world, SCREE_BODY_STATIC, wall, -away * nx, -away * ny, atan2f(-nx, ny), 0.0f);
@@ -163,7 +163,7 @@ static void test_most_severe_first(void** state)
 	paper_destroy(paper);
 }
 
-// A contact with a collidable without a body is detected, but has no response.
+// A contact with a collidable without a body is detected, but not resolved.
 static void test_detected_only(void** state)
 {
 	(void)state;
@@ -251,7 +251,7 @@ static void test_parity(void** state)
 	paper_destroy(device);
 }
 
-// The paper's pipeline takes over the pose and velocity of a box that Scree's pipeline has moved.
+// The paper's pipeline starts with the pose and velocity of a box that Scree's pipeline has moved.
 static void test_take_over(void** state)
 {
 	(void)state;
@@ -272,9 +272,9 @@ static void test_take_over(void** state)
 	paper_destroy(paper);
 }
 
-// Figures 5 and 6 need this: after a second of Scree's pipeline and a few steps of the paper's, a pyramid of ten boxes
-// has as many contacts and as deep overlaps as after a second of the paper's pipeline. A box touches two boxes above it
-// and two below, but not those beside it: 16 contacts, 4 of them with the ground.
+// Figures 5 and 6 start with a second of Scree's pipeline and a few steps of the paper's. After this start, a pyramid
+// of ten boxes has as many contacts and as deep overlaps as after a second of the paper's pipeline. A box touches two
+// boxes above it and two below it, but not the boxes beside it: 16 contacts, 4 of them with the ground.
 static void test_warm_up(void** state)
 {
 	(void)state;
@@ -300,7 +300,7 @@ static void test_warm_up(void** state)
 	assert_true(fabs(counters[1].penetration - counters[0].penetration) < 0.1f * counters[0].penetration);
 }
 
-// 40 circles at one place have 40 * 39 / 2 contacts, more than the initial capacity; none is lost.
+// 40 circles at one place have 40 * 39 / 2 contacts, more than the initial capacity. All of them are found.
 static void test_growth(void** state)
 {
 	(void)state;
@@ -322,8 +322,8 @@ static void test_growth(void** state)
 	assert_int_equal(hash[0], hash[count - 1]);
 }
 
-// Boxes 0 and 1 overlap, 1 and 3 share an edge, 0 and 3 a corner; box 4 is a point inside of box 1. All others are
-// apart.
+// Boxes 0 and 1 overlap. Boxes 1 and 3 share an edge, and boxes 0 and 3 share a corner. Box 4 is a point inside of box
+// 1. All other boxes are apart.
 static void test_pairs(void** state)
 {
 	(void)state;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_paper_commands.sh -- the command line of the paper's pipeline: its commands, its figures and its refusals.
+# test_paper_commands.sh -- checks the command line of the paper's pipeline: its commands, its figures and its error
+# messages.
 set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 . "${SCREE_SOURCE:?}/tests/cli_support.sh"
@@ -41,7 +42,7 @@ done
 head -n 1 rows.csv | grep -q ',ms_resolve$' || fail "run --csv: another heading"
 if "$program" run pyramid "${small[@]}" --picture picture.png --size 320x200 >out 2>err; then
 	[ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "run --picture: not a PNG"
-	# the picture shows the bodies at the poses of the pipeline
+	# the picture shows bodies at their poses in the paper's pipeline
 	expect 0 "$("$program" hash pyramid "${small[@]}" --steps 60)" run pyramid "${small[@]}" --steps 60 --picture end.png --size 320x200
 	cmp -s picture.png end.png && fail "run --picture: the same after 5 and 60 steps"
 	expect 0 '' run pyramid "${small[@]}" --picture view.png --size 320x200 --view 0,0,4,2
@@ -50,7 +51,7 @@ if "$program" run pyramid "${small[@]}" --picture picture.png --size 320x200 >ou
 else
 	refuse 1 'libcairo2-dev' run pyramid "${small[@]}" --picture picture.png
 fi
-# in the paper's pipeline this pile sinks deeper than its limit
+# in the paper's pipeline this pyramid sinks deeper than its limit
 expect 1 "$paper" bench pyramid "${small[@]}" --repeats 1
 grep -q "pyramid is invalid: its deepest overlap" err || fail "bench: stacks stand"
 expect 0 ',1' bench drift --set boxes=20 --steps 5 --repeats 1
@@ -59,7 +60,7 @@ expect 0 ',1' bench drift --set boxes=20 --steps 5 --repeats 1 --known known.csv
 sed -E 's/,[0-9a-f]{16},1$/,0123456789abcdef,1/' known.csv >other.csv
 expect 1 'but other.csv has 0123456789abcdef' bench drift --set boxes=20 --steps 5 --repeats 1 --known other.csv
 
-# the figures: both pipelines on one thread and on OpenCL, Scree's also on all threads
+# figures: both pipelines on one thread and on OpenCL; Scree's pipeline also on all threads
 columns=scene,settings,pipeline,device,threads,bodies,contacts,contacts_a_body,steps,repeats,ms_step,ms_least,ms_most
 stages=,ms_to_device,ms_from_device,ms_integrate,ms_transform,ms_detect,ms_resolve
 stages+=,ms_broad_phase,ms_narrow_phase,ms_color,ms_solve,ms_finalize
@@ -81,7 +82,7 @@ else
 	crossover='(no crossover of OpenCL and [12] threads? of the CPU|OpenCL is faster than [12] threads? of the CPU from [0-9]+ bodies on)'
 	[ "$(grep -cE ": $crossover\$" out)" = 6 ] || fail "figure5: not a crossover of each curve, or none"
 fi
-# measurements begin after one second of simulation; the hash is that of a run with as many steps
+# measurements begin after one second; the hash is that of a run with the steps of this second and of the measurement
 hash=$("$scree" hash drift --set boxes=46 --steps 63 --device cpu)
 [ "$(grep -cE "^drift,boxes=46,scree,.*,$hash\$" figure5.csv)" = $((devices + 1)) ] ||
 	fail "figure5: not the hash after a second and three steps"
@@ -105,8 +106,8 @@ mkdir empty
 env PATH="$scratch/empty" "$program" figure6 --draw figure6.csv >out 2>err || fail "--draw without gnuplot: a failure"
 grep -q 'figure6.csv is not drawn.*gnuplot-nox' err || fail "--draw without gnuplot: no remedy"
 
-# drawn from rows alone: costs of 1 and 4 ms at 100 bodies, 4 and 1 at 400, cross half way on a logarithmic axis; so do 2 and
-# 4, 2 and 1
+# a figure drawn from given rows: lines of 1 and 4 ms at 100 bodies, 4 and 1 ms at 400 cross at 200 on a logarithmic
+# axis; so do lines of 2 and 4 ms, 2 and 1 ms
 {
 	echo "$columns,penetration,hash"
 	for row in cpu,1,100,3,0.03,9,1,1 cpu,8,100,3,0.03,9,1,2 'opencl:A_GPU,0,100,3,0.03,9,1,4' \

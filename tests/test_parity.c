@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_parity.c -- checks that every scene and a run full of changes have equal bits on every device, with every
-// number of lanes and threads.
+// test_parity.c -- checks that each scene, and a world with changes of all kinds, has equal bits on every device, with
+// every number of lanes and threads.
 //
 // Formula: hash(device, lanes, threads, step) = hash(cpu, 1, 1, step), for each step.
 #include "support/make_bodies.h"
@@ -32,7 +32,7 @@ static void check_scene(const Scenario* scenario)
 	scree_counters last = check(scenario);
 	assert_int_equal(last.frozen_bodies, 0);
 
-	// the scene with a hub
+	// the scene washer has a hub
 	if (strcmp(scenario->name, "washer") == 0 && !quick())
 		assert_true(last.spokes > 0);
 }
@@ -44,7 +44,7 @@ static void scenes_are_equal(void** state)
 }
 
 // ---------------------------------------------------------------------------------------------------------------
-// a run with all changes that the interface allows
+// a world with all changes that the interface allows
 // ---------------------------------------------------------------------------------------------------------------
 
 static scree_attribute any_attribute(scree_world* world, uint64_t* seed)
@@ -89,7 +89,7 @@ static void build_changes(scree_world* world, const void* context)
 		OK(scree_body_create(world, &def, NULL));
 	}
 
-	// a collidable without a body, which is only detected
+	// a collidable without a body, which only reports overlaps
 	scree_collidable_def zone = scree_collidable_def_default();
 	zone.attribute = any_attribute(world, &seed);
 	zone.pose.position.y = 1.0f;
@@ -215,7 +215,7 @@ static void make_changes(scree_world* world, int step, const void* context)
 	int count;
 	OK(scree_world_get_bodies(world, bodies, 512, &count));
 
-	// the first four bodies are floor, walls and belt
+	// the first four bodies, floor, walls and belt, are left out
 	for (int k = 0; k < 6; ++k)
 		change_motion(world, bodies[4 + random_below(&seed, count - 4)], &seed);
 	if (step % 3 == 0)
@@ -230,7 +230,7 @@ static void make_changes(scree_world* world, int step, const void* context)
 	if (step % 5 == 4)
 	{
 		scree_body_def defs[20];
-		int more = step % 2 ? 3 : 20; // 20 rows are uploaded pool by pool, 3 as commands
+		int more = step % 2 ? 3 : 20; // 20 bodies are uploaded pool by pool, 3 as commands
 		for (int k = 0; k < more; ++k)
 			defs[k] = any_body(world, &seed);
 		if (count + more < 300)
@@ -245,7 +245,7 @@ static void make_changes(scree_world* world, int step, const void* context)
 	if (step % 7 == 3)
 		OK(scree_world_step(world, 0.0f, 2));
 
-	// a body that is created and destroyed between two steps
+	// creates and destroys a body between two steps
 	scree_body_def def = any_body(world, &seed);
 	scree_body brief = create_body(world, &def);
 	OK(scree_body_apply_impulse(world, brief, (scree_vec){1.0f, 2.0f}));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_path_changes.c -- checks joints on paths that end, cross themselves, move and change: limits, laps, branches,
-// and bodies that are placed.
+// and bodies that the user places.
 #include "support/make_paths.h"
 #include <math.h>
 #include <string.h>
@@ -12,7 +12,7 @@ static float along_of(scree_world* world, scree_joint joint)
 	return joint_state_of(world, joint).values[SCREE_ALONG];
 }
 
-// A bead stops at the ends of an open path, and before them at the limits of the user.
+// A bead stops at the ends of an open path. Limits of the user stop the bead before the ends.
 static void open_paths_end(void** state)
 {
 	(void)state;
@@ -38,12 +38,12 @@ static void open_paths_end(void** state)
 			NEAR(joint_state_of(world, joint).values[SCREE_ACROSS], 0.0, 1e-3);
 			scree_joint_coordinate own;
 			OK(scree_joint_get_coordinate(world, joint, SCREE_ALONG, &own));
-			assert_int_equal(own.limited, cases[k].limited); // limits of the user are unchanged
+			assert_int_equal(own.limited, cases[k].limited); // the limits of the user are unchanged
 			scree_world_destroy(world);
 		}
 }
 
-// A lock along a path holds its target, limited to the ends of the path.
+// A lock along a path holds its target. A target beyond the path counts as an end of the path.
 static void locks_stay_on_the_path(void** state)
 {
 	(void)state;
@@ -62,7 +62,7 @@ static void locks_stay_on_the_path(void** state)
 	}
 }
 
-// The coordinate along counts laps in both directions: it is v t on a circle of circumference 2 pi R. A limit at 2.5
+// The coordinate along counts laps in both directions. On a circle of circumference 2 pi R it is v t. A limit at 2.5
 // laps holds the bead there.
 static void laps_count(void** state)
 {
@@ -87,7 +87,7 @@ static void laps_count(void** state)
 	scree_world_destroy(world);
 }
 
-// A new joint is in the lap of initial_along, and one mounted at the seam is at the seam.
+// A new joint is in the lap of initial_along. A joint that is mounted at the seam of the path begins at the seam.
 static void joints_begin_near(void** state)
 {
 	(void)state;
@@ -103,7 +103,7 @@ static void joints_begin_near(void** state)
 		NEAR(def.frame_b.position.x, 0.0, 1e-5);
 		NEAR(def.frame_b.rotation.s, 0.0, 1e-5);
 		scree_joint joint = add_joint(world, &def);
-		NEAR(along_of(world, joint), begins[k], 1e-4); // before any step
+		NEAR(along_of(world, joint), begins[k], 1e-4); // also before the first step
 		run_steps(world, 1);
 		NEAR(along_of(world, joint), begins[k], 1e-4);
 
@@ -117,8 +117,8 @@ static void joints_begin_near(void** state)
 	scree_world_destroy(world);
 }
 
-// Adds a lemniscate, which crosses itself at right angles: x = 4 cos t / (1 + sin^2 t), y = x sin t. A bead passes the
-// crossing straight on, at any speed.
+// Adds a lemniscate, a path that crosses itself at right angles: x = 4 cos t / (1 + sin^2 t), y = x sin t. A bead
+// should move straight through the crossing, at any speed.
 static scree_path add_eight(scree_world* world)
 {
 	scree_vec points[96];
@@ -155,8 +155,8 @@ static void crossings_keep_the_branch(void** state)
 	}
 }
 
-// A body that is placed is at the part of the path nearest to it, in the lap that changes the coordinate least. A body
-// that is displaced a little at the crossing stays on its branch.
+// A body that the user places is held at the part of the path nearest to it, in the lap that changes the coordinate
+// least. A body that the user displaces a little at the crossing stays on its branch.
 static void placed_bodies_look_around(void** state)
 {
 	(void)state;
@@ -191,7 +191,8 @@ static void placed_bodies_look_around(void** state)
 		run_steps(world, 1);
 		NEAR(along_of(world, joint), on - 0.04f * lap * (float)k / 19.0f, 2e-3);
 	}
-	// the path itself is placed: the joint may select a part of it that is at most twice as far away as the nearest one
+	// the path is moved instead of the body; the joint may select a part of the path that is up to twice as far away as
+	// the nearest part
 	scree_vec at = position_of(world, bead);
 	float nearest;
 	OK(scree_joint_set_frames(world, joint, (scree_pose){{-1.0f, 0.5f}, {1.0f, 0.0f}},
@@ -203,7 +204,7 @@ static void placed_bodies_look_around(void** state)
 	scree_world_destroy(world);
 }
 
-// A bead stays on a path in a body that moves and turns, and the two bodies keep their momentum and angular momentum.
+// A bead stays on a path in a body that moves and turns. Bead and body keep their momentum and angular momentum.
 static void paths_move_with_bodies(void** state)
 {
 	(void)state;
@@ -246,7 +247,7 @@ static void paths_move_with_bodies(void** state)
 	}
 }
 
-// New paths use the memory of destroyed ones, and each joint reads its own path.
+// New paths reuse the memory of destroyed paths, and each joint reads its own path.
 static void paths_come_and_go(void** state)
 {
 	(void)state;
@@ -260,7 +261,7 @@ static void paths_come_and_go(void** state)
 		int n = k * 7 % 20;
 		if (k >= 20)
 		{
-			OK(scree_body_destroy(world, beads[n])); // destroys its joint as well
+			OK(scree_body_destroy(world, beads[n])); // also destroys the joint of the bead
 			OK(scree_path_destroy(world, paths[n]));
 			assert_false(scree_path_is_valid(world, paths[n]));
 		}
@@ -284,7 +285,8 @@ static void paths_come_and_go(void** state)
 	scree_world_destroy(world);
 }
 
-// Joints on paths can be disabled, enabled and broken, and their bodies can change their type, as with other joints.
+// Joints on paths can be disabled, enabled and broken, and their bodies can change their type, like those of other
+// joints.
 static void joints_rest_and_break(void** state)
 {
 	(void)state;
@@ -293,7 +295,7 @@ static void joints_rest_and_break(void** state)
 	float lap = length_of(world, path);
 	scree_body bead = add_wagon(world, path, 0.0f, 0.1f, 5.0f);
 	scree_joint joint = ride(world, path, bead, false);
-	run_steps(world, 170); // more than a lap
+	run_steps(world, 170); // takes the bead more than a lap
 	float along = along_of(world, joint);
 	assert_true(along > lap);
 	OK(scree_joint_set_enabled(world, joint, false));
@@ -301,7 +303,7 @@ static void joints_rest_and_break(void** state)
 	run_steps(world, 10);
 	OK(scree_joint_set_enabled(world, joint, true));
 	run_steps(world, 2);
-	NEAR(along_of(world, joint), along, 0.05); // laps included
+	NEAR(along_of(world, joint), along, 0.05); // also counts the lap
 	OK(scree_body_set_enabled(world, bead, false));
 	run_steps(world, 2);
 	OK(scree_body_set_enabled(world, bead, true));
@@ -314,11 +316,11 @@ static void joints_rest_and_break(void** state)
 	OK(scree_joint_set_thresholds(world, joint, (float)(m * 15.0), 1e30f, true));
 	OK(scree_body_set_velocity(world, bead, velocity_of(world, bead)));
 	OK(scree_body_set_pose(world, bead, pose_on_path(world, path, 0.0f)));
-	throw_body(world, bead, 5.0f, 0.0f, 0.0f); // m v^2 / R is 12.5 m
+	throw_body(world, bead, 5.0f, 0.0f, 0.0f); // m v^2 / R is m * 12.5 m/s^2
 	run_steps(world, 30);
 	assert_false(joint_state_of(world, joint).broken);
 	OK(scree_body_set_pose(world, bead, pose_on_path(world, path, 0.0f)));
-	throw_body(world, bead, 7.0f, 0.0f, 0.0f); // m v^2 / R is 24.5 m
+	throw_body(world, bead, 7.0f, 0.0f, 0.0f); // m v^2 / R is m * 24.5 m/s^2
 	run_steps(world, 30);
 	assert_true(joint_state_of(world, joint).broken);
 	OK(scree_joint_destroy(world, joint));
@@ -326,7 +328,7 @@ static void joints_rest_and_break(void** state)
 	scree_world_destroy(world);
 }
 
-// Function scree_joint_def_place does not change frame A, which places the path.
+// The function scree_joint_def_place sets frame B. It does not change frame A, because frame A places the path.
 static void placing_moves_frame_b(void** state)
 {
 	(void)state;
@@ -341,15 +343,15 @@ static void placing_moves_frame_b(void** state)
 	NEAR(def.frame_b.position.y, -1.0, 1e-6);
 	scree_joint joint = add_joint(world, &def);
 	NEAR(along_of(world, joint), 3.0, 1e-6);
-	OK(scree_joint_def_mount(world, &def, 2.5f)); // the point (3.5, 0) in the world
+	OK(scree_joint_def_mount(world, &def, 2.5f)); // mounts at (3.5, 0) in the world
 	NEAR(def.frame_b.position.x, -0.5, 1e-6);
 	NEAR(def.frame_b.position.y, -1.0, 1e-6);
 	NEAR(def.initial_along, 2.5, 0.0);
 	scree_world_destroy(world);
 }
 
-// A bead moves at 5 m/s on a ring, and the ring's body is placed elsewhere. The bead comes back to the ring, and is no
-// faster than before.
+// A bead moves at 5 m/s on a ring, and the user places the body of the ring elsewhere. The bead comes back to the ring,
+// and is no faster than before.
 static void jumps_of_the_path_add_no_speed(void** state)
 {
 	(void)state;

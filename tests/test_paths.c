@@ -5,8 +5,9 @@
 #include <float.h>
 #include <math.h>
 
-// A curve through N points of a circle of radius R differs from the circle by at most 24 R / N^4 (de Boor, 1978: the
-// error of a cubic spline goes with the fourth power). Its length differs by at most 2 pi times that.
+// A curve through N points of a circle of radius R differs from the circle by at most 24 R / N^4, because the error of
+// a cubic spline decreases with the fourth power of N (de Boor, 1978). The length of the curve differs by at most 2 pi
+// times this error.
 static void circles_are_round(void** state)
 {
 	(void)state;
@@ -32,8 +33,8 @@ static void circles_are_round(void** state)
 	scree_world_destroy(world);
 }
 
-// A path through two points is a straight line, one through three a parabola: through (-1, 0), (0, 1), (1, 0) it is
-// y = 1 - x^2, with a length of 2.957886 m.
+// A path through two points is a straight line. A path through three points is a parabola: through (-1, 0), (0, 1), (1,
+// 0) it is y = 1 - x^2, with a length of 2.957886 m.
 static void few_points(void** state)
 {
 	(void)state;
@@ -54,7 +55,7 @@ static void few_points(void** state)
 	scree_world_destroy(world);
 }
 
-// Returns the energy of a body on a path, with that of its spin, in J/kg.
+// Returns the sum of kinetic and potential energy of a body, divided by its mass, J/kg. The spin is included.
 static double energy_of(scree_world* world, scree_body body, double gravity)
 {
 	scree_mass mass = mass_of(world, body);
@@ -64,8 +65,8 @@ static double energy_of(scree_world* world, scree_body body, double gravity)
 	       gravity * (double)position_of(world, body).y;
 }
 
-// A bead keeps its speed v on a circle of radius R, and the wire pushes it with m v^2 / R. The rail gives a wagon the
-// spin v / R all at once at the start; this reduces the speed to v m / (m + I / R^2).
+// A bead keeps its speed v on a circle of radius R, and the wire pushes the bead with m v^2 / R. The rail gives a wagon
+// the spin v / R in the first step; this reduces its speed to v m / (m + I / R^2).
 static void beads_keep_their_speed(void** state)
 {
 	(void)state;
@@ -104,12 +105,13 @@ static void beads_keep_their_speed(void** state)
 			NEAR(angle, 0.0, 1e-3);
 		else
 			NEAR(angle, now.values[SCREE_ALONG] / 5.0, 1e-2); // the bead does not turn, but the tangent does
-		NEAR(velocity_of(world, bead).angular, locked ? speed / 5.0 : 0.0, 4e-3); // curvature of a spline
+		NEAR(velocity_of(world, bead).angular, locked ? speed / 5.0 : 0.0, 4e-3); // a spline has inexact curvature
 		scree_world_destroy(world);
 	}
 }
 
-// Curvature on an ellipse with half axes of 6 and 2 m varies from 2 / 36 to 6 / 4 per m, twice in a lap of 26.7 m.
+// A bead and a wagon move on an ellipse with half axes of 6 and 2 m. Its curvature varies from 2 / 36 to 6 / 4 per m,
+// twice in a lap of 26.7 m.
 static void ellipses_keep_speed(void** state)
 {
 	(void)state;
@@ -139,8 +141,8 @@ static void ellipses_keep_speed(void** state)
 	}
 }
 
-// A bead in a loop of radius R with gravity keeps v^2 / 2 + g y, and the rail pushes it with m (v^2 / R - g) at the
-// top.
+// A bead in a loop of radius R with gravity keeps v^2 / 2 + g y. At the top of the loop, the rail pushes the bead with
+// m (v^2 / R - g).
 static void loops_keep_energy(void** state)
 {
 	(void)state;
@@ -178,8 +180,8 @@ static void loops_keep_energy(void** state)
 	}
 }
 
-// A motor that pulls a bead of mass m up a slope of 30 degrees applies m g / 2. With a lower maximum, the bead slides
-// back.
+// A motor that pulls a bead of mass m up a slope of 30 degrees applies m g / 2. A motor with a lower maximum lets the
+// bead slide back.
 static void motors_drive(void** state)
 {
 	(void)state;
@@ -204,8 +206,8 @@ static void motors_drive(void** state)
 	scree_world_destroy(world);
 }
 
-// A spring of f Hz across a path is a suspension: on a straight rail a load m g sinks by g / (2 pi f)^2. A lock holds
-// its target, along and across the path, and a spring along the path pulls to its target.
+// A spring of f Hz across a path is a suspension: on a straight rail a load m sinks by g / (2 pi f)^2. Locks along and
+// across the path hold their targets. A spring along the path pulls to its target.
 static void springs_act(void** state)
 {
 	(void)state;
@@ -239,7 +241,7 @@ static void springs_act(void** state)
 	scree_world_destroy(world);
 }
 
-// A bead stays on wires with radii of 1 cm to 1 km, at one radian per second, but at most 200 m/s.
+// A bead stays on wires with radii of 1 cm to 1 km. It moves at one radian per second, but at most at 200 m/s.
 static void all_sizes(void** state)
 {
 	(void)state;
@@ -266,7 +268,7 @@ static void all_sizes(void** state)
 	}
 }
 
-// A thousand beads on one wire, each with its own speed.
+// A thousand beads move on one wire, with different speeds.
 static void many_beads(void** state)
 {
 	(void)state;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// test_persistent.c -- checks the persistent kernel of OpenCL and stages that a work-group computes together, compiled
-// as C; a seed decides the order in which work-items run.
+// test_persistent.c -- checks the persistent kernel of OpenCL, and kernels that a work-group computes together,
+// compiled as C. A seed decides the order in which work-items run.
 //
 // Formula: hash(persistent, seed, step) = hash(cpu, step), for each step. If a work-group never runs, all work-items
-// end and report it.
+// end and report the missing work-group.
 #include "emulation/emulated_kernels.h"
 #include "emulation/emulation_scenes.h"
 #include "support/checks.h"
 
-// One work-group needs no barrier with others; with several, the first executes short runs alone.
+// One work-group needs no barrier with others. If there are several work-groups, the first one executes short runs
+// without the others.
 static const Form forms[] = {
     {.name = "one group", .persistent = true, .groups = 1},
     {.name = "two groups", .persistent = true, .groups = 2},
@@ -33,7 +34,7 @@ static void all_runs_are_equal(void** state)
 	assert_true(runs > 8 * launches && launches > 0 && group_stages > 0);
 }
 
-// A work-group that never runs keeps the others at the next barrier, until they give up.
+// If one work-group never runs, the others stay at the next barrier until they give up.
 static void groups_that_stay_away_are_found(void** state)
 {
 	(void)state;

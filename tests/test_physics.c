@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // test_physics.c -- checks worlds against formulas; each test states its formula.
 //
-// A step of dt in S substeps is S steps of h = dt / S by semi-implicit Euler, v += h a, then x += h v.
+// A step of dt in S substeps is S substeps of h = dt / S by semi-implicit Euler, v += h a, then x += h v.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 #include <math.h>
@@ -34,7 +34,7 @@ static void free_fall(void** state)
 	scree_world_destroy(world);
 }
 
-// Position with a gravity scale s: y = y0 - s g h^2 N (N + 1) / 2.
+// Position after N substeps with a gravity scale s: y = y0 - s g h^2 N (N + 1) / 2.
 static void gravity_scale(void** state)
 {
 	(void)state;
@@ -53,7 +53,8 @@ static void gravity_scale(void** state)
 	scree_world_destroy(world);
 }
 
-// Velocity with damping c: v = v0 / (1 + c h)^N; x is h times the sum of all v. Spin and angle are likewise.
+// Velocity after N substeps with damping c: v = v0 / (1 + c h)^N. The displacement is the sum of h v over all substeps.
+// The same formulas hold for spin and angle.
 static void damping(void** state)
 {
 	(void)state;
@@ -77,7 +78,7 @@ static void damping(void** state)
 	scree_world_destroy(world);
 }
 
-// Spin w without a torque is constant, and the angle is w t; 100 rad/s are sixteen turns per second.
+// Without a torque the spin w is constant, and the angle is w t; 100 rad/s are sixteen turns per second.
 static void spin(void** state)
 {
 	(void)state;
@@ -100,8 +101,8 @@ static void spin(void** state)
 	scree_world_destroy(world);
 }
 
-// Forces held over a time t give F t = m v and T t = I w; impulses give J = m v and r x J = I w. A box of 2 by 1 m has
-// m = 2 kg and I = m (2^2 + 1^2) / 12.
+// A force F and a torque T during a time t give F t = m v and T t = I w. An impulse J gives J = m v and r x J = I w. A
+// box of 2 by 1 m has m = 2 kg and I = m (2^2 + 1^2) / 12.
 static void newtons_second_law(void** state)
 {
 	(void)state;
@@ -147,7 +148,7 @@ static void speed_has_a_limit(void** state)
 	scree_world_destroy(world);
 }
 
-// A locked coordinate keeps every bit under any force; the other coordinates move as without the lock.
+// A locked coordinate keeps every bit under any force. The other coordinates move as without the lock.
 static void locks(void** state)
 {
 	(void)state;
@@ -180,7 +181,8 @@ static void locks(void** state)
 // friction
 // ---------------------------------------------------------------------------------------------------------------
 
-// Returns the distance in m that a box slides down a slope in a number of steps, less that by its speed at the start.
+// Returns the distance that a box slides down a slope in a number of steps, m, minus the distance due to its speed at
+// the start.
 static double slide(double degrees, double friction, int steps)
 {
 	float slant = (float)(degrees * PI / 180.0);
@@ -190,7 +192,7 @@ static double slide(double degrees, double friction, int steps)
 	scree_attribute flat = add_surface(world, box_shape(0.5f, 0.25f), (float)friction, 0.0f);
 	add_body(world, SCREE_BODY_STATIC, slope, turn.s, -turn.c, slant);
 	scree_body box = add_body(world, SCREE_BODY_DYNAMIC, flat, -0.25f * turn.s, 0.25f * turn.c, slant);
-	run_steps(world, 30); // settles on the slope
+	run_steps(world, 30); // the box settles on the slope
 	scree_vec from = position_of(world, box);
 	scree_velocity v = velocity_of(world, box);
 	run_steps(world, steps);
@@ -201,7 +203,8 @@ static double slide(double degrees, double friction, int steps)
 	return travel - begin * steps / 60.0;
 }
 
-// A box holds on a slope of angle a if mu > tan a. Below that it slides with the acceleration g (sin a - mu cos a).
+// A box stays on a slope of angle a if mu > tan a. With a lower mu it slides with the acceleration g (sin a - mu cos
+// a).
 static void friction_angle(void** state)
 {
 	(void)state;
@@ -234,7 +237,7 @@ static void stopping_distance(void** state)
 	scree_world_destroy(world);
 }
 
-// A belt runs clockwise around its shape: a box on top is carried to the right, at the speed of the belt.
+// A belt runs clockwise around its shape, so it carries a box on top to the right, at the speed of the belt.
 static void conveyor(void** state)
 {
 	(void)state;
@@ -249,9 +252,9 @@ static void conveyor(void** state)
 	scree_world_destroy(world);
 }
 
-// Bodies created at one point leave it in all directions. In single file the first of 100 would get 50 times
-// contact_push_speed. A disk of 100 boxes of 1 m has 5 pairs from its center to its edge, and extends 3.5 m from its
-// center, up and down and to both sides.
+// Bodies that are created at one point leave it in all directions. If they left it in a row, the first of 100 bodies
+// would get 50 times contact_push_speed. A disk of 100 boxes of 1 m has only 5 pairs from its center to its edge, and
+// extends 3.5 m from its center in all directions.
 static void crowd_parts(void** state)
 {
 	(void)state;
@@ -282,8 +285,8 @@ static void crowd_parts(void** state)
 	}
 }
 
-// Rolling resistance c applies a torque of c r m g (lever c r). A disk that rolls without slipping slows down by
-// 2/3 c g, and stops after v^2 / (4/3 c g); without resistance it rolls on.
+// Rolling resistance c applies the torque c r m g, that is, its lever is c r. A disk that rolls without slipping slows
+// down by 2/3 c g, and stops after v^2 / (4/3 c g). Without resistance the disk rolls on.
 static void rolling_resistance(void** state)
 {
 	(void)state;
@@ -306,15 +309,15 @@ static void rolling_resistance(void** state)
 }
 
 // Two circles without friction touch, and one of them spins. The normal points from center to center, and does not turn
-// with the spinning circle. The rise of a point of its surface within a step, r (1 - cos w dt), counts as overlap, so
-// the circle is pushed.
+// with the spinning circle. A point on the surface of this circle rises by r (1 - cos w dt) in a step. This rise counts
+// as overlap, so the circle is pushed away.
 static void spinning_circles(void** state)
 {
 	(void)state;
 	static const float spins[] = {10.0f, 62.0f, 85.0f, 140.0f, 180.0f};
 	for (int k = 0; k < 10; ++k)
 	{
-		bool first = k < 5; // dynamic body is created before the static one
+		bool first = k < 5; // true: the dynamic body is created first
 		scree_world* world = open_world(0.0f);
 		scree_attribute large = add_surface(world, circle_shape(3.5f), 0.0f, 0.0f);
 		scree_attribute small = add_surface(world, circle_shape(0.09f), 0.0f, 0.0f);
@@ -338,8 +341,8 @@ static void spinning_circles(void** state)
 // impacts
 // ---------------------------------------------------------------------------------------------------------------
 
-// A ball dropped from h rises to e^2 h. Restitution reverses the velocity before the step, here of 1/240 s. This
-// velocity lacks up to g dt, and the height up to a share of 2 g dt / v.
+// A ball dropped from the height h rises to e^2 h. Restitution reverses the velocity before the step, here a step of
+// 1/240 s. This velocity is too low by up to g dt, so the height is too low by up to 2 g dt / v of its value.
 static void restitution_height(void** state)
 {
 	(void)state;
@@ -364,7 +367,8 @@ static void restitution_height(void** state)
 	}
 }
 
-// Newton's law of impact on a line: v1' = v1 - (1 + e) m2 / (m1 + m2) (v1 - v2), and likewise for the other body.
+// Newton's law of impact on a line: v1' = v1 - (1 + e) m2 / (m1 + m2) (v1 - v2). The law for the other body follows by
+// exchanging 1 and 2.
 static void impact_on_a_line(void** state)
 {
 	(void)state;
@@ -417,7 +421,7 @@ static void momentum(void** state)
 		Momentum now = momentum_of(world, bodies, 49);
 		NEAR(now.x, before.x, 1e-5 * before.size);
 		NEAR(now.y, before.y, 1e-5 * before.size);
-		// contact points are fixed within a step while bodies move on, here by up to 2 cm
+		// contact points are fixed in space within a step while bodies move on, here by up to 2 cm
 		NEAR(now.spin, before.spin, 1e-3 * before.size);
 	}
 	assert_true(counters_of(world).touching > 0);
@@ -435,9 +439,9 @@ static void add_stack(scree_world* world, scree_body* boxes, int count)
 		boxes[k] = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.5f + (float)k);
 }
 
-// A stack of 20 boxes stands for 60 s. Its contacts are soft, but their arms are held, so it does not buckle
-// (docs/manifolds.md). It sways less and less: by some centimeters after 5 s, by millimeters after 60 s. Heights are
-// exact to a slop of 5 mm per box.
+// A stack of 20 boxes stands for 60 s. The contacts are soft, but the arms of their points are fixed, so the stack does
+// not buckle (docs/manifolds.md). The stack sways by some centimeters after 5 s, and by millimeters after 60 s. Heights
+// are exact except for a slop of 5 mm per box.
 static void stack_stands(void** state)
 {
 	(void)state;
@@ -463,7 +467,7 @@ static void stack_stands(void** state)
 	scree_world_destroy(world);
 }
 
-// A stack of 10 boxes is far from buckling: after 20 s it has stopped moving, and does not creep.
+// A stack of 10 boxes is far from buckling: after 20 s the stack has stopped moving, and does not creep.
 static void stack_rests(void** state)
 {
 	(void)state;
@@ -486,7 +490,7 @@ static void stack_rests(void** state)
 	scree_world_destroy(world);
 }
 
-// A box carries another with a hundred times its mass. The overlap stays under 2 cm, and both come to rest.
+// A box carries another box with a hundred times its mass. The overlap stays under 2 cm, and both boxes come to rest.
 static void mass_ratio(void** state)
 {
 	(void)state;
@@ -506,7 +510,7 @@ static void mass_ratio(void** state)
 	scree_world_destroy(world);
 }
 
-// A kinematic body moves by its velocity, x = v t, under any load, and carries the load along.
+// A kinematic body moves by its velocity, x = v t, under any load. Its load moves along.
 static void kinematic_carries(void** state)
 {
 	(void)state;
@@ -526,7 +530,7 @@ static void kinematic_carries(void** state)
 	NEAR(position_of(world, sled).x - position_of(world, box).x, lag, 1e-3);
 	NEAR(velocity_of(world, load).linear.y, 1.5, 1e-3);
 	NEAR(position_of(world, load).y - position_of(world, lift).y, 1.0, 5e-3);
-	assert_true(lag < 1.5 * 1.5 / (2.0 * 0.6 * G) * 1.1); // the box slips until it has the speed
+	assert_true(lag < 1.5 * 1.5 / (2.0 * 0.6 * G) * 1.1); // the box slips until it has the speed of the sled
 	scree_world_destroy(world);
 }
 

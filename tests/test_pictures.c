@@ -8,9 +8,9 @@
 
 #define SCRATCH "test_pictures_scratch.json"
 
-// Bodies of the scene have the numbers 1, 2, ...: one alone, five with one attribute, five that choose between two
-// attributes. A body alone has the middle shade, 31. Shades of the five go from 0 to 62; with a choice, from 62 / 4 to
-// 3 * 62 / 4, rounded.
+// The scene has bodies 1 to 11: one single body, five bodies with one attribute, and five bodies that choose between
+// two attributes. The single body has the middle shade, 31. Shades of the first five go from 0 to 62. Shades of the
+// bodies with a choice go from 62 / 4 to 3 * 62 / 4, rounded.
 static void bodies_run_through_their_shades(void** state)
 {
 	(void)state;
@@ -22,14 +22,15 @@ static void bodies_run_through_their_shades(void** state)
 	ShadeWalk walk = {.scene = scene};
 	for (uint32_t k = 0; k < 11; ++k)
 		assert_int_equal(shade_next(&walk, k + 1), expected[k]);
-	// a body that is not from the scene, and a walk without a scene
+	// shades of a body that is not from the scene, and without a scene
 	assert_int_equal(shade_next(&walk, 12), SHADE_MIDDLE);
 	ShadeWalk none = {0};
 	assert_int_equal(shade_next(&none, 3), SHADE_MIDDLE);
 	scene_free(scene);
 }
 
-// Shades 0, 31 and 62 have the three colors, times 0.92 to 1.08. The palette repeats after its end.
+// Shades 0, 31 and 62 have the three colors of a palette, times a factor from 0.92 to 1.08. Palettes repeat: number 8
+// equals number 0.
 static void shades_have_three_colors(void** state)
 {
 	(void)state;
@@ -48,8 +49,8 @@ static void shades_have_three_colors(void** state)
 	assert_memory_equal(&still.first, &still.last, sizeof still.first);
 }
 
-// A camera that moves from a view of 100 m to one of 1 m shows 10 m halfway, so that it magnifies at a constant rate.
-// The views at the ends are exact, except for rounding.
+// A camera moves from a view of 100 m to a view of 1 m. Halfway the view has 10 m, because the camera magnifies at a
+// constant rate. The views at both ends are exact, except for rounding.
 static void cameras_magnify_steadily(void** state)
 {
 	(void)state;
@@ -60,16 +61,16 @@ static void cameras_magnify_steadily(void** state)
 	assert_true(fabsf(end.lower.x - 9.5f) < 1e-5f && fabsf(end.upper.y - 5.25f) < 1e-5f);
 	assert_true(fabsf(middle.upper.x - middle.lower.x - 10) < 1e-4f &&
 	            fabsf(middle.upper.y - middle.lower.y - 5) < 1e-4f);
-	// fixed point of the picture: 10 m / 0.99 from the first center
+	// one point of the world keeps its place in the picture: 10 m / 0.99 from the first center
 	float still = 10.0f / 0.99f;
 	assert_true(fabsf((still - middle.lower.x) / 10 - (still + 50) / 100) < 1e-4f);
-	// the camera moves at a constant speed if the size of its view does not change
+	// the camera moves at a constant speed if its view keeps its size
 	const scree_box aside = {{50, -25}, {150, 25}};
 	assert_true(fabsf(viewport_between(from, aside, 0.25).lower.x + 25) < 1e-3f);
 }
 
-// A square of 10 m in a picture of 1600x900 is 840 px wide. Its detail has the rest of the width, 712 px:
-// 1600 - 2 * 12 - 840 - 24. The detail of 2 m by 1 m is in the middle of it, 712 px wide.
+// A square view of 10 m is 840 px wide in a picture of 1600x900. The detail of 2 m by 1 m gets the rest of the width,
+// 1600 - 2 * 12 - 840 - 24 = 712 px. It lies in the middle of the height.
 static void details_fill_wide_pictures(void** state)
 {
 	(void)state;
@@ -84,7 +85,7 @@ static void details_fill_wide_pictures(void** state)
 	assert_true(fabs((4 - part.left) * part.scale - 876) < 0.1 && fabs((6 - part.left) * part.scale - 876 - 712) < 0.1);
 	assert_true(fabs((4.5 - part.bottom) * part.scale - (900 - BAND) / 2.0) < 0.1);
 	detail_close(&detail);
-	// a square picture has no space for a detail, and a scene may have none
+	// a square picture has no space for a detail, and another scene has no detail
 	assert_false(detail_open(&detail, scene, 900, 900));
 	scene->has_detail = false;
 	assert_false(detail_open(&detail, scene, 1600, 900));

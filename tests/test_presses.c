@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// test_presses.c -- checks bodies between a kinematic body and a static one, in every variant, and masses set by the
-// user.
+// test_presses.c -- checks bodies between a kinematic body, the press, and a static body, in every variant. Also checks
+// masses set by the user.
 #include "support/make_joints.h"
 #include "support/scenarios.h"
 #include <math.h>
 #include <stdio.h>
 
-#define DEPTH 0.02f // m, maximum depth of a body in a static one
+#define DEPTH 0.02f // maximum depth of a body in a static body, m
 
 typedef enum
 {
@@ -19,11 +19,11 @@ typedef enum
 typedef struct
 {
 	scree_body press, body;
-	scree_vec direction; // unit vector of the motion of the press
+	scree_vec direction; // unit vector in which the press moves
 } Press;
 
-// Adds static bodies, a body of 1 m at a gap from them, and a press that moves towards them. If first is set, creates
-// the press before the others.
+// Adds static bodies, a body of 1 m and a press that moves towards them. gap: distance of the body from the static
+// bodies, m. first: the press is created before the other bodies.
 static Press add_press(scree_world* world, Place place, scree_shape shape, float density, float gap, bool first)
 {
 	static const float angles[PLACES] = {-90.0f, 0.0f, -35.0f};
@@ -49,7 +49,7 @@ static Press add_press(scree_world* world, Place place, scree_shape shape, float
 	return p;
 }
 
-// Returns the larger depth in m of a body of 1 m in the wall and in the floor.
+// Returns the depth of a body of 1 m in the wall or in the floor, m, the larger of both.
 static float depth_of(scree_world* world, scree_body body, Place place, bool round)
 {
 	scree_pose pose = pose_of(world, body);
@@ -59,8 +59,9 @@ static float depth_of(scree_world* world, scree_body body, Place place, bool rou
 	return fmaxf(wall, floor);
 }
 
-// The body is at most 2 cm deep in a static body and no faster than the press. This holds for any order of contacts
-// and of creation, any density, presses moved by velocity or by target, and while the press comes, stays and goes back.
+// A body between a press and static bodies is at most 2 cm deep in a static body and no faster than the press. This
+// holds for any order of contacts and of creation, any density, and presses moved by velocity or by target. It holds
+// while the press comes, stays and goes back.
 static void static_side_wins(void** state)
 {
 	(void)state;
@@ -97,8 +98,8 @@ static void static_side_wins(void** state)
 	assert_true(fastest < 1.05f);
 }
 
-// Rows of bodies, also with a mass ratio of 100, are at most 2 cm deep in the wall as well. When the press is
-// destroyed, the bodies that it pressed together do not shoot out.
+// Rows of bodies are at most 2 cm deep in a wall, even with a mass ratio of 100. When the press is destroyed, the
+// bodies in the row do not shoot out.
 static void rows_yield_to_what_is_static(void** state)
 {
 	(void)state;
@@ -132,7 +133,7 @@ static void rows_yield_to_what_is_static(void** state)
 	}
 }
 
-// Two bodies that touch a third one exchange their types. The contacts use the new types in the same step.
+// Two bodies that touch a third body exchange their types. The contacts use the new types in the next step.
 static void types_are_exchanged(void** state)
 {
 	(void)state;
@@ -156,8 +157,8 @@ static void types_are_exchanged(void** state)
 	}
 }
 
-// A hinge to a kinematic body, or a stiff spring to a point of the world, drags a ball against a ring of segments. The
-// ball stays within the ring.
+// A hinge to a kinematic body drags a ball against a ring of segments, or a stiff spring to a point of the world does.
+// The ball stays within the ring.
 static void joints_yield_to_what_is_static(void** state)
 {
 	(void)state;
@@ -192,13 +193,14 @@ static void joints_yield_to_what_is_static(void** state)
 				OK(scree_bodies_set_targets(world, &puller, &to, 1));
 			run_steps(world, 1);
 			scree_vec at = position_of(world, def.body_b);
-			assert_true(hypotf(at.x, at.y) < 1.7f + 0.03f); // the apothem is 1.98
+			assert_true(hypotf(at.x, at.y) < 1.7f + 0.03f); // the apothem of the ring is 1.98 m
 		}
 		scree_world_destroy(world);
 	}
 }
 
-// A heavy dynamic body is not a press: bodies under it sink by the softness of their contacts, and do not shake.
+// A heavy dynamic body is not a press. Bodies under it sink into the floor, because contacts are soft, and do not
+// shake.
 static void loads_are_no_presses(void** state)
 {
 	(void)state;
@@ -209,7 +211,7 @@ static void loads_are_no_presses(void** state)
 	cart.density = 1000.0f;
 	wheel.density = 1.6f / (float)(PI * 0.16);
 	add_floor(world);
-	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // overlaps the floor, so the press search runs
+	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // is in the floor, so the search for presses runs
 	add_crate(world, SCREE_BODY_DYNAMIC, -20.0f, 2.4f);
 	def.body_a = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &cart), 0.0f, 0.7f, 0.0f);
 	for (int k = 0; k < 2; ++k)
@@ -270,7 +272,7 @@ static void build_all(scree_world* world, const void* context)
 		add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.2f + 0.02f * (float)k, -0.4f, 30.0f + (float)k);
 	press = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 8.0f, -1.3f, 34.0f);
 	OK(scree_body_set_velocity(world, press, slow));
-	// rows that buckle
+	// rows of balls and of rods that buckle
 	scree_attribute_def ball = surface_of(circle_shape(0.5f)), rod = surface_of(box_shape(0.5f, 0.3f));
 	for (int k = 0; k < 6; ++k)
 		add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, k < 3 ? &ball : &rod), -0.5f - (float)(k % 3),
@@ -292,8 +294,8 @@ static void presses_are_equal_everywhere(void** state)
 	check_parity(&scenario, NULL);
 }
 
-// A mass set by the user applies again after the body was kinematic, until its collidables change, even while it is
-// kinematic.
+// A mass set by the user applies again after the body was kinematic. It no longer applies after a change of the
+// collidables, even if the body was kinematic then.
 static void own_mass_outlives_types(void** state)
 {
 	(void)state;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// checks.h -- cmocka, and checks of statuses and numbers.
+// checks.h -- includes cmocka, and declares checks of statuses and numbers.
 #ifndef CHECKS_H
 #define CHECKS_H
-#include "platform/error.h" // must precede cmocka, which defines a macro fail
+#include "platform/error.h" // included before cmocka, because cmocka defines a macro named fail
 #include "scree/scree.h"
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,8 +14,7 @@
 
 // Returns true in the presets that run a smaller set of tests.
 bool quick(void);
-// Skips a long test in quick builds, which look for faults of memory and threads. Release builds run it, with the same
-// bits.
+// Skips a long test in quick builds, which search for memory faults and data races. Release builds run the test.
 void skip_if_quick(void);
 
 // Fails the test with the message of scree_error.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// different_pools.c -- the items of pools, and those in which two worlds differ.
-#include "world/world.h" // must precede cmocka, which defines a macro fail
+// different_pools.c -- reads items of pools, and prints the pools in which two worlds differ.
+#include "world/world.h" // included before cmocka, because cmocka defines a macro named fail
 
 #include "support/different_pools.h"
 #include <stdlib.h>
@@ -14,7 +14,7 @@ void* read_pool(scree_world* world, PoolId pool, int count)
 	return items;
 }
 
-// Returns the number of items of a pool that are in use.
+// Returns the number of items of a pool that are in use and that are equal on all devices.
 static int items_in_use(const scree_world* world, Per per)
 {
 	const Counters* c = &world->pipeline.counters;
@@ -39,7 +39,7 @@ static int items_in_use(const scree_world* world, Per per)
 	case PER_JOINT_BLOCK:
 		return c->layout[CONSTRAINT_JOINT].begin[COLORS + 1] / MAX_LANES;
 	default:
-		return 0; // scratch pools, and trees, which devices may build differently
+		return 0; // 0 items, because scratch pools and trees may differ between devices
 	}
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// different_pools.h -- the items of pools, and those in which two worlds differ.
+// different_pools.h -- reads items of pools, and prints the pools in which two worlds differ.
 #ifndef DIFFERENT_POOLS_H
 #define DIFFERENT_POOLS_H
 #include "backend/tables.h"
 #include "support/checks.h"
 
-// Reads the first items of a pool, which the caller frees.
+// Reads the items 0 to count - 1 of a pool into a new array, which the caller frees.
 void* read_pool(scree_world* world, PoolId pool, int count);
 
 // Prints the names of the pools in which two worlds differ, each with the first item that differs.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// each_backend.c -- all backends of this machine, which run single stages on items of a test.
+// each_backend.c -- opens all backends of this machine, so that a test can run single kernels on its own items.
 #include "support/each_backend.h"
 #include <string.h>
 
@@ -33,7 +33,7 @@ void open_backends(bool allow_unequal_bits, int (*room_of)(Per per))
 	}
 }
 
-// Returns the capacity of a pool. Rows hold MAX_LANES items, so there are fewer of them.
+// Returns the capacity of the pools of a kind. A block of rows holds MAX_LANES items, so fewer blocks are needed.
 static int stage_room_of(Per per)
 {
 	switch (per)

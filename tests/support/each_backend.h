@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// each_backend.h -- all backends of this machine, which run single stages on items of a test.
+// each_backend.h -- opens all backends of this machine, so that a test can run single kernels on its own items.
 #ifndef EACH_BACKEND_H
 #define EACH_BACKEND_H
 #include "backend/backend.h"
@@ -7,16 +7,17 @@
 
 #define MAX_BACKENDS 16
 #define MOST_BODIES  4096
-#define MOST_ITEMS   70000 // capacity for all other items
+#define MOST_ITEMS   70000 // capacity of the pools of all other kinds
 
 extern Backend* backends[MAX_BACKENDS];
 extern int backend_count;
 
-// Opens the CPU with one and with three threads, and the OpenCL devices. room_of returns the capacity for each kind of
-// item.
+// Opens the CPU with one thread, the CPU with three threads, and the OpenCL devices. room_of returns the capacity of
+// the pools of a kind.
 void open_backends(bool allow_unequal_bits, int (*room_of)(Per per));
 
-// Set-up and tear-down for tests of stages: devices of equal bits, with room for MOST_BODIES and MOST_ITEMS.
+// Set-up and tear-down for tests of stages. The set-up opens devices of equal bits, with room for MOST_BODIES and
+// MOST_ITEMS.
 int open_stage_backends(void** state);
 int close_backends(void** state);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exact_shapes.c -- distances and meetings of shapes in double precision, computed from all pairs of corners and edges.
+// exact_shapes.c -- computes distances and meetings of shapes in double precision, from all pairs of corners and edges.
 #include "support/exact_shapes.h"
 #include <math.h>
 
@@ -63,7 +63,7 @@ double exact_distance(const Exact* a, const Exact* b)
 	return fmin(exact_corners(a, b), exact_corners(b, a)) - radii;
 }
 
-// A distance is convex along a line while it is positive, so ternary search finds its minimum.
+// Along a line, a positive distance is convex, so ternary search finds its minimum.
 double exact_meeting(const Exact* a, const Exact* b, double x, double y, double* least)
 {
 	double low = 0.0, high = 1.0;

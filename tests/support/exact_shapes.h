@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// exact_shapes.h -- distances and meetings of shapes in double precision, computed from all pairs of corners and edges.
+// exact_shapes.h -- computes distances and meetings of shapes in double precision, from all pairs of corners and edges.
 #ifndef EXACT_SHAPES_H
 #define EXACT_SHAPES_H
 #include "scree/scree.h"
 
-typedef struct // corners and radius in world coordinates
+typedef struct // a shape: its corners in world coordinates, and its radius
 {
 	int count;
 	double x[SCREE_MAX_VERTICES], y[SCREE_MAX_VERTICES], radius;
@@ -13,11 +13,11 @@ typedef struct // corners and radius in world coordinates
 Exact exact_at(const scree_shape* shape, double x, double y, double c, double s);
 Exact exact_moved(Exact e, double x, double y);
 
-// Returns the distance of the surfaces, or minus the depth if the cores overlap.
+// Returns the distance between the surfaces of two shapes, or minus the depth if their cores overlap.
 double exact_distance(const Exact* a, const Exact* b);
 
-// Returns the fraction at which b, which moves by (x, y), meets a; 2 if it does not. *least gets the smallest distance
-// until then.
+// Moves b by (x, y). Returns the fraction of this displacement at which b meets a, or 2 if b does not meet a. *least:
+// smallest distance between both shapes, not above 0 if they meet.
 double exact_meeting(const Exact* a, const Exact* b, double x, double y, double* least);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// faulty_device.c -- a CPU that behaves like a distant device, and whose calls fail on request of a test.
+// faulty_device.c -- turns a CPU into a device without shared memory, and lets its calls fail as a test requests.
 #include "support/faulty_device.h"
 
 Fault device_fault;
@@ -16,7 +16,7 @@ static scree_status call_fails(FaultyCalls call)
 	}
 	if (!device_fault.lasts)
 		device_fault.calls_left = -1;
-	// the parentheses avoid the macro of cmocka
+	// the parentheses prevent the expansion of cmocka's macro fail
 	return (fail)(device_fault.status, "the device %s",
 	              device_fault.status == SCREE_ERROR_DEVICE_FAILED ? "fell" : "has no memory left");
 }

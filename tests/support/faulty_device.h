@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// faulty_device.h -- a CPU that behaves like a distant device, and whose calls fail on request of a test.
+// faulty_device.h -- turns a CPU into a device without shared memory, and lets its calls fail as a test requests.
 #ifndef FAULTY_DEVICE_H
 #define FAULTY_DEVICE_H
 #include "backend/backend.h"
 #include "support/checks.h"
 
-typedef enum // calls that may fail
+typedef enum // groups of device calls that can be made to fail
 {
 	FAULT_RESIZE = 1,
 	FAULT_COPY = 2, // write, read
@@ -14,16 +14,16 @@ typedef enum // calls that may fail
 
 typedef struct
 {
-	unsigned calls;      // bits of FaultyCalls
-	int calls_left;      // number of these that succeed before one fails; negative: none fails
-	bool lasts;          // all later calls fail too
-	scree_status status; // result of a call that fails
+	unsigned calls;      // bits of FaultyCalls: calls that may fail
+	int calls_left;      // number of these calls that succeed before a failure; negative: no call fails
+	bool lasts;          // true: all later calls fail too; false: only one call fails
+	scree_status status; // status that a failing call returns
 } Fault;
 
 extern Fault device_fault;
-extern const BackendFunctions* real_functions; // functions of the last CPU whose functions were replaced
+extern const BackendFunctions* real_functions; // functions of the CPU passed last to a function below
 
-// Return functions of a CPU whose memory cannot be accessed by address. Those of faulty_functions fail as set by
+// Return functions of a CPU without access to its memory by address. With faulty_functions, calls also fail as set in
 // device_fault.
 BackendFunctions distant_functions(Backend* cpu);
 BackendFunctions faulty_functions(Backend* cpu);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// log_lines.c -- the log of the library, stored for tests instead of printed.
+// log_lines.c -- stores the messages of the library for tests, instead of printing them.
 #include "support/log_lines.h"
 #include <stdio.h>
 #include <string.h>

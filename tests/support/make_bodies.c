@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make_bodies.c -- shapes and bodies of tests, and reads of their state.
+// make_bodies.c -- creates shapes and bodies for tests, and reads their state.
 #include "support/make_bodies.h"
 #include <math.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make_bodies.h -- shapes and bodies of tests, and reads of their state.
+// make_bodies.h -- creates shapes and bodies for tests, and reads their state.
 #ifndef MAKE_BODIES_H
 #define MAKE_BODIES_H
 #include "support/make_worlds.h"
@@ -10,7 +10,7 @@
 
 scree_shape box_shape(float half_width, float half_height);
 scree_shape circle_shape(float radius);
-scree_shape capsule_shape(float half, float radius); // along x
+scree_shape capsule_shape(float half, float radius); // the axis is along x
 scree_shape segment_shape(float ax, float ay, float bx, float by);
 scree_shape polygon_shape(const scree_vec* corners, int count, float radius);
 
@@ -35,18 +35,18 @@ scree_collidable create_collidable(scree_world* world, const scree_collidable_de
 scree_body_def body_def(scree_body_type type, scree_attribute attribute, float x, float y);
 scree_body_def crate_def(scree_world* world, scree_body_type type, float x, float y);
 
-// Add bodies with one collidable at the origin of the body.
+// Add bodies with one collidable at the origin of the body. Discs, thrown bodies and reporters are dynamic.
 scree_body add_body(scree_world* world, scree_body_type type, scree_attribute attribute, float x, float y,
                     float radians);
 scree_body add_shape(scree_world* world, scree_body_type type, scree_shape shape, float x, float y, float radians);
 scree_body add_box(scree_world* world, scree_body_type type, float half_width, float half_height, float x, float y);
 scree_body add_crate(scree_world* world, scree_body_type type, float x, float y);
-scree_body add_disc(scree_world* world, float radius, float x, float y);                            // dynamic
-scree_body add_thrown(scree_world* world, scree_shape shape, float x, float y, float vx, float vy); // dynamic
-scree_body add_reporter(scree_world* world, scree_shape shape, uint32_t reports, float x, float y); // dynamic
+scree_body add_disc(scree_world* world, float radius, float x, float y);
+scree_body add_thrown(scree_world* world, scree_shape shape, float x, float y, float vx, float vy);
+scree_body add_reporter(scree_world* world, scree_shape shape, uint32_t reports, float x, float y);
 scree_body add_floor(scree_world* world); // box of 200 m by 2 m, with its surface at y = 0
 
-void throw_body(scree_world* world, scree_body body, float x, float y, float spin); // sets its velocity
+void throw_body(scree_world* world, scree_body body, float x, float y, float spin); // sets the velocity
 
 // ---------------------------------------------------------------------------------------------------------------
 // poses, velocities, masses
@@ -62,19 +62,19 @@ scree_velocity velocity_of(scree_world* world, scree_body body);
 double speed_of(scree_world* world, scree_body body); // m/s
 scree_mass mass_of(scree_world* world, scree_body body);
 
-// Returns the mean of v^2 + (reach w)^2 of some bodies over some steps, m^2/s^2.
+// Takes some steps. Returns the mean of v^2 + (reach w)^2 over all bodies and steps, m^2/s^2.
 double mean_square_speed(scree_world* world, const scree_body* bodies, int count, double reach, int steps);
 
 typedef struct
 {
-	double x, y, spin; // sum of m v, and of m r x v + I w about the origin
+	double x, y, spin; // sum of m v; spin: sum of m r x v + I w about the origin
 	double size;       // sum of m |v|
 	double energy;     // kinetic energy, J
 } Momentum;
 
 Momentum momentum_of(scree_world* world, const scree_body* bodies, int count);
 
-// Fail unless a pose or velocity equals this one to the last bit.
+// Fail unless the pose or velocity of a body is bitwise equal to the expected value.
 void expect_pose(scree_world* world, scree_body body, scree_pose expected);
 void expect_velocity(scree_world* world, scree_body body, float x, float y, float spin);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make_fields.c -- fields of tests, and bodies in them.
+// make_fields.c -- creates fields for tests, and bodies in fields.
 #include "support/make_fields.h"
 
 scree_field add_field(scree_world* world, const scree_field_def* def)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make_joints.c -- joints of tests, and reads of their state.
+// make_joints.c -- creates joints for tests, and reads their state.
 #include "support/make_joints.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make_paths.c -- paths of tests, and bodies that move on them.
+// make_paths.c -- creates paths for tests, and bodies that move on paths.
 #include "support/make_paths.h"
 #include <math.h>
 

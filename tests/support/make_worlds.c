@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make_worlds.c -- worlds of tests, and reads of their state.
+// make_worlds.c -- creates worlds for tests, steps them, and reads their state.
 #include "support/make_worlds.h"
 #include <math.h>
 #include <stdlib.h>

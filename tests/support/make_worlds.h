@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// make_worlds.h -- worlds of tests, and reads of their state.
+// make_worlds.h -- creates worlds for tests, steps them, and reads their state.
 #ifndef MAKE_WORLDS_H
 #define MAKE_WORLDS_H
-#include "platform/trig.h" // PI
+#include "platform/trig.h" // for PI
 #include "support/checks.h"
 
 #define STEP     (1.0f / 60.0f) // s
@@ -12,15 +12,15 @@
 
 scree_world* create_world(const scree_world_def* def);
 
-// Opens a world with defaults for all other settings. 0 threads means one per core.
+// Opens a world. 0 threads means one per core. Other settings have their defaults.
 scree_world* open_world_on(const char* device, int threads, float gravity_y);
 scree_world* open_world(float gravity_y);      // on the CPU with one thread
 scree_world* open_test_world(float gravity_y); // on test_device with two threads
-extern const char* test_device;                // set by RUN_ON_DEVICES
+extern const char* test_device;                // RUN_ON_DEVICES sets it
 
-void run_steps(scree_world* world, int steps);   // each of STEP in SUBSTEPS
-void update_contacts(scree_world* world);        // takes a step of 0 s, which moves nothing
-float deepest_of(scree_world* world, int steps); // returns the deepest overlap during some steps, m
+void run_steps(scree_world* world, int steps);   // steps of length STEP with SUBSTEPS substeps
+void update_contacts(scree_world* world);        // takes a step of 0 s, in which nothing moves
+float deepest_of(scree_world* world, int steps); // takes steps; returns the deepest overlap in any of them, m
 
 uint64_t hash_of(scree_world* world);
 scree_counters counters_of(scree_world* world);
@@ -28,10 +28,10 @@ scree_events events_of(scree_world* world);
 int contacts_of(scree_world* world);
 int contacts_with(scree_world* world, scree_body body);
 
-// Reads all contacts into *contacts, which the caller frees. Returns their number.
+// Reads all contacts into a new array *contacts, which the caller frees. Returns the number of contacts.
 int read_contacts(scree_world* world, scree_contact** contacts);
 
-// Fails if a pose or a velocity of a body is not finite.
+// Fails if the pose or the velocity of any body is not finite.
 void check_finite(scree_world* world);
 
 int use_cpu(void** state);

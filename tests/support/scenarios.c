@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scenarios.c -- runs that can be repeated, recorded step by step and compared.
+// scenarios.c -- records repeatable simulations step by step, and compares their hashes.
 #include "support/scenarios.h"
 #include "support/different_pools.h"
 #include <stdlib.h>
@@ -29,7 +29,7 @@ static void scenario_step(const Scenario* scenario, scree_world* world, int step
 {
 	if (scenario->act)
 		scenario->act(world, step, scenario->context);
-	// changes of the scenario are still pending
+	// moves the world while changes of the scenario are still pending
 	if (variant->other[0] && step % 40 == 9)
 		OK(scree_world_move(world, variant->other));
 	if (variant->other[0] && step % 40 == 25)
@@ -51,7 +51,7 @@ void record(const Scenario* scenario, const Variant* variant, uint64_t* hashes, 
 	scree_world_destroy(world);
 }
 
-// Runs two scenarios side by side up to the first step that differs, and fails there.
+// Runs two scenarios side by side up to the first step in which their hashes differ. Then fails the test.
 static void fail_different(const Scenario* scenario_a, const Variant* variant_a, const Scenario* scenario_b,
                            const Variant* variant_b)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scenarios.h -- runs that can be repeated, recorded step by step and compared.
+// scenarios.h -- records repeatable simulations step by step, and compares their hashes.
 #ifndef SCENARIOS_H
 #define SCENARIOS_H
 #include "support/make_worlds.h"
@@ -8,31 +8,31 @@
 typedef struct
 {
 	const char* name;
-	scree_world_def def; // device, threads and lanes follow the variant
+	scree_world_def def; // settings of the world; device, threads and lanes come from the variant
 	float dt;
 	int substeps, steps;
 	void (*build)(scree_world* world, const void* context);
-	void (*act)(scree_world* world, int step, const void* context); // before each step; may be null
+	void (*act)(scree_world* world, int step, const void* context); // is called before each step; may be null
 	const void* context;
 } Scenario;
 
-// Returns a scenario in a world with the defaults, with steps of STEP in SUBSTEPS.
+// Returns a scenario with default settings of the world. Each step has the length STEP and SUBSTEPS substeps.
 Scenario scenario_of(const char* name, int steps, void (*build)(scree_world* world, const void* context),
                      void (*act)(scree_world* world, int step, const void* context), const void* context);
 
-// Runs a scenario and writes the hash after each step. last gets the final counters, unless it is null.
+// Runs a scenario. Writes the hash after each step to hashes, and the final counters to last, which may be null.
 void record(const Scenario* scenario, const Variant* variant, uint64_t* hashes, scree_counters* last);
 
-// Records a scenario on every variant and fails unless all hashes of all steps are equal. The message contains the
-// first step that differs and the pools that differ. Returns the last hash; last gets the counters of the reference,
-// unless it is null.
+// Records a scenario on every variant. Fails unless all variants have equal hashes after every step. The message
+// contains the first step and the pools that differ. Returns the last hash. last may be null, or gets the final
+// counters of the reference, which is variant 0.
 uint64_t check_parity(const Scenario* scenario, scree_counters* last);
 
-// Fails unless a run returns the same hash on every variant.
+// Fails unless a function returns the same hash on every variant.
 void check_equal(uint64_t (*run)(const Variant* variant));
 
-// Fails unless two scenarios, which differ only in settings without effect on results, have the same hashes on one
-// variant.
+// Fails unless two scenarios have the same hashes on a variant. The settings of the two scenarios differ, but do not
+// influence results.
 void check_same(const Scenario* a, const Scenario* b, const Variant* variant);
 
 #endif

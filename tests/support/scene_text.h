@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scene_text.h -- scenes that are loaded from text.
+// scene_text.h -- loads scenes from text.
 #ifndef SCENE_TEXT_H
 #define SCENE_TEXT_H
 #include "scene/load.h"
@@ -10,7 +10,7 @@
 #define HEAD            "{\"name\": \"x\", \"title\": \"y\", "
 #define GOOD_ATTRIBUTES "\"attributes\": {\"a\": {\"circle\": 1}, \"b\": {\"box\": [1, 2]}}, "
 
-// Loads a scene through a file of this name, and removes the file.
+// Writes a text to a file, loads the scene from this file, and removes the file. path: name of the file.
 static inline Scene* load_text(const char* path, const char* text, const SceneSetting* settings, int count,
                                char* sentence)
 {
@@ -23,7 +23,7 @@ static inline Scene* load_text(const char* path, const char* text, const SceneSe
 	return scene;
 }
 
-// Loads a scene that must be valid.
+// Loads a scene from a text, which must be valid.
 static inline Scene* load_good_text(const char* path, const char* text)
 {
 	char sentence[SCENE_SENTENCE] = "";
@@ -33,7 +33,7 @@ static inline Scene* load_good_text(const char* path, const char* text)
 	return scene;
 }
 
-// Opens the player of a good scene on the CPU with one thread.
+// Opens the player of a valid scene on the CPU with one thread.
 static inline ScenePlayer open_text(const char* path, const char* text)
 {
 	ScenePlayer player;

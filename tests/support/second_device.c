@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// second_device.c -- the device to which worlds of tests move, and a world for such moves.
+// second_device.c -- finds a device to which tests move their worlds, and creates a world for such moves.
 #include "support/second_device.h"
 #include <stdio.h>
 

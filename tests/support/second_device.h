@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// second_device.h -- the device to which worlds of tests move, and a world for such moves.
+// second_device.h -- finds a device to which tests move their worlds, and creates a world for such moves.
 #ifndef SECOND_DEVICE_H
 #define SECOND_DEVICE_H
 #include "support/make_bodies.h"
 
-// Set-up: finds an OpenCL device with equal bits. second_device gets its name, or stays empty if there is none.
+// Set-up: finds an OpenCL device with equal bits and writes its name to second_device. Without such a device,
+// second_device stays empty.
 int find_second_device(void** state);
 extern char second_device[128];
 
@@ -12,11 +13,11 @@ extern char second_device[128];
 	if (!second_device[0])    \
 	skip()
 
-// Opens a pyramid of boxes with a circle above. It is still in motion after 20 steps. alone: with one thread, otherwise
-// two.
+// Opens a world with a pyramid of boxes and a falling circle. The bodies still move after 20 steps. The world has one
+// thread if alone is true, otherwise two threads.
 scree_world* open_pile(const char* device, bool alone);
 
-// Returns the hash of the pile after some steps with one thread.
+// Returns the hash of this world after some steps on the CPU with one thread.
 uint64_t hash_after(int steps);
 
 #endif

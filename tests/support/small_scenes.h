@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// small_scenes.h -- scenarios of all scenes, small enough for a test to run them on many devices.
+// small_scenes.h -- creates scenarios of all scenes, small enough for a test to run on many devices.
 #ifndef SMALL_SCENES_H
 #define SMALL_SCENES_H
 #include "scene/find.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static ScenePlayer small_players[2]; // players of the last two runs: scenarios.c compares two side by side
+static ScenePlayer small_players[2]; // players of the last two worlds, which scenarios.c compares
 
 static inline ScenePlayer* player_of(const scree_world* world)
 {
@@ -22,7 +22,7 @@ static inline void build_scene(scree_world* world, const void* context)
 	static int turn;
 	turn = !turn;
 	for (int k = 0; k < 2; ++k)
-		if (k == turn || small_players[k].world == world) // a new world may have the address of a former one
+		if (k == turn || small_players[k].world == world) // a world may have the address of a destroyed one
 			player_close(small_players + k);
 	OK(player_fill(small_players + turn, context, world));
 }
@@ -35,8 +35,8 @@ static inline void change_scene(scree_world* world, int step, const void* contex
 	OK(player_change(player));
 }
 
-// Returns the scenario of a scene. scene_free frees its context. A scene without a line in small_sizes.h fails the
-// test.
+// Returns the scenario of a scene. The caller frees its context by scene_free. The test fails if small_sizes.h has no
+// line for the scene.
 static inline Scenario small_scene(const char* name)
 {
 	const SmallScene* small = NULL;
@@ -64,7 +64,7 @@ static inline Scenario small_scene(const char* name)
 	                  .context = scene};
 }
 
-// Calls check for the scenario of every scene of the project.
+// Creates the scenario of every scene of the project, and calls a function for each scenario.
 static inline void for_every_scene(void (*check)(const Scenario* scenario))
 {
 	char **names, missing[SCENE_SENTENCE];

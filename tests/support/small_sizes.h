@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// small_sizes.h -- sizes of all scenes, small enough for a test to run them on many devices. The golden hashes belong
-// to these sizes.
+// small_sizes.h -- defines steps and settings of all scenes, small enough for a test to run on many devices. The golden
+// hashes are those of these sizes.
 #ifndef SMALL_SIZES_H
 #define SMALL_SIZES_H
 #include "scene/scene.h"
@@ -9,7 +9,7 @@ typedef struct
 {
 	const char* name;
 	int steps;
-	SceneSetting settings[5]; // ends at the first without a name
+	SceneSetting settings[5]; // the list ends at the first entry without a name
 } SmallScene;
 
 static const SmallScene small_scenes[] = {
@@ -17,10 +17,10 @@ static const SmallScene small_scenes[] = {
     {"blast", 240, {{"towers", "3"}, {"storeys", "5"}}},
     {"bridge", 240, {{"planks", "30"}}},
     {"cars", 240, {{"roads", "3"}}},
-    {"chains", 240, {{"lengths", "4"}}}, // enough chains to lie side by side
+    {"chains", 240, {{"lengths", "4"}}}, // enough chains that several share a block of columns
     {"churn", 120, {{"columns", "20"}, {"rows", "16"}, {"moved", "12"}, {"replaced", "30"}}},
     {"cloth", 160, {{"columns", "24"}, {"rows", "20"}, {"pins", "4"}}},
-    {"coaster", 240, {{"speed", "20"}}}, // fast enough for the loop
+    {"coaster", 240, {{"speed", "20"}}}, // m/s, enough to pass the loop
     {"dominoes", 240, {{"lines", "4"}, {"length", "16"}}},
     {"drift", 160, {{"boxes", "400"}}},
     {"gears", 240, {{"columns", "3"}, {"rows", "2"}}},

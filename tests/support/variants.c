@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// variants.c -- the devices, numbers of threads and lanes, and forms of the solve on which a world must have the same
-// bits.
+// variants.c -- lists the devices, numbers of threads and lanes, and forms of the solve on which a world must have the
+// same bits.
 #include "support/variants.h"
 #include "platform/processor.h"
 #include "support/form_names.h"

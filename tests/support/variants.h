@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: MIT
-// variants.h -- the devices, numbers of threads and lanes, and forms of the solve on which a world must have the same
-// bits.
+// variants.h -- lists the devices, numbers of threads and lanes, and forms of the solve on which a world must have the
+// same bits.
 #ifndef VARIANTS_H
 #define VARIANTS_H
 #include "backend/solve_form.h"
 #include "support/checks.h"
 
-typedef struct // a device and the settings of a world on it
+typedef struct // a device, and settings of a world on this device
 {
 	char name[160];
 	char device[128];
 	int threads, lanes;
 	SolveForm form;
-	char other[128]; // device to which the world sometimes moves, and back; empty for none
+	char other[128]; // second device: the world moves there and back every 40 steps; empty: the world does not move
 } Variant;
 
 #define MAX_VARIANTS 32
 
-// Lists the variants. The first is the reference: one thread, one lane. Then come every number of lanes of the
-// processor, with one thread and with two, and every OpenCL device with equal bits, in each form of its solve. Then
-// comes a world that moves between the CPU and each of these devices.
+// Lists the variants and returns their number. Variant 0 is the reference: one thread, one lane. Then follow all
+// numbers of lanes that the processor supports, with one thread and with two. Then follow the OpenCL devices with equal
+// bits: each has one variant per form of its solve, and one for a world that moves between the CPU and this device.
 int list_variants(Variant variants[MAX_VARIANTS]);
 void print_variants(void);
 
-// Returns whether variant k is part of a round. In quick builds, which look for faults of the host's code, the OpenCL
-// variants take turns.
+// Returns whether a test uses variant k in a round. In release builds this is always true. Quick builds search for
+// faults in the code of the host, so they use only one OpenCL variant per round.
 bool variant_is_due(const Variant* variants, int count, int k, int round);
 
-// Creates a world with def, but with the device, threads and lanes of the variant.
+// Creates a world by a definition, with the device, threads, lanes and form of the variant.
 scree_world* open_variant(const Variant* variant, const scree_world_def* def);
 
-// Creates a world with the default definition.
+// Creates a world by the default definition and the variant.
 scree_world* open_default_variant(const Variant* variant);
 
 #endif
