@@ -165,7 +165,8 @@ static void test_sort_bits(void** state)
 			check_sort(RANDOM, 3000, 0, false, first, end, 11);
 }
 
-// Keys that are equal in the sorted range of bits differ in their other bits, which show their order.
+// Keys that are equal in the sorted range of bits must keep their order. Their other bits differ, so a changed order is
+// found.
 static void test_sort_is_stable(void** state)
 {
 	(void)state;

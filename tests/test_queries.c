@@ -121,7 +121,7 @@ static const Item* item_of(const Place* place, scree_collidable handle)
 	return NULL;
 }
 
-// Returns whether a collidable is farther from a path than the reaches of both shapes allow.
+// Returns whether a collidable is so far from the path of a shape that they cannot meet. reach: that of the shape.
 static bool is_away(const Item* item, const Exact* from, double reach, double x, double y)
 {
 	double px = item->exact.x[0] - from->x[0], py = item->exact.y[0] - from->y[0], square = x * x + y * y;

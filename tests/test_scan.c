@@ -33,8 +33,8 @@ static void fans_are_even(void** state)
 	NEAR(scree_rot_get_angle(fan_direction(&alone, 0)), 0.5, 1e-5);
 }
 
-// A circle of radius 1 m at the origin is turned by 90 degrees, so its rays begin 0.5 m to the left. The side of a box
-// is above it at y = 4; nothing is within 6 m below it. The rays do not hit their own circle.
+// A circle of radius 1 m at the origin is turned by 90 degrees, so its rays begin 0.5 m to the left. One ray hits the
+// side of a box at y = 4; the other finds nothing in 6 m downward. Rays do not hit their own circle.
 static void rays_begin_at_the_eye(void** state)
 {
 	(void)state;

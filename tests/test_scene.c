@@ -192,8 +192,8 @@ static void test_random_ranges(void** state)
 	close_text(&player);
 }
 
-// Checks that joints connect the bodies that the scene names. Their values are those of the scene, or the defaults of
-// the joint's type.
+// Checks that joints connect the bodies that the scene names, and have the values of the scene or the defaults of their
+// type.
 static void test_joints(void** state)
 {
 	(void)state;

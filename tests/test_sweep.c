@@ -210,8 +210,8 @@ static Drum open_drum(void)
 }
 
 // Continuous collision compares a path with each kinematic body if there are few, and searches the trees if there are
-// many. Two worlds have few and many: bodies far away become kinematic and static in turn. Bodies in the drum must have
-// the same motion in both worlds, bit for bit, and none may leave the drum.
+// many. One world has few, the other has many far away, which become kinematic and static in turn. Bodies in the drum
+// must have the same motion in both worlds, bit for bit, and must not leave the drum.
 static void drum(void** state)
 {
 	(void)state;

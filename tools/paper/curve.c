@@ -185,7 +185,7 @@ static int check_hash(const Figure* figure, const Curve* curve, CommonHash* comm
 	return EXIT_FAILED;
 }
 
-// Sets the device and the number of threads of a curve to those that its run has.
+// Copies the device and the number of threads of a run to its curve.
 static void label_curve(const PaperPlayer* run, Curve* curve)
 {
 	const scree_world* world = run->player.world;

@@ -157,8 +157,8 @@ static ActiveContact active_contact(const PaperBody* bodies, const PaperContact*
 	return c;
 }
 
-// Sets the target velocities. Points that overlap get theirs from Newton's law of restitution; a point above the other
-// surface may close its gap within the step.
+// Sets the target velocities. For points that overlap they follow from Newton's law of restitution; a point above the
+// other surface may close its gap within the step.
 static void set_targets(const Resolution* r, ActiveContact* c, const PaperContact* contact, float dt)
 {
 	for (int k = 0; k < c->count; ++k)

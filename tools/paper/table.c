@@ -159,7 +159,7 @@ bool table_has_scene(const Table* table, int scene)
 	return found;
 }
 
-// Interpolates both times between two sizes as powers of the number of bodies.
+// Between two sizes, both times are interpolated as powers of the number of bodies.
 double table_crossover(const Table* table, int scene, int pipeline, FigurePlace place, double* ms)
 {
 	double bodies = 0, before = 0, last_bodies = 0, last_ms = 0;
