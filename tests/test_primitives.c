@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_primitives.c -- checks sort and scan of every backend against the simplest implementations.
 //
-// Formulas. Sort: the output is a permutation of the input, rising in the given bits, and keys with equal bits keep
-// their order. Scan: out[i] = in[0] + ... + in[i - 1].
+// Formulas. Sort: the output is a permutation of the input, rising in the given range of bits; keys that are equal in
+// this range keep their order. Scan: out[i] = in[0] + ... + in[i - 1].
 #include "backend/backend.h"
 #include "support/each_backend.h"
 #include "tools/common/random_numbers.h"
@@ -24,11 +24,11 @@ static int open_all_backends(void** state)
 typedef enum
 {
 	RANDOM,
-	FEW,   // many equal digits
-	EQUAL, // one digit only
+	FEW,   // few different keys: each 16-bit digit has one of four values
+	EQUAL, // all keys are equal
 	RISING,
 	FALLING,
-	EXTREMES, // all bits, or none
+	EXTREMES, // each key has all 64 bits set, or no bit
 	INPUTS
 } Input;
 
@@ -52,7 +52,7 @@ static uint64_t make_key(Input input, int i, int count, uint64_t* seed)
 	}
 }
 
-// Sorts by one bit after the other, a method that the code under test does not use.
+// Sorts keys by one bit after the other, from first_bit to end_bit - 1. The code under test uses wider digits.
 static void reference_sort(uint64_t* keys, uint64_t* other, int count, int first_bit, int end_bit)
 {
 	for (int bit = first_bit; bit < end_bit; ++bit)
@@ -66,7 +66,7 @@ static void reference_sort(uint64_t* keys, uint64_t* other, int count, int first
 	}
 }
 
-// Compares items, and fails with the name of the backend and the first item that differs.
+// Compares arrays of items. At the first difference the test fails with the name of the backend and the index.
 static void check_equal(const Backend* b, const char* what, const void* got, const void* expected, size_t item,
                         int count)
 {
@@ -84,12 +84,13 @@ static void run_on(Backend* b, Run run, int bound)
 	assert_int_equal(b->f->run(b, &step, &run, 1), SCREE_OK);
 }
 
-// Sorts end keys on every backend. If use_bound is set, a counter limits them to bound keys.
+// Sorts the first `end` keys on every backend and checks the result. With use_bound, a counter limits the sort to the
+// first `bound` keys.
 static void check_sort(Input input, int end, int bound, bool use_bound, int first_bit, int end_bit, uint64_t seed)
 {
 	static uint64_t keys[CAPACITY], expected[CAPACITY], got[CAPACITY];
 	int count = use_bound && bound < end ? bound : end;
-	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY; // later keys must not change
+	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY; // with later keys, which must not change
 	for (int i = 0; i < whole; ++i)
 		keys[i] = make_key(input, i, end, &seed);
 	memcpy(expected, keys, (size_t)whole * sizeof *keys);
@@ -155,7 +156,7 @@ static void test_sort_inputs(void** state)
 			check_sort((Input)input, sizes[i], 0, false, 0, 64, 7);
 }
 
-// Result is in pool key for any number and widths of passes.
+// Checks that the result is in the pool key for each range of bits, and so for each number of passes of the sort.
 static void test_sort_bits(void** state)
 {
 	(void)state;
@@ -164,7 +165,8 @@ static void test_sort_bits(void** state)
 			check_sort(RANDOM, 3000, 0, false, first, end, 11);
 }
 
-// Bits outside of the range distinguish keys that are equal within it.
+// Keys that are equal in the sorted range of bits must keep their order. Their other bits differ, so a changed order is
+// found.
 static void test_sort_is_stable(void** state)
 {
 	(void)state;
@@ -203,8 +205,7 @@ static void test_scan_counts_from_device(void** state)
 		check_scan(900000, bounds[i], true, 2, 29 + i);
 }
 
-// A read of other data with the size of the counters is not a read of the counters: its bytes must not count as
-// faults of the device.
+// Data as long as the counters is read from another pool. Its bytes must not count as faults of the device.
 static void reads_have_any_size(void** state)
 {
 	(void)state;

@@ -20,7 +20,7 @@ static int hide_log(void** state)
 	return pair_hide_log() != SCREE_OK;
 }
 
-// Shortens a program that failed, and prints it with a description of the failure.
+// Shortens a failed program, and prints the shorter program and a description of its failure.
 static void print_failure(Pair* pair, Program* program, const Variant* variant, uint64_t seed)
 {
 	program_shrink(program, pair, 20.0);
@@ -71,7 +71,7 @@ static void programs_are_equal(void** state)
 		              false);
 }
 
-// Reads between calls do not change the bits of a world.
+// Checks that reads between calls do not change the bits of a world.
 static void reads_change_nothing(void** state)
 {
 	(void)state;
@@ -80,7 +80,7 @@ static void reads_change_nothing(void** state)
 	check_variant(&variants[0], quick() ? 50 : 400, true);
 }
 
-// Runs saved programs with several choices of reads. In earlier versions their bits depended on reads.
+// Runs saved programs with several choices of reads. In earlier versions the bits of these programs depended on reads.
 static void saved_programs_are_equal(void** state)
 {
 	(void)state;
@@ -110,7 +110,7 @@ static void saved_programs_are_equal(void** state)
 	}
 }
 
-// A program is the same after it was written and read.
+// Checks that a program does not change when it is written as text and read again.
 static void text_is_the_program(void** state)
 {
 	(void)state;
@@ -129,7 +129,7 @@ static void text_is_the_program(void** state)
 	{
 		assert_int_equal(read.calls[k].kind, made.calls[k].kind);
 		for (int i = 0; i < call_info(made.calls[k].kind)->count; ++i)
-			if (made.calls[k].value[i] == made.calls[k].value[i]) // the text of a NaN lacks some bits
+			if (made.calls[k].value[i] == made.calls[k].value[i]) // no NaN, whose text lacks some bits
 				assert_memory_equal(&read.calls[k].value[i], &made.calls[k].value[i], sizeof(float));
 	}
 	program_close(&made);

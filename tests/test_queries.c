@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_queries.c -- checks rays, moving shapes, overlaps and nearest collidables against all pairs in double precision.
+// test_queries.c -- checks the results of ray casts, shape casts, overlaps and nearest collidables. The reference tests
+// every collidable in double precision.
 #include "support/exact_shapes.h"
 #include "support/random_queries.h"
 #include "tools/common/random_numbers.h"
@@ -9,14 +10,14 @@
 
 #define MOST 400
 
-typedef struct // copy of a collidable for the tests
+typedef struct // copy of a collidable, for the reference
 {
 	scree_collidable handle;
 	scree_body body;
 	scree_filter filter;
-	uint32_t kind; // SCREE_QUERY_*
+	uint32_t kind; // kind of the collidable: SCREE_QUERY_*
 	Exact exact;
-	double reach; // m, from the first corner
+	double reach; // m: largest distance of a point from the first corner
 } Item;
 
 typedef struct
@@ -79,7 +80,7 @@ static void add_item(Place* place, scree_collidable handle, scree_body body, scr
 	item->reach += item->exact.radius;
 }
 
-// Reads all collidables of the world.
+// Copies all collidables of the world to place->items.
 static void look(Place* place)
 {
 	static const uint32_t kinds[] = {[SCREE_BODY_STATIC] = SCREE_QUERY_STATIC,
@@ -120,7 +121,7 @@ static const Item* item_of(const Place* place, scree_collidable handle)
 	return NULL;
 }
 
-// Returns whether an item is too far away for a shape with the given reach that moves along a path.
+// Returns whether a collidable is so far from the path of a shape that they cannot meet. reach: that of the shape.
 static bool is_away(const Item* item, const Exact* from, double reach, double x, double y)
 {
 	double px = item->exact.x[0] - from->x[0], py = item->exact.y[0] - from->y[0], square = x * x + y * y;
@@ -128,7 +129,7 @@ static bool is_away(const Item* item, const Exact* from, double reach, double x,
 	return hypot(px - t * x, py - t * y) > item->reach + reach + 0.1;
 }
 
-// Checks the first result, and the list of all results, of a shape that moves along a path.
+// Checks the first result, and the list of all results, of the cast of a shape along a path.
 static void check_cast(const Place* place, const scree_query_def* def, const Exact* from, double reach, scree_vec path,
                        scree_body ignored, const scree_query_result* first, const scree_query_result* all, int count,
                        double slack)
@@ -152,7 +153,7 @@ static void check_cast(const Place* place, const scree_query_def* def, const Exa
 		{
 			if (fraction <= 1.0)
 			{
-				// a collidable that is only grazed may be missed
+				// a collidable may be missed if the shape overlaps it by at most the slack
 				Exact deep = exact_moved(*from, fraction * x, fraction * y);
 				double depth = 0.0;
 				for (double t = fraction; t <= 1.0; t += 0.002)
@@ -170,7 +171,7 @@ static void check_cast(const Place* place, const scree_query_def* def, const Exa
 		if (least > slack)
 			fail_msg("item %d of %d corners is %g m away, and was found at %g", k, item->exact.count, least,
 			         (double)found->fraction);
-		// an edge nearly parallel to the path may be hit anywhere within the slack
+		// on a path nearly parallel to an edge, fractions of hits are inexact; so the distance at the hit is checked
 		Exact there = exact_moved(*from, (double)found->fraction * x, (double)found->fraction * y);
 		double apart = exact_distance(&item->exact, &there);
 		if (found->inside)
@@ -325,7 +326,7 @@ static void all_pairs(float x, float y, float size, float scale, double slack, u
 	place->center = (scree_vec){x, y};
 	place->size = size;
 	fill(place, &seed, 100, scale);
-	check_place(place, &seed, scale, slack); // a world before its first step
+	check_place(place, &seed, scale, slack); // queries before the first step of the world
 	run_steps(place->world, 3);
 	check_place(place, &seed, scale, slack);
 	for (int k = 0; k < 20; ++k)
@@ -362,7 +363,7 @@ static void tiny_and_huge(void** state)
 	all_pairs(0.0f, 0.0f, 5000.0f, 900.0f, 2e-2, 7);
 }
 
-// Compares two shapes without a world with all pairs of corners and edges.
+// Checks functions that compare two shapes without a world. The reference tests all pairs of corners and edges.
 static void shapes_alone(void** state)
 {
 	(void)state;
@@ -398,7 +399,7 @@ static void shapes_alone(void** state)
 		if (fabs(exact_distance(&one, &point)) > 1e-5)
 			assert_true(contains == (exact_distance(&one, &point) < 0.0));
 
-		// impact of two moving shapes: no contact before, contact at the time of impact
+		// impact of two moving shapes: they are apart before the time of impact, and touch at that time
 		to_b.position.x += path.x;
 		to_b.position.y += path.y;
 		to_a.rotation = scree_rot_make(random_between(&seed, -3.0f, 3.0f));
@@ -419,7 +420,8 @@ static void shapes_alone(void** state)
 	}
 }
 
-// Rays through the interior of segments hit them, with any rounding. An earlier version missed 23 %.
+// Checks that rays through the interior of segments hit these segments, with any rounding. An earlier version missed 23
+// % of them.
 static void rays_through_segments(void** state)
 {
 	(void)state;

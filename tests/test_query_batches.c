@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_query_batches.c -- checks batches of queries: large ones, and items with arbitrary bits.
+// test_query_batches.c -- checks large batches of queries, and batches whose items have arbitrary bits.
 #include "support/random_queries.h"
 #include "support/scenarios.h"
 #include "tools/common/byte_hash.h"
@@ -10,8 +10,8 @@
 
 #define APPROVAL 500
 
-// A batch so large that a GPU processes it in parts has the same results as small ones. A bad item at its end leaves
-// all results unchanged.
+// A GPU processes a large batch in parts. Its results must equal those of small batches. If the last item is bad, the
+// call must leave all results unchanged.
 static void large_batches(void** state)
 {
 	(void)state;
@@ -54,7 +54,7 @@ static void large_batches(void** state)
 	free(found);
 }
 
-// Returns a float with arbitrary bits, often a special value, for example NaN, infinity or -0.
+// Returns a float with arbitrary bits. Special values such as NaN, infinity and -0 are frequent.
 static float any_float(uint64_t* seed)
 {
 	static const uint32_t odd[] = {0x7fc00000, 0xffc00000, 0x7f800000, 0xff800000,
@@ -75,8 +75,8 @@ static float any_float(uint64_t* seed)
 	return x;
 }
 
-// Runs queries with items of arbitrary bits. They are refused or have a result, and no device reads beyond its pools.
-// Returns a hash of results and refusals.
+// Calls queries with items of arbitrary bits. Each call must be refused or return results, and no device may read
+// beyond its pools. Returns a hash of refusals and results.
 static uint64_t ask_bits(scree_world* world)
 {
 	static scree_ray rays[APPROVAL];
@@ -121,7 +121,7 @@ static uint64_t answers_to_bits(const Variant* variant)
 {
 	scree_world* world = open_default_variant(variant);
 	add_floor(world);
-	for (int n = 0; n < 77; ++n) // a number that does not fill the nodes of a tree
+	for (int n = 0; n < 77; ++n) // 77 boxes do not fill the nodes of a tree
 		add_box(world, n % 3 ? SCREE_BODY_DYNAMIC : SCREE_BODY_STATIC, 0.3f, 0.2f, (float)(n % 9), (float)(n / 9));
 	run_steps(world, 1);
 	uint64_t answers = ask_bits(world);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_query_trials.c -- checks queries in extreme worlds, and that they find the same on all devices.
+// test_query_trials.c -- checks queries in extreme worlds, and that all devices return equal results.
 #include "support/random_queries.h"
 #include "support/scenarios.h"
 #include "tools/common/byte_hash.h"
@@ -21,7 +21,7 @@ typedef struct
 #define BODIES   300
 #define APPROVAL 500
 
-// Runs queries of all kinds and adds their results to the hash.
+// Calls queries of all kinds and adds their results to the hash. Returns the new hash.
 static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
 {
 	static scree_ray rays[APPROVAL];
@@ -53,8 +53,8 @@ static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
 	return hash_bytes(hash, found, sizeof found);
 }
 
-// Runs a falling heap, in which bodies are created, destroyed and changed. Queries before and after each change are
-// optional. Returns the hash of their results.
+// Simulates a falling heap, in which bodies are created, destroyed and changed. If `asks` is set, it calls queries
+// before and after each change. Returns the hash of all query results, and writes the hash of the world.
 static uint64_t record_heap(const Variant* variant, bool asks, uint64_t* world_hash)
 {
 	Place place = {.center = {0.0f, 5.0f}, .size = 12.0f};
@@ -115,7 +115,7 @@ static void all_devices_agree(void** state)
 	uint64_t silent, world;
 	record_heap(&reference, false, &silent);
 	record_heap(&reference, true, &world);
-	assert_true(world == silent); // queries do not change the world
+	assert_true(world == silent); // the hash of the world is the same without queries
 	check_equal(heap_answers);
 }
 
@@ -123,8 +123,8 @@ static void all_devices_agree(void** state)
 // extreme worlds
 // ---------------------------------------------------------------------------------------------------------------
 
-// Thousands of crates lie at one point. An overlap returns all of them in the order of their indices, and its list
-// grows as needed.
+// Thousands of crates lie at one point. An overlap returns all of them in the order of their indices, and the list of
+// results grows as needed.
 static void all_at_one_point(void** state)
 {
 	(void)state;
@@ -151,8 +151,8 @@ static void all_at_one_point(void** state)
 	scree_world_destroy(world);
 }
 
-// A ray that begins inside a collidable reports it, unless the query skips it. Rays without length, along edges and
-// through corners have results too.
+// A ray that begins inside a collidable reports this collidable, unless the query skips it. Rays of zero length, rays
+// along edges and rays through corners have results too.
 static void edges_and_insides(void** state)
 {
 	(void)state;
@@ -175,15 +175,15 @@ static void edges_and_insides(void** state)
 	assert_true(found.hit && found.inside);
 	OK(scree_world_cast_ray(world, (scree_vec){3.0f, 0.0f}, (scree_vec){0.0f, 0.0f}, &found));
 	assert_true(!found.hit);
-	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, 1.0f}, (scree_vec){6.0f, 0.0f}, &found)); // along the top
+	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, 1.0f}, (scree_vec){6.0f, 0.0f}, &found)); // along the top edge
 	assert_true(found.hit);
 	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, 1.00001f}, (scree_vec){6.0f, 0.0f}, &found));
 	assert_true(!found.hit);
 	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, -3.0f}, (scree_vec){6.0f, 6.0f}, &found)); // into a corner
 	assert_true(found.hit);
 	NEAR(found.fraction, 1.0 / 3.0, 1e-6);
-	// nearly parallel to a segment, 90 km away, and 0.4 um beside its corner: the ray meets the corner and nothing
-	// behind it
+	// The ray is nearly parallel to a segment, 90 km away, and passes 0.4 um beside its corner. It hits the corner and
+	// nothing behind it.
 	scree_shape segment;
 	scree_vec corners[2] = {{-0.595454574f, -0.0290360544f}, {-0.157268897f, 1.55506301f}};
 	OK(scree_shape_make_segment(corners[0], corners[1], &segment));
@@ -198,7 +198,8 @@ static void edges_and_insides(void** state)
 	scree_world_destroy(world);
 }
 
-// A query ignores a body that is destroyed; then another body takes its slot. The query still runs and ignores nothing.
+// The body that a query ignores is destroyed, and another body takes its slot. The query remains valid and ignores no
+// body.
 static void ignores_what_is_gone(void** state)
 {
 	(void)state;
@@ -220,7 +221,8 @@ static void ignores_what_is_gone(void** state)
 		rays[1].ignored = SCREE_NULL_BODY;
 		for (int round = 0; round < 3; ++round)
 		{
-			unsigned nearer = round < 2 ? 2 : 1; // index of another body, until a new body has the slot
+			// index of the nearest collidable that is not ignored: 1 only after a new body took the slot
+			unsigned nearer = round < 2 ? 2 : 1;
 			OK(scree_world_cast_rays(world, &def, rays, 2, found));
 			assert_int_equal(found[0].collidable.index, nearer);
 			assert_int_equal(found[1].collidable.index, round == 1 ? 2 : 1);
@@ -249,8 +251,8 @@ static void ignores_what_is_gone(void** state)
 	}
 }
 
-// A shape passes between two walls with a clearance of 1 mm, and meets them when it is rotated. A search for the
-// nearest collidable begins inside one of them.
+// A shape passes between two walls with a clearance of 1 mm. The rotated shape hits the walls. A search for the nearest
+// collidable begins inside a wall.
 static void tight_places(void** state)
 {
 	(void)state;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_reading.c -- checks the values of bodies and of the world that a program reads and sets between two steps.
+// test_reading.c -- checks that a program can read and set values of bodies and of the world between two steps.
 #include "support/make_bodies.h"
 #include <string.h>
 
-// One call returns the states of all living bodies in ascending order of their indices. They equal the states read from
-// each body.
+// One call returns the states of all living bodies in the order of their indices. These states equal those that are
+// read body by body.
 static void states_of_all(void** state)
 {
 	(void)state;
@@ -36,7 +36,7 @@ static void states_of_all(void** state)
 	scree_world_destroy(world);
 }
 
-// A body that is created from the definition of another one in another world moves with the same bits.
+// The definition of a body is read and used in another world. The new body moves with the same bits.
 static void definition_of_a_body(void** state)
 {
 	(void)state;
@@ -57,7 +57,7 @@ static void definition_of_a_body(void** state)
 	scree_pose pose = pose_of(world, body);
 	assert_memory_equal(&read.pose, &pose, sizeof pose);
 	assert_int_equal(read.type, SCREE_BODY_DYNAMIC);
-	assert_true(read.velocity.linear.x == 0.0f); // locked
+	assert_true(read.velocity.linear.x == 0.0f); // the body is locked in x
 	assert_true(read.gravity_scale == -0.5f && read.linear_damping == 0.25f && read.angular_damping == 2.0f);
 	assert_true(read.locks == SCREE_LOCK_X && read.user == 7 && !read.disabled);
 	assert_true(scree_attribute_is_null(read.attribute));
@@ -99,7 +99,7 @@ static void points_of_a_body(void** state)
 	scree_world_destroy(world);
 }
 
-// A lower maximum speed applies from the next step on. A new restitution threshold applies to the next impact.
+// A lower maximum speed applies in the next step. A new restitution threshold applies to the next impact.
 static void tuning_between_steps(void** state)
 {
 	(void)state;
@@ -128,7 +128,7 @@ static void tuning_between_steps(void** state)
 	scree_world_destroy(world);
 }
 
-// A batch of masses has the same effect as single calls. If one mass of the batch is refused, none is set.
+// Sets masses in a batch, which has the same effect as single calls. If one mass is refused, the batch sets no mass.
 static void masses_in_a_batch(void** state)
 {
 	(void)state;

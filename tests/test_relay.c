@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_relay.c -- checks the relay of OpenCL, compiled as C, with work-items that take turns in the order of a seed.
+// test_relay.c -- checks the relay of OpenCL, compiled as C. A seed decides the order in which work-items take turns.
 //
-// Formula: hash(relay, seed, step) = hash(cpu, step) for each step, and no word of a mailbox is set after a solve. If a
-// work-item never gets a turn, all others end with a fault.
+// Formula: hash(relay, seed, step) = hash(cpu, step) for each step, and all words of mailboxes are 0 after a solve. If
+// one work-item never gets a turn, all others end with a fault.
 #include "emulation/emulated_kernels.h"
 #include "emulation/emulation_scenes.h"
 #include "support/make_worlds.h"
@@ -12,9 +12,9 @@
 // equal bits
 // ---------------------------------------------------------------------------------------------------------------
 
-// The forms differ in these ways: all constraints fit into registers, or they are streamed; words arrive at once, or
-// later and in pieces; the solve is listed before its constraints are known. In spread forms, work-items without a
-// constraint end before the barriers of the others.
+// Emulated variants of the relay. Registers: all constraints fit into registers; streamed: they do not. Late words and
+// pieces: writes arrive later and in parts. Ahead: the solve is listed before its constraints are certain. Spread:
+// work-items without a constraint end before the barriers of the others.
 static const Form plain_forms[] = {
     {.name = "registers", .groups = 16},
     {.name = "streamed", .groups = 3, .schedule = {.late = true, .pieces = 8}},
@@ -34,7 +34,8 @@ static const Form hub_forms[] = {
     {.name = "hubs, spread, ahead", .groups = 4, .group = 256, .hub_groups = 2, .most_spread = 8, .ahead = true},
 };
 
-// Runs each form on each scene and returns the sums of the counters, which show that the cases of the forms occurred.
+// Runs each variant on each scene. Returns the sums of the counters, by which the caller checks that all cases
+// occurred.
 static FormCounts check_forms(const Form* forms, int count, bool hubs)
 {
 	FormCounts sum = {0};
@@ -76,7 +77,7 @@ static void relays_with_hubs_are_equal(void** state)
 // work-items that never get a turn
 // ---------------------------------------------------------------------------------------------------------------
 
-// A group begins after all others have ended, as on a device that has no room for all groups.
+// One group begins only after all others have ended, as on a device that has no room for all groups.
 static void shunned_groups_are_found(void** state)
 {
 	(void)state;
@@ -89,7 +90,7 @@ static void shunned_groups_are_found(void** state)
 	}
 }
 
-// Some work-item needs each word that is written to a mailbox: if one is lost, the run fails.
+// Checks that each word written to a mailbox is needed: if one is lost, the solve fails.
 static void lost_words_are_found(void** state)
 {
 	(void)state;
@@ -105,9 +106,8 @@ static void lost_words_are_found(void** state)
 // words of another step
 // ---------------------------------------------------------------------------------------------------------------
 
-// The third pass of a step is the first that reads displacements. Two words of a mailbox that carry the ticket of that
-// pass before the step would be read as a displacement, so mailboxes must be cleared. If only one of the two words is
-// set, it is not read.
+// The third pass of a step is the first that reads displacements. If two words of a mailbox already carry the ticket of
+// that pass, they are read as a displacement: so mailboxes must be cleared. A single word with this ticket is not read.
 static void mailboxes_must_be_cleared(void** state)
 {
 	(void)state;
@@ -170,7 +170,7 @@ static void apart_meet(const void* met)
 		items_meet(__FILE__, __LINE__);
 }
 
-// A barrier that some work-items miss is reported.
+// Checks that a barrier which some work-items miss is reported.
 static void barriers_are_strict(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_rename.sh -- tools/rename.sh ports a program with old names, which then compiles; docs/names.md has the names of the header.
+# test_rename.sh -- checks that tools/rename.sh ports a program with old names, which then compiles. docs/names.md lists the names.
 set -uo pipefail
 source=${SCREE_SOURCE:?is the folder of the sources}
 header=$source/include/scree/scree.h
@@ -14,7 +14,7 @@ fail()
 	failures=$((failures + 1))
 }
 
-# expect CODE TEXT ARGUMENT...: rename.sh ends with the code, and prints the text
+# expect CODE TEXT ARGUMENT...: checks that rename.sh ends with this exit code and prints the text
 expect()
 {
 	local code=$1 text=$2 got
@@ -25,7 +25,7 @@ expect()
 	grep -qF -- "$text" out || { fail "rename.sh $*: does not say \"$text\", but"; cat out; }
 }
 
-# the table: new names are in the header, in the struct of their row, and old ones are not
+# checks the table of names: scree.h has each new name, in the struct of its row, and no old name
 struct_of()
 {
 	sed -n "/^typedef struct $1\b/,/^} $1;/p" "$header" | sed 's://.*::'
@@ -43,7 +43,7 @@ while read -r struct old new; do
 done < <(sed -nE 's/^\| `(scree_[a-z_]+)` \| `([a-z_]+)` \| `([a-z_]+)` \| (by struct|everywhere) \|$/\1 \2 \3/p' "$source/docs/names.md")
 [ $rows -ge 28 ] || fail "docs/names.md: has only $rows names"
 
-# a program with every old name; a name of the program's own stays
+# a program with every old name, and with a name of its own that must not change
 cat >game.c <<'C'
 // game.c -- scree_world_get_moved fills a scree_moved_list; SCREE_HUGE bounds it.
 #include <scree/scree.h>
@@ -121,7 +121,7 @@ expect 0 'usage: tools/rename.sh FILE...' -h
 expect 0 'usage: tools/rename.sh FILE...' --help
 cmp game.c old.c || fail "rename.sh: changes a file in spite of an error"
 
-# certain names are changed; the others are reported
+# names that are certain are changed; the others are reported
 expect 0 'rename.sh: changed 2 of 2 files; 8 names are left to you' game.c game.mjs
 cat >wanted <<'TEXT'
 game.c:43: held may be stopped_bodies instead

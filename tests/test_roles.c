@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_roles.c -- checks that the contents of pools with the role scratch do not matter between two steps.
+// test_roles.c -- checks that pools with the role scratch do not carry data from one step to the next.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 #include "world/world.h"
@@ -24,7 +24,7 @@ static void spoil(scree_world* world, uint64_t* seed)
 	}
 }
 
-// A heap of boxes, and of circles that bounce and resist rolling, on a plate that is a hub.
+// Creates a heap of boxes and circles on a plate that is a hub. The circles bounce and have rolling resistance.
 static scree_world* heap(void)
 {
 	scree_world* world = open_world(-10.0f);

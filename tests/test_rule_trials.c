@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_rule_trials.c -- checks that rules give the same bits on all variants of a simulation, also if they are changed
-// between steps.
+// test_rule_trials.c -- checks that rules give the same bits on all devices, lanes and threads, also if rules are
+// changed between steps.
 #include "support/make_bodies.h"
 #include "support/scenarios.h"
 #include "tools/common/random_numbers.h"

@@ -20,7 +20,7 @@ static scree_body add_platform(scree_world* world, scree_body_type type, scree_s
 	return add_body(world, type, surface, x, y, radians);
 }
 
-// Returns the shape of a platform that is 8 m wide. A body at height y has its top at y = 0.
+// Returns the shape of a platform 8 m wide. Writes to *y the height of its body at which its top is at y = 0.
 static scree_shape platform_shape(int kind, float* y)
 {
 	*y = kind == 0 ? -0.5f : kind == 1 ? -0.01f : kind == 2 ? 0.0f : -0.1f;
@@ -35,7 +35,7 @@ static scree_shape visitor_shape(int kind, float size)
 	return kind == 0 ? box_shape(size, size) : kind == 1 ? circle_shape(size) : capsule_shape(size, 0.5f * size);
 }
 
-// Returns half of the height of visitor_shape.
+// Returns half of the height of the shape that visitor_shape returns.
 static float visitor_half(int kind, float size) { return kind == 2 ? 0.5f * size : size; }
 
 // Bodies jump through a platform from below, fall back and come to rest on its top. The test tries all kinds of
@@ -67,7 +67,7 @@ static void jumps_up_and_lands(void** state)
 	}
 }
 
-// No body passes a platform from above; each body passes it from below at its full speed. Speeds are 1 to 1,000 m/s.
+// No body passes a platform from above. From below, each body passes at its full speed. Speeds are 1 to 1,000 m/s.
 static void fast_bodies(void** state)
 {
 	(void)state;
@@ -77,7 +77,7 @@ static void fast_bodies(void** state)
 	{
 		int platform = k % 4, kind = k / 4 % 3;
 		float speed = speeds[k / 12 % 5], size = random_between(&seed, 0.02f, 0.5f), half = visitor_half(kind, size), y;
-		int from = k / 60 % 2; // 0: above, 1: below
+		int from = k / 60 % 2; // 0: the body begins above the platform, 1: below
 		scree_world_def def = scree_world_def_default();
 		def.device = "cpu", def.threads = 1, def.gravity = (scree_vec){0.0f, 0.0f}, def.max_speed = 2000.0f;
 		scree_world* world = create_world(&def);
@@ -121,8 +121,8 @@ static void half_through(void** state)
 	}
 }
 
-// A sloped platform whose direction is up is solid along its whole length, although most of it is lower than its upper
-// end.
+// A sloped platform whose solid direction is up is solid along its whole length, although most of it is lower than its
+// upper end.
 static void slopes(void** state)
 {
 	(void)state;
@@ -151,7 +151,7 @@ static void slopes(void** state)
 	}
 }
 
-// A platform that rises carries bodies on its top and lets a body from below pass. A dynamic platform falls like any
+// A rising platform carries the bodies on its top, and lets a body from below pass. A dynamic platform falls like any
 // body.
 static void moving_platforms(void** state)
 {
@@ -165,7 +165,7 @@ static void moving_platforms(void** state)
 	run_steps(world, 120);
 	NEAR(pose_of(world, rider).position.y, 4.0 + 0.4, 0.01);
 	NEAR(pose_of(world, low).position.y, 4.0 + 0.4, 0.01);
-	// a falling platform lands on the ground, and a body that jumps below it passes through it
+	// a falling platform lands on the ground; a body that jumps below the platform passes through it
 	scree_body falls = add_platform(world, SCREE_BODY_DYNAMIC, box_shape(2.0f, 0.1f), 10.0f, -15.0f, 0.0f);
 	scree_body jumps = add_thrown(world, box_shape(0.3f, 0.3f), 10.0f, -19.0f, 0.0f, 14.0f);
 	run_steps(world, 400);
@@ -174,7 +174,7 @@ static void moving_platforms(void** state)
 	scree_world_destroy(world);
 }
 
-// A body with a load of 100 times its mass slides over a row of many platforms. It moves exactly as on solid ones.
+// A body with a load of 100 times its mass slides over a row of many platforms. It moves exactly as on solid boxes.
 static void chains_of_platforms(void** state)
 {
 	(void)state;
@@ -206,8 +206,8 @@ static void chains_of_platforms(void** state)
 	}
 }
 
-// Bodies from above move exactly as on a solid platform. This includes a tilted plank that falls on a narrow platform:
-// one end of the plank gets below the top before they touch.
+// Bodies from above move exactly as on a solid platform. One of them is a tilted plank that falls on a narrow platform:
+// one end of the plank gets below the top before plank and platform touch.
 static void tilted_planks(void** state)
 {
 	(void)state;
@@ -234,8 +234,8 @@ static void tilted_planks(void** state)
 	}
 }
 
-// A platform holds a body of two boxes, one above the other, or lets it pass as a whole: neither box alone can hang on
-// it.
+// A body has two boxes, one above the other. A platform holds both boxes or lets both pass, so the body cannot hang on
+// the platform by one box.
 static void compounds(void** state)
 {
 	(void)state;
@@ -259,7 +259,7 @@ static void compounds(void** state)
 	scree_world_destroy(world);
 }
 
-// A touch begins when the platform holds the body, not while the body passes through it, and ends once.
+// A touch begins when the platform holds the body, not while the body passes through the platform. The touch ends once.
 static void touches(void** state)
 {
 	(void)state;
@@ -288,7 +288,7 @@ static void touches(void** state)
 	scree_world_destroy(world);
 }
 
-// A collidable becomes a one-way platform by a change of its attribute.
+// A solid collidable gets an attribute that makes it a one-way platform.
 static void changed_in_mid_run(void** state)
 {
 	(void)state;
@@ -301,7 +301,7 @@ static void changed_in_mid_run(void** state)
 	scree_body body = add_thrown(world, box_shape(0.3f, 0.3f), 0.0f, 0.3f, 0.0f, 0.0f);
 	run_steps(world, 60);
 	NEAR(pose_of(world, body).position.y, 0.3, 0.01);
-	// solid from below only: a touching body is held until it leaves, then it falls through
+	// now solid from below only: a touching body is held until it leaves the platform; then it falls through
 	OK(scree_collidable_set_attribute(world, part, downward));
 	run_steps(world, 60);
 	NEAR(pose_of(world, body).position.y, 0.3, 0.01);
@@ -314,8 +314,8 @@ static void changed_in_mid_run(void** state)
 	scree_world_destroy(world);
 }
 
-// A heavy body strikes a light one. It cannot push the light body through the platform on which that lies, but through
-// a platform above it.
+// A heavy body strikes a light body. It cannot push the light body through the platform below, but can push it through
+// a platform above.
 static void struck(void** state)
 {
 	(void)state;
@@ -360,8 +360,8 @@ static void rest(void** state)
 	}
 }
 
-// A platform is destroyed and created again before each step. It still holds bodies that lie on it, and lets rising
-// ones through.
+// A platform is destroyed and created again before each step. It still holds the bodies that lie on it, and lets rising
+// bodies pass.
 static void made_anew(void** state)
 {
 	(void)state;
@@ -404,8 +404,9 @@ static void fast_platforms(void** state)
 }
 
 // A bar drives 300 bodies along the inside of a ring of one-way segments or boxes, which are solid from inside. The
-// platforms belong to one body or to a body each. Bodies are pressed hard, but none leaves the ring: if one platform
-// holds a body at some depth, the next platform holds it too. Returns the number of bodies that left.
+// platforms are collidables of one body, or each has its own body. Bodies are pressed hard, but must not leave the
+// ring: if one platform holds a body at some depth, the next platform must hold it too. Returns the number of bodies
+// that left.
 static int left_the_ring(int thick, int apart, int sides, scree_shape visitor, float spin)
 {
 	scree_world* world = open_world(-10.0f);
@@ -461,8 +462,8 @@ static void rings_under_pressure(void** state)
 	}
 }
 
-// Only one platform holds a body that slides along it. Another platform of the same body, which begins higher, lets it
-// pass from the side.
+// Two platforms of one body: a body slides along the lower platform, which holds it. The other platform begins higher,
+// and lets the body pass from the side.
 static void stairs_from_beside(void** state)
 {
 	(void)state;

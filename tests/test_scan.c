@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_scan.c -- checks the rays of scenes: their ends, their hits, the selection that is drawn, and equal results on
+// test_scan.c -- checks the rays of scenes: their ends, their hits, the selection for pictures, and equal results on
 // all devices.
 #include "support/scene_text.h"
 #include "support/small_scenes.h"
@@ -33,8 +33,8 @@ static void fans_are_even(void** state)
 	NEAR(scree_rot_get_angle(fan_direction(&alone, 0)), 0.5, 1e-5);
 }
 
-// A circle of radius 1 m at the origin is turned by 90 degrees, so its rays begin 0.5 m to the left. The side of a box
-// is above it at y = 4; nothing is within 6 m below it. The rays do not hit their own circle.
+// A circle of radius 1 m at the origin is turned by 90 degrees, so its rays begin 0.5 m to the left. One ray hits the
+// side of a box at y = 4; the other finds nothing in 6 m downward. Rays do not hit their own circle.
 static void rays_begin_at_the_eye(void** state)
 {
 	(void)state;
@@ -61,7 +61,8 @@ static void rays_begin_at_the_eye(void** state)
 	close_text(&s);
 }
 
-// Fans select circles by mask, kind and radius, and each hits the nearest circle that it accepts.
+// Each fan casts rays at circles that it selects by mask, kind or radius. Each ray hits the nearest circle of the
+// selection.
 static void fans_see_what_they_say(void** state)
 {
 	(void)state;
@@ -87,8 +88,8 @@ static void fans_see_what_they_say(void** state)
 	close_text(&s);
 }
 
-// 20 circles lie in a row, 10 m apart, with 64 rays of 4 m each. A picture takes only rays in its view, and an even
-// selection of them if they exceed its limit.
+// 20 circles in a row, 10 m apart, cast 64 rays of 4 m each. A picture contains only rays in its view. If their number
+// exceeds the limit of the picture, it contains rays at equal intervals.
 static void pictures_take_some_in_view(void** state)
 {
 	(void)state;
@@ -103,10 +104,10 @@ static void pictures_take_some_in_view(void** state)
 	assert_int_equal(s.scan.count, 20 * 64);
 	ask(&s, &five, 10000);
 	assert_int_equal(s.scan.count, 5 * 64);
-	ask(&s, &all, 200); // every eighth ray
+	ask(&s, &all, 200); // every eighth ray is drawn
 	assert_int_equal(s.scan.count, 160);
 	assert_int_equal(s.scan.in_view, 20 * 64);
-	ask(&s, &five, 200); // every second ray
+	ask(&s, &five, 200); // every second ray is drawn
 	assert_int_equal(s.scan.count, 160);
 	ask(&s, &all, 1);
 	assert_true(s.scan.count <= 1);
@@ -115,7 +116,7 @@ static void pictures_take_some_in_view(void** state)
 	close_text(&s);
 }
 
-// A body outside the space of queries casts no rays; the others still do.
+// A body outside the space of queries casts no rays; other bodies still cast rays.
 static void far_bodies_cast_none(void** state)
 {
 	(void)state;
@@ -165,8 +166,8 @@ static void scan_before(scree_world* world, int step, const void* context)
 	sum = player_of(world)->answered;
 }
 
-// hash of the results(device, lanes, threads) = hash of the results(cpu, 1, 1); rays do not change the hash of the
-// world
+// Formula: hash of the results(device, lanes, threads) = hash of the results(cpu, 1, 1). Rays do not change the hash of
+// the world.
 static void answers_are_equal(void** state)
 {
 	(void)state;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_scene.c -- checks scene files: the worlds built from them, churn, settings, and all scenes of the repository.
+// test_scene.c -- checks the worlds that are built from scene files, churn, settings, and all scenes of the repository.
 #include "scene/build.h"
 #include "scene/churn.h"
 #include "scene/controls.h"
@@ -34,7 +34,7 @@ static void test_settings(void** state)
 	const struct
 	{
 		SceneSetting setting;
-		const char* sentence; // null if the setting is valid
+		const char* sentence; // expected message; null if the setting is valid
 	} cases[] = {
 	    {{"n", "3"}, NULL},
 	    {{"n", "2 * 4"}, NULL},
@@ -123,7 +123,7 @@ static void test_ten_million(void** state)
 	scene_free(scene);
 }
 
-// The world has the values of the scene file.
+// Checks that bodies of the world have the values of the scene file.
 static void test_build(void** state)
 {
 	(void)state;
@@ -175,7 +175,8 @@ static void test_build(void** state)
 	close_text(&player);
 }
 
-// A range whose end is random() makes as many bodies as the scene has counted: between 12 and 36 for its 12 rounds.
+// The end of a range is random(). Its number of bodies must equal the count of the loaded scene: between 12 and 36 for
+// 12 rounds.
 static void test_random_ranges(void** state)
 {
 	(void)state;
@@ -191,7 +192,8 @@ static void test_random_ranges(void** state)
 	close_text(&player);
 }
 
-// Joints connect the bodies that the scene names. They have the values of the scene, else the defaults of their type.
+// Checks that joints connect the bodies that the scene names, and have the values of the scene or the defaults of their
+// type.
 static void test_joints(void** state)
 {
 	(void)state;
@@ -226,7 +228,8 @@ static void test_joints(void** state)
 	for (int k = 0; k < 5; ++k)
 		OK(scree_joint_get_def(world, joints[k], &defs[k]));
 
-	// the wheel at i = 2: its bodies and its axis are turned by 90 degrees, so that x in a body is y in the world
+	// joint of the wheel at i = 2: both bodies and the axis are turned by 90 degrees, so that x in a body is y in the
+	// world
 	const scree_joint_def* d = &defs[2];
 	const scree_joint_coordinate *along = &d->coordinates[SCREE_ALONG], *angle = &d->coordinates[SCREE_ANGLE];
 	assert_int_equal(d->type, SCREE_JOINT_WHEEL);
@@ -261,7 +264,7 @@ static void test_joints(void** state)
 	close_text(&player);
 }
 
-typedef struct // state of all 12 bodies at one time
+typedef struct // state of all 12 bodies at one step
 {
 	scree_body bodies[12];
 	scree_pose poses[12];
@@ -279,7 +282,7 @@ static Bodies read_bodies(scree_world* world)
 	return all;
 }
 
-// Checks that a changed body is within the positions of its churn and has the locks of its block.
+// Checks that a changed body has a pose and velocity of its churn, and the locks of its block.
 static void check_changed(const scree_world* world, const Bodies* after, int k)
 {
 	uint32_t locks;
@@ -291,8 +294,8 @@ static void check_changed(const scree_world* world, const Bodies* after, int k)
 	assert_int_equal(locks, SCREE_LOCK_ROTATION);
 }
 
-// Checks the changes before one step: two bodies are moved and three replaced, and each keeps its attribute. Adds the
-// changes of each body to turns.
+// Applies and checks the churn of one step: two bodies move, three are replaced, and each keeps its attribute. Adds 1
+// to turns for each changed body.
 static void check_step(const Scene* scene, scree_world* world, int step, int turns[12])
 {
 	Bodies before = read_bodies(world);
@@ -321,9 +324,9 @@ static void check_step(const Scene* scene, scree_world* world, int step, int tur
 	assert_int_equal(replaced, 3);
 }
 
-// Ten bodies, alternately with attribute a and b, lie between two without churn. Before each step two of the ten are
-// moved and three replaced. Each is changed equally often, keeps its place in the order and its attribute, and gets a
-// pose of the churn.
+// Ten bodies with churn have attribute a or b in turn; the first and last of the 12 bodies have no churn. Before each
+// step two of the ten are moved and three replaced. Each of the ten is changed equally often, keeps its index in the
+// list and its attribute, and gets a pose of the churn.
 static void test_churn(void** state)
 {
 	(void)state;
@@ -346,7 +349,7 @@ static void test_churn(void** state)
 	close_text(&player);
 }
 
-// A landing ball reports its approach speed, 5 m/s, if the scene enables contact details.
+// If the scene enables contact details, a ball that lands reports its approach speed, 5 m/s.
 static void test_contact_details(void** state)
 {
 	(void)state;
@@ -393,7 +396,8 @@ static void test_disabled(void** state)
 	close_text(&player);
 }
 
-// Fields in the world and on bodies of a row have the values of the scene. An explosion acts before its step.
+// Checks that fields of a scene, in the world and on bodies of a row, have the values of the scene. An explosion acts
+// before its step.
 static void test_fields(void** state)
 {
 	(void)state;
@@ -429,8 +433,8 @@ static void test_fields(void** state)
 	close_text(&player);
 }
 
-// A key pushes its bodies while it is down, either by a force that turns with the body or by a torque. It does not push
-// other bodies.
+// While a key is down, it pushes its bodies by a torque or by a force that turns with the body. It does not push other
+// bodies.
 static void test_keys(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_scene_keys.c -- checks every key of scene/format.def: a good value reaches its member, a bad value is refused
-// with its sentence.
+// test_scene_keys.c -- checks every key of scene/format.def: a good value is stored in the member of the key, a bad
+// value is refused with a message.
 #include "scene/format.h"
 #include "support/scene_text.h"
 #include <float.h>
@@ -18,10 +18,10 @@
 #define SCENE(more)  BODY("") ", " more "}"
 #define SHAPES(more) HEAD "\"attributes\": {\"a\": " more "}, \"bodies\": [{\"attribute\": \"a\"}]}"
 
-typedef struct // a scene with an object of one kind
+typedef struct // a scene that contains an object of one kind
 {
 	FormatObject object;
-	const char* only;  // the only key for which this scene is used; null: all other keys
+	const char* only;  // name of the only key for which this scene is used; null: used for all other keys
 	const char* place; // path of the object in the file
 	const char* text;  // %s: members of the object
 	const char* needs; // members that the object must have, separated by ;
@@ -75,8 +75,8 @@ static const Place* place_of(FormatObject object, const char* key)
 	return place;
 }
 
-// Loads the scene of a place, in which the object has the key with the value. If part is not null, the scene must be
-// refused with a sentence that contains part and must; else it must be accepted.
+// Loads a scene whose object has the key with the value. part null: the scene must be accepted. Otherwise it must be
+// refused, with a message that contains both part and must.
 static void load(const Place* place, const char* key, const char* value, const char* part, const char* must)
 {
 	char text[2048] = "", quoted[64], sentence[SCENE_SENTENCE] = "";
@@ -98,7 +98,7 @@ static void load(const Place* place, const char* key, const char* value, const c
 		fail_msg("%s\nsays \"%s\"\nnot  \"%s\" and \"%s\"", text, sentence, part ? part : "", part ? must : "");
 }
 
-// Checks that a value is refused at the key, or at an element of its list.
+// Checks that a value is refused. The message must name the key and element, which is an index such as [0], or empty.
 static void refuse(const FormatKey* key, const char* value, const char* element, const char* must)
 {
 	char part[200];
@@ -107,8 +107,8 @@ static void refuse(const FormatKey* key, const char* value, const char* element,
 	load(place, key->name, value, part, must);
 }
 
-// Checks that a number outside its range, or with a fraction where it must be whole, is refused as a number and as an
-// expression.
+// Checks that a bad number is refused, both as a number and as an expression. Bad numbers are outside of the range of
+// the key, or have a fraction where the key needs a whole number.
 static void refuse_number(const FormatKey* key, double number, const char* must)
 {
 	char value[64];
@@ -163,7 +163,7 @@ static void test_unknown_keys(void** state)
 	}
 }
 
-// Returns the number that a member has.
+// Returns the number that is stored in the member of a key.
 static double stored(const FormatKey* key, const char* made)
 {
 	const void* member = made + key->offset;
@@ -187,7 +187,7 @@ static double stored(const FormatKey* key, const char* made)
 	return NAN;
 }
 
-// Reads an object with one key by format_read.
+// Calls format_read for an object that has one key and all mandatory keys.
 static void read_one(const FormatKey* key, json_t* value, void* made)
 {
 	char sentence[SENTENCE_SIZE] = "";
@@ -196,7 +196,7 @@ static void read_one(const FormatKey* key, json_t* value, void* made)
 	assert_non_null(reader);
 	reader->file = "";
 	reader->sentence = sentence;
-	// other keys that the object must have
+	// other mandatory keys of the object
 	for (const FormatKey* k = format_keys(key->object); k->object == key->object; ++k)
 		if (k->need == NEED_MUST && !k->special)
 			json_object_set_new(object, k->name,
@@ -262,7 +262,7 @@ static void test_good_values(void** state)
 	}
 }
 
-// The lists of names are in the order of the enumerators and bits of scree.h.
+// Checks that the lists of names are in the order of the enumerators and bits of scree.h.
 static void test_names(void** state)
 {
 	(void)state;
@@ -272,7 +272,7 @@ static void test_names(void** state)
 		int position;
 		const char* name;
 		int value;    // enumerator or bit of scree.h
-		int expected; // its value at this position
+		int expected; // value that the enumerator must have at this position
 	} cases[] = {
 	    {body_type_names, 0, "static", SCREE_BODY_STATIC, 0},
 	    {body_type_names, 1, "kinematic", SCREE_BODY_KINEMATIC, 1},
@@ -299,7 +299,7 @@ static void test_names(void** state)
 		assert_string_equal(cases[k].list[cases[k].position], cases[k].name);
 		assert_int_equal(cases[k].value, cases[k].expected);
 	}
-	// all types of joints, and none beyond them
+	// the list has all types of joints, and no other names
 	int type = 0;
 	for (; joint_type_names[type]; ++type)
 		assert_string_equal(joint_type_names[type], scree_joint_type_name((scree_joint_type)type));

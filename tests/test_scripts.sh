@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_scripts.sh -- the scripts of bench/ and tools/ print their use and refuse unknown options; releases, without a build.
+# test_scripts.sh -- checks that the scripts of bench/ and tools/ print their use and refuse unknown options; checks releases
+# without a build.
 set -uo pipefail
 source=${SCREE_SOURCE:?is the folder of the sources}
 scratch=$(mktemp -d "${SCREE_BUILD:?}/test_scripts.XXXXXX")
@@ -14,7 +15,7 @@ fail()
 	failures=$((failures + 1))
 }
 
-# expect CODE TEXT command...: the command ends with the code, and the text is in what it prints
+# expect CODE TEXT command...: checks that the command ends with this exit code, and that its output contains the text
 expect()
 {
 	local code=$1 text=$2 got
@@ -25,7 +26,7 @@ expect()
 	grep -qF -- "$text" out err || fail "$*: does not say \"$text\""
 }
 
-# --help and unknown options, also behind other arguments
+# checks --help and unknown options, first and after another argument
 options()
 {
 	local name=${*: -1}
@@ -47,7 +48,7 @@ if command -v node >/dev/null; then
 	done < <(grep -lE 'process\.argv' "$source"/bench/web/*.mjs | grep -v '/usage\.mjs$')
 fi
 
-# releases of a small tree, whose make web only creates the files
+# makes releases of a small tree, whose make web only creates the files
 command -v git >/dev/null || { echo "skipped: there is no git"; exit 77; }
 export GIT_CONFIG_GLOBAL=/dev/null GIT_AUTHOR_NAME=test GIT_COMMITTER_NAME=test GIT_AUTHOR_EMAIL=test GIT_COMMITTER_EMAIL=test
 mkdir -p tree/tools tree/include/scree

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_sensor_trials.c -- checks visits to sensors against samples of the paths of bodies, and against a ledger of all
-// visits.
+// test_sensor_trials.c -- checks visits to sensors against samples of the paths of bodies, and against a list of all
+// open visits.
 #include "support/exact_shapes.h"
 #include "support/make_joints.h"
 #include "support/random_queries.h"
@@ -13,11 +13,11 @@
 // paths of bodies
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef struct // a collidable, and the motion of its body in a step
+typedef struct // a collidable, and the poses of its body in a step
 {
 	scree_shape shape;
 	scree_pose own;
-	scree_body body; // null for none
+	scree_body body; // null: the collidable has no body
 	scree_vec center;
 	scree_pose start, end; // poses of the body
 } Rider;
@@ -30,8 +30,8 @@ static scree_pose rider_pose(scree_world* world, const Rider* r)
 	return pose;
 }
 
-// Returns the shape at a time of the step, from 0 to 1, in double precision. The center of mass moves straight; the
-// body turns the shorter way at constant speed.
+// Returns the shape at a time of the step, from 0 to 1, in double precision. The center of mass moves in a straight
+// line; the body turns by the smaller angle at constant speed.
 static Exact rider_at(const Rider* r, double time)
 {
 	double c0 = (double)r->start.rotation.c, s0 = (double)r->start.rotation.s;
@@ -53,8 +53,8 @@ static double apart_at(const Rider* a, const Rider* b, double time)
 	return exact_distance(&at, &bt);
 }
 
-// Adds a collidable at a random pose on a body that moves and turns at random. If rests is true, the body is static, or
-// there is none.
+// Adds a collidable at a random pose. Its body moves and turns at random; with rests, the body is static, or the
+// collidable has no body.
 static Rider add_rider(scree_world* world, uint64_t* seed, uint32_t sensor, float size, float speed, float spin,
                        scree_vec origin, bool rests, scree_collidable* collidable)
 {
@@ -98,9 +98,10 @@ typedef struct
 } Score;
 
 #define SAMPLES 2048
-#define BRIEF   (8.0 / SAMPLES) // shorter overlaps may be missed
+#define BRIEF   (8.0 / SAMPLES) // steps; overlaps shorter than this may be missed
 
-// Takes one step with a sensor and a visitor, and compares the visits with samples of their paths.
+// Takes one step with a sensor and a visitor, and compares the visits with samples of both paths. Adds the differences
+// to score.
 static void judge(scree_world* world, Rider* a, Rider* b, scree_collidable sensor, double tolerance, Score* score)
 {
 	int count;
@@ -133,7 +134,7 @@ static void judge(scree_world* world, Rider* a, Rider* b, scree_collidable senso
 	if (fabs(end) > 1e-5 + tolerance)
 		assert_int_equal(count, end < 0.0);
 	if (was)
-		return; // a visit from an earlier step: only its presence after the step is checked
+		return; // The visit began in an earlier step: only the number of visits after the step was checked.
 	score->met += deep_first >= 0.0;
 	if (least > tolerance && events.visits_began_count)
 		++score->invented;
@@ -154,8 +155,8 @@ static void judge(scree_world* world, Rider* a, Rider* b, scree_collidable senso
 	score->late += outside > 0.0;
 }
 
-// Tries all shapes on bodies of all types, with centers of mass away from their origins, with paths of several metres
-// and turns of up to 180 degrees. The tolerance is that of distances, m.
+// Tries all shapes on bodies of all types, with centers of mass away from their origins. Paths are several meters long,
+// and rotations up to 180 degrees. tolerance, m: error of distances. Returns the sum of all differences.
 static Score try_ways(int trials, float size, float speed, float spin, scree_vec origin, double tolerance)
 {
 	Score score = {0};
@@ -177,7 +178,7 @@ static Score try_ways(int trials, float size, float speed, float spin, scree_vec
 static void visits_match_samples(void** state)
 {
 	(void)state;
-	// positions 90 km from the origin are 8 mm apart
+	// 90 km from the origin, neighboring floats are 8 mm apart
 	int trials = quick() ? 20 : 100;
 	const scree_vec here = {0.0f, 0.0f}, there = {90000.0f, -80000.0f};
 	Score scores[] = {
@@ -227,8 +228,8 @@ static void ledger_end(Ledger* l, const scree_visit* v)
 	l->open[k] = l->open[--l->count];
 }
 
-// Applies the events of a step to the ledger in this order: ends of older visits, begins, ends of visits that began in
-// the step.
+// Applies the events of a step to the list of open visits, in this order: ends of visits from earlier steps, begins,
+// ends of visits that began in this step.
 static void ledger_step(Ledger* l, const scree_events* e)
 {
 	bool done[MOST] = {false};
@@ -343,7 +344,7 @@ static void change(scree_world* world, uint64_t* seed, scree_body* bodies)
 	}
 }
 
-// Checks that the open visits of the ledger are those of the sensors.
+// Checks that the open visits of the list equal those that the sensors report.
 static void check_open(scree_world* world, const Ledger* l)
 {
 	int total = 0;
@@ -382,7 +383,7 @@ static void every_visit_is_in_the_ledger(void** state)
 			run_steps(world, 1);
 			scree_events events;
 			if (random_below(&seed, 3) == 0)
-				change(world, &seed, bodies); // must not change the events of the last step
+				change(world, &seed, bodies); // these changes must not change the events of the last step
 			events = events_of(world);
 			ledger_step(&ledger, &events);
 			for (int n = random_below(&seed, 5); n > 0; --n)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_sensors.c -- checks visits to sensors, also within a step: each visit that begins ends once, and all devices
+// test_sensors.c -- checks visits to sensors, also within a step: each visit begins once and ends once, and all devices
 // agree.
 #include "support/exact_shapes.h"
 #include "support/make_bodies.h"
@@ -30,8 +30,8 @@ static int visits_of(scree_world* world, scree_collidable sensor)
 // within a step
 // ---------------------------------------------------------------------------------------------------------------
 
-// A sensor of 0.2 m reports each circle that flies through it at 60 m/s, 1 m per step, from any side. Begin and end of
-// each visit have the exact times.
+// Circles fly at 60 m/s, 1 m per step, from all sides through a sensor of 0.2 m. The sensor reports each circle, with
+// the exact times of begin and end.
 static void bullets_are_seen(void** state)
 {
 	(void)state;
@@ -40,7 +40,7 @@ static void bullets_are_seen(void** state)
 	for (int k = 0; k < 1000; ++k)
 	{
 		scree_world* world = open_world(0.0f);
-		bool rides = k % 2; // the sensor is on a kinematic body, which also moves
+		bool rides = k % 2; // true: the sensor is on a kinematic body, which also moves
 		scree_collidable sensor = add_sensor(world, box_shape(0.1f, 0.1f), SCREE_SENSOR_MOVING, upright_at(0.0f, 0.0f));
 		scree_vec drift = {0.0f, 0.0f};
 		if (rides)
@@ -89,8 +89,8 @@ static void bullets_are_seen(void** state)
 	assert_int_equal(seen, 1000);
 }
 
-// A body bounces off a wall. A sensor in front of the wall does not stop it, and it does not visit the sensor behind
-// the wall.
+// A body flies through a sensor and bounces off a wall. The sensor does not stop the body, and a sensor behind the wall
+// reports no visit.
 static void behind_a_wall(void** state)
 {
 	(void)state;
@@ -113,7 +113,7 @@ static void behind_a_wall(void** state)
 	scree_world_destroy(world);
 }
 
-// A thin bar that turns by 90 degrees within a step visits a sensor beside it.
+// A thin bar that turns by 90 degrees in a step visits a sensor beside it.
 static void turning_bars(void** state)
 {
 	(void)state;
@@ -154,7 +154,7 @@ static void kinds_and_filters(void** state)
 	assert_int_equal(visits_of(world, moving), 2);
 	assert_int_equal(visits_of(world, still), 2);
 	assert_int_equal(visits_of(world, all), 4 + 3); // 4 collidables and 3 sensors
-	assert_int_equal(visits_of(world, own), 3);     // the three large sensors; nothing else overlaps it
+	assert_int_equal(visits_of(world, own), 3);     // the three large sensors; own overlaps nothing else
 	scree_filter filter = scree_filter_default();
 	filter.mask = 2;
 	OK(scree_collidable_set_filter(world, all, filter));
@@ -173,8 +173,8 @@ static void kinds_and_filters(void** state)
 	scree_world_destroy(world);
 }
 
-// A crate that lies in a sensor for two minutes begins one visit. Disabling, enabling, destroying and creating it give
-// one event each.
+// A crate that lies in a sensor for two minutes begins one visit. Each time that it is disabled, enabled, destroyed or
+// created again, the sensor reports one event.
 static void one_end_for_each_beginning(void** state)
 {
 	(void)state;
@@ -216,9 +216,9 @@ static void one_end_for_each_beginning(void** state)
 	OK(scree_collidable_set_sensor(world, own, SCREE_SENSOR_STATIC));
 	run_steps(world, 1);
 	assert_true(events_of(world).visits_ended_count == 1 &&
-	            events_of(world).visits_began_count == 1); // the floor visits it
+	            events_of(world).visits_began_count == 1); // the floor visits the crate, which is now a sensor
 	run_steps(world, 5);
-	assert_true(position_of(world, crate).y < 0.49f); // it falls through the floor
+	assert_true(position_of(world, crate).y < 0.49f); // the crate falls through the floor
 	OK(scree_collidable_set_sensor(world, own, 0));
 	run_steps(world, 1);
 	assert_true(events_of(world).visits_ended_count == 1 && events_of(world).visits_began_count == 1);
@@ -230,8 +230,8 @@ static void one_end_for_each_beginning(void** state)
 	scree_world_destroy(world);
 }
 
-// A body in a sensor is placed outside of it and flies in again within the step: the old visit ends at time 0, and a
-// new one begins.
+// A body in a sensor is placed outside of the sensor and flies in again within the step. The old visit ends at time 0,
+// and a new one begins.
 static void placed_elsewhere(void** state)
 {
 	(void)state;
@@ -254,7 +254,7 @@ static void placed_elsewhere(void** state)
 	scree_world_destroy(world);
 }
 
-// Visits of a body that moves 1 mm per step have times as exact as those of fast bodies.
+// The visits of a slow body, 1 mm per step, have times as exact as those of fast bodies.
 static void slow_visits(void** state)
 {
 	(void)state;
@@ -301,7 +301,7 @@ static void crowds_and_distance(void** state)
 
 #define HEAP 80
 
-typedef struct // results of a run
+typedef struct // results of a simulation
 {
 	uint64_t hash; // hash of all events
 	int began, open, deep;
@@ -341,7 +341,8 @@ static Exact exact_of(scree_world* world, scree_collidable collidable)
 	                (double)pose.rotation.s);
 }
 
-// Compares the visits of each sensor with all pairs of collidables. Each body has one collidable.
+// Compares the visits that each sensor reports with the exact overlaps of all pairs of collidables. Each body has one
+// collidable.
 static void check_visits(scree_world* world, const scree_body* bodies)
 {
 	for (int k = 0; k < HEAP; ++k)
@@ -450,7 +451,7 @@ static void all_devices_agree(void** state)
 	}
 }
 
-// A sensor that covers the whole world does not change the motion of bodies.
+// Two worlds differ only in a sensor that covers the whole world: their bodies move with equal bits.
 static void sensors_change_no_motion(void** state)
 {
 	(void)state;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// test_shapes.c -- checks every shape against every other in whole worlds: contacts, impulses, rest and overlaps.
+// test_shapes.c -- checks the contacts, impulses, rest and overlaps of every pair of shapes, in whole worlds.
 #include "support/make_bodies.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #define SPECULATIVE 0.02 // m; contacts are reported below this separation
-#define DEEP        -1.0 // in place of a gap: one shape inside the other
+#define DEEP        -1.0 // value of gap: one shape lies inside the other
 #define DESIGNS     9
 #define TURNS       6
 
@@ -14,7 +14,7 @@ typedef struct
 {
 	const char* name;
 	scree_shape shape;
-	int at_rest; // number of contact points on a flat floor
+	int at_rest; // number of contact points of the shape at rest on a flat floor
 } Design;
 
 static Design designs[DESIGNS];
@@ -56,7 +56,7 @@ static scree_attribute attribute_of(scree_world* world, int design)
 	return shape_attribute(world, designs[design].shape);
 }
 
-// Rolling resistance stops circles, which would otherwise roll forever.
+// Adds an attribute with rolling resistance, which stops circles; otherwise they would roll forever.
 static scree_attribute rough_attribute_of(scree_world* world, int design)
 {
 	scree_attribute_def def = surface_of(designs[design].shape);
@@ -66,7 +66,8 @@ static scree_attribute rough_attribute_of(scree_world* world, int design)
 
 static float turn_of(int k) { return (float)(k * 2.0 * PI / TURNS + (k > 2 ? 0.2 : 0.0)); }
 
-// Returns the farthest point of a turned shape along x (side 1) or against x (side -1), relative to its origin.
+// Returns the point of a turned shape that is farthest along x (side 1) or -x (side -1), relative to the origin of the
+// shape.
 static scree_vec support(const scree_shape* shape, float turn, double side)
 {
 	double c = cos(turn), s = sin(turn), best = -1e9;
@@ -88,8 +89,8 @@ static scree_vec support(const scree_shape* shape, float turn, double side)
 // contacts
 // ---------------------------------------------------------------------------------------------------------------
 
-// Places two turned shapes side by side and checks their contact. The rightmost point of a is at the height of the
-// leftmost point of b, so that the gap between them along x is their distance.
+// Places two turned shapes side by side, in a world of their own, and checks their contact. The rightmost point of a
+// and the leftmost point of b have the same height, so the distance of the shapes is the gap along x.
 static void check_gap(int a, int b, int turn, double gap)
 {
 	char what[128];
@@ -103,7 +104,7 @@ static void check_gap(int a, int b, int turn, double gap)
 	scree_body first = add_body(world, SCREE_BODY_DYNAMIC, attribute_of(world, a), 0.0f, 0.0f, turn_a);
 	scree_body second = add_body(world, SCREE_BODY_DYNAMIC, attribute_of(world, b), shift.x, shift.y, turn_b);
 
-	// a step so short that nothing moves
+	// the step is so short that nothing moves
 	OK(scree_world_step(world, 1e-6f, 1));
 	check_finite(world);
 	scree_contact* contacts;
@@ -119,7 +120,7 @@ static void check_gap(int a, int b, int turn, double gap)
 		int one;
 		OK(scree_body_get_collidables(world, first, &of_first, 1, &one));
 		OK(scree_body_get_collidables(world, second, &of_second, 1, &one));
-		// either body can be first in the contact; the normal points from the first to the second
+		// each of the two bodies can be a in the contact; the normal points from a to b
 		bool turned = c->a.index == of_second.index;
 		assert_true(turned ? c->b.index == of_first.index
 		                   : c->a.index == of_first.index && c->b.index == of_second.index);
@@ -127,7 +128,7 @@ static void check_gap(int a, int b, int turn, double gap)
 		assert_in_range(c->count, 1, 2);
 		NEAR(hypot(c->normal.x, c->normal.y), 1.0, 1e-5);
 
-		// the separation is that of the nearer point; both points lie between the shapes
+		// gap is the separation of the nearer point; both points lie between the shapes
 		double nearest = c->points[0].separation;
 		if (c->count == 2 && c->points[1].separation < nearest)
 			nearest = c->points[1].separation;
@@ -169,27 +170,28 @@ typedef struct
 	scree_vec normal;
 } Placement;
 
-// Checks placements with results worked out by hand: the number of points, the separation, and the normal from a to b.
+// Checks placements whose results were calculated by hand: the number of points, the separation, and the normal from a
+// to b.
 static void points_are_counted(void** state)
 {
 	(void)state;
 	const float quarter = (float)(0.5 * PI), eighth = (float)(0.25 * PI), root = 0.70710678f;
 	const Placement placements[] = {
 	    {3, 3, 0.0f, 0.69f, 0.0f, 2, -0.01, {0.0f, 1.0f}},                // box on box
-	    {3, 3, 0.3f, 0.71f, 0.0f, 2, 0.01, {0.0f, 1.0f}},                 // half over the edge, with a gap
+	    {3, 3, 0.3f, 0.71f, 0.0f, 2, 0.01, {0.0f, 1.0f}},                 // box half over the edge of a box, with a gap
 	    {3, 3, 0.85f, 0.0f, quarter, 2, 0.0, {1.0f, 0.0f}},               // upright box beside box
 	    {3, 3, 0.0f, 0.35f + 0.85f * root, eighth, 1, 0.0, {0.0f, 1.0f}}, // box with its corner on box
 	    {0, 0, 0.8f, 0.0f, 1.0f, 1, 0.0, {1.0f, 0.0f}},                   // circle beside circle
 	    {0, 0, 0.5f, 0.5f, 0.0f, 1, -0.0928932, {0.70710678f, 0.70710678f}},
-	    {3, 0, 0.1f, 0.74f, 0.0f, 1, -0.01, {0.0f, 1.0f}},                      // circle on box
-	    {3, 0, 0.8f, 0.75f, 0.0f, 1, 0.1, {0.6f, 0.8f}},                        // circle near a corner, out of reach
-	    {3, 0, 0.74f, 0.67f, 0.0f, 1, 0.0, {0.6f, 0.8f}},                       // circle at a corner of the box
-	    {2, 2, 0.0f, 0.5f, 0.0f, 2, 0.0, {0.0f, 1.0f}},                         // capsule along capsule
-	    {2, 2, 0.2f, 1.0f, quarter, 1, 0.0, {0.0f, 1.0f}},                      // capsule upright on capsule
-	    {2, 2, 1.5f, 0.0f, 0.0f, 1, 0.0, {1.0f, 0.0f}},                         // capsules end to end
-	    {3, 2, 0.0f, 0.59f, 0.0f, 2, -0.01, {0.0f, 1.0f}},                      // capsule lying on box
-	    {3, 2, 0.1f, 1.10f, quarter, 1, 0.0, {0.0f, 1.0f}},                     // capsule upright on box
-	    {2, 0, 0.2f, 0.66f, 0.0f, 1, 0.01, {0.0f, 1.0f}},                       // circle on capsule
+	    {3, 0, 0.1f, 0.74f, 0.0f, 1, -0.01, {0.0f, 1.0f}},  // circle on box
+	    {3, 0, 0.8f, 0.75f, 0.0f, 1, 0.1, {0.6f, 0.8f}},    // circle near a corner of the box; not touching
+	    {3, 0, 0.74f, 0.67f, 0.0f, 1, 0.0, {0.6f, 0.8f}},   // circle at a corner of the box
+	    {2, 2, 0.0f, 0.5f, 0.0f, 2, 0.0, {0.0f, 1.0f}},     // capsule along capsule
+	    {2, 2, 0.2f, 1.0f, quarter, 1, 0.0, {0.0f, 1.0f}},  // capsule upright on capsule
+	    {2, 2, 1.5f, 0.0f, 0.0f, 1, 0.0, {1.0f, 0.0f}},     // capsules end to end
+	    {3, 2, 0.0f, 0.59f, 0.0f, 2, -0.01, {0.0f, 1.0f}},  // capsule lying on box
+	    {3, 2, 0.1f, 1.10f, quarter, 1, 0.0, {0.0f, 1.0f}}, // capsule upright on box
+	    {2, 0, 0.2f, 0.66f, 0.0f, 1, 0.01, {0.0f, 1.0f}},   // circle on capsule
 	    {8, 0, 0.0565685f, 0.3959798f, 0.0f, 1, 0.0, {0.1414214f, 0.9899495f}}, // circle on segment
 	    {4, 3, 0.0f, 0.45f, 0.0f, 2, 0.0, {0.0f, 1.0f}},                        // box on plank
 	    {3, 4, 0.0f, 0.45f, 0.0f, 2, 0.0, {0.0f, 1.0f}},   // plank on box: points within the face of the box
@@ -235,8 +237,8 @@ static void points_are_counted(void** state)
 // impulses
 // ---------------------------------------------------------------------------------------------------------------
 
-// Checks the impulses of each shape at rest on a floor. The sum of normal impulses of a substep, divided by its
-// duration h, is the weight: sum / h = m g, upward.
+// Checks the impulses of each shape at rest on a floor: the sum of the normal impulses of a substep, divided by its
+// duration h, is the weight m g, and points upward.
 static void impulses_carry_the_weight(void** state)
 {
 	(void)state;
@@ -284,8 +286,8 @@ static void impulses_carry_the_weight(void** state)
 // rest
 // ---------------------------------------------------------------------------------------------------------------
 
-// Drops one turned shape on another in a trough, from a distance, nearly touching or overlapping. After 8 s both must
-// rest in the trough, and no overlap may exceed 1 cm.
+// Drops one turned shape on another in a trough. height: difference of their start heights, for which they overlap,
+// nearly touch or are apart. After 8 s both must rest in the trough, and no overlap may exceed 1 cm.
 static void check_rest(int a, int b, int turn, float height)
 {
 	scree_world* world = open_world(-10.0f);
@@ -319,7 +321,7 @@ static void check_rest(int a, int b, int turn, float height)
 static void pairs_come_to_rest(void** state)
 {
 	(void)state;
-	const float heights[] = {0.1f, 0.75f, 2.2f}; // overlapping, nearly touching, apart
+	const float heights[] = {0.1f, 0.75f, 2.2f}; // the shapes overlap, nearly touch, are apart
 	for (int a = 0; a < DESIGNS; ++a)
 		for (int b = 0; b < DESIGNS; ++b)
 			for (int turn = 0; turn < (quick() ? 1 : TURNS); ++turn)
@@ -332,8 +334,8 @@ static void pairs_come_to_rest(void** state)
 // collidables without a body
 // ---------------------------------------------------------------------------------------------------------------
 
-// A collidable without a body overlaps each shape. The overlap is reported, has no impulses and does not move the
-// shape.
+// A collidable without a body overlaps each shape. The contact is reported, but it has no impulses and does not move
+// the shape.
 static void overlaps_are_read_back(void** state)
 {
 	(void)state;
@@ -368,7 +370,7 @@ static void overlaps_are_read_back(void** state)
 			NEAR(position_of(world, body).x, 1.0, 1e-6);
 			NEAR(position_of(world, body).y, 2.0, 1e-6);
 
-			// after a move away it overlaps nothing
+			// the collidable moves away, and no longer overlaps the shape
 			scree_pose away = {{10.0f, 2.0f}, {1.0f, 0.0f}};
 			OK(scree_collidables_set_poses(world, &ghost, &away, 1));
 			run_steps(world, 1);

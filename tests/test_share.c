@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_share.c -- checks render rows and queries in memory that a device shares: results equal those that would be
-// copied.
+// test_share.c -- checks render rows and queries in memory that is shared with a device: the results must equal copied
+// results.
 //
-// No CPU driver shares memory. So the test wraps functions of PoCL: imported memory is a file, which the test maps too.
-// The wrapper refuses memory that was not acquired, as a driver does.
+// No driver for CPUs shares memory, so this test wraps functions of PoCL. The imported memory is a file, which the test
+// also maps. Like a driver, the wrapper refuses memory that was not acquired.
 #include "opencl/loader.h"
 #include "support/make_bodies.h"
 #include <stdio.h>
@@ -25,7 +25,7 @@ static scree_world* open_pile(void)
 	return world;
 }
 
-// Returns the render rows, which the caller frees.
+// Returns the render rows. The caller frees them.
 static scree_render_row* read_rows(scree_world* world, int* count)
 {
 	OK(scree_world_get_render_rows(world, NULL, 0, count));
@@ -35,7 +35,8 @@ static scree_render_row* read_rows(scree_world* world, int* count)
 	return rows;
 }
 
-// Each body has one collidable, a box around its origin. Its row has the pose of the body, and its center is zero.
+// Checks that the row of each body has the pose of the body and a center of zero. Each body has one collidable, a box
+// around the body's origin.
 static void check_rows(scree_world* world)
 {
 	scree_body bodies[BODIES + 8];
@@ -66,11 +67,11 @@ static void test_rows(void** state)
 	scree_world* world = open_pile();
 	scree_body bodies[BODIES + 1];
 	int count;
-	check_rows(world); // before the first step
+	check_rows(world); // reads rows before the first step
 	run_steps(world, 20);
 	check_rows(world);
 
-	// rows contain changes of the user at once, and no destroyed bodies
+	// after a change of the user, rows contain the change at once, and no destroyed bodies
 	OK(scree_world_get_bodies(world, bodies, BODIES + 1, &count));
 	assert_int_equal(count, BODIES + 1);
 	OK(scree_body_set_pose(world, bodies[3], (scree_pose){{7.0f, 8.0f}, scree_rot_make(1.0f)}));
@@ -127,13 +128,14 @@ static void test_without_sharing(void** state)
 // a driver that shares memory
 // ---------------------------------------------------------------------------------------------------------------
 
-// PoCL, by the name of its platform, Portable Computing Language; its buffers can use memory that is mapped here
+// device name of PoCL: a part of its platform's name, Portable Computing Language. Its buffers can use memory that the
+// test has mapped.
 #define POCL "opencl:portable"
 
 static OpenClFunctions real;
-static const char* taught; // extension that the wrapper adds to the driver
+static const char* taught; // name of the extension that the wrapper adds to those of the driver
 static bool creation_fails;
-static void* buffer_object; // storage of buffer 5 of OpenGL
+static void* buffer_object; // memory of OpenGL buffer 5
 static size_t buffer_bytes;
 static bool handed_over;
 static int handovers;
@@ -195,7 +197,7 @@ static cl_int hand(cl_command_queue queue, cl_uint count, const cl_mem* memory, 
 	assert_true(count == 1 && memory[0] == imported && over != handed_over);
 	handed_over = over;
 	++handovers;
-	// data that a kernel wrote is in the memory of the host only after a mapping
+	// only a mapping copies data that a kernel wrote to the memory of the host
 	cl_int error;
 	size_t bytes = 32;
 	void* at = real.EnqueueMapBuffer(queue, memory[0], CL_TRUE, CL_MAP_READ, 0, bytes, 0, NULL, NULL, &error);
@@ -275,7 +277,7 @@ static int forget(void** state)
 	return 0;
 }
 
-// Makes a file of the given size and maps it to *memory. Returns its descriptor.
+// Makes a file of this size and maps it to *memory. Returns the file descriptor.
 static int make_file(size_t bytes, void** memory)
 {
 	FILE* file = tmpfile();
@@ -288,7 +290,7 @@ static int make_file(size_t bytes, void** memory)
 	return descriptor;
 }
 
-// Steps and writes the rows into shared memory, which must then equal the copied rows.
+// Takes steps and writes render rows to shared memory. Checks that they equal the copied rows.
 static void check_shared(scree_world* world, const void* memory)
 {
 	for (int k = 0; k < 3; ++k)
@@ -325,7 +327,7 @@ static void test_shared_memory(void** state)
 	assert_true(((scree_render_row*)memory)[1].pose.position.y == 0.6f);
 	check_shared(world, memory);
 
-	// a grown world needs more memory; if the driver refuses new memory, the old memory stays shared
+	// A grown world needs more memory. If the driver refuses new memory, the old memory remains shared.
 	add_crate(world, SCREE_BODY_DYNAMIC, 40.0f, 3.0f);
 	expect_refusal(scree_world_write_render_rows(world, &count), SCREE_ERROR_INVALID,
 	               "there are 42 rows, and the shared memory has room for 41");
@@ -356,7 +358,8 @@ static void test_shared_memory(void** state)
 
 #define RAYS 100
 
-// Rays and probes in shared memory get the results of those on the host, in their place or behind them.
+// Rays and probes in shared memory get the same results as rays and probes of the host. Results replace them or are
+// written behind them.
 static void test_shared_queries(void** state)
 {
 	(void)state;
@@ -397,7 +400,7 @@ static void test_shared_queries(void** state)
 	assert_memory_equal((char*)memory + sizeof probes, found, sizeof found);
 	assert_false(handed_over);
 
-	// items that are not rays are harmless
+	// arbitrary bits are harmless
 	memset(memory, 0xff, bytes);
 	OK(scree_world_cast_shared_rays(world, NULL, 0, 2 * RAYS, 0));
 	memset(memory, 0x7f, bytes);

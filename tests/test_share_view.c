@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_share_view.c -- checks that rows in an OpenGL buffer are those of the world, and that all ways to share them
-// give the same picture.
+// test_share_view.c -- checks that an OpenGL buffer contains the render rows of the world, and that all methods of
+// sharing give the same picture.
 //
 // Skipped if OpenGL cannot draw without a window.
 #include "support/make_bodies.h"
@@ -40,7 +40,8 @@ static void check_buffer(const Share* share, int expected)
 	free(drawn);
 }
 
-// Returns the hash of the picture after some steps, in which the world outgrows the first buffer.
+// Returns the hash of the picture after some steps. The world grows, so that its rows no longer fit into the first
+// buffer.
 static uint64_t picture_of(const char* device, bool copy)
 {
 	scree_world* world = open_boxes(device, 50);
@@ -85,7 +86,7 @@ static void test_pictures(void** state)
 	assert_true(hash == picture_of("opencl", false));
 }
 
-// Makes two descriptors of one block of memory. If the driver runs on the CPU, they are files.
+// Makes two descriptors of one block of memory. A driver on the CPU uses files.
 static void test_exported_memory(void** state)
 {
 	(void)state;

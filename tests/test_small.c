@@ -13,8 +13,8 @@ static scree_shape small_shape(int kind, float size)
 	return kind == 0 ? box_shape(half, half) : kind == 1 ? circle_shape(half) : box_shape(0.25f, half);
 }
 
-// Bodies fall from 0 to 2 m, flat and tilted, with 1 to 8 substeps. After 5 s they lie on the floor, overlap it by less
-// than their size, and do not move.
+// Bodies fall from 0 to 2 m, flat or tilted, with 1 to 8 substeps. After 5 s they lie still on the floor, and overlap
+// it by less than their size.
 static void fall_and_rest(void** state)
 {
 	(void)state;
@@ -48,8 +48,8 @@ static void fall_and_rest(void** state)
 	}
 }
 
-// Plates that fall onto each other keep their order, although the gap to a stopped plate below is less than their
-// motion in a step.
+// Plates that fall on each other keep their order, although a plate moves farther in a step than its gap to the plate
+// below.
 static void plates_stay_in_order(void** state)
 {
 	(void)state;
@@ -75,7 +75,8 @@ static void plates_stay_in_order(void** state)
 	}
 }
 
-// A plate slides over the seams of tiles and passes their corners, which must not count as a passage through the floor.
+// A plate slides over the seams of a floor of tiles, and past their corners. Continuous collision must not treat this
+// as a body that passes through the floor.
 static void plates_slide_over_seams(void** state)
 {
 	(void)state;
@@ -98,8 +99,8 @@ static void plates_slide_over_seams(void** state)
 	}
 }
 
-// A small triangle lies up to 80 m from the origin of its body. It falls like one at the origin, and rests after 0.6 s.
-// An earlier version stopped it in the air and let it sink for 2 s.
+// A small triangle is up to 80 m from the origin of its body. It falls like a triangle at the origin, and rests after
+// 0.6 s. An earlier version stopped it in the air and let it sink for 2 s.
 static void shapes_far_from_their_origin(void** state)
 {
 	(void)state;

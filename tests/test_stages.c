@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_stages.c -- checks single stages on items made by hand, against results of the simplest method.
+// test_stages.c -- checks kernels of single stages on items made by hand. The reference is the simplest method.
 //
-// Items of these stages depend on each other, on every backend. test_formulas.c has the stages with independent items,
-// and test_colors.c the colors.
+// In these kernels items depend on each other, so they run on every backend. test_formulas.c has the kernels with
+// independent items, and test_colors.c the colors.
 #include "stages/geometry/box.h"
 #include "support/each_backend.h"
 #include "tools/common/random_numbers.h"
@@ -13,9 +13,9 @@
 // trees
 // ---------------------------------------------------------------------------------------------------------------
 
-// Computes the codes of a square of 256 by 256 cells, which begins at the corner and has the given spacing, in cells.
-// The tree spans 65,536 by 65,536 cells. Sorted by code, each cell occurs once and is adjacent to its predecessor.
-// Returns the code of the first cell.
+// Computes the Hilbert codes of 256 by 256 cells, which begin at the corner and have this spacing. The tree spans
+// 65,536 by 65,536 cells. Checks that each cell occurs once, and that successive codes belong to adjacent cells; dense:
+// successive codes differ by 1. Returns the lowest code.
 static Word check_curve(Backend* b, float corner_x, float corner_y, float spacing, bool dense)
 {
 	const int side = 256, count = side * side;
@@ -65,11 +65,12 @@ static void curve_visits_neighbors(void** state)
 	(void)state;
 	for (int k = 0; k < backend_count; ++k)
 	{
-		check_curve(backends[k], 0.0f, 0.0f, 257.0f, false); // the whole square, every 257th cell
+		check_curve(backends[k], 0.0f, 0.0f, 257.0f, false); // every 257th cell of the whole square
 		check_curve(backends[k], 0.0f, 0.0f, 1.0f, true);
 		check_curve(backends[k], 512.0f, 33536.0f, 1.0f, true);
 		check_curve(backends[k], 65024.0f, 65024.0f, 1.0f, true);
-		// start of the third quarter of the curve: the lowest code that is negative as a signed integer
+		// start of the third quarter of the curve: its codes have the highest bit set, which makes a signed integer
+		// negative
 		assert_int_equal(check_curve(backends[k], 32768.0f, 32768.0f, 1.0f, true), 0x80000000u);
 	}
 }
@@ -78,13 +79,13 @@ static void curve_visits_neighbors(void** state)
 // slots of new contacts
 // ---------------------------------------------------------------------------------------------------------------
 
-// Pairs take free slots in the order of their keys, lowest slots first, then new slots behind the last.
+// Pairs are sorted by key. They take the free slots, the lowest slot first, and then new slots behind the last slot.
 static void slots_are_lowest_first(void** state)
 {
 	(void)state;
 	const Int2 alive = {90, 91}, free_slot = {-1, -1};
 	const Int2 before[7] = {alive, free_slot, alive, free_slot, free_slot, alive, alive};
-	const Int2 fresh[5] = {{7, 9}, {0, 3}, {2, 8}, {0, 2}, {7, 8}}; // unsorted
+	const Int2 fresh[5] = {{7, 9}, {0, 3}, {2, 8}, {0, 2}, {7, 8}}; // not sorted by key
 	const Int2 after[9] = {alive, {0, 2}, alive, {0, 3}, {2, 8}, alive, alive, {7, 8}, {7, 9}};
 	Attribute attribute = {.friction = 0.25f};
 	int zeros[100] = {0}, bodies[100];
@@ -117,7 +118,7 @@ static void slots_are_lowest_first(void** state)
 			get_items(b, POOL_counters, 1, &counters);
 			get_items(b, POOL_pair, 9, pairs);
 
-			// nine slots are needed, and one stays free; with less room nothing changes but counters.needed
+			// Nine slots are needed. With room for ten, one stays free; with less room only counters.needed changes.
 			bool enough = room == 10;
 			assert_int_equal(counters.stalled, !enough);
 			assert_int_equal(counters.needed, 9);
@@ -136,13 +137,13 @@ static void slots_are_lowest_first(void** state)
 
 #define SLOTS 10000
 
-// Returns true for pools that each step writes again.
+// Returns whether each step writes the contents of a pool again, so that contact_pack need not move them.
 static bool is_scratch(int pool)
 {
 	return pool == POOL_scan || pool == POOL_free_slot || pool == POOL_began || pool == POOL_uncolored;
 }
 
-// Returns byte k of an item in a slot.
+// Returns byte k of the item of a pool in a slot: a test value.
 static unsigned char byte_of(int pool, int slot, size_t k)
 {
 	return (unsigned char)(slot * 31 + pool * 7 + (int)k * 13 + slot / 256);
@@ -158,8 +159,8 @@ typedef struct
 	int alive;
 } Slots;
 
-// Makes slots of which a third is in use. Contacts in slots from the number of contacts on move into the free slots
-// below, in order.
+// Makes slots of which a third is in use. Contacts whose slots are not below the number of contacts move to free slots
+// below it, in order.
 static Slots make_slots(void)
 {
 	Slots s = {calloc(SLOTS + 1, sizeof *s.pairs), calloc(SLOTS, sizeof *s.constraints), calloc(SLOTS, sizeof *s.from),
@@ -203,7 +204,7 @@ static void put_contacts(Backend* b, const Slots* s, unsigned char* bytes)
 	put_items(b, POOL_contact_place_slot, SLOTS, s->constraints);
 }
 
-// Checks that the contents of all pools that last from step to step have moved with their contacts.
+// Checks that contact_pack has moved the items of all kept pools with their contacts.
 static void check_pools(Backend* b, const Slots* s, unsigned char* bytes)
 {
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
@@ -219,7 +220,7 @@ static void check_pools(Backend* b, const Slots* s, unsigned char* bytes)
 	}
 }
 
-// Checks that contacts and constraints refer to each other.
+// Checks that contacts and their constraints still refer to each other.
 static void check_links(Backend* b, const Slots* s, unsigned char* bytes)
 {
 	int* back = calloc(SLOTS, sizeof *back);

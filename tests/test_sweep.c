@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_sweep.c -- checks that fast bodies stop at the first surface that they meet, and that surfaces beside their path
+// test_sweep.c -- checks that fast bodies stop at the first surface on their path, and that surfaces beside the path
 // have no effect.
 #include "support/make_bodies.h"
 #include <math.h>
@@ -7,7 +7,7 @@
 #include <string.h>
 
 #define SHAPES 4
-#define PHASES 16 // start positions, spread over the motion of one step
+#define PHASES 16 // number of start positions, spread over the motion of one step
 
 // Returns a shape about 1 m wide, whose lowest point is 0.5 m below its origin.
 static scree_shape shape_of(int kind)
@@ -32,7 +32,7 @@ static scree_body add_bouncer(scree_world* world, scree_shape shape, float resti
 	return body;
 }
 
-// v(t) = v0: a body that flies over a stack, or down beside it, at a distance of 1 cm keeps its velocity.
+// v(t) = v0: a body that passes a stack at a distance of 1 cm, above it or beside it, keeps its velocity.
 static void passes_by(void** state)
 {
 	(void)state;
@@ -54,7 +54,8 @@ static void passes_by(void** state)
 				}
 				if (variant == 2)
 				{
-					// the lower left corner of a box passes the corner (0.5, 0) at 7 mm; other shapes pass farther away
+					// the lower left corner of a box passes the corner (0.5, 0) of the stack at 7 mm; other shapes pass
+					// farther away
 					from = (scree_vec){0.51f + side - back, 0.5f + back};
 					v = (scree_vec){40.0f, -40.0f};
 				}
@@ -67,7 +68,7 @@ static void passes_by(void** state)
 			}
 }
 
-// A wall 5 cm thick stops bodies at 60 m/s, 1 m per step, and no face overlaps it by more than the slop.
+// A wall 5 cm thick stops bodies at 60 m/s, 1 m per step. Their flat sides overlap it by at most the slop.
 static void thin_wall(void** state)
 {
 	(void)state;
@@ -81,7 +82,7 @@ static void thin_wall(void** state)
 			float deepest = deepest_of(world, 10);
 			assert_true(position_of(world, body).x < 0.0f);
 			assert_true(deepest <
-			            (kind == 3 ? 0.08f : 0.005f)); // a triangle hits with a corner and spins by 1 rad per step
+			            (kind == 3 ? 0.08f : 0.005f)); // a triangle hits with a corner and then spins by 1 rad per step
 			scree_world_destroy(world);
 		}
 }
@@ -145,7 +146,7 @@ static void blade(void** state)
 		}
 }
 
-// A box slides without friction over the seams of a floor of slabs: v(t) = v0.
+// A box slides without friction over the seams of a floor of slabs, and keeps its velocity: v(t) = v0.
 static void seams(void** state)
 {
 	(void)state;
@@ -174,7 +175,7 @@ typedef struct
 	scree_body drum, inside[DRUM_BOXES + DRUM_SHOTS], far[FAR_BODIES];
 } Drum;
 
-// Opens a world with a rotating drum of four walls, with boxes and balls inside. The balls have up to 90 m/s in x.
+// Opens a world with a rotating drum of four walls. Inside are boxes and balls; the balls have up to 90 m/s in x.
 static Drum open_drum(void)
 {
 	Drum d = {.world = open_world(-10.0f)};
@@ -209,8 +210,8 @@ static Drum open_drum(void)
 }
 
 // Continuous collision compares a path with each kinematic body if there are few, and searches the trees if there are
-// many. Bodies in a drum have the same motion in both cases, bit for bit, while bodies far away become kinematic and
-// static in turn. No body leaves the drum.
+// many. One world has few, the other has many far away, which become kinematic and static in turn. Bodies in the drum
+// must have the same motion in both worlds, bit for bit, and must not leave the drum.
 static void drum(void** state)
 {
 	(void)state;

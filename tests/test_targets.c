@@ -23,7 +23,7 @@ static void velocities_are_set_apart(void** state)
 	expect_velocity(world, bodies[1], 3, 4, -2);
 	expect_velocity(world, bodies[2], -1, 0, 9);
 
-	// locked directions get no velocity
+	// velocities along locked directions remain 0
 	OK(scree_body_set_locks(world, bodies[2], SCREE_LOCK_Y | SCREE_LOCK_ROTATION));
 	OK(scree_body_set_linear_velocity(world, bodies[2], (scree_vec){2, 2}));
 	OK(scree_body_set_angular_velocity(world, bodies[2], 2));
@@ -65,7 +65,8 @@ static void targets_are_reached(void** state)
 	scree_world_destroy(world);
 }
 
-// A platform carries a crate, and pushes a crate in front of it. Contacts use the velocity (target - pose) / dt.
+// A kinematic platform with target poses carries a crate, and pushes a crate in front of it. Contacts use the velocity
+// (target - pose) / dt.
 static void targets_carry_and_push(void** state)
 {
 	(void)state;
@@ -125,7 +126,7 @@ static void targets_wait_and_are_dropped(void** state)
 	scree_body body = add_crate(world, SCREE_BODY_KINEMATIC, 0.0f, 0.0f);
 	scree_pose home = pose_of(world, body), there = pose_at(1.0f, 2.0f, 0.5f), later = pose_at(-1.0f, 0.0f, 0.0f);
 
-	// the last target counts, and a step with dt 0 keeps it
+	// a later target replaces an earlier one, and a step with dt 0 does not use the target
 	uint64_t before = hash_of(world);
 	OK(scree_body_set_target(world, body, there));
 	uint64_t waiting = hash_of(world);
@@ -137,13 +138,13 @@ static void targets_wait_and_are_dropped(void** state)
 	run_steps(world, 1);
 	expect_pose(world, body, later);
 
-	// the start pose does not matter
+	// a pose set after the target does not change the target
 	OK(scree_body_set_target(world, body, there));
 	OK(scree_body_set_pose(world, body, home));
 	run_steps(world, 1);
 	expect_pose(world, body, there);
 
-	// a velocity, even only linear or angular, replaces the target
+	// a velocity set after the target replaces it, also if only the linear or only the angular velocity is set
 	for (int k = 0; k < 3; ++k)
 	{
 		OK(scree_body_set_pose(world, body, home));

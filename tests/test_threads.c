@@ -11,7 +11,8 @@ static const int worker_counts[] = {1, 2, 3, 8};
 typedef struct
 {
 	Threads* threads;
-	int runs[MAX_WORKERS]; // plain ints: two workers at one block or two jobs at once are data races for the sanitizer
+	// calls for each block; plain ints, so that the sanitizer reports a data race if two workers run one block
+	int runs[MAX_WORKERS];
 	int values[MAX_WORKERS];
 	int wrong[MAX_WORKERS];
 	int job;
@@ -44,7 +45,7 @@ static void count_run(void* context, int block, int blocks)
 	++scene->runs[block];
 }
 
-// Runs jobs with all numbers of blocks, with workers awake and asleep.
+// Runs jobs with every number of blocks, with workers awake or asleep, and checks that each block runs once.
 static void check_runs(Scene* scene, int workers)
 {
 	int expected[MAX_WORKERS] = {0};
@@ -74,7 +75,7 @@ static void test_every_block_runs_once(void** state)
 	with_workers(check_runs);
 }
 
-// Each block writes its value. In the next job each block reads the values of all others.
+// Writes the value of a block. In the next job each block reads the values of all blocks.
 static void write_value(void* context, int block, int blocks)
 {
 	Scene* scene = context;
@@ -106,7 +107,7 @@ static void test_a_job_follows_the_one_before(void** state)
 	with_workers(check_order);
 }
 
-// Runs jobs after pauses in which workers fall asleep. Each job must be complete whether they wake or not.
+// Runs jobs after pauses in which workers fall asleep. Each job must be complete, whether workers wake up or not.
 static void check_sleepers(Scene* scene, int workers)
 {
 	for (int job = 1; job <= 10; ++job)
@@ -127,8 +128,8 @@ static void test_sleepers_delay_nobody(void** state)
 	with_workers(check_sleepers);
 }
 
-// Spends a long time in one block. The job must last until this block is done, and workers that are late must not
-// claim blocks in the next job.
+// Spends a long time in one block of a job. The job must last until this block is done, and late workers must not claim
+// blocks of the next job.
 static void take_long(void* context, int block, int blocks)
 {
 	Scene* scene = context;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_tiles.c -- checks the tiles of OpenCL, compiled as C with 16 bodies per tile; a seed decides the turns of
-// work-items.
+// test_tiles.c -- checks the tiles of OpenCL, compiled as C with 16 bodies per tile. A seed decides the order in which
+// work-items take turns.
 //
-// Formula: hash(tiles, seed, step) = hash(cpu, step) for each step, and no word of a mailbox is set after a solve. If a
-// work-item on the border never gets a turn, all others end with a fault.
+// Formula: hash(tiles, seed, step) = hash(cpu, step) for each step, and all words of mailboxes are 0 after a solve. If
+// a work-item at the border of a tile never gets a turn, all others end with a fault.
 #include "emulation/emulation_scenes.h"
 #include "support/checks.h"
 

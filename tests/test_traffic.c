@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_traffic.c -- checks the bytes of the solve stage against sums made by hand, and the measured bandwidth.
+// test_traffic.c -- checks the number of bytes of the solve stage against sums made by hand, and the measured
+// bandwidth.
 #include "support/allocations.h"
 #include "support/make_bodies.h"
 #include <stdlib.h>
@@ -12,7 +13,8 @@ static scree_traffic traffic_of(scree_world* world)
 	return traffic;
 }
 
-// One box on a floor: one constraint, and three rows of bodies. The ground of the world is one of them.
+// A box on a floor: one constraint, and three rows in the pools of bodies. One of these rows is the ground of the
+// world.
 static void a_box_on_the_floor(void** state)
 {
 	(void)state;
@@ -56,8 +58,8 @@ static void a_box_on_the_floor(void** state)
 	scree_world_destroy(world);
 }
 
-// The measurement keeps no memory and does not change the world. The limit of allocations makes a CPU measure smaller
-// blocks, which is faster.
+// The measurement frees its memory and does not change the world. The test limits the size of allocations, so that a
+// CPU measures smaller blocks in less time.
 static void bandwidth_is_measured(void** state)
 {
 	(void)state;
@@ -78,7 +80,7 @@ static void bandwidth_is_measured(void** state)
 	OK(scree_hooks_set(NULL));
 }
 
-// On the CPU the allocation hook provides the blocks. If it provides none, the measurement returns an error.
+// On the CPU the allocation hook allocates the blocks. If it fails, the measurement returns an error.
 static void bandwidth_takes_what_there_is(void** state)
 {
 	(void)state;

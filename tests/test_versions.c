@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_versions.c -- checks programs that are built with an older or a newer header than the library.
+// test_versions.c -- checks programs that were compiled with an older or a newer header than that of the library.
 //
-// tests/CMakeLists.txt removes the last members of scree_contact from the header of this file, so that the struct of
-// the library is longer. Newer structs are made here, with members added at the end.
+// tests/CMakeLists.txt removes the last members of scree_contact from the header of this file, so that the library's
+// struct is longer. Newer structs are declared here, with members added at the end.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -58,7 +58,7 @@ static void two_boxes(scree_world* world, scree_body bodies[2])
 	OK(scree_bodies_create(world, defs, 2, bodies));
 }
 
-// An older program gets those members of a contact that its header has, and nothing is written behind them.
+// In an older program a contact has fewer members. The library writes these members, and nothing behind them.
 static void older_results(void** state)
 {
 	(void)state;
@@ -78,7 +78,7 @@ static void older_results(void** state)
 	memset(kept, 0x5a, sizeof kept);
 	assert_memory_equal(contacts + 1, kept, sizeof kept);
 
-	// the first half of the counters
+	// a struct with only the first half of the counters
 	size_t half = offsetof(scree_counters, reallocations);
 	scree_counters counters;
 	memset(&counters, 0x5a, sizeof counters);
@@ -89,7 +89,7 @@ static void older_results(void** state)
 	scree_world_destroy(world);
 }
 
-// A definition without its last member, disabled, is that of an older program. Its body is enabled.
+// An older program passes definitions without their last member, disabled. Its bodies are enabled.
 static void older_definitions(void** state)
 {
 	(void)state;
@@ -109,7 +109,7 @@ static void older_definitions(void** state)
 	scree_world_destroy(world);
 }
 
-// Members of a newer header that the library lacks are 0 in results, and must be 0 in definitions.
+// The library lacks members of a newer header: these are 0 in results, and must be 0 in definitions.
 static void newer_structs(void** state)
 {
 	(void)state;

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_view.sh -- the viewer in a virtual display: scripts, keys and mouse, pictures, other devices, and refusals.
+# test_view.sh -- checks the viewer in a virtual display: scripts, keys and mouse, pictures, other devices, and refusals.
 set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 build=${SCREE_BUILD:?is the build folder}
-# skip WHY...: skips the test, or fails if SCREE_EXPECT requires the viewer
+# skip WHY...: skips the test; the test fails if SCREE_EXPECT requires the viewer
 skip()
 {
 	echo "skipped: $*"
@@ -22,7 +22,7 @@ scratch=$(mktemp -d "$build/test_view.XXXXXX")
 cd "$scratch" || exit 1
 failures=0
 unset WAYLAND_DISPLAY
-# GLFW unloads the driver before the process ends, so a suppression could not name the functions that leak
+# leaks are not checked: GLFW unloads the driver before the process ends, so a suppression could not name the leaking functions
 export ASAN_OPTIONS=detect_leaks=0
 
 # a virtual display of Mesa's software renderer, with a window manager that can minimize
@@ -46,7 +46,7 @@ fail()
 	failures=$((failures + 1))
 }
 
-# view CODE words...: reads the script from standard input
+# view CODE words...: runs scree view with the words and with the script on standard input; checks the exit code
 view()
 {
 	local code=$1 got
@@ -57,19 +57,20 @@ view()
 	[ "$got" = "$code" ] || fail "scree view $*: exit code $got instead of $code"
 }
 
-# says TEXT: the last view printed the text
+# says TEXT: checks that the last call of view printed the text
 says()
 {
 	grep -qF -- "$1" out err || fail "it does not say \"$1\""
 }
 
-# nth COLUMN LINE: a column of one of the lines that "print" wrote
+# nth COLUMN LINE: prints one column of a line that the command "print" wrote
 nth()
 {
 	sed -n "$2p" out | tr ',' '\n' | sed -n "s/^ *$1 //p"
 }
 
-# within ONE OTHER MEAN SHARE: succeeds if two pictures differ by at most this mean and share
+# within ONE OTHER MEAN SHARE: succeeds if the difference of two pictures has at most this mean and this share
+# (picture_difference.c)
 within()
 {
 	"$build/tests/difference" "$1" "$2" >out 2>err && awk -v mean="$3" -v share="$4" '{exit !($1 <= mean && $2 <= share)}' out
@@ -77,7 +78,7 @@ within()
 
 small=(pyramid --set rows=3)
 
-# the window shows the picture that a run draws without a window; a run adds the detail of the scene, unless it has a view
+# the picture of the window equals the picture of scree run, which adds the detail of the scene unless a view is given
 whole=(--view -1.68,-3,1.68,6) # the view of the small scene: 0.56 * 3 is 1.68
 view 0 "${small[@]}" <<'END'
 frames 30
@@ -112,7 +113,8 @@ if [ -x "$build/tests/difference" ]; then
 	within layers.png window.png 0.1 0 && fail "layers do not show"
 fi
 
-# the body under the cursor; a click selects, a drag does not; Escape ends the selection, then the viewer. No bit changes
+# the body under the cursor: a click selects it, a drag does not. Escape ends the selection; a second Escape ends the viewer. No bit
+# changes
 view 0 "${small[@]}" <<'END'
 key tab
 frames 1
@@ -168,7 +170,7 @@ print
 END
 [ "$(nth hash 1)" = "$("$scree" hash "${small[@]}" --steps 30 --device cpu)" ] || fail "hovering, selecting or looking for events changes the hash"
 
-# the viewer reports that a selected body was destroyed; churn replaces each body soon
+# the viewer reports that a selected body was destroyed: churn soon replaces each body
 view 0 churn --set columns=4 --set rows=4 --set moved=0 --set replaced=4 <<'END'
 key tab
 frames 1
@@ -181,7 +183,7 @@ print
 END
 says ' (destroyed)'
 
-# sensors and rays, by OpenGL and by Cairo; events flash, and all may report
+# sensors and rays, drawn by OpenGL and by Cairo; events flash, and all kinds of events may be enabled
 cat >eyes.json <<'END'
 {"name": "eyes", "title": "Sensors and rays", "view": [-6, -1, 6, 6], "attributes": {
 	"floor": {"box": [10, 0.5]}, "ball": {"circle": 0.5}, "zone": {"box": [1, 0.8], "radius": 0.2}},
@@ -242,7 +244,7 @@ END
 [ "$(nth rays 1 | cut -d ' ' -f 1)" -le 3000 ] || fail "too many rays for a software renderer"
 says 'of 20050'
 
-# narrow and flat windows: only the size differs
+# narrow and flat windows: the pictures differ only in size
 view 0 "${small[@]}" <<'END'
 key tab
 frames 1
@@ -295,7 +297,7 @@ END
 	[ "$(nth hash 2)" = "$("$scree" hash "${small[@]}" --steps 30 --device cpu)" ] || fail "another hash after OpenCL"
 fi
 
-# a body that is thrown into the scene, single steps, slow motion, saving
+# throwing a body into the scene, single steps, slow motion, saving
 view 0 "${small[@]}" <<'END'
 cursor 400 100
 key t
@@ -327,7 +329,7 @@ for file in scree-1.png scree-2.png; do
 done
 command -v ffmpeg >/dev/null && [ ! -s scree-1.mp4 ] && fail "v: there is no video"
 
-# single steps: one for each key, even if the keys come in one frame
+# single steps: each key press takes one step, even if several presses come in one frame
 view 0 "${small[@]}" <<'END'
 frames 4
 key space
@@ -340,7 +342,7 @@ print
 END
 [ "$(nth steps 2)" = $(($(nth steps 1) + 3)) ] || fail "n three times in a frame takes not three steps"
 
-# a key that has no effect prints the reason
+# a key without effect prints the reason
 if ! grep -q '^opencl' <<<"$("$scree" devices)"; then
 	view 0 "${small[@]}" <<'END'
 frames 2
@@ -350,7 +352,7 @@ END
 	says 'says there is no other device than cpu'
 fi
 
-# pictures of a run have the paint of the window, on both grounds; every paint differs
+# paints: pictures of scree run have the paint of the window, in both themes; paints of a theme differ
 paints=(attribute speed graph force start type)
 for k in "${!paints[@]}"; do
 	theme=light
@@ -363,7 +365,7 @@ for k in "${!paints[@]}"; do
 	view 0 tumbler --set side=12 --theme $theme <keys
 	says "painted by ${paints[k]}"
 	says ", $theme,"
-	# the view of the scene, 1.5 * (0.36 * 12 + 0.5), without its detail
+	# view: that of the scene, 1.5 * (0.36 * 12 + 0.5), without the detail of the scene
 	"$scree" run tumbler --set side=12 --device cpu --steps 60 --view -7.23,-7.23,7.23,7.23 --size 800x600 --renderer gl --theme $theme \
 		--paint "${paints[k]}" --picture "paint$k.png" >out 2>err || fail "run --paint ${paints[k]}"
 	[ -x "$build/tests/difference" ] || continue
@@ -419,7 +421,8 @@ print
 END
 awk -v scale="$(nth scale 1)" 'BEGIN {exit !(scale > 10)}' || fail "fit: a body that flew away makes all others tiny"
 
-# the window fills the screen and returns to its size; that fails with twm and works on a display without a window manager
+# full screen: the window fills the screen and returns to its size. This fails with twm and works on a display without a window
+# manager
 Xvfb -displayfd 4 -screen 0 1280x900x24 4>bare 2>>xvfb.log &
 bare=$!
 for _ in $(seq 100); do
@@ -439,7 +442,7 @@ kill $bare
 [ "$(nth size 1)" = 1280x900 ] || fail "F11: the window does not fill the screen"
 [ "$(nth size 2)" = 800x600 ] || fail "F11: the window is not as it was"
 
-# the view follows the selected body until the picture is moved
+# the view follows the selected body until the user moves the picture
 view 0 "${small[@]}" <<'END'
 key tab
 key k
@@ -512,7 +515,7 @@ END
 timeout 120 "$scree" view "${small[@]}" --device cpu --size 800x600 --script script >out 2>err &
 viewer=$!
 window=$(timeout 30 xdotool search --sync --onlyvisible --name '^scree:' | head -n 1)
-# printed N: waits for N lines, so for the frame that has handled all input before
+# printed N: waits until N lines are printed. By then a frame has handled all earlier input
 printed()
 {
 	for _ in $(seq 300); do
@@ -545,7 +548,7 @@ wait $viewer || fail "events: exit code $?"
 	fail "events: the hand has moved nothing"
 [ "$(nth middle 5)" != "$(nth middle 4)" ] || fail "events: the picture does not follow the mouse"
 
-# a click of the display selects, Escape ends the selection, and keys of the scene push while they are down
+# input of the display: a click selects a body, Escape ends the selection, and keys of the scene push while they are down
 cat >script <<'END'
 key tab
 frames 2
@@ -577,7 +580,7 @@ sed -n 3p out | grep -q selected && fail "keys: Escape does not forget"
 [ "$(wc -l <out)" = 4 ] || fail "keys: a key that was let go still pushes"
 [ "$(nth hash 3)" != "$("$scree" hash ./eyes.json --steps "$(nth steps 3)" --device cpu)" ] || fail "keys: nothing was pushed"
 
-# the panel: a parameter and a paint of the same name are different fields
+# the panel: a parameter and a paint of the same name have different fields
 cat >script <<'END'
 frames 5
 print
@@ -595,7 +598,7 @@ moved 126 572 click 1 # the paint "speed"
 wait $viewer || fail "panel: exit code $?"
 says 'painted by speed'
 
-# keys and clicks during a long frame are not lost: a field of the panel gets them in their order
+# keys and clicks during a long frame are not lost: a field of the panel gets them in order
 cat >script <<'END'
 frames 5
 print
@@ -650,7 +653,7 @@ END
 	[ "$(nth scale 1)" = 60.000 ] || fail "a tiny window spoils the camera"
 fi
 
-# other sizes, zero too
+# sets other sizes, also zero
 kill -0 $manager || { cat twm.log; failures=$((failures + 1)); }
 view 0 "${small[@]}" <<'END'
 frames 2

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# test_web.sh -- the builds for WebAssembly: every scene's golden hash, and the npm package by its interface, its example and its size.
+# test_web.sh -- checks the builds for WebAssembly: the golden hash of every scene; interface, example and size of the npm package.
 set -euo pipefail
 build=$SCREE_SOURCE/build
 for form in scalar simd threads; do
@@ -13,7 +13,7 @@ rm -rf "$scratch"
 mkdir -p "$scratch/node_modules"
 trap 'rm -rf "$scratch"' EXIT
 
-# the loader of Emscripten mistakes the fetch of node for that of a browser
+# with the fetch of node, the loader of Emscripten would assume that it runs in a browser
 golden() { timeout 300 node --no-experimental-fetch "$build/wasm-$1/golden.js" "$2" "$3" "$4" >"$scratch/hashes"; }
 lines=$(($(grep -vc '^#' "$SCREE_SOURCE/tests/golden.txt") / 2))
 for run in "scalar 1 1 1" "simd 4 1 1" "threads 4 1 4" "threads 4 2 4"; do

@@ -21,8 +21,8 @@ static void add_letter(Events* events, unsigned letter)
 	events_add(events, (WindowEvent){.kind = EVENT_LETTER, .letter = letter});
 }
 
-// Checks the events of the next frames. The text has a letter for each event and a space between frames: k key, l
-// letter, m cursor, b button, w wheel.
+// Checks the events of the next frames. expected has a letter for each event and a space between frames. k: key, l:
+// letter, m: cursor, b: button, w: wheel.
 static void assert_frames(Events* events, const char* expected)
 {
 	char given[128];
@@ -44,7 +44,7 @@ static void typing_keeps_its_order(void** state)
 {
 	(void)state;
 	Events events = {0};
-	// letters and their keys share a frame, also with an editing key behind them
+	// letters and their keys come in one frame; a key for editing, ENTER, may follow in it
 	add_key(&events, 'A', 1);
 	add_letter(&events, 'a');
 	add_key(&events, 'A', 0);
@@ -54,7 +54,7 @@ static void typing_keeps_its_order(void** state)
 	add_key(&events, ENTER, 1);
 	add_key(&events, ENTER, 0);
 	assert_frames(&events, "klkkklk k");
-	// a letter after backspace comes one frame later; otherwise backspace would delete it
+	// a letter after backspace comes in the next frame; otherwise backspace would delete it
 	add_key(&events, BACKSPACE, 1);
 	add_key(&events, BACKSPACE, 0);
 	add_letter(&events, 'c');
@@ -69,7 +69,7 @@ static void buttons_come_alone(void** state)
 	Events events = {0};
 	WindowEvent event;
 	const WindowEvent down = {.kind = EVENT_BUTTON, .action = 1}, up = {.kind = EVENT_BUTTON};
-	// the panel needs the cursor before the button, and the button before typed letters
+	// the panel needs the cursor position before the button, and the button before typed letters
 	for (int k = 0; k < 3; ++k)
 		events_add(&events, (WindowEvent){.kind = EVENT_CURSOR, .x = 10.0 * k, .y = 5.0, .seconds = 0.25});
 	events_add(&events, down);
@@ -79,10 +79,10 @@ static void buttons_come_alone(void** state)
 	events_add(&events, (WindowEvent){.kind = EVENT_WHEEL, .y = 1.0});
 	events_begin(&events);
 	assert_true(events_take(&events, &event));
-	assert_true(event.kind == EVENT_CURSOR && event.x == 20.0 && event.seconds == 0.75); // consecutive moves are merged
+	assert_true(event.kind == EVENT_CURSOR && event.x == 20.0 && event.seconds == 0.75); // successive moves are merged
 	assert_false(events_take(&events, &event));
 	assert_frames(&events, "b b lkw");
-	// many events
+	// the queue keeps many events
 	for (int k = 0; k < 1000; ++k)
 	{
 		events_add(&events, down);
@@ -105,7 +105,7 @@ static void history_keeps_the_last_frames(void** state)
 	History h = {0};
 	assert_true(history_top(&h) == 20.0f);
 	history_frame(&h, 8.0f);
-	assert_true(h.step[history_at(&h, 0)] < 0.0f); // a frame without a step
+	assert_true(h.step[history_at(&h, 0)] < 0.0f); // negative: no step in this frame
 	history_step(&h, 2.0f);
 	history_step(&h, 4.0f);
 	history_frame(&h, 9.0f);
@@ -116,7 +116,7 @@ static void history_keeps_the_last_frames(void** state)
 	assert_true(h.frame[history_at(&h, 0)] == 1000.0f - HISTORY_FRAMES);
 	assert_true(h.frame[history_at(&h, HISTORY_FRAMES - 1)] == 999.0f);
 	assert_true(history_top(&h) == 1000.0f);
-	// a single long frame does not determine the scale of all others
+	// a single long frame does not determine the scale of the graph
 	h = (History){0};
 	for (int k = 0; k < 100; ++k)
 		history_frame(&h, k == 50 ? 4000.0f : 31.0f);
@@ -146,7 +146,7 @@ static void tuning_changes_a_world_and_its_scene(void** state)
 	scree_world_destroy(world);
 }
 
-// Tuning lasts over a restart. Another scene with a fresh start resets it.
+// Settings of the tuning last over a restart of the scene. A fresh start of another scene resets them.
 static void tuning_lasts_over_a_restart(void** state)
 {
 	(void)state;
@@ -169,7 +169,7 @@ static void tuning_lasts_over_a_restart(void** state)
 	assert_true(session_load(&session, "smash", true, sentence));
 	OK(scree_world_get_gravity(session.player.world, &gravity));
 	assert_true(gravity.y == 0.0f && !session.tuning.changed);
-	// titles of the list
+	// the list of scenes has the title of pyramid
 	bool found = false;
 	for (int k = 0; k < session.scene_count; ++k)
 		if (strcmp(session.scenes[k], "pyramid") == 0)

@@ -24,7 +24,7 @@ static void handles_name_one_life(void** state)
 	assert_false(scree_body_is_valid(world, (scree_body){0, 1}));
 	assert_false(scree_body_is_valid(world, (scree_body){4, 1}));
 
-	// the lowest free slot is taken first, with another generation
+	// a new body takes the lowest free slot, with another generation
 	OK(scree_body_destroy(world, b));
 	OK(scree_body_destroy(world, a));
 	assert_false(scree_body_is_valid(world, a));
@@ -55,7 +55,7 @@ static void equal_attributes_are_one(void** state)
 	scree_counters counters = counters_of(world);
 	assert_int_equal(counters.attributes, 1001);
 
-	// a negative zero is zero
+	// a negative zero counts as zero, so the attribute is the same
 	scree_attribute_def def;
 	OK(scree_attribute_get_def(world, first, &def));
 	def.restitution = -0.0f;
@@ -110,7 +110,7 @@ static void batches_survive_churn(void** state)
 		NEAR(poses[k].position.y, k % 3 ? k % 7 : 105, 1e-6);
 	}
 
-	// a batch with one bad handle changes nothing
+	// one bad handle in a batch: the call changes nothing
 	uint64_t hash = hash_of(world);
 	scree_body kept = bodies[77];
 	bodies[77] = bodies[3];
@@ -165,7 +165,7 @@ static void rows_travel_together(void** state)
 	OK(world_upload(world));
 	assert_true(writes <= 24);
 
-	// scattered rows are sent as commands
+	// destroys every fifth body: scattered rows are uploaded as commands
 	writes = 0;
 	for (int k = 0; k < COUNT_OF; k += 5)
 		OK(scree_body_destroy(world, bodies[k]));
@@ -207,7 +207,7 @@ static void forces_follow_newton(void** state)
 	NEAR(v.linear.y, 6.0 / 60.0, 1e-6);
 	NEAR(v.angular, 0.5 * 6.0 * 6.0 / 60.0, 1e-5);
 
-	// impulses act at once
+	// impulses change velocities at once, without a step
 	scree_body c = add_crate(world, SCREE_BODY_DYNAMIC, 20, 0);
 	OK(scree_body_apply_impulse_at(world, c, (scree_vec){2.0f, 0.0f}, (scree_vec){20.0f, 0.5f}));
 	OK(scree_body_apply_impulse(world, c, (scree_vec){1.0f, 1.0f}));
@@ -270,8 +270,8 @@ static void damping_slows(void** state)
 	scree_world_destroy(world);
 }
 
-// Makes a body and checks its mass: 1 kg and no inertia without collidables; with two boxes of 1 kg, 2 m apart, I = 2
-// (1 / 6 + 1) kg m^2.
+// Makes a body and checks its mass: 1 kg and inertia 0 without collidables; with two boxes of 1 kg, 2 m apart, I = 2 (1
+// / 6 + 1) kg m^2.
 static scree_body make_pair(scree_world* world, scree_collidable parts[2])
 {
 	scree_body_def def = scree_body_def_default();
@@ -303,7 +303,7 @@ static void bodies_turn_about_their_center(void** state)
 	NEAR(pose.position.x, 3.0, 1e-6);
 	NEAR(pose.position.y, 4.0, 1e-6);
 
-	// the origin moves around the center
+	// the body turns around its center of mass, so its origin moves
 	throw_body(world, body, 0.0f, 0.0f, 1.0f);
 	run_steps(world, 30);
 	scree_rot q = scree_rot_make(0.5f), turned = scree_rot_make(1.0f);
@@ -311,13 +311,13 @@ static void bodies_turn_about_their_center(void** state)
 	NEAR(pose.position.x, 3.0 + q.c - turned.c, 1e-3);
 	NEAR(pose.position.y, 4.0 + q.s - turned.s, 1e-3);
 
-	// a new pose is the pose of the origin
+	// scree_body_set_pose sets the pose of the origin, not of the center of mass
 	OK(scree_body_set_pose(world, body, (scree_pose){{-7.0f, 0.0f}, {0.0f, 1.0f}}));
 	pose = pose_of(world, body);
 	NEAR(pose.position.x, -7.0, 1e-6);
 	NEAR(pose.rotation.s, 1.0, 1e-6);
 
-	// after one part is destroyed the origin stays, and the other part keeps its motion
+	// one part is destroyed: the origin stays in place, and the other part keeps its motion
 	OK(scree_collidable_destroy(world, parts[1]));
 	NEAR(pose_of(world, body).position.x, -7.0, 1e-6);
 	NEAR(velocity_of(world, body).linear.x, 1.0, 1e-5);
@@ -370,7 +370,7 @@ static void changes_keep_their_order(void** state)
 	NEAR(velocity_of(world, a).linear.x, 3.75, 1e-6);
 	NEAR(velocity_of(world, b).linear.x, 4.0, 1e-6);
 
-	// changes to a destroyed body are not applied to the next one in its slot
+	// changes to a destroyed body do not affect the next body in its slot
 	throw_body(world, b, 9.0f, 9.0f, 9.0f);
 	OK(scree_body_destroy(world, b));
 	scree_body c = add_crate(world, SCREE_BODY_DYNAMIC, 5, 0);
@@ -379,10 +379,10 @@ static void changes_keep_their_order(void** state)
 	scree_world_destroy(world);
 }
 
-typedef enum // action after each call
+typedef enum // action of a Caller after each call
 {
 	NOTHING,
-	FLUSH, // uploads all changes
+	FLUSH, // uploads all edits
 	READ,
 } After;
 
@@ -447,8 +447,8 @@ static void change_bodies(Caller* c, int round)
 	after_call(c, scree_collidable_set_filter(c->world, c->parts[2], (scree_filter){1, UINT64_MAX, round % 3 - 1}));
 }
 
-// Three worlds get the same calls. The first uploads all changes before its steps, the second uploads each change at
-// once, and the third is read after each call.
+// Three worlds get the same calls. The first uploads all edits before its steps, the second uploads each edit at once,
+// and the third is read after each call. Their hashes must be equal.
 static void reading_changes_nothing(void** state)
 {
 	(void)state;

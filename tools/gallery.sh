@@ -1,13 +1,17 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# gallery.sh -- draws scenes as pictures and short clips, and one page that shows them: FOLDER/index.html.
+# gallery.sh -- draws scenes as pictures and short clips, and writes a page that shows them: FOLDER/index.html.
 #
 # usage: tools/gallery.sh FOLDER [SCENE...]
-#   FOLDER  gets index.html and for each scene NAME.png, NAME.jpg, NAME.mp4
-#   SCENE   name of a scene in scenes/; default all
-# Variables and their defaults: SCREE, the command line (build/scree); SIZE of pictures (1600x900) and CLIP_SIZE of clips
-# (640x360), px; SHOWN, simulated seconds in a clip (4); WORK, the maximum of bodies and rays times steps (25000000), so that a scene
-# of a million bodies runs for few steps. Needs ffmpeg and jq. Exit 1 when a scene fails; the page then has the others.
+#   FOLDER  folder for index.html and, for each scene, NAME.png, NAME.jpg and NAME.mp4
+#   SCENE   name of a scene in scenes/; default: all scenes
+# Variables and their defaults:
+#   SCREE      path of the command line (build/scree)
+#   SIZE       size of pictures, px (1600x900)
+#   CLIP_SIZE  size of clips, px (640x360)
+#   SHOWN      simulated seconds in a clip (4)
+#   WORK       maximum of (bodies + rays) x steps (25000000), so that a scene of a million bodies has few steps
+# Needs ffmpeg and jq. Exit 1 if a scene fails; the page then has the other scenes.
 set -uo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.." || exit 1
@@ -23,19 +27,19 @@ mkdir -p "$folder" || exit 1
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# result NAME: prints the value of a row in the table of scree run
+# result NAME: prints the value of the row NAME in the table that scree run printed
 result()
 {
 	awk -v name="$1" '$1 == name { print $2; exit }' "$scratch/table"
 }
 
-# least_of A B...: prints the least of these whole numbers
+# least_of A B...: prints the least of some whole numbers
 least_of()
 {
 	printf '%s\n' "$@" | sort -n | head -n 1
 }
 
-# draw NAME: draws the picture and the clip of a scene; sets steps, bodies, hash
+# draw NAME: draws the picture and the clip of a scene; sets the variables steps, bodies and hash
 draw()
 {
 	local name=$1 file=scenes/$1.json dt rays slower
@@ -53,7 +57,7 @@ draw()
 		ffmpeg -loglevel error -y -i "$folder/$name.png" -vf 'scale=min(iw\,960):-2' -q:v 4 "$folder/$name.jpg" </dev/null
 }
 
-# card NAME: prints the part of the page about a scene that was drawn
+# card NAME: prints the section of the page that shows a scene
 card()
 {
 	jq -r --arg name "$1" --arg steps "$steps" --arg bodies "$bodies" --arg hash "$hash" --arg size "$size" '

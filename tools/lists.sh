@@ -1,17 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# lists.sh -- writes the files that are generated from lists of the sources.
+# lists.sh -- writes the files that are generated from lists in the sources.
 #
 # usage: tools/lists.sh TESTS [FOLDER]
 #   TESTS   folder of the test programs, which contains scene_lists
-#   FOLDER  gets scenes/scene.schema.json, and docs/scenes.md and docs/view.md with their tables; default the sources
+#   FOLDER  folder for scenes/scene.schema.json, docs/scenes.md and docs/view.md; default: the sources
 set -euo pipefail
 . "${BASH_SOURCE[0]%/*}/usage.sh"
 source=${BASH_SOURCE[0]%/*}/..
 program=${1:?is the folder of the test programs}/scene_lists
 folder=${2:-$source}
 
-# replace NAME COMMAND...: puts the output of a command between the marks of this name in the document on standard input
+# replace NAME COMMAND...: copies a document from standard input to standard output; between the marks NAME, the output of the
+# command replaces the text
 replace()
 {
 	local name=$1 document

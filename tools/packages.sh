@@ -1,12 +1,12 @@
 #!/bin/sh
-# packages.sh -- installs the Debian packages that are missing.
+# packages.sh -- installs missing Debian packages.
 #
 # usage: tools/packages.sh PACKAGE...
 set -eu
 . "$(dirname "$0")/usage.sh"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
-	# not Debian: CMake reports other packages that are missing
+	# not Debian: continues if cmake and ninja are there, because CMake reports all other missing packages
 	if ! command -v cmake >/dev/null 2>&1 || ! command -v ninja >/dev/null 2>&1; then
 		echo "scree: this is not Debian, so install the software of these Debian packages, then try again: $*" >&2
 		exit 1

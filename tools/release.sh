@@ -3,9 +3,9 @@
 # release.sh -- makes the files of a release in build/release: sources, page, npm package, SHA256SUMS.
 #
 # usage: tools/release.sh
-# The version is that of include/scree/scree.h. Refuses a tree with changes that are not committed, a version without a section in
-# CHANGELOG.md, and a tag of the version on another commit. Page and package are built from the unpacked sources, so they contain
-# nothing of an older build. Prints the command that sets the tag, and does not set it.
+# The version is that of include/scree/scree.h. The script refuses a tree with uncommitted changes, a version without a section in
+# CHANGELOG.md, and a version whose tag is on another commit. Page and package are built from the unpacked sources, so they contain
+# nothing of an older build. Prints the command that sets the tag, but does not set it.
 set -euo pipefail
 . "$(dirname "$0")/usage.sh"
 cd "$(dirname "$0")/.."
@@ -35,14 +35,14 @@ make -C "$tree" web build_options="-DSCREE_BUILD_TESTS=OFF -DSCREE_BUILD_PEERS=O
 cp LICENSE "$tree/build/web/LICENSE"
 cp "$tree/build/sources/jansson/LICENSE" "$tree/build/web/LICENSE.jansson"
 
-# pack FOLDER PREFIX FILE: packs a folder; order, owner, time and mode of files do not depend on the machine
+# pack FOLDER PREFIX FILE: packs a folder; order, owner, time and mode of the packed files are the same on every machine
 pack()
 {
 	tar --sort=name --format=ustar --mtime="@$(git log -1 --format=%ct "$commit")" --owner=0 --group=0 --numeric-owner \
 		--mode=u=rwX,go=rX --exclude=./package --transform="s,^\.,$2," -C "$1" -cf - . | gzip -9n >"$folder/$3"
 }
 pack "$tree/build/web" "scree-page-$version" "scree-page-$version.tar.gz"
-# npm requires this prefix
+# npm requires the prefix package
 pack "$tree/build/web/package" package "scree-npm-$version.tgz"
 rm -rf "$tree"
 (cd "$folder" && sha256sum -- *.t*gz >SHA256SUMS && cat SHA256SUMS)

@@ -1,8 +1,9 @@
-# rename.awk -- ports one file to the new names: prints the file, and writes the uncertain names to the file `report`.
+# rename.awk -- ports one file to the new names: prints the changed file, and writes uncertain names to the file `report`.
 #
 # usage: awk -v language=c|js -v file=NAME -v report=FILE -v open_end=0|1 -f rename.awk docs/names.md FILE
-# The first input is the page with the tables of names. The second is read as tokens: identifiers, numbers, spaces, signs, and text,
-# which is comments and strings. open_end is 1 if the last line has no newline. tools/rename.sh runs this.
+#
+# The first file, docs/names.md, has the tables of names. The second is split into tokens: identifiers, numbers, spaces, signs, and
+# text (comments and strings). open_end is 1 if its last line has no newline. tools/rename.sh runs this script.
 
 # ---------------------------------------------------------------------------------------------------------------
 # the tables
@@ -75,7 +76,7 @@ function add(token, k)
 		code[++codes] = tokens
 }
 
-# Cuts the text of a comment or a string into names and the rest, since names of the first table are changed there too.
+# Splits the text of a comment or a string into names and other text, because names of the first table are changed there too.
 function add_text(rest)
 {
 	while (match(rest, /[A-Za-z_$][A-Za-z_0-9$]*/))
@@ -89,7 +90,7 @@ function add_text(rest)
 		add(rest, "text")
 }
 
-# Returns the length of the string at the begin of rest, which ends on this line.
+# Returns the length of the string at the beginning of rest, up to its closing quote on this line.
 function string_length(rest, quote, k)
 {
 	quote = substr(rest, 1, 1)
@@ -103,7 +104,8 @@ function string_length(rest, quote, k)
 	return length(rest)
 }
 
-# Returns the length of the part of a template of JavaScript that is text: up to its end, or up to a ${ behind which code follows.
+# Returns the length of the text part of a JavaScript template: up to the end of the template, or up to and including the next ${,
+# which code follows.
 function template_length(rest, k, c)
 {
 	for (k = 1; k <= length(rest); ++k)
@@ -122,7 +124,7 @@ function template_length(rest, k, c)
 	return length(rest)
 }
 
-# Follows the braces of code in a template; the last one returns to its text.
+# Counts the braces of the code in a template; the last closing brace returns to the text of the template.
 function read_brace(sign)
 {
 	if (sign == "}" && templates > 0 && braces[templates]-- == 0)
@@ -197,7 +199,7 @@ function declares(name, type)
 	declared[name] = type
 }
 
-# Returns the place of the comma, or of the end, behind the declarator whose name is before c.
+# Skips an initializer. Returns the index of the comma or the end behind the declarator whose name is before token c.
 function past_initializer(c, depth)
 {
 	for (; c <= codes; ++c)
@@ -209,7 +211,7 @@ function past_initializer(c, depth)
 	return c
 }
 
-# Notes the variables that the file declares with a type: TYPE [*&const]... NAME, and further names behind commas.
+# Stores the types of variables that the file declares: TYPE [*&const]... NAME, and further names after commas.
 function find_declarations(c, d, type)
 {
 	for (c = 1; c <= codes; ++c)
@@ -235,7 +237,7 @@ function find_declarations(c, d, type)
 	}
 }
 
-# Returns the struct that the brace at c initializes, with "[]" behind it for an array of it, or "".
+# Returns the name of the struct that the brace at c initializes, with "[]" after it for an array, or "" if it is unknown.
 function braced(c, array, d)
 {
 	d = c - 1
@@ -261,7 +263,7 @@ function braced(c, array, d)
 	return ""
 }
 
-# Returns the struct of the object before the sign at c, which is "." or "->", or "".
+# Returns the name of the struct of the object before token c, which is "." or "->", or "" if it is unknown.
 function object(c, depth)
 {
 	for (--c; at(c) == "]"; --c)

@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# rename.sh -- ports programs that use Scree to the names of docs/names.md: C, C++ and JavaScript files, in place.
+# rename.sh -- changes programs that use Scree to the new names of docs/names.md: C, C++ and JavaScript files, in place.
 #
 # usage: tools/rename.sh FILE...
-# Names of functions, types and constants are changed as whole words, members of structs if the struct is certain. Other members with
-# such names are not changed, but reported as FILE:LINE: NAME may be NEW instead. If a file cannot be read or written, no file is
-# changed. Exit 2 then, and on wrong arguments.
+#
+# Names of functions, types and constants are changed as whole words, and names of members if the struct is certain. Other members
+# with such names are not changed, but reported as
+#   FILE:LINE: NAME may be NEW instead.
+# If a file cannot be read or written, no file is changed. Exit 2 then, and on wrong arguments.
 set -euo pipefail
 . "$(dirname "$0")/usage.sh"
 tools=$(cd "$(dirname "$0")" && pwd)
@@ -16,7 +18,7 @@ refuse()
 	exit 2
 }
 
-# language FILE: c or js, by the end of its name
+# language FILE: prints c or js, by the extension of the file
 language()
 {
 	case $1 in
@@ -43,7 +45,7 @@ k=0
 for file in "$@"; do
 	k=$((k + 1))
 	: >"$work/$k.report"
-	# awk mistakes a path with = for a variable, unless it begins with a folder
+	# awk takes an argument with = for a variable, unless a folder precedes it
 	path=$([[ $file = /* ]] && echo "$file" || echo "./$file")
 	LC_ALL=C awk -v language="$(language "$file")" -v file="$file" -v report="$work/$k.report" \
 		-v open_end="$([ -z "$(tail -c 1 "$file")" ] && echo 0 || echo 1)" -f "$tools/rename.awk" "$names" "$path" >"$work/$k" ||

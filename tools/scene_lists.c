@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// scene_lists.c -- prints scenes/scene.schema.json (scene_lists schema) or the tables of docs/scenes.md (scene_lists tables).
+// scene_lists.c -- prints scenes/scene.schema.json (scene_lists schema) or the tables of docs/scenes.md (scene_lists
+// tables).
 //
-// Both come from scene/format.def. tools/lists.sh writes them into the sources; tests/test_lists.sh compares.
+// Both are made from scene/format.def. tools/lists.sh writes them to the sources; tests/test_lists.sh compares them.
 #include "scene/format.h"
 #include <float.h>
 #include <math.h>
@@ -9,9 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define VISIBLE 1e5 // the tables show no bounds of this size and larger
+#define VISIBLE 1e5 // the tables do not show bounds of this size or larger
 
-// A type as members of a JSON schema, and as words of a table; null for the types that format_read can read itself.
+// Initializer of a type: its members in a JSON schema, and its words in a table. Null for types that format_read can
+// read itself.
 #define GENERIC          NULL, NULL
 #define NUMBER(...)      GENERIC
 #define WHOLE(...)       GENERIC
@@ -48,7 +50,7 @@ static const struct
 {
 	const char *schema, *words, *unit, *text;
 } keys[] = {
-// in the order of format_keys
+// extra data of each key, in the order of format_keys
 #define X(object, key, need, type, member, unit, text) {type, unit, text},
 #define SPECIAL(object, key, need, type, unit, text)   {type, unit, text},
 #include "scene/format.def"
@@ -57,7 +59,7 @@ static const struct
 static const struct
 {
 	const char *name, *text;
-	size_t size; // bytes of its struct
+	size_t size; // bytes of the struct of an object
 } objects[FORMAT_OBJECTS] = {
 #define OBJECT(object, struct, value, text) {#object, text, sizeof(struct)},
 #define PLAIN(object, text)                 {#object, text, 0},
@@ -91,7 +93,7 @@ static const char definitions[] =
                                                                "\t\t\"repeat\": {\"oneOf\": [{" REF(loop) "}, {" ARRAY(
                                                                    REF(loop)) ", \"maxItems\": 4}]}";
 
-// A number with the exponent of 1e6, not of 1e+06.
+// Returns a number as text, with the exponent of 1e6 instead of 1e+06.
 static const char* number(double value)
 {
 	static char text[4][32];
@@ -104,7 +106,7 @@ static const char* number(double value)
 	return to;
 }
 
-// Prints the names in a list, or those of them that bits select.
+// Prints the names of a list whose bits are set, with commas between them.
 static void print_names(const char* const* names, uint32_t bits, const char* quote)
 {
 	const char* comma = "";
@@ -138,7 +140,8 @@ static double stored(const FormatKey* key, const char* member)
 	}
 	return NAN;
 }
-// Prints the value of a member without its key, after other text; nothing if there is none. json: else for a table.
+// Prints the text `before`, then the default value of a key; prints nothing if the key has no default. json: true for
+// JSON, false for a table.
 static void print_default(const FormatKey* key, const char* made, const char* before, bool json)
 {
 	const char* member = made + key->offset;
@@ -219,7 +222,8 @@ static void print_key(const FormatKey* key, size_t index, const char* made)
 	printf("}");
 }
 
-// Prints a member of the schema that names the keys of one need, each between two texts; nothing if there are none.
+// Prints the member of the schema that lists the keys of an object with one need. Prints nothing if there are no such
+// keys.
 static void print_needs(FormatObject object, FormatNeed need, const char* before, const char* begin, const char* end,
                         const char* after)
 {
@@ -253,7 +257,7 @@ static void print_object(FormatObject object, const char* made)
 	printf("\n\t\t}");
 }
 
-// A type as words of a table.
+// Prints the type of a key in the words of a table.
 static void print_type(const FormatKey* key, size_t index)
 {
 	static const char* const words[][2] = {[TYPE_NUMBER] = {"number", "whole number"},
@@ -294,7 +298,7 @@ static void print_table(FormatObject object, const char* made)
 
 int main(int count, char** arguments)
 {
-	static _Alignas(max_align_t) char made[4096]; // the struct of an object
+	static _Alignas(max_align_t) char made[4096]; // struct of the object with its default values
 	bool schema = count == 2 && strcmp(arguments[1], "schema") == 0;
 	if (!schema && !(count == 2 && strcmp(arguments[1], "tables") == 0))
 	{

@@ -1,9 +1,9 @@
 #!/bin/sh
-# source.sh -- unpacks the upstream sources of a Debian source package; a folder that exists is left as it is.
+# source.sh -- unpacks the upstream sources of a Debian source package. If the folder exists, it is not changed.
 #
 # usage: tools/source.sh PACKAGE FOLDER
-# Debian does not build its packages for WebAssembly, so they are compiled from these sources. apt fetches and checks them. It uses
-# lists of its own, so the lists of the system do not change and root is not needed.
+# Debian does not build its packages for WebAssembly, so they are compiled from these sources. apt fetches and checks the sources.
+# Its package lists are in a temporary folder: the lists of the system do not change, and root is not needed.
 set -eu
 . "$(dirname "$0")/usage.sh"
 package=${1:?is the name of the source package} folder=${2:?is the folder for the sources}
@@ -18,7 +18,7 @@ mkdir -p "$(dirname "$folder")"
 work=$(mktemp -d "$(dirname "$(realpath "$folder")")/fetch.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/parts" "$work/lists" "$work/cache"
-# sources are fetched from the servers of the system's packages
+# sources are fetched from the servers that the system uses for packages
 for list in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
 	[ ! -f "$list" ] || sed -n 's/^deb\(-src\)\{0,1\}[[:space:]]/deb-src /p' "$list" >>"$work/parts/system.list"
 done

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# usage.sh -- sourced by scripts: prints the comment at the head of the script for --help, and refuses other options.
+# usage.sh -- is sourced by scripts: for --help, prints the comment at the head of the script and exits; refuses all other options.
 for argument in "$@"; do
 	case $argument in
 	-h | --help)

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// belts.c -- bodies on two belts, or wheels, that run towards each other. A body is driven by the difference of the loads: it lies still
-// where the loads are equal, and swings where they change with its place, without end and without growing.
+// belts.c -- checks bodies on two belts, or on two wheels, that run towards each other.
+//
+// The difference of the two loads drives a body. At the place with equal loads the body lies still. If it begins beside
+// this place, it swings around it without end, but the swing must not grow.
 #include "props.h"
 #include <math.h>
 
-#define BELT  60.0 // m, half the length of a belt
+#define BELT  60.0 // m: half the length of a belt
 #define SPEED 1.0  // m/s
-#define SPACE 0.1  // m, between boxes
+#define SPACE 0.1  // m: gap between boxes
 
-// A train of boxes, 1 m wide, with its middle at x over the ends of two belts. Returns the first box.
+// Adds two belts whose ends meet at x = 0, and a train of boxes 1 m wide on them, with its middle at x. Returns the
+// first box.
 static int lay(Lab* lab, int boxes, bool hinged, double height, double x)
 {
 	for (int side = -1; side <= 1; side += 2)
@@ -33,7 +36,8 @@ static int lay(Lab* lab, int boxes, bool hinged, double height, double x)
 	return first;
 }
 
-// Lets a train lie for 10 s. An odd number of boxes has one on both belts: what it got when it was put down, it keeps.
+// A train lies on the ends of the belts for 10 s. If the number of boxes is odd, the middle box lies on both belts and
+// keeps the motion that it got at the start, so its limit is higher.
 static void ride(Validation* v, int boxes, bool hinged, double height)
 {
 	begin(v, "%d %s boxes, %g m high, on belts of 1 m/s", boxes, hinged ? "hinged" : "welded", 2.0 * height);
@@ -53,12 +57,13 @@ static void ride(Validation* v, int boxes, bool hinged, double height)
 	lab_close(lab);
 }
 
-#define ASIDE 0.1 // m, from the place where it would lie still
+#define ASIDE 0.1 // m: distance from the place with equal loads at the start
 
-// Swings of a body in 20 s: how far it goes in the last 5 s, as a share of how far aside it was; the time of one swing.
+// Motion of a body in 20 s. share: largest distance from the middle in the last 5 s, divided by the distance at the
+// start. period: duration of one swing.
 typedef struct
 {
-	double share, period; // s; 0 without two passages of the middle in one direction
+	double share, period; // period in s; 0 if the body passed the middle less than twice in the positive direction
 } Swing;
 
 static Swing swing(Lab* lab, int body)
@@ -84,7 +89,7 @@ static Swing swing(Lab* lab, int body)
 	return swing;
 }
 
-// A train whose middle box is a little aside of the ends of both belts.
+// A train swings. Its middle box begins a little beside the ends of the belts.
 static void sway(Validation* v, int boxes, double height)
 {
 	begin(v, "%d boxes, %g m high, 0.1 m aside", boxes, 2.0 * height);
@@ -96,11 +101,12 @@ static void sway(Validation* v, int boxes, double height)
 	lab_close(lab);
 }
 
-#define AXLE     1.0 // m, of a wheel from the middle
+#define AXLE     1.0 // m: distance of a wheel from the middle
 #define FRICTION 0.3
 
-// A plank on two wheels that turn towards each other. With its center h above them, aside by x, and friction m, wheels at +-a carry
-// W / 2 +- W x / (2 (a - m h)), so it swings with the period 2 pi sqrt((a - m h) / (m g)): S. Timoshenko, Vibration Problems in Engineering, 1928.
+// A plank swings on two wheels that turn towards each other. Its center is h above the wheels and x from the middle,
+// the friction is m, and its weight W. The wheels at +-a carry W / 2 +- W x / (2 (a - m h)), so the period is 2 pi
+// sqrt((a - m h) / (m g)): S. Timoshenko, Vibration Problems in Engineering, 1928.
 static void plank(Validation* v, double height)
 {
 	begin(v, "plank, %g m high, on two wheels", 2.0 * height);

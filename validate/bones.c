@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// bones.c -- the bones of a ragdoll and their joints.
+// bones.c -- defines the bones of a ragdoll, their collidables and their joints.
 #include "bones.h"
 
 #define PI             3.14159265f
-#define FRICTION       0.05f // N m, times the share of a bone
+#define FRICTION       0.05f // N m: motor torque of a joint with share 1
 #define SPRING_HERTZ   5.0f
 #define SPRING_DAMPING 0.5f
 
-typedef struct // a capsule; lengths in m, heights above the feet
+typedef struct // a bone: a capsule, and the joint with its parent; lengths in m
 {
-	int parent;                       // -1: none
-	float height, low, high, radius;  // height of the body; heights of the capsule's ends above that
-	float damping;                    // 1/s
-	float pivot, lower, upper, share; // height; rad / pi; of the friction
-	float bend;                       // rad / pi: of the frame in the parent
+	int parent; // index of the parent; -1: no parent
+	// height of the body above the feet; heights of the capsule's ends above the body; radius
+	float height, low, high, radius;
+	float damping; // linear damping, 1/s
+	// height of the joint above the feet; limits of its angle, rad / pi; share of FRICTION
+	float pivot, lower, upper, share;
+	float bend; // rad / pi: rotation of the joint's frame in the parent
 	bool foot;
 } Bone;
 
@@ -49,7 +51,7 @@ int bone_parts(int bone, int group, EnginePart parts[BONE_PARTS])
 	const Bone* b = &bones[bone];
 	parts[0] = (EnginePart){scree_attribute_def_default(), filter_of(group)};
 	parts[0].surface.friction = 0.2f;
-	// a shape that Scree refuses becomes an empty one, which engines refuse with a message
+	// If Scree refuses the shape, it becomes an empty shape, which engines refuse with a message.
 	if (scree_shape_make_capsule((scree_vec){0.0f, b->low}, (scree_vec){0.0f, b->high}, b->radius,
 	                             &parts[0].surface.shape))
 		parts[0].surface.shape = (scree_shape){0};
@@ -57,7 +59,7 @@ int bone_parts(int bone, int group, EnginePart parts[BONE_PARTS])
 		return 1;
 	parts[1] = (EnginePart){scree_attribute_def_default(), filter_of(group)};
 	parts[1].surface.friction = 0.05f;
-	parts[1].filter.mask = 1; // not other ragdolls
+	parts[1].filter.mask = 1; // a foot does not touch other ragdolls
 	if (scree_shape_make_polygon(corners, 4, 0.015f, &parts[1].surface.shape))
 		parts[1].surface.shape = (scree_shape){0};
 	return 2;

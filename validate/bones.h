@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// bones.h -- a ragdoll of 11 bodies, with the measures of shared/human.c in Erin Catto's Box2D v3.
+// bones.h -- defines a ragdoll of 11 bodies, with the dimensions of shared/human.c in Erin Catto's Box2D v3.
 #ifndef BONES_H
 #define BONES_H
 #include "validation.h"
 
 #define BONES      11
-#define BONE_PARTS 2 // at most
+#define BONE_PARTS 2 // maximum number of collidables of a bone
 
-// A bone of a ragdoll that stands at a place. Bones of one group (1 or more) do not touch each other.
+// Returns the body of a bone for a ragdoll that stands at feet. Bones of one group (1 or more) do not touch each other.
 scree_body_def bone_def(int bone, scree_vec feet, int group);
 
-// Writes the collidables of a bone, and returns how many there are.
+// Writes the collidables of a bone. Returns the number of collidables.
 int bone_parts(int bone, int group, EnginePart parts[BONE_PARTS]);
 
-// The bone that a joint connects with this one, which comes later; -1: none.
+// Returns the bone with which a joint connects this bone; -1: no bone. Parents have smaller indices than their
+// children.
 int bone_parent(int bone);
 
-// The joint of a bone with its parent, which is body a.
+// Returns the joint between a bone (body b) and its parent (body a).
 scree_joint_def bone_joint(int bone);
 
 #endif

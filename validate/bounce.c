@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// bounce.c -- balls of restitution 1 keep their energy, others rise as high as they should (above 1 higher), and gases gain nothing.
+// bounce.c -- balls of restitution 1 keep their energy, others rise to the right height, and gases gain no energy.
 //
-// Both engines integrate with v += g h, y += v h in substeps of h seconds. Then y + v^2 / 2g - v h / 2 is constant in free
-// flight. It is the height of the apex, so that any step gives it.
+// With a restitution above 1 balls rise higher than before. Both engines integrate with v += g h, y += v h in substeps
+// of h seconds. So y + v^2 / 2g - v h / 2 is constant in free flight: it is the height of the apex, which can be
+// computed after any step.
 #include "props.h"
 #include <math.h>
 
@@ -15,8 +16,8 @@ typedef struct
 {
 	Lab* lab;
 	int first;
-	double high[BALLS];              // m: first height of the lowest point
-	double apex[BALLS][BOUNCES + 1]; // apex of each bounce, m
+	double high[BALLS];              // m: height of the ball's lowest point at the start
+	double apex[BALLS][BOUNCES + 1]; // m: height of the apex after each bounce
 	int bounces[BALLS];
 	bool down[BALLS];
 } Balls;
@@ -27,7 +28,8 @@ static double apex_of(const Lab* lab, int body)
 	return (double)lab->poses[body].position.y - RADIUS + v * v / (2.0 * GRAVITY) - 0.5 * v * h;
 }
 
-// Drops balls side by side. Their heights differ a little, so that they hit the floor at different times within a step.
+// Adds a row of balls above a floor. Their heights differ a little, so that they hit the floor at different times
+// within a step.
 static Balls drop(Validation* v, double height, double restitution, int substeps)
 {
 	LabDef def = lab_def();
@@ -45,7 +47,8 @@ static Balls drop(Validation* v, double height, double restitution, int substeps
 	return balls;
 }
 
-// Takes steps until each ball moves downwards again after this many bounces, but at most twice the expected time.
+// Takes steps until each ball has bounced this number of times and moves down again, or until twice the expected time
+// is over.
 static void bounce(Balls* balls, int bounces, double height)
 {
 	int most = (int)(120.0 * (2.0 * bounces + 1.0) * sqrt(2.0 * (height + 0.3) / GRAVITY));
@@ -61,7 +64,7 @@ static void bounce(Balls* balls, int bounces, double height)
 			bool down = balls->lab->velocities[balls->first + k].linear.y < 0.0f;
 			if (balls->down[k] && !down && n < BOUNCES)
 				n = ++balls->bounces[k];
-			if (!down && n > 0) // the floor may still push it up
+			if (!down && n > 0) // the largest value is the apex, because the floor may still push the ball up
 				balls->apex[k][n] = fmax(balls->apex[k][n], apex_of(balls->lab, balls->first + k));
 			balls->down[k] = down;
 			done = done && (n > bounces || (n == bounces && down));
@@ -69,7 +72,7 @@ static void bounce(Balls* balls, int bounces, double height)
 	}
 }
 
-// Prints the mean and the largest share of the energy after this many bounces.
+// Prints the mean and the largest share of the initial energy after this number of bounces.
 static void print_energy(Validation* v, const Balls* balls, int bounces, double wanted)
 {
 	double sum = 0.0, least = INFINITY, most = 0.0;
@@ -127,7 +130,8 @@ static void rebound(Validation* v, double restitution)
 	row(v, "most rebound of what it should be", 100.0 * most, "%", AT_MOST, 101.0);
 }
 
-// Boxes of restitution 1 without friction and gravity in a closed room: their energy after a minute.
+// Boxes of restitution 1 move without friction and gravity in a closed room. Prints their largest energy, and the
+// energy after a minute.
 static void gas(Validation* v, int count, double wide)
 {
 	LabDef def = lab_def();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// churn.c -- bodies that jump across the world or are replaced in every step cost little, and a burst's memory returns.
+// churn.c -- bodies that jump across the world or are replaced in every step cost little time, and memory for many
+// contacts is released.
 //
-// Times depend on the machine. The limit is on their ratio to the time of the same world without churn.
+// Times depend on the machine, so the limits apply to ratios: the time of a step divided by that of the same world
+// without churn.
 #include "props.h"
 #include "tools/common/clock.h"
 #include <math.h>
@@ -16,13 +18,14 @@ typedef enum
 	REPLACED
 } Churn;
 
-typedef struct // ms
+typedef struct // ms: medians of the time of a step
 {
-	double churned, after; // with and after churn
+	double churned, after; // steps with churn; later steps without churn
 } Medians;
 
-// Circles drift in a square of 2 m x 2 m for each. In every step some jump to random places. After that as many steps follow
-// without jumps: jumps leave circles close together, so that there are contacts.
+// Measures a world of circles that drift in a square with 2 m x 2 m for each circle. In the first steps, `moved`
+// circles jump to random places or are replaced. The same number of steps follows without churn, because jumps leave
+// circles close together, so that the world then has more contacts.
 static Medians median_steps(Validation* v, int count, Churn churn, int moved, int steps)
 {
 	LabDef def = lab_def();
@@ -89,7 +92,7 @@ typedef struct
 	scree_pose *spread, *heaped;
 } Crowd;
 
-// Makes boxes without gravity that can be spread, or all moved to one place.
+// Creates boxes without gravity, and two lists of their poses: spread out, and all at one place.
 static Crowd gather(Validation* v, int count)
 {
 	LabDef def = lab_def();
@@ -126,7 +129,8 @@ static void dismiss(Crowd* c)
 	lab_close(c->lab);
 }
 
-// Moves all boxes to one place for three steps, then spreads them again: the memory must be released.
+// Moves all boxes to one place for three steps, then spreads them again. The memory of their contacts must then be
+// released.
 static void burst(Validation* v, int count)
 {
 	begin(v, "%d boxes at one place for three steps", count);
@@ -146,8 +150,8 @@ static void burst(Validation* v, int count)
 	dismiss(&c);
 }
 
-// Moves too many boxes to one place. The step may fail with a sentence, but the memory stays below its limit and the next steps
-// succeed. Returns whether the step failed.
+// Moves too many boxes to one place. The step may fail with a message, but the memory must stay below its limit, and
+// the next steps must succeed. Returns whether the step failed.
 static bool crowd(Validation* v, int count)
 {
 	begin(v, "%d boxes at one place", count);
@@ -173,7 +177,7 @@ void churn_experiment(Validation* v)
 	}
 	crowd_moves(v, 50000, 1000, 4000, 20);
 	burst(v, 1200);
-	// 242 million pairs: 24 GB or more, unless the step fails
+	// only if the first call was refused, because 22,000 boxes have 242 million pairs, which need 24 GB or more
 	if (crowd(v, 2500))
 		crowd(v, 22000);
 }

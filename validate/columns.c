@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // columns.c -- columns, weights on light boxes, card house, arch and pyramid stand, and sink little.
 //
-// The limits of how far bodies sink are the results of Box2D v3 (617d32a, sleep off), or where Scree was always better, those of
-// Scree.
+// Limits of sinking are the results of Box2D v3 (617d32a, sleep off). If Scree was always better, they are the results
+// of Scree.
 #include "props.h"
 #include <math.h>
 
-#define MINUTE 3600 // steps
+#define MINUTE 3600 // number of steps
 
 typedef struct
 {
-	double sank, leaned; // m: largest movement down and sideways
-	int body;            // that leaned most
+	double sank, leaned; // m: largest movement down, and largest movement sideways
+	int body;            // index of the body that moved sideways the most
 } Fall;
 
 static Fall stand(Lab* lab, int first, int steps)
@@ -33,7 +33,7 @@ static Fall stand(Lab* lab, int first, int steps)
 	return fall;
 }
 
-// Takes the steps and prints how far bodies sank and moved sideways.
+// Takes steps, prints the largest movements of bodies down and sideways, and closes the lab.
 static void print_fall(Validation* v, Lab* lab, int first, int steps, Limit limit, double sink, double lean)
 {
 	Fall fall = stand(lab, first, steps);
@@ -74,7 +74,7 @@ static void weight(Validation* v, double density, Limit limit, double sink)
 	print_fall(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, limit, sink, 0.25);
 }
 
-// Boxes, rounded boxes, hexagons and lying capsules on each other, all at most 1 m wide.
+// A column of boxes, rounded boxes, hexagons and lying capsules. Each body is at most 1 m wide.
 static void mixed(Validation* v, int count)
 {
 	int first;
@@ -89,8 +89,8 @@ static void mixed(Validation* v, int count)
 	print_fall(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.014, 0.01);
 }
 
-// After Erin Catto, Box2D v3, sample CardHouse: pairs of cards that lean on each other, and cards that lie on them, from x = left on, each
-// put down by up to jitter beside its place, m. Returns the last card.
+// Adds the card house of Box2D v3's sample CardHouse (Erin Catto) from x = left on: pairs of leaning cards, with flat
+// cards on them. Each card is displaced at random by up to jitter, m. Returns the last card.
 static int add_card_house(Lab* lab, int levels, double left, double jitter, uint64_t* seed)
 {
 	const double half = 0.2, thick = 0.001, pitch = 0.175;
@@ -125,7 +125,8 @@ static void card_house(Validation* v, int levels)
 	print_fall(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.033, 0.0075);
 }
 
-// Houses whose cards are put down less exactly. Which ones fall is chance; how many is not.
+// Card houses whose cards are displaced at random. Chance decides which houses fall, but hardly their number, which is
+// limited.
 static void card_houses(Validation* v, int levels, double jitter, int most)
 {
 	enum
@@ -146,7 +147,7 @@ static void card_houses(Validation* v, int levels, double jitter, int most)
 	lab_close(lab);
 }
 
-// Wedge-shaped stones between two half circles, without mortar, the lowest two on the floor.
+// An arch of wedge-shaped stones between two half circles, without mortar. Its two lowest stones lie on the floor.
 static void arch(Validation* v, int stones)
 {
 	int first;

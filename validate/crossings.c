@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// crossings.c -- nothing thin and fast crosses a thin wall that is a dynamic body itself.
+// crossings.c -- thin fast bodies do not pass through a thin wall that is a dynamic body.
 //
-// Each trial has its own place in one world without gravity: an upright wall of 4 m, free to move, and a body thrown at its middle. A
-// body crosses where its center changes sides of the wall's middle plane between the wall's ends, and stays there. What goes around
-// an end is no longer looked at. Box2D's thrown bodies are bullets.
+// All trials are in one world without gravity, each at its own place: an upright wall of 4 m that can move, and a body
+// that is thrown at its middle. A body crosses if its center moves to the other side of the wall's middle plane,
+// between the ends of the wall, and stays there. A body that goes around an end of the wall is not checked further. In
+// Box2D the thrown bodies are bullets.
 #include "props.h"
 #include <math.h>
 #include <stdlib.h>
 
-#define APART  15.0 // m between trials
-#define HALF   2.0  // m, half the height of a wall
-#define STEPS  20
-#define COLUMN 64 // trials side by side; far away, places are rounded
+#define APART 15.0 // m: distance between trials
+#define HALF  2.0  // m: half the height of a wall
+#define STEPS 20
+// trials in a row; a single row would be too long, because coordinates far from the origin are rounded
+#define COLUMN 64
 
 typedef enum
 {
@@ -25,9 +27,9 @@ static const char* const kinds[KINDS] = {"rods of 6 cm that spin at 50 rad/s", "
 typedef struct
 {
 	int wall, body;
-	int side;   // side of the wall's middle plane on which the body began: -1 or 1
-	bool gone;  // went around an end
-	bool there; // on the other side
+	int side;   // -1 or 1: side of the wall's middle plane on which the body began
+	bool gone;  // true: the body went around an end of the wall
+	bool there; // true: the body is on the other side of the wall
 } Trial;
 
 static scree_attribute_def body_of(Kind kind)
@@ -43,7 +45,7 @@ static scree_attribute_def body_of(Kind kind)
 	}
 }
 
-// The center of a body in the frame of its wall.
+// Returns the center of a body in the frame of its wall.
 static scree_vec in_wall(const Lab* lab, const Trial* t)
 {
 	scree_pose wall = lab->poses[t->wall], body = lab->poses[t->body];
@@ -59,7 +61,8 @@ static void look(const Lab* lab, Trial* t)
 		t->there = (at.x > 0.0f ? 1 : -1) != t->side;
 }
 
-// Throws bodies at walls of a thickness, m. density is that of the walls as a multiple of that of the bodies.
+// Throws bodies at walls of this thickness, m, and prints the number of bodies that crossed. density: density of the
+// walls divided by that of the bodies.
 static void throw_at(Validation* v, Kind kind, double thickness, double density, double slow, double fast, int runs)
 {
 	begin(v, "%s at %g to %g m/s against dynamic walls of %g cm, density %g", kinds[kind], slow, fast,
@@ -100,7 +103,7 @@ static void throw_at(Validation* v, Kind kind, double thickness, double density,
 		++through;
 		where(v, "trial %d of %d", k, runs);
 	}
-	// walls as light as what strikes them turn by half a radian per step
+	// walls of low density have no limit, because light walls that are hit turn by half a radian per step
 	row(v, "through the wall", through, "", density > 5.0 ? AT_MOST : SHOWN, 0.0);
 	lab_close(lab);
 	free(trials);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// doors.c -- doors that hang on scenery turn freely: the hinge keeps a door from touching the static body that it overlaps. A spring that
-// pulls a door beyond its limit does not tear its hinge.
+// doors.c -- doors that hang on scenery turn freely, because bodies joined by a hinge do not touch each other. A spring
+// that pulls a door beyond its limit does not open the hinge.
 #include "props.h"
 #include <math.h>
 
 typedef struct
 {
 	const char* name;
-	double half_width, half_height;   // m, of the bar
-	double arm;                       // m, from its center to the hinge, up
-	double frame_width, frame_height; // m, halves of the static body around the hinge
-	int bars;                         // across each other
+	double half_width, half_height;   // m: half the size of a bar
+	double arm;                       // m: height of the hinge above the center of the bars
+	double frame_width, frame_height; // m: half the size of the static body that carries the hinge
+	int bars;                         // number of bars; the second is perpendicular to the first
 } Door;
 
 static const Door doors[] = {
@@ -20,7 +20,7 @@ static const Door doors[] = {
     {"crank on a plate", 0.05, 0.25, 0.2, 0.3, 0.3, 1},
 };
 
-// Kicked to a spin, rad/s, without gravity: it goes on turning at this spin.
+// A door gets a spin, rad/s, without gravity. It must keep this spin for 0.5 s.
 static void turn(Validation* v, const Door* door, double spin)
 {
 	begin(v, "%s kicked at %g rad/s", door->name, spin);
@@ -54,7 +54,8 @@ static void turn(Validation* v, const Door* door, double spin)
 	lab_close(lab);
 }
 
-// A bar of 7 m on a hinge 1.5 m from its end, with gravity, at a limit of 0.2 rad. A spring pulls it 2.8 rad further.
+// A bar of 7 m on a hinge 1.5 m from its end falls to its limit of 0.2 rad, with gravity. A spring pulls it 2.8 rad
+// beyond the limit.
 static void hold(Validation* v, double hertz)
 {
 	begin(v, "bar of 7 m at its limit, spring of %g Hz", hertz);

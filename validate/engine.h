@@ -1,65 +1,68 @@
 // SPDX-License-Identifier: MIT
-// engine.h -- the functions of a physics engine, for experiments, trials and benchmarks.
+// engine.h -- declares the functions of a physics engine for experiments, trials and benchmarks.
 #ifndef ENGINE_H
 #define ENGINE_H
 #include "scree/scree.h"
 
 typedef struct
 {
-	const char* device; // device of Scree, as in scree_world_def
-	int threads, lanes; // 0: the engine's own choice
+	const char* device; // device of Scree as in scree_world_def
+	int threads, lanes; // 0: the engine chooses
 	bool allow_unequal_bits;
-	bool continuous; // continuous collision of Box2D; Scree always has it
+	bool continuous; // true: continuous collision in Box2D; Scree always has continuous collision
 } EngineOptions;
 
 typedef struct
 {
-	scree_world_def world; // world of Scree, without device, threads and lanes; other engines take its gravity
-	float max_speed;       // m/s; 0: that of world, or the other engine's own
-	float contact_hertz;   // stiffness of contacts; 0: the same
+	// definition of Scree's world; device, threads and lanes come from EngineOptions, and other engines use only
+	// gravity
+	scree_world_def world;
+	float max_speed;     // m/s; 0: that of world in Scree, the default in other engines
+	float contact_hertz; // stiffness of contacts, Hz; 0: as for max_speed
 } EngineDef;
 
 typedef struct // a collidable of a body
 {
-	scree_attribute_def surface; // in the body's frame
+	scree_attribute_def surface; // shape and surface in the frame of the body
 	scree_filter filter;
 } EnginePart;
 
 typedef struct
 {
-	int index; // names the body in the other functions; the caller chooses small ones
+	int index; // index of the body in calls of other functions; chosen by the caller, near 0
 	scree_body_def def;
 	EnginePart* parts;
 	int count;
-	bool bullet; // flag of the body, in engines that have one
+	bool bullet; // true: the body is a bullet, in engines that have bullets
 } EngineBody;
 
-#define ENGINE_WORLD -1 // as the body of a joint: the world
+#define ENGINE_WORLD -1 // index for EngineJoint.a and b: the world
 
 typedef struct
 {
-	scree_joint_def def; // without its bodies
-	int a, b;            // indices of bodies
+	scree_joint_def def; // definition without body_a and body_b
+	int a, b;            // indices of the bodies
 } EngineJoint;
 
-typedef struct // functions return false after printing a sentence
+typedef struct // functions that return bool print a message and return false on failure
 {
 	const char* name;
-	void* (*open)(const EngineOptions* options, const EngineDef* def); // null on failure
+	void* (*open)(const EngineOptions* options, const EngineDef* def); // returns the state of a world; null on failure
 	bool (*create)(void* state, const EngineBody* bodies, int count);
-	bool (*destroy)(void* state, const int* bodies, int count); // their indices are free then
-	bool (*join)(void* state, const EngineJoint* joint);        // types that all engines have: those of Box2D 3
+	bool (*destroy)(void* state, const int* bodies, int count); // afterwards the indices may be used again
+	// only joint types that all engines have, which are those of Box2D 3
+	bool (*join)(void* state, const EngineJoint* joint);
 	bool (*set_poses)(void* state, const int* bodies, const scree_pose* poses, int count);
 	bool (*set_velocity)(void* state, int body, scree_velocity velocity);
-	bool (*push)(void* state, int body, scree_vec force); // a force in the next step, N
+	bool (*push)(void* state, int body, scree_vec force); // adds a force, N, for the next step
 	bool (*step)(void* state, float dt, int substeps);
-	bool (*wait)(void* state);                // until all work is done
-	bool (*frozen)(void* state, int* frozen); // adds the number of bodies that the last step froze
-	// reads count bodies; bodies null: those from 0 on; velocities may be null
+	bool (*wait)(void* state);                // waits until all work is done
+	bool (*frozen)(void* state, int* frozen); // adds to *frozen the number of bodies that the last step froze
+	// reads `count` bodies; bodies null: the bodies from index 0 on; velocities may be null
 	bool (*read)(void* state, const int* bodies, int count, scree_pose* poses, scree_velocity* velocities);
-	bool (*hash)(void* state, uint64_t* hash); // hash of all simulated state, by the engine
-	double (*bytes)(void* state);              // memory that the world holds, bytes
-	scree_world* (*world)(void* state);        // the world of Scree; the function is null for other engines
+	bool (*hash)(void* state, uint64_t* hash); // hash of all simulated state, as the engine defines it
+	double (*bytes)(void* state);              // memory of the world, bytes
+	scree_world* (*world)(void* state);        // Scree's world; the pointer is null for other engines
 	void (*close)(void* state);
 } Engine;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// engine_scree.c -- Scree as an engine.
+// engine_scree.c -- implements the functions of engine.h with Scree.
 #include "engine_scree.h"
 #include "scree_world.h"
 #include <stdio.h>
@@ -9,10 +9,10 @@
 typedef struct
 {
 	scree_world* world;
-	scree_body* bodies; // by their index
+	scree_body* bodies; // handles by the index of the body
 	int room;
-	scree_body* some;     // handles of a batch
-	scree_body_def* defs; // definitions of a batch
+	scree_body* some;     // handles of the bodies of a call
+	scree_body_def* defs; // definitions of the bodies of a call
 	int batch_room;
 } State;
 
@@ -58,7 +58,7 @@ static void close(void* context)
 	free(state);
 }
 
-// Allocates handles and definitions for a batch.
+// Allocates handles and definitions for `count` bodies of a call.
 static bool reserve(State* state, int count)
 {
 	if (count <= state->batch_room)
@@ -71,7 +71,7 @@ static bool reserve(State* state, int count)
 	return report_memory(state->batch_room > 0);
 }
 
-// Allocates places for the handles of these bodies.
+// Makes room in state->bodies for the highest index of these bodies.
 static bool grow(State* state, const EngineBody* bodies, int count)
 {
 	int highest = -1;
@@ -97,7 +97,8 @@ static bool gather(State* state, const int* bodies, int count)
 	return true;
 }
 
-// Fills the definitions of a batch. Consecutive equal attributes are looked up once.
+// Fills the definitions of the bodies of a call. Successive bodies with equal surfaces share one lookup of the
+// attribute.
 static bool define(State* state, const EngineBody* bodies, int count)
 {
 	const EnginePart* last = NULL;
@@ -118,7 +119,8 @@ static bool define(State* state, const EngineBody* bodies, int count)
 	return true;
 }
 
-// Creates the other collidables of a body. They move its center of mass, so that its velocity is set again.
+// Creates the collidables of a body after the first. They move the center of mass, so the velocity of the body is set
+// again.
 static bool add_others(State* state, const EngineBody* body)
 {
 	for (int k = 1; k < body->count; ++k)

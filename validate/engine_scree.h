@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// engine_scree.h -- Scree as an engine.
+// engine_scree.h -- implements the functions of engine.h with Scree.
 #ifndef ENGINE_SCREE_H
 #define ENGINE_SCREE_H
 #include "engine.h"
 
 extern const Engine scree_engine;
 
-// Sets the device of a definition, and the threads, lanes and bits.
+// Copies device, threads, lanes and allow_unequal_bits of the options to a definition.
 void engine_set_device(scree_world_def* def, const EngineOptions* options);
 
-// The number of bodies that a body overlaps; state is that of scree_engine.
+// Returns the number of bodies that a body overlaps. state: that of scree_engine.
 int engine_overlaps(void* state, int body);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// experiment_support.c -- memory for experiments.
+// experiment_support.c -- ends an experiment when memory is short.
 #include "experiment_support.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 // friction.c -- sliding bodies brake by Coulomb's law at any speed, any overlap and any number of substeps.
 //
-// Friction 0.6 and gravity of 10 m/s^2 slow a sliding body by 6 m/s^2, also one that is being pushed out of the floor: the push is not
-// its weight. A disk slides until it rolls, which it does at two thirds of its speed.
+// Friction 0.6 and gravity of 10 m/s^2 slow a sliding body by 6 m/s^2. This is also true while overlap pushes the body
+// out of the floor, because the push does not count as load. A disk slides until it has two thirds of its initial
+// speed; then it rolls.
 #include "props.h"
 #include <math.h>
 
-#define BRAKE 6.0 // m/s^2
+#define BRAKE 6.0 // m/s^2: deceleration of a sliding body
 #define STEPS 12
 
 typedef struct
 {
 	const char* name;
 	scree_attribute_def surface;
-	double half;   // m: from the center to the floor
-	double slides; // the share of its speed that it loses until it rolls
+	double half;   // m: distance of the center from the floor
+	double slides; // share of the initial speed that the body loses while it slides
 } Slider;
 
 static const double speeds[] = {1.0, 5.0, 20.0, 30.0, 40.0}; // m/s
@@ -22,10 +23,11 @@ static const double depths[] = {0.0, 0.02, 0.05, 0.2};       // m
 
 typedef struct
 {
-	Peak off, rises; // %: deviation of the lost speed from the law; m/s: fastest motion upward
+	Peak off, rises; // off, %: deviation of the lost speed from the law; rises, m/s: fastest motion upward
 } Braking;
 
-// Slides one body over a floor. What it lost is measured after the step in which 0.05 s are over, or half of its sliding.
+// A body slides over a floor. Its lost speed is measured after 0.2 s, or after half of its sliding time if that is
+// shorter.
 static void slide(Validation* v, const Slider* s, double speed, double depth, int substeps, Braking* all)
 {
 	LabDef def = lab_def();
@@ -65,7 +67,7 @@ static void slides(Validation* v, const Slider* s)
 	row(v, "fastest way up", all.rises.value, "m/s", AT_MOST, 0.05);
 }
 
-// A disk rolls without sliding: how deep it sinks in 5 s, in all and after the first second.
+// A disk rolls without sliding. Prints its largest sinking in 5 s, and the speed that it lost.
 static void roll(Validation* v, double speed)
 {
 	LabDef def = lab_def();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// hubs.c -- a plate that carries many crates sinks into nothing, and gains no energy.
+// hubs.c -- a plate with many crates does not sink, and gains no energy.
 #include "props.h"
 #include <math.h>
 
-#define CRATE 0.25 // m, half of a crate
-#define PITCH 0.6  // m, from crate to crate
+#define CRATE 0.25 // m: half the size of a crate
+#define PITCH 0.6  // m: distance between the centers of crates
 
 static Lab* open_with(Validation* v, double gravity)
 {
@@ -15,7 +15,7 @@ static Lab* open_with(Validation* v, double gravity)
 
 static double width_of(int crates) { return 0.5 * PITCH * crates + 0.5; }
 
-// Adds a plate 0.5 m high and as wide as its crates need.
+// Adds a plate 0.5 m high, wide enough for its crates. Returns the plate.
 static int add_plate(Lab* lab, int crates, double density, double y)
 {
 	scree_attribute_def plate = box_of(width_of(crates), 0.25);
@@ -30,7 +30,8 @@ static void add_crates(Lab* lab, int count, double y)
 		lab_put(lab, SCREE_BODY_DYNAMIC, &crate, (float)(PITCH * (k - 0.5 * (count - 1))), (float)y, 0.0f);
 }
 
-// Measures overlaps every ten steps for 5 s (quick: 2 s), and prints the deepest of all and of the end.
+// Measures overlaps every ten steps for 5 s (quick: 2 s). Prints the deepest overlap of all measurements and that at
+// the end.
 static void watch(Validation* v, Lab* lab, double limit)
 {
 	double deepest = 0.0, last = 0.0;
@@ -69,7 +70,7 @@ static void sandwich(Validation* v, int crates)
 	watch(v, lab, 2.0);
 }
 
-// Without gravity a plate strikes crates at rest.
+// A plate strikes crates at rest, without gravity.
 static void strike(Validation* v, int crates, double speed)
 {
 	begin(v, "plate strikes %d crates at %g m/s", crates, speed);

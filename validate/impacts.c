@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// impacts.c -- impacts without restitution leave nothing faster than it came; momentum stays.
+// impacts.c -- after impacts without restitution no body is faster than before; momentum is conserved.
 #include "props.h"
 #include <math.h>
 #include <stdlib.h>
 
-#define APART  4.0 // m between runs
-#define RUSHES 8   // pile-ups of a kind
+#define APART  4.0 // m: distance between runs
+#define RUSHES 8   // number of pile-ups with equal settings
 
 static Lab* open_empty(Validation* v)
 {
@@ -14,7 +14,7 @@ static Lab* open_empty(Validation* v)
 	return lab_open(v, &def);
 }
 
-// Boxes and rods hit a floor at all angles. Prints the largest ratio of a body's energy after to before.
+// Boxes and rods hit a floor at all angles. Prints the largest energy of a body as a percentage of its energy before.
 static void against_floor(Validation* v, double friction)
 {
 	int runs = v->quick ? 200 : 1000;
@@ -32,7 +32,7 @@ static void against_floor(Validation* v, double friction)
 		scree_velocity velocity = {{(float)(slant * speed), (float)-speed}, (float)random_real(&seed, -5.0, 5.0)};
 		lab_throw(lab, &body, (float)(APART * (k - 0.5 * runs)), (float)random_real(&seed, 1.0, 2.0),
 		          (float)random_real(&seed, -3.0, 3.0), velocity);
-		lab->bodies[lab->count - 1].parts[0].filter.group = -1; // they do not collide with each other
+		lab->bodies[lab->count - 1].parts[0].filter.group = -1; // boxes do not collide with each other
 	}
 	double most = 0.0;
 	for (int step = 0; step < 90; ++step)
@@ -55,12 +55,13 @@ static void against_floor(Validation* v, double friction)
 	lab_close(lab);
 }
 
-// Lets the last body collide only with those of the same run.
+// Lets the last body collide only with bodies of its run.
 static void isolate(Lab* lab, int run) { lab->bodies[lab->count - 1].parts[0].filter = (scree_filter){1, 0, run + 1}; }
 
-// A heavy circle hits a light one at rest, without friction. The light one must not be faster afterwards than the heavy one was.
-// Runs are isolated: a light circle that flies to the side with 0.5 of the speed, and that the heavy circle of the next run
-// hits, may leave with 1.12 of it, because their relative speed is 1.12 of it.
+// A heavy circle hits a light circle at rest, without friction. Afterwards the light circle must not be faster than the
+// heavy one was before. Runs must not affect each other: a light circle that flies to the side with 0.5 of the speed
+// would meet the heavy circle of the next run. Their relative speed is 1.12 of the speed, so this impact may give the
+// light circle 1.12 of it.
 static void struck(Validation* v, double ratio)
 {
 	int runs = v->quick ? 100 : 400;
@@ -90,7 +91,7 @@ static void struck(Validation* v, double ratio)
 	lab_close(lab);
 }
 
-// Makes a surface of one of five kinds and a random size.
+// Returns a surface with a shape of one of five kinds and a random size.
 static scree_attribute_def any_of(uint64_t* seed, int kind, double density, double friction)
 {
 	double size = random_real(seed, 0.05, 0.5), thin = size * random_real(seed, 0.2, 1.0);
@@ -106,7 +107,8 @@ static scree_attribute_def any_of(uint64_t* seed, int kind, double density, doub
 	return surface;
 }
 
-// Two bodies of any shape, spin and ratio of masses collide. Prints the largest ratio of their energy after to before.
+// Two bodies of random shape, spin and ratio of masses collide. Prints the largest energy of a pair as a percentage of
+// its energy before.
 static void pairs(Validation* v, double friction)
 {
 	int runs = v->quick ? 300 : 3000;
@@ -152,9 +154,9 @@ static void pairs(Validation* v, double friction)
 
 typedef struct
 {
-	double x, y, spin; // kg m/s, kg m^2/s about the origin
-	double size;       // sum of m |v|
-	double energy;     // J
+	double x, y, spin; // linear: kg m/s; angular about the origin: kg m^2/s
+	double size;       // kg m/s: sum of m |v|
+	double energy;     // J: kinetic energy
 } Momentum;
 
 static Momentum momentum_of(Lab* lab)
@@ -176,8 +178,9 @@ static Momentum momentum_of(Lab* lab)
 	return sum;
 }
 
-// Mixed bodies move from all sides to the middle and turn around it; every second one has the restitution. Within a step the
-// points of contacts stay while bodies move. So angular momentum drifts less with shorter steps.
+// Opens a lab in which mixed bodies move to the middle from all sides and turn around it. Every second body has the
+// given restitution. Contact points stay in place within a step while bodies move, so angular momentum drifts less with
+// shorter steps.
 static Lab* rush_of(Validation* v, int across, double rush, double restitution, int rate, uint64_t seed)
 {
 	LabDef def = lab_def();
@@ -200,8 +203,8 @@ static Lab* rush_of(Validation* v, int across, double rush, double restitution, 
 	return lab;
 }
 
-// The drift of momentum is random. Of several pile-ups the limits are on the mean drift of angular momentum and on the largest of
-// the other values.
+// Prints the results of several random pile-ups: the mean drift of angular momentum, and the largest values of all
+// else.
 static void pile_up(Validation* v, int across, double rush, double restitution, int rate, double drift)
 {
 	begin(v, "pile-up of %d at up to %.0f m/s of restitution %g at %d Hz", across * across, rush * 0.8 * across,

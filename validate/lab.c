@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lab.c -- the world of an experiment.
+// lab.c -- creates the lab of an experiment, which is a world in an engine, takes steps and reads the state.
 #include "lab.h"
 #include "experiment_support.h"
 #include <math.h>
@@ -25,7 +25,7 @@ Lab* lab_open(Validation* v, const LabDef* def)
 	return lab;
 }
 
-// Creates the bodies and joints that were added since the last step. False if the validation has failed.
+// Creates the bodies and joints that were added since the last step. Returns false if the validation has failed.
 static bool ready(Lab* lab)
 {
 	Validation* v = lab->validation;
@@ -51,7 +51,7 @@ uint64_t lab_case_hash(Validation* v)
 {
 	if (!v->lab)
 		return v->hash;
-	return v->hash * 0x100000001b3u ^ lab_hash(v->lab); // for a single world this is the hash of that world
+	return v->hash * 0x100000001b3u ^ lab_hash(v->lab); // with a single lab in the case, this is the hash of its world
 }
 
 void lab_close(Lab* lab)
@@ -83,7 +83,7 @@ static void grow(Lab* lab)
 	lab->capacity = (int)capacity;
 }
 
-// Mass and inertia by the parallel axes theorem.
+// Returns mass, inertia and center of a body, by the parallel axes theorem; 0 unless the body is dynamic.
 static LabMass mass_of(const EngineBody* body)
 {
 	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
@@ -229,7 +229,7 @@ double lab_fastest(const Lab* lab, int* body)
 	for (int k = 0; k < lab->count; ++k)
 	{
 		double speed = lab->bodies[k].def.type == SCREE_BODY_DYNAMIC ? lab_speed(lab, k) : 0.0;
-		if (speed <= most) // false if speed is NaN
+		if (speed <= most) // false for NaN, which then counts as the fastest
 			continue;
 		most = speed;
 		if (body)

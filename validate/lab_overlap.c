@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lab_overlap.c -- measures how deep the bodies of a lab overlap, and how far its joints are open.
+// lab_overlap.c -- measures the overlaps of the bodies of a lab, and the gaps of its joints.
 #include "lab_overlap.h"
 #include "engine_scree.h"
 #include "experiment_support.h"
@@ -7,9 +7,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define MOMENT 1.0e-4f // s: too short for bodies to move
+#define MOMENT 1.0e-4f // s: time of a step in which bodies hardly move
 
-// The place of an anchor in the world. Poses are those of bodies, not of their centers.
+// Writes the position of an anchor in the world. lab->poses are those of the bodies' origins, not of their centers of
+// mass.
 static void anchor_of(const Lab* lab, int body, scree_vec anchor, double at[2])
 {
 	scree_pose pose = lab->poses[body];
@@ -42,7 +43,7 @@ double lab_overlap(Lab* lab, int* touches)
 	lab_read(lab);
 	if (lab->validation->broken)
 		return 0.0;
-	// the same bodies at their present poses
+	// copies of the bodies at rest, at their present poses
 	EngineBody* still = require_memory(malloc(((size_t)lab->count + 1) * sizeof *still));
 	for (int k = 0; k < lab->count; ++k)
 	{

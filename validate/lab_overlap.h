@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// lab_overlap.h -- measures how deep the bodies of a lab overlap, and how far its joints are open.
+// lab_overlap.h -- measures the overlaps of the bodies of a lab, and the gaps of its joints.
 #ifndef LAB_OVERLAP_H
 #define LAB_OVERLAP_H
 #include "lab.h"
 
-// The deepest overlap of all bodies, m, and the number of others that each body overlaps (touches has a place for each, or is null). All
-// poses are copied into a new Scree world, at rest and without gravity, which takes one very short step. So the measurement is the same
-// for all engines and does not depend on earlier ones.
+// Returns the deepest overlap of all bodies, m. Writes to touches, unless it is null, the number of bodies that each
+// body overlaps. All bodies are copied at rest into a new Scree world without gravity, which takes one very short step.
+// So the measurement is the same for all engines and does not depend on earlier steps.
 double lab_overlap(Lab* lab, int* touches);
 
-// The largest distance between the two anchors of a joint, m, in the last state that lab_read has read.
+// Returns the largest distance between the two anchors of a joint, m, in the state that lab_read has read.
 double lab_gap(const Lab* lab);
 
 #endif

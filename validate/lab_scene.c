@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// lab_scene.c -- a scene file as a lab: built into a Scree world, and read back from there body by body.
+// lab_scene.c -- makes a lab from a scene file: builds the scene in a Scree world, and copies the bodies of that world
+// into the lab.
 #include "lab_scene.h"
 #include "experiment_support.h"
 #include "scene/find.h"

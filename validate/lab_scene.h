@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// lab_scene.h -- a scene file as a lab.
+// lab_scene.h -- makes a lab from a scene file.
 #ifndef LAB_SCENE_H
 #define LAB_SCENE_H
 #include "lab.h"
 #include "scene/scene.h"
 
-// Never returns null. Ends the validation if there is no such scene. The lab has the step and the substeps of the scene; setting
-// gives a parameter another value, or is null.
+// Opens a lab with the scene, its step and its substeps; never returns null. If the scene does not exist, the
+// validation ends. setting: another value for a parameter of the scene, or null.
 Lab* lab_scene(Validation* validation, const char* name, const SceneSetting* setting);
 
 #endif

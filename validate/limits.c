@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// limits.c -- finite bodies are not frozen, and no body exceeds the speed limit at the end of a step.
+// limits.c -- finite bodies are not frozen, and no body is faster than its limit at the end of a step.
 #include "props.h"
 #include <math.h>
 
-#define MAX_TURN 3.14159265 // rad a step, the fastest spin
+#define MAX_TURN 3.14159265 // rad per step: limit of the spin
 
 static Lab* open_with(Validation* v, double gravity, double max_speed)
 {
@@ -13,7 +13,7 @@ static Lab* open_with(Validation* v, double gravity, double max_speed)
 	return lab_open(v, &def);
 }
 
-// Chips of 4 x 2 cm fly at a wall.
+// Chips of 4 x 2 cm fly at a wall. Prints the number of frozen bodies.
 static void chips(Validation* v, double speed, int count)
 {
 	begin(v, "%d chips against a wall at %g m/s", count, speed);
@@ -31,7 +31,7 @@ static void chips(Validation* v, double speed, int count)
 	lab_close(lab);
 }
 
-// A rod spins in a heap of chips: a dynamic one with an initial spin, or a kinematic one, which keeps its spin.
+// A rod spins in a heap of chips. A dynamic rod has an initial spin; a kinematic rod keeps its spin.
 static void spinner(Validation* v, scree_body_type type, double spin, int runs)
 {
 	int frozen = 0, chips = 200;
@@ -67,11 +67,12 @@ static void spinner(Validation* v, scree_body_type type, double spin, int runs)
 
 typedef struct
 {
-	double speed, next, turn; // m/s, that of the fastest run and of the next one; rad a step
+	double speed, next, turn; // m/s: speeds of the fastest and the second fastest run; rad per step: fastest turn
 	int frozen, run;
 } Extremes;
 
-// Bodies of 0.1 to 1 m begin at rest, overlapping in a small place. Movers are kinematic and turn back every ten steps.
+// Bodies of 0.1 to 1 m begin at rest and overlap in a small place. Kinematic bars, the movers, turn back every ten
+// steps. Adds the results to extremes.
 static void burst(Validation* v, int count, double width, int movers, double max_speed, int run, Extremes* extremes)
 {
 	Lab* lab = open_with(v, 10.0, max_speed);
@@ -112,8 +113,9 @@ static void burst(Validation* v, int count, double width, int movers, double max
 	lab_close(lab);
 }
 
-// Chance decides how fast bars that move shoot something out of a jumble: in 100 runs the median is 37 m/s, the 95th 51 to 53 and the
-// fastest 70 to 104, with versions that differ by a rounding. So all runs but one have the limit of 100 m/s, and the fastest has 200.
+// Moving bars shoot bodies out of the heap at random speeds. Of 100 runs the median is 37 m/s, the 95th is 51 to 53 and
+// the fastest 70 to 104; the ranges come from versions that differ by a rounding. So the limit is 100 m/s for all runs
+// but one, and 200 m/s for the fastest.
 static void bursts(Validation* v, int count, double width, int movers, double max_speed, int runs)
 {
 	Extremes extremes = {0};
@@ -130,8 +132,8 @@ static void bursts(Validation* v, int count, double width, int movers, double ma
 	row(v, "bodies frozen", extremes.frozen, "", AT_MOST, 0.0);
 }
 
-// Equal bodies of 1 m begin in a small square, without gravity. Each pair parts at 3 m/s at most, contact_push_speed, and from the middle
-// to the side of the disk that 500 fill there are 11 pairs. They leave each other.
+// Equal bodies of 1 m begin in a small square, without gravity, and push each other apart. Each pair separates at
+// contact_push_speed, 3 m/s, or slower. 500 bodies fill a disk with 11 pairs between its middle and its edge.
 static void crowd(Validation* v, int count, bool boxes, double width)
 {
 	begin(v, "%d %s on %g x %g m without gravity", count, boxes ? "boxes" : "circles", width, width);

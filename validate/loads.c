@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// loads.c -- light bodies under heavy ones, and bodies that are pressed together, come to rest with any number of substeps and stiffness.
+// loads.c -- light bodies under heavy bodies, and bodies that are pressed together, come to rest with any number of
+// substeps and any stiffness.
 #include "props.h"
 #include <math.h>
 #include <stdarg.h>
@@ -9,13 +10,13 @@
 typedef struct
 {
 	int substeps;
-	double hertz; // stiffness of contacts; 0 is the engine's own
+	double hertz; // Hz: stiffness of contacts; 0: the default of the engine
 } Setting;
 
 static const Setting settings[] = {{4, 0.0},  {1, 0.0},  {2, 0.0},   {8, 0.0},
                                    {12, 0.0}, {4, 30.0}, {4, 240.0}, {12, 240.0}};
 
-// Begins a case with its setting, and opens its lab.
+// Begins a case whose name includes the setting. Returns its lab.
 __attribute__((format(printf, 4, 5))) static Lab* open_case(Validation* v, const Setting* setting, double gravity,
                                                             const char* format, ...)
 {
@@ -35,7 +36,7 @@ __attribute__((format(printf, 4, 5))) static Lab* open_case(Validation* v, const
 	return lab_open(v, &def);
 }
 
-// m/s: the fastest body in the last second.
+// Takes SECONDS of steps. Returns the speed of the fastest body in the last second, m/s.
 static double settle(Lab* lab)
 {
 	double fastest = 0.0;
@@ -45,14 +46,15 @@ static double settle(Lab* lab)
 		lab_step(lab, 1);
 		lab_read(lab);
 		double speed = lab_fastest(lab, NULL);
-		// a failed engine has no motion
+		// true also for NaN
 		if (!(speed <= fastest))
 			fastest = speed;
 	}
 	return fastest;
 }
 
-// A pyramid of nine rows, ten boxes wide, on whose top a box falls from 2 m. ratio: its mass by that of another box.
+// A box falls from 2 m on a pyramid of nine rows, which is ten boxes wide. ratio: mass of this box divided by that of
+// another.
 static void pyramid(Validation* v, double ratio, const Setting* setting)
 {
 	Lab* lab = open_case(v, setting, 10.0, "pyramid of nine rows under a box of %g times the mass", ratio);
@@ -65,14 +67,14 @@ static void pyramid(Validation* v, double ratio, const Setting* setting)
 			last = lab_put(lab, SCREE_BODY_DYNAMIC, width > 1 ? &box : &heavy, (float)(2 * k - width),
 			               (float)(1 + 2 * row + (width > 1 ? 0 : 2)), 0.0f);
 	double fastest = settle(lab);
-	// with one substep 300 times the mass breaks through, as in Box2D
+	// with one substep a box of 300 times the mass breaks through, as in Box2D
 	bool holds = ratio <= 100.0 || setting->substeps > 1;
 	row(v, "sank", 19.0 - (double)lab->poses[last].position.y, "m", holds ? AT_MOST : SHOWN, 1.0);
 	row(v, "fastest in the last second", fastest, "m/s", AT_MOST, 0.01);
 	lab_close(lab);
 }
 
-// A cart of a heavy box on two wheels of 1.6 kg each, at rest on the floor.
+// A cart stands on the floor: a heavy box on two wheels of 1.6 kg each.
 static void cart(Validation* v, double mass, const Setting* setting)
 {
 	Lab* lab = open_case(v, setting, 10.0, "cart of %g kg on wheels of 1.6 kg", mass);
@@ -94,8 +96,9 @@ static void cart(Validation* v, double mass, const Setting* setting)
 	lab_close(lab);
 }
 
-// After Erin Catto, Box2D v3, sample Cart: a cart of 1,000 kg falls 1.85 m on wheels of 10 cm, its gravity 22 m/s^2. An impact drives
-// joints and contacts apart; their correction must not throw it up again.
+// A cart of 1,000 kg falls 1.75 m on wheels with a radius of 10 cm, at a gravity of 22 m/s^2 (after the sample Cart of
+// Erin Catto's Box2D v3). The impact drives joints and contacts apart; their correction must not throw the cart up
+// again.
 static void falling_cart(Validation* v, const Setting* setting)
 {
 	Lab* lab = open_case(v, setting, 22.0, "cart of 1000 kg that falls on wheels of 1.6 kg");
@@ -127,7 +130,7 @@ static void falling_cart(Validation* v, const Setting* setting)
 	lab_close(lab);
 }
 
-// 625 disks of 1 m, 491 m^2, in a room without gravity that is too small for them.
+// 625 disks of 1 m, with an area of 491 m^2, are pressed together in a smaller room without gravity.
 static void press(Validation* v, double half, const Setting* setting)
 {
 	Lab* lab = open_case(v, setting, 0.0, "625 disks of 1 m in a room of %g m", 2.0 * half);

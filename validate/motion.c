@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// motion.c -- motions with known solutions: free flight and spin, friction on a slope, rolling, dominoes.
+// motion.c -- checks motions with known solutions: free flight and spin, friction on a slope, rolling, dominoes.
 #include "props.h"
 #include <math.h>
 
 #define GRAVITY 10.0
 
-// Rods and triangles spin freely for a minute.
+// Rods and triangles fly and spin freely for a minute.
 static void free_flight(Validation* v)
 {
 	begin(v, "free spin for a minute");
@@ -37,7 +37,7 @@ static void free_flight(Validation* v)
 	lab_close(lab);
 }
 
-// At 1 mm/s a step is less than the rounding of a coordinate at 1 km.
+// A box moves at 1 mm/s, 1 km from the origin: its motion in a step is less than the rounding of its coordinates.
 static void drift(Validation* v)
 {
 	begin(v, "drifts for a minute at 1 mm/s, 1 km from the origin");
@@ -53,7 +53,7 @@ static void drift(Validation* v)
 	lab_close(lab);
 }
 
-// Puts a body on a slope, which is a floor rotated by the angle.
+// Opens a lab with a body on a slope, which is a floor rotated by the angle.
 static Lab* on_slope(Validation* v, scree_attribute_def surface, double half, double friction, double angle)
 {
 	LabDef def = lab_def();
@@ -66,7 +66,7 @@ static Lab* on_slope(Validation* v, scree_attribute_def surface, double half, do
 	return lab;
 }
 
-// The distance that the second body moved down the slope, m.
+// Returns the distance that the body moved down the slope, m.
 static double went(Lab* lab)
 {
 	lab_read(lab);
@@ -100,7 +100,7 @@ static void slope(Validation* v)
 	}
 }
 
-// A disk that rolls has two thirds of the acceleration of one that slides without friction.
+// A rolling disk has two thirds of the acceleration of a disk that slides without friction.
 static void rolling(Validation* v)
 {
 	begin(v, "disk rolls down 20 degrees");

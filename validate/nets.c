@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// nets.c -- square nets of hinged circles hang by the middle of their upper side, where all of the weight is held.
+// nets.c -- square nets of hinged circles hang by the middle of their upper side, which carries the whole weight.
 #include "props.h"
 #include <math.h>
 
-#define HELD 3 // columns on either side of the middle one that are held
+#define HELD 3 // number of static columns on each side of the middle column
 
-// The joints of Box2D's benchmark joint_grid, with size circles a side. In Box2D v3 the widest gap is 108, 229 and 620 mm with 40, 60 and 100.
+// Hangs a net of size x size circles with the joints of Box2D's benchmark joint_grid. In Box2D v3 the widest gap is
+// 108, 229 and 620 mm for sizes 40, 60 and 100.
 static void hang(Validation* v, int size, int steps, double most)
 {
 	begin(v, "net of %d x %d, held at %d", size, size, 2 * HELD + 1);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// overlaps.c -- the six scenes of the benchmarks: how deep bodies overlap, and how far stacks sink.
+// overlaps.c -- measures the depth of overlaps and the sinking of stacks in the six scenes of the benchmarks.
 //
-// No mean may exceed 0.8 of Box2D's (617d32a, sleep off): pyramid 21.3 mm, pyramids 1.93, pile 109, tumbler 89.0, smash 86.6, washer
-// 59.7, 7 piles 119, 7 drums 86.8. Where bodies hardly move, the limits are the results of this version and a margin of 1/20. No body
-// of smash may be deeper than with Box2D, which is better there than elsewhere.
+// The limit of a mean is at most 0.8 of Box2D's mean (617d32a, sleep off): pyramid 21.3 mm, pyramids 1.93, pile 109,
+// tumbler 89.0, smash 86.6, washer 59.7, 7 piles 119, 7 drums 86.8. In scenes whose bodies hardly move, the limit is
+// the result of this version and a margin of 1/20. In smash Box2D does better than in other scenes; there the limit of
+// the deepest overlap is Box2D's result.
 #include "lab_scene.h"
 #include "validate.h"
 #include <math.h>
@@ -14,9 +15,10 @@
 typedef struct
 {
 	const char* name;
-	int every;            // steps between measurements, each of which costs as much as some steps
-	double deepest, mean; // limits, mm: deepest of all measurements (0: none), mean of the deepest of each
-	double sank;          // limit, mm, of the body that sank most; 0: no stack
+	int every; // steps between measurements; a measurement takes as long as some steps
+	// limits, mm: deepest overlap of all measurements (0: no limit), mean of the deepest overlaps of each measurement
+	double deepest, mean;
+	double sank; // limit, mm: sinking of the body that sank the most; 0: the scene has no stack
 } Known;
 
 static const Known scenes[] = {
@@ -24,10 +26,10 @@ static const Known scenes[] = {
     {"tumbler", 1, 160.0, 71.2, 0.0},  {"smash", 1, 191.0, 69.3, 0.0},     {"washer", 1, 145.0, 47.7, 0.0},
 };
 
-typedef struct // overlaps of the measurements of a run, m
+typedef struct // deepest overlap and mean of the deepest overlaps of a run, m
 {
 	double deepest, mean;
-	int step; // step of the deepest
+	int step; // step of the deepest overlap
 } Depths;
 
 static Depths depths_of(Lab* lab, int steps, int every)
@@ -64,14 +66,14 @@ static void watch(Validation* v, const Known* known, int steps)
 	lab_close(lab);
 }
 
-// A single run is random: one body more or less changes the deepest overlap of a pile from 0.14 to 0.26 m, and the mean of a drum
-// from 50 to 65 mm. So these scenes run several times, with a parameter that differs a little.
+// A scene that runs several times, with a parameter that differs a little. The result of a single run is random: one
+// body more or less changes the deepest overlap of a pile from 0.14 to 0.26 m, and the mean of a drum from 50 to 65 mm.
 typedef struct
 {
 	const char *name, *scene, *parameter;
-	int first, apart;     // the parameter in the first run, and its increase from run to run
+	int first, apart;     // value of the parameter in the first run, and its increase from run to run
 	int steps;            // steps of a run
-	double deepest, mean; // limits, mm, of the medians of the runs
+	double deepest, mean; // limits, mm: medians of the deepest overlap and of the mean over all runs
 } Several;
 
 static const Several repeated[] = {

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// platforms.c -- rings of one-way platforms hold what is stirred in them, however hard, as plain ones do.
+// platforms.c -- one-way platforms in a ring hold the bodies that are stirred in it, as solid platforms do.
 //
-// A bar turns in a ring of 10 m and drives what lies in it over the seams. Engines that have no one-way platforms have plain ones.
+// A bar turns in a ring with a radius of 10 m and drives bodies over the seams of the platforms. In engines without
+// one-way platforms they are solid.
 #include "props.h"
 #include <math.h>
 
-#define RADIUS  10.0 // m
-#define THICK   0.3  // m, of platforms that are no segments
+#define RADIUS  10.0 // m: radius of the ring
+#define THICK   0.3  // m: thickness of platforms that are boxes
 #define STIRRED 300
 
 typedef struct
 {
 	const char* name;
-	bool thick, apart, moves; // boxes; a body each; the ring is kinematic
+	bool thick, apart, moves; // platforms are boxes, not segments; each has its own body; the ring is kinematic
 	int sides;
-	double spin, sways; // rad/s; how much it sways with the bar in it
+	double spin, sways; // rad/s of the bar; factor for the swaying velocity of ring and bar
 } Ring;
 
 static const Ring rings[] = {
@@ -38,7 +39,7 @@ static scree_vec on_circle(double radius, double angle)
 	return (scree_vec){(float)(radius * cos(angle)), (float)(radius * sin(angle))};
 }
 
-// The part of a ring from one angle to another, solid from inside.
+// Returns the platform of a ring from one angle to another. It is solid from inside.
 static EnginePart part_of(const Ring* ring, double from, double to)
 {
 	scree_vec corners[4] = {on_circle(RADIUS, from), on_circle(RADIUS, to), on_circle(RADIUS + THICK, to),

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// presses.c -- the depth to which a kinematic body presses another into a static one, and the speed at which that leaves.
+// presses.c -- measures the depth to which a kinematic body presses others into a static body, and the speed at which
+// they leave.
 //
-// A press comes from the left to a wall whose face is at x = 0, in a world without gravity, and stops before the wall or within it.
+// The world has no gravity. A press moves from the left towards a wall, whose face is at x = 0. The distance at which
+// it stops is smaller than the bodies between press and wall.
 #include "props.h"
 #include <math.h>
 
@@ -15,7 +17,7 @@ typedef enum
 static const char* const kinds[KINDS] = {"box", "ball", "capsule"};
 static const char* const rows[KINDS] = {"boxes", "balls", "capsules"};
 
-typedef enum // first body that touches
+typedef enum // body that touches the pressed bodies first
 {
 	BOTH,
 	PRESS,
@@ -24,13 +26,13 @@ typedef enum // first body that touches
 } Order;
 static const char* const orders[ORDERS] = {"both at once", "the press first", "the wall first"};
 
-#define DEPTH 0.02 // m: the most by which something static is overlapped, with presses of up to 1 m/s
-#define FAST  0.1  // m: with faster ones, which are deep before it is known that they press
+#define DEPTH 0.02 // m: limit of the depth in static bodies, for presses of up to 1 m/s
+#define FAST  0.1  // m: limit for faster presses, where bodies get deep before it is certain that they are pressed
 
 typedef struct
 {
-	double depth; // m: into static bodies
-	double speed; // m/s: of dynamic bodies, after the press stopped
+	double depth; // m: largest depth in static bodies
+	double speed; // m/s: largest speed of a dynamic body after the press stopped
 } Result;
 
 static scree_attribute_def body_of(Kind kind)
@@ -45,7 +47,7 @@ static Lab* open_press(Validation* v)
 	return lab_open(v, &def);
 }
 
-// m: how far a body reaches along a direction, from the origin
+// Returns the largest coordinate of a body along the direction (x, y), m.
 static double reach(Lab* lab, int body, double x, double y)
 {
 	const scree_shape* shape = &lab->bodies[body].parts[0].surface.shape;
@@ -61,7 +63,8 @@ static double reach(Lab* lab, int body, double x, double y)
 	return most + (double)shape->radius;
 }
 
-// Moves the press by a velocity until its front, at first at x, is at end; then waits for two seconds.
+// Moves the press to the right until its front, which begins at x, is at `end`. Then waits for two seconds. Updates
+// *result.
 static void press(Lab* lab, int presser, int first, int count, double x, double end, double speed, Result* result)
 {
 	for (int wait = 0; wait < 120 && !lab->validation->broken; wait += x >= end)
@@ -85,7 +88,7 @@ static void press(Lab* lab, int presser, int first, int count, double x, double 
 	}
 }
 
-// Bodies in a row between press and wall, of any density, with any order of contacts.
+// A row of bodies is pressed against the wall. Prints the worst results of several densities and orders of contact.
 static void row_of(Validation* v, Kind kind, int count, double speed, int runs)
 {
 	begin(v, "%d %s pressed at %g m/s", count, count > 1 ? rows[kind] : kinds[kind], speed);
@@ -114,8 +117,8 @@ static void row_of(Validation* v, Kind kind, int count, double speed, int runs)
 	row(v, "fastest afterwards", worst.speed, "m/s", AT_MOST, (count > 1 ? 1.5 : 1.05) * speed);
 }
 
-// Bodies in a row that buckles, between a wall and a press that is taken away all at once. Where a row folds, what is between two moves
-// faster than the press comes: rigid bodies that are pressed at an angle leave by one over its tangent.
+// A row of bodies buckles between wall and press; then the press is removed at once. In a buckled row a body that is
+// pressed at an angle moves faster than the press, by a factor of one over the tangent of the angle.
 static void buckle(Validation* v, Kind kind, int count, double speed)
 {
 	begin(v, "%d %s in a row that buckles, pressed at %g m/s", count, rows[kind], speed);
@@ -139,7 +142,7 @@ static void buckle(Validation* v, Kind kind, int count, double speed)
 	row(v, "fastest afterwards", worst.speed, "m/s", AT_MOST, 4.0 * speed);
 }
 
-// A corner of two walls, into which a slanting press pushes a body.
+// A slanting press pushes a body into a corner of two walls.
 static void corner(Validation* v, Kind kind, double speed)
 {
 	begin(v, "%s pressed into a corner at %g m/s", kinds[kind], speed);
@@ -164,8 +167,8 @@ static void corner(Validation* v, Kind kind, double speed)
 	lab_close(lab);
 }
 
-// A long plate with crates side by side between press and wall: a hub, whose contacts with the static and the kinematic one are solved
-// with all others.
+// A press pushes a row of crates against a long plate, which lies on the wall. The plate is a hub, so all its contacts
+// are solved together.
 static void plate(Validation* v, int crates, double speed)
 {
 	begin(v, "plate of %d crates pressed at %g m/s", crates, speed);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// props.c -- surfaces and arrangements that several experiments use.
+// props.c -- makes surfaces and arrangements of bodies for several experiments.
 #include "props.h"
 #include <math.h>
 
-// If the shape is invalid, the surface has an empty one, which engines refuse with a sentence.
+// Returns a surface with this shape. If the shape is invalid, the surface has an empty shape, which engines refuse with
+// a message.
 static scree_attribute_def surface_of(scree_status status, const scree_shape* shape)
 {
 	scree_attribute_def def = scree_attribute_def_default();

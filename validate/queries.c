@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// queries.c -- answers of queries, among shapes of all kinds and sizes, are those of brute force in double precision.
+// queries.c -- compares the results of queries, for shapes of all kinds and sizes, with brute force in double
+// precision.
 #include "experiment_support.h"
 #include "scenery.h"
 #include "shape_difference.h"
@@ -7,11 +8,11 @@
 #include <math.h>
 #include <string.h>
 
-#define BATCH 100  // queries of a call
-#define CALLS 5    // in a world
-#define SLACK 2e-5 // m, and as a share of the reach of both shapes: what is nearer to a surface may be on either side
+#define BATCH 100  // number of queries in a call
+#define CALLS 5    // number of calls for a world
+#define SLACK 2e-5 // m: tolerance of distances; it is larger for shapes whose reaches exceed 10 m in sum
 
-typedef struct // the queries of a call; a ray is a probe with a circle
+typedef struct // the queries of a call; rays are stored as probes with a circle as shape
 {
 	scree_shape shape;
 	scree_probe probes[BATCH];
@@ -21,7 +22,7 @@ typedef struct // the queries of a call; a ray is a probe with a circle
 typedef struct
 {
 	int asked, wrong;
-	char first[96]; // the first wrong answer
+	char first[96]; // text about the first wrong result
 } Count;
 
 static void wrong(Count* count, const char* what, const Scenery* s, int k, const Asked* asked, double by)
@@ -44,7 +45,7 @@ static const scree_query_result* find(const scree_query_result* found, int count
 	return NULL;
 }
 
-// The distance of a shape from a point, which is rounded to floats far away.
+// Returns the distance of a shape from a point. Far from the origin the point is rounded to floats.
 static double from_surface(const Scenery* s, int k, scree_vec point)
 {
 	scree_shape dot = {.count = 1};
@@ -52,7 +53,8 @@ static double from_surface(const Scenery* s, int k, scree_vec point)
 	return difference_distance(&d, 0.0, 0.0);
 }
 
-// One shape of the scenery, which a query found or did not find.
+// Checks the result of a query for one shape of the scenery. found is null if the query did not find the shape. Counts
+// a wrong result.
 static void check_cast(const Scenery* s, const Asked* asked, const scree_probe* probe, int k,
                        const scree_query_result* found, Count* count)
 {
@@ -179,7 +181,8 @@ static void ask_nearest(const Scenery* s, const Asked* asked, Count* count)
 	}
 }
 
-// Shapes of kind, or of any kind if kind is SCENERY_KINDS.
+// Checks many random queries in random sceneries, and prints the number of wrong results. kind: shape of the probes;
+// SCENERY_KINDS: all kinds. put: makes and checks the queries of a call.
 static void ask(Validation* v, const char* name, int kind, bool rays, double place,
                 void (*put)(const Scenery* s, const Asked* asked, Count* count))
 {

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// rains.c -- ragdolls that fall 40 m onto floors, many a second: how far their joints open when they land on each other.
+// rains.c -- ragdolls fall 40 m onto floors, many per second: measures the gaps of their joints when they land on each
+// other.
 #include "bones.h"
 #include "experiment_support.h"
 #include "props.h"
 #include <math.h>
 #include <stdlib.h>
 
-#define ROW_HEIGHT 45.0 // m
-#define DROP       40.0 // m above a floor
-#define GROUP      5    // ragdolls of a column
-#define EVERY      8    // steps from column to column
-#define COLUMN     6.25 // m
-#define TILE       0.5  // m
-#define LANDING    171  // steps of a fall of 40 m
+#define ROW_HEIGHT 45.0 // m: distance between floors
+#define DROP       40.0 // m: height above a floor from which ragdolls fall
+#define GROUP      5    // ragdolls in a column on each floor
+#define EVERY      8    // number of steps between columns
+#define COLUMN     6.25 // m: distance between columns
+#define TILE       0.5  // m: size of a tile of a floor
+#define LANDING    171  // number of steps that a fall of 40 m takes
 
 static void add_ragdoll(Lab* lab, scree_vec feet, int group)
 {
@@ -46,9 +47,10 @@ static void add_tiles(Lab* lab, double span, double height)
 	free(parts);
 }
 
-// The rain of Box2D's benchmarks, in which ragdolls do not leave: columns of them on each of the rows of floors. From one height all
-// ragdolls land in the same part of a step. In Box2D then all land alike; here colors differ from ragdoll to ragdoll, so the widest of 25 that land is
-// of 25 different ones. So in another rain heights vary by up to spread, about the way of a step.
+// Simulates the rain of Box2D's benchmarks, without removing ragdolls: columns of ragdolls fall onto each of several
+// floors. If all fall from the same height, 25 ragdolls land in the same part of a step. In Box2D all 25 land alike.
+// Here the constraints of ragdolls have different colors, so the widest gap is that of 25 different landings. Another
+// rain therefore has random heights: spread, m, is about the motion in a step.
 static void rain(Validation* v, int columns, int rows, double spread)
 {
 	begin(v, "%d ragdolls that fall onto %d floors from %s", columns * rows * GROUP, rows,

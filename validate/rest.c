@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// rest.c -- bodies at rest stay at rest: circles on a floor, capsules, rounded boxes, heaps of mixed bodies.
+// rest.c -- checks that bodies at rest stay in place: circles on a floor, capsules, rounded boxes, heaps of mixed
+// bodies.
 #include "props.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#define ENERGY 1.0e-6 // J a body, at most
-#define SPEED  1.0    // mm/s, the fastest
-#define CREEP  1.0    // mm in a minute
+#define ENERGY 1.0e-6 // J: limit of the mean kinetic energy of a body
+#define SPEED  1.0    // mm/s: limit for the fastest body
+#define CREEP  1.0    // mm per minute: limit of creep
 
 #define SIZES  7
 #define STARTS 8
 
-// the largest values of all bodies so far
+// largest values of all bodies so far
 typedef struct
 {
-	double moved, speed; // mm, mm/s
+	double moved, speed; // mm; mm/s
 	int start, body;
 } Worst;
 
@@ -30,7 +31,7 @@ static scree_attribute_def shape_of(int kind, float size)
 	                   : box_of((double)size, (double)size);
 }
 
-// Lets bodies of one kind and seven sizes lie side by side, from one start position.
+// Seven bodies of one kind and different sizes lie side by side on a floor, from one start position on. Updates *worst.
 static void lie(Validation* v, int kind, int start, int steps, Worst* worst)
 {
 	LabDef def = lab_def();
@@ -75,7 +76,7 @@ static void single(Validation* v, const char* name, int kind)
 
 typedef struct
 {
-	double energy, speed; // J a body, m/s: largest values within a second
+	double energy, speed; // largest values in a second: J, mean kinetic energy of a body; m/s, fastest body
 	int fastest;
 } Calm;
 
@@ -107,7 +108,7 @@ static void point_at(const Lab* lab, int body)
 	      (double)lab->poses[body].position.x, (double)lab->poses[body].position.y);
 }
 
-// The distance that a disk rolled by its turn between two poses, m; 0 for other shapes.
+// Returns the distance that a disk rolled by its rotation between two poses, m; 0 for other shapes.
 static double rolled(const scree_shape* shape, scree_pose from, scree_pose to)
 {
 	if (shape->kind != SCREE_SHAPE_CIRCLE)
@@ -117,8 +118,8 @@ static double rolled(const scree_shape* shape, scree_pose from, scree_pose to)
 	return (double)shape->radius * fabs(atan2(sine, cosine));
 }
 
-// Prints the largest distance that a body crept, mm a minute. Bodies that moved more than a quarter of their size are left out. A disk that
-// touches one body alone has nothing that holds it: its roll goes on, and is no creep.
+// Prints the largest distance that a body crept, mm per minute. Bodies that moved by more than a quarter of their size
+// are left out. A disk that touches only one body can roll freely, so the distance that it rolled is subtracted.
 static void creep(Validation* v, Lab* lab, int first, int steps)
 {
 	scree_pose* before = require_memory(malloc((size_t)lab->count * sizeof *before));
@@ -146,7 +147,8 @@ static void creep(Validation* v, Lab* lab, int first, int steps)
 	row(v, "creep a minute", 1e3 * most * 3600.0 / steps, "mm", AT_MOST, CREEP);
 }
 
-// Prints energy and the fastest body in the second before step until, and creep in the steps after it.
+// Prints energy and fastest body in the second before the step `until`. Then takes `behind` steps, and prints the creep
+// in these steps and the deepest overlap.
 static void print_heap(Validation* v, Lab* lab, int first, const char* name, int until, int behind)
 {
 	begin(v, "heap of %d %s after %d steps", lab->count - first, name, until);

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// ropes.c -- ropes with heavy ends lie on pegs: they stay on them, hold together, and come to rest.
+// ropes.c -- ropes with heavy ends lie on pegs: they must stay on the pegs, hold together, and come to rest.
 #include "props.h"
 #include <math.h>
 
-#define LINK    0.25  // m, from joint to joint
-#define THICK   0.025 // m, half
-#define LOAD    0.25  // m, half of the box at each end
-#define SIDE    2.5   // m, from the middle of the pegs to the ends of the rope
-#define SPACING 3.0   // m, between pegs
-#define MOST    200   // links
-#define DAMPING 0.5   // 1/s: what hangs is a pendulum, which swings on without
+#define LINK    0.25  // m: distance between joints
+#define THICK   0.025 // m: half the thickness of a link
+#define LOAD    0.25  // m: half the size of the box at each end
+#define SIDE    2.5   // m: distance of the rope's ends below the middle of the pegs
+#define SPACING 3.0   // m: distance between pegs
+#define MOST    200   // maximum number of links
+#define DAMPING 0.5   // 1/s: the free sides are pendulums, which would swing for long without damping
 
 typedef enum
 {
-	ROUND,   // circles of 1 m
-	BOXES,   // sides of 1.4 m
-	CORNERS, // the same, on a corner
+	ROUND,   // circles with a radius of 1 m
+	BOXES,   // boxes of 1.4 m x 1.4 m
+	CORNERS, // the same boxes, each standing on a corner
 } Pegs;
 
-typedef struct // corners of the line along which the rope lies
+typedef struct // corners of the line on which the rope lies
 {
 	scree_vec points[256];
 	int count;
@@ -38,7 +38,7 @@ static Line line_over(Pegs pegs, int count)
 		add_point(&line, half + wide * sin(pi * k / 180.0), wide * cos(pi * k / 180.0));
 	for (int side = -1; side <= 1 && pegs != ROUND; side += 2)
 	{
-		// around one corner, or over the upper one of two
+		// BOXES: the rope bends around the upper outer corner; CORNERS: around the outer corner and the upper corner
 		add_point(&line, side * (half + (pegs == BOXES || side < 0 ? wide : 0.0)),
 		          pegs == BOXES ? wide
 		          : side < 0    ? 0.0
@@ -50,7 +50,7 @@ static Line line_over(Pegs pegs, int count)
 	return line;
 }
 
-// Places at equal distances along the line.
+// Writes places at equal distances along a line. Returns the number of places.
 static int places_along(const Line* line, scree_vec* places)
 {
 	int count = 1;
@@ -88,7 +88,8 @@ static int add_link(Lab* lab, const scree_attribute_def* surface, double x, doub
 	return body;
 }
 
-// Adds the rope along places, with a box at each end; load is the mass of a box in links. Returns its first body.
+// Adds a rope along places, with a box at each end. load: mass of a box divided by that of a link. Returns the first
+// body.
 static int add_rope(Lab* lab, const scree_vec* places, int count, double load)
 {
 	scree_attribute_def link = box_of(0.5 * LINK, THICK), end = box_of(LOAD, LOAD);
@@ -112,14 +113,14 @@ static int add_rope(Lab* lab, const scree_vec* places, int count, double load)
 	return first;
 }
 
-// mm: the widest gap in Box2D v3 over 1 to 4 pegs is at least that much, with ends of up to 5, 20 and 100 links
+// Returns the widest gap in Box2D v3, mm, for a box of up to 5, 20 or 100 links: the smallest result with 1 to 4 pegs.
 static double gap_of_box2d(Pegs pegs, double load)
 {
 	static const double gaps[][3] = {{3.4, 6.9, 24.5}, {24.0, 24.0, 48.8}, {13.9, 13.9, 41.9}};
 	return gaps[pegs][load <= 5.0 ? 0 : load <= 20.0 ? 1 : 2];
 }
 
-// Hangs a rope over pegs for 10 s: the free sides swing for some seconds, as pendulums do.
+// Hangs a rope over pegs for 10 s. Its free sides swing for some seconds.
 static void hang(Validation* v, Pegs pegs, int count, double load)
 {
 	static const char* const names[] = {"round pegs", "boxes", "corners of boxes"};

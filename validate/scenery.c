@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// scenery.c -- random shapes, thin and thick, large and small, and probes that meet, graze and miss them.
+// scenery.c -- makes a world of random shapes, thin and thick, large and small, and random probes that meet, graze or
+// miss them.
 #include "scenery.h"
 #include "engine_scree.h"
 #include "experiment_support.h"
 #include <math.h>
 #include <string.h>
 
-#define HALF 20.0 // m: of the width of the scenery
+#define HALF 20.0 // m: half the width of the scenery
 
 static float between(uint64_t* seed, double low, double high) { return (float)random_real(seed, low, high); }
 static bool often(uint64_t* seed, double share) { return random_real(seed, 0.0, 1.0) < share; }
@@ -106,7 +107,7 @@ scree_probe scenery_probe(const Scenery* s, uint64_t* seed, const scree_shape* s
 	bool near = often(seed, 0.3);
 	probe.pose.position.x = near ? at.position.x + 0.2f * start.x : (float)s->place + start.x;
 	probe.pose.position.y = near ? at.position.y + 0.2f * start.y : -(float)s->place + start.y;
-	if (often(seed, 0.4)) // edges that are parallel, or nearly so
+	if (often(seed, 0.4)) // edges of probe and shape are parallel, or nearly parallel
 	{
 		double turn = often(seed, 0.5) ? 0.0 : pow(10.0, random_real(seed, -7.0, -2.0));
 		probe.pose.rotation = scree_rot_make((float)((double)scree_rot_get_angle(at.rotation) + turn));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// scenery.h -- a world of random collidables without bodies, and random probes that aim at them.
+// scenery.h -- makes a world of random collidables without bodies, and random probes that aim at them.
 #ifndef SCENERY_H
 #define SCENERY_H
 #include "validate.h"
 
 #define SCENERY_SHAPES 24
-#define SCENERY_KINDS  5 // circles, capsules, segments, polygons, rounded polygons
+#define SCENERY_KINDS  5 // circles, capsules, segments, polygons and rounded polygons
 
 typedef struct
 {
@@ -14,32 +14,34 @@ typedef struct
 	scree_shape shapes[SCENERY_SHAPES];
 	scree_pose poses[SCENERY_SHAPES];
 	scree_collidable handles[SCENERY_SHAPES];
-	double place;    // m: x and -y of its middle
-	double rounding; // m: of a coordinate there
+	double place;    // m: the middle of the scenery is at (place, -place)
+	double rounding; // m: rounding error of a coordinate at this place
 } Scenery;
 
-// Whether the engine of a validation is Scree: the queries of another one have another interface.
+// Returns whether the engine of a validation is Scree. Queries of other engines have another interface.
 bool scenery_is_of(const Validation* v);
 
 Scenery scenery_open(Validation* v, uint64_t* seed, double place);
-Scenery scenery_empty(Validation* v, double place); // a world without collidables
+Scenery scenery_empty(Validation* v, double place); // opens a world without collidables
 void scenery_close(Scenery* s);
 
-// Prints the error of a call, and breaks the validation.
+// If a call failed, prints its error and ends the validation.
 void scenery_ok(const Scenery* s, scree_status status);
 
-// A shape of a kind, of 2 mm to 20 m, many of them thin.
+// Returns a random shape of a kind, of 2 mm to 20 m. Many shapes are thin.
 scree_shape scenery_shape(uint64_t* seed, int kind);
 
-scree_shape scenery_small(uint64_t* seed); // a shape of any kind, with all points at most 1 m from its origin
+// Returns a random shape of any kind; all its points are at most 1 m from its origin
+scree_shape scenery_small(uint64_t* seed);
 
-// A place in the scenery, with a translation to a random point of one of its shapes and beyond; edges are often parallel.
+// Returns a probe at a random pose in the scenery. Most translations pass through a random point of a shape of the
+// scenery. Edges of probe and shape are often parallel.
 scree_probe scenery_probe(const Scenery* s, uint64_t* seed, const scree_shape* shape);
 
-// Collidables without bodies are seen.
+// Returns a definition of queries that find collidables without bodies.
 scree_query_def scenery_query_def(void);
 
-// Whether a probe, whose shape has a reach, passes shape k at a distance. False when in doubt.
+// Returns true if a probe is certain to pass shape k at a distance. reach: that of the probe's shape.
 bool scenery_is_away(const Scenery* s, int k, float reach, const scree_probe* probe);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scree_world.c -- lists and definitions of the bodies of a Scree world, and the errors of Scree.
+// scree_world.c -- reads the bodies and joints of a Scree world, and prints the errors of Scree.
 #include "scree_world.h"
 #include <stdio.h>
 #include <stdlib.h>

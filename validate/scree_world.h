@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// scree_world.h -- lists and definitions of the bodies of a Scree world, and the errors of Scree.
+// scree_world.h -- reads the bodies and joints of a Scree world, and prints the errors of Scree.
 #ifndef SCREE_WORLD_H
 #define SCREE_WORLD_H
 #include "engine.h"
 
-// Lists the handles of all bodies, or joints; the caller frees them. Returns null after printing that memory is short.
+// These return the handles of all bodies or joints, and write their number. The caller frees the list. If memory is
+// short, the functions print a message and return null.
 scree_body* list_bodies(const scree_world* world, int* count);
 scree_joint* list_joints(const scree_world* world, int* count);
 
-// Reads a body as a definition, whose index is that of the handle. Local poses go into the shapes. Returns false after printing a
-// sentence. The caller frees body->parts, also then.
+// Reads the definition of a body; body->index is that of the handle. Shapes are transformed by the local poses of their
+// collidables. Returns false after printing a message. The caller frees body->parts, also after a failure.
 bool read_body(scree_world* world, scree_body handle, EngineBody* body);
 
-// Whether the status is SCREE_OK; if not, prints scree_error().
+// Returns whether the status is SCREE_OK. If it is not, prints scree_error().
 bool report_status(scree_status status);
 
 #endif

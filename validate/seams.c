@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// seams.c -- bodies that slide over flush tiles neither slow down nor jump; real ledges stop them, and stacks stand on seams.
+// seams.c -- bodies that slide over flush tiles neither slow down nor jump; real ledges stop them, and stacks stand on
+// seams.
 #include "props.h"
 #include <math.h>
 
 #define PHASES 16
-#define TRACKS (2 * PHASES) // each phase twice: settled first, or set down with its speed
-#define APART  8.0          // m between tracks, one above the other
-#define STEPS  120          // steps of sliding
-#define SETTLE 60           // steps before
+// two tracks for each phase: the body settles before it slides, or is set down with its speed
+#define TRACKS (2 * PHASES)
+#define APART  8.0 // m: vertical distance between tracks
+#define STEPS  120 // number of steps in which bodies slide
+#define SETTLE 60  // number of steps in which bodies settle
 
 typedef struct
 {
 	const char* name;
-	double half; // m: from its center to the floor
+	double half; // m: height of the center above the floor
 	scree_attribute_def (*make)(double half);
 } Slider;
 
@@ -28,13 +30,13 @@ static const Slider sliders[] = {
 };
 #define SLIDERS (int)(sizeof sliders / sizeof sliders[0])
 
-static const double speeds[] = {1.0, 10.0, 0.5, 2.0, 5.0, 20.0, 40.0, 60.0}; // m/s; quick takes the first two
-static const double tiles[] = {1.0, 0.25, 0.5, 2.0, 4.0};                    // m
+static const double speeds[] = {1.0, 10.0, 0.5, 2.0, 5.0, 20.0, 40.0, 60.0}; // m/s; with quick only the first two
+static const double tiles[] = {1.0, 0.25, 0.5, 2.0, 4.0};                    // m: widths of tiles
 
 typedef struct
 {
 	int runs, disturbed;
-	double lost, rise; // shares of the speed, m
+	double lost, rise; // largest share of the speed that was lost; m: largest rise
 	char lost_where[64], rise_where[64];
 } Slide;
 
@@ -54,12 +56,13 @@ static void watch(Lab* lab, const int* bodies, double half, double speed, double
 		}
 		slide->lost = fmax(slide->lost, lost);
 		slide->rise = fmax(slide->rise, rise);
-		// a body that falls through is disturbed, too
+		// a body that falls through the floor also counts as disturbed
 		bad[k] = bad[k] || !(lost < 0.01 && rise < 0.001 && rise > -0.02);
 	}
 }
 
-// Runs all phases and both starts at once, each on its own track. Each crosses at least one seam.
+// Slides a body over tiles on each track, for all phases and both starts at the same time. Each body crosses at least
+// one seam. Updates *slide.
 static void slide_over(Validation* v, const Slider* slider, double speed, double tile, Slide* slide)
 {
 	LabDef def = lab_def();
@@ -78,7 +81,7 @@ static void slide_over(Validation* v, const Slider* slider, double speed, double
 	for (int k = 0; k < TRACKS; ++k)
 	{
 		double x = -slider->half - reach * (k % PHASES + 0.37) / PHASES, y = APART * (k - TRACKS / 2) + slider->half;
-		if (k == PHASES) // the others are set down after the first have settled
+		if (k == PHASES) // the bodies that settle have settled; now the others are added
 			lab_step(lab, SETTLE);
 		bodies[k] = k < PHASES ? lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)x, (float)y, 0.0f)
 		                       : lab_throw(lab, &surface, (float)x, (float)y, 0.0f, velocity);
@@ -112,7 +115,7 @@ static void slide_all(Validation* v, const Slider* slider, int speed_count, int 
 	row(v, "most rise", 1e3 * slide.rise, "mm", AT_MOST, 1.0);
 }
 
-// A ledge up of 1/10 of the body's height stops it, unlike a seam. A ledge down does not slow it.
+// Unlike a seam, a ledge up of 1/10 of its height stops a body. A ledge down does not slow it.
 static void ledge(Validation* v, double height)
 {
 	LabDef def = lab_def();
@@ -138,7 +141,7 @@ static void ledge(Validation* v, double height)
 	lab_close(lab);
 }
 
-// A car of 1,000 kg on springs, whose wheels sink into the road by millimeters, drives over segments of 10 m.
+// A car of 1,000 kg on springs drives over segments of 10 m. Its wheels sink into the road by millimeters.
 static void drive(Validation* v, double hertz, double speed)
 {
 	LabDef def = lab_def();
@@ -180,7 +183,7 @@ static void drive(Validation* v, double hertz, double speed)
 	lab_close(lab);
 }
 
-// A pyramid of boxes stands across the seams of tiles for a minute, with friction.
+// A pyramid of boxes stands for a minute on tiles, across their seams, with friction.
 static void stack(Validation* v)
 {
 	LabDef def = lab_def();

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// sensors.c -- sensors of all shapes see what overlaps them at any time of a step, and nothing else.
+// sensors.c -- checks that sensors of all shapes report each body that overlaps them at any time of a step, and no
+// other.
 #include "experiment_support.h"
 #include "scenery.h"
 #include "shape_difference.h"
 #include <math.h>
 
 #define VISITORS 100
-#define SLACK    1e-4 // m: of a surface that is at rest
-#define DEPTH    1e-3 // m: shapes that overlap by less within the step alone have not met (docs/events.md)
+#define SLACK    1e-4 // m: tolerance of the distance from a surface at rest
+#define DEPTH    1e-3 // m: a visit within a step needs at least this overlap (docs/events.md)
 
 typedef struct
 {
@@ -43,7 +44,7 @@ static void make_visitors(const Scenery* s, uint64_t* seed, Visitors* all)
 	}
 }
 
-// The visit of a body in a list, or null.
+// Returns the visit of a body to a sensor in a list, or null.
 static const scree_visit* find(const scree_visit* visits, int count, scree_collidable sensor, scree_body body)
 {
 	for (int k = 0; k < count; ++k)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shape_difference.c -- the hull of all differences, by Andrew's monotone chain (Another efficient algorithm for convex hulls, 1979).
+// shape_difference.c -- computes the differences of two shapes. Their hull is found by Andrew's monotone chain (Another
+// efficient algorithm for convex hulls, 1979).
 #include "shape_difference.h"
 #include <math.h>
 #include <stdlib.h>
@@ -19,7 +20,7 @@ static int by_place(const void* a, const void* b)
 	return p->x != q->x ? (p->x > q->x) - (p->x < q->x) : (p->y > q->y) - (p->y < q->y);
 }
 
-// A corner of a shape, turned. Rotations are unit vectors up to rounding, which the exact answer has not.
+// Returns corner k of a turned shape. The rotation is divided by its length, which differs from 1 by rounding errors.
 static Point corner(const scree_shape* shape, scree_rot turn, int k)
 {
 	double c = (double)turn.c, s = (double)turn.s, length = hypot(c, s);
@@ -27,7 +28,7 @@ static Point corner(const scree_shape* shape, scree_rot turn, int k)
 	return (Point){(c * x - s * y) / length, (s * x + c * y) / length};
 }
 
-// Adds the lower half of the hull of sorted points; with step -1 the upper half.
+// Adds the lower half of the hull of sorted points or, with step -1, the upper half. Returns the number of corners.
 static int add_half(Difference* d, int count, const Point* points, int total, int step)
 {
 	int begin = count;
@@ -45,7 +46,7 @@ static int add_half(Difference* d, int count, const Point* points, int total, in
 		d->y[count] = p.y;
 		++count;
 	}
-	return count - 1; // the last point begins the other half
+	return count - 1; // the last point is also the first of the other half
 }
 
 Difference difference_of(const scree_shape* a, scree_pose at_a, const scree_shape* b, scree_pose at_b)
@@ -86,7 +87,7 @@ double difference_distance(const Difference* d, double x, double y)
 
 double difference_least(const Difference* d, double x, double y, double share)
 {
-	double low = 0.0, high = share; // the distance is a convex function of the share
+	double low = 0.0, high = share; // works because the distance is a convex function of the share of the translation
 	for (int k = 0; k < 100; ++k)
 	{
 		double first = low + (high - low) / 3.0, second = high - (high - low) / 3.0;
@@ -101,13 +102,14 @@ double difference_least(const Difference* d, double x, double y, double share)
 
 typedef struct
 {
-	double share; // fraction of the path, 2 if there is no meeting
-	Point normal; // outward
+	double share; // share of the path; 2: no meeting
+	Point normal; // outward normal of the surface at the meeting
 } Entry;
 
 static const Entry never = {2.0, {0.0, 0.0}};
 
-// A path that begins outside of the circle around a corner.
+// Returns the entry of a path into a circle around a corner. The path begins outside of the circle. from: its start
+// relative to the center.
 static Entry enter_circle(Point from, Point path, double radius)
 {
 	double square = dot(path, path), closing = -dot(from, path) / square;
@@ -120,7 +122,8 @@ static Entry enter_circle(Point from, Point path, double radius)
 	return share >= 0.0 && share <= 1.0 ? (Entry){share, at} : never;
 }
 
-// A path and an edge that lies outward by a radius; outside is on its right.
+// Returns the entry of a path through an edge that is shifted outward by a radius. The outside is to the right of the
+// edge.
 static Entry enter_edge(Point from, Point path, Point edge, double radius)
 {
 	double length = sqrt(dot(edge, edge)), speed = cross(edge, path) / length, height = cross(edge, from) / length;
@@ -140,7 +143,7 @@ double difference_meeting(const Difference* d, double x, double y, double* margi
 	if (begin <= 0.0)
 		return 0.0;
 	Entry first = never;
-	double left = -INFINITY, right = -INFINITY; // distance of the surface on both sides of the path
+	double left = -INFINITY, right = -INFINITY; // m: distance to the end of the surface on each side of the path
 	for (int k = 0; k < d->count && length > 0.0; ++k)
 	{
 		Point a = corner_of(d, k), edge = minus(corner_of(d, k + 1), a), from = {d->at_x - a.x, d->at_y - a.y};
@@ -151,7 +154,8 @@ double difference_meeting(const Difference* d, double x, double y, double* margi
 		left = fmax(left, -cross(path, from) / length + d->radius);
 		right = fmax(right, cross(path, from) / length + d->radius);
 	}
-	double past = -(1.0 - first.share) * dot(first.normal, path); // depth of its end behind the surface where it enters
+	// m: depth of the path's end behind the surface that it enters
+	double past = -(1.0 - first.share) * dot(first.normal, path);
 	*margin = fmin(fmin(left, right), fmin(past, begin));
 	return first.share;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// picture_difference.c -- difference ONE.png OTHER.png: prints the difference of two pictures of equal size, 0 to 255
-// per channel.
+// picture_difference.c -- difference ONE.png OTHER.png: prints the difference of two pictures of equal size.
 //
-// Output: the mean over all channels, and the share of pixels with a channel that differs by more than 32.
+// Output: the mean difference of all channels, 0 to 255, and the share of pixels in which a channel differs by more
+// than 32.
 #include <cairo.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// scene_hash.c -- scene_hash SCENE STEPS DEVICE FORM: prints the hash of a scene like scree hash, with one form of the
-// solve.
+// scene_hash.c -- scene_hash SCENE STEPS DEVICE FORM: prints the hash of a scene as scree hash does, but with a given
+// form of the solve.
 #include "scene/find.h"
 #include "scene/load.h"
 #include "scene/player.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// api.mjs -- api.mjs FORM: checks the package: errors, objects, views after memory growth, every method, many worlds.
+// api.mjs -- api.mjs BUILD: checks the npm package in one build (scalar, simd): errors, objects, views of memory that
+// grows, every method, and many worlds.
 import assert from "node:assert/strict";
 import {Body, BodyType, FieldType, JointType, load, Report, Scree, ScreeError, Status, World} from "scree";
 
@@ -55,7 +56,7 @@ const other = scree.createWorld();
 assert.throws(() => other.bodies.destroy([b]), /must be a body of the same world/);
 other.destroy();
 
-// every method is made from the header, and returns a result or throws a sentence
+// calls every method, which are all made from the header: it returns a result or throws an error with a message
 let methods = 0;
 for (const target of [scree, world, ...["bodies", "joints", "collidables", "movers"].map((name) => world[name]), b, joint, field, path, b.getCollidables()[0], box(world)])
 	for (let type = Object.getPrototypeOf(target); type !== Object.prototype; type = Object.getPrototypeOf(type))
@@ -70,7 +71,7 @@ for (const target of [scree, world, ...["bodies", "joints", "collidables", "move
 		}
 assert.ok(methods > 190, `${methods} methods`);
 
-// 10,000 bodies need more memory: then an old view is empty, and a new view has the poses
+// 10,000 bodies need more memory: afterwards an old view is empty, and a new view has the poses
 const few = scree.createWorld(), one = few.createBody({pose: {position: {x: 1, y: 2}}, attribute: box(few)});
 const before = few.poses([one]);
 assert.deepEqual([...before], [1, 2, 1, 0]);
@@ -88,7 +89,7 @@ fails(() => big.step(1 / 60, 4), Status.ERROR_STALE, /destroyed/);
 few.destroy();
 world.destroy();
 
-// destroyed worlds and garbage-collected worlds leave no memory behind
+// destroyed worlds and worlds that were garbage-collected free their memory
 const used = scree.memory();
 for (let k = 0; k < 200; ++k) {
 	const w = scree.createWorld();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// golden.c -- golden LANES THREADS PART: prints the hash of each scene after its steps divided by PART, as in
-// tests/golden.txt.
+// golden.c -- golden LANES THREADS PART: prints the hash of each scene like tests/golden.txt, after 1/PART of its
+// steps.
 //
-// It needs no test framework, so that it can be built for WebAssembly.
+// It needs no test framework, so that it can be compiled for WebAssembly.
 #include "../support/small_sizes.h"
 #include "scene/find.h"
 #include "scene/load.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// byte_hash.c -- a hash of bytes, FNV-1a.
+// byte_hash.c -- computes a hash of bytes, FNV-1a.
 #include "tools/common/byte_hash.h"
 
 uint64_t hash_bytes(uint64_t hash, const void* bytes, size_t count)

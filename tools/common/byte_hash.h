@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// byte_hash.h -- a hash of bytes, FNV-1a (Glenn Fowler, Landon Curt Noll, Kiem-Phong Vo, 1991).
+// byte_hash.h -- computes a hash of bytes, FNV-1a (Glenn Fowler, Landon Curt Noll, Kiem-Phong Vo, 1991).
 #ifndef BYTE_HASH_H
 #define BYTE_HASH_H
 #include <stddef.h>
@@ -7,7 +7,7 @@
 
 #define HASH_BEGIN 0xcbf29ce484222325u
 
-// Adds bytes to a hash that began with HASH_BEGIN.
+// Returns the hash continued with more bytes. The first hash is HASH_BEGIN.
 uint64_t hash_bytes(uint64_t hash, const void* bytes, size_t count);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// clock.c -- the clock of all programs that are not the library itself.
+// clock.c -- reads a clock, for all programs except the library.
 #include "tools/common/clock.h"
 #include <time.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// clock.h -- the clock of all programs that are not the library itself.
+// clock.h -- reads a clock, for all programs except the library.
 #ifndef CLOCK_H
 #define CLOCK_H
 
-// Seconds on a clock that only moves forward.
+// Returns the seconds of a clock that is never set back.
 double seconds_now(void);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// median.c -- sorted values and their median.
+// median.c -- sorts values and computes medians.
 #include "tools/common/median.h"
 #include <stdlib.h>
 

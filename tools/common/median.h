@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// median.h -- sorted values and their median.
+// median.h -- sorts values and computes medians.
 #ifndef MEDIAN_H
 #define MEDIAN_H
 
-// Sorts values, the least first.
+// Sorts values in ascending order.
 void sort_values(double* values, int count);
 void sort_floats(float* values, int count);
 
-// The median of at least one value, of an even count the mean of the two in the middle. Sorts the values.
+// Sorts at least one value, and returns the median. If the number of values is even, it is the mean of the two in the
+// middle.
 double median_of(double* values, int count);
 
-// The same, but of an even count the greater of the two in the middle, so that it is one of the values.
+// Sorts at least one value, and returns the median. If the number of values is even, it is the greater of the two in
+// the middle, so that it is always one of the values.
 double upper_median_of(double* values, int count);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// random_numbers.c -- random numbers that are the same for every compiler and machine.
+// random_numbers.c -- computes random numbers that are the same with every compiler and on every machine.
 #include "tools/common/random_numbers.h"
 
 uint64_t random_word(uint64_t* seed)
@@ -12,7 +12,7 @@ uint64_t random_word(uint64_t* seed)
 
 int random_below(uint64_t* seed, int count) { return (int)(random_word(seed) % (uint64_t)count); }
 
-// 24 bits are a float exactly
+// Maps the upper 24 bits of a word, which a float represents exactly, to the range from low to high.
 static float between(uint64_t word, float low, float high)
 {
 	return low + (high - low) * ((float)(word >> 40) / 16777216.0f);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// all_pairs.c -- overlapping pairs of boxes, found by testing each against each: the reference of the broad phase.
+// all_pairs.c -- finds overlapping pairs of boxes by testing each box against each other: the reference of the broad
+// phase.
 #include "tools/paper/all_pairs.h"
 #include "stages/geometry/box.h"
 #include "world/check.h"

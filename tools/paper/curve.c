@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// curve.c -- measures one curve of a figure, a pipeline on a device, at one size.
+// curve.c -- measures a pipeline on a device with a world of one size: a point on a curve of a figure.
 #include "tools/paper/curve.h"
 #include "cli/common/csv.h"
 #include "cli/common/library_error.h"
@@ -11,21 +11,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WARM_UP    1.0 // s of the world's time, after which contacts a body in drift are steady (docs/paper.md)
-#define WARM_LIMIT 1.0 // s of CPU time for it; if it would take longer, it runs on the GPU and the world is migrated
-#define SETTLE     2   // steps of the pipeline before the measured ones: kernels are built, buffers grow
-#define STEPS      40  // measured steps of a run that no time limit ends
-#define FEWEST     3   // measured steps at least; 1 in a run that takes longer than LONG_LIMIT
-#define TIME_LIMIT 0.3 // s of measured steps, after which a run ends
-#define LONG_LIMIT 3.0 // s
-#define ROW_LIMIT  0.5 // s of all repeats: no repeat begins after it
+// s of simulated time before a measurement; then the contacts per body in the scene drift are steady (docs/paper.md)
+#define WARM_UP 1.0
+// s: if the CPU would need more for the warm-up, the GPU simulates it and the world migrates to the CPU
+#define WARM_LIMIT 1.0
+#define SETTLE     2   // steps of the pipeline before the measured steps: kernels are compiled, buffers grow
+#define STEPS      40  // measured steps of a repeat, unless a time limit ends it
+#define FEWEST     3   // minimum number of measured steps in a repeat; 1 if the repeat takes longer than LONG_LIMIT
+#define TIME_LIMIT 0.3 // s of measured steps, after which a repeat ends
+#define LONG_LIMIT 3.0 // s of all steps, measured or not, after which a repeat ends
+#define ROW_LIMIT  0.5 // s: after this time no further repeat begins
 
 typedef struct
 {
-	Record* records; // the measured steps, repeat after repeat
+	Record* records; // measured steps of all repeats, in order
 	int count, repeats;
-	double least, most; // median step of the fastest and of the slowest repeat, ms
-	uint64_t hash;      // after the first measured step
+	double least, most; // ms: median of the steps of a repeat, for the fastest and the slowest repeat
+	uint64_t hash;      // hash after the first measured step
 } Rows;
 
 static double mean(const Rows* rows, double (*value)(const Record* record, int argument))
@@ -79,16 +81,17 @@ void curve_print_estimate(Figure* figure, const Curve* curve, int bodies, double
 	fprintf(stderr, ": not run, up to %.0f ms a step\n", ms);
 }
 
-// The paper's pipeline tests every pair of bodies and goes through all contacts after each resolution: its time grows with the
-// square of the bodies.
+// Estimates the ms of a step. The paper's pipeline tests every pair of bodies, and goes through all contacts after each
+// resolution, so its time grows with the square of the number of bodies.
 double curve_estimate(const Curve* curve, int bodies)
 {
 	double growth = curve->bodies > 0 ? bodies / curve->bodies : 0;
 	return curve->ms * (curve->pipeline == PAPER_PIPELINE ? growth * growth : growth);
 }
 
-// Chooses device and threads of the warm-up. The paper's pipeline is warmed up on all threads of the CPU, Scree's on the device
-// that is measured. If the CPU would need too long, the GPU warms up, because the bits are the same.
+// Returns the options of the warm-up, with its device and threads. All threads of the CPU warm up the paper's pipeline;
+// the measured device warms up Scree. If the CPU would need too long, the GPU warms up Scree, because the bits are the
+// same.
 static Options plan_warm_up(const Figure* figure, const Curve* curve, const Options* sized, int steps, double expected)
 {
 	Options options = *sized;
@@ -104,8 +107,8 @@ static Options plan_warm_up(const Figure* figure, const Curve* curve, const Opti
 	return options;
 }
 
-// Opens a run: a world that has been warmed up, on the device of the curve. options: those of the warm-up. Returns an exit code.
-// The caller closes the run also on failure.
+// Opens a world with the options of the warm-up, warms it up, and moves it to the device of the curve. Returns an exit
+// code. The caller closes the run, also after a failure.
 static int open_run(const Curve* curve, const Options* options, const Scene* scene, int steps, bool timings,
                     PaperPlayer* run)
 {
@@ -137,11 +140,11 @@ static scree_status hash_run(const PaperPlayer* run, uint64_t* hash)
 	return SCREE_OK;
 }
 
-// Takes the steps of one run and records the measured ones.
+// Takes the steps of one repeat, at most `most` measured ones, and adds the measured steps to rows.
 static scree_status take_steps(PaperPlayer* run, int most, Rows* rows)
 {
 	int before = rows->count;
-	double all = 0, measured = 0; // s
+	double all = 0, measured = 0; // s of all steps; s of measured steps
 	scree_status status = SCREE_OK;
 	for (int step = 0; step < SETTLE + most && status == SCREE_OK; ++step)
 	{
@@ -155,7 +158,7 @@ static scree_status take_steps(PaperPlayer* run, int most, Rows* rows)
 			continue;
 		measured += 1e-3 * (double)record->milliseconds;
 		++rows->count;
-		// all devices take only the first measured step
+		// hash after the first measured step, because only this step is taken on every device
 		if (step == SETTLE && status == SCREE_OK)
 			status = hash_run(run, &rows->hash);
 	}
@@ -182,7 +185,7 @@ static int check_hash(const Figure* figure, const Curve* curve, CommonHash* comm
 	return EXIT_FAILED;
 }
 
-// Writes the device and the threads that a run has.
+// Copies the device and the number of threads of a run to its curve.
 static void label_curve(const PaperPlayer* run, Curve* curve)
 {
 	const scree_world* world = run->player.world;

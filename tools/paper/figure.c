@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// figure.c -- the scenes, pipelines and stages of the figures, as their CSV names them.
+// figure.c -- lists the scenes, pipelines and stages of the figures, with their names in the CSV.
 #include "tools/paper/figure.h"
 
 const char* const figure_scenes[FIGURE_SCENES] = {"drift", "pyramids"};

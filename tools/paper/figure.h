@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// figure.h -- the scenes, pipelines and stages of the figures, as their CSV names them.
+// figure.h -- lists the scenes, pipelines and stages of the figures, with their names in the CSV.
 #ifndef FIGURE_H
 #define FIGURE_H
 
-// Columns of stages: those of the paper, with its copies over the bus, then those of Scree. Stages that a pipeline lacks are 0.
+// Stages, each a column of the CSV: first the stages of the paper and its copies between host and device, then those of
+// Scree. If a pipeline lacks a stage, its column is 0.
 #define FIGURE_STAGES(X) \
 	X(to_device)         \
 	X(from_device)       \
@@ -25,7 +26,7 @@ typedef enum
 
 extern const char* const figure_stages[FIGURE_STAGE_COUNT];
 
-// Scenes and pipelines in the order in which they are measured and drawn.
+// Scenes and pipelines are measured and drawn in this order.
 #define FIGURE_SCENES 2
 #define FIGURE_PLACES 3
 typedef enum
@@ -38,10 +39,10 @@ typedef enum
 extern const char* const figure_scenes[FIGURE_SCENES];       // drift, pyramids
 extern const char* const figure_pipelines[FIGURE_PIPELINES]; // paper, scree
 
-typedef enum // the device on which a pipeline runs
+typedef enum // device and threads of a pipeline
 {
 	ON_ONE_THREAD,
-	ON_THREADS, // more than one; the paper's pipeline has no such curve
+	ON_THREADS, // more than one thread; only Scree has such a curve
 	ON_OPENCL,
 } FigurePlace;
 

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// figure_commands.c -- scree_paper figure5 and figure6: measures two figures of the paper again.
+// figure_commands.c -- scree_paper figure5 and figure6: repeats the measurements of two figures of the paper.
 //
-// Falco Girgis and Earl Wells, GPGPU Acceleration for Video Game Physics Engines. Figure 5: processing time over the
-// number of bodies, on the CPU and on OpenCL. Figure 6: share of each stage in the time at 100 bodies. Here both figures have
-// the paper's pipeline and Scree's, and go on to a million bodies. If a step would take too long, the row has an estimate.
+// Paper: Falco Girgis and Earl Wells, GPGPU Acceleration for Video Game Physics Engines. Figure 5 shows the time of a
+// step over the number of bodies, on the CPU and on OpenCL. Figure 6 shows the share of each stage in the time, at 100
+// bodies. Here both figures have the paper's pipeline and Scree's, and go up to a million bodies. If a step would take
+// too long, the row has an estimate.
 //
-// The paper does not describe its scene. It says that detection took most of the time "under normal conditions", and that
-// many contacts, as of stacked bodies, move the bottleneck to resolution. So there are two scenes: boxes that drift, with
-// few contacts, and pyramids of ten boxes.
+// The paper does not describe its scene. It says that detection took most of the time "under normal conditions", and
+// that many contacts, as in stacks, move the bottleneck to resolution. So there are two scenes: drifting boxes with few
+// contacts, and pyramids of ten boxes.
 //
-// Every run begins with one second of the world's time that is not measured, for all sizes, pipelines and devices: before
-// that, drifting bodies have not met. Scree simulates it, because the paper's pipeline would need minutes if a step takes seconds. All devices of a pipeline must have the same hash after the same steps.
+// Every run begins with one second of simulated time that is not measured, because drifting bodies have not met before.
+// This is the same for all sizes, pipelines and devices. Scree simulates this second, because the paper's pipeline
+// would need minutes if a step takes seconds. All devices of a pipeline must have the same hash after the same steps.
 #include "cli/common/csv.h"
 #include "tools/common/clock.h"
 #include "tools/paper/curve.h"
@@ -22,17 +24,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FIGURE5_MS 1000.0 // expected ms of a step; sizes that would take longer are not run
+#define FIGURE5_MS 1000.0 // Expected ms of a step above which a size is not measured.
 #define FIGURE6_MS 30000.0
 
-typedef struct // the settings of a scene for one size
+typedef struct // a size of a scene, as settings of its parameters
 {
 	const char* names[3];
 	int values[3];
-	int count, bodies; // bodies: with walls and shelves
+	int count, bodies; // number of settings; number of bodies, including walls and shelves
 } Size;
 
-// The size of a scene next to a number of bodies. Pyramids have about as many columns as rows.
+// Returns the size of a scene that is nearest to a number of bodies. Pyramids have about as many columns as rows.
 static Size choose_size(int scene, int bodies)
 {
 	if (scene == 0)
@@ -50,7 +52,7 @@ static Size choose_size(int scene, int bodies)
 	return best;
 }
 
-// Adds the settings of a size to the options; text holds their values.
+// Returns the options with the settings of a size added. The values of the settings are stored in text.
 static Options with_size(const Options* options, const Size* size, char text[3][16])
 {
 	Options sized = *options;
@@ -62,8 +64,9 @@ static Options with_size(const Options* options, const Size* size, char text[3][
 	return sized;
 }
 
-// Each pipeline has a curve on one thread of the CPU and one on OpenCL, and Scree one on all threads. Curves of missing devices
-// are left out; --device cpu leaves out OpenCL, --threads 1 leaves out all threads.
+// Lists the curves of the devices that were found, and returns their number. Each pipeline has a curve on one thread of
+// the CPU and a curve on OpenCL; Scree also has a curve on all threads. --device cpu leaves out OpenCL, --threads 1 the
+// curve on all threads.
 static int curves_of(Figure* figure, Curve curves[FIGURE_PIPELINES * FIGURE_PLACES])
 {
 	const Options* options = figure->options;
@@ -93,7 +96,7 @@ static int curves_of(Figure* figure, Curve curves[FIGURE_PIPELINES * FIGURE_PLAC
 	return count;
 }
 
-// Measures all curves of one scene, size by size.
+// Measures all curves of one scene, size by size. Returns an exit code.
 static int measure_scene(Figure* figure, const int* sizes, int size_count)
 {
 	Curve curves[FIGURE_PIPELINES * FIGURE_PLACES];

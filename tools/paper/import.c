@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// import.c -- fills the pools of the paper's pipeline from a world.
+// import.c -- copies a world to the pools of the paper's pipeline.
 #include "tools/paper/import.h"
 #include "dialect/vec.h"
 #include "world/objects/attributes.h"
 #include "world/world.h"
 
-typedef struct // the results of scree_world_get_bodies and scree_body_get_collidables
+typedef struct // results of scree_world_get_bodies and scree_body_get_collidables
 {
 	scree_body* bodies;
 	scree_pose* poses;
 	scree_velocity* velocities;
-	scree_collidable* collidables; // those of one body, or those without a body
+	scree_collidable* collidables; // collidables of one body, or collidables without a body
 	int body_count;
 } WorldCopy;
 
@@ -19,7 +19,7 @@ static scree_status no_memory(void)
 	return fail(SCREE_ERROR_OUT_OF_MEMORY, "paper_create: no memory for a copy of the world");
 }
 
-// Reads all bodies and adds the null body at the end, which has the collidables without a body.
+// Reads all enabled bodies. Adds a null body at the end of the list, for the collidables without a body.
 static scree_status import_bodies(scree_world* world, WorldCopy* copy)
 {
 	int count = copy->body_count;
@@ -31,7 +31,7 @@ static scree_status import_bodies(scree_world* world, WorldCopy* copy)
 	if (!copy->bodies || !copy->poses || !copy->velocities)
 		return no_memory();
 	TRY(scree_world_get_bodies(world, copy->bodies, count, &count));
-	int enabled = 0; // the others take no part
+	int enabled = 0; // disabled bodies are left out
 	for (int i = 0; i < count; ++i)
 		if (scree_body_is_enabled(world, copy->bodies[i]))
 			copy->bodies[enabled++] = copy->bodies[i];
@@ -109,7 +109,8 @@ static scree_status import_collidable(const scree_world* world, scree_collidable
 	return SCREE_OK;
 }
 
-// Fills the pools body by body, then with the collidables without a body.
+// Fills the pools body by body, and then with the collidables without a body. most: maximum number of collidables of a
+// body.
 static scree_status fill(Paper* paper, const scree_world* world, const WorldCopy* copy, int most)
 {
 	PaperCollidable* collidable = paper->pools.collidable;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// main.c -- scree_paper, the command line of the pipeline of the paper that Scree started from, and of the paper's figures.
+// main.c -- scree_paper: the command line for the pipeline of the paper that Scree started from, and for two figures of
+// that paper.
 #include "cli/common/command_line.h"
 #include "tools/paper/paper_commands.h"
 #include "tools/paper/paper_options.h"

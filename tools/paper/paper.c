@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper.c -- the paper's pipeline: creates it, takes steps, reads its state.
+// paper.c -- creates the paper's pipeline, takes steps and reads the state.
 #include "tools/paper/paper.h"
 #include "platform/processor.h"
 #include "tools/common/byte_hash.h"
@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
-// contacts of the first pool; it grows
+// initial number of contacts in the pool
 #define FIRST_CONTACTS 256
 
 static scree_status open_device(Paper* paper, const char* device, bool allow_unequal_bits)
@@ -88,7 +88,7 @@ scree_status paper_step(Paper* paper, float dt)
 	paper->pools.step.dt = dt;
 	paper->timings = (PaperTimings){0};
 
-	// integrate, transform, detect; then resolve, on the host whatever the device
+	// integrate, transform and detect on the device; then resolve, always on the host
 	FloatMode found = float_mode_enter();
 	scree_status status = run(paper);
 	double resolve_begin = seconds_now();
@@ -139,7 +139,7 @@ scree_status paper_poses(const Paper* paper, scree_pose* poses, int count)
 	TRY(check_read("paper_poses", paper, "poses", poses, count));
 	for (int i = 0; i < count; ++i)
 	{
-		// the pose of the origin, which is not the center of mass
+		// converts the pose of the center of mass to that of the body's origin
 		const PaperBody* body = &paper->pools.body[i];
 		float c = body->pose.z, s = body->pose.w, x = body->local_center.x, y = body->local_center.y;
 		poses[i] = (scree_pose){{body->pose.x - (c * x - s * y), body->pose.y - (s * x + c * y)}, {c, s}};

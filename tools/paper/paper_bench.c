@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper_bench.c -- scree_paper bench: measures scenes in the paper's pipeline.
+// paper_bench.c -- scree_paper bench: measures the time of scenes with the paper's pipeline.
 #include "cli/common/bench_scenes.h"
 #include "cli/common/library_error.h"
 #include "tools/paper/paper_commands.h"

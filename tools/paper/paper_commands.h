@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper_commands.h -- the commands of scree_paper; each returns an exit code.
+// paper_commands.h -- declares the commands of scree_paper. Each returns an exit code.
 #ifndef PAPER_COMMANDS_H
 #define PAPER_COMMANDS_H
 #include "cli/common/options.h"

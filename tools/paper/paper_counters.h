@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper_counters.h -- counters and times of the last step of the paper's pipeline.
+// paper_counters.h -- declares the counters and times of the last step of the paper's pipeline.
 #ifndef PAPER_COUNTERS_H
 #define PAPER_COUNTERS_H
 #include <stdint.h>
@@ -7,15 +7,15 @@
 typedef struct
 {
 	int bodies, collidables;
-	int contacts;      // overlapping pairs found by the last step
-	float penetration; // deepest overlap of two bodies among them, m
+	int contacts;      // overlapping pairs that the last step found
+	float penetration; // m: deepest overlap of two bodies in these pairs
 	int64_t steps;
 } PaperCounters;
 
-typedef struct // milliseconds of the last step
+typedef struct // ms of the last step and its parts
 {
-	double step;                   // wall clock
-	double to_device, from_device; // copying the pools; zero on the CPU
+	double step;                   // whole step, wall clock
+	double to_device, from_device; // copies of the pools; zero on the CPU
 	double integrate, transform, detect, resolve;
 } PaperTimings;
 

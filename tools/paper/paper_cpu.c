@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper_cpu.c -- the first three stages on the CPU: one thread, one item after the other.
+// paper_cpu.c -- executes the first three stages on the CPU, in one thread, one item after the other.
 #include "tools/paper/paper_cpu.h"
 #include "tools/common/clock.h"
 
@@ -29,7 +29,7 @@ scree_status paper_cpu_run(Paper* paper)
 	if (*p->contact_count <= p->step.contact_capacity)
 		return SCREE_OK;
 
-	// the pool is too small; detection changes nothing else and can run again
+	// The contact pool is too small. Detection can run again with a larger pool, because it changes only contacts.
 	scree_status status = paper_reserve(paper, *p->contact_count);
 	if (status != SCREE_OK)
 		return status;

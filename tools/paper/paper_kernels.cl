@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// paper_kernels.cl -- the OpenCL program of the paper's pipeline: a kernel a stage, a work-item an item.
+// paper_kernels.cl -- defines the OpenCL kernels of the paper's pipeline: one for each stage, with a work-item for each
+// item.
 #include "tools/paper/paper_pools.h"
 
 #define ARGUMENT(type, name, items) __global type* name,

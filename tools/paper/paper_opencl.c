@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// paper_opencl.c -- the first three stages through OpenCL: each step copies the pools to the device and back.
+// paper_opencl.c -- executes the first three stages on OpenCL. Each step copies the pools to the device and back.
 #include "tools/paper/paper_opencl.h"
 #include "backend/backend.h"
 #include "opencl/compile.h"
 #include "platform/error.h"
 #include <stdio.h>
 
-// work-items of a group, as in the paper
+// work-items per group, as in the paper
 #define GROUP 256
 
-// timed commands of one step: 12, and 4 more each time that the contact pool grows
+// maximum number of timed commands in a step, which has 12, and 4 more each time that the contact pool grows
 #define MAX_COMMANDS 64
 
-// written by cmake/embed.cmake
+// source of the kernels, which cmake/embed.cmake writes
 extern const char paper_program[];
 extern const size_t paper_program_length;
 
-typedef struct // a command whose time has not been read
+typedef struct // an enqueued command whose time has not been read
 {
 	cl_event event;
 	double* milliseconds;
@@ -26,16 +26,16 @@ typedef struct PaperOpenCl
 {
 	Device device;
 	cl_context context;
-	cl_command_queue queue; // in order, so that the barriers, which the paper has, change nothing
+	cl_command_queue queue; // executes commands in order, so the barriers, which are those of the paper, have no effect
 	cl_program program;
 	cl_kernel kernels[PAPER_STAGE_COUNT];
-	size_t groups[PAPER_STAGE_COUNT]; // work-items of a group
+	size_t groups[PAPER_STAGE_COUNT]; // work-items per group
 	cl_mem buffers[PAPER_POOL_COUNT];
 	TimedCommand commands[MAX_COMMANDS];
 	int command_count;
 } PaperOpenCl;
 
-// Waits for all commands and adds their times.
+// Waits for all commands. Adds the time of each command to its sum of milliseconds.
 static scree_status finish(PaperOpenCl* d)
 {
 	scree_status status = CALL(Finish, d->queue);
@@ -51,7 +51,7 @@ static scree_status finish(PaperOpenCl* d)
 	return status;
 }
 
-// The event for the next command; add_command adds the command after it was enqueued.
+// Returns the event that the next command fills. add_command counts the command after it was enqueued.
 static cl_event* next_command(PaperOpenCl* d, double* milliseconds)
 {
 	ASSERT(d->command_count < MAX_COMMANDS);
@@ -123,7 +123,7 @@ static scree_status create_buffer(Paper* paper, PaperPoolId pool)
 	if (d->buffers[pool])
 		opencl.ReleaseMemObject(d->buffers[pool]);
 	cl_int error;
-	// a kernel argument needs a buffer, even for an empty pool
+	// each kernel argument needs a buffer, even if the pool is empty
 	d->buffers[pool] = opencl.CreateBuffer(d->context, CL_MEM_READ_WRITE, bytes ? bytes : 1, NULL, &error);
 	if (!error)
 		return SCREE_OK;
@@ -132,7 +132,7 @@ static scree_status create_buffer(Paper* paper, PaperPoolId pool)
 	            opencl_error_name(error), (int)error);
 }
 
-// Runs detection, again with a larger pool when the contacts do not fit. It changes nothing else.
+// Runs detection. If the contacts do not fit, runs it again with a larger pool; detection changes only contacts.
 static scree_status run_detect(Paper* paper)
 {
 	PaperOpenCl* d = paper->opencl;
@@ -154,7 +154,7 @@ static scree_status run_detect(Paper* paper)
 
 scree_status paper_opencl_run(Paper* paper)
 {
-	// the contact pool is empty and needs no copy
+	// The contact pool is not copied, because detection overwrites it.
 	TRY(to_device(paper, PAPER_POOL_attribute));
 	TRY(to_device(paper, PAPER_POOL_collidable));
 	TRY(to_device(paper, PAPER_POOL_body));
@@ -216,7 +216,7 @@ void paper_opencl_close(Paper* paper)
 	if (!d)
 		return;
 	if (d->queue)
-		finish(d); // closing ignores a failure
+		finish(d); // a failure is ignored, because the device is being closed
 	for (int i = 0; i < PAPER_POOL_COUNT; ++i)
 		if (d->buffers[i])
 			opencl.ReleaseMemObject(d->buffers[i]);

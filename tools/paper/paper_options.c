@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper_options.c -- the options of scree_paper, and the commands that take them.
+// paper_options.c -- defines the options of scree_paper, and the commands that accept them.
 #include "tools/paper/paper_options.h"
 #include "cli/common/option_values.h"
 

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-// paper_options.h -- the options of scree_paper, and the commands that take them.
+// paper_options.h -- declares the options of scree_paper, and the commands that accept them.
 #ifndef PAPER_OPTIONS_H
 #define PAPER_OPTIONS_H
 #include "cli/common/options.h"
 
-enum // bits, so that an option can belong to several commands
+enum // commands as bits, because several commands may accept an option
 {
 	RUN = 1,
 	HASH = 2,
 	BENCH = 4,
-	FIGURE = 8, // figure5, figure6
+	FIGURE = 8, // figure5 and figure6
 };
 
 typedef struct
 {
-	Options common;   // device: null for the CPU; in figures for all devices
-	int limit;        // most bodies in a figure; 0: no limit
-	const char* draw; // CSV of a figure; null: measure
+	Options common;   // device null: CPU; in figures: all devices
+	int limit;        // maximum number of bodies in a figure; 0: unlimited
+	const char* draw; // path of the CSV to draw; null: the figure is measured
 } PaperOptions;
 
 extern const OptionTable paper_options;

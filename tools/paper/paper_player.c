@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper_player.c -- a scene whose steps the paper's pipeline takes.
+// paper_player.c -- plays a scene with the pipeline of the paper.
 #include "tools/paper/paper_player.h"
 #include "cli/common/library_error.h"
 #include "scene/churn.h"
@@ -31,7 +31,7 @@ int paper_player_open(const Options* options, const Scene* scene, PaperPlayer* p
 	*paper = (PaperPlayer){0};
 	if (!paper_takes(scene))
 		return EXIT_BAD;
-	Options one = *options; // the pipeline has one thread and no lanes
+	Options one = *options; // options with one thread and one lane, as in the paper's pipeline
 	one.threads = one.lanes = 1;
 	one.device = options->device ? options->device : "cpu";
 	int code = open_player(&one, scene, false, &paper->player);
@@ -73,7 +73,7 @@ scree_status paper_record_step(PaperPlayer* paper, Record* record)
 {
 	*record = (Record){0};
 	double start = seconds_now();
-	// the paper has no substeps
+	// one step of dt: the paper has no substeps
 	scree_status status = paper_step(paper->paper, paper->player.scene->dt);
 	++paper->player.steps;
 	if (status == SCREE_OK)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper_player.h -- a scene whose steps the paper's pipeline takes.
+// paper_player.h -- plays a scene with the pipeline of the paper.
 #ifndef PAPER_PLAYER_H
 #define PAPER_PLAYER_H
 #include "cli/common/open_scene.h"
@@ -8,21 +8,20 @@
 
 extern const char* const paper_stages[STAGE_TIMES]; // names of Record.stages
 
-// Returns true if the pipeline can simulate a scene; else prints the reason.
+// Returns whether the pipeline can simulate a scene. If it cannot, prints the reason.
 bool paper_takes(const Scene* scene);
 
 typedef struct
 {
-	ScenePlayer player; // its world has the scene as it was when the pipeline began
-	Paper* paper;       // in figures null for steps of Scree
+	ScenePlayer player; // its world is in the state from which the pipeline started
+	Paper* paper;       // null: steps are taken by Scree (only in figures)
 } PaperPlayer;
 
-// Opens a player on the device of the options, on the CPU without one. Returns an exit code after printing a
-// sentence.
+// Opens a player on the device of the options; device null: CPU. Returns an exit code; prints a message if it failed.
 int paper_player_open(const Options* options, const Scene* scene, PaperPlayer* paper);
 void paper_player_close(PaperPlayer* paper);
 
-// Takes one step and records it.
+// Takes one step. Writes its counters and times to *record.
 scree_status paper_record_step(PaperPlayer* paper, Record* record);
 
 #endif

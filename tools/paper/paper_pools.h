@@ -1,52 +1,54 @@
 // SPDX-License-Identifier: MIT
-// paper_pools.h -- the pools of the paper's pipeline, for C and OpenCL C alike: one array of structs each, as in its Figure 1.
+// paper_pools.h -- declares the pools of the paper's pipeline, for C and OpenCL C: each is an array of structs, as in
+// Figure 1 of the paper.
 //
-// The paper has mass in the attributes. Here it is in the body, because it is the sum of the body's collidables.
+// In the paper attributes have masses. Here each body has a mass, which is the sum of its collidables.
 #ifndef PAPER_POOLS_H
 #define PAPER_POOLS_H
 #include "pools/pools.h"
 
 typedef struct // 224 bytes
 {
-	Float4 place;       // pose in the frame of the body's center of mass, in the world without one: x, y (m), cos, sin
-	Attribute instance; // the attribute in world coordinates; transform
+	// pose x, y (m), cos, sin in the frame of the body's center of mass; in the world if there is no body
+	Float4 place;
+	Attribute instance; // attribute in world coordinates; written by transform
 	Filter filter;
-	int attribute, body; // body -1 for none
+	int attribute, body; // index of the attribute; index of the body, -1: no body
 	int kind;            // KIND_*
 	int unused[3];
 } PaperCollidable;
 
-typedef struct // 80 bytes, none of them padding: the hash covers all
+typedef struct // 80 bytes without padding, because the hash covers all bytes
 {
-	Float4 pose;       // center of mass x, y (m), rotation cos, sin; integrate and resolve
-	Motion motion;     // its forces are the accumulators
-	float vx, vy, w;   // m/s, rad/s; integrate and resolve
-	float inv_mass;    // 1/kg, zero for static and kinematic bodies
+	Float4 pose;       // center of mass x, y (m), rotation cos, sin; written by integrate and resolve
+	Motion motion;     // damping, gravity scale and locks; its forces are the sums for the next step
+	float vx, vy, w;   // m/s, rad/s; written by integrate and resolve
+	float inv_mass;    // 1/kg; zero for static and kinematic bodies
 	float inv_inertia; // 1/(kg m^2)
 	int unused;
 	Float2 local_center; // center of mass in the body's frame, m
 } PaperBody;
 
-typedef struct // 64 bytes, none of them padding
+typedef struct // 64 bytes without padding, because the hash covers all bytes
 {
-	int a, b;            // collidables, a < b
-	int body_a, body_b;  // theirs, -1 for none
-	Float2 normal;       // from a to b
-	Float2 point[2];     // m, world
-	float separation[2]; // m, negative where they overlap
+	int a, b;            // indices of the collidables, a < b
+	int body_a, body_b;  // indices of their bodies; -1: no body
+	Float2 normal;       // unit vector from a to b
+	Float2 point[2];     // m, in the world
+	float separation[2]; // m; negative: the collidables overlap
 	float friction, restitution;
-	int count; // points, 1 or 2
+	int count; // number of points, 1 or 2
 	int unused;
 } PaperContact;
 
-typedef struct // constants of one step, by value to every stage
+typedef struct // constants of a step, which each stage gets by value
 {
 	float dt;                   // s
 	float gravity_x, gravity_y; // m/s^2
 	int attributes, bodies, collidables, contact_capacity;
 } PaperStep;
 
-// X(type, name, items): items is the number of items, an expression in a PaperStep* step.
+// X(type, name, items). items: expression for the number of items, in terms of a PaperStep* step.
 #define PAPER_POOLS(X)                                                                           \
 	X(Attribute, attribute, step->attributes)                                                    \
 	X(PaperCollidable, collidable, step->collidables)                                            \
@@ -54,7 +56,7 @@ typedef struct // constants of one step, by value to every stage
 	X(PaperContact, contact, step->contact_capacity) /* in no order until the host sorts them */ \
 	X(int, contact_count, 1)                         /* contacts found, also those that did not fit */
 
-// X(name, items) in the order of the step
+// X(name, items): the stages in the order of the step, with the pool over whose items a stage runs
 #define PAPER_STAGES(X)       \
 	X(integrate, bodies)      \
 	X(transform, collidables) \

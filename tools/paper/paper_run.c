@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper_run.c -- scree_paper run, which prints a table of results, and scree_paper hash, which prints the hash.
+// paper_run.c -- scree_paper run prints a table of results; scree_paper hash prints the hash.
 #include "cli/common/library_error.h"
 #include "cli/common/outputs.h"
 #include "cli/common/run_report.h"
@@ -14,7 +14,7 @@ typedef struct
 	PaperPlayer paper;
 	Outputs outputs;
 	Totals totals;
-	scree_pose* poses; // for the pictures, as the world has bodies
+	scree_pose* poses; // poses of the bodies of the pipeline, for pictures
 	int body_count;
 } Run;
 
@@ -28,11 +28,11 @@ static int allocate_poses(Run* run)
 	return EXIT_FAILED;
 }
 
-// Reads the state after the last step.
+// Reads hash and poses of the current state.
 static int read_snapshot(Run* run, Snapshot* snapshot)
 {
 	*snapshot = (Snapshot){&run->totals.last.counters, paper_hash(run->paper.paper), run->poses};
-	// a run without pictures needs no poses
+	// without pictures no poses are needed
 	if (!run->outputs.renderer)
 		return EXIT_GOOD;
 	return report(paper_poses(run->paper.paper, run->poses, run->body_count));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// paper_stages.h -- the three stages of the paper's pipeline that run on the device.
+// paper_stages.h -- defines the three stages of the paper's pipeline that run on the device.
 //
 // This work is based on: Falco Girgis and Earl Wells, GPGPU Acceleration for Video Game Physics Engines, section III.
-// PAPER_STAGE(name) begins a function for item i of the pools p. The file that includes this one runs it for all items.
+//
+// PAPER_STAGE(name) begins a function for item i of the pools p. Each file that includes this header defines the macro
+// so that the stage runs for all items.
 #ifndef PAPER_STAGES_H
 #define PAPER_STAGES_H
 #include "constraints/solver_body.h"
@@ -10,7 +12,8 @@
 #include "stages/geometry/manifold.h"
 #include "tools/paper/paper_pools.h"
 
-// Integrates forces to velocity and velocity to position: semi-implicit Euler. Then clears the accumulators and applies damping.
+// Integrates forces to velocity, and velocity to position (semi-implicit Euler). Then clears the forces and applies
+// damping.
 PAPER_STAGE(integrate)
 {
 	GLOBAL PaperBody* body = p->body + i;
@@ -27,7 +30,7 @@ PAPER_STAGE(integrate)
 	turned.da = dt * w;
 	if (turned.da != 0.0f)
 	{
-		// rounding would let the rotation grow or shrink
+		// normalizes the rotation, because rounding errors would change its length
 		body_turn(&turned);
 		Vec q = vec_turn(vec(1.0f + turned.versine, turned.sine), vec(pose.z, pose.w));
 		q = vec_scale(1.0f / square_root(vec_dot(q, q)), q);
@@ -45,7 +48,7 @@ PAPER_STAGE(integrate)
 	body->w = w / (1.0f + dt * motion.angular_damping);
 }
 
-// Transforms the attribute's corners and edge normals into the world, once for all pairs of the collidable.
+// Transforms the corners and edge normals of the attribute to world coordinates, once for all pairs of the collidable.
 PAPER_STAGE(transform)
 {
 	GLOBAL PaperCollidable* collidable = p->collidable + i;
@@ -77,8 +80,8 @@ INLINE int may_touch(const GLOBAL PaperCollidable* a, const GLOBAL PaperCollidab
 	return kinds_meet(a->kind, b->kind) && (a->body < 0 || a->body != b->body) && filter_accepts(a->filter, b->filter);
 }
 
-// Tests one collidable against all that follow it. An atomic counter gives out the slots of the contact pool, so that their
-// order depends on the device. The paper keeps that order; here the contacts are sorted afterwards.
+// Tests a collidable against all later collidables. Slots of the contact pool are counted by an atomic operation, so
+// their order depends on the device. The paper keeps this order; here the host sorts the contacts afterwards.
 PAPER_STAGE(detect)
 {
 	const GLOBAL PaperCollidable* a = p->collidable + i;
@@ -88,7 +91,7 @@ PAPER_STAGE(detect)
 		if (!may_touch(a, b))
 			continue;
 
-		// both instances are in the world's frame already
+		// both instances are already in world coordinates, so the frame is the identity
 		Manifold m = collide(&a->instance, &b->instance, frame_at(vec(0.0f, 0.0f), vec(1.0f, 0.0f)),
 		                     reach_of(SPECULATIVE_DISTANCE));
 		if (m.count == 0 || !(minimum(m.separation[0], m.separation[1]) < 0.0f))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper_state.c -- the state of the paper's pipeline, which its files share.
+// paper_state.c -- accesses and grows the pools of the paper's pipeline.
 #include "tools/paper/paper_state.h"
 #include "platform/error.h"
 

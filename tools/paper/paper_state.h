@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper_state.h -- the state of the paper's pipeline, which its files share.
+// paper_state.h -- declares the state of the paper's pipeline, which all its files use.
 #ifndef PAPER_STATE_H
 #define PAPER_STATE_H
 #include "scree/scree.h"
@@ -23,7 +23,7 @@ typedef enum
 	    PAPER_STAGE_COUNT
 } PaperStageId;
 
-typedef struct // a pool on the host as plain memory
+typedef struct // memory of a pool on the host
 {
 	void* memory;
 	size_t bytes;
@@ -31,19 +31,19 @@ typedef struct // a pool on the host as plain memory
 
 typedef struct Paper
 {
-	PaperPools pools; // on the host
+	PaperPools pools; // pools on the host
 	PaperCounters counters;
 	PaperTimings timings;
 	char device[160];
 	struct PaperOpenCl* opencl; // null on the CPU
-	void* scratch;              // memory of resolve.c
+	void* scratch;              // memory that resolve.c keeps between steps
 	size_t scratch_bytes;
 } Paper;
 
-// The memory of a pool.
+// Returns the memory of a pool on the host.
 PaperMemory paper_memory(const Paper* paper, PaperPoolId pool);
 
-// Allocates the contact pool of the host for 1.5 times the needed contacts. Its content is lost.
+// Allocates the contact pool of the host, with room for 1.5 times the needed contacts. The old contents are lost.
 scree_status paper_reserve(Paper* paper, int needed);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// plot.c -- draws the figures of scree_paper from their CSV, with gnuplot (Debian: gnuplot-nox).
+// plot.c -- draws the figures of scree_paper from their CSV with gnuplot (Debian: gnuplot-nox).
 #include "tools/paper/plot.h"
 #include "cli/common/options.h"
 #include "tools/paper/plot_bars.h"
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The path of the CSV with another ending.
+// Writes the path of the CSV with another extension.
 static void path_of(const char* csv, const char* ending, char* path, size_t size)
 {
 	size_t length = strlen(csv);
@@ -24,7 +24,8 @@ static int draw(const Table* table, const char* csv, int number)
 	    {"png", "pngcairo size 1650,1500 font 'Helvetica,19' fontscale 1.13 linewidth 2"},
 	};
 	char paths[2][1024];
-	signal(SIGPIPE, SIG_IGN); // gnuplot may end before it has read all commands
+	// gnuplot may end before it has read all commands; then writing must fail without a signal
+	signal(SIGPIPE, SIG_IGN);
 	for (int k = 0; k < 2; ++k)
 	{
 		path_of(csv, terminals[k][0], paths[k], sizeof paths[k]);

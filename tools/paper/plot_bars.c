@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// plot_bars.c -- figure 6 for gnuplot: share of each stage in a step.
+// plot_bars.c -- writes figure 6 as commands for gnuplot: share of each stage in a step.
 #include "tools/paper/plot_bars.h"
 #include "tools/paper/plot_text.h"
 
-// colors of stages: light and dark take turns in a bar, so that it can be read without colors
+// Colors of stages. Light and dark colors take turns in a bar, so that stages can also be distinguished in gray.
 #define STAGE_COLORS                                                                                              \
 	"array color[11] = ['#d9d9d9', '#636363', '#e3c59a', '#4d8a1c', '#f0a35e', '#8c1d5a', '#f2c84b', '#5a4fa0', " \
 	"'#a9d3f0', '#1b7f5f', '#fccde5']\n"
 
-// Writes the bar of a row: the edges of its stages in %.
+// Writes the data of a bar for a row: the edges of its stages, %.
 static void put_bar(FILE* to, const Row* row, double x)
 {
 	double sum = 0, edge = 0;
@@ -24,7 +24,7 @@ static void put_scene(FILE* to, const Table* table, int scene)
 {
 	double x = 0, bodies = 0, first = 0;
 	fprintf(to, "unset label\nset xtics ()\n$bars << EOD\n");
-	// rows of a scene are in rising order of size
+	// rows of a scene are in ascending order of size
 	const Row* rows[MAX_ROWS];
 	double places[MAX_ROWS];
 	int count = 0;
@@ -61,7 +61,7 @@ static void put_scene(FILE* to, const Table* table, int scene)
 	fprintf(to, "set xrange [0:%g]\n", x + 1);
 }
 
-// Writes "to_device" as "to device".
+// Writes the name of a stage with spaces: "to_device" becomes "to device".
 static void stage_text(const char* name, char text[PLOT_TEXT])
 {
 	snprintf(text, 32, "%s", name);
@@ -69,7 +69,7 @@ static void stage_text(const char* name, char text[PLOT_TEXT])
 		*text = *text == '_' ? ' ' : *text;
 }
 
-// The stages of a scene's bars, or their legend alone, in an empty plot beside the bars.
+// Writes a plot command for all stages: the bars of a scene or, with legend, only their legend in an empty plot.
 static void put_stages(FILE* to, bool legend)
 {
 	fputs("plot NaN notitle", to);

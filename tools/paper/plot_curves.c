@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// plot_curves.c -- figure 5 for gnuplot: time of a step over the number of bodies.
+// plot_curves.c -- writes figure 5 as commands for gnuplot: time of a step over the number of bodies.
 #include "tools/paper/plot_curves.h"
 #include "tools/paper/plot_text.h"
 #include <math.h>
 
-#define AXIS 560 // bodies at the end of the left axis, a little more than the paper's 500
+#define AXIS 560 // end of the axis in left plots: bodies; a little more than the paper's 500
 
 #define CURVES 5
 static const struct
@@ -15,7 +15,7 @@ static const struct
 
 // colors that color-blind readers can distinguish: Okabe, Ito, Color Universal Design, 2008
 #define CURVE_COLORS "array color[5] = ['#d55e00', '#e69f00', '#56b4e9', '#0072b2', '#009e73']\n"
-// labels of the axes of time, whose numbers are ms
+// labels of the time axis; positions are in ms
 #define TIMES "set ytics ('1 µs' 1e-3, '10 µs' 1e-2, '0.1 ms' 0.1, '1 ms' 1, '10 ms' 10, '0.1 s' 100, '1 s' 1e3)\n"
 #define LONG_TIMES \
 	"set ytics ('10 µs' 1e-2, '1 ms' 1, '0.1 s' 100, '10 s' 1e4, '17 min' 1e6, '1.2 days' 1e8, '116 days' 1e10)\n"
@@ -34,7 +34,8 @@ static void curve_title(const Table* table, const Row* row, int curve, char text
 	snprintf(text, 192, "%s, %s", plot_pipelines[curves[curve].pipeline], device);
 }
 
-// Writes two blocks a curve: the sizes that were run, and the sizes that were not, which begin with the last size that was.
+// Writes two blocks of data for each curve: the sizes that were measured, and the sizes with estimates. The second
+// block begins with the last measured size.
 static void put_curves(FILE* to, const Table* table)
 {
 	fputs("$curves << EOD\n", to);
@@ -56,8 +57,8 @@ static void put_curves(FILE* to, const Table* table)
 	fputs("EOD\n", to);
 }
 
-// Marks with triangles where OpenCL becomes faster than the CPU. In the left plots the number of bodies is beside the triangle.
-// In the right plots, where the triangles are close together, it is in the empty corner.
+// Marks crossovers by triangles: OpenCL becomes faster than the CPU. In left plots the number of bodies is beside the
+// triangle. In right plots triangles are close together, so the numbers are in the empty corner.
 static void put_crossovers(FILE* to, const Table* table, int scene, double most)
 {
 	int lines = 0;
@@ -89,7 +90,7 @@ static const Row* last_of(const Table* table, int scene, int curve)
 	return last;
 }
 
-// Labels the end of each curve that was not run with the estimate of a step; of curves that end close together only one.
+// Labels the end of each curve whose last row is an estimate, but not if its value is close to the label before.
 static void put_estimates(FILE* to, const Table* table, int scene)
 {
 	double top = 0, before = 0;
@@ -108,7 +109,7 @@ static void put_estimates(FILE* to, const Table* table, int scene)
 	fprintf(to, "set yrange [*:%g]\n", 100 * top);
 }
 
-// One legend for all plots: an empty plot below them, with the names of the curves and of the marks.
+// Writes the legend of all plots, an empty plot below them: the names of curves and marks.
 static void put_legend(FILE* to, const Table* table)
 {
 	fputs("set origin 0, 0\nset size 1, 0.13\nset lmargin at screen 0.02\nset rmargin at screen 0.98\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// plot_text.c -- texts that both figures have.
+// plot_text.c -- writes names, times and numbers for both figures.
 #include "tools/paper/plot_text.h"
 #include <stdio.h>
 

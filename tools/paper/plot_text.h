@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// plot_text.h -- texts that both figures have.
+// plot_text.h -- writes names, times and numbers for both figures.
 #ifndef PLOT_TEXT_H
 #define PLOT_TEXT_H
 #include "tools/paper/figure.h"
 
-#define PLOT_TEXT 32 // characters of a short text
+#define PLOT_TEXT 32 // bytes of a short text, including the final 0
 
-extern const char* const plot_pipelines[FIGURE_PIPELINES]; // as the figures name them
+extern const char* const plot_pipelines[FIGURE_PIPELINES]; // names of pipelines and scenes in the figures
 extern const char* const plot_scenes[FIGURE_SCENES];
 
 // Writes 61000 ms as "1 min".

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// resolve.c -- the fourth stage, on the host: resolves one contact after the other, always the most severe. First it resolves
-// overlaps by their depth, then closing velocities by their speed.
+// resolve.c -- executes the fourth stage on the host: resolves one contact after the other, always the most severe.
+// Overlaps are resolved first, the deepest first; then closing velocities, the fastest first.
 //
-// Each resolution changes the contacts that share a body with it, so that the whole list is searched after each, as in the
-// paper. Time grows with the square of the contacts, and nothing runs in parallel.
+// Resolving a contact changes all contacts that share a body with it, so the whole list is searched after each
+// resolution, as in the paper. The time grows with the square of the number of contacts, and nothing runs in parallel.
 //
 // This work is based on: Girgis and Wells, GPGPU Acceleration for Video Game Physics Engines, section III; for the
 // impulses: Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996.
@@ -12,29 +12,30 @@
 #include "platform/error.h"
 #include <stdlib.h>
 
-// Resolutions are limited to this number times the contacts. With fewer, piles fall within ten seconds: a column of ten boxes
-// falls at 16 and stands at 64; one of twenty falls at 64 and stands at 200, but not for thirty seconds.
+// Maximum number of resolutions per contact. With a lower limit piles fall within ten seconds. A column of ten boxes
+// falls with 16 and stands with 64; a column of twenty falls with 64 and stands with 200, but not for thirty seconds.
 #define ROUNDS 200
 
-// smaller overlaps and closing speeds are not resolved
+// Smaller overlaps and closing speeds are not resolved.
 #define DEPTH_TOLERANCE 0.001f // m
 #define SPEED_TOLERANCE 0.001f // m/s
 
-// Overlap that a resolution leaves, m. Without it a resting body would lose its contact in every other step, and piles would
-// vibrate.
+// m: overlap that a resolution leaves. Without it a resting body would lose its contact in every other step, and piles
+// would vibrate.
 #define DEPTH_LEFT 0.0005f
 
-// Slower impacts do not bounce, m/s, so that the speed that gravity adds in a step does not. The default of scree_world_def.
+// m/s: slower impacts do not bounce, so that the speed added by gravity in a step causes no bounce. It equals the
+// default of scree_world_def.
 #define RESTITUTION_THRESHOLD 1.0f
 
-typedef struct // a contact between two bodies, as it is resolved
+typedef struct // a contact between two bodies while it is resolved
 {
-	int a, b; // bodies
+	int a, b; // indices of the bodies
 	int count;
 	Vec normal;
 	Vec arm_a[2], arm_b[2]; // m, from the centers of mass to the points
-	float depth;            // m, of the deepest point as detected
-	float target[2];        // m/s of separation after the impact
+	float depth;            // m: depth of the deepest point when it was detected
+	float target[2];        // m/s: relative velocity along the normal after the impact; positive: the points separate
 	float friction;
 	float severity;
 } ActiveContact;
@@ -51,7 +52,8 @@ static float overlap_severity(const Resolution* r, const ActiveContact* c)
 	return c->depth - vec_dot(c->normal, vec_sub(r->bodies[c->b].d, r->bodies[c->a].d));
 }
 
-// Moves both bodies along the normal, in inverse proportion to their masses. Only velocities rotate bodies.
+// Removes an overlap: moves both bodies along the normal, in inverse proportion to their masses. The bodies are not
+// rotated.
 static void overlap_resolve(Resolution* r, ActiveContact* c)
 {
 	Body *a = r->bodies + c->a, *b = r->bodies + c->b;
@@ -76,8 +78,8 @@ static float speed_severity(const Resolution* r, const ActiveContact* c)
 	return c->count < 2 ? severity : maximum(severity, point_severity(r, c, 1));
 }
 
-// Applies an impulse at the more severe point, after which it separates at its target, and Coulomb friction, which that impulse
-// limits.
+// Applies an impulse at the more severe point, which gives it the target velocity. Also applies Coulomb friction,
+// limited by this impulse.
 static void speed_resolve(Resolution* r, ActiveContact* c)
 {
 	Body *a = r->bodies + c->a, *b = r->bodies + c->b;
@@ -98,7 +100,8 @@ static bool adjacent(const ActiveContact* c, const ActiveContact* other)
 	return c->a == other->a || c->a == other->b || c->b == other->a || c->b == other->b;
 }
 
-// Resolves the most severe contact again and again. Equally severe ones are resolved in the order of their pairs.
+// Resolves the most severe contact repeatedly, until no severity exceeds the tolerance or the limit ROUNDS is reached.
+// Contacts of equal severity are resolved in the order of their pairs.
 static void resolve_all(Resolution* r, float (*severity)(const Resolution*, const ActiveContact*),
                         void (*resolve)(Resolution*, ActiveContact*), float tolerance)
 {
@@ -107,7 +110,7 @@ static void resolve_all(Resolution* r, float (*severity)(const Resolution*, cons
 	ActiveContact* last = NULL;
 	for (int64_t left = (int64_t)ROUNDS * r->count; left > 0; --left)
 	{
-		// computes the severity of the contacts that the last resolution changed, and finds the most severe
+		// updates the severity of contacts that share a body with the last one, and finds the most severe contact
 		ActiveContact* worst = NULL;
 		for (ActiveContact* c = r->contacts; c < r->contacts + r->count; ++c)
 		{
@@ -154,8 +157,8 @@ static ActiveContact active_contact(const PaperBody* bodies, const PaperContact*
 	return c;
 }
 
-// Sets the target speeds. Where the surfaces overlap, by Newton's law of restitution. A second point may be above the other
-// surface; it may close that gap within a step.
+// Sets the target velocities. For points that overlap they follow from Newton's law of restitution; a point above the
+// other surface may close its gap within the step.
 static void set_targets(const Resolution* r, ActiveContact* c, const PaperContact* contact, float dt)
 {
 	for (int k = 0; k < c->count; ++k)
@@ -198,7 +201,7 @@ scree_status paper_resolve(Paper* paper)
 	paper->counters.penetration = 0.0f;
 	for (int i = 0; i < count; ++i)
 	{
-		// a contact of a collidable without a body is only detected
+		// contacts of collidables without a body are detected, but not resolved
 		const PaperContact* contact = &p->contact[i];
 		if (contact->body_a < 0 || contact->body_b < 0)
 			continue;

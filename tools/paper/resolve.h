@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// resolve.h -- the fourth stage, on the host: resolves one contact after the other, always the most severe.
+// resolve.h -- executes the fourth stage on the host: resolves one contact after the other, always the most severe.
 #ifndef RESOLVE_H
 #define RESOLVE_H
 #include "tools/paper/paper_state.h"
 
-// Sorts the contacts of the host and resolves them.
+// Sorts the contacts of the host by their pairs and resolves them. Writes the new poses and velocities of bodies.
 scree_status paper_resolve(Paper* paper);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// table.c -- the rows of a figure's CSV, and the crossovers of its curves.
+// table.c -- reads the rows of a figure's CSV, and computes the crossovers of its curves.
 #include "tools/paper/table.h"
 #include "cli/common/csv.h"
 #include "cli/common/options.h"
@@ -25,8 +25,8 @@ static void remove_all(char* text, const char* part)
 		memmove(at, at + strlen(part), strlen(at + strlen(part)) + 1);
 }
 
-// Writes a device's name for readers: "opencl:NVIDIA H200" is "NVIDIA H200". PoCL names the architecture before the
-// processor: "opencl:cpu-skylake-avx512-Intel(R) Xeon(R) Processor" is "PoCL, Intel Xeon Processor".
+// Writes the name of a device for readers: "opencl:NVIDIA H200" becomes "NVIDIA H200". PoCL puts the architecture
+// before the processor: "opencl:cpu-skylake-avx512-Intel(R) Xeon(R) Processor" becomes "PoCL, Intel Xeon Processor".
 static void show_device(const char* device, char* text, size_t size)
 {
 	static const char* const pocl[] = {"cpu-", "pthread-"};
@@ -81,7 +81,8 @@ static bool read_row(char* const* heads, char* const* cells, int count, Row* row
 	return row->scene >= 0 && row->pipeline >= 0 && row->bodies > 0 && row->ms > 0;
 }
 
-// Reads the line "processor: Intel(R) Xeon(R) Processor, 16 cores" of what bench/gpu.sh wrote about the machine.
+// Reads the name of the processor from machine.txt, which bench/gpu.sh writes. Its line is "processor: Intel(R) Xeon(R)
+// Processor, 16 cores".
 static void read_processor(const char* csv, char* text, size_t size)
 {
 	static const char head[] = "processor: ";
@@ -158,7 +159,7 @@ bool table_has_scene(const Table* table, int scene)
 	return found;
 }
 
-// Interpolates between two sizes as if both times were powers of the number of bodies.
+// Between two sizes, both times are interpolated as powers of the number of bodies.
 double table_crossover(const Table* table, int scene, int pipeline, FigurePlace place, double* ms)
 {
 	double bodies = 0, before = 0, last_bodies = 0, last_ms = 0;
