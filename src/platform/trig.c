@@ -8,11 +8,11 @@
 #include <math.h>
 #include <string.h>
 
-// 1 / (2 pi) in words of 32 bits, after one word of zeros; enough digits for the largest float
+// 1 / (2 pi) in words of 32 bits, after one word of zeros; the digits suffice for the largest float
 static const uint32_t turn_digits[] = {0,          0x28be60db, 0x9391054a, 0x7f09d5f4,
                                        0x7d4d3770, 0x36d8a566, 0x4f10e410, 0x7f9458ea};
 
-// Returns the fraction of a turn, in units of 2^-64, of an angle of at least 1/2 rad.
+// Returns an angle without its whole turns, in units of 2^-64 turns. angle, rad: at least 1/2.
 static uint64_t turn_fraction(float angle)
 {
 	uint32_t bits;
@@ -20,7 +20,7 @@ static uint64_t turn_fraction(float angle)
 	uint64_t mantissa = (bits & 0x7fffffu) | 0x800000u;
 	int shift = (int)(bits >> 23 & 0xff) - 150 + 32;
 
-	// three words of digits, from the first one below the binary point after the multiplication by the mantissa
+	// three words of digits; all earlier digits contribute only whole turns
 	uint32_t digits[3];
 	for (int k = 0; k < 3; ++k)
 	{
@@ -48,7 +48,7 @@ void sine_cosine(float angle, double* sine, double* cosine)
 		r = (double)(int64_t)(turn - ((uint64_t)quadrant << 62)) * (2.0 * PI / 18446744073709551616.0);
 	}
 
-	// Taylor series, up to pi / 4
+	// Taylor series, for r up to pi / 4
 	double q = r * r;
 	double s = 1.0 - q / 156.0;
 	s = 1.0 - q / 110.0 * s;
@@ -79,7 +79,7 @@ double arc_tangent(double y, double x)
 	if (ax == 0.0 && ay == 0.0)
 		return 0.0;
 
-	// reduction to the slope t of an angle of at most pi / 8
+	// reduction to an angle of at most pi / 8, whose tangent is t
 	double t = ay < ax ? ay / ax : ax / ay, base = 0.0;
 	if (t > 0.414)
 	{
@@ -87,7 +87,7 @@ double arc_tangent(double y, double x)
 		base = PI / 4.0;
 	}
 
-	// Gregory's series
+	// Gregory's series of the arc tangent
 	double q = t * t, sum = 0.0;
 	for (int k = 23; k >= 1; k -= 2)
 		sum = 1.0 / k - q * sum;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// trig.h -- sine, cosine and arc tangent on the host, only with + - * /, so that every machine gets the same bits.
+// trig.h -- computes sine, cosine and arc tangent on the host, only with + - * /, so that every machine gets the same
+// bits.
 #ifndef TRIG_H
 #define TRIG_H
 
 #define PI 3.14159265358979323846
 
-// Computes sine and cosine of any finite angle, radians, with an error below 1e-12; NaN if the angle is not finite.
+// Computes sine and cosine of an angle, in radians, with an error below 1e-12. Both are NaN if the angle is not finite.
 void sine_cosine(float angle, double* sine, double* cosine);
 
 // Returns the angle of (x, y) in [-pi, pi], with an error below 1e-10; 0 for (0, 0).

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// collidable_types.h -- collidables: their kinds and flags, attributes, surfaces and filters.
+// collidable_types.h -- declares the data of collidables: kinds, flags, attributes, surfaces and filters.
 #ifndef COLLIDABLE_TYPES_H
 #define COLLIDABLE_TYPES_H
 #include "pools/limits.h"
 
-// Events of a collidable that are listed for the user.
-#define REPORT_TOUCHES  1u // begin and end of its touches
-#define REPORT_HITS     2u // hits that it gives or receives
+// Bits of Filter.reports: events of a collidable that are listed for the user.
+#define REPORT_TOUCHES  1u // begins and ends of touches of the collidable
+#define REPORT_HITS     2u // hits that the collidable gives or receives
 #define REPORT_APPROVAL 4u // contacts that need approval before they act
 
-// Collidables that a sensor detects; bits of the same word.
-#define SENSOR_MOVING  0x100u // those of dynamic and kinematic bodies
-#define SENSOR_STATIC  0x200u // those of static bodies, or without a body
+// More bits of Filter.reports: collidables that a sensor detects.
+#define SENSOR_MOVING  0x100u // collidables of dynamic and kinematic bodies
+#define SENSOR_STATIC  0x200u // collidables of static bodies, or without a body
 #define SENSOR_SENSORS 0x400u // other sensors
 #define SENSOR_SHIFT   8
 #define SENSOR_BITS    (SENSOR_MOVING | SENSOR_STATIC | SENSOR_SENSORS)
@@ -21,11 +21,12 @@
 #define COLLIDABLE_FAST    2                             // the motion of this step may exceed the speculative distance
 #define COLLIDABLE_MOVING  4                             // the collidable is not at rest in this step
 #define GRAIN_SIZE         (2.0f * SPECULATIVE_DISTANCE) // m: thinner dynamic collidables have finer tolerances
-// Bit k of these is set for a dynamic collidable that is thinner than GRAIN_SIZE / 2^k. The tolerances of a contact are
-// halved once for each bit that either collidable has, because they would exceed the smaller body.
+// Bit k of the following bits is set for a dynamic collidable that is thinner than GRAIN_SIZE / 2^k. The tolerances of
+// a contact are halved for each bit that one of the two collidables has; otherwise they would exceed the smaller body.
 #define COLLIDABLE_GRAIN 8 // bit 0
 #define GRAIN_LEVELS     5
-// The same for the reach, which scales the distance from which on a pair has points: long thin bodies need both ends.
+// First of similar bits for the reach, which scales the distance below which a pair has points: long thin bodies need
+// points at both ends.
 #define COLLIDABLE_REACH  (COLLIDABLE_GRAIN << GRAIN_LEVELS)
 #define COLLIDABLE_GRAINS (COLLIDABLE_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
 
@@ -33,8 +34,8 @@
 #define KIND_STATIC    1
 #define KIND_KINEMATIC 2
 #define KIND_DYNAMIC   3
-#define KIND_FREE      4 // no body
-#define KIND_SENSOR    8 // flag that a sensor adds to its kind
+#define KIND_FREE      4 // not placed on a body
+#define KIND_SENSOR    8 // flag added to the kind of a sensor
 
 typedef struct // 160 bytes
 {
@@ -44,13 +45,13 @@ typedef struct // 160 bytes
 	int count;          // number of vertices: 1 circle, 2 capsule and segment, 3 to 8 polygon
 	float friction, restitution, rolling_resistance;
 	float tangent_speed; // m/s
-	float margin;        // m: distance by which an enlarged box exceeds the tight one
-	float reach;         // m: largest distance of a point from the origin
+	float margin;        // m: distance from the tight box to the enlarged box
+	float reach;         // m: largest distance of a point of the shape from the origin
 } Attribute;
 
-typedef struct // 16 bytes: properties of an attribute that rules read
+typedef struct // 16 bytes: properties of an attribute that the kernels for rules read
 {
-	float up_x, up_y; // unit vector in the frame of the shape, to the side from which a one-way platform is solid
+	float up_x, up_y; // unit vector in the frame of the shape, toward the side from which a one-way platform is solid
 	int one_way;      // 1 for a one-way platform
 	int material;
 } Rule;
@@ -63,7 +64,7 @@ typedef struct // 16 bytes: properties of an attribute that rules read
 #define MATERIAL_SPEED       4
 #define MATERIAL_IGNORED     8
 
-typedef struct // 16 bytes: surface of a pair of materials, which replaces the mix of their attributes
+typedef struct // 16 bytes: surface of a pair of materials, which replaces the mix of two attributes
 {
 	float friction, restitution;
 	float tangent_speed; // m/s, as in Attribute
@@ -83,7 +84,7 @@ typedef struct // 24 bytes
 typedef struct // 32 bytes: one memory sector
 {
 	float x, y, c, s;         // world pose
-	float center_x, center_y; // from here to the body's center of mass, world axes, m
+	float center_x, center_y; // m, world axes: vector from (x, y) to the body's center of mass
 	int attribute, body;
 } WorldShape;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// command_types.h -- commands: changes that the user made between steps.
+// command_types.h -- declares commands: edits in the form that the device applies.
 #ifndef COMMAND_TYPES_H
 #define COMMAND_TYPES_H
 #include "dialect/dialect.h"
@@ -12,8 +12,8 @@ typedef struct // 32 bytes: a change that the user made between steps
 	Float4 value;
 } Command;
 
-// Command.kind, with the contents of value and whole. Kinds from COMMAND_PLACE on apply to a collidable, the others to
-// a body. For kinds below COMMAND_BODY, whole[1] is 1 if that body is disabled.
+// Values of Command.kind, with the contents of Command.value and Command.whole. Kinds from COMMAND_PLACE on apply to a
+// collidable, all others to a body. For kinds below COMMAND_BODY, whole[1] is 1 if the body is disabled.
 #define COMMAND_FORCE           0  // x, y: N
 #define COMMAND_FORCE_AT        1  // force x, y, world point x, y
 #define COMMAND_TORQUE          2  // x: N m
@@ -30,12 +30,12 @@ typedef struct // 32 bytes: a change that the user made between steps
 	12 // new row without mass: center of mass x, y, cos, sin; whole: float bits of the center in the body's frame
 #define COMMAND_CONTINUOUS 13 // ContinuousBody: first and parts in whole; way in x, reach in y
 #define COMMAND_ENABLED    14 // whole[0]: 1, or 0 to disable the body
-#define COMMAND_TARGET     15 // pose of the origin x, y, cos, sin at the end of the step; whole[0]: locks
-#define COMMAND_ARRIVE     16 // the same after that step: moves the body there, and stops it
+#define COMMAND_TARGET     15 // pose of the body's origin at the end of the step: x, y, cos, sin; whole[0]: locks
+#define COMMAND_ARRIVE     16 // the same pose, after that step: moves the body there and stops it
 #define COMMAND_PLACE      17 // collidable without a body: x, y, cos, sin
-#define COMMAND_COLLIDABLE 18 // local pose x, y, cos, sin; whole: attribute, body. Its contacts end, and new ones begin
+#define COMMAND_COLLIDABLE 18 // local pose x, y, cos, sin; whole: attribute, body; creates all its contacts again
 #define COMMAND_ATTRIBUTE  19 // whole[0]: another attribute of the same shape
-#define COMMAND_FILTER     20 // bits of category and mask; whole: group; kind, and REPORT_* bits from bit 8 on
+#define COMMAND_FILTER     20 // bits of category and mask; whole: group, and kind with REPORT_* bits from bit 8 on
 #define COMMAND_NEXT       21 // whole[0]: 1 + index of the body's next collidable, 0 for none
 #define COMMAND_REPORTS    22 // whole[0]: REPORT_* bits
 

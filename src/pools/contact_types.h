@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// contact_types.h -- contacts: their flags, manifolds, reports and events, and the spokes of hubs.
+// contact_types.h -- declares the data of contacts: flags, manifolds, reports and events, and the spokes of hubs.
 #ifndef CONTACT_TYPES_H
 #define CONTACT_TYPES_H
 #include "pools/collidable_types.h"
 
-// The pool fixed_contacts counts a contact with a static collidable as 1, one with a kinematic collidable as this.
+// Weight of a contact with a kinematic collidable in the pool fixed_contacts. A contact with a static collidable counts
+// as 1.
 #define KINEMATIC_CONTACT         65536
 #define STATIC_CONTACTS(fixed)    ((fixed) & (KINEMATIC_CONTACT - 1))
 #define KINEMATIC_CONTACTS(fixed) ((Word)(fixed) / KINEMATIC_CONTACT)
@@ -12,40 +13,40 @@
 // Bits of the pool contact_flags.
 #define CONTACT_COUNT    3u    // mask of the number of points
 #define CONTACT_FRESH    4u    // created in this step
-#define CONTACT_DETECTED 8u    // detection only: one side has no body, so there are no impulses
+#define CONTACT_DETECTED 8u    // detection only: one collidable has no body, so there are no impulses
 #define CONTACT_TOUCHING 16u   // has points
 #define CONTACT_JOINED   8192u // a joint or an exclusion keeps the two bodies from touching
-#define CONTACT_REPORT   14    // first of the REPORT_* bits that it takes from its collidables
+#define CONTACT_REPORT   14    // position of the first REPORT_* bit that a contact takes from its collidables
 #define CONTACT_REPORTS  ((REPORT_TOUCHES | REPORT_HITS) << CONTACT_REPORT)
-#define CONTACT_TOUCHED  65536u  // its touch began, so an end will follow
-#define CONTACT_PASSES   131072u // one side is a one-way platform that lets the other one through
+#define CONTACT_TOUCHED  65536u  // a touch has begun, so its end will be reported
+#define CONTACT_PASSES   131072u // one side is a one-way platform that lets the other side through
 #define CONTACT_IGNORED  262144u // the pair of materials is set to ignored
-// States of a contact that needs the user's approval.
-#define CONTACT_PENDING   524288u  // pending: gets no impulses yet
+// States of a contact that needs the approval of the user.
+#define CONTACT_PENDING   524288u  // no decision yet: gets no impulses
 #define CONTACT_WAITED    1048576u // listed for the user in the last step
-#define CONTACT_REFUSED   2097152u // refused, or left without an answer
-#define CONTACT_APPROVED  4194304u // approved: acts until the two part
+#define CONTACT_REFUSED   2097152u // refused by the user, or left without a decision
+#define CONTACT_APPROVED  4194304u // acts until the two collidables part
 #define CONTACT_APPROVALS (CONTACT_PENDING | CONTACT_WAITED | CONTACT_REFUSED | CONTACT_APPROVED)
-#define CONTACT_HIGH      8388608u  // passes, but was higher than its platform, so it may be stopped as if it were new
+#define CONTACT_HIGH      8388608u  // passes, but was above its platform, and may later be stopped like a new contact
 #define CONTACT_STATIC    16777216u // one side was static when the contact was created
-#define CONTACT_KINEMATIC 33554432u // the same for kinematic
+#define CONTACT_KINEMATIC 33554432u // one side was kinematic when the contact was created
 #define CONTACT_FIXED     (CONTACT_STATIC | CONTACT_KINEMATIC)
-#define CONTACT_SUNK      67108864u // its depth in a platform is already found in this step
-#define CONTACT_APART     (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // no points, whatever the poses
+#define CONTACT_SUNK      67108864u // its depth in a platform is already computed in this step
+#define CONTACT_APART     (CONTACT_JOINED | CONTACT_PASSES | CONTACT_IGNORED) // these have no points at any poses
 #define CONTACT_LASTS                                                                                          \
 	(CONTACT_DETECTED | CONTACT_REPORTS | CONTACT_TOUCHED | CONTACT_APPROVALS | CONTACT_HIGH | CONTACT_FIXED | \
 	 CONTACT_SUNK)         // bits that narrow_phase preserves
 #define CONTACT_LOOK 2048u // narrow_phase must process the contact
 #define CONTACT_ANEW 4096u // narrow_phase must compute a new manifold
-// Bits of the same word that define how the manifold follows the bodies.
-#define MANIFOLD_ROLLS    32   // the points follow the corners of the shapes; otherwise they stay as they were found
-#define MANIFOLD_CORNER1  64   // point 1 is at a corner of a, otherwise of b
-#define MANIFOLD_CORNER2  128  // the same for point 2
+// More bits of contact_flags: they define how the manifold follows the bodies.
+#define MANIFOLD_ROLLS    32   // the points follow the corners of the shapes; otherwise they stay where they were found
+#define MANIFOLD_CORNER1  64   // point 1 is at a corner of a; otherwise at a corner of b
+#define MANIFOLD_CORNER2  128  // point 2 is at a corner of a; otherwise at a corner of b
 #define MANIFOLD_TURNS_B  256  // the normal turns with b, otherwise with a
-#define MANIFOLD_CORNERS  512  // the normal points from a corner to a corner
-#define MANIFOLD_OVERLAPS 1024 // some point overlapped
+#define MANIFOLD_CORNERS  512  // the normal points from a corner of a shape to a corner of the other
+#define MANIFOLD_OVERLAPS 1024 // some point overlapped when the manifold was computed
 
-typedef struct // 64 bytes: the points of a contact, as they were found
+typedef struct // 64 bytes: the points of a contact at the time when they were found
 {
 	Float4 normal;   // x, y from a to b in the frame of a; separations of the points, m, NO_POINT for a missing one
 	Float4 on_a;     // points 1 and 2 in the frame of a, m
@@ -63,18 +64,18 @@ typedef struct // 96 bytes: a contact as reported to the user
 	Float4 point;                   // points 1 and 2: x, y, m
 	Float4 impulse;                 // normal 1, 2, tangent 1, 2, N s
 	Float4 detail;                  // normal impulses of all substeps, N s, and approach speeds, m/s, of points 1 and 2
-	float separation1, separation2; // m
+	float separation1, separation2; // m, of points 1 and 2
 	float unused[2];
 } ContactReport;
 
-typedef struct // MAX_LANES spokes; all but the first two rows are working data of a pass
+typedef struct // MAX_LANES spokes; only the first two rows outlive a pass
 {
-	float parts[MAX_LANES];     // parts of the neighbor: one per spoke, and one if it is a hub itself
+	float parts[MAX_LANES];     // parts of the neighbor: one per spoke, and one more if the neighbor is a hub
 	float hub_parts[MAX_LANES]; // parts of the hub, at its first spoke
 	float hub_x[MAX_LANES], hub_y[MAX_LANES], hub_w[MAX_LANES]; // velocity of the hub's part, at its first spoke
 	float vx[MAX_LANES], vy[MAX_LANES], w[MAX_LANES];           // velocity of the neighbor's part
 	float inv_mass[MAX_LANES], inv_inertia[MAX_LANES];          // masses of the whole neighbor
-	float gap1[MAX_LANES], gap2[MAX_LANES];                     // m
+	float gap1[MAX_LANES], gap2[MAX_LANES];                     // m, of points 1 and 2
 	float push_x[MAX_LANES], push_y[MAX_LANES], arm1[MAX_LANES], arm2[MAX_LANES]; // effect of a unit impulse on the hub
 	float slope1[MAX_LANES], slope2[MAX_LANES];                                   // m/s: slopes of the energy
 	float mass1[MAX_LANES], mass2[MAX_LANES], cross[MAX_LANES];               // 1/kg: velocity changes by unit impulses

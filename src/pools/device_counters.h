@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// device_counters.h -- counters on the device, which the host reads back.
+// device_counters.h -- declares the counters on the device, which the host reads back.
 #ifndef DEVICE_COUNTERS_H
 #define DEVICE_COUNTERS_H
 #include "pools/step_types.h"
 
-typedef struct // places of the constraints of a kind
+typedef struct // places of the constraints of a kind: their indices in the pools of rows
 {
 	int begin[COLORS + 2]; // first place of each color; color COLORS contains the spokes
 	int count[COLORS + 1]; // constraints of each color, without padding
@@ -12,63 +12,63 @@ typedef struct // places of the constraints of a kind
 	int last[COLORS + 2];
 } KindLayout;
 
-typedef struct // all are ints, so that Run.count can identify one by its position
+typedef struct // all members are ints, so Run.count can identify a counter by its position
 {
 	// Values that persist between steps.
-#define CONSTRAINT_KIND(kind, Kind, KIND) int kind##s; // end of the used slots of the kind's pool
+#define CONSTRAINT_KIND(kind, Kind, KIND) int kind##s; // end of the used slots in the pools of the kind
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	int presses;                         // INT_MAX if something may be pressed, else 0
-	int ways;                            // 1 if some contact passes a press on
+	int ways;                            // 1 if some contact passes on a press, or some body was pressed recently
 	int belts;                           // 1 if a belt was reversed since the last search for hubs
-	int alive;                           // live contacts, plus those released in the last step
-	int touching;                        // contacts with a color, including spokes
+	int alive;                           // number of live contacts, plus the contacts that the last step released
+	int touching;                        // number of contacts with a color, including spokes
 	KindLayout layout[CONSTRAINT_KINDS]; // places of the constraints of each kind
-	int hubs;                            // bodies solved together with all of their contacts
+	int hubs;                            // number of hubs
 	int split;                           // number of spokes if some body is split into parts, else 0
 	int outliers[2]; // node visits per traversal wasted on outliers, for each tree, times OUTLIER_UNIT
 	// Values of this step.
 	int updated_boxes; // collidables whose enlarged box changed
-	int changed;       // 1 if a constraint began or ended, so that a new layout is necessary
+	int changed;       // 1 if a constraint began or ended, so the constraints need a new layout
 	int kept;          // INT_MAX if the layout of the last step is valid; 0 if it changed or must not be used
 	int refit;         // tree nodes to recompute: all if some box changed, else 0
 	int jumped;        // tree nodes to check for outliers: all if some box jumped, else 0
-	int order[2];      // leaves of each tree to sort in this step: all, or 0
+	int order[2];      // number of leaves of each tree to sort in this step: all, or 0
 	int traversals;    // traversals that one work-item did not finish
-	int rest;          // work-items among which these are split: all, or 0 without such traversals
-	int pairs;         // new pairs found, including those beyond the capacity; incomplete above the limit
-	int over_limit;    // 1 if there are more contacts than the limit allows: the rest of the step is skipped
+	int rest;          // work-items that share the rest of these traversals: all, or 0 without such traversals
+	int pairs;         // new pairs found, including pairs beyond the capacity; too few if the contact limit is exceeded
+	int over_limit;    // 1 if there are more contacts than the limit allows: the step is then abandoned
 	int sort_pairs;    // new pairs, or 0 if the capacity is too small
 	int search;        // contact slots to search for free ones, plus one; 0 without new pairs
 	int dead;          // free slots found
 	int created;       // new contacts
 	int needed;        // contact slots that the step needs
-	int stalled;       // 1 if the limit or a capacity is exceeded: the rest is skipped, and the host repeats the step
+	int stalled;       // 1 if the limit or a capacity is exceeded: the host ends the step, or enlarges the pools
 	int live;          // contact slots that the narrow phase covers
-	int look;          // the same if some contact is marked for processing, else 0
+	int look;          // live if some contact is marked for processing, else 0
 	int released;      // contacts whose boxes parted
 	int began, ended;  // contacts that began and stopped touching
-	int gathered;      // contact slots to search for contacts of new hubs, else 0
+	int gathered;      // contact slots to search for contacts of new hubs, or 0
 	int entered;       // 1 if a contact became a spoke
 	int uncolored[MAX_ROUNDS + 1]; // [r + 1]: contacts without a color after coloring round r
 	int dirty[CONSTRAINT_KINDS];   // 1 if a constraint of the kind began or ended
-	int arrange[CONSTRAINT_KINDS]; // slots of the kind to sort by color; 0 if none began or ended
+	int arrange[CONSTRAINT_KINDS]; // slots of the kind to sort by color; 0 if no constraint of the kind began or ended
 	int arranged;                  // 1 if all changed kinds were laid out
 	int penetration;               // float bits of the deepest overlap, m
 	int joint_gap;                 // float bits of the widest gap of a joint, m
-	int taut;             // 1 if the pull of some joint was large against the inertia of a body; body_taut clears it
+	int taut;             // 1 if the pull of some joint was large for the inertia of a body; body_taut clears this
 	int nonfinite;        // bodies frozen because their state was not finite
-	int first_nonfinite;  // lowest index of such a body
-	int press[2];         // 1 if some body is deep in a static body; in a kinematic body
+	int first_nonfinite;  // lowest index of a body whose state was not finite
+	int press[2];         // 1 if some body is deep in a static body; 1 if some body is deep in a kinematic body
 	int continuous_items; // items of the kernel continuous: bodies, or parts of bodies, that moved far
 	int held;             // bodies that continuous collision stopped
 	int joint_moved;      // 1 if some joint got another spot; joint_updated clears it
 	int joints_dirty;     // INT_MAX if some joint was created, was changed or broke since the last step, else 0
-	int overflow_first, overflow; // joints without a color and a chain: first of them among the sorted keys, and number
+	int overflow_first, overflow; // joints without a color and a chain: first of them among the sorted keys; number
 	int joined;                   // pairs of bodies that joints or the user keep from touching
 	int joint_events;             // joints whose force or torque exceeded a threshold in the step
-	int touches_began, touches_ended, hits; // numbers of events of the step
-	int waiting, refused, asked;            // contacts that are pending, refused, and listed for approval
+	int touches_began, touches_ended, hits; // numbers of events in the step
+	int waiting, refused, asked;            // numbers of contacts: pending, refused, and listed for approval
 	int holds;                              // INT_MAX if some contact is pending, else 0
 	int moved_bodies;                       // bodies whose pose differs from the last one that the user read
 	int fault; // code of a device that failed during a run; its backend reads it with the other counters

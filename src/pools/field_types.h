@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// field_types.h -- fields, and the forces that they exert on bodies.
+// field_types.h -- declares the data of fields, and of the forces that they exert on bodies.
 #ifndef FIELD_TYPES_H
 #define FIELD_TYPES_H
 #include "pools/collidable_types.h"
@@ -9,10 +9,10 @@
 #define FIELD_RADIAL   1
 #define FIELD_VORTEX   2
 #define FIELD_DRAG     3
-#define FIELD_WIND     4 // acts on shapes, as the next kind; the others act on bodies
+#define FIELD_WIND     4 // acts on shapes, as does FIELD_BUOYANCY; all other fields act on bodies
 #define FIELD_BUOYANCY 5
 
-#define FIELD_FEW (ARITY * ARITY) // with more fields, boxes around ARITY boxes are tested first
+#define FIELD_FEW (ARITY * ARITY) // with more fields, boxes around groups of ARITY field boxes are tested first
 
 // Falloff of a radial field and a vortex, as in scree_field_falloff.
 #define FALLOFF_CONSTANT       0
@@ -24,11 +24,11 @@ typedef struct // 288 bytes
 {
 	Attribute shape;       // shape of the region: only corners, normals, radius and count; count 0: everywhere
 	Float4 pose;           // pose of the region in the frame of the body, or in the world: x, y (m), cos, sin
-	Word64 category, mask; // filter of the bodies or shapes on which it acts
+	Word64 category, mask; // filter of the bodies or shapes on which the field acts
 	int all;               // 1 if category and mask have all bits
-	int body;              // index of its body, -1 for none
+	int body;              // index of the body to which the field is attached, -1 for none
 	int kind, falloff;     // FIELD_*, FALLOFF_*
-	// Values in the frame of the region.
+	// Values in the frame of the region; not all kinds of fields use all of them.
 	float acceleration_x, acceleration_y; // m/s^2
 	float force_x, force_y;               // N
 	float velocity_x, velocity_y;         // m/s: velocity of the medium
@@ -41,18 +41,18 @@ typedef struct // 288 bytes
 	float unused[4];
 } Field;
 
-typedef struct // 48 bytes: a field in this step
+typedef struct // 48 bytes: state of a field in this step
 {
-	Float4 pose;              // pose of its region: x, y (m), cos, sin
-	float center_x, center_y; // m: from the position in pose to the center of mass of its body
-	float vx, vy, w;          // m/s, rad/s: velocity of that body
+	Float4 pose;              // pose of the region: x, y (m), cos, sin
+	float center_x, center_y; // m: vector from the position in pose to the center of mass of the body
+	float vx, vy, w;          // m/s, rad/s: velocity of the body
 	float unused[3];
 } FieldSample;
 
 typedef struct // 48 bytes: the force of fields on a body, about its center of mass
 {
 	float fx, fy, torque;              // N, N m: part that does not depend on the velocity of the body
-	float drag_x, drag_y, drag_torque; // N, N m: drag
+	float drag_x, drag_y, drag_torque; // N, N m: part that depends on the velocity of the body
 	// Sums of k, k x, k y and k (x^2 + y^2) over drags k at points x, y: kg/s, kg m/s, kg m^2/s.
 	float rate, rate_x, rate_y, rate_w;
 	float unused[2];

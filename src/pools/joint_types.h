@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// joint_types.h -- joints: their flags, modes and data, samples of paths, and what the user reads.
+// joint_types.h -- declares the data of joints: flags, modes, samples of paths, and results that the user reads.
 #ifndef JOINT_TYPES_H
 #define JOINT_TYPES_H
 #include "dialect/dialect.h"
 
 // Bits of the pool joint_flags.
-#define JOINT_THERE     1   // the slot holds a joint
+#define JOINT_THERE     1   // the slot contains a joint
 #define JOINT_ACTIVE    2   // both bodies are enabled, and at least one can move
-#define JOINT_RESTARTS  4   // its constraint has to end and begin again
-#define JOINT_BROKEN    8   // it broke
-#define JOINT_COLLIDES  16  // its bodies may touch each other
-#define JOINT_CAN_BREAK 32  // it breaks when its force or torque exceeds its threshold
-#define JOINT_ACTS      64  // it has a lock, a limit, a spring or a motor
-#define JOINT_NEW       128 // the slot holds another joint than before
-#define JOINT_SEEKS     256 // flag of an edit: a body or a frame was placed, so another part of its path may be nearer
+#define JOINT_RESTARTS  4   // the constraint must end and begin again
+#define JOINT_BROKEN    8   // the joint broke
+#define JOINT_COLLIDES  16  // the two bodies may touch each other
+#define JOINT_CAN_BREAK 32  // the joint breaks when its force or torque exceeds a threshold
+#define JOINT_ACTS      64  // the joint has a lock, a limit, a spring or a motor
+#define JOINT_NEW       128 // the slot contains a new joint
+#define JOINT_SEEKS     256 // flag of an edit: a body or a frame was placed, so the path must be searched again
 
 // JointData.modes: a whole number with four bits for each coordinate, followed by other bits.
 #define JOINT_LOCKED(k)     (1 << (4 * (k)))
@@ -28,7 +28,7 @@
 #define JOINT_TURNS         0x10000         // the axis turns with body a
 #define JOINT_COUPLED       0x20000         // a gear or a pulley: the coordinate along is that of the coupling
 
-// Measure of a side of a coupling, 0 for a: a translation, a distance, or else an angle.
+// Measure of a side (0: a, 1: b) of a coupling: a translation (slides), a distance (hoists), or else an angle.
 #define JOINT_SLIDES(side) (0x40000 << (side))
 #define JOINT_HOISTS(side) (0x100000 << (side))
 #define JOINT_LINEAR(side) (JOINT_SLIDES(side) | JOINT_HOISTS(side))
@@ -43,8 +43,8 @@
 
 typedef struct // 16 bytes: the lock of a coordinate, in m or rad
 {
-	float target;       // value at which a lock holds the coordinate, and to which a spring pulls it
-	float hertz, ratio; // frequency and damping ratio of a soft lock; 0 Hz: as stiff as the joint
+	float target;       // value at which a lock holds the coordinate, or to which a spring pulls the coordinate
+	float hertz, ratio; // frequency and damping ratio of a soft lock; with 0 Hz, those of the joint
 	float unused;
 } JointLock;
 
@@ -55,7 +55,7 @@ typedef struct // 32 bytes: limits, spring and motor of a coordinate, in m or ra
 	float speed, motor_most;
 } JointDriveData;
 
-// Offsets in JointData, in rows of four floats.
+// Offsets of the members of JointData, in rows of four floats.
 #define JOINT_QUADS       16
 #define JOINT_AT_MODES    0
 #define JOINT_AT_FRAME(s) (1 + (s))
@@ -66,7 +66,7 @@ typedef struct // 32 bytes: limits, spring and motor of a coordinate, in m or ra
 
 typedef struct // 256 bytes; most joints need only the first half
 {
-	int body_a, body_b;            // index of a body, 0 for the world
+	int body_a, body_b;            // indices of the bodies, 0 for the world
 	float modes;                   // JOINT_* bits, as a float
 	float gear_ratio;              // ratio of a coupling
 	Float4 frame[2];               // joint frames in the frames of the bodies: x, y (m), cos, sin

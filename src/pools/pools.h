@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pools.h -- the pools in pools.def, as C and OpenCL C read them. The types are in the other headers of this folder.
+// pools.h -- declares the pools of pools.def for C and OpenCL C. The other headers of this folder declare their types.
 #ifndef POOLS_H
 #define POOLS_H
 #include "pools/body_types.h"

@@ -1,52 +1,53 @@
 // SPDX-License-Identifier: MIT
-// query_types.h -- queries and their answers, as the device and the user exchange them.
+// query_types.h -- declares the data of queries and query results that device and user exchange.
 #ifndef QUERY_TYPES_H
 #define QUERY_TYPES_H
 #include "pools/collidable_types.h"
 
-// Queries: their forms, the answers that they return, and the order of the answers.
+// Types of queries, numbers of results per query, and sort orders of lists of results.
 #define QUERY_RAYS    0
 #define QUERY_SHAPES  1
 #define QUERY_NEAREST 2
-#define QUERY_SENSORS 3 // overlaps of sensors
+#define QUERY_SENSORS 3 // collidables that overlap sensors
 
 #define QUERY_CLOSEST 0
-#define QUERY_ANY     1 // some answer, or none
+#define QUERY_ANY     1 // at most one result, which may be any
 #define QUERY_ALL     2
 
-// Most answers of a list, far below the largest int: work-items add to the counter before they compare it with this.
+// Largest number of query results in a list. It is far below the largest int, because work-items increase the counter
+// before they compare it with this limit.
 #define QUERY_MOST 1000000000
 
 #define QUERY_BY_COLLIDABLE 0
 #define QUERY_BY_FRACTION   1
 #define QUERY_BY_QUERY      2
 
-typedef struct // 32 bytes: a collidable as a leaf of queries
+typedef struct // 32 bytes: a collidable as a leaf of the trees for queries
 {
 	float x, y, c, s; // world pose
 	int attribute, body, collidable;
-	Word kinds; // bits: the kind, with KIND_STATIC at bit 0, or LEAF_SENSOR for a sensor; and LEAF_LISTENS
+	Word kinds; // bit for the kind (KIND_STATIC: bit 0) or LEAF_SENSOR for a sensor; and LEAF_LISTENS
 } QueryLeaf;
-// Bits of the arguments of kernels of trees, whose bit 0 is the tree.
-#define TREE_QUERIES 2 // the boxes for queries, not those of the step
-#define TREE_PATHS   2 // query_leaf: boxes around the motion of the step
-#define TREE_STALE   4 // query_leaf: the boxes of the step do not fit its poses
+// Bits of the argument of tree kernels. Bit 0 is the index of the tree.
+#define TREE_QUERIES 2 // boxes for queries, not boxes of the step
+#define TREE_PATHS   2 // query_leaf: computes boxes around the motion of the step
+#define TREE_STALE   4 // query_leaf: the boxes of the step do not fit the current poses
 #define LEAF_SENSOR  0x10u
-#define LEAF_LISTENS 0x100u // its category and mask are not 0
+#define LEAF_LISTENS 0x100u // category and mask of the collidable are not 0
 
-typedef struct // 32 bytes: a query as the user writes it: scree_ray, scree_probe
+typedef struct // 32 bytes: a query as the user writes it, as scree_ray or scree_probe
 {
-	Float4 a;                        // origin x, y; path x, y of a ray, else rotation cos, sin
-	Float2 b;                        // radius of a ray, else path x, y; m
+	Float4 a;                        // origin x, y; then the path x, y of a ray, or the rotation cos, sin of a probe
+	Float2 b;                        // m: radius of a ray, or path x, y of a probe
 	int ignored, ignored_generation; // body that the query ignores, 0 for none
 } Query;
 
-typedef struct // 32 bytes: scree_query_result
+typedef struct // 32 bytes: scree_query_result on the device
 {
-	int collidable; // 1 + index, as in handles, 0 for none
+	int collidable; // 1 + index, as in handles; 0 without a result
 	Word generation;
 	float x, y, normal_x, normal_y;
-	float fraction; // fraction of the path; for the nearest collidable, the distance, m
+	float fraction; // fraction of the path; for a query of the nearest collidable, its distance, m
 	Word marks;     // FOUND_* bits
 } QueryResult;
 #define FOUND_HIT    1u
@@ -55,15 +56,15 @@ typedef struct // 32 bytes: scree_query_result
 typedef struct // settings that all queries of a call share
 {
 	Word64 category, mask;
-	Word kinds;      // QueryLeaf.kinds that are found
-	int all;         // 1 if category and mask have all bits
-	int room;        // capacity of the lists of answers
-	int found;       // answers found, including those beyond the capacity
-	float most;      // m: greatest distance of a nearest collidable
-	int skips;       // 1 to skip collidables inside which a query begins
+	Word kinds;      // bits of QueryLeaf.kinds that the queries find
+	int all;         // 1 if all bits of category and mask are set
+	int room;        // capacity of the list of results
+	int found;       // number of results found, including results beyond the capacity
+	float most;      // m: greatest distance at which a nearest collidable is found
+	int skips;       // 1 to skip a collidable if the query begins inside
 	int rules;       // 1 to find one-way platforms from above only
-	int bodies;      // used slots of the pool body_generation
-	Attribute shape; // shape of the query; a point for rays
+	int bodies;      // number of used slots in the pool body_generation
+	Attribute shape; // shape of the queries; a point for rays
 } QueryPlan;
 
 #endif

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// roles.h -- the kinds of items that pools have, and the role of a pool: the lifetime of an item between two steps.
+// roles.h -- lists the kinds of items that pools have, and the roles of pools: the lifetime of an item between two
+// steps.
 #ifndef ROLES_H
 #define ROLES_H
 
-typedef enum // the kind of an item of a pool
+typedef enum // kind of the items of a pool
 {
 	PER_ATTRIBUTE,
 	PER_COLLIDABLE,
 	PER_BODY,
 #define CONSTRAINT_KIND(kind, Kind, KIND) \
-	PER_##KIND, PER_##KIND##_PLACE, PER_##KIND##_BLOCK, // edge of a constraint; place of its rows; MAX_LANES of these
+	PER_##KIND, PER_##KIND##_PLACE, PER_##KIND##_BLOCK, // edge of a constraint; place of its rows; MAX_LANES places
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 	PER_EDGE,           // edge of any kind
 	PER_JOINED,         // pair of bodies that never touch
-	PER_EXCLUDED,       // such a pair that the user set
+	PER_EXCLUDED,       // pair of bodies that the user keeps from touching
 	PER_JOINT_EDIT,     // joint that the user created or changed
 	PER_PATH_SAMPLE,    // sample of a path
 	PER_CHAIN,          // joints that are solved together
@@ -24,14 +25,14 @@ typedef enum // the kind of an item of a pool
 	PER_SPOKE_BLOCK,    // MAX_LANES contacts of hubs
 	PER_RENDER_ROW,     // collidable in the render rows
 	PER_CONTACT_REPORT, // contact in a contact report
-	PER_EVENT,          // contact of a world in which some collidable reports
+	PER_EVENT,          // contact of a world in which some collidable reports events
 	PER_APPROVAL,       // contact of a world with contact approval or one-way platforms
 	PER_ALLOWED,        // pair of collidables that the user approved
 	PER_STOPPED,        // body of a world with contact approval
 	PER_QUERY_LEAF,     // leaf for queries
 	PER_QUERY_NODE,     // node for queries
 	PER_QUERY,
-	PER_FOUND,         // answer of a query
+	PER_FOUND,         // result of a query
 	PER_MATERIAL_PAIR, // pair of materials
 	PER_FIELD,
 	PER_FIELD_SHAPE, // collidable of a world with fields that act on shapes
@@ -46,12 +47,12 @@ typedef enum // the kind of an item of a pool
 	PER_COUNT
 } Per;
 
-typedef enum // lifetime of an item; the first three outlive a step, and are copied to another device
+typedef enum // lifetime of an item; items of the first three roles outlive a step, and are copied to another device
 {
 	HASHED,   // in the world hash; zero in a new item, until its writer sets it
 	STATE,    // zero in a new item, until its writer sets it
-	STANDING, // a new item takes over the content of its slot
-	DERIVED,  // outlives a step; computed from the others on another device
+	STANDING, // not cleared: a new item starts with the old content of its slot
+	DERIVED,  // outlives a step; not copied to another device, but computed there from other pools
 	SCRATCH,  // written before it is read in every step; undefined between steps
 } Role;
 

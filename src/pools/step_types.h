@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// step_types.h -- the step: kinds of constraints, trees, constants of a step, and runs.
+// step_types.h -- declares the data of the step: kinds of constraints, trees, constants of a step, and runs.
 #ifndef STEP_TYPES_H
 #define STEP_TYPES_H
 #include "pools/body_types.h"
 
-// Kinds of constraints. An edge is a constraint of any kind: its kind is in the bits above its slot.
+// Kinds of constraints. An edge is a constraint of any kind, identified by the kind in the upper bits and the slot
+// below.
 enum
 {
 #define CONSTRAINT_KIND(kind, Kind, KIND) CONSTRAINT_##KIND,
@@ -12,10 +13,11 @@ enum
 #undef CONSTRAINT_KIND
 	CONSTRAINT_KINDS
 };
-#define EDGE_KIND 27 // bits of a slot: the range of MAX_CONTACTS
+#define EDGE_KIND 27 // number of bits of an edge that hold the slot: any slot below MAX_CONTACTS
 
-// Rows of constraints, listed in src/constraints/: blocks of MAX_LANES constraints, with one row per component. A wide
-// pass reads one contiguous block, and a GPU addresses all components of a constraint from one base, not seventeen.
+// Rows of constraints, which src/constraints/ lists. They are stored in blocks of MAX_LANES constraints, with one row
+// per component. A wide pass reads one contiguous block, and a GPU addresses all components of a constraint from one
+// base address instead of one per component.
 #define CONSTRAINT_KIND(kind, Kind, KIND)         \
 	typedef struct Kind##Rows Kind##Rows;         \
 	typedef struct Kind##RareRows Kind##RareRows; \
@@ -24,44 +26,44 @@ enum
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-typedef struct // one tree of the broad phase, as the host fills it
+typedef struct // one tree of the broad phase, as the host uploads it
 {
-	int leaf_begin;        // first item in the leaf pool
-	int leaves;            // leaves in use
-	int top;               // highest level, the first with at most ARITY nodes; level 0 contains the leaves
-	int begin[MAX_LEVELS]; // first item of each level in the pool node_box
-	int count[MAX_LEVELS]; // nodes of each level; the pool is padded with empty boxes to a multiple of ARITY
+	int leaf_begin;        // index of the tree's first item in the pool leaf
+	int leaves;            // number of leaves in use
+	int top;               // highest level: the lowest level with at most ARITY nodes; level 0 contains the leaves
+	int begin[MAX_LEVELS]; // index of the first item of each level in the pool node_box
+	int count[MAX_LEVELS]; // nodes of each level; in the pool padded with empty boxes to a multiple of ARITY
 } Tree;
 
-typedef struct // stiffness of a contact: Erin Catto, Soft Constraints, GDC 2011
+typedef struct // stiffness of a contact. Source: Erin Catto, Soft Constraints, GDC 2011
 {
 	float bias_rate, mass_scale, impulse_scale;
-	float firm, depth; // up to the overlap depth, m, bias_rate is larger by the share firm of itself
+	float firm, depth; // bias_rate is multiplied by 1 + firm for the part of an overlap up to depth, m
 } Softness;
 
 typedef struct // constants of one step, passed by value to every kernel
 {
-	float dt, h, inv_h; // s; substep, s; 1/s
+	float dt, h, inv_h; // s: step; s: substep; 1/s: substeps per second
 	float gravity_x, gravity_y;
 	float max_speed, max_spin; // m/s, rad/s
 	float push_speed;          // m/s
 	float restitution_threshold;
-	float fall;             // m: distance that gravity may move a resting body in a step, with a margin
-	Softness pair, fixed;   // softness of contacts between bodies that can move; and with one that cannot
-	float h_ratio;          // h divided by that of the last step with dt above 0
+	float fall;             // m: motion of a resting body by gravity in a step, with a margin
+	Softness pair, fixed;   // softness of contacts between two bodies that can move; with one that cannot
+	float h_ratio;          // h divided by the h of the last step with dt above 0
 	int has_rolling;        // some attribute has restitution, rolling resistance or tangent speed
-	int belts;              // some attribute, or pair of materials, has a tangent speed
+	int belts;              // some attribute or some pair of materials has a tangent speed
 	int segments;           // some attribute is a segment
 	int details;            // contacts must store details of the step for the user
 	int reports;            // some collidable reports touches or hits
 	int rules;              // some pair may be subject to a rule
-	int material_pairs;     // rows of the pool material_pair
-	int excluded;           // rows of the pool excluded
+	int material_pairs;     // number of used rows of the pool material_pair
+	int excluded;           // number of used rows of the pool excluded
 	int asks;               // some collidable requires contact approval
-	int request_again;      // the contacts that the last step listed have no answer yet, and are listed again
-	int allowed;            // rows of the pool allowed
-	float hit_speed;        // m/s: slower approaches are not hits
-	float hit_impulse;      // N s: smaller impulses are not hits
+	int request_again;      // the contacts that the last step listed are undecided, and listed again
+	int allowed;            // number of used rows of the pool allowed
+	float hit_speed;        // m/s: contacts with a lower approach speed are not hits
+	float hit_impulse;      // N s: contacts with a smaller impulse are not hits
 	int bounces;            // some attribute has restitution
 	int joints;             // there may be joints among the constraints
 	int calm;               // bodies without contacts and forces move as predicted from their velocities, within 5 mm
@@ -76,11 +78,11 @@ typedef struct // constants of one step, passed by value to every kernel
 	int small;              // some dynamic collidable may be thinner than GRAIN_SIZE
 	float continuous_way;   // m: lower bound of all ContinuousBody.way of the world
 	float continuous_reach; // m: upper bound of all ContinuousBody.reach
-	int collidables;        // slots in use
+	int collidables;        // number of collidable slots in use
 	int pair_capacity, contact_capacity;
 	int place_capacity[CONSTRAINT_KINDS];
-	int contact_limit;                    // most contacts of the world
-	int traversal_nodes, traversal_items; // nodes over leaves before a traversal is split; work-items for its rest
+	int contact_limit;                    // maximum number of contacts in the world
+	int traversal_nodes, traversal_items; // node visits before a traversal is split; work-items for the rest
 	int key_bits;                         // bits of a collidable's index in the key of a pair
 } Step;
 
@@ -89,12 +91,12 @@ typedef struct // constants of one step, passed by value to every kernel
 typedef struct // one entry of the list that a backend executes in order
 {
 	int kernel_id;  // KERNEL_* or PRIMITIVE_*
-	int begin, end; // range of items
-	int count;      // index in Counters of an upper bound of end, or -1
+	int begin, end; // range of items: first, and one past the last
+	int count;      // position in Counters of a counter that is an upper bound of end, or -1
 	int argument;   // argument of the kernel
 } Run;
 
-// Run.argument as two numbers: low below 128, high below 2^25.
+// Packs two numbers into Run.argument: low below 128, high below 2^25.
 #define RUN_PAIR(low, high) ((low) | (int)((Word)(high) << 7))
 #define RUN_LOW(argument)   ((argument)&127)
 #define RUN_HIGH(argument)  ((int)((Word)(argument) >> 7))
