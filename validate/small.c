@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-// small.c -- bodies of 2 to 20 mm rest on floors without thickness and on boxes, fall through neither, and lie in heaps.
+// small.c -- drops bodies of 2 to 20 mm on segments and boxes, and checks that they do not fall through, and come to
+// rest.
 //
-// A body of 2 mm at 60 Hz is the smallest that there is: in a step gravity moves it by more than its size.
+// In each step at 60 Hz gravity adds 2.8 mm to the displacement of a body: more than the smallest size, 2 mm.
 #include "props.h"
 #include <math.h>
 
 #define SIZES  6
 #define DROPS  5
-#define TRACKS (2 * DROPS) // each height twice: flat and tilted
-#define APART  2.0         // m between tracks
+#define TRACKS (2 * DROPS) // each drop height twice: an upright and a tilted body
+#define APART  2.0         // m: distance between tracks
 #define HEAP   100
 
 static const double sizes[SIZES] = {0.002, 0.003, 0.005, 0.007, 0.01, 0.02}; // m
 static const double drops[DROPS] = {0.0, 0.02, 0.1, 0.5, 2.0};               // m
-static const int substeps[] = {4, 1, 2, 8};                                  // quick takes the first two
+static const int substeps[] = {4, 1, 2, 8};                                  // quick: only the first two
 
 typedef enum
 {
@@ -34,7 +35,7 @@ static scree_attribute_def body_of(Kind kind, double size)
 	                        : capsule_of(0.25, half);
 }
 
-// m: how far such a body reaches down from its center
+// Returns the distance from a body's center down to its lowest point, m.
 static double reach_down(Kind kind, double size, scree_rot rotation)
 {
 	double half = 0.5 * size, c = fabs((double)rotation.c), s = fabs((double)rotation.s);
@@ -44,7 +45,7 @@ static double reach_down(Kind kind, double size, scree_rot rotation)
 	                        : half + 0.25 * s;
 }
 
-// A floor without thickness, or a box; its top is at y = 0.
+// Adds a floor whose top is at y = 0: a segment, which has no thickness, or else a box.
 static void lay_floor(Lab* lab, bool segment)
 {
 	scree_attribute_def surface = segment ? wall_of(60.0) : box_of(30.0, 0.5);
@@ -54,10 +55,11 @@ static void lay_floor(Lab* lab, bool segment)
 typedef struct
 {
 	int through;
-	double speed, overlap; // m/s, shares of the size; in the fifth second
+	double speed, overlap; // maxima in the fifth second: m/s; overlap divided by the size
 } Fall;
 
-// Drops bodies of a kind and size. What rolls counts by its vertical speed.
+// Drops bodies of a kind and size, with parts substeps per step, and adds the results to worst. For circles and
+// capsules, which may roll, only the vertical speed counts.
 static void fall(Validation* v, bool segment, Kind kind, double size, int parts, Fall* worst)
 {
 	LabDef def = lab_def();
@@ -111,7 +113,7 @@ static void fall_all(Validation* v, bool segment, Kind kind)
 	row(v, "deepest overlap of the size", worst.overlap, "", AT_MOST, 1.0);
 }
 
-// A heap in a bin of 16 sizes, ten bodies high.
+// Drops 100 bodies into a bin of 16 sizes width, ten rows of ten. Checks that they stay in the bin and come to rest.
 static void heap(Validation* v, bool circles, double size)
 {
 	begin(v, "heap of %d %s of %g mm", HEAP, circles ? "circles" : "cubes", 1e3 * size);
@@ -145,8 +147,8 @@ static void heap(Validation* v, bool circles, double size)
 	lab_close(lab);
 }
 
-// Plates that fall onto each other stay in order. One pair may change places, if continuous collision stops the lower plate within the step;
-// up to four do with Box2D.
+// Drops ten plates onto each other, and checks that they keep their order. One pair may change places, because
+// continuous collision can stop the lower plate within the step; with Box2D up to four pairs change places.
 static void stack(Validation* v, double size)
 {
 	begin(v, "ten plates of 1 m x %g mm fall onto each other", 1e3 * size);

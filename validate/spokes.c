@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// spokes.c -- light bodies that carry heavy ones by joints hold them, and come to rest.
+// spokes.c -- wheels of a light hub with heavy spokes: checks that their joints hold, and that the wheels come to rest.
 #include "props.h"
 #include <math.h>
 
 #define TURN 6.28318530717959
-#define THIN 0.08 // m, half of a spoke
+#define THIN 0.08 // m: half the width of a spoke
 
 typedef struct
 {
-	int spokes, parts; // number of spokes; bodies in a row of each
-	double ratio;      // inertia of the spokes about the hub, by that of the hub
-	double radius;     // m, of the hub
+	int spokes, parts; // number of spokes; number of bodies in each spoke
+	double ratio;      // inertia of all spokes about the hub, divided by the hub's inertia
+	double radius;     // m: radius of the hub
 	bool hinged;
-	double hertz; // stiffness of the welds; 0: rigid
+	double hertz; // Hz: stiffness of the welds; 0: rigid
 } Wheel;
 
 static void join_softly(Lab* lab, bool hinged, double hertz, int a, int b, double x, double y)
@@ -38,7 +38,8 @@ static void join_softly(Lab* lab, bool hinged, double hertz, int a, int b, doubl
 
 static void join(Lab* lab, bool hinged, int a, int b, double x, double y) { join_softly(lab, hinged, 0.0, a, b, x, y); }
 
-// Adds a wheel of bodies that do not touch each other, with parts of 2 m. Returns its hub.
+// Adds a wheel with its hub at x, y. Each part of a spoke is 2 m long. The bodies of the wheel do not touch each other.
+// Returns the index of the hub.
 static int add_wheel(Lab* lab, const Wheel* wheel, double x, double y)
 {
 	scree_attribute_def hub = circle_of(wheel->radius), part = box_of(1.0, THIN);
@@ -64,7 +65,8 @@ static int add_wheel(Lab* lab, const Wheel* wheel, double x, double y)
 	return first;
 }
 
-// Watches for 5 s what is welded and at rest, or, of what swings, for how long its joints hold.
+// Steps a lab for 5 s (quick: 2 s) and closes it. Prints the widest gap of its joints, with the limit most_gap in mm
+// (0: no limit), and the fastest spin at the end, with the limit most_spin in rad/s.
 static void watch(Validation* v, Lab* lab, double most_gap, double most_spin)
 {
 	double gap = 0.0, spin = 0.0;
@@ -107,15 +109,16 @@ static void hang(Validation* v, const Wheel* wheel, bool axle, int substeps, dou
 	watch(v, lab, most_gap, most_spin);
 }
 
-// A wheel on an axle with gravity, or without both.
+// Checks a wheel on an axle with gravity, or else a wheel without an axle and without gravity.
 static void turn(Validation* v, const Wheel* wheel, bool axle, int substeps)
 {
 	bool rests = !wheel->hinged || !axle;
 	hang(v, wheel, axle, substeps, rests ? 5.0 : 10.0, rests ? 0.01 : 30.0);
 }
 
-// Trees on an axle. With ten million times the inertia of the hub, locks of 60 Hz yield by decimeters, but what is welded rests. A soft
-// weld is as stiff as its hertz say for the hub and a spoke together: it gives way by the weight that it carries, in both engines.
+// Checks wheels of welded spokes on an axle. At ratio 10,000,000 rigid welds yield by decimeters, but the bodies come
+// to rest. The stiffness of a soft weld follows from its hertz and the effective mass of the hub and one spoke, so the
+// weld yields under the weight that it carries, in both engines.
 static void trees(Validation* v)
 {
 	for (int parts = 1; parts <= (v->quick ? 1 : 3); ++parts)
@@ -129,7 +132,7 @@ static void trees(Validation* v)
 	}
 }
 
-// Wheels side by side, whose hubs are welded to each other; the first and the last have axles.
+// Checks wheels side by side whose hubs are welded to each other. Only the first and the last hub have an axle.
 static void row_of_wheels(Validation* v, int count, int substeps)
 {
 	begin(v, "%d wheels in a row of 6 welded spokes each, ratio 100, %d substeps", count, substeps);

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: MIT
-// springs.c -- soft joints swing with the frequency and the decay that they are given, and bodies of them keep their shape.
+// springs.c -- checks that soft joints have the frequency and the decay of their definitions, and that welded boxes
+// keep their shape.
 //
-// A body is pushed, and its coordinate x is read after each step. If x obeys x" + 2 z o x' + o^2 x = 0, then x[n + 1] = T x[n] -
-// D x[n - 1] with T and D of the eigenvalues. Least squares give T and D, and these the frequency and the decay.
+// A body is pushed, and its coordinate x is read after each step. If x obeys x" + 2 z o x' + o^2 x = 0, then x[n + 1] =
+// T x[n] - D x[n - 1]. T is the sum and D the product of e^(l dt) for the two roots l of l^2 + 2 z o l + o^2 = 0. The
+// experiment finds T and D by least squares, and computes frequency and decay from T and D.
 #include "props.h"
 #include <math.h>
 
 #define PI        3.14159265358979
-#define MOST_READ 400  // steps
-#define SPEED     0.5f // m/s, rad/s: of the push
-#define ARM       0.5f // m: from a hinge to the center
+#define MOST_READ 400  // maximum number of steps that are read
+#define SPEED     0.5f // m/s or rad/s: speed of the body after the push
+#define ARM       0.5f // m: distance from a hinge to the center
 
 typedef struct
 {
 	const char* name;
 	scree_joint_type type;
-	int coordinate; // that moves
-	bool lock;      // a soft lock, else a spring
-	float arm;      // m: the body's center from the anchor, along x
-	float aside;    // m: along y
+	int coordinate; // coordinate that swings, SCREE_ALONG or SCREE_ANGLE
+	bool lock;      // true: a soft lock; false: a spring
+	float arm;      // m: distance from the anchor to the body's center along x
+	float aside;    // m: distance from the anchor to the body's center along y
 } Kind;
 
 static const Kind kinds[] = {
@@ -33,11 +35,13 @@ static const Kind kinds[] = {
 
 typedef struct
 {
-	double frequency, decay; // as shares of what they should be
-	double ratio;            // damping ratio
+	double frequency, decay; // measured values divided by the expected ones
+	double ratio;            // measured damping ratio
 } Swing;
 
-// The roots e^(l dt) of r^2 - T r + D; near a double root only the sum of both l is known well.
+// Computes frequency and decay from T and D; rate and ratio are the expected values. The values e^(l dt) are the
+// roots of r^2 - T r + D. If the roots are almost equal, only their product D is accurate, which is enough for the
+// decay.
 static Swing swing_of(double t, double d, double rate, double ratio)
 {
 	Swing s = {1.0, 1.0, 0.0};
@@ -60,7 +64,7 @@ static void set_spring(scree_joint_def* def, const Kind* kind, double hertz, dou
 {
 	for (int k = 0; kind->lock && k < 3; ++k)
 	{
-		// on an arm only the angle is soft
+		// on an arm, only the angle is soft
 		if (kind->arm > 0.0f && k != kind->coordinate)
 			continue;
 		def->coordinates[k].lock_hertz = (float)hertz;
@@ -88,7 +92,7 @@ static Swing swing(Validation* v, const Kind* kind, double hertz, double ratio)
 	scree_velocity push = {{turns ? 0.0f : SPEED, turns ? kind->arm * SPEED : 0.0f}, turns ? SPEED : 0.0f};
 	int wall = lab_add(lab, &ground, NULL, 0), body = lab_throw(lab, &bar, x0, -kind->aside, 0.0f, push);
 	double m = (double)lab->masses[body].mass, inertia = (double)lab->masses[body].inertia;
-	// the frequency is that of the coordinate alone; other coordinates of the joint make the body heavier, or lighter
+	// the hertz refer to the mass if the other coordinates were free; here they are locked, which makes the mass larger
 	double share = inertia / (inertia + m * (double)(kind->arm * kind->arm));
 	share *= inertia / (inertia + m * (double)(kind->aside * kind->aside));
 	scree_joint_def joint = scree_joint_def_make(kind->type);
@@ -121,7 +125,7 @@ static Swing swing(Validation* v, const Kind* kind, double hertz, double ratio)
 	return swing_of((py * qq - qy * pq) / det, (pp * qy - pq * py) / det, rate, ratio * sqrt(share));
 }
 
-// All frequencies and damping ratios of a kind: the largest differences.
+// Tests a kind at all frequencies and damping ratios, and checks the largest differences from the expected values.
 static void swings(Validation* v, const Kind* kind)
 {
 	static const double hertz[] = {0.5, 1.0, 2.0, 5.0, 10.0, 20.0}, ratios[] = {0.0, 0.1, 0.5, 1.0, 2.0};
@@ -150,7 +154,8 @@ static void swings(Validation* v, const Kind* kind)
 #define WIDE 6
 #define HIGH 4
 
-// A block of boxes, each welded softly to its neighbors, falls 1 m on a floor.
+// Drops a block of boxes, each welded softly to its neighbors, from 1 m onto a floor. Checks that the block keeps its
+// height and comes to rest.
 static void block(Validation* v, double hertz, double ratio)
 {
 	LabDef def = lab_def();
@@ -186,7 +191,8 @@ static void block(Validation* v, double hertz, double ratio)
 	lab_close(lab);
 }
 
-// Boxes in a row, welded softly to each other and to a post, of which a force of 10,000 N beside the row pulls the last one for 2 s.
+// Pulls the last of some boxes in a row sideways with 10,000 N for 2 s. The boxes are welded softly to each other and
+// to a post. Checks that the gaps of the welds have closed 20 s later.
 static void tear(Validation* v, int count, double hertz)
 {
 	LabDef def = lab_def();

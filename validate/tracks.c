@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// tracks.c -- closed tracks of segments, on one body that is turned, hold rays, moving shapes and movers.
+// tracks.c -- checks that no ray, shape cast or mover leaves a closed track, which is made of segments on one rotated
+// body.
 #include "experiment_support.h"
 #include "scenery.h"
 #include <math.h>
 
 #define SIDES  200
-#define RADIUS 10.0 // m, about
+#define RADIUS 10.0 // m: mean radius
 #define BATCH  1000
 #define MOVERS 100
 #define STEPS  100
 
 typedef struct
 {
-	Scenery s; // its shapes are not used
+	Scenery s; // contains the world; the shapes of a scenery are not used
 	scree_vec corners[SIDES];
 	scree_pose pose;
 } Track;
@@ -44,7 +45,8 @@ static Track track_open(Validation* v, uint64_t* seed, double place)
 	return t;
 }
 
-// The share of its width at which a position is, seen from the middle: above 1 outside.
+// Returns the distance of a position from the middle of the track, divided by the distance of the track in the same
+// direction: above 1 outside.
 static double outward(const Track* t, scree_vec at)
 {
 	double dx = (double)at.x - (double)t->pose.position.x, dy = (double)at.y - (double)t->pose.position.y;
@@ -66,7 +68,8 @@ static scree_vec somewhere(uint64_t* seed, const Track* t, double near, double f
 	return (scree_vec){t->pose.position.x + (float)(r * cos(angle)), t->pose.position.y + (float)(r * sin(angle))};
 }
 
-// Rays and shapes that go out from the middle.
+// Casts rays, or shapes if rays is false, from inside the track to points outside. Returns the number of casts that do
+// not hit the track.
 static int cast_out(const Track* t, uint64_t* seed, bool rays)
 {
 	static scree_probe probes[BATCH];
@@ -89,7 +92,7 @@ static int cast_out(const Track* t, uint64_t* seed, bool rays)
 	return through;
 }
 
-// Movers that change their minds in every step; returns how many are outside at the end.
+// Moves movers at a new random velocity in each step. Returns the number of movers that are outside at the end.
 static int move_about(const Track* t, uint64_t* seed)
 {
 	static scree_mover movers[MOVERS];

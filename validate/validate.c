@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// validate.c -- the list of experiments, and the rows that they print.
+// validate.c -- lists the experiments, runs them, and prints rows of results.
 #include "validate.h"
 #include <inttypes.h>
 #include <math.h>
@@ -49,7 +49,7 @@ bool validate_run(Validation* v, const Experiment* experiment)
 	return !v->broken && v->failures == before;
 }
 
-// Replaces commas, which would make columns.
+// Replaces commas by spaces, because commas separate the columns.
 static void cell(char* text)
 {
 	for (; *text; ++text)

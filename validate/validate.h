@@ -5,7 +5,7 @@
 #include "experiment_support.h"
 #include "lab_overlap.h"
 
-typedef struct // run makes it with the engine of the validation
+typedef struct // run carries out the experiment with the engine of the validation
 {
 	const char *name, *shows;
 	void (*run)(Validation* v);
@@ -14,24 +14,25 @@ typedef struct // run makes it with the engine of the validation
 extern const Experiment validate_experiments[];
 extern const int validate_count;
 
-// Returns null when no experiment has the name.
+// Returns the experiment with this name; null if there is none.
 const Experiment* validate_find(const char* name);
 
-typedef struct // the largest value of some runs, and the run that gave it
+typedef struct // the largest value of several runs, and the name of the run with this value
 {
 	double value;
 	char at[64];
 } Peak;
 
-// Takes a value that is larger, or no number, as an engine that failed gives it; that stays.
+// Stores a value if it is larger than the stored value, or NaN, as after the failure of an engine. A stored NaN stays.
 void peak_take(Peak* peak, double value, const char* at);
 
 void validate_heading(FILE* out);
 
-// Runs one experiment and prints its rows. False when an engine failed or a row is beyond its limit.
+// Runs one experiment and prints its rows. Returns false if an engine failed or if a value is beyond its limit.
 bool validate_run(Validation* v, const Experiment* experiment);
 
-// For experiments: begin starts a case, where names the run that gave the value of the next row, row prints a row.
+// Functions for experiments: begin starts a case; where sets the last column of the next row, the run that gave the
+// value; row prints a row, and counts a failure if the value is beyond bound.
 void begin(Validation* v, const char* format, ...) __attribute__((format(printf, 2, 3)));
 void where(Validation* v, const char* format, ...) __attribute__((format(printf, 2, 3)));
 void row(Validation* v, const char* quantity, double value, const char* unit, Limit limit, double bound);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// validation.h -- a validation, and the lab of its experiment.
+// validation.h -- declares a validation and its labs.
 //
-// A lab is a world in which an experiment is made, by Scree or by another engine. It keeps the definitions of its bodies, so
-// that an engine only creates, steps and reads them. The first failure is printed and sets Validation.broken. From then on
-// the functions of lab.h do nothing, so that experiments need not check for errors.
+// A lab is the world of an experiment, simulated by Scree or by another engine. The lab stores the definitions of its
+// bodies, so that an engine need only create, step and read them. The first failure is printed and sets
+// Validation.broken. After a failure the functions of lab.h do nothing, so that experiments need not check for errors.
 #ifndef VALIDATION_H
 #define VALIDATION_H
 #include "engine.h"
 #include <stdio.h>
 
-#define LAB_DT       (1.0f / 60.0f) // s
+#define LAB_DT       (1.0f / 60.0f) // s: duration of a step
 #define LAB_SUBSTEPS 4
 
 typedef struct Lab Lab;
@@ -21,8 +21,8 @@ typedef struct
 	float dt;          // s
 	int substeps;
 	float max_speed;     // m/s
-	bool bullets;        // thrown bodies have the flag of continuous collision, in engines that have one
-	float contact_hertz; // stiffness of contacts; 0 is the engine's own
+	bool bullets;        // sets EngineBody.bullet of the bodies that lab_throw adds
+	float contact_hertz; // Hz: stiffness of contacts; 0: the default of the engine
 } LabDef;
 
 typedef struct
@@ -37,20 +37,20 @@ struct Lab
 	Validation* validation;
 	LabDef def;
 	void* state;
-	EngineBody* bodies; // by their index
-	LabMass* masses;    // masses of the bodies
-	scree_pose* poses;  // lab_read writes them
+	EngineBody* bodies; // array index: the number that lab_add returned
+	LabMass* masses;    // masses of the bodies, by the same index
+	scree_pose* poses;  // poses at the last lab_read
 	scree_velocity* velocities;
 	EngineJoint* joints;
 	int count, capacity, created;
 	int joint_count, joint_capacity, joined;
-	int frozen; // bodies that the engine froze, in all steps
+	int frozen; // number of bodies that the engine froze, summed over all steps
 };
 
 typedef enum
 {
-	SHOWN,   // no limit
-	AT_MOST, // fails for values that are not numbers, too
+	SHOWN,   // the value has no limit and is only printed
+	AT_MOST, // the value must not be larger than the limit, nor NaN
 	AT_LEAST,
 } Limit;
 
@@ -58,18 +58,18 @@ struct Validation
 {
 	const Engine* engine;
 	EngineOptions options;
-	const char* executable; // scenes may lie beside it; may be null
+	const char* executable; // path of the program; scenes may be in the folder beside it; may be null
 	bool quick;             // fewer and shorter runs, for tests
 	FILE* out;
 
-	Lab* lab;               // the open one, or null
-	const char* experiment; // name
+	Lab* lab;               // the open lab; null if there is none
+	const char* experiment; // name of the experiment
 	char text[96];          // name of the case
-	char where[128];        // the run that gave the value; may be empty
-	int64_t steps;          // since the case began
+	char where[128];        // name of the run that gave the value of the next row; may be empty
+	int64_t steps;          // number of steps since the case began
 	uint64_t hash;          // hash of the end states of the labs that the case has closed
-	int failures;           // rows beyond their limits
-	bool broken;            // an engine or memory failed
+	int failures;           // number of rows whose value was beyond its limit
+	bool broken;            // true after an engine failed or memory was short
 };
 
 #endif

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// walls.c -- nothing crosses what is static, struck or thrown, and no wedge shoots anything out.
+// walls.c -- throws bodies at static walls and into wedges: checks that no body crosses a wall or leaves a wedge too
+// fast.
 //
 // Each run has its own track in one world without gravity. Walls are segments, which have no thickness, or boxes of 2 cm.
 #include "props.h"
 #include <math.h>
 
-#define APART  12.0 // m between tracks
-#define HEIGHT 14.0 // m, of a wall; more than APART, so that there are no gaps
+#define APART  12.0 // m: distance between tracks
+#define HEIGHT 14.0 // m: height of a wall; more than APART, so that there are no gaps
 
 typedef enum
 {
@@ -33,7 +34,7 @@ static scree_attribute_def body_of(Kind kind, double size)
 	}
 }
 
-// The longest side of a body, m.
+// Returns the longest side of a body, m.
 static double length_of(Kind kind, double size) { return (kind == CAPSULE ? 3.0 : kind == ROD ? 8.0 : 2.0) * size; }
 
 static scree_attribute_def wall(bool thick) { return thick ? box_of(0.01, 0.5 * HEIGHT) : wall_of(HEIGHT); }
@@ -45,7 +46,7 @@ static Lab* open_empty(Validation* v)
 	return lab_open(v, &def);
 }
 
-// Adds walls above and below those of the tracks, so that no body passes beside them.
+// Adds walls above and below the walls of the tracks, so that no body passes around them.
 static void close_off(Lab* lab, const scree_attribute_def* barrier, int runs)
 {
 	for (int k = 1; k <= 20; ++k)
@@ -55,7 +56,7 @@ static void close_off(Lab* lab, const scree_attribute_def* barrier, int runs)
 	}
 }
 
-// Counts the bodies behind the wall, and names the first of them.
+// Counts the bodies behind the wall; the next row names the first of these bodies.
 static int crossed(Lab* lab, const int* bodies, int count, double speed)
 {
 	int through = 0;
@@ -71,7 +72,7 @@ static int crossed(Lab* lab, const int* bodies, int count, double speed)
 	return through;
 }
 
-// A light box at rest before a wall, struck by a heavy one.
+// Throws a heavy box at a light box, which is at rest before a wall.
 static void strike(Validation* v, bool thick, double speed, int runs)
 {
 	begin(v, "light box struck at %g m/s before a %s", speed, thick ? "box of 2 cm" : "segment");
@@ -83,9 +84,9 @@ static void strike(Validation* v, bool thick, double speed, int runs)
 	for (int k = 0; k < runs; ++k)
 	{
 		float y = (float)(APART * (k - runs / 2));
-		double gap = 0.2 + 0.2 * (k + 0.37) / runs; // m, from its center to the wall
+		double gap = 0.2 + 0.2 * (k + 0.37) / runs; // m: from the center of the light box to the wall
 		lab_put(lab, SCREE_BODY_STATIC, &barrier, 0.0f, y, 0.0f);
-		bool plain = k % 2 == 0; // else rotated and off center
+		bool plain = k % 2 == 0; // false: the light box is rotated, and the heavy box hits it off center
 		double angle = plain ? 0.0 : random_real(&seed, -1.0, 1.0), off = plain ? 0.0 : random_real(&seed, -0.2, 0.2);
 		bodies[2 * k] = lab_put(lab, SCREE_BODY_DYNAMIC, &light, (float)-gap, y, (float)angle);
 		bodies[2 * k + 1] =
@@ -98,7 +99,7 @@ static void strike(Validation* v, bool thick, double speed, int runs)
 	lab_close(lab);
 }
 
-// Thrown at a wall at all angles and spins.
+// Throws bodies at a wall at random angles and spins.
 static void throw_at(Validation* v, Kind kind, double size, bool thick, int runs)
 {
 	static const double speeds[] = {100.0, 200.0, 400.0};
@@ -129,20 +130,20 @@ static void throw_at(Validation* v, Kind kind, double size, bool thick, int runs
 	row(v, "through the wall", through, "", AT_MOST, 0.0);
 }
 
-// Half of the angle between the walls of a run, rad.
+// Returns half of the angle between the walls of a run, rad.
 static double opening(int run, int runs) { return 0.1 + 0.4 * run / runs; }
 
-// Two walls of 4 m that meet at x = 0, half the angle between them from the x axis.
+// Adds two walls of 4 m that meet at x = 0, each at the angle half (rad) to the x axis.
 static void put_wedge(Lab* lab, bool thick, double y, double half)
 {
 	scree_attribute_def side = thick ? box_of(0.01, 2.0) : wall_of(4.0);
-	// upright walls are rotated
+	// without rotation the walls would be vertical
 	for (int s = -1; s <= 1; s += 2)
 		lab_put(lab, SCREE_BODY_STATIC, &side, (float)(-2.0 * cos(half)), (float)(y + s * 2.0 * sin(half)),
 		        (float)(s * (1.57079633 - half)));
 }
 
-// A box of 30 cm is shot into the corner of two walls; the angle between them grows from run to run.
+// Throws a box of 30 cm into the corner between two walls. The angle between the walls grows from run to run.
 static void wedge(Validation* v, bool thick, double speed, int runs)
 {
 	begin(v, "box of 30 cm shot at %g m/s into a wedge of %s", speed, thick ? "boxes of 2 cm" : "segments");
@@ -170,7 +171,7 @@ static void wedge(Validation* v, bool thick, double speed, int runs)
 			if (lab_speed(lab, bodies[k]) > fastest)
 				fastest_run = k;
 			fastest = fmax(fastest, lab_speed(lab, bodies[k]));
-			// in front of the wedge the box may be anywhere, inside only between the walls
+			// in front of the wedge the box may be anywhere; in the wedge it must be between the walls
 			crossed_once[k] = crossed_once[k] || (x < 4.0 * cos(half) - 0.3 && y > x * tan(half) + 0.01);
 		}
 	}
@@ -187,7 +188,7 @@ static void wedge(Validation* v, bool thick, double speed, int runs)
 	lab_close(lab);
 }
 
-// Disks with friction, shot into the corner of a wedge: how deep they stay in its walls.
+// Throws disks with friction into the corner of a wedge, and checks the depth to which they stay in the walls.
 static void jam(Validation* v, bool thick, double speed, int runs)
 {
 	begin(v, "disk of 50 cm shot at %g m/s into the corner of a wedge of %s", speed,
