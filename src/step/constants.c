@@ -1,42 +1,48 @@
 // SPDX-License-Identifier: MIT
-// constants.c -- the constants of a step.
+// constants.c -- computes the constants of a step, and uploads the list of kinematic bodies.
 #include "step/constants.h"
 #include "platform/error.h"
 #include "step/contact_capacity.h"
 #include <math.h>
 #include <string.h>
 
-// Distance at which contacts of small bodies begin, as a multiple of g dt^2, their motion by gravity in a step.
+// Distance at which contacts of small bodies begin, as a multiple of g dt^2, which measures the motion by gravity in a
+// step.
 #define FALL_SHARE 0.5f
-// m: bound of that distance for Step.calm; with one substep a body falls twice as far
+// m: Step.calm requires a smaller distance; with one substep a body falls twice as far
 #define CALM_FALL (0.125f * SPECULATIVE_DISTANCE)
 
-// Largest frequency of contacts, as a share of the substep rate. A light body under a heavy one passes its load on by
-// impulses that add up over the passes: together they hold like a spring of 2 m / h^2, with m the light mass and h the
-// substep. Only softer springs are damped; at this share a contact has 0.55 of that stiffness. At 0.22 a pyramid of ten
-// rows under a box of 100 times a box's weight flies apart, and so do pressed balls, and 500 kg on wheels of 1.6 kg.
+// Largest frequency of contacts, as a share of the substep rate. A light body passes the load of a heavy body on by
+// impulses that add up over the passes. Together, the impulses act like a spring of stiffness 2 m / h^2, where m is the
+// light mass and h the substep. Only softer springs are damped; at this share the stiffness of a contact is 0.55 of
+// that. At a share of 0.22, a pyramid of ten rows under a box with 100 times the weight of its boxes flies apart. So do
+// pressed balls, and 500 kg on wheels of 1.6 kg.
 #define CONTACT_STIFFEST (1.0f / 6.0f)
 
-// Light loads need no such limit. Up to the overlap under FIRM_WEIGHTS times a body's own weight a contact is firmer,
-// by these factors of its frequency: between bodies that can move, and with one that cannot. Thus stacks sink less, and
-// heavier loads rest on the soft part of the spring. The damping is that of the firm part, so impacts do not get
-// deeper. The factors give 52 and 104 Hz at 240 substeps per second: above, a pyramid of base 100 never comes to rest.
+// Light loads need no such limit: up to the overlap under a load of FIRM_WEIGHTS times the body's own weight, a contact
+// is firmer. Its frequency is multiplied by FIRM_PAIR between bodies that can move, by FIRM_FIXED if one cannot. So
+// stacks sink less, and only heavier loads reach the soft part of the spring. The damping is that of the firm part, so
+// impacts do not get deeper. At 240 substeps per second the factors give 52 and 104 Hz; with larger factors, a pyramid
+// of base 100 never comes to rest.
 #define FIRM_WEIGHTS 20.0f
 #define FIRM_PAIR    1.3f
 #define FIRM_FIXED   2.6f
-#define FIRM_GRAVITY 9.8f // m/s^2: lower limit, so that contacts are as firm without gravity
+#define FIRM_GRAVITY \
+	9.8f // m/s^2: lower limit of gravity in this formula, so that contacts are firm in a world without gravity
 
-// Frequency of the soft part, as a multiple of contact_hertz limited by CONTACT_STIFFEST, if the next limit allows it;
-// at 60 Hz and 4 or more substeps it does not. With larger values, boxes that a heavy one crushes get deeper: 183 mm
-// with 1 (scene smash, 120 Hz), 191 with 1.05, 199 with 1.1.
+// Frequency of the soft part, as a multiple of contact_hertz after the limit CONTACT_STIFFEST. The limit CONTACT_DEEP
+// applies afterwards, and is lower at 60 Hz and 4 or more substeps. With larger values, boxes under a heavy box get
+// deeper: 183 mm with 1 (scene smash, 120 Hz), 191 mm with 1.05, 199 mm with 1.1.
 #define CONTACT_SOFT 1.03f
 
-// Largest frequency of deep contacts, as a share of the step rate. Normals of round shapes follow the bodies once a
-// step. Under a load N, two such shapes at the distance r push each other aside by N / r per distance: a spring that is
-// too stiff for a step. 625 disks that are pressed into 0.66 of their area never rest with 60 Hz and 8 substeps.
+// Largest frequency of deep contacts, as a share of the step rate. The normals of round shapes follow the bodies only
+// once per step. Under a load N, two round shapes at a distance r push each other aside by N / r per unit of distance,
+// which acts as a spring that is too stiff for a step. 625 disks that are pressed into 0.66 of their area never rest
+// with 60 Hz and 8 substeps.
 #define CONTACT_DEEP (2.0f / 3.0f)
 
-// Returns the softness for a frequency and a damping ratio, with a firm part: Catto, Soft Constraints, GDC 2011.
+// Returns the softness for a frequency and a damping ratio. firm: factor of the frequency in the firm part. Source:
+// Erin Catto, Soft Constraints, GDC 2011.
 static Softness softness(float hertz, float ratio, float h, float firm, float gravity)
 {
 	float omega = 6.28318531f * hertz, stiffer = firm * firm;
@@ -75,7 +81,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 
 	bool calm = pipeline->counters.joints == 0 && request->fields == 0 && fall < CALM_FALL;
 
-	// a rotation above pi per step, or pi / 4 per substep, cannot be distinguished from one in the other direction
+	// a rotation by more than pi per step, or pi / 4 per substep, may be taken for a rotation in the opposite direction
 	float turn = 0.785398163f * (float)request->substeps;
 	Step step = {
 	    .dt = dt,

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// constants.h -- the constants of a step.
+// constants.h -- declares functions that compute the constants of a step, and upload the list of kinematic bodies.
 #ifndef CONSTANTS_H
 #define CONSTANTS_H
 #include "step/pipeline_state.h"
 
 Step step_constants(const Pipeline* pipeline, const StepRequest* request);
 
-// Sets the capacities of the constraints of each kind; called again when a pool has grown.
+// Sets the capacities for the constraints of each kind. Must be called again after a pool has grown.
 void step_places(Step* step, const Backend* b);
 
-// Sends the kinematic bodies if there are few, and they differ from those sent last.
+// Uploads the list of kinematic bodies if it changed and has at most KINEMATIC_FEW entries.
 scree_status kinematics_upload(Pipeline* pipeline, const StepRequest* request);
 
 #endif

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// contact_capacity.c -- the contact limit, and the error for a place with too many contacts.
+// contact_capacity.c -- computes the contact limit, and reports the error for a place with too many contacts.
 //
-// Pairs at one point are quadratic in the bodies: 22,000 boxes created there have 242 million, at 300 bytes a contact.
+// The number of pairs at one point grows with the square of the number of bodies: 22,000 boxes created at one point
+// have 242 million pairs, and a contact takes 300 bytes.
 #include "step/contact_capacity.h"
 #include "platform/error.h"
 #include <stdio.h>
 #include <stdlib.h>
 
-// The default limit is this many contacts per collidable (heaps have 3, dense heaps of long bodies 20), but at least
-// LEAST_LIMIT, 600 MB, which is enough for 2,000 bodies that begin at one point.
+// The default limit is this number of contacts per collidable, but at least LEAST_LIMIT. Heaps have 3 contacts per
+// collidable, dense heaps of long bodies have 20. LEAST_LIMIT contacts take 600 MB, and are enough for 2,000 bodies
+// that begin at one point.
 #define CONTACTS_A_COLLIDABLE 32
 #define LEAST_LIMIT           2000000
 
@@ -41,7 +43,7 @@ static uint64_t key_of(Float4 box, float cell)
 	return cell_of(0.5f * (box.x + box.z), cell) << 32 | cell_of(0.5f * (box.y + box.w), cell);
 }
 
-// m: Returns the median of width + height over the boxes. The capacity of words is count.
+// Returns the median of width + height of the boxes, m. words has room for count entries.
 static float usual_size(const Float4* boxes, int count, uint64_t* words)
 {
 	int found = 0;
@@ -49,13 +51,15 @@ static float usual_size(const Float4* boxes, int count, uint64_t* words)
 	{
 		float size = boxes[k].z - boxes[k].x + (boxes[k].w - boxes[k].y);
 		if (!is_empty(boxes[k]) && size < 1e30f)
-			words[found++] = float_word(size); // floats that are not negative have the order of their bits
+			words[found++] =
+			    float_word(size); // the bits of floats that are not negative, read as integers, have the same order
 	}
 	qsort(words, (size_t)found, sizeof *words, compare_words);
 	return found > 0 ? bits_float((int)words[found / 2]) : 1.0f;
 }
 
-// Finds the mean center of the boxes in the fullest cell of a grid. Returns the number of boxes that contain it.
+// Finds the cell of a grid with the most boxes, and sets *place to the mean of their centers. Returns the number of
+// boxes that contain this mean.
 static int fullest_place(const Float4* boxes, int count, uint64_t* keys, scree_vec* place)
 {
 	float cell = usual_size(boxes, count, keys);

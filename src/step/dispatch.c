@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// dispatch.c -- passes lists of runs, and the commands of a step, to the backend.
+// dispatch.c -- passes run lists and commands to the backend.
 #include "step/dispatch.h"
 #include "platform/error.h"
 #include "step/reserve.h"

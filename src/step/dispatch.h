@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// dispatch.h -- passes lists of runs, and the commands of a step, to the backend.
+// dispatch.h -- passes run lists and commands to the backend.
 #ifndef DISPATCH_H
 #define DISPATCH_H
 #include "step/pipeline_state.h"
 
-// Executes the listed runs, and empties the list.
+// Executes the runs in Pipeline.list, and empties the list.
 scree_status pipeline_run(Pipeline* pipeline, const Step* step);
 
-// Applies commands, which are one of the three lists in all.
+// Applies all->count commands. commands is one of the lists all->begin, all->end and all->undo.
 scree_status apply_commands(Pipeline* pipeline, const Step* step, const StepCommands* all, const Command* commands);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// event_readback.c -- the events of a step: their lists on the device, and the readback of these.
+// event_readback.c -- lists the events of a step on the device, and reads the lists back.
 #include "step/event_readback.h"
 #include "platform/error.h"
 #include "step/dispatch.h"
@@ -45,7 +45,7 @@ scree_status events_count(Pipeline* pipeline, int counts[EVENT_LISTS])
 	return SCREE_OK;
 }
 
-// Sorts the keys of a list, and for contacts writes their rows.
+// Sorts the keys of a list of events. For events of contacts, also writes their rows to contact_report.
 static scree_status sort(Pipeline* pipeline, int which, int count, int bits)
 {
 	Backend* b = pipeline->backend;

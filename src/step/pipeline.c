@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pipeline.c -- the step: the stages in their order, and what surrounds them.
+// pipeline.c -- executes a step: the stages in order, preparation before them and upkeep of pools and trees after them.
 #include "step/pipeline.h"
 #include "backend/solve_runs.h"
 #include "platform/error.h"
@@ -15,7 +15,7 @@
 #include <math.h>
 #include <string.h>
 
-// Coloring rounds beyond those of the last step, before the host checks whether uncolored contacts are left.
+// Number of coloring rounds added to those of the last step; then the host checks that no contact is left uncolored.
 #define SPARE_ROUNDS 2
 
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts)
@@ -33,7 +33,7 @@ scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int
 	return pipeline_reserve(pipeline, PER_COMMAND, LEAST_CAPACITY);
 }
 
-// Executes the listed runs and reads the counters. This is the only time in a step that the host waits for the device.
+// Executes the listed runs and reads the counters. Nowhere else in a step does the host wait for the device.
 static scree_status read_back(Pipeline* pipeline, const Step* step)
 {
 	TRY(pipeline_run(pipeline, step));
@@ -41,8 +41,9 @@ static scree_status read_back(Pipeline* pipeline, const Step* step)
 	return b->f->read(b, POOL_counters, 0, 1, &pipeline->counters);
 }
 
-// Executes the listed runs, and starts the solve before the host has the counters, if the layout of the constraints
-// will probably not change. If it has changed, the device clears the counter that bounds the solve.
+// Executes the listed runs, and starts the solve before the host has read the counters. Called if the layout of the
+// constraints will probably not change. If it changes, the device clears the counter that bounds the solve, which then
+// does nothing.
 static scree_status solve_early(Pipeline* pipeline, const Step* step, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
@@ -52,7 +53,8 @@ static scree_status solve_early(Pipeline* pipeline, const Step* step, const Step
 	return b->f->read_end(b, &pipeline->counters);
 }
 
-// Ends a search for pairs that cannot be completed: restores the boxes, and thereby the world, as before the step.
+// Ends a step whose search for pairs cannot be completed. Restores the boxes, so that the world is in the state before
+// the step. Returns why, or the error of the device.
 static scree_status abandon(Pipeline* pipeline, const Step* step, scree_status why)
 {
 	runs_add(&pipeline->list, KERNEL_transform_undo, 0, step->collidables, NO_COUNT, 0);
@@ -78,8 +80,8 @@ static scree_status grow(Pipeline* pipeline, Step* step)
 	return SCREE_OK;
 }
 
-// Executes the listed stages, with the solve if it may start early, and sets *solved if that was valid. If the pools were
-// too small, grows them, and the stages must run again.
+// Executes the listed stages, and also the solve if early is set. Sets *solved if that solve was valid. If the pools
+// were too small, enlarges them; then the caller must run the stages again.
 static scree_status solve_or_read_back(Pipeline* pipeline, Step* step, const StepRequest* request, bool early,
                                        bool* solved)
 {
@@ -92,7 +94,7 @@ static scree_status solve_or_read_back(Pipeline* pipeline, Step* step, const Ste
 	return status ? abandon(pipeline, step, status) : SCREE_OK;
 }
 
-// Returns the number of rounds that left contacts without a color; the next step runs SPARE_ROUNDS more.
+// Returns the number of coloring rounds after which contacts without a color were left.
 static int needed_rounds(const Counters* c, int rounds)
 {
 	int needed = 0;
@@ -102,8 +104,8 @@ static int needed_rounds(const Counters* c, int rounds)
 	return needed;
 }
 
-// Completes the layout of the constraints if the listed rounds were not enough: after a burst of new contacts, with the
-// first hubs, or if the pools are too small. Stores the number of rounds that the next step will probably need.
+// Completes the layout of the constraints if the listed rounds did not: after a burst of new contacts, with the first
+// hubs, or if the pools are too small. Stores the number of rounds that the next step will probably need.
 static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, int listed)
 {
 	const Backend* b = pipeline->backend;
@@ -135,7 +137,8 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 {
 	const Counters* c = &pipeline->counters;
 	int bodies = request->bodies, rounds = pipeline->rounds + SPARE_ROUNDS;
-	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // other runs come before the solve, or replace it
+	bool alone = step->dt == 0.0f ||
+	             pipeline->surfaces_changed; // other runs precede the solve or replace it, so it cannot start early
 	bool early = pipeline->backend->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split), solved;
 	TRY(apply_commands(pipeline, step, &request->commands, request->commands.begin));
 	TRY(list_transform(pipeline, step));
@@ -147,7 +150,7 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 		TRY(solve_or_read_back(pipeline, step, request, early, &solved));
 		if (!c->stalled)
 			break;
-		runs_add_single(&pipeline->list, KERNEL_broad_phase_begin); // with the larger pools
+		runs_add_single(&pipeline->list, KERNEL_broad_phase_begin); // repeats the stages with the larger pools
 	}
 	TRY(finish_colors(pipeline, step, bodies, rounds));
 	TRY(solve_finish(pipeline, step, request, solved));
@@ -166,7 +169,8 @@ static scree_status count_trees(Pipeline* pipeline)
 	return SCREE_OK;
 }
 
-// Reserves memory for the step, so that lack of memory cannot interrupt it, and sends what the stages read.
+// Reserves memory for the step, so that lack of memory cannot interrupt the step. Uploads the data that the stages
+// read.
 static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 {
 	int solve_most = solve_runs_most(request->substeps), pairs = pipeline->counters.joints + pipeline->excluded;
@@ -217,12 +221,12 @@ void pipeline_move(Pipeline* pipeline, Backend* backend)
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
-		memset(&state->sent, -1, sizeof state->sent); // differs from every tree, so the next upload sends the tree
+		memset(&state->sent, -1, sizeof state->sent); // no tree has this value, so the next upload writes the tree
 		state->touched = true;
 		state->seen = false;
 	}
 	pipeline->named = pipeline->named_bodies = 0;
-	pipeline->split = false; // pools of spokes are derived, and were not copied
+	pipeline->split = false; // the pools of spokes have the role DERIVED, and were not copied
 }
 
 void pipeline_close(Pipeline* pipeline)

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
-// pipeline.h -- the step, and other work that runs on the device between steps.
+// pipeline.h -- declares the step, and other work that runs on the device between steps.
 #ifndef PIPELINE_H
 #define PIPELINE_H
 #include "step/pipeline_state.h"
 
-// Gives the pools their initial capacity for bodies and contacts, 0 for the default. The caller owns the backend.
+// Gives the pools their initial capacities. bodies, contacts: expected numbers, 0 for the default. The caller owns the
+// backend.
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts);
 void pipeline_close(Pipeline* pipeline);
 
-// Replaces the backend after the pools were moved to another device.
+// Replaces the backend. The caller has copied the pools to another device.
 void pipeline_move(Pipeline* pipeline, Backend* backend);
 
-// Executes one step; the user's changes are on the device. On failure sets Pipeline.started if it has changed data.
+// Executes one step. The user's changes must already be on the device. On failure, Pipeline.started is set if the step
+// has changed data on the device.
 scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request);
 
 #endif

@@ -1,52 +1,53 @@
 // SPDX-License-Identifier: MIT
-// pipeline_state.h -- the request of a step, and the state that the host keeps between steps.
+// pipeline_state.h -- declares the request of a step, and the state that the host keeps between steps.
 #ifndef PIPELINE_STATE_H
 #define PIPELINE_STATE_H
 #include "backend/backend.h"
 #include "backend/run_list.h"
 
-typedef struct // host side of one tree of the broad phase; tree_maintenance.c
+typedef struct // state of the host for one tree of the broad phase; see tree_maintenance.c
 {
-	Tree tree, sent; // current tree; tree on the device
+	Tree tree, sent; // current tree; tree as last uploaded
 	int* added;      // collidables to append to the leaves in the next step
 	int added_count, added_capacity;
-	int64_t unsorted; // leaves appended, and boxes changed, since the leaves were last sorted
-	double outliers;  // node visits wasted on outliers since then
-	int churned;      // consecutive steps in which boxes jumped so far that the leaves were sorted
+	int64_t unsorted; // number of leaves appended and boxes changed since the leaves were last sorted
+	double outliers;  // node visits wasted on outliers since the leaves were last sorted
+	int churned;      // number of consecutive steps in which boxes jumped so far that the leaves were sorted
 	bool ordered;     // the current step sorts the leaves because boxes are expected to jump
 	bool touched;     // the user changed some box of this tree
 	bool seen;        // the boxes for queries are up to date
-	int appended;     // leaves appended since the leaves were last sorted
-	int* left;        // collidables that were destroyed or moved to the other tree since then
+	int appended;     // number of leaves appended since the leaves were last sorted
+	int* left;        // collidables destroyed or moved to the other tree since the leaves were last sorted
 	int left_count, left_capacity;
-	bool shrunk; // left is incomplete for lack of capacity
+	bool shrunk; // left is incomplete because it could not grow
 } TreeState;
 
-typedef struct // commands of a step, one group each: applied before the step, after it, or when it was refused
+typedef struct // three lists of commands for a step: applied before the step, after it, or instead of both if it was refused
 {
 	const Command *begin, *end, *undo;
-	const int* groups; // first command of each group, and the end
+	const int*
+	    groups; // index of the first command of each group, and the end of the last group; a group has the commands of one item
 	int count;
 } StepCommands;
 
 typedef struct // the request of a step
 {
-	float dt; // s; 0 for a step that finds contacts and moves nothing
+	float dt; // s; 0: the step finds contacts and moves nothing
 	int substeps;
 	scree_vec gravity;
 	scree_tuning tuning;
-	int bodies, collidables; // slots in use
+	int bodies, collidables; // numbers of slots in use
 	int kinematic;           // number of kinematic bodies
-	const int* kinematics;   // their indices
-	int contact_limit;       // 0 for the default
+	const int* kinematics;   // indices of the kinematic bodies
+	int contact_limit;       // maximum number of contacts, 0 for the default
 	StepCommands commands;
 	bool timings;
-	bool details;                 // contacts store details of the step
+	bool details;                 // contacts store details of the step for the user
 	bool reports;                 // some collidable reports touches or hits
-	float hit_speed, hit_impulse; // as in Step
+	float hit_speed, hit_impulse; // as Step.hit_speed, Step.hit_impulse
 	int fields;                   // number of active fields
 	bool field_shapes;            // some fields act on shapes
-	bool request_again;           // as in Step
+	bool request_again;           // as Step.request_again
 	const Word64* allowed;        // pairs of collidables that the user approved, sorted
 	int allowed_count;
 } StepRequest;
@@ -55,25 +56,25 @@ typedef struct
 {
 	Backend* backend;
 	Counters counters;     // as of the last readback
-	TreeState trees[2];    // moving collidables; static ones
-	Kinematics kinematics; // as sent last
-	uint8_t* member;       // bits of each collidable slot; tree_maintenance.c
+	TreeState trees[2];    // trees of moving and of static collidables
+	Kinematics kinematics; // list of kinematic bodies, as last uploaded
+	uint8_t* member;       // bits of each collidable slot: membership in the trees; see tree_maintenance.c
 	int member_capacity;
 	RunList list;
-	Step step;                    // constants of the last step; kernels that need none use these
-	int used[PER_COUNT];          // most items of each kind that were needed since idle was 0
-	int first_contacts;           // initial contact slots
-	int idle;                     // steps since pools were last checked for unused capacity
-	int sparse;                   // consecutive steps with few contacts for their slots
-	bool jumps;                   // the user placed or created something since the last step, so boxes may jump
-	bool surfaces_changed;        // some collidable changed its attribute, or its events, since the last step
-	bool reports;                 // some collidable has ever reported touches or hits
-	bool rules;                   // some attribute is a one-way platform, or some pair of materials or bodies was set
-	bool platforms;               // some attribute is a one-way platform
-	int material_pairs, excluded; // rows of these pools
+	Step step;             // constants of the last step with dt above 0; kernels that read no constants get them too
+	int used[PER_COUNT];   // largest number of items of each kind that was needed since idle was 0
+	int first_contacts;    // initial number of contact slots
+	int idle;              // steps since pools were last checked for unused capacity
+	int sparse;            // number of consecutive steps with few contacts for the number of slots
+	bool jumps;            // the user placed or created something since the last step, so boxes may jump
+	bool surfaces_changed; // some collidable changed its attribute or its reported events since the last step
+	bool reports;          // some collidable has ever reported touches or hits
+	bool rules;            // some attribute is a one-way platform, or some pair of materials or bodies was set
+	bool platforms;        // some attribute is a one-way platform
+	int material_pairs, excluded; // numbers of used rows in the pools of these names
 	bool asks;                    // some collidable has ever required contact approval
 	bool started;                 // the current step has changed data on the device
-	bool reverted;                // the last step was refused, so boxes are older than poses
+	bool reverted;                // the last step was refused, so the boxes are older than the poses
 	bool has_rolling;             // some attribute has restitution, rolling resistance or tangent speed
 	bool belts;                   // some attribute, or pair of materials, has a tangent speed
 	bool segments;                // some attribute is a segment
@@ -87,22 +88,24 @@ typedef struct
 	bool unlocked;   // some body with joints may have no collidables
 	bool tethers;    // some joint may connect a moving body to one that cannot move
 	bool can_break;  // some joint may break
-	int chains, chain_ranges;   // items of a pass over chains; ranges of chains
-	int carried;                // first of these items with a heavy chain between light bodies; such items are last
-	int chain_places;           // joints in chains and branches, with padding
-	int branches, branch_nodes; // items of a pass over branches, after the chains; bodies of branches
-	bool dirty;                 // joints were made, changed or destroyed since the last step
-	float continuous_way, continuous_reach; // as in Step: bounds over all bodies that ever existed
+	int chains, chain_ranges; // number of items of a pass over chains; number of ranges of chains
+	int carried;      // index of the first item with a heavy chain between light bodies; all such items are last
+	int chain_places; // number of joints in chains and branches, with padding
+	int branches,
+	    branch_nodes; // number of items of a pass over branches, after those of chains; number of bodies in branches
+	bool dirty;       // joints were made, changed or destroyed since the last step
+	float continuous_way, continuous_reach; // as in Step; bounds over all bodies that ever existed
 	int taut;                               // Counters.taut after the last step
 	bool split;                             // the neighbors of the spokes have been split for this layout
-	int rounds;                             // coloring rounds that the last step needed
+	int rounds;                             // number of coloring rounds that the last step needed
 	int64_t steps;
-	bool tells;                      // the user has requested the moved bodies
-	uint64_t named, named_bodies;    // versions of Names on the device, for collidables and bodies; 0 for none
-	int grown;                       // number of times that a pool grew
-	double milliseconds;             // wall-clock time of the last step
-	double stage_times[STAGE_COUNT]; // time of each stage; zeros without timings
-	double query_milliseconds;       // time of the last queries; 0 without timings
+	bool tells; // the user has requested the moved bodies
+	uint64_t named,
+	    named_bodies;    // versions of Names on the device, for handles of collidables and of bodies; 0: none uploaded
+	int grown;           // number of times that a pool grew
+	double milliseconds; // wall-clock time of the last step, ms
+	double stage_times[STAGE_COUNT]; // ms of each stage in the last step; zeros without timings
+	double query_milliseconds;       // ms of the last queries; 0 without timings
 	scree_traffic traffic;           // traffic of the last step
 } Pipeline;
 

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// reserve.h -- capacities of the pools: they grow when a stage needs more, and shrink after long disuse.
+// reserve.h -- sets the capacities of the pools: enlarges pools when a stage needs more, and shrinks them after long
+// disuse.
 #ifndef RESERVE_H
 #define RESERVE_H
 #include "step/pipeline_state.h"
 
-#define LEAST_CAPACITY 64 // items: the capacity of a pool is a multiple of it
+#define LEAST_CAPACITY 64 // number of items; the capacity of each pool is a multiple of this
 
-// Reserves capacity items, growing by at least half, for the pools of a kind and all that depend on it.
+// Enlarges the pools of a kind to at least capacity items, and by at least half, and all pools that depend on them.
+// Does nothing if they are large enough.
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);
 
-// Shrinks pools that have been much too large for a long time. Called after a step.
+// Shrinks pools that have been much too large for a long time. Must be called after each step.
 void pipeline_trim(Pipeline* pipeline);
 
-// Counts the step. Returns whether few of the contact slots have been used for a long time.
+// Must be called once per step. Returns whether most contact slots have been unused in many consecutive steps.
 bool pipeline_sparse(Pipeline* pipeline);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// solve_stage.c -- the solve, and the work that follows it at the end of a step.
+// solve_stage.c -- executes the solve, and the work that follows the solve at the end of a step.
 #include "step/solve_stage.h"
 #include "constraints/constraint_kinds.h"
 #include "platform/error.h"
@@ -7,7 +7,8 @@
 #include "step/reserve.h"
 #include "step/stage_lists.h"
 
-// Finds the bodies that are neighbors of several hubs, once per layout, which the host must have.
+// Finds the bodies that are neighbors of several hubs, once per layout. The host must already have the counters of the
+// layout.
 static scree_status split_spokes(Pipeline* pipeline, const Step* step, int bodies)
 {
 	if (pipeline->counters.hubs == 0 || pipeline->split)
@@ -17,7 +18,7 @@ static scree_status split_spokes(Pipeline* pipeline, const Step* step, int bodie
 	TRY(pipeline_reserve(pipeline, PER_SPOKE, spokes));
 	TRY(pipeline_reserve(pipeline, PER_SPOKE_BLOCK, spokes / MAX_LANES));
 
-	// bodies that cannot move have a key with all bits set, which no body index has
+	// bodies that cannot move get a key with all bits set, which no index of a body has
 	int body_bits = index_bits(bodies + 1);
 	RunList* list = &pipeline->list;
 	runs_add(list, KERNEL_hub_key, 0, spokes, NO_COUNT, 0);
@@ -32,7 +33,7 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	Backend* b = pipeline->backend;
 	const Counters* c = &pipeline->counters;
 	TRY(split_spokes(pipeline, step, request->bodies));
-	// a solve with a bound, which may do nothing, follows runs that already include the presses
+	// with a bound (an early solve, which the device may skip), the runs before it already contain the presses
 	if (step->presses && bound == NO_COUNT)
 	{
 		list_presses(pipeline, request->bodies, false);
@@ -69,13 +70,13 @@ static scree_status recompute_surfaces(Pipeline* pipeline, const Step* step)
 	return pipeline_run(pipeline, step);
 }
 
-// Ends a step with dt 0, instead of the solve: measures how deep bodies overlap, for the user's counters. Spokes are
-// split in the step that lays them out, because the next step reads back whether any body is split.
+// Ends a step with dt 0 without a solve: measures the depths of overlaps, for the user's counters. Spokes are split in
+// the step that lays them out, because the next step reads back whether any body is split.
 static scree_status measure_only(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
 	TRY(split_spokes(pipeline, step, bodies));
-	runs_add_single(list, KERNEL_solve_begin); // its first item clears the counts of the last finalize
+	runs_add_single(list, KERNEL_solve_begin); // item 0 clears the counts of the last finalize
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 	{
 		int constraints = pipeline->counters.layout[kind].begin[COLORS + 1];
@@ -86,7 +87,7 @@ static scree_status measure_only(Pipeline* pipeline, const Step* step, int bodie
 	return pipeline_run(pipeline, step);
 }
 
-// Moves bodies with pending contacts back to where they met.
+// Moves the bodies of pending contacts back to the poses at which they met.
 static scree_status stop_waiting_bodies(Pipeline* pipeline, const Step* step, int bodies)
 {
 	runs_add(&pipeline->list, KERNEL_approval_find, 0, step->contact_capacity, COUNT(waiting), 0);
@@ -118,7 +119,7 @@ scree_status solve_finish(Pipeline* pipeline, const Step* step, const StepReques
 		return measure_only(pipeline, step, request->bodies);
 	if (!solved)
 		TRY(solve_start(pipeline, step, request, NO_COUNT));
-	// one step late: a solve that starts before the host has read the counters depends on those of the last step
+	// one step late, because a solve that starts before the host has read the counters uses those of the last step
 	pipeline->taut = taut;
 	if (pipeline->asks)
 		TRY(stop_waiting_bodies(pipeline, step, request->bodies));

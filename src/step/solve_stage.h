@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// solve_stage.h -- the solve, and the work that follows it at the end of a step.
+// solve_stage.h -- executes the solve, and the work that follows the solve at the end of a step.
 #ifndef SOLVE_STAGE_H
 #define SOLVE_STAGE_H
 #include "step/pipeline_state.h"
 
-// Executes solve and finalize. bound: a counter that is 0 if the layout differs from the host's counters, or NO_COUNT.
+// Executes solve and finalize. bound: a counter that the device sets to 0 if the layout differs from the counters of
+// the host, or NO_COUNT.
 scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound);
 
-// Executes the solve unless solved is set, then moves waiting and kinematic bodies. With dt 0 only measures overlaps.
+// Executes the solve unless solved is set; then stops bodies with pending contacts, and moves kinematic bodies to their
+// targets. With dt 0, only measures overlaps.
 scree_status solve_finish(Pipeline* pipeline, const Step* step, const StepRequest* request, bool solved);
 
 #endif

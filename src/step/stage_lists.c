@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// stage_lists.c -- lists of the runs of the stages.
+// stage_lists.c -- lists the runs of the stages.
 #include "step/stage_lists.h"
 #include "platform/error.h"
 #include "step/dispatch.h"
 #include "step/tree_maintenance.h"
 
-// Recomputes the boxes of a tree: always (NO_COUNT), or if a counter is not 0.
+// Lists the runs that recompute the boxes of a tree: always if count is NO_COUNT, else only if that counter is not 0.
 static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 {
 	if (tree->leaves == 0)
@@ -29,7 +29,8 @@ static void tree_order(RunList* list, const Tree* tree, int t, int count)
 	list_leaf_order(list, tree, t, 0, count);
 }
 
-// Sorts the leaves if the device finds that boxes jumped so far that traversals would take longer than sorting.
+// Lists the runs that measure the outliers of a tree and sort its leaves. The device executes the sort only if boxes
+// jumped so far that traversals would take longer than sorting.
 static void tree_refit_all(RunList* list, const Tree* tree, int t)
 {
 	if (tree->leaves <= ARITY)
@@ -76,7 +77,8 @@ static bool pairs_may_change(const Pipeline* pipeline)
 	return pipeline->counters.joints + pipeline->excluded > 0 && (pipeline->dirty || pipeline->can_break);
 }
 
-// Collects the pairs of bodies that joints or the user keep apart, sorted by two indices of bodies.
+// Lists the runs that collect the pairs of bodies that joints or the user keep apart. The pairs are sorted by two
+// indices of bodies.
 static void list_joined(RunList* list, int joints, int excluded, int bodies)
 {
 	int bits = index_bits(bodies), count = COUNT(joints_dirty), pairs = joints + excluded;
@@ -107,7 +109,8 @@ void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, KERNEL_contact_join, 0, contacts, COUNT(joints_dirty), 0);
 }
 
-// Lists contacts that need approval, and sorts pairs that were refused or let through, for continuous collision.
+// Lists the runs that find contacts that need approval. They also sort the pairs that were refused or let through, for
+// continuous collision.
 static void list_approvals(RunList* list, const Step* step, int bodies, bool platforms)
 {
 	int contacts = step->contact_capacity;
@@ -142,7 +145,8 @@ static void list_joint_constraints(RunList* list, int joints)
 	runs_add(list, KERNEL_joint_updated, 0, 1, COUNT(joints_dirty), 0);
 }
 
-// Returns the bits of the sort key of contacts: the color, and with hubs also an index of a body.
+// Returns the number of bits of the sort key of contacts. A key contains the color and, if there are hubs, the index of
+// a body.
 static int color_bits(const Pipeline* pipeline, int bodies)
 {
 	int bits = COLOR_BITS;
@@ -152,7 +156,8 @@ static int color_bits(const Pipeline* pipeline, int bodies)
 	return bits;
 }
 
-// Lays out the constraints of a kind by color, if some began or ended. bits: size of the keys.
+// Lists the runs that lay out the constraints of a kind by color; the device executes them if a constraint of the kind
+// began or ended. bits: size of the sort keys.
 static void lay_out(RunList* list, const Backend* b, int kind, int bits)
 {
 	const KindInfo* info = &kind_info[kind];
@@ -198,7 +203,8 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to)
 		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);
 }
 
-// Contacts by which a press spreads per step. With 1, a press of 1 m/s moves 5 capsules in a row 2.01 cm into a wall.
+// Number of contacts by which a press spreads per step. With 1, a press of 1 m/s moves 5 capsules in a row 2.01 cm into
+// a wall.
 #define PRESS_ROUNDS 2
 
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait)

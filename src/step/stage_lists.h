@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: MIT
-// stage_lists.h -- lists of the runs of the stages. Each function adds runs to Pipeline.list.
+// stage_lists.h -- lists the runs of the stages. Each function adds runs to Pipeline.list or to the given list.
 #ifndef STAGE_LISTS_H
 #define STAGE_LISTS_H
 #include "step/pipeline_state.h"
 
-#define STAGE_RUNS_MOST (4 * MAX_ROUNDS + 8 * CONSTRAINT_KINDS + 128) // runs in the longest list before the solve
+#define STAGE_RUNS_MOST (4 * MAX_ROUNDS + 8 * CONSTRAINT_KINDS + 128) // largest number of runs listed before the solve
 
-// Computes world boxes from the bodies, and the trees from the boxes. It executes the list if a tree must be sorted.
+// Lists the runs that compute world boxes from the bodies, and the trees from the boxes. Executes the list if the host
+// decides to sort a tree.
 scree_status list_transform(Pipeline* pipeline, const Step* step);
 void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies);
 void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies);
-// Runs coloring rounds from one to another, then lays out the constraints if all have colors.
+// Lists coloring rounds from to to - 1, and the layout of the constraints, which the device executes if all have
+// colors.
 void list_color(Pipeline* pipeline, int bodies, int from, int to);
 
-// Sorts the leaves of a tree by its boxes, if a counter is not 0: those of the step (0), or for queries (TREE_QUERIES).
+// Lists the runs that sort the leaves of a tree, if the counter is not 0. boxes: 0 to sort by the boxes of the step,
+// TREE_QUERIES to sort by the boxes for queries.
 void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count);
 
-// Finds the bodies that are pressed against others that cannot move. may_wait: the layout may be out of date.
+// Lists the runs that find the bodies pressed against bodies that cannot move. may_wait: the layout may be out of date.
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait);
-// Computes the forces of fields from poses and velocities at the start of the step.
+// Lists the runs that compute the forces of fields from poses and velocities at the start of the step. bound: as for
+// solve_start.
 void list_fields(Pipeline* pipeline, const StepRequest* request, int bound);
 
 #endif

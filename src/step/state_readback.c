@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// state_readback.c -- the world hash, rows for drawing, and reports of joints and contacts, on request between steps.
+// state_readback.c -- computes the world hash, rows for drawing, and reports of joints and contacts, on request between
+// steps.
 #include "step/state_readback.h"
 #include "platform/error.h"
 #include "step/dispatch.h"
@@ -52,7 +53,7 @@ scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count)
 scree_status pipeline_list_contacts(Pipeline* pipeline, int body, bool details, int* count)
 {
 	Backend* b = pipeline->backend;
-	Step step = pipeline->step; // constants of the last step that took time, if there was one
+	Step step = pipeline->step; // constants of the last step with dt above 0, if there was one
 	step.details = details;
 	int slots = pipeline->counters.contacts;
 	Run mark[] = {{.kernel_id = KERNEL_contact_mark, .end = slots + 1, .count = NO_COUNT, .argument = body},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// step_queries.c -- queries of the user on the current world: trees of the current poses, searches, sorted answers.
+// step_queries.c -- executes queries on the current world: computes trees of the current poses, searches them, and
+// sorts the results.
 #include "step/step_queries.h"
 #include "platform/error.h"
 #include "step/dispatch.h"
@@ -7,12 +8,13 @@
 #include "step/stage_lists.h"
 #include "step/tree_maintenance.h"
 
-#define FIRST_ANSWERS  256 // initial capacity of a list of answers
-#define APPENDED_SHARE 8   // leaves are sorted if the appended share is larger than 1 / APPENDED_SHARE
+#define FIRST_ANSWERS  256 // initial capacity of a list of results
+#define APPENDED_SHARE 8 // leaves are sorted if more than 1 / APPENDED_SHARE of them were appended since the last sort
 
-#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4)) // most runs of a refit: the levels of both trees twice, and two sorts
+#define REFIT_RUNS \
+	(2 * 2 * (MAX_LEVELS + 4)) // largest number of runs of a refit: the levels of both trees twice, and two sorts
 
-// Lists the runs that refit tree t. ways: the boxes cover the paths in the last step.
+// Lists the runs that compute the boxes of tree t. ways: true for boxes around the paths of the last step.
 static void list_refit(Pipeline* pipeline, int t, bool ways)
 {
 	RunList* list = &pipeline->list;
@@ -23,13 +25,13 @@ static void list_refit(Pipeline* pipeline, int t, bool ways)
 		runs_add(list, KERNEL_query_node, 0, tree_padded(tree->count[level]), NO_COUNT, RUN_PAIR(t, level));
 }
 
-// Sorts the leaves of a tree. A tree of a world that never made a step has its leaves in the order of creation.
+// Sorts the leaves of a tree. In a world that never made a step, they are in the order of creation.
 static scree_status order(Pipeline* pipeline, int t)
 {
 	list_refit(pipeline, t, false);
 	list_leaf_order(&pipeline->list, &pipeline->trees[t].tree, t, TREE_QUERIES, NO_COUNT);
 	TRY(pipeline_run(pipeline, &pipeline->step));
-	pipeline->trees[t].touched = true; // the boxes of the step belong to other leaves now
+	pipeline->trees[t].touched = true; // the leaves have changed places, so the step must recompute its boxes
 	return tree_ordered(pipeline, t);
 }
 
@@ -107,7 +109,7 @@ static Run search_of(const Pipeline* pipeline, const QueryRequest* q, int mode)
 	Run run = {.kernel_id = stages[q->form], .end = q->count, .count = NO_COUNT, .argument = mode};
 	if (q->form == QUERY_SENSORS)
 	{
-		// several work-items share the leaves if there are more work-items than sensors
+		// several work-items share the search for one sensor if there are more work-items than sensors
 		int parts = pipeline->backend->traversal_items / q->count, blocks = (q->collidables.count + ARITY - 1) / ARITY;
 		run.argument = parts < 1 ? 1 : parts < blocks ? parts : blocks;
 		run.end = q->count * run.argument;

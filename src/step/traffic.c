@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// traffic.c -- the bytes that the solve stage moves, counted from its algorithm.
+// traffic.c -- computes the number of bytes that the solve stage moves, from its algorithm.
 //
 // Bytes are counted as the passes request them, from a cache or from memory: a component of a constraint once per read
-// and once per write, each body of a constraint once per pass for both, a row of a body once in each pass over bodies.
-// So the count depends neither on the device nor on its caches. It leaves out padding, counters, and the sorting and
-// summing of spokes. A static body counts as written, although it is not.
+// and once per write, the bodies of a constraint once per pass for read and write, and a row of a body once in each
+// pass over bodies. So the count depends neither on the device nor on its caches. It leaves out padding, counters, and
+// the sorting and summing of spokes. A static body counts as written, although no pass writes it.
 #include "step/traffic.h"
 #include "constraints/constraint_kinds.h"
 #include <stddef.h>
@@ -12,16 +12,17 @@
 #define ROW_BYTES  sizeof(float)
 #define ENDS_BYTES (2 * sizeof(int)) // indices of the two bodies of a constraint
 
-// Bytes of a row of the pool body that a constraint, or the start of a step, writes.
+// Bytes of a row of the pool body. VELOCITY: part that a constraint writes. DISPLACEMENT: part cleared at the start of
+// a step.
 #define VELOCITY     (offsetof(BodyState, dx))
 #define DISPLACEMENT (offsetof(BodyState, inv_inertia) - offsetof(BodyState, dx))
 
-typedef struct // bytes of one constraint in a step
+typedef struct // bytes that one constraint moves in a step
 {
 	size_t rows, bodies;
 } Bytes;
 
-// Adds the bytes that a pass reads and writes for a row whose gate is open.
+// Adds the bytes that a pass reads and writes for a row, if the step uses the row (gate).
 #define COUNT_ROW(name, gate, life, inert, read, written) \
 	bytes += on.gate ? (((read) >> pass & 1) + ((written) >> pass & 1)) * ROW_BYTES : 0;
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                  \

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// tree_maintenance.c -- the host's part of the broad phase's trees: their leaves, and the decision when to sort them.
+// tree_maintenance.c -- keeps the trees of the broad phase on the host: lists their leaves, and decides when to sort
+// them.
 #include "step/tree_maintenance.h"
 #include "platform/error.h"
 #include <string.h>
 
-// The device measures all boxes, and decides whether they jump so far that the leaves must be sorted. After such a
-// decision the next steps sort the leaves without measuring; one step in CHURN_STEPS measures again.
+// The device measures all boxes, and decides whether boxes jump so far that the leaves must be sorted. After such a
+// decision, the next steps sort the leaves without a measurement; one step in CHURN_STEPS measures again.
 #define CHURN_STEPS 4
 
-#define LEFT_SOON 24 // distance, in collidables, at which a member is prefetched before it is read
+#define LEFT_SOON 24 // distance, in collidables, between the prefetch of an entry of member and its use
 
-// Bits of Pipeline.member: tree t has a leaf of the collidable; the collidable exists and belongs to tree t.
+// Bits of Pipeline.member. HAS_LEAF: tree t has a leaf of the collidable. BELONGS: the collidable exists, and belongs
+// to tree t.
 #define HAS_LEAF(t) (1 << (t))
 #define BELONGS(t)  (4 << (t))
 
@@ -33,7 +35,7 @@ int tree_nodes(int leaves)
 	return nodes + ARITY; // the root, behind the highest level
 }
 
-// Computes the position of a tree in the pools, and its levels; uploads them if they changed.
+// Computes the position of a tree in the pools, and its levels. Uploads the tree if it changed.
 static scree_status tree_layout(Pipeline* pipeline, int t)
 {
 	Backend* b = pipeline->backend;
@@ -54,7 +56,7 @@ static scree_status tree_layout(Pipeline* pipeline, int t)
 	if (memcmp(tree, &state->sent, sizeof *tree) == 0)
 		return SCREE_OK;
 	state->sent = *tree;
-	state->touched = true; // with another number of leaves, the nodes have other positions
+	state->touched = true; // with another number of leaves, nodes have other positions
 	return b->f->write(b, POOL_tree, t, 1, tree);
 }
 
@@ -95,7 +97,7 @@ scree_status tree_insert(Pipeline* pipeline, int t, int collidable)
 
 void tree_withdraw(Pipeline* pipeline, int collidable)
 {
-	// the insertion may have failed before member had this capacity
+	// the insertion may have failed before member had room for the collidable
 	if (collidable >= pipeline->member_capacity)
 		return;
 	for (int t = 0; t < 2; ++t)
@@ -118,7 +120,7 @@ void tree_leave(Pipeline* pipeline, int t, int collidable)
 	pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
 	if (state->left_count == state->left_capacity && !state->shrunk)
 	{
-		// a list as long as member is not faster than a visit of all slots
+		// with a list as long as member, a visit of all slots takes no longer
 		int capacity = 2 * state->left_capacity + 64;
 		int* left = capacity <= pipeline->member_capacity
 		                ? scree_reallocate(state->left, sizeof(int) * (size_t)state->left_capacity,
@@ -157,12 +159,13 @@ scree_status tree_upload(Pipeline* pipeline)
 	return SCREE_OK;
 }
 
-// Returns whether the leaves must be sorted: the wasted node visits have reached the cost of sorting, about
-// ORDER_VISITS per leaf, or one visit of every box. Thus the total cost stays within twice the minimum. A box changes
-// when it has moved by its margin, an eighth of its size, and disorder grows evenly: after c changes of every box a
-// traversal visits about 2 c more nodes, which add up to c * c per leaf. Without jumps, that is four changes of every
-// box; neighbors on the curve are then still near each other. Eight changes made the broad phase 3 % faster in scenes
-// that tumble, but would lose more in scenes where bodies fly.
+// Returns whether the leaves must be sorted. Sorting pays when the wasted node visits have reached its cost, about
+// ORDER_VISITS visits per leaf, which is one visit of every box; so the total cost stays within twice the minimum.
+// A box changes when its collidable has moved by the margin of the box, an eighth of its size, and disorder grows
+// evenly. After c changes of every box, a traversal visits about 2 c more nodes, which add up to c * c per leaf.
+// Without jumps, the leaves are sorted after four changes of every box; then neighbors on the curve are still near each
+// other. Sorting after eight changes made the broad phase 3 % faster in scenes that tumble, but would lose more in
+// scenes where bodies fly.
 bool tree_wants_order(const TreeState* state)
 {
 	double leaves = state->tree.leaves, changes = (double)state->unsorted / leaves;
@@ -179,7 +182,7 @@ void tree_count(TreeState* state, const Counters* counters, int t)
 	state->churned = counters->order[t] || state->ordered ? state->churned + 1 : 0;
 }
 
-// Removes the leaf of collidable k from tree t, if it has one that no longer belongs there.
+// Removes the leaf of collidable k from tree t, if the tree has such a leaf and the collidable no longer belongs to it.
 static void drop(Pipeline* pipeline, int t, int k)
 {
 	if ((pipeline->member[k] & (HAS_LEAF(t) | BELONGS(t))) != HAS_LEAF(t))
