@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// bounds.c -- a box around most of a set of points, without outliers.
+// bounds.c -- finds a box around most points of a set, without outliers.
 //
-// Method: John Tukey, Exploratory Data Analysis, 1977: fences, beyond which values are outliers, lie at multiples of
-// the size of the middle half.
+// Method: John Tukey, Exploratory Data Analysis, 1977. Values beyond fences are outliers; the distance of the fences
+// from the middle half of the values is a multiple of the size of that half.
 #include "view/bounds.h"
 #include "tools/common/median.h"
 #include <math.h>
 #include <stdlib.h>
 
-// Distance of the fences, in sizes of the middle half. Tukey uses 3, but bodies that slide off a heap should stay in
-// view.
+// Distance of the fences, in sizes of the middle half. Tukey uses 3; a larger value keeps bodies in view that slide off
+// a heap.
 #define FENCE 5.0f
-#define OTHER 0.1f // minimum size as a share of the size in the other direction: a column has almost no width
+#define OTHER 0.1f // minimum size as a share of the size in the other direction, because a column has almost no width
 
 typedef struct // sorted coordinates
 {

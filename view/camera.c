@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// camera.c -- the part of the world that a picture shows.
+// camera.c -- computes the part of the world that a picture shows.
 #include "view/camera.h"
 #include "scene/viewport.h"
 #include <math.h>
 
-#define CATCHES     0.85f   // share of the difference to a followed point that remains after each picture
-#define LEAST_SCALE 1.0e-4f // px per metre: all of SCREE_MAX_COORDINATE in a thumbnail
-#define LEAST_PART  200.0f  // px: a narrower part of the picture is not used
-#define MOST_SCALE  1.0e5f  // px per metre: a picture of a few millimetres
+#define CATCHES     0.85f   // share of the distance to a followed point that is left after each picture
+#define LEAST_SCALE 1.0e-4f // px per metre: a thumbnail shows all coordinates up to SCREE_MAX_COORDINATE
+#define LEAST_PART  200.0f  // px: if the free part of the picture is narrower, the whole picture is used
+#define MOST_SCALE  1.0e5f  // px per metre: a picture shows a few millimetres
 
 void camera_fit(Camera* camera, scree_box box, int width, int height)
 {

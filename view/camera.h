@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// camera.h -- the part of the world that a picture shows.
+// camera.h -- computes the part of the world that a picture shows.
 #ifndef CAMERA_H
 #define CAMERA_H
 #include "scree/scree.h"
@@ -8,14 +8,14 @@ typedef struct
 {
 	scree_vec middle;  // point of the world in the middle of the picture, m
 	float scale;       // px per metre
-	int width, height; // px
+	int width, height; // px: size of the picture
 } Camera;
 
-// Shows a whole box above the caption, as the pictures of scree run do.
+// Shows a whole box above the caption in a picture of this size, as the pictures of scree run do.
 void camera_fit(Camera* camera, scree_box box, int width, int height);
 
-// Shows a whole box in the part of the picture that is right of left and above bottom, px, and keeps the size of the
-// picture. If that part is too small, it uses the whole picture.
+// Shows a whole box in a part of the picture: to the right of left and above bottom, px. The size of the picture does
+// not change. If the part is too narrow, shows the box in the whole picture.
 void camera_fit_part(Camera* camera, scree_box box, float left, float bottom);
 
 // Changes the size of the picture; the middle stays.
@@ -27,8 +27,9 @@ void camera_pan(Camera* camera, float x, float y);
 // Magnifies the picture by a factor; the point under pixel x, y stays.
 void camera_zoom(Camera* camera, float x, float y, float factor);
 
-// Moves the picture so that a followed point of the world comes nearer to the point to, once per picture. behind is the
-// remaining difference, m; initially it is the second point minus the first.
+// Moves the picture so that point, a followed point of the world, comes nearer to the place of the point to in the
+// picture; call it once per picture. behind is the distance that is left, m; the caller initializes it with to minus
+// point.
 void camera_follow(Camera* camera, scree_vec point, scree_vec to, scree_vec* behind);
 
 // Returns the point of the world under a pixel.

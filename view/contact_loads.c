@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// contact_loads.c -- sums of contact forces for each body, for the paint by force.
+// contact_loads.c -- sums the contact forces of each body, for the paint by force.
 #include "view/contact_loads.h"
 #include <math.h>
 #include <string.h>
 
 #define WITHIN 0.995f // share of the forces that are within the range
-#define IDLE   4.0f   // a range shrinks when it is more than this many times too large
+#define IDLE   4.0f   // a range shrinks if it is more than IDLE times as large as needed
 #define BINS   2048   // bins by the upper 11 bits of a positive float: 8 for each power of two
 
 void loads_sum(const scree_contact* contacts, int contact_count, float substep, float* forces, int count)

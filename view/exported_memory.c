@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exported_memory.c -- device memory that OpenCL and OpenGL both import, allocated through Vulkan.
+// exported_memory.c -- allocates device memory through Vulkan, which OpenCL and OpenGL both import.
 //
 // OpenCL and OpenGL cannot export memory; Vulkan can. The Vulkan library is opened at run time and used for nothing
 // else.
@@ -42,7 +42,7 @@ typedef struct
 
 #define MAX_GPUS 16
 
-// Returns the memory type that is local to the device, -1 if there is none.
+// Returns the index of an allowed memory type that is local to the device; -1 if there is none.
 static int own_memory(const VkPhysicalDeviceMemoryProperties* types, uint32_t allowed)
 {
 	for (uint32_t k = 0; k < types->memoryTypeCount; ++k)
@@ -110,7 +110,7 @@ static const char* open_device(Vulkan* v)
 
 static const char* allocate(Vulkan* v, size_t bytes, ExportedMemory* out)
 {
-	// this buffer only supplies the size and type of the memory; no memory is bound to it
+	// this buffer only supplies the size and the type of the memory, and is destroyed before the allocation
 	const VkExternalMemoryHandleTypeFlags kind = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;
 	VkExternalMemoryBufferCreateInfo external = {.sType = VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_BUFFER_CREATE_INFO,
 	                                             .handleTypes = kind};
@@ -149,7 +149,7 @@ static const char* allocate(Vulkan* v, size_t bytes, ExportedMemory* out)
 }
 
 // Vulkan stays open until the process ends: closing it made NVIDIA's driver 580 drop the thread's OpenGL context. One
-// device is enough, because OpenGL draws on one.
+// Vulkan device is enough, because OpenGL draws on one device.
 static Vulkan vulkan;
 
 static const char* open_vulkan(Vulkan* v, const uint8_t uuid[16])

@@ -12,11 +12,11 @@ typedef struct
 	scree_pose* poses; // poses of the regions in the world
 } FieldLines;
 
-// Reads the fields of the tables' world and their poses. If memory is short, the list is empty.
+// Reads the fields of the tables' world and their poses. If memory is short, the list of fields is empty.
 scree_status field_lines_update(FieldLines* lines, const RenderTables* tables);
 void field_lines_close(FieldLines* lines);
 
-// Adds strokes for all outlines; for a fluid without a shape it adds its surface.
+// Adds strokes for the outlines of all regions. For a fluid without a shape, adds its surface.
 void field_lines_mark(const FieldLines* lines, Strokes* strokes);
 
 #endif

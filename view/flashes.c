@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// flashes.c -- short marks for events of the world: touches, hits, visits, broken joints.
+// flashes.c -- draws short marks for events of the world: touches, hits, visits, broken joints.
 //
-// Flashes fade in the time of the world. While the world is paused they stay, so that a single step shows its events.
+// Flashes fade with simulated time. While the world is paused they stay, so that a single step shows its events.
 #include "view/flashes.h"
 #include <math.h>
 #include <stdlib.h>
 
-#define MOST        1000 // flashes that a step adds to a layer, so that a frame has at most some thousands
+#define MOST        1000 // maximum number of flashes per step and layer, so that a frame has at most some thousands
 #define MOST_AT_ALL 20000
-#define BREAK_LASTS 1.5  // s: longer than other flashes, because joints rarely break
+#define BREAK_LASTS 1.5  // s: duration; longer than that of other flashes, because joints rarely break
 #define CROSS       7.0f // px: half the diagonal of the cross of a broken joint
 
 static const Color touch_color = {30, 120, 170}, hit_color = {222, 84, 20}, break_color = {160, 20, 30};
@@ -30,7 +30,7 @@ static bool in_view(scree_box box, scree_vec p)
 	return p.x >= box.lower.x && p.x <= box.upper.x && p.y >= box.lower.y && p.y <= box.upper.y;
 }
 
-// Returns a diameter of 5 px for surfaces that hardly moved, 17 px at 5 m/s, 29 px at most.
+// Returns the diameter of a ring: 5 px if the surfaces hardly moved, 17 px at 5 m/s, at most 29 px.
 static float diameter_of(float speed) { return 5.0f + 24.0f * speed / (speed + 5.0f); }
 
 static void add(Flashes* flashes, Layer layer, scree_vec at, float diameter, double now)
@@ -89,7 +89,7 @@ static void add_kind(Flashes* flashes, const Kind* kind, scree_box box, double n
 	}
 }
 
-// Finds the anchor of b; false if the body of b does not exist.
+// Computes the point at which a joint holds its body B, m. Returns false if the joint or the body does not exist.
 static bool anchor_of(scree_world* world, scree_joint joint, scree_vec* at)
 {
 	scree_joint_def def;
@@ -112,7 +112,7 @@ static void add_breaks(Flashes* flashes, scree_world* world, const scree_events*
 		scree_vec at;
 		if (!events->joints[k].broken)
 			continue;
-		bool room = added < MOST; // limits the number of poses, which are read one by one
+		bool room = added < MOST; // limits the number of poses, because each pose takes one call
 		if (room && (!anchor_of(world, events->joints[k].joint, &at) || !in_view(box, at)))
 			continue;
 		++flashes->seen;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// framebuffer.c -- an OpenGL framebuffer with one color buffer, to draw into and to read.
+// framebuffer.c -- creates an OpenGL framebuffer with one color buffer, to draw into and to read from.
 #include "view/framebuffer.h"
 #include <epoxy/gl.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// gl_picture.c -- pictures of a world, drawn with OpenGL into the pixels of a canvas.
+// gl_picture.c -- draws pictures of a world with OpenGL, and reads them into the pixels of a canvas.
 #include "view/gl_picture.h"
 #include "scene/detail.h"
 #include "view/legend.h"
@@ -22,7 +22,7 @@ struct GlPicture
 	Detail detail; // pixels is null if the scene has no detail
 };
 
-// Rows of OpenGL begin at the bottom, rows of a canvas at the top.
+// Reverses the order of the rows: in OpenGL the first row is at the bottom, in a canvas at the top.
 void gl_picture_read(Canvas* canvas)
 {
 	size_t stride = canvas->stride;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// glsl.h -- the shaders of view/glsl as strings, which cmake/texts.cmake writes.
+// glsl.h -- declares the shaders of view/glsl as strings; cmake/texts.cmake writes the strings.
 #ifndef GLSL_H
 #define GLSL_H
 

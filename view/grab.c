@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// grab.c -- the cursor as a tool on bodies: it picks one, drags it, throws new bodies in.
+// grab.c -- tools at the cursor: pick and drag a body, throw new bodies in.
 #include "view/grab.h"
 #include <math.h>
 #include <stdlib.h>
@@ -42,8 +42,8 @@ static int compare_index(const void* key, const void* body)
 	return (a > b) - (a < b);
 }
 
-// Returns the dynamic body under the cursor, null if there is none; among several the one drawn on top, whose row is
-// the last.
+// Returns the dynamic body under the cursor, null if there is none. If several bodies overlap there, returns the body
+// that is drawn on top, whose row is the last.
 static scree_body body_under(const Grab* grab, const RenderTables* tables, const scree_render_row* rows, int count)
 {
 	for (int k = count - 1; k >= 0; --k)
@@ -142,7 +142,7 @@ scree_status grab_pull(Grab* grab)
 	return grab_holds(grab) ? scree_joint_set_frames(grab->world, grab->joint, to, held) : SCREE_OK;
 }
 
-// Creates the attributes of a ball, a box and a capsule; half is half their width, m.
+// Creates the attributes of a ball, a box and a capsule; half: half the width of the ball, m.
 static scree_status make_thrown(Grab* grab, float half, float density)
 {
 	scree_attribute_def defs[3] = {scree_attribute_def_default(), scree_attribute_def_default(),

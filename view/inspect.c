@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// inspect.c -- the numbers of the collidable that is under the cursor or selected.
+// inspect.c -- reads the numbers of the collidable that is under the cursor or selected.
 #include "view/inspect.h"
 #include "scene/attribute_block.h"
 #include "scene/block.h"
@@ -7,8 +7,8 @@
 #include "view/theme.h"
 #include <stdio.h>
 
-#define CONTACTS 64   // contacts of a body whose forces are read
-#define SHAPES   64   // shapes of a body that get an outline
+#define CONTACTS 64   // maximum number of contacts of a body whose forces are read
+#define SHAPES   64   // maximum number of shapes of a body that get an outline
 #define WIDTH    3.0f // px: width of the outline
 
 static scree_status get_sensor(scree_world* world, scree_collidable collidable, bool* sensor)
@@ -58,7 +58,7 @@ static bool same_attribute(const scree_attribute_def* a, const scree_attribute_d
 	return same;
 }
 
-// Returns the name of the collidable's attribute in the scene; empty if it has none.
+// Returns the name of the scene's attribute that equals the collidable's attribute; empty if there is none.
 static const char* attribute_name(const Inspected* inspected, const Scene* scene, const scree_world* world)
 {
 	scree_attribute attribute;
@@ -72,7 +72,7 @@ static const char* attribute_name(const Inspected* inspected, const Scene* scene
 	return "";
 }
 
-// Writes the name. Bodies of a scene have the first indices, in the order of the file.
+// Sets the name. The bodies of a scene have the first indices, in the order of the scene file.
 static void find_name(Inspected* inspected, const Scene* scene, const scree_world* world)
 {
 	uint32_t index = inspected->body.index;

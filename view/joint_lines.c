@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define MOST  200000 // maximum number of joints: more take longer to read than a frame may last, 0.2 us each
+#define MOST  200000 // maximum number of joints: reading a joint takes 0.2 us, and a frame must stay short
 #define LEAST 1.2f   // px: an anchor with a smaller radius has no dot
 
 static const Color loaded = {214, 40, 30};
@@ -15,7 +15,7 @@ static void find_bodies(JointLines* lines)
 	lines->first = 0;
 	lines->last = -1;
 	for (int k = 0; k < lines->links.count; ++k)
-		for (int end = 0; end < 2; ++end) // includes the bodies of paths
+		for (int end = 0; end < 2; ++end) // a joint on a path has the body of the path at one end
 		{
 			int body = lines->links.list[k].bodies[end];
 			if (body < 0)

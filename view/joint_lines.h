@@ -10,26 +10,26 @@
 typedef struct
 {
 	Links links;       // joints that are neither broken nor destroyed
-	scree_pose* poses; // poses by index in RenderTables.bodies, from first to last
-	int first, last;   // range of the bodies that have joints
+	scree_pose* poses; // poses of RenderTables.bodies from first to last, by the same index
+	int first, last;   // range of the indices of bodies that have joints
 	scree_joint* joints;
 	scree_joint_state* states;
-	float largest; // N: the largest of their forces
+	float largest; // N: largest force of a joint
 } JointLines;
 
-// Lists the joints of the tables' world; none if there are more than a picture can show in time. Returns false if
-// memory is short.
+// Lists the joints of the tables' world; if there are too many to read in each frame, the list is empty. Returns false
+// if memory is short.
 bool joint_lines_build(JointLines* lines, const RenderTables* tables);
 void joint_lines_close(JointLines* lines);
 
-// Reads poses and forces. Joints that broke or were destroyed are not drawn from then on.
+// Reads poses and forces. Removes joints that broke or were destroyed from the list.
 scree_status joint_lines_update(JointLines* lines, const RenderTables* tables);
 
 // Adds strokes for the joints in view: lines, and dots at their anchors. A joint is omitted if it is shorter than
 // Style.detail pixels and its dots would be too small.
 void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, const Style* style);
 
-// Returns the color of a joint; share is the square root of its force as a share of the largest one.
+// Returns the color of a joint; share: square root of its force divided by the largest force.
 Color joint_color(float share, bool dark);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// legend.c -- explanations of the colors of a picture, with numbers and units.
+// legend.c -- writes legends: explanations of the colors of a picture, with numbers and units.
 #include "view/legend.h"
 #include "view/ramp.h"
 #include "view/theme.h"
@@ -13,7 +13,7 @@ static void add_tick(Legend* legend, float at, const char* text)
 	snprintf(legend->ticks[legend->tick_count++].text, sizeof legend->ticks->text, "%s", text);
 }
 
-// Writes a force from a few thousandths to millions of N: "0.5", "250", "20 k".
+// Writes a force in N as a short text: "0.5", "250", "20 k".
 static void write_force(char text[20], double force)
 {
 	if (force >= 1.0e6)
@@ -24,7 +24,7 @@ static void write_force(char text[20], double force)
 		snprintf(text, 20, force >= 100.0 ? "%.0f" : "%.3g", force);
 }
 
-// Adds ticks; the position of a color is the square root of the force.
+// Adds three ticks. The position in the color bar is the square root of force / largest.
 static void add_force_ticks(Legend* legend, float largest)
 {
 	for (int k = 0; k < 3; ++k)
@@ -48,7 +48,7 @@ static void add_speeds(Legend* legend)
 	add_tick(legend, 1.0f, "\u221e");
 }
 
-// Adds the colors of touching contacts, or the first of them if there are many.
+// Adds the graph colors of touching contacts; if there are too many, only the first of these colors.
 static void add_graph(Legend* legend, const Renderer* r)
 {
 	bool used[GRAPH_COLORS] = {false};

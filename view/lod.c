@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// lod.c -- level of detail: selects the rows that are drawn as shapes and as splats, at the scale of a picture.
+// lod.c -- level of detail: selects the rows that are drawn as shapes and the rows that are drawn as splats, at a
+// scale.
 //
-// A scene may have a few walls and 100,000 splats. Without runs the pass of shapes would process every row, four
-// vertices each. Rows are in the order in which bodies were created, so rows of one kind are mostly consecutive.
+// A scene may have a few walls and 100,000 splats. Without ranges of rows, the program for shapes would process every
+// row, four vertices each. Rows are in the order in which bodies were created, so rows of shapes are mostly
+// consecutive.
 #include "view/lod.h"
 
-#define NEAR 256 // two runs with fewer rows between them are merged
+#define NEAR 256 // two ranges with fewer rows between them are merged
 
 static bool is_splat(const RenderTables* tables, int attribute, float scale, float detail)
 {

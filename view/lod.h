@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: MIT
-// lod.h -- level of detail: selects the rows that are drawn as shapes and as splats, at the scale of a picture.
+// lod.h -- level of detail: selects the rows that are drawn as shapes and the rows that are drawn as splats, at a
+// scale.
 #ifndef LOD_H
 #define LOD_H
 #include "view/render_tables.h"
 
-#define MAX_RUNS 64 // more draw calls cost more than drawing the rows between the runs
+#define MAX_RUNS 64 // maximum number of draw calls; more would take longer than drawing the rows between the ranges
 
-typedef struct // consecutive rows
+typedef struct // a range of consecutive rows
 {
 	int first, count;
 } Run;
 
 typedef struct
 {
-	float scale, detail; // arguments for which the runs were found; scale 0: none yet
-	int rows;            // total number of rows that are drawn
+	float scale, detail; // arguments for which the ranges were found; scale 0: none yet
+	int rows;            // number of rows for which the ranges were found
 	Run shapes[MAX_RUNS];
 	int shape_runs;
-	bool splats; // true if any row is a splat
+	bool splats; // true if shapes of any attribute are drawn as splats
 } Lod;
 
-// Finds the runs again if an argument changed. They contain every row that is drawn as a shape, and some others, which
-// the shader discards.
+// Finds the ranges of shapes again if rows, scale or detail changed. The ranges contain every row that is drawn as a
+// shape, and some splats, which the shader discards.
 void lod_update(Lod* lod, const RenderTables* tables, int rows, float scale, float detail);
 
 #endif

@@ -6,9 +6,9 @@
 #define DOT     5.0f  // px: diameter of a contact point
 #define NORMAL  14.0f // px: length of a normal
 #define IMPULSE 60.0f // px: maximum length of the largest impulse in view
-#define FEW     4.0f  // px: minimum length of it
-#define DENSE   20.0f // px: with a maximum length below this, lines have no rim
-#define LONG    1.6f  // length between these two limits, in reaches of a body
+#define FEW     4.0f  // px: minimum length of the largest impulse in view
+#define DENSE   20.0f // px: lines have no rim if the largest impulse would be shorter
+#define LONG    1.6f  // length of the largest impulse, in reaches of a typical body, if FEW and IMPULSE allow it
 #define HALO    2.6f  // px: additional width of the rim around impulses
 
 static const Color red = {187, 53, 44}, pale = {232, 150, 140}, slate = {52, 62, 80}, mist = {206, 214, 228};
@@ -16,7 +16,7 @@ static const Color red = {187, 53, 44}, pale = {232, 150, 140}, slate = {52, 62,
 // dark line with a light rim, because impulses lie on bodies of all colors
 static const Color core = {38, 20, 58}, halo = {255, 250, 235};
 
-// Returns a darker color: a dot is small and needs more contrast than a body.
+// Returns a darker color, because a dot is small and needs more contrast than a body.
 static Color darker(Color color)
 {
 	return (Color){(uint8_t)(color.r * 3 / 4), (uint8_t)(color.g * 3 / 4), (uint8_t)(color.b * 3 / 4)};
@@ -42,7 +42,8 @@ static scree_vec along(scree_vec from, scree_vec direction, float length)
 	return (scree_vec){from.x + direction.x * length, from.y + direction.y * length};
 }
 
-// Adds the rims of all impulses, then the lines over them. If bodies are too small for that, it adds only thin lines.
+// Adds strokes for impulses: first the rims of all, then the lines over the rims. If bodies are too small, adds only
+// thin lines.
 static void mark_impulses(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera, float size)
 {
 	scree_box box = camera_box(camera);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// numbers.c -- the numbers of a body as lines of text, for the panel.
+// numbers.c -- writes the numbers of a body as lines of text, for the panel.
 #include "view/numbers.h"
 #include <inttypes.h>
 #include <math.h>

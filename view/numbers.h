@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// numbers.h -- the numbers of a body as lines of text, for the panel.
+// numbers.h -- writes the numbers of a body as lines of text, for the panel.
 #ifndef NUMBERS_H
 #define NUMBERS_H
 #include "view/inspect.h"
@@ -20,7 +20,7 @@ typedef struct
 // Writes the few most important numbers, for the collidable under the cursor.
 void numbers_write_short(const Inspected* inspected, Numbers* numbers);
 
-// Writes all numbers, the name first; for a destroyed body a sentence says so.
+// Writes the name and all numbers. For a destroyed body writes only one line, which reports the destruction.
 void numbers_write(const Inspected* inspected, Numbers* numbers);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// offscreen.c -- OpenGL without a window: a context and a framebuffer.
+// offscreen.c -- opens OpenGL without a window: a context and a framebuffer.
 #include "view/offscreen.h"
 #include "tools/common/byte_hash.h"
 #include <epoxy/egl.h>
@@ -9,7 +9,8 @@
 
 #define MAX_EGL_DEVICES 16
 
-// Opens a context. The whole process shares one display, so that it is never terminated.
+// Opens a context on a display, and makes it current. The display is never terminated, because other contexts of the
+// process may use it.
 static EGLContext context_of(EGLDisplay display)
 {
 	if (!eglInitialize(display, NULL, NULL))

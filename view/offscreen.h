@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// offscreen.h -- OpenGL without a window: a context and a framebuffer.
+// offscreen.h -- opens OpenGL without a window: a context and a framebuffer.
 #ifndef OFFSCREEN_H
 #define OFFSCREEN_H
 #include "view/framebuffer.h"
@@ -7,19 +7,18 @@
 
 typedef struct
 {
-	void *display, *context; // EGL
+	void *display, *context; // EGLDisplay and EGLContext
 	Framebuffer framebuffer;
-	int width, height;  // px
+	int width, height;  // px: size of the framebuffer
 	char renderer[128]; // GL_RENDERER
 } Offscreen;
 
-// Opens an OpenGL 3.3 context on the first EGL device that has one, and makes it current. EGL lists GPUs before
-// software renderers. Returns null, or an error message.
+// Opens an OpenGL 3.3 context on the first EGL device with OpenGL 3.3, and makes the context current. EGL lists GPUs
+// before software renderers. Returns null on success, else an error message.
 const char* offscreen_open(Offscreen* offscreen, int width, int height);
 void offscreen_close(Offscreen* offscreen);
 
-// A hash of all pixels (tools/common/byte_hash.h); 0 when memory is short.
-// Waits until drawing is finished.
+// Returns a hash of all pixels (tools/common/byte_hash.h), 0 if memory is short. Blocks until drawing is finished.
 uint64_t offscreen_hash(const Offscreen* offscreen);
 
 #endif

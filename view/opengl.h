@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// opengl.h -- OpenGL 3.3 by libepoxy, or WebGL 2 in a page, which is OpenGL ES 3.0; and the few differences between
-// them.
+// opengl.h -- includes OpenGL 3.3 by libepoxy; in a page OpenGL ES 3.0 by WebGL 2. Macros hide the differences.
 #ifndef OPENGL_H
 #define OPENGL_H
 #include <stdbool.h>
@@ -14,7 +13,7 @@
 	"precision highp int;\n"       \
 	"precision highp sampler2D;\n" \
 	"precision highp usampler2D;\n"
-#define OPENGL_SHADERS_SIZE_POINTS() ((void)0) // always enabled in WebGL
+#define OPENGL_SHADERS_SIZE_POINTS() ((void)0) // nothing to enable: WebGL always has it
 #else
 #include <epoxy/gl.h>
 #define GLSL_VERSION                 "#version 330 core\n"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// outline.c -- the outline of a shape, as strokes.
+// outline.c -- draws the outline of a shape with strokes.
 #include "view/outline.h"
 #include <math.h>
 
 #define OPAQUE 255
-#define ARC    4.0f // px: length of a stroke of a rounded corner
+#define ARC    4.0f // px: length of the strokes at a rounded corner
 
 typedef struct
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// outline.h -- the outline of a shape, as strokes.
+// outline.h -- draws the outline of a shape with strokes.
 #ifndef OUTLINE_H
 #define OUTLINE_H
 #include "view/stroke.h"

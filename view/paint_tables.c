@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paint_tables.c -- tables of values that color bodies: velocities, graph colors, forces, starting places.
+// paint_tables.c -- fills tables of values that color bodies: velocities, graph colors, forces, starting places.
 #include "view/paint_tables.h"
 #include "view/contact_loads.h"
 #include "view/style.h"
@@ -45,7 +45,7 @@ bool paint_tables_fill_graph(RenderTables* tables, const scree_contact* contacts
 			    contacts[k].color < 0)
 				continue;
 			uint8_t *color = &highest[bodies[side].index], own = (uint8_t)contacts[k].color;
-			// contacts of hubs have no color of their own
+			// the color of hub contacts counts only without any other contact
 			if (*color == none || *color == hub || (own != hub && own > *color))
 				*color = own;
 		}
@@ -74,8 +74,7 @@ bool paint_tables_fill_forces(RenderTables* tables, const scree_contact* contact
 	return good;
 }
 
-// Adds the starting places of new bodies. A scene may have replaced bodies: the place of a new one is its first pose
-// here.
+// Adds the starting places of new bodies. If a scene replaced bodies, a new body's place is its pose at this call.
 static scree_status find_new_starts(RenderTables* tables)
 {
 	bool misses = false;

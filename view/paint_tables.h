@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// paint_tables.h -- tables of values that color bodies: velocities, graph colors, forces, starting places.
+// paint_tables.h -- fills tables of values that color bodies: velocities, graph colors, forces, starting places.
 #ifndef PAINT_TABLES_H
 #define PAINT_TABLES_H
 #include "view/render_tables.h"
 
-// Reads the velocities of all bodies into their table.
+// Fills the table of velocities with those of all bodies.
 scree_status paint_tables_fill_velocities(RenderTables* tables);
 
-// Fills the table of graph colors with the highest color of each body's contacts; contacts of hubs have no color.
-// Returns false if memory is short.
+// Fills the table of graph colors with the highest color of each body's contacts. The color of hub contacts counts only
+// for bodies without other contacts. Returns false if memory is short.
 bool paint_tables_fill_graph(RenderTables* tables, const scree_contact* contacts, int count);
 
-// Fills the table of shares with the forces of each body's contacts: the square root of force /
-// RenderTables.force_range, which it updates. substep is in s. Returns false if memory is short.
+// Updates RenderTables.force_range, and fills the table of shares with the square root of force / force_range for each
+// body; force: sum of the normal forces of its contacts. substep: duration of a substep, s. Returns false if memory is
+// short.
 bool paint_tables_fill_forces(RenderTables* tables, const scree_contact* contacts, int count, float substep);
 
 // Fills the table of shares with the starting places of the bodies.

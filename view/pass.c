@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pass.c -- an OpenGL program that draws rows, and its uniforms from camera and style.
+// pass.c -- opens an OpenGL program that draws rows, and sets its uniforms from camera and style.
 #include "view/pass.h"
 #include "view/glsl.h"
 #include "view/opengl.h"

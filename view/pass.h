@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// pass.h -- an OpenGL program that draws rows, and its uniforms from camera and style.
+// pass.h -- opens an OpenGL program that draws rows, and sets its uniforms from camera and style.
 #ifndef PASS_H
 #define PASS_H
 #include "view/camera.h"
 #include "view/render_tables.h"
 #include "view/style.h"
 
-typedef struct // OpenGL program with its uniforms
+typedef struct // an OpenGL program and the locations of its uniforms
 {
 	unsigned program;
 	int view, scale, paint, least, size, line, coarse, first, marked, sensors, ramp, types, still, glass, ink;
 } Pass;
 
-// Links a program from row.glsl and these texts. Returns false and writes a sentence (SENTENCE of shader.h) on failure.
+// Links a program from row.glsl and two texts. Returns false and writes a sentence (SENTENCE of shader.h) on failure.
 bool pass_open(Pass* pass, const char* vertex, const char* fragment, char* sentence);
 void pass_close(Pass* pass);
 
-// Uses the program and sets its uniforms, for all rows.
+// Makes the program current, and sets its uniforms for drawing all rows.
 void pass_use(const Pass* pass, const RenderTables* tables, const Camera* camera, const Style* style);
 
-// Binds the textures that all passes read.
+// Binds the textures of the tables, which all programs for rows read.
 void pass_bind_tables(const RenderTables* tables);
 
 #endif

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// pour.c -- pours bodies like those of a scene into its world where there is room.
+// pour.c -- pours bodies into a world where there is room. The new bodies have attributes of the scene's bodies.
 #include "view/pour.h"
 #include <math.h>
 #include <stdlib.h>
 
-#define SAMPLES 256       // bodies that are examined to find the attributes that are poured
-#define LARGE   4.0f      // larger bodies, in units of the typical size, are not poured
-#define APART   2.05f     // distance of poured bodies, in reaches
-#define TURN    2.399963f // rad: the golden angle, so that places repeat late
-#define SHARE   0.618034f // share of the disc's area between consecutive bodies
+#define SAMPLES 256       // maximum number of bodies that are examined to find attributes
+#define LARGE   4.0f      // bodies with a larger reach, in units of the typical reach, are not poured
+#define APART   2.05f     // minimum distance of poured bodies, in typical reaches
+#define TURN    2.399963f // rad: angle between successive places, the golden angle, so that places repeat late
+#define SHARE   0.618034f // increase of (distance / radius)^2 from place to place, modulo 1; covers the disc evenly
 
 static const Color water = {52, 116, 178};
 
 typedef struct
 {
 	scree_attribute attribute;
-	float reach; // m
+	float reach; // m: reach of the shape
 } Sample;
 
-// Returns true if a body is of a kind that can be poured: dynamic, with one shape that is not a sensor.
+// Fills a sample, and returns true, if a body can be poured: dynamic, with one shape that is not a sensor.
 static bool take_sample(const scree_world* world, scree_body body, Sample* sample)
 {
 	scree_body_type type;
@@ -86,7 +86,7 @@ void pour_end(Pour* pour) { pour->on = false; }
 // Returns the radius of the disc in which bodies are poured, m.
 static float radius_of(const Pour* pour) { return APART * pour->size * sqrtf((float)pour->rate); }
 
-// Chooses places on the disc that are apart from each other. Returns their number.
+// Chooses at most Pour.rate places on the disc, at distances of more than APART reaches. Returns their number.
 static int choose_places(const Pour* pour, scree_vec middle, scree_probe* probes)
 {
 	float radius = radius_of(pour);

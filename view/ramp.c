@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// ramp.c -- color ramps for numbers, for shaders and legends.
+// ramp.c -- computes color ramps, the colors of numbers, for shaders and legends.
 #include "view/ramp.h"
 
 // blue at rest, yellow, red
 static const Color speeds[] = {{84, 115, 168}, {227, 184, 97}, {204, 71, 56}};
 
-// the lightness rises, so that the ramp is readable in gray and with color blindness, and the largest force is bright
-// on a dark and on a light background
+// the lightness rises, so that the ramp is readable in gray and with color blindness; its end is bright on dark and on
+// light backgrounds
 static const Color forces[] = {{66, 70, 104}, {120, 64, 128}, {190, 70, 106}, {234, 114, 70}, {255, 201, 92}};
 
 // hues that are easy to distinguish, with about the same lightness

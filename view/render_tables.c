@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// render_tables.c -- tables that shaders read besides the rows: shapes and colors of attributes, kinds of bodies.
+// render_tables.c -- fills tables that shaders read besides the rows: shapes and colors of attributes, types of bodies.
 #include "view/render_tables.h"
 #include "scene/viewport.h"
 #include <math.h>
@@ -7,9 +7,9 @@
 #include <string.h>
 
 #define TEXELS 9   // texels per attribute, as in row.glsl and body.frag
-#define SIZES  256 // shapes that are examined to find the typical size
+#define SIZES  256 // maximum number of shapes that are examined to find the typical size
 
-// Returns true if a shape is an axis-aligned rectangle, for which the distance is cheaper.
+// Returns true if a shape is an axis-aligned rectangle, for which the shader computes the distance in less time.
 static bool is_upright(const scree_shape* shape)
 {
 	if (shape->count != 4)
@@ -78,7 +78,8 @@ static int compare_sizes(const void* a, const void* b)
 	return (x->reach > y->reach) - (x->reach < y->reach);
 }
 
-// Finds the median reach of the shapes that move, from at most SIZES of them.
+// Sets size to the median reach of the shapes that move, from at most SIZES of them, and density to that of the same
+// shape.
 static void find_size(RenderTables* tables, const Sprites* sprites)
 {
 	scree_attribute_def* defs = malloc(SIZES * sizeof *defs);
@@ -96,8 +97,8 @@ static void find_size(RenderTables* tables, const Sprites* sprites)
 	free(defs);
 }
 
-// Fills one byte per body: its type plus 4 times its shade. Dynamic bodies are in the list of sprites from first_moving
-// on.
+// Fills the table of kinds with one byte per body: type plus 4 times shade. Finds the box and the starting places of
+// the bodies. Dynamic bodies are in the list of sprites from first_moving on.
 static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 {
 	for (int k = 0; k < tables->body_count; ++k)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// render_tables.h -- tables that shaders read besides the rows: shapes and colors of attributes, kinds of bodies.
+// render_tables.h -- fills tables that shaders read besides the rows: shapes and colors of attributes, types of bodies.
 #ifndef RENDER_TABLES_H
 #define RENDER_TABLES_H
 #include "scene/scene.h"
@@ -11,37 +11,37 @@
 typedef struct
 {
 	scree_world* world;
-	scree_attribute_def* attributes; // by the index of their handles; an unused entry has shape.count 0
-	int* color_of;                   // palette entry of each attribute, -1 if it has none
+	scree_attribute_def* attributes; // array index: that of the handles; an unused entry has shape.count 0
+	int* color_of;                   // palette entry of each attribute; -1: no entry
 	int attribute_count;
-	int* row_attributes; // attribute of each row; -1 if it has none
+	int* row_attributes; // attribute of each row; -1: no attribute
 	int row_count;
-	scree_body* bodies; // bodies that existed when the tables were built
+	scree_body* bodies; // bodies at the last build or update
 	int body_count;
-	int body_capacity; // the highest index plus one
-	scree_box box;     // box around the bodies that move, m; for scenes without a view
+	int body_capacity; // highest index of a body plus one
+	scree_box box;     // m: box around the bodies that move, for scenes without a view
 	SensorMarks sensors;
 	Starts starts;     // starting places of the bodies; kept until the world is replaced
-	float size;        // m: median of the reaches of the bodies that move; 0 if there are none
-	float density;     // kg/m^2: density of the body with that reach
-	float force_range; // N: force at the end of the ramp; 0: none was shown yet
+	float size;        // m: median reach of the shapes that move; 0 if there are none
+	float density;     // kg/m^2: density of the shape with that reach
+	float force_range; // N: force at the end of the ramp; 0: no force was shown yet
 	TexelArray attribute_texture, kinds, velocities, graph, marks, shares;
 } RenderTables;
 
-// Reads a world, or none (null), with the scene that created it. Repeat it after bodies were added or removed. If the
-// world has taken no step, the current positions of its bodies become their starting places. Returns false if memory is
-// short; close the tables also then.
+// Reads a world; scene is the scene that created it, or null. The caller repeats this after bodies were added or
+// removed. If the world has taken no step, the current positions of its bodies become their starting places. Returns
+// false if memory is short; the caller must close the tables even then.
 bool render_tables_build(RenderTables* tables, const Scene* scene, scree_world* world);
 
-// Reads the handles of the bodies again: a scene may replace bodies between steps, each by a new one with the same
-// index.
+// Reads the handles of the bodies again, because a scene may replace bodies between steps. A new body has the index of
+// the body that it replaces.
 scree_status render_tables_update_bodies(RenderTables* tables);
 
-// Fills the table of marks with the states of the world's sensors, if it has any.
+// Fills the table of marks with the states of the world's sensors. Does nothing if there are no sensors.
 void render_tables_update_sensors(RenderTables* tables);
 
-// Returns the part of the world that a picture of the whole scene shows, m: the view of the scene file, else the bodies
-// that move.
+// Returns the part of the world that a picture of the whole scene shows, m: the view in the scene file, else a box
+// around the bodies that move.
 scree_box render_tables_view(const RenderTables* tables, const Scene* scene);
 
 void render_tables_close(RenderTables* tables);

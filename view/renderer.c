@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // renderer.c -- draws a world from rows in an OpenGL buffer: bodies, and layers over them.
 //
-// A body smaller than Style.detail is drawn as a splat: one vertex, which covers the body's pixels. A larger one is
-// drawn as a rectangle whose fragments compute their signed distance from the shape. Each pass discards the rows of the
-// other.
+// A body with a reach below Style.detail is drawn as a splat: one vertex, which covers the body's pixels. A larger body
+// is drawn as a rectangle whose fragments compute their signed distance from the shape. The shaders of splats discard
+// the rows of larger bodies; those of shapes discard the rows of splats.
 #include "view/renderer.h"
 #include "view/glsl.h"
 #include "view/marker.h"
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SUBSTEP (1.0f / 240.0f) // s: for worlds without a scene
+#define SUBSTEP (1.0f / 240.0f) // s: duration of a substep in worlds without a scene
 
 bool renderer_open(Renderer* r, char* sentence)
 {
@@ -121,7 +121,7 @@ scree_status renderer_step(Renderer* r, const Camera* camera, const Style* style
 	return flashes_step(&r->flashes, &r->tables, camera, style, now);
 }
 
-// Binds the rows from first on, as vertices (divisor 0) or as instances (divisor 1).
+// Binds the rows from index first on, as vertices (divisor 0) or as instances (divisor 1).
 static void bind_rows(unsigned vertices, const Share* share, int first, GLuint divisor)
 {
 	const GLsizei row = sizeof(scree_render_row);
@@ -138,7 +138,7 @@ static void bind_rows(unsigned vertices, const Share* share, int first, GLuint d
 	}
 }
 
-// Draws a layer with one instance per row.
+// Draws a layer over the bodies, with one instance per row.
 static void draw_over(const Renderer* r, const Pass* pass, const Share* share, const Camera* camera, const Style* style)
 {
 	bind_rows(r->four_each, share, 0, 1);

@@ -16,8 +16,8 @@
 typedef struct
 {
 	Pass body, splat, box, velocity, center;
-	unsigned one_each, four_each; // vertex arrays: a row is one vertex, or one instance of four vertices
-	Strokes strokes, under;       // drawn over the bodies, and under them
+	unsigned one_each, four_each; // vertex arrays: a row is one vertex; a row is one instance of four vertices
+	Strokes strokes, under;       // strokes over the bodies; strokes under the bodies
 	RenderTables tables;
 	Lod lod;
 	JointLines joint_lines;
@@ -27,7 +27,7 @@ typedef struct
 	Flashes flashes;
 	scree_contact* contacts;
 	int contact_count, contact_capacity;
-	bool software; // OpenGL runs on the CPU
+	bool software; // true: OpenGL runs on the CPU
 } Renderer;
 
 // Opens the renderer in the current OpenGL 3.3 context. Returns false and writes a sentence (SENTENCE of shader.h) on
@@ -35,17 +35,18 @@ typedef struct
 bool renderer_open(Renderer* renderer, char* sentence);
 void renderer_close(Renderer* renderer);
 
-// Reads the world again. Call it before the first frame and after bodies were added or removed. scene is the scene that
-// created the world, or null; it must exist until the next call.
+// Reads a world. Call it before the first frame and after bodies were added or removed. scene is the scene that created
+// the world, or null; it must exist until the next call. Returns false if memory is short.
 bool renderer_update_world(Renderer* renderer, const Scene* scene, scree_world* world);
 
-// Adds the events of a step that a style shows. Call it after every step; now is the time of the world, s.
+// Adds flashes for the events of a step that a style shows. Call it after every step; now is the time of the world, s.
 scree_status renderer_step(Renderer* renderer, const Camera* camera, const Style* style, double now);
 
-// Reads the other data that a style shows: velocities, contacts, joints, fields, sensors, the rays in view.
+// Reads the data that a style shows besides rows and events: velocities, contacts, joints, fields, sensors, the rays in
+// view.
 scree_status renderer_fetch(Renderer* renderer, const Camera* camera, const Style* style);
 
-// Draws background, bodies and layers into the current framebuffer. Strokes that were added before are drawn on top.
+// Draws background, bodies and layers into the current framebuffer, and on top the strokes that the caller has added.
 void renderer_draw(Renderer* renderer, const Share* share, const Camera* camera, const Style* style);
 
 #endif

@@ -5,10 +5,10 @@
 #include "scene/scan.h"
 #include "view/stroke.h"
 
-// Casts the rays in view, or some of them if there are more than most.
+// Casts the rays in view; if there are more than most, casts only some of them.
 scree_status scan_lines_update(Scan* scan, scree_world* world, const Camera* camera, int most);
 
-// Adds the rays to under, which is drawn under the bodies, and the dots of their hits to over.
+// Adds strokes: rays to under, which is drawn under the bodies; dots at the hits to over, which is drawn over them.
 void scan_lines_mark(const Scan* scan, Strokes* under, Strokes* over, const Camera* camera);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sensor_marks.h -- states of sensors for shaders, one byte per row: a bit for sensors, a bit for visited ones, the
-// brightness of a flash.
+// sensor_marks.h -- computes marks of sensors for shaders, one byte per row: whether it is a sensor, whether it has a
+// visit, and the brightness of its flash.
 #ifndef SENSOR_MARKS_H
 #define SENSOR_MARKS_H
 #include "scene/sprites.h"
@@ -12,28 +12,29 @@
 typedef struct
 {
 	scree_collidable collidable;
-	double lit; // s, time of the world when a visit last began
+	double lit; // s: time of the world at which a visit last began
 } SensorMark;
 
-#define FLASH_LASTS 0.3 // s of the world
+#define FLASH_LASTS 0.3 // s of simulated time: duration of a flash
 
 typedef struct
 {
-	SensorMark* list; // in ascending index order
+	SensorMark* list; // in ascending order of the index
 	int count;
 	uint8_t* marks; // marks of the rows up to the last sensor
 	int rows;       // number of marks; 0 if there are no sensors
-	double now;     // s: time of the world, for fading
+	double now;     // s: current time of the world
 } SensorMarks;
 
-// Lists the sensors among the sprites of a world. Returns false if memory is short; close it also then.
+// Lists the sensors among the sprites of a world. Returns false if memory is short; the caller must close sensors even
+// then.
 bool sensor_marks_list(SensorMarks* sensors, const Sprites* sprites);
 void sensor_marks_close(SensorMarks* sensors);
 
 // Updates the marks from the current visits of all sensors. Returns true if a mark has changed.
 bool sensor_marks_update(SensorMarks* sensors, scree_world* world);
 
-// Returns the sensor with this index; null if there is none.
+// Returns the sensor whose collidable has this index; null if there is none.
 SensorMark* sensor_marks_find(const SensorMarks* sensors, uint32_t index);
 
 #endif

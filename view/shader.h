@@ -6,8 +6,8 @@
 
 #define SENTENCE 512 // characters of an error message
 
-// Creates a program from a vertex and a fragment shader; head (may be empty) is put before the vertex shader. On
-// failure it returns 0 and writes OpenGL's message.
+// Creates a program from a vertex and a fragment shader. head (may be empty) is put before the vertex shader. On
+// failure returns 0 and writes OpenGL's message.
 unsigned shader_link(const char* head, const char* vertex, const char* fragment, char* sentence);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shared_rows.c -- the rows that a renderer draws, in an OpenGL buffer: written by the device, or copied through the
-// host.
+// shared_rows.c -- fills an OpenGL buffer with the rows that a renderer draws: the device writes them, or the host
+// copies them.
 #include "view/shared_rows.h"
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -16,7 +16,8 @@ bool share_context(scree_opengl* opengl)
 	return true;
 }
 
-// Finds the device of a world in the list of all devices; false when memory is short.
+// Finds the device of a world in the list of all devices. Returns false if the list does not contain it, or if memory
+// is short.
 static bool find_device(const scree_world* world, scree_device* device)
 {
 	int count = 0;
@@ -56,7 +57,8 @@ void share_close(Share* share)
 	*share = (Share){.exported.files = {-1, -1}};
 }
 
-// Makes the buffer in memory that Vulkan allocates and that OpenGL and OpenCL import.
+// Creates the buffer in memory that Vulkan allocates and that OpenGL and OpenCL import. Returns false and writes a
+// sentence on failure.
 static bool share_memory(Share* share, size_t bytes)
 {
 	char* sentence = share->sentence;
@@ -105,7 +107,7 @@ static bool share_opengl(Share* share, size_t bytes)
 	return false;
 }
 
-// Creates a buffer for all rows and half as many more. If sharing fails, the rows are copied from then on.
+// Creates a buffer with room for more rows than there are. If sharing fails, selects copying.
 static void make_buffer(Share* share)
 {
 	int capacity = share->count + share->count / 2 + 1024;
@@ -125,7 +127,7 @@ static void make_buffer(Share* share)
 	share->capacity = capacity;
 }
 
-// Reads the rows from the device into the mapped buffer.
+// Copies the rows from the device into the mapped buffer.
 static scree_status copy(Share* share)
 {
 	glBindBuffer(GL_ARRAY_BUFFER, share->buffer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// stroke.c -- lines and dots over a picture, collected and drawn with one call.
+// stroke.c -- collects lines and dots over a picture, and draws them with one call.
 #include "view/stroke.h"
 #include "view/glsl.h"
 #include "view/opengl.h"

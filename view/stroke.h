@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// stroke.h -- lines and dots over a picture, collected and drawn with one call.
+// stroke.h -- collects lines and dots over a picture, and draws them with one call.
 #ifndef STROKE_H
 #define STROKE_H
 #include "scene/sprites.h"
 #include "view/camera.h"
 
-typedef struct // 28 bytes, an instance
+typedef struct // 28 bytes; one instance in a draw call
 {
 	scree_vec a, b; // endpoints, m; equal for a dot
-	float width;    // px; the diameter of a ring
+	float width;    // px: width of a line or dot, diameter of a ring
 	uint8_t color[4];
 	uint8_t end;  // opacity at b
 	uint8_t ring; // line width of a ring in quarters of a pixel, 0: filled
@@ -20,16 +20,16 @@ typedef struct
 	Stroke* list;
 	int count, capacity;
 	unsigned program, vertices, buffer; // OpenGL names
-	int view, scale;                    // uniforms
+	int view, scale;                    // locations of uniforms
 } Strokes;
 
 bool strokes_open(Strokes* strokes, char* sentence);
 void strokes_close(Strokes* strokes);
 
-// Adds a stroke, or nothing when memory is short. opacity is 0 to 255.
+// Adds a stroke; adds nothing if memory is short. opacity: 0 to 255.
 void strokes_add(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int opacity);
 
-// Adds a stroke whose opacity changes from begin at a to end at b.
+// Adds a stroke whose opacity changes from begin (at a) to end (at b), both 0 to 255.
 void strokes_fade(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int begin, int end);
 
 // Adds a circle around a point; diameter and line width in px.

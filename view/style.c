@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// style.c -- coloring of bodies, and the layers that are drawn over them.
+// style.c -- reads the style of a picture: the coloring of bodies, and the layers over them.
 #include "view/style.h"
 #include "scene/scan_picture.h"
 #include "view/shader.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// style.h -- coloring of bodies, and the layers that are drawn over them.
+// style.h -- the style of a picture: the coloring of bodies, and the layers over them.
 #ifndef STYLE_H
 #define STYLE_H
 #include "scene/sprites.h"
@@ -14,13 +14,13 @@ typedef enum // rule that colors a body
 
 extern const char* const paint_names[PAINTS];
 
-// Returns the index of a name in a list, -1 if it is not there.
+// Returns the index of a name in a list; -1 if the list does not contain the name.
 int find_name(const char* const* names, int count, const char* text, size_t length);
 
 #define GRAPH_COLORS 64 // number of values of scree_contact.color
 
-// Returns the color for a graph color. Hues are a golden angle apart, so that consecutive colors differ; contacts of
-// hubs are dark.
+// Returns the color for a graph color. Hues of consecutive graph colors differ by the golden angle; contacts of hubs
+// are dark.
 Color graph_color(int color);
 
 typedef enum
@@ -37,16 +37,15 @@ typedef struct
 {
 	Paint paint;
 	bool layers[LAYERS];
-	bool graph; // contact points have the color of the solver's graph
-	float
-	    // px: bodies with a smaller reach are splats, shorter joints are omitted; 1 is fine, 4 for a software renderer
-	    detail;
-	int rays;  // maximum number of rays of the scene that are drawn
-	bool dark; // dark background
+	bool graph;   // true: contact points have the color of their contact in the solver's graph
+	float detail; // px: smaller bodies are drawn as splats, shorter joints are omitted; 1, or 4 for slow renderers
+	int rays;     // maximum number of rays of the scene that are drawn
+	bool dark;    // true: dark background
 } Style;
 
-// Reads the name of a paint and a list of layers, separated by commas. Null selects the default, which shows joints,
-// sensors and rays. Returns false and writes a sentence (SENTENCE of shader.h) that begins with the option on failure.
+// Reads the name of a paint, and a list of layers with commas between them. Null selects the default: colors by
+// attribute; joints, fields, sensors and rays. On failure returns false and writes a sentence (SENTENCE of shader.h)
+// that begins with the option.
 bool style_read(Style* style, const char* paint, const char* layers, char* sentence);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// texel_array.h -- an array that shaders read, kept in an OpenGL texture.
+// texel_array.h -- keeps an array that shaders read in an OpenGL texture.
 #ifndef TEXEL_ARRAY_H
 #define TEXEL_ARRAY_H
 
@@ -10,13 +10,13 @@ typedef enum // format of a texel
 	FORMAT_FOUR, // RGBA32F
 } TexelFormat;
 
-typedef struct // texel k is in row k / 2048, because WebGL has no buffer textures
+typedef struct // texel k is in row k / 2048 of a 2D texture, because WebGL has no buffer textures
 {
 	unsigned texture;
 	int format, rows; // values with which the texture was created
 } TexelArray;
 
-// Writes the first count texels; the others are undefined.
+// Writes the texels from 0 to count - 1; the contents of the other texels are undefined.
 void texel_array_fill(TexelArray* array, TexelFormat format, const void* data, int count);
 void texel_array_delete(TexelArray* array);
 

@@ -1,10 +1,10 @@
-// body.frag -- a shape by its signed distance: filled, with a thin darker rim, and a spoke in circles.
+// body.frag -- draws a shape by its signed distance: filled, with a thin darker rim. Circles also have a radius line.
 uniform sampler2D table;
 uniform float scale; // px per metre
 uniform float line;  // px: width of rims
 
 flat in int texel;
-// computed by the vertex shader, because software renderers run all branches and would fetch in each
+// the vertex shader computes these values: software renderers run all branches, and would fetch in each of them
 flat in vec4 frame;
 flat in vec3 shape;
 flat in vec4 ends;
@@ -29,7 +29,7 @@ float segment_distance(vec2 p, vec2 a, vec2 b)
 	return length(p - a - ab * clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0));
 }
 
-// Returns the signed distance from the hull of the vertices, px: negative inside, where the nearest edge counts.
+// Returns the distance from the hull of the vertices, px. Inside it is negative: the distance from the nearest edge.
 float hull_distance(vec2 p, int count)
 {
 	vec2 a = last;

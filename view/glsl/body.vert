@@ -1,16 +1,16 @@
-// body.vert -- a rectangle around a shape; body.frag draws the shape in it.
+// body.vert -- places a rectangle around a shape; body.frag draws the shape in the rectangle.
 uniform float least; // px: shapes with a smaller reach are splats
 
 flat out int texel; // first texel of the attribute
 flat out vec4 frame; // px: middle and half sides of the rectangle around the shape
-flat out vec3 shape; // radius in px, number of vertices, form
+flat out vec3 shape; // radius (px), number of vertices, 1 for an axis-aligned rectangle, 2 for a segment
 flat out vec4 ends;  // px: the first two vertices
 flat out vec2 last;  // px: the last vertex
 flat out vec3 color;
 flat out float reach; // px
 flat out int hollow;
 flat out float tint; // opacity of the inside of a hollow shape
-flat out float bold; // factor of its line width
+flat out float bold; // factor of the width of the outline
 out vec2 local; // px, in the frame of the shape
 
 void main()

@@ -1,4 +1,4 @@
-// box.frag -- an axis-aligned box as a frame of one pixel.
+// box.frag -- draws the edges of an axis-aligned box, one pixel wide.
 flat in vec4 edges;
 out vec4 pixel;
 

@@ -1,5 +1,5 @@
-// box.vert -- the axis-aligned box around a placed shape.
-uniform vec2 size; // px of the picture
+// box.vert -- computes the axis-aligned box around a placed shape.
+uniform vec2 size; // size of the picture, px
 
 flat out vec4 edges; // px: lower and upper corner
 

@@ -1,24 +1,24 @@
-// row.glsl -- the beginning of every shader of rows: a row of the world, and the tables of render_tables.h.
+// row.glsl -- the beginning of every shader of rows: declares a row, and the tables of render_tables.h.
 layout(location = 0) in vec4 pose;   // x, y (m), cosine, sine
 layout(location = 1) in vec2 center; // vector from x, y to the center of mass, m
-layout(location = 2) in ivec2 name;  // attribute, -1 if there is no collidable; body, -1 if there is none
+layout(location = 2) in ivec2 name;  // index of the attribute, -1: no collidable; index of the body, -1: no body
 
 uniform vec4 view;   // middle of the picture (m), clip units per metre
 uniform float scale; // px per metre
-uniform int paint;   // line number in paints.def, from 0
-uniform vec3 palette[64]; // graph colors
+uniform int paint;   // position of the paint in paints.def, from 0
+uniform vec3 palette[64]; // colors for graph colors
 uniform vec3 ramp[17];    // colors of the paint, as in ramp.h
 uniform vec3 types[2];    // colors of kinematic and dynamic bodies
 uniform vec3 still;       // color of bodies that are not dynamic
 uniform vec3 glass;       // color of collidables without a body
 uniform vec3 ink;         // color of marks over bodies
 uniform int first;        // first row that is drawn
-uniform int marked;       // number of rows that have a mark
+uniform int marked;       // number of rows in the table marks
 
-uniform sampler2D table;      // attributes, TEXELS of render_tables.c each
+uniform sampler2D table;      // attributes, 9 texels for each (TEXELS of render_tables.c)
 uniform usampler2D kinds;     // per body: type plus 4 times the shade
-uniform usampler2D graph;     // per body: highest color of its contacts, 255 for none
-uniform sampler2D shares;     // per body: force, or starting place, 0 to 1
+uniform usampler2D graph;     // per body: highest graph color of its contacts; 255 for no contact
+uniform sampler2D shares;     // per body: square root of the relative force, or starting place; 0 to 1
 uniform sampler2D velocities; // per body: velocity, m/s
 uniform usampler2D marks;     // per row: bits of sensor_marks.h
 uniform int sensors;              // 1 if sensors are shown
@@ -29,7 +29,7 @@ vec2 turned(vec2 v) { return vec2(pose.z * v.x - pose.w * v.y, pose.w * v.x + po
 vec2 clip_of(vec2 world) { return (world - view.xy) * view.zw; }
 uint kind() { return texelFetch(kinds, cell(name.y), 0).x & 3u; } // 0 static, 1 kinematic, 2 dynamic
 
-// Returns the mark of a row, 0 if it is not a sensor.
+// Returns the mark of a row; 0 for a row that is not a sensor.
 int mark_of(int row) { return row < marked ? int(texelFetch(marks, cell(row), 0).x) : 0; }
 bool hidden(int mark) { return mark != 0 && sensors == 0; }
 
@@ -45,14 +45,15 @@ vec3 ramp_color(float t)
 	return mix(ramp[k], ramp[k + 1], at - float(k));
 }
 
-// Returns the color of a starting place: the hue changes from left to right, dark at the bottom and light at the top.
+// Returns the color of a starting place. The hue changes from left to right; colors are dark at the bottom and light at
+// the top.
 vec3 start_color(vec2 place)
 {
 	vec3 hue = ramp_color(place.x);
 	return mix(hue * 0.55, mix(vec3(1.0), hue, 0.6), place.y);
 }
 
-// Returns a shade of the attribute: 0 is its first color, 1 its middle one, 2 its last one.
+// Returns a color of the attribute between its first color (place 0), the middle color (1) and its last color (2).
 vec3 shade_color(vec3 middle, float place)
 {
 	vec3 end = texelFetch(table, cell(9 * name.x + (place < 1.0 ? 7 : 8)), 0).rgb;

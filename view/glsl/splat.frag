@@ -1,4 +1,4 @@
-// splat.frag -- the part of a pixel that a small square covers; the parts of all pixels add up to the square's area.
+// splat.frag -- draws a small square: the opacity of a pixel is the part of the pixel that the square covers.
 uniform bool coarse;
 
 flat in vec3 color;

@@ -1,5 +1,5 @@
-// splat.vert -- a small shape as a point: a square with the shape's area.
-uniform bool coarse; // cover whole pixels only
+// splat.vert -- places a small shape as a point: a square with the area of the shape.
+uniform bool coarse; // true: the square covers whole pixels
 uniform float least; // px: shapes with a larger reach are not splats
 uniform vec2 size;   // size of the picture, px
 

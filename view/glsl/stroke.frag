@@ -1,4 +1,4 @@
-// stroke.frag -- a stroke, drawn by the distance from its middle line.
+// stroke.frag -- draws a stroke by the distance from its middle line.
 flat in vec2 stroke;
 flat in float ring; // px: half the line width of a ring, 0: filled
 flat in vec4 color;

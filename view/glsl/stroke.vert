@@ -1,6 +1,6 @@
-// stroke.vert -- a line of any width with round ends; with length 0, a dot or a ring.
-layout(location = 0) in vec4 ends;  // m
-layout(location = 1) in float wide; // px
+// stroke.vert -- places a line of any width with round ends. A line of length 0 is a dot or a ring.
+layout(location = 0) in vec4 ends;  // m: the two endpoints
+layout(location = 1) in float wide; // px: width; for a ring, diameter
 layout(location = 2) in vec4 tint;
 layout(location = 3) in vec2 extra; // opacity at the end, 0 to 255; line width of a ring in quarters of a pixel
 

@@ -1,9 +1,9 @@
-// velocity.vert -- a line from the center of mass to its position after 0.15 s at the current velocity.
-flat out vec2 stroke; // px: half a length, half a width
+// velocity.vert -- places a line from the center of mass to its position after 0.15 s at the current velocity.
+flat out vec2 stroke; // px: half the length, half the width
 flat out float ring;
 flat out vec4 color;
 flat out float fade;
-out vec2 local; // px: along the line from its middle, and across
+out vec2 local; // px: position along the line and across it, relative to its middle
 
 void main()
 {

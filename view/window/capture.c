@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#define MOST_FILES 10000 // maximum number of files scree-N of one kind in a folder
+#define MOST_FILES 10000 // maximum number of files scree-N with the same ending in a folder
 
 static void drop(Capture* c)
 {
@@ -63,7 +63,7 @@ void capture_window(Capture* c)
 	gl_picture_read(&c->canvas);
 }
 
-// Finds the first unused name scree-N with this ending.
+// Finds the first unused name scree-N with this ending. Returns false and writes a sentence if all are used.
 static bool free_name(char path[64], const char* ending, char* sentence)
 {
 	for (int k = 1; k < MOST_FILES; ++k)

@@ -9,7 +9,7 @@
 
 typedef struct
 {
-	Framebuffer framebuffer; // same size as the canvas
+	Framebuffer framebuffer; // has the size of the canvas
 	Canvas canvas;
 	Video video;    // pipe is null if no video is recorded
 	double seconds; // s of simulated time since the video began
@@ -19,26 +19,26 @@ typedef struct
 // Allocates a picture of this size. Returns false and writes a sentence on failure.
 bool capture_size(Capture* capture, int width, int height, char* sentence);
 
-// Returns true if the picture and the video have this size.
+// Returns true if both the picture and the video have this size.
 bool capture_fits(const Capture* capture, int width, int height);
 void capture_close(Capture* capture);
 
-// Draws a picture in the style of scree run.
+// Draws a picture with legend, title and caption, as scree run does.
 void capture_draw(Capture* capture, Renderer* renderer, const Share* share, const Camera* camera, const Style* style,
                   const char* title, const char* caption);
 
-// Reads the back buffer of the window.
+// Reads the back buffer of the window into the picture.
 void capture_window(Capture* capture);
 
-// Writes the picture to a file; a null path creates a new file scree-N.png in the current folder. The sentence names
-// the file or the error.
+// Writes the picture to a file; a null path creates a new file scree-N.png in the current folder. Writes a sentence,
+// which names the file or the error, and returns whether the file was written.
 bool capture_save(Capture* capture, const char* path, char* sentence);
 
 // Begins a video in a new file scree-N.mp4. Writes a sentence only on failure.
 bool capture_begin(Capture* capture, char* sentence);
-// Adds the picture once for each frame that is due at Capture.seconds: zero, one or several times.
+// Adds the picture to the video for each frame that is due at Capture.seconds: zero, one or several times.
 bool capture_frame(Capture* capture);
-// Ends the video. The sentence names the file or the error.
+// Ends the video, if one is recorded. Writes a sentence, which names the file or the error.
 bool capture_end(Capture* capture, char* sentence);
 
 #endif

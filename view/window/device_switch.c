@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// device_switch.c -- moves the world to the next device, for a key.
+// device_switch.c -- moves the world to the next device, when the user presses a key.
 #include "view/window/device_switch.h"
 #include "view/window/viewer.h"
 #include <string.h>
 
-// Returns the index of the user's choice in the list of devices; the length of the list for "auto".
+// Returns the index of the user's choice in the list of devices; for "auto" returns the length of the list.
 static int find_chosen(const Session* session)
 {
 	const char* chosen =

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// device_switch.h -- moves the world to the next device, for a key.
+// device_switch.h -- moves the world to the next device, when the user presses a key.
 #ifndef DEVICE_SWITCH_H
 #define DEVICE_SWITCH_H
 #include "view/window/window_state.h"
 
-// Moves the world to the next other device, or selects "auto". Each call tries the device after that of the last call,
-// so that a device that fails does not block the others. If there is only one device, it shows a message.
+// Moves the world to the next device in the list that differs from its device; after the last one, selects "auto". Each
+// call begins behind the device that the previous call tried, so that a device that fails does not block the others. If
+// there is only one device, shows a message.
 void devices_next(Viewer* viewer);
 
 #endif

@@ -10,9 +10,9 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define FEW_RAYS 3000 // value of Style.rays if OpenGL runs on the CPU, which draws this number in 25 ms
+#define FEW_RAYS 3000 // value of Style.rays if OpenGL runs on the CPU: it draws 3,000 rays in 25 ms
 #define COARSE   4.0f // px: value of Style.detail if OpenGL runs on the CPU
-#define MANY     5000 // number of rows above which COARSE is used
+#define MANY     5000 // COARSE is used only if there are more rows
 
 static const Color thread = {187, 53, 44};
 

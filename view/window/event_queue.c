@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// event_queue.c -- a queue of window events, distributed over frames so that none is lost if frames take long.
+// event_queue.c -- stores window events, and distributes them over frames so that no event is lost if frames take long.
 #include "view/window/event_queue.h"
 #include <stdlib.h>
 #include <string.h>
 
 #define FIRST_EDITING   256 // first key of GLFW that is not a letter: enter, backspace, arrows, ...
-#define FIRST_MODIFYING 340 // first modifier key of GLFW: shift, control, alt; they are combined with letters
+#define FIRST_MODIFYING 340 // first modifier key of GLFW: shift, control, alt; modifier keys are combined with letters
 
 static bool edits(const WindowEvent* event) { return event->key >= FIRST_EDITING && event->key < FIRST_MODIFYING; }
 

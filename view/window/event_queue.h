@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// event_queue.h -- a queue of window events, distributed over frames so that none is lost if frames take long.
+// event_queue.h -- stores window events, and distributes them over frames so that no event is lost if frames take long.
 #ifndef EVENT_QUEUE_H
 #define EVENT_QUEUE_H
 #include <stdbool.h>
@@ -16,30 +16,32 @@ typedef enum
 typedef struct // members as in the callbacks of GLFW
 {
 	EventKind kind;
-	int key, code, action, modifiers; // for a key; key and action also for a button
+	int key, code, action, modifiers; // members of a key event; a button event uses key, action and modifiers
 	unsigned letter;
-	double x, y;    // position of the cursor, in window units; steps of the wheel
-	double seconds; // time since the previous move of the cursor
+	double x, y;    // position of the cursor, in window units; for the wheel, notches
+	double seconds; // s: time since the previous move of the cursor
 } WindowEvent;
 
 typedef struct
 {
-	WindowEvent* list; // the events from first on are pending
+	WindowEvent* list; // events from index first on are pending
 	int first, count, capacity;
-	bool edited, moved, typed, pressed; // kinds of events that this frame has received
+	bool edited, moved, typed, pressed; // kinds of events that were taken in this frame
 } Events;
 
-// Adds an event; of consecutive cursor moves only the last one is kept. If memory is short, the event is lost.
+// Adds an event. A cursor move replaces the pending cursor move directly before it. If memory is short, the event is
+// lost.
 void events_add(Events* events, WindowEvent event);
 
 // Begins a frame.
 void events_begin(Events* events);
 
-// Takes the next event of this frame. Returns false if there is none, or if the next event belongs to a later frame.
+// Takes the next event of this frame. Returns false if the queue is empty, or if the next event belongs to a later
+// frame.
 //
 // The panel reads the state of keys and mouse once per frame. So a frame has at most one event of a key that edits
-// text, and no letter after such a key. A button event is the last one of its frame, and the cursor reached its place
-// in an earlier frame.
+// text, and no letter after this event. A button event is the last event of its frame, and no cursor move precedes it
+// in this frame.
 bool events_take(Events* events, WindowEvent* event);
 
 // Returns true if the queue is not empty.

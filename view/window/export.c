@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// export.c -- pictures and videos from the viewer: drawn without the panel, or of the whole window.
+// export.c -- writes pictures and videos from the viewer: without the panel, or the whole window.
 #include "view/window/export.h"
 #include "scene/caption.h"
 #include "scene/scan_picture.h"
@@ -10,8 +10,8 @@ static bool resize_capture(Viewer* v)
 	return capture_size(&v->capture, v->camera.width, v->camera.height, v->message);
 }
 
-// Returns the camera of a picture. A picture has no panel, so a box that was fitted beside the panel is fitted into the
-// whole picture.
+// Returns the camera of a picture. If a box was fitted beside the panel, it is fitted into the whole picture, which has
+// no panel.
 static Camera picture_camera(const Viewer* v)
 {
 	Camera camera = v->camera;
@@ -20,7 +20,7 @@ static Camera picture_camera(const Viewer* v)
 	return camera;
 }
 
-// Draws the picture without the panel and without splats larger than a pixel, like scree run.
+// Draws the picture as scree run does: without the panel, with caption and hash.
 static void draw_picture(Viewer* v, const Style* style)
 {
 	char caption[256];

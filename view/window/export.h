@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// export.h -- pictures and videos from the viewer: drawn without the panel, or of the whole window.
+// export.h -- writes pictures and videos from the viewer: without the panel, or the whole window.
 #ifndef EXPORT_H
 #define EXPORT_H
 #include "view/window/window_state.h"
 
-// Draws the picture without the panel and writes it; a null path creates a new file.
+// Draws the picture without the panel and writes it to path; null: to a new file. Shows a message with the result.
 bool export_picture(Viewer* viewer, const char* path);
 
-// Writes the window with the panel, as in the back buffer, to a new file.
+// Writes the contents of the window, including the panel, to a new file.
 void export_window(Viewer* viewer);
 
-// Begins a video in a new file, or ends it.
+// Begins a video in a new file; if a video is recorded, ends it.
 void export_video(Viewer* viewer);
 
-// Adds the frames that are due to the video, if one is recorded.
+// If a video is recorded, adds the frames that are due.
 void export_video_frame(Viewer* viewer);
 
 #endif

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// framing.c -- the part of the world that the window shows: the whole scene, a part that the user selected, or a
-// followed body.
+// framing.c -- selects the part of the world that the window shows: the whole scene, a part that the user selected, or
+// a followed body.
 #include "view/window/framing.h"
 #include "view/bounds.h"
 #include "view/window/panel.h"
 #include <stdlib.h>
 
-#define FAR 3.0f // maximum distance of shown bodies from the scene's view, in sizes of the view
+#define FAR 3.0f // maximum distance of shown bodies from the scene's view, in widths and heights of the view
 
 static void fit(Viewer* v, scree_box box)
 {
@@ -18,7 +18,7 @@ static void fit(Viewer* v, scree_box box)
 
 void eye_fit_scene(Viewer* v) { fit(v, render_tables_view(&v->renderer.tables, v->session.scene)); }
 
-// Finds a box around the bodies that move. Returns false if there are none.
+// Finds a box around the dynamic bodies, without outliers. Returns false if there are none, or if memory is short.
 static bool find_bodies(Viewer* v, scree_box* box)
 {
 	RenderTables* tables = &v->renderer.tables;
@@ -54,7 +54,7 @@ void eye_fit_bodies(Viewer* v)
 		fit(v, found ? around : view);
 }
 
-// Returns the point of the world in the middle of the free part of the window.
+// Returns the point of the world in the middle of the part of the window that panel and band leave free.
 static scree_vec middle(const Viewer* v)
 {
 	return camera_point(&v->camera, 0.5f * ((float)v->camera.width + panel_left(v)),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// full_screen.c -- switches the window to full screen, and back to its earlier place.
+// full_screen.c -- switches the window to full screen, and back to its earlier place on the screen.
 #include "view/window/full_screen.h"
 #include "view/window/viewer.h"
 

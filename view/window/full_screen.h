@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// full_screen.h -- switches the window to full screen, and back to its earlier place.
+// full_screen.h -- switches the window to full screen, and back to its earlier place on the screen.
 #ifndef FULL_SCREEN_H
 #define FULL_SCREEN_H
 #include "view/window/window_state.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// history.c -- durations of the last frames and their steps, for the graph of the panel.
+// history.c -- stores durations of the last frames and of their steps, for the graph of the panel.
 #include "view/window/history.h"
 #include "tools/common/median.h"
 #include <string.h>
@@ -40,7 +40,7 @@ float history_top(const History* history)
 	}
 	sort_floats(sorted, history->count);
 	float needed = sorted[(int)(WITHIN * (float)(history->count - 1))];
-	const float factors[] = {2.5f, 2.0f, 2.0f}; // for tops of 20, 50, 100, 200, 500, ...
+	const float factors[] = {2.5f, 2.0f, 2.0f}; // the top is 20, 50, 100, 200, 500, ... ms
 	for (int k = 0; top < needed && top < 1.0e6f; ++k)
 		top *= factors[k % 3];
 	return top;

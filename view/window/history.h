@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// history.h -- durations of the last frames and their steps, for the graph of the panel.
+// history.h -- stores durations of the last frames and of their steps, for the graph of the panel.
 #ifndef HISTORY_H
 #define HISTORY_H
 #include <stdbool.h>
@@ -8,10 +8,10 @@
 
 typedef struct
 {
-	float step[HISTORY_FRAMES];  // ms: average step of the frame; negative if the frame took no step
-	float frame[HISTORY_FRAMES]; // ms since the previous frame
+	float step[HISTORY_FRAMES];  // ms: average duration of the frame's steps; negative if the frame took no step
+	float frame[HISTORY_FRAMES]; // ms: time since the previous frame
 	int count, next;
-	float total; // ms: sum of the steps of the current frame
+	float total; // ms: sum of the durations of the current frame's steps
 	int steps;
 } History;
 
@@ -19,16 +19,16 @@ typedef struct
 extern "C" {
 #endif
 
-// Adds a step to the current frame.
+// Adds the duration of a step to the current frame.
 void history_step(History* history, float ms);
 
 // Ends the current frame, which began ms after the previous one.
 void history_frame(History* history, float ms);
 
-// Returns the array index of frame k of count; frame 0 is the oldest.
+// Returns the array index of frame k; frame 0 is the oldest stored frame.
 int history_at(const History* history, int k);
 
-// Returns the top of the graph: a round number, at least 20 ms, which about 97 % of the frames do not exceed.
+// Returns the upper end of the graph: a round number of at least 20 ms, which about 97 % of the frames do not exceed.
 float history_top(const History* history);
 
 #ifdef __cplusplus

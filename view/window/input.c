@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// input.c -- actions of keys and mouse, for events from the window, the panel or a script.
+// input.c -- carries out the actions of keys and mouse, for events from the window, the panel or a script.
 #include "view/window/input.h"
 #include "view/window/device_switch.h"
 #include "view/window/export.h"
@@ -11,10 +11,10 @@
 #include <math.h>
 #include <string.h>
 
-#define ZOOM    1.15f          // factor of one step of the wheel
-#define SLOWEST (1.0f / 64.0f) // simulated seconds per second of the clock
-#define STILL   6              // frames (0.1 s at 60 per second) without motion after which the cursor has velocity 0
-#define CLICK   4.0f           // px: the cursor moves less than this between press and release of a click
+#define ZOOM    1.15f          // scale factor of one notch of the wheel
+#define SLOWEST (1.0f / 64.0f) // minimum of simulated seconds per second of the clock
+#define STILL   6              // frames without motion after which the cursor has velocity 0; 6 take 0.1 s at 60 Hz
+#define CLICK   4.0f           // px: a click moves the cursor by less than this between press and release
 
 static void step_once(Viewer* v)
 {
@@ -34,7 +34,7 @@ static void report_all(Viewer* v)
 	                    : scree_error());
 }
 
-// Shows the reason if a layer of events stays empty.
+// Shows the reason if a layer that is turned on has nothing to draw: no reports, no sensors or no rays.
 static void explain_layer(Viewer* v, Layer layer)
 {
 	int count = 1;
@@ -49,7 +49,7 @@ static void explain_layer(Viewer* v, Layer layer)
 		viewer_show(v, "this scene casts no rays");
 }
 
-// Loads the next or previous scene of the list.
+// Loads the scene after (by = 1) or before (by = -1) the current scene in the list.
 static void load_neighbor(Viewer* v, int by)
 {
 	const Session* session = &v->session;
@@ -67,7 +67,7 @@ static void show_hash(Viewer* v)
 		viewer_show(v, sentence);
 }
 
-// Handles actions on the world and its clock. Returns false for any other action.
+// Carries out an action on the world or its clock. Returns false for any other action.
 static bool session_action(Viewer* v, Action action)
 {
 	Session* session = &v->session;
@@ -115,7 +115,7 @@ static bool session_action(Viewer* v, Action action)
 	}
 }
 
-// Handles actions on the look of the world. Returns false for any other action.
+// Carries out an action on the look of the world. Returns false for any other action.
 static bool style_action(Viewer* v, Action action)
 {
 	switch (action)
@@ -149,7 +149,7 @@ static bool style_action(Viewer* v, Action action)
 	}
 }
 
-// Handles actions on files and on the window itself.
+// Carries out an action on files or on the window.
 static void window_action(Viewer* v, Action action)
 {
 	switch (action)

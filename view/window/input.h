@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// input.h -- actions of keys and mouse, for events from the window, the panel or a script.
+// input.h -- carries out the actions of keys and mouse, for events from the window, the panel or a script.
 #ifndef INPUT_H
 #define INPUT_H
 #include "scene/controls.h"
 #include "view/window/window_state.h"
 
-typedef enum // action of a key
+typedef enum // actions of the keys in keys.def
 {
 #define X(name, key, shown, help) ACTION_##name,
 #include "view/window/keys.def"
@@ -13,21 +13,21 @@ typedef enum // action of a key
 	ACTIONS,
 } Action;
 
-// Presses or releases a key that scenes may use. Returns false if the scene does not use it: the viewer may use it.
+// Presses or releases a key of the scene. Returns false if the scene does not use this key; then the viewer may use it.
 bool input_scene_key(Viewer* viewer, SceneKey key, bool down);
 
 void input_action(Viewer* viewer, Action action);
 
-// Presses or releases the key of a tool that works while its key is down: ACTION_pour or ACTION_blast.
+// Presses or releases the key of ACTION_pour or ACTION_blast, tools that work while their key is down.
 void input_hold(Viewer* viewer, Action action, bool down);
 
-// Handle the mouse. Positions are pixels of the picture; y grows downwards. seconds is the time since the last move of
-// the cursor.
+// Handle moves, buttons and the wheel of the mouse. Positions are pixels of the picture; y grows downwards. seconds:
+// time since the previous move of the cursor.
 void input_cursor(Viewer* viewer, float x, float y, double seconds);
 void input_button(Viewer* viewer, bool right, bool down);
 void input_wheel(Viewer* viewer, float steps);
 
-// Updates the point of the world under the cursor, because the picture may have moved; call it once per frame.
+// Updates the point of the world under the cursor, because the picture may have moved. Call it once per frame.
 void input_frame(Viewer* viewer);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// legends.cpp -- explanations of the colors in the window; in C++.
+// legends.cpp -- draws the legends of the window, explanations of the colors; in C++.
 extern "C" {
 #include "view/legend.h"
 }
@@ -34,7 +34,7 @@ static void draw_legend(const Legend& legend, float high)
 	float below = at.y + high + sized(2.0f), small = ImGui::GetFontSize() * 0.86f;
 	for (int k = 0; k < legend.tick_count; ++k)
 	{
-		// clamps the first and the last text to the ends of the color bar
+		// keeps the first and the last text within the ends of the color bar
 		float wide = ImGui::GetFont()->CalcTextSizeA(small, BAR, 0.0f, legend.ticks[k].text).x;
 		float x = at.x + BAR * legend.ticks[k].at - 0.5f * wide;
 		x = x < at.x ? at.x : x > at.x + BAR - wide ? at.x + BAR - wide : x;

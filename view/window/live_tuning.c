@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// live_tuning.c -- parameters of a running world that the user can change: gravity, substeps, solver tuning.
+// live_tuning.c -- reads and writes parameters of a running world that the user can change: gravity, substeps, solver
+// tuning.
 #include "view/window/live_tuning.h"
 
 scree_status tuning_read(Tuning* tuning, const Scene* scene, const scree_world* world)

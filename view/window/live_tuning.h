@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// live_tuning.h -- parameters of a running world that the user can change: gravity, substeps, solver tuning.
+// live_tuning.h -- reads and writes parameters of a running world that the user can change: gravity, substeps, solver
+// tuning.
 #ifndef LIVE_TUNING_H
 #define LIVE_TUNING_H
 #include "scene/scene.h"
 
 typedef struct
 {
-	bool changed; // true if the user changed a value: then the values are kept when the scene restarts
+	bool changed; // true if the user changed a value; then the values stay when the scene restarts
 	scree_vec gravity;
 	int substeps;
 	scree_tuning solver;
@@ -15,7 +16,8 @@ typedef struct
 // Reads the values of a scene and its world.
 scree_status tuning_read(Tuning* tuning, const Scene* scene, const scree_world* world);
 
-// Writes the values to a world and its scene. If a value is refused, both are unchanged.
+// Writes solver tuning and gravity to a world, then substeps to its scene. Stops at the first value that is refused,
+// and returns the error.
 scree_status tuning_write(const Tuning* tuning, Scene* scene, scree_world* world);
 
 #endif

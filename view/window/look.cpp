@@ -26,7 +26,7 @@ static void choose_font()
 	const char* const files[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
 	                             "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
 	                             "/usr/share/fonts/TTF/DejaVuSans.ttf"};
-	static const ImWchar letters[] = {0x20, 0xff, 0x2013, 0x2026, 0x221e, 0x221e, 0}; // dashes, infinity
+	static const ImWchar letters[] = {0x20, 0xff, 0x2013, 0x2026, 0x221e, 0x221e, 0}; // Latin, dashes, infinity
 	ImGui::GetIO().Fonts->Clear();
 	for (const char* file : files)
 		if (access(file, R_OK) == 0 && ImGui::GetIO().Fonts->AddFontFromFileTTF(file, sized(14.0f), nullptr, letters))
@@ -69,7 +69,7 @@ static const Palette palettes[] = {{{0.985f, 0.98f, 0.965f, 0.95f},
                                     {0.22f, 0.30f, 0.32f, 1.0f},
                                     {0.40f, 0.74f, 0.71f, 1.0f}}};
 
-// Sets the colors of Dear ImGui for a theme, similar to those of pictures: background, text, one accent.
+// Sets the colors of Dear ImGui for a theme. Background, text and accent are similar to those of pictures.
 static void choose_colors(bool dark)
 {
 	const Palette& p = palettes[dark];

@@ -9,10 +9,10 @@ struct Accents // colors that Dear ImGui does not have
 	ImVec4 band, good, step, frame, limit, key;
 };
 
-// Creates fonts and sizes for a scale, and colors for a theme. Call it between frames.
+// Creates fonts and sizes for a scale, and sets colors for a theme. Call it between frames.
 void look_open(float scale, bool dark);
 
-// Changes the colors if the theme is different.
+// Sets the colors of a theme, if it differs from the current one.
 void look_set_theme(bool dark);
 
 const Accents& look_accents();

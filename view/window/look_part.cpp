@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// look_part.cpp -- the part of the panel that controls the look of the world; in C++.
+// look_part.cpp -- draws the part of the panel that controls the look of the world; in C++.
 extern "C" {
 #include "view/window/input.h"
 }
@@ -31,7 +31,7 @@ static void explain(const char* help)
 		ImGui::SetTooltip("%s", help);
 }
 
-// Begins column k of three.
+// Continues the line at column k % 3 of three; column 0 begins a new line.
 static void begin_column(int k)
 {
 	if (k % 3 > 0)
@@ -51,7 +51,7 @@ static void draw_paints(Viewer* v)
 	ImGui::PopID();
 }
 
-// Draws the numbers of rays and events that the layers show and omit.
+// Draws the number of rays and of events in view, and the number of those that are not drawn.
 static void draw_shares(const Viewer* v)
 {
 	const Scan* scan = &v->renderer.scan;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// overlay.cpp -- elements of the window beside the panel: the band with the caption, the list of keys, numbers of
-// bodies; in C++.
+// overlay.cpp -- draws elements of the window beside the panel: the caption band, the list of keys, numbers of bodies;
+// in C++.
 extern "C" {
 #include "scene/block.h"
 #include "scene/caption.h"
@@ -40,7 +40,7 @@ void overlay_numbers(const Inspected* inspected)
 	write_lines(numbers);
 }
 
-// Draws the numbers of the hovered collidable beside the cursor, on its right if there is room.
+// Draws the numbers of the hovered collidable beside the cursor: on the right side, or on the left if there is no room.
 static void draw_hovered(const Viewer* v, const ImVec2& size)
 {
 	ImVec2 factor = ImGui::GetIO().DisplayFramebufferScale;
@@ -99,7 +99,7 @@ static void draw_keys(const Viewer* v, const ImVec2& size)
 	{
 		for (int k = 0; k < rows * columns; ++k)
 		{
-			int at = k / columns + (k % columns) * rows; // fills column by column
+			int at = k / columns + (k % columns) * rows; // fills the table column by column
 			ImGui::TableNextColumn();
 			if (at < count)
 				draw_key(keys[at].shown, keys[at].help);
@@ -129,7 +129,7 @@ static void draw_keys(const Viewer* v, const ImVec2& size)
 	ImGui::End();
 }
 
-// Shortens a text to a width; dots replace the rest.
+// Shortens a text until its width is at most room. Three dots replace the rest.
 static void shorten(char* text, float room)
 {
 	size_t length = strlen(text);
@@ -155,7 +155,7 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::PopStyleVar(2);
 	char text[SENTENCE];
 	float counts = ImGui::CalcTextSize(caption).x, room = size.x - counts - 4.0f * EDGE;
-	bool both = room >= 0.4f * size.x; // if false, there is room for only one: the message, or else the counts
+	bool both = room >= 0.4f * size.x; // false: there is room for the message, or else for the counts, but not for both
 	snprintf(text, sizeof text, "%s", *v->message ? v->message : v->session.scene->title);
 	shorten(text, both ? room : size.x - 2.0f * EDGE);
 	if (both || *v->message)
@@ -172,11 +172,11 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::End();
 }
 
-// Draws the sign of a paused world at the top, in the middle of the part beside the panel.
+// Draws the sign of a paused world at the top, centered in the part of the window beside the panel.
 static void draw_paused(const Viewer* v, const ImVec2& size)
 {
 	float left = v->panel ? WIDTH + EDGE : 0.0f;
-	bool wide = size.x - left > ROOM; // if false, the sign covers the panel and omits the keys
+	bool wide = size.x - left > ROOM; // false: the sign covers the panel, and does not list the keys
 	ImGui::SetNextWindowPos(ImVec2(wide ? 0.5f * (left + size.x) : size.x - EDGE, EDGE), ImGuiCond_Always,
 	                        ImVec2(wide ? 0.5f : 1.0f, 0.0f));
 	ImGui::Begin("paused", nullptr,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// overlay.h -- elements of the window beside the panel: the band with the caption, the list of keys, numbers of bodies;
-// in C++.
+// overlay.h -- draws elements of the window beside the panel: the caption band, the list of keys, numbers of bodies; in
+// C++.
 #ifndef OVERLAY_H
 #define OVERLAY_H
 extern "C" {
@@ -8,13 +8,13 @@ extern "C" {
 }
 #include <imgui.h>
 
-// Draws all these elements in a window of this size.
+// Draws all elements beside the panel in a window of this size.
 void overlay_draw(const Viewer* viewer, const ImVec2& size);
 
 // Draws the legends of paint and joints at the lower right.
 void overlay_legends(const Viewer* viewer, const ImVec2& size);
 
-// Writes the numbers of a body into the current ImGui window.
+// Draws the numbers of a body in the current ImGui window.
 void overlay_numbers(const Inspected* inspected);
 
 // Returns true if there is no room for two panels side by side.

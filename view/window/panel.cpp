@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// panel.cpp -- the panel over the picture: scenes, devices, times, switches; in C++, with Dear ImGui.
+// panel.cpp -- draws the panel over the picture: scenes, devices, times, switches; in C++, with Dear ImGui.
 #include "view/window/panel.h"
 #include "view/window/look.h"
 #include "view/window/overlay.h"
@@ -15,7 +15,7 @@
 
 float panel_scale = 1.0f;
 
-// Returns the factor for a high-DPI display. It is 1 if the window system scales its units itself.
+// Returns the scale of the panel on a display. The scale is 1 if the window system itself scales window units.
 static float find_scale(GLFWwindow* window)
 {
 	float wanted = 1.0f;
@@ -32,7 +32,7 @@ bool panel_open(GLFWwindow* window, float scale)
 {
 	IMGUI_CHECKVERSION();
 	ImGui::CreateContext();
-	ImGui::GetIO().IniFilename = nullptr; // writes no file to the user's folder
+	ImGui::GetIO().IniFilename = nullptr; // Dear ImGui writes no file to the user's folder
 	wanted_scale = scale;
 	look_open(scale > 0.0f ? scale : find_scale(window), false);
 	return ImGui_ImplGlfw_InitForOpenGL(window, false) && ImGui_ImplOpenGL3_Init("#version 330 core");
@@ -56,10 +56,10 @@ void panel_close()
 	ImGui::DestroyContext();
 }
 
-static bool buttons[BUTTONS]; // state of the mouse buttons according to the events taken from the queue so far
+static bool buttons[BUTTONS]; // state of the mouse buttons after the events that have been taken from the queue
 
-// Sets the mouse position of ImGui. The backend would read the current position, but events may be queued: a click
-// belongs to the position of the cursor at the time of the click.
+// Sets the mouse position of ImGui. The backend would use the current position of the cursor, but a queued click
+// belongs to an earlier position.
 static void place_mouse(const Viewer* v)
 {
 	ImGuiIO& io = ImGui::GetIO();

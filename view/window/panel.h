@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// panel.h -- the panel over the picture: scenes, devices, times, switches; in C++, with Dear ImGui.
+// panel.h -- draws the panel over the picture: scenes, devices, times, switches; in C++, with Dear ImGui.
 #ifndef PANEL_H
 #define PANEL_H
 #ifdef __cplusplus
@@ -7,9 +7,9 @@ extern "C" {
 #endif
 #include "view/window/window_state.h"
 
-extern float panel_scale; // scale of the panel and its letters, 1 at 14 pixels
+extern float panel_scale; // scale of the panel and its letters; 1: letters of 14 px
 
-// Opens the panel with a scale; 0: the scale of the display.
+// Opens the panel. scale 0: the panel has the scale of the display. Returns false on failure.
 bool panel_open(GLFWwindow* window, float scale);
 
 void panel_close(void);
@@ -17,20 +17,21 @@ void panel_close(void);
 // Adapts the panel to a new scale of the display. Call it between frames.
 void panel_rescale(GLFWwindow* window);
 
-// Return the width of the panel at the left of the picture, and the height of the band at its bottom, px.
+// Return the width that the panel covers at the left of the picture, and the height of the caption band at its bottom,
+// px.
 float panel_left(const Viewer* viewer);
 float panel_band(const Viewer* viewer);
 
-// Draws the panel over the picture and executes the user's clicks.
+// Draws the panel over the picture, and carries out the user's clicks in the panel.
 void panel_draw(Viewer* viewer);
 
-// Pass events to the panel.
+// Send events of keys and mouse to the panel.
 void panel_key(GLFWwindow* window, int key, int code, int event, int modifiers);
 void panel_letter(GLFWwindow* window, unsigned letter);
 void panel_button(GLFWwindow* window, int button, int event, int modifiers);
 void panel_wheel(GLFWwindow* window, double x, double y);
 
-// Return true if the panel uses the events of keys or mouse; then the picture must ignore them.
+// Return true if the panel uses the events of the keyboard or of the mouse. Then the picture must ignore these events.
 bool panel_wants_keys(void);
 bool panel_wants_mouse(void);
 

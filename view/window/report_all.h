@@ -4,11 +4,11 @@
 #define REPORT_ALL_H
 #include "scree/scree.h"
 
-// Counts the collidables of bodies that report at least one of these kinds of events.
+// Sets count to the number of collidables of bodies that report at least one of the kinds of events in bits.
 scree_status reports_count(scree_world* world, uint32_t bits, int* count);
 
-// Sets all collidables of bodies to report touches and hits, from the next step on. This changes the hash of the world,
-// but not its motion.
+// Sets all collidables of bodies to report touches and hits from the next step on. The hash of the world changes, but
+// its motion does not.
 scree_status reports_all(scree_world* world);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_viewer.c -- the viewer from start to end: opens the window, runs its frame loop, closes it.
+// run_viewer.c -- opens the window, runs the frame loop of the viewer, closes the window.
 #include "view/window/run_viewer.h"
 #include "view/window/draw.h"
 #include "view/window/framing.h"
@@ -14,9 +14,9 @@
 #include <GLFW/glfw3.h>
 
 #define LONGEST       0.03  // s: maximum duration of the steps in a frame; a slower world falls behind the clock
-#define MESSAGE_STAYS 5.0   // s
+#define MESSAGE_STAYS 5.0   // s: time for which a message is shown
 #define SMOOTH        0.1f  // weight of the last frame in the displayed average
-#define PAUSE         0.016 // s: maximum time that a paused or minimized window blocks for events
+#define PAUSE         0.016 // s: maximum time for which a paused or minimized window blocks until an event comes
 
 typedef struct
 {
@@ -32,7 +32,7 @@ void view_print_keys(FILE* file)
 #undef X
 }
 
-// Takes the steps that are due by the clock, or one per frame for a script. A failed step ends the viewer.
+// Takes the steps that are due by the clock; for a script, takes one step per frame. A failed step ends the viewer.
 static void advance(Viewer* v, bool scripted, double seconds)
 {
 	Session* session = &v->session;
@@ -86,7 +86,7 @@ static void run_frame(Loop* loop)
 	double now = glfwGetTime(), seconds = now - v->frame_time;
 	v->frame_time = now;
 	float ms = 1000.0f * (float)seconds;
-	if (v->frame_ms > 0.0f) // excludes the first frame, which includes the start of the program
+	if (v->frame_ms > 0.0f) // without the first frame, which includes the start of the program
 		history_frame(&v->history, ms);
 	v->frame_ms = v->frame_ms == 0.0f ? ms : v->frame_ms + SMOOTH * (ms - v->frame_ms);
 	if (now - v->message_time > MESSAGE_STAYS)

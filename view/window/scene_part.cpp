@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scene_part.cpp -- the part of the panel with the controls of scene and device; in C++.
+// scene_part.cpp -- draws the part of the panel with the controls of scene and device; in C++.
 extern "C" {
 #include "view/window/input.h"
 #include "view/window/viewer.h"
@@ -37,14 +37,14 @@ void part_scene(Viewer* v)
 {
 	Session* session = &v->session;
 	draw_scenes(v);
-	if (overlay_is_narrow(ImGui::GetIO().DisplaySize)) // shown here because the band has no room for it
+	if (overlay_is_narrow(ImGui::GetIO().DisplaySize)) // in a narrow window the band has no room for the title
 	{
 		ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
 		ImGui::TextWrapped("%s", session->scene->title);
 		ImGui::PopStyleColor();
 	}
 	bool begin = false;
-	ImGui::PushID("parameters"); // avoids collisions with other labels, because the scene defines these names
+	ImGui::PushID("parameters"); // the scene defines these names, which may equal other labels of the panel
 	for (int k = 0; k < session->parameter_count; ++k)
 	{
 		Parameter* p = &session->parameters[k];

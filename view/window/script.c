@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// script.c -- a file of user actions, for tests and for pictures of the window.
+// script.c -- runs a file of user actions, for tests and for pictures of the window.
 //
-// Before a frame the script runs all lines up to the next "frames N", which draws N frames of one step each, or up to
-// "await STATE", which draws frames until the viewer is in that state.
+// Before a frame the script runs all lines up to the next "frames N" or "await STATE". "frames N" draws N frames of one
+// step each; "await STATE" draws frames until the viewer is in that state.
 #include "view/window/script.h"
 #include "view/window/export.h"
 #include "view/window/input.h"
@@ -14,8 +14,8 @@
 #include <math.h>
 #include <string.h>
 
-#define PATIENCE   20.0   // s: maximum time for "await"
-#define MOST_TURNS 100.0f // maximum steps of the wheel
+#define PATIENCE   20.0   // s: maximum duration of "await"
+#define MOST_TURNS 100.0f // maximum number of notches in "wheel"
 
 static const char* const shown_keys[ACTIONS] = {
 #define X(name, key, shown, help) shown,
@@ -53,7 +53,8 @@ static bool press_key(Viewer* v, const char* shown)
 	return false;
 }
 
-// Presses or releases a key that the scene uses, or that of a tool that works while its key is down.
+// Presses or releases a key that the scene uses, or else the key of a tool that works while its key is down. Returns
+// false for any other key.
 static bool hold_key(Viewer* v, const char* name, bool down)
 {
 	for (int k = 0; k < SCENE_KEYS; ++k)
@@ -101,7 +102,7 @@ static void print_state(Viewer* v)
 	fflush(stdout); // sends the line to the program that controls the viewer
 }
 
-// Returns 1 if the viewer is in a state, or if the state names its paint; 0 if not; -1 for an unknown state.
+// Returns 1 if the viewer is in a state, 0 if not, -1 for an unknown state. The name of a paint is a state, too.
 static int in_state(const Viewer* v, const char* state)
 {
 	const struct
@@ -125,7 +126,7 @@ static int in_state(const Viewer* v, const char* state)
 	return paint < 0 ? -1 : (int)v->style.paint == paint;
 }
 
-// Ends the viewer with an error in the current line. Returns true, so that the caller reports no other error.
+// Ends the viewer with an error in the current line. Returns true, so that run_line reports no other error.
 static bool fail_line(const Script* script, Viewer* v, const char* what, const char* why, int code)
 {
 	fprintf(stderr, "scree view: %s:%d: \"%.100s\" %s%s%s\n", script->path, script->line, what, why,
@@ -201,7 +202,7 @@ void script_run(Script* script, Viewer* v)
 		}
 		++script->line;
 		line[strcspn(line, "\r\n")] = 0;
-		if (strcmp(line, "print") != 0) // print outputs the message, so it is kept
+		if (strcmp(line, "print") != 0) // "print" prints the message, so the message stays until then
 			*v->message = 0;
 		if (!run_line(script, v, line))
 			fail_line(script, v, line, "cannot be done", 2);

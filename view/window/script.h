@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// script.h -- a file of user actions, for tests and for pictures of the window.
+// script.h -- runs a file of user actions, for tests and for pictures of the window.
 #ifndef SCRIPT_H
 #define SCRIPT_H
 #include "view/window/window_state.h"
 #include <stdio.h>
 
-typedef struct // docs/view.md describes the commands
+typedef struct // docs/view.md describes the commands of a script
 {
 	FILE* file; // null: no script
 	const char* path;
 	int line;
-	int frames;       // number of frames to draw before the next line
-	char awaited[16]; // state that must be reached before the next line; empty if there is none
-	double until;     // s: time by which the state must be reached
+	int frames;       // number of frames that are drawn before the next line
+	char awaited[16]; // state that the viewer must reach before the next line; empty: no state
+	double until;     // s: time at which the script fails if the state is not reached
 } Script;
 
 // Opens the file; a null path means no script. Returns false and writes a sentence on failure.

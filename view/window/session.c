@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// session.c -- the scene in the viewer: loads, steps, pauses it, moves it to another device.
+// session.c -- the scene in the viewer: loads and steps it, and moves it to another device.
 #include "view/window/session.h"
 #include "scene/find.h"
 #include "scene/heading.h"
@@ -17,7 +17,7 @@ static bool failed(char* sentence)
 	return false;
 }
 
-// Copies a text; if it does not fit, writes a sentence and returns false.
+// Copies a text. If it does not fit into size characters, writes a sentence and returns false.
 static bool copy_text(const char* text, char* copy, size_t size, const char* what, char* sentence)
 {
 	if (strlen(text) < size)
@@ -27,8 +27,8 @@ static bool copy_text(const char* text, char* copy, size_t size, const char* wha
 	return false;
 }
 
-// Reads the parameters of a scene file from a text such as "rows=100 columns=20". set: true to use the values of the
-// options.
+// Reads the parameters of a scene file from its heading, a text such as "rows=100 columns=20". set: values in the
+// options replace those of the file. Returns false and writes a sentence on failure.
 static bool read_parameters(Session* session, const char* path, bool set, char* sentence)
 {
 	char title[160], text[MAX_PARAMETERS * 128];

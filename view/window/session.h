@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// session.h -- the scene in the viewer: loads, steps, pauses it, moves it to another device.
+// session.h -- the scene in the viewer: loads and steps it, and moves it to another device.
 #ifndef SESSION_H
 #define SESSION_H
 #include "scene/player.h"
@@ -23,20 +23,20 @@ typedef struct
 	ScenePlayer player;
 	char name[SCENE_PATH]; // name of the scene
 	char** scenes;         // names of all scenes
-	char (*titles)[160];   // titles of all scenes; empty until first used
+	char (*titles)[160];   // titles of all scenes; a title is empty until session_title reads it
 	int scene_count;
-	Parameter parameters[MAX_PARAMETERS]; // parameters of the scene, as in the panel
+	Parameter parameters[MAX_PARAMETERS]; // parameters of the scene, with the values in the panel
 	int parameter_count;
 	scree_device* devices;
 	int device_count;
-	char device[160]; // device that the user selected
+	char device[160]; // device that the user selected, or "auto"
 	bool paused;
-	int due;            // single steps that the user requested and that are not yet taken
-	Tuning tuning;      // parameters of the world
+	int due;            // number of single steps that the user requested and that have not been taken
+	Tuning tuning;      // gravity, substeps and solver tuning
 	float rate;         // simulated seconds per second of the clock, at most 1
-	double accumulator; // s of simulated time by which the steps lag behind the clock
-	bool hashed;        // true if hash belongs to the current state
-	uint64_t hash;      // hash of the world
+	double accumulator; // s: simulated time by which the steps lag behind the clock
+	bool hashed;        // true if hash is the hash of the current state
+	uint64_t hash;      // hash of the world when session_hash was called
 	scree_counters counters;
 	float deepest;             // m: the deepest overlap since the world was created
 	float last;                // ms: duration of the last step
@@ -44,17 +44,17 @@ typedef struct
 	float stages[STAGE_TIMES]; // ms: durations of the stages, smoothed
 } Session;
 
-// On failure all functions except session_close write a sentence (SENTENCE of shader.h), return false and change
-// nothing else.
+// On failure, functions that return bool write a sentence (SENTENCE of shader.h) and return false. If session_load or
+// session_move fails, the session does not change.
 
 // Lists scenes and devices, and loads the scene of the options.
 bool session_open(Session* session, const ViewOptions* options, const scree_opengl* opengl, char* sentence);
 void session_close(Session* session);
 
-// Loads a scene and creates its world. fresh: with the parameters of the options, else with the current ones.
+// Loads a scene and creates its world. fresh: with the parameters of the options, else with those of the panel.
 bool session_load(Session* session, const char* name, bool fresh, char* sentence);
 
-// Returns the title of scene k of the list; reads it from its file at the first call.
+// Returns the title of scene k of the list. The first call for a scene reads its file.
 const char* session_title(Session* session, int k);
 
 // Moves the world to another device.
@@ -63,7 +63,7 @@ bool session_move(Session* session, const char* device, char* sentence);
 // Takes one step.
 bool session_step(Session* session, char* sentence);
 
-// Computes the hash of the current state.
+// Computes the hash of the current state, and sets hash and hashed.
 bool session_hash(Session* session, char* sentence);
 
 #endif

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// sizes.h -- sizes of the panel and of the elements beside it; in C++.
+// sizes.h -- defines the sizes of the panel and of the elements beside it; in C++.
 #ifndef SIZES_H
 #define SIZES_H
 #include "scene/viewport.h"
 
-// Converts a size for a font of 14 pixels to the scale of the panel, which is larger on high-DPI displays.
+// Converts a size that suits a font of 14 pixels to the scale of the panel. The scale is larger on high-DPI displays.
 extern "C" float panel_scale;
 static inline float sized(float pixels) { return pixels * panel_scale; }
 
@@ -12,7 +12,7 @@ static inline float sized(float pixels) { return pixels * panel_scale; }
 #define EDGE        sized(MARGIN)
 #define CAPTION     sized(BAND)
 #define LIST        sized(700.0f)  // width of the list of scenes with their titles
-#define TWO_COLUMNS sized(1250.0f) // window width from which the keys are shown in two columns
+#define TWO_COLUMNS sized(1250.0f) // in a wider window the keys are shown in two columns
 #define GRAPH       sized(76.0f)
 #define ROOM        sized(290.0f) // width for the numbers of a body
 #define FIELD       sized(110.0f)

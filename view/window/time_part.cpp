@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// time_part.cpp -- the part of the panel with the graph of milliseconds, times of the stages, and counters; in C++.
+// time_part.cpp -- draws the part of the panel with the graph of milliseconds, times of the stages, and counters; in
+// C++.
 #include "view/window/look.h"
 #include "view/window/parts.h"
 #include "view/window/sizes.h"
@@ -7,7 +8,7 @@
 #include <cstring>
 #include <imgui.h>
 
-#define LIMIT (1000.0f / 60.0f) // ms per frame at 60 frames per second
+#define LIMIT (1000.0f / 60.0f) // ms: duration of a frame at 60 frames per second
 
 static void draw_bar(const char* name, float value, float whole)
 {
@@ -32,7 +33,7 @@ static void draw_bar(const char* name, float value, float whole)
 struct Plot
 {
 	ImVec2 low, size; // low: upper left corner
-	float top;        // ms
+	float top;        // ms: value at the upper edge
 
 	float x(int k) const { return low.x + size.x * static_cast<float>(k) / static_cast<float>(HISTORY_FRAMES - 1); }
 	float y(float ms) const { return low.y + size.y * (1.0f - (ms < top ? ms / top : 1.0f)); }
@@ -59,7 +60,7 @@ static void draw_line(const Plot& plot, const History* h, const float* values, I
 static void draw_label(const Plot& plot, float ms, ImU32 color, const char* text)
 {
 	float y = plot.y(ms), high = ImGui::GetFontSize() * 0.8f;
-	y -= ms < 0.5f * plot.top ? high + sized(2.0f) : 0.0f; // above the line in the lower half of the graph
+	y -= ms < 0.5f * plot.top ? high + sized(2.0f) : 0.0f; // in the lower half the label is above its line
 	ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), high, ImVec2(plot.low.x + sized(4.0f), y + sized(1.0f)),
 	                                    color, text);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tool_part.cpp -- the parts of the panel with the controls of the tools and of the solver; in C++.
+// tool_part.cpp -- draws the parts of the panel with the controls of the tools and of the solver; in C++.
 extern "C" {
 #include "view/window/viewer.h"
 }

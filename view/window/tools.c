@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tools.c -- tools of the user other than dragging: throwing and pouring bodies, blasts.
+// tools.c -- tools of the user besides dragging: throws and pours bodies, sets off blasts.
 #include "view/window/tools.h"
 #include "view/window/viewer.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// view_options.h -- command line options of the viewer.
+// view_options.h -- declares the command line options of the viewer.
 #ifndef VIEW_OPTIONS_H
 #define VIEW_OPTIONS_H
 #include "scene/scene.h"
@@ -7,17 +7,17 @@
 typedef struct
 {
 	const char* executable; // path of the program; scenes may be in the folder beside it
-	const char* scene;      // name or path
+	const char* scene;      // name or path of the scene
 	const char* device;
-	int threads, lanes; // 0: as many as available
+	int threads, lanes; // 0: as many as the machine has
 	bool allow_unequal_bits;
 	const SceneSetting* settings;
 	int setting_count;
-	int width, height;          // px
+	int width, height;          // px: size of the window
 	const char *paint, *layers; // texts for style_read
 	bool dark;                  // dark theme
-	float scale;                // scale of the panel; 0: that of the display
-	const char* script;         // path of a script, docs/view.md; null: the user controls the viewer
+	float scale;                // scale of the panel; 0: the scale of the display
+	const char* script;         // path of a script (docs/view.md); null: the user controls the viewer
 } ViewOptions;
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// window.c -- the GLFW window: its OpenGL context, and its events, which go to input.c and the panel.
+// window.c -- opens the GLFW window with its OpenGL context, and sends its events to input.c and the panel.
 #include "view/window/window.h"
 #include "view/window/input.h"
 #include "view/window/panel.h"
@@ -12,8 +12,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define LEAST_SIDE  64  // px: minimum width and height, as for pictures
-#define TITLE_STAYS 0.5 // s: time between changes of the title
+#define LEAST_SIDE  64  // px: minimum width and height of the window, the same as for pictures
+#define TITLE_STAYS 0.5 // s: minimum time between changes of the title
 
 static char error[256]; // the first error of GLFW; static, because the callback has no user pointer
 
@@ -75,7 +75,7 @@ static void on_wheel(GLFWwindow* window, double x, double y)
 	events_add(&viewer_of(window)->events, (WindowEvent){.kind = EVENT_WHEEL, .x = x, .y = y});
 }
 
-// Creates the window. It tries the native context API (GLX on X11) first, then EGL.
+// Creates the window: first with the native context API (GLX on X11), then, if this fails, with EGL.
 static GLFWwindow* create(const Viewer* v, const char* title)
 {
 	const int ways[] = {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API};
@@ -93,7 +93,7 @@ static GLFWwindow* create(const Viewer* v, const char* title)
 	return window;
 }
 
-// Returns the context of a window that does not use EGL: on Linux it is GLX.
+// Sets opengl to the GLX context of a window on Linux. Returns false if there is none.
 static bool glx_context(scree_opengl* opengl)
 {
 #ifdef __linux__
@@ -192,7 +192,7 @@ static void handle_button(Viewer* v, const WindowEvent* event)
 		input_button(v, event->key != GLFW_MOUSE_BUTTON_LEFT, event->action == GLFW_PRESS);
 }
 
-// Moves the cursor. GLFW uses window units, which are not always pixels.
+// Moves the cursor, after converting its position from window units of GLFW to pixels.
 static void handle_cursor(Viewer* v, const WindowEvent* event)
 {
 	int width, height;
@@ -202,7 +202,7 @@ static void handle_cursor(Viewer* v, const WindowEvent* event)
 		             event->seconds);
 }
 
-// Handles the events of this frame.
+// Takes the events of this frame from the queue and handles them.
 static void handle_events(Viewer* v)
 {
 	WindowEvent event;

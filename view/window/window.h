@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// window.h -- the GLFW window: its OpenGL context, and its events, which go to input.c and the panel.
+// window.h -- opens the GLFW window with its OpenGL context, and sends its events to input.c and the panel.
 #ifndef WINDOW_H
 #define WINDOW_H
 #include "view/window/window_state.h"
@@ -8,10 +8,10 @@
 bool window_open(Viewer* viewer, char* sentence);
 void window_close(Viewer* viewer);
 
-// Returns the context for scree_world_def.opengl. Null: worlds cannot share memory with this kind of context.
+// Returns the context for scree_world_def.opengl; null if worlds cannot share memory with this kind of context.
 const scree_opengl* window_opengl(Viewer* viewer);
 
-// Blocks for at most this many seconds until there are events, and handles them.
+// Blocks until there are events, but at most for this time in seconds. Then handles the events.
 void window_events(Viewer* viewer, double seconds);
 
 // Writes the state of the viewer into the title of the window, at most every 0.5 s.

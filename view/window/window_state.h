@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// window_state.h -- the state of the viewer, which the files of the window share: the world, its look, the user's
-// input.
+// window_state.h -- declares the state of the viewer, which the files of the window share: the world, its look, the
+// user's input.
 #ifndef WINDOW_STATE_H
 #define WINDOW_STATE_H
 #include "view/grab.h"
@@ -16,20 +16,20 @@
 
 typedef struct GLFWwindow GLFWwindow;
 
-typedef struct // tools of the user, tools.c
+typedef struct // tools of the user, for tools.c
 {
 	Pour pour;
 	float blast;       // m/s: speed that a blast gives a typical body near it
-	bool blasting;     // true while the key is down
+	bool blasting;     // true while the key of the blast is down
 	double blast_time; // s: time at which the key went down
 } Tools;
 
-typedef struct // part of the world that the window shows, framing.c
+typedef struct // part of the world that the window shows, for framing.c
 {
 	bool fitted;      // true from the fit of a box until the user moves the picture
 	scree_box box;    // m: the fitted box
 	bool follows;     // true if the selected body is kept in the middle
-	scree_vec behind; // m: vector from the body to the middle of the window, which following reduces to 0
+	scree_vec behind; // m: vector from the followed body to the middle of the window; shrinks to 0
 } Eye;
 
 typedef struct // place of the window when it is not full screen, in window units
@@ -61,18 +61,18 @@ typedef struct
 	float press_x, press_y; // px: position where the left button went down
 	bool panning;           // true if the right button is down, or the left one was pressed beside all bodies
 	Place place;            // place of the window when it is not full screen
-	bool panel, keys;       // true if shown
+	bool panel, keys;       // true if the panel is shown; true if the list of keys is shown
 	bool save_window;       // true: saves the window after this frame is drawn
 	double look_time;       // s: time from which the collidable under the cursor may be searched again
 	double read_time;       // s: time from which the numbers of the selected body may be read again
 	double cursor_time;     // s: time of the last move of the cursor
 	int still;              // frames since the last move of the cursor
-	int next_device;        // index of the device to which the key moves the world; -1: that after the current device
+	int next_device;        // index of the device after the next press of the device key; -1: the one after this device
 	double title_time;      // s: time of the next change of the window title
 	double frame_time;      // s: time at which the last frame began
-	float frame_ms;         // time between frames, smoothed
+	float frame_ms;         // ms: time between frames, smoothed
 	char message[SENTENCE]; // message for the user; empty if there is none
-	double message_time;    // s: time at which it was set
+	double message_time;    // s: time at which message was set
 	bool done;              // true: the viewer ends after this frame
 	int code;               // exit code
 } Viewer;
