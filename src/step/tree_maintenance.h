@@ -20,7 +20,7 @@ void tree_leave(Pipeline* pipeline, int t, int collidable);
 scree_status tree_upload(Pipeline* pipeline);
 bool tree_wants_order(const TreeState* state);
 
-// Returns whether boxes that jump in this step will probably disorder the leaves so much that they must be sorted.
+// Returns whether boxes that jump in this step will probably disorder the leaves, which must then be sorted.
 bool tree_churns(const TreeState* state);
 
 // Adds the changed boxes and wasted node visits of a step to those of a tree. Must be called after the step.
