@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// dom.js -- helper functions for elements, used by all parts of the page.
+// dom.js -- creates and changes elements, for all parts of the page.
 
 export const $ = (id) => document.getElementById(id);
 
@@ -74,7 +74,7 @@ export function segments(box, choices, chosen, change) {
 	);
 }
 
-// Creates a button that copies a text, and confirms it for a moment.
+// Creates a button that copies the result of text(), and confirms this for a moment.
 export function copyButton(label, text) {
 	const button = element('button', { type: 'button', class: 'copy' }, label);
 	button.addEventListener('click', async () => {

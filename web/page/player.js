@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// player.js -- applies and records actions of the visitor; plays recorded ones.
+// player.js -- applies and records actions of the visitor; plays recorded actions.
 import { makeAction } from './record.js';
 
 export class Player {
@@ -23,7 +23,7 @@ export class Player {
 		return this.done.length > 0;
 	}
 
-	// Applies an action. Returns true if it had an effect; only then is it recorded.
+	// Applies an action. Returns true if the action had an effect; act() does not record an action without effect.
 	apply(action) {
 		const m = this.module;
 		const v = action.values;
@@ -48,7 +48,7 @@ export class Player {
 		}
 	}
 
-	// Applies and records an action of the visitor before a step. It ends the script.
+	// Applies and records an action of the visitor before a step. The action ends the script.
 	act(step, name, values) {
 		this.script = [];
 		this.next = 0;
