@@ -16,7 +16,7 @@ typedef struct
 	Scene* scene;
 	ScenePlayer player;
 	Grab grab;
-	Grab reached; // the body under a finger, which may start a drag
+	Grab reached; // body under a pressed pointer, before a drag begins
 	Pour pour;
 	bool added; // true if bodies were added since the renderer last read the world
 	bool drawn; // true if renderer and share are open

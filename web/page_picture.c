@@ -75,7 +75,7 @@ static void draw_grab(void)
 	strokes_add(&page.renderer.strokes, anchor, anchor, 6.0f, THREAD_COLOR, 255);
 }
 
-// Adds an arrow between two points (m) to the next picture.
+// Adds an arrow from x, y to to_x, to_y (m) to the next picture.
 EMSCRIPTEN_KEEPALIVE void page_mark_arrow(float x, float y, float to_x, float to_y)
 {
 	Strokes* strokes = &page.renderer.strokes;
@@ -91,7 +91,7 @@ EMSCRIPTEN_KEEPALIVE void page_mark_arrow(float x, float y, float to_x, float to
 		            THREAD_COLOR, 220);
 }
 
-// Adds a ring with a diameter in m to the next picture.
+// Adds a ring with a diameter in m to the next picture; opacity: 0 to 255.
 EMSCRIPTEN_KEEPALIVE void page_mark_ring(float x, float y, float diameter, int opacity)
 {
 	strokes_ring(&page.renderer.strokes, (scree_vec){x, y}, diameter * page.camera.scale, 3.0f, THREAD_COLOR, opacity);
@@ -108,7 +108,7 @@ static scree_vec middle(void)
 	return camera_point(&page.camera, 0.5f * (float)page.camera.width, 0.5f * (float)page.camera.height);
 }
 
-// Starts or stops following the selected body. Returns true if a body is followed.
+// Starts or stops following the selected body. Returns true if the picture now follows a body.
 EMSCRIPTEN_KEEPALIVE bool page_follow(bool follows)
 {
 	scree_vec at, now = middle();

@@ -49,7 +49,7 @@ export function follow(length, take, begin) {
 		while (count-- > 0)
 			take(column);
 	};
-	// reads seven bits per byte, the lowest first
+	// reads a number: seven bits per byte, the lowest bits first
 	const number = (column) => {
 		let value = 0, bits = 0, byte;
 		do {

@@ -82,7 +82,8 @@ function parameters(text) {
 	});
 }
 
-// Computes offsets as clang does for wasm32: each member at a multiple of its alignment, pointers of 4 bytes.
+// Computes offsets as clang does for wasm32: the offset of each member is a multiple of its alignment; pointers have 4
+// bytes.
 function layout(name, block, structs, enums) {
 	const members = [];
 	let offset = 0, alignment = 1;

@@ -44,7 +44,7 @@ function write_module(wasm, head) {
 	return `${head}export const wasm = () => join(${wasm.length}, [${columns.map(write_column).join(",\n")}]);\n`;
 }
 
-// Debian's terser starts only with this NODE_PATH
+// Debian's terser does not start without this NODE_PATH
 const minify = (from, to) => execFileSync("terser", [from, "--compress", "--mangle", "--module", "--comments", "/^ SPDX/", "-o", to],
 	{env: {...process.env, NODE_PATH: "/usr/share/nodejs"}});
 

@@ -327,7 +327,7 @@ function call(engine, f, world, given) {
 			else if (kind === ">" || kind === "+") {
 				const many = kind === "+";
 				outs.push([type, engine.take(size * (many ? count : 1)), many ? count : -1]);
-				// sets the size member of the result
+				// the function needs the size member of the struct for its result
 				if (!many && layouts[type])
 					new Uint8Array(engine.memory.buffer).set(engine.blank(type), outs.at(-1)[1]);
 				values.push(outs.at(-1)[1]);

@@ -184,7 +184,7 @@ class App {
 		} catch (error) {
 			note(error.message, { kind: 'bad', name: 'load', lasting: true });
 		}
-		if (!good && this.source) this.showSettings(); // the previous scene is still loaded
+		if (!good && this.source) this.showSettings(); // the previous scene is still loaded, so its settings are shown
 		else if (!good && (name !== FIRST || settings.length > 0)) await this.load({ name: FIRST });
 		return Boolean(good);
 	}

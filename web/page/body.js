@@ -4,7 +4,7 @@
 import { $, element } from './dom.js';
 import { note } from './notes.js';
 
-const BESIDE = 14; // px: distance from the cursor
+const BESIDE = 14; // px: distance of the text from the cursor
 
 // Writes lines of text into a box. The first line is the name of the body.
 function write(box, text) {

@@ -53,7 +53,8 @@ export function dress(button, name, label) {
 	button.replaceChildren(icon(name));
 }
 
-// Creates radio buttons that look like one bar. choices: [{value, label, title, icon}].
+// Creates radio buttons in a box; together they look like one bar. choices: [{value, label, title, icon}];
+// change(value) is called after a selection.
 export function segments(box, choices, chosen, change) {
 	const name = box.id;
 	box.replaceChildren(

@@ -172,7 +172,7 @@ export class Engine {
 		this.picture.lose(restore);
 	}
 
-	// Applies an action of the visitor, which ends a replay.
+	// Applies and records an action of the visitor. The action ends a replay.
 	act(name, values) {
 		return this.player.act(this.step, name, values);
 	}

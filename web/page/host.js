@@ -74,7 +74,7 @@ export class Host {
 		else this.turn = this.turn.then(() => this.engine.hear(message));
 	}
 
-	// Sends a message and returns a promise of its answer.
+	// Sends a message, and returns a promise of the engine's answer.
 	ask(message) {
 		const id = ++this.number;
 		return new Promise((resolve) => {

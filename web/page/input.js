@@ -2,7 +2,7 @@
 // input.js -- handles mouse, pen and fingers in the picture: one pointer drags or uses a tool, two fingers move and
 // zoom, the wheel zooms.
 
-const WHEEL = 0.0016; // logarithm of the zoom factor per pixel of the wheel
+const WHEEL = 0.0016; // natural logarithm of the zoom factor per pixel of the wheel
 const LINE = 33; // px: height of a line, for browsers that report the wheel in lines
 
 export class Input {
@@ -13,7 +13,7 @@ export class Input {
 		this.say = say;
 		this.tool = tool;
 		this.pointers = new Map();
-		this.single = null; // id of the pointer that drags; null if there is none
+		this.single = null; // id of the pointer that drags or uses a tool; null if there is none
 		this.cursor = null; // px of the picture: position of the pointer; null if the mouse has left the picture
 		canvas.addEventListener('pointerdown', (event) => this.down(event));
 		canvas.addEventListener('pointermove', (event) => this.move(event));
@@ -35,7 +35,7 @@ export class Input {
 	down(event) {
 		const at = this.place(event);
 		this.canvas.focus({ preventScroll: true });
-		this.canvas.classList.add('pointed'); // hides the focus ring of the picture for users of a mouse
+		this.canvas.classList.add('pointed'); // the focus ring of the picture is only for users of the keyboard
 		this.canvas.setPointerCapture(event.pointerId);
 		this.pointers.set(event.pointerId, at);
 		if (this.pointers.size === 1) {

@@ -15,7 +15,7 @@ export class Keys {
 	// The list of keys omits actions without shown. names: names of the keys that scenes use; hold(bits): receives the
 	// pressed keys, bit k for name k.
 	constructor(actions, names, hold) {
-		this.held = new Set(); // actions whose key is down
+		this.held = new Set(); // actions with hold() whose key is down
 		this.actions = new Map(actions.map((action) => [action.key, action]));
 		this.codes = new Map(names.map((name, bit) => [CODES[name], bit]));
 		this.names = names;

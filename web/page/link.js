@@ -5,7 +5,7 @@
 // #pile?count=500&do=...&at=321&hash=0123456789abcdef
 import { decodeActions, encodeActions } from './record.js';
 
-export const LONGEST = 16000; // characters: longer addresses are cut off by some programs that transmit them
+export const LONGEST = 16000; // characters: some programs that transmit addresses cut off longer addresses
 const RESERVED = ['do', 'at', 'hash'];
 
 export function writeLink({ name, settings, record }) {

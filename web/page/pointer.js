@@ -4,7 +4,7 @@
 
 const THROW_TIME = 0.25; // s: time in which a thrown body covers the distance from press to release
 const FASTEST = 200; // m/s: maximum speed of a thrown body
-const THROWN = 28; // px: size of a thrown body, so that it is visible at any scale
+const THROWN = 28; // px of the page: size of a thrown body, so that the body is visible at any scale
 const CLICK = { mouse: 4, touch: 10 }; // px of the page: maximum motion in a click
 const HOLD = 250; // ms: after this time a press on a body drags it, even without motion
 
