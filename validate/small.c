@@ -12,8 +12,8 @@
 #define APART  2.0         // m: distance between tracks
 #define HEAP   100
 
-static const double sizes[SIZES] = {0.002, 0.003, 0.005, 0.007, 0.01, 0.02}; // m
-static const double drops[DROPS] = {0.0, 0.02, 0.1, 0.5, 2.0};               // m
+static const double sizes[SIZES] = {0.002, 0.003, 0.005, 0.007, 0.01, 0.02}; // m: sizes of bodies
+static const double drops[DROPS] = {0.0, 0.02, 0.1, 0.5, 2.0};               // m: heights of drops
 static const int substeps[] = {4, 1, 2, 8};                                  // quick: only the first two
 
 typedef enum

@@ -55,7 +55,7 @@ static double outward(const Track* t, scree_vec at)
 	{
 		double ax = (double)t->corners[k].x, ay = (double)t->corners[k].y;
 		double bx = (double)t->corners[(k + 1) % SIDES].x, by = (double)t->corners[(k + 1) % SIDES].y;
-		if (ax * y - ay * x < 0.0 || x * by - y * bx < 0.0) // outside the sector of this side
+		if (ax * y - ay * x < 0.0 || x * by - y * bx < 0.0) // the position is outside the sector of side k
 			continue;
 		return ((bx - ax) * -y + (by - ay) * x) / ((by - ay) * ax - (bx - ax) * ay);
 	}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// validate.h -- experiments that check physical behavior against limits; prints rows of results.
+// validate.h -- lists and runs experiments, which check physical behavior against limits and print rows of results.
 #ifndef VALIDATE_H
 #define VALIDATE_H
 #include "experiment_support.h"

@@ -18,9 +18,9 @@ typedef struct Validation Validation;
 typedef struct
 {
 	scree_vec gravity; // m/s^2
-	float dt;          // s
+	float dt;          // s: duration of a step
 	int substeps;
-	float max_speed;     // m/s
+	float max_speed;     // m/s: speed limit of bodies
 	bool bullets;        // sets EngineBody.bullet of the bodies that lab_throw adds
 	float contact_hertz; // Hz: stiffness of contacts; 0: the default of the engine
 } LabDef;
@@ -67,7 +67,7 @@ struct Validation
 	char text[96];          // name of the case
 	char where[128];        // name of the run that gave the value of the next row; may be empty
 	int64_t steps;          // number of steps since the case began
-	uint64_t hash;          // hash of the end states of the labs that the case has closed
+	uint64_t hash;          // hash of the end states of the labs that the case has closed so far
 	int failures;           // number of rows whose value was beyond its limit
 	bool broken;            // true after an engine failed or memory was short
 };

@@ -18,13 +18,13 @@ void camera_fit(Camera* camera, scree_box box, int width, int height);
 // not change. If the part is too narrow, shows the box in the whole picture.
 void camera_fit_part(Camera* camera, scree_box box, float left, float bottom);
 
-// Changes the size of the picture; the middle stays.
+// Changes the size of the picture; its middle keeps showing the same point of the world.
 void camera_resize(Camera* camera, int width, int height);
 
-// Moves the picture by x and y pixels, as the mouse drags it; y grows downwards.
+// Moves the picture by x and y pixels, as when the user drags it; y grows downwards.
 void camera_pan(Camera* camera, float x, float y);
 
-// Magnifies the picture by a factor; the point under pixel x, y stays.
+// Magnifies the picture by a factor; pixel x, y keeps showing the same point of the world.
 void camera_zoom(Camera* camera, float x, float y, float factor);
 
 // Moves the picture so that point, a followed point of the world, comes nearer to the place of the point to in the

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#define WITHIN 0.995f // share of the forces that are within the range
+#define WITHIN 0.995f // share of the positive forces that are not above the range
 #define IDLE   4.0f   // a range shrinks if it is more than IDLE times as large as needed
-#define BINS   2048   // bins by the upper 11 bits of a positive float: 8 for each power of two
+#define BINS   2048   // number of bins, by the upper 11 bits of a positive float: 8 bins for each power of two
 
 void loads_sum(const scree_contact* contacts, int contact_count, float substep, float* forces, int count)
 {
@@ -23,7 +23,7 @@ void loads_sum(const scree_contact* contacts, int contact_count, float substep, 
 	}
 }
 
-// Returns the upper end of the bin that holds the quantile WITHIN of the positive forces; 0 if there are none.
+// Returns the upper end of the bin that contains the quantile WITHIN of the positive forces; 0 if no force is positive.
 static float quantile(const float* forces, int count)
 {
 	int bins[BINS] = {0}, all = 0, passed = 0;

@@ -13,7 +13,7 @@
 #include <dlfcn.h>
 #include <vulkan/vulkan.h>
 
-// functions of a Vulkan instance, and of a device
+// functions of a Vulkan instance; functions of a Vulkan device
 #define INSTANCE_FUNCTIONS(X)             \
 	X(EnumeratePhysicalDevices)           \
 	X(GetPhysicalDeviceProperties2)       \

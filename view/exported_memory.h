@@ -13,8 +13,8 @@ typedef struct
 	void* allocation; // VkDeviceMemory
 } ExportedMemory;
 
-// Allocates memory on the device with this UUID. Only one thread may call it. Returns false and writes a sentence on
-// failure.
+// Allocates memory on the device with this UUID. Only one thread of the process may call this function. Returns false
+// and writes a sentence on failure.
 bool exported_memory_make(ExportedMemory* memory, const uint8_t uuid[16], size_t bytes, char* sentence, size_t size);
 
 // Frees the memory. OpenCL and OpenGL must have released it.

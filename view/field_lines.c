@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define ARC   8    // strokes per quarter of a circle
-#define WIDTH 1.5f // px
+#define ARC   8    // number of strokes per quarter of a circle
+#define WIDTH 1.5f // px: width of the outlines
 
 scree_status field_lines_update(FieldLines* lines, const RenderTables* tables)
 {
@@ -14,7 +14,7 @@ scree_status field_lines_update(FieldLines* lines, const RenderTables* tables)
 	if (!regions_list(&lines->regions, &sprites, tables->world))
 	{
 		field_lines_close(lines);
-		return SCREE_OK; // the picture is drawn without fields
+		return SCREE_OK; // memory was short; the picture is drawn without fields
 	}
 	lines->poses = malloc(((size_t)lines->regions.count + 1) * sizeof *lines->poses);
 	lines->regions.count = lines->poses ? lines->regions.count : 0;
@@ -45,7 +45,7 @@ static scree_vec placed(scree_pose pose, float x, float y)
 	return (scree_vec){pose.position.x + q.c * x - q.s * y, pose.position.y + q.s * x + q.c * y};
 }
 
-// Adds an arc around a corner, from one normal to the next.
+// Adds the arc of a rounded corner; start and angle: direction of the first normal, angle to the next normal, rad.
 static void mark_arc(Strokes* strokes, const scree_shape* shape, scree_pose pose, int corner, float start, float angle,
                      Color color)
 {

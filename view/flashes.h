@@ -10,20 +10,20 @@ typedef struct
 {
 	Layer layer;
 	scree_vec at;
-	float diameter; // px
+	float diameter; // px: diameter of the ring
 	double born;    // s: time of the world at the event
 } Flash;
 
 typedef struct
 {
-	Flash* list; // oldest first
+	Flash* list; // the oldest flash first
 	int count, capacity;
 	int seen, left_out; // number of events of the last step in view; number of these that are too many to be drawn
 } Flashes;
 
 void flashes_close(Flashes* flashes);
 
-// Returns true if a style shows events.
+// Returns true if a style shows any layer of events.
 bool flashes_shown(const Style* style);
 
 // Adds the events of the last step that are in view and whose layer is on. If a layer has too many events, adds every

@@ -28,7 +28,7 @@ bool gl_picture_set_world(GlPicture* picture, const Scene* scene, scree_world* w
 // Shows a box in the following pictures, instead of the view and the detail of the scene.
 void gl_picture_aim(GlPicture* picture, scree_box view);
 
-// Adds the events of a step that a style shows. Call it after every step; now is the time of the world, s.
+// Adds flashes for the events of a step that a style shows. Call it after every step; now is the time of the world, s.
 scree_status gl_picture_step(GlPicture* picture, const Style* style, double now);
 
 // Draws the current state of the world with legend, title and caption into the canvas.

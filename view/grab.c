@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define CALM    5.0f   // rad/s^2: angular deceleration of a held body, so that it swings less
+#define CALM    5.0f   // rad/s^2: maximum angular deceleration of a held body, so that the body swings less
 #define FASTEST 200.0f // m/s: maximum speed of a thrown body
 
 static scree_vec turned(scree_rot q, scree_vec v) { return (scree_vec){q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
@@ -65,7 +65,7 @@ static scree_body body_under(const Grab* grab, const RenderTables* tables, const
 	return (scree_body){0};
 }
 
-// Creates the joint between the body and the cursor's position.
+// Creates the joint between the body and the cursor's position. Returns false on failure.
 static bool join(Grab* grab)
 {
 	scree_mass mass;

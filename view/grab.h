@@ -18,7 +18,7 @@ typedef struct
 	scree_vec at;              // position of the cursor, m
 	scree_vec velocity;        // velocity of the cursor, smoothed, m/s
 	int launched;              // number of bodies thrown in so far
-	scree_attribute thrown[3]; // ball, box, capsule: created once per size and density
+	scree_attribute thrown[3]; // attributes of ball, box, capsule; created again if size or density changes
 	float thrown_size;         // m: half the width of the attributes in thrown
 	float thrown_density;      // kg/m^2: density of the attributes in thrown
 	float hardest;             // maximum acceleration by the spring between cursor and body, m/s^2, along each axis

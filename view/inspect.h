@@ -8,7 +8,7 @@
 typedef struct
 {
 	scree_collidable collidable; // null: nothing is inspected
-	scree_body body;             // body of the collidable; null if it has none
+	scree_body body;             // body of the collidable; null if the collidable has no body
 	char name[64];               // name of the body or collidable, with names from the scene
 	bool gone;                   // true if the collidable was destroyed; the numbers are those of the last reading
 

@@ -138,7 +138,7 @@ static void mark(Strokes* strokes, const scree_vec* points, int count, const int
 		strokes_add(strokes, points[k - 1], points[k], width, color, 230);
 	for (int end = 0; pin >= LEAST && end < 2; ++end)
 	{
-		// a dot in the middle of a body would only hide it
+		// no dot in the middle of a body, because it would only hide the body
 		scree_vec at = points[anchors[end]], center = points[end ? count - 1 : 0];
 		bool aside = scale * hypotf(at.x - center.x, at.y - center.y) >= pin;
 		if (aside || anchors[end] == (end ? count - 1 : 0))

@@ -9,7 +9,7 @@
 
 typedef struct
 {
-	Links links;       // joints that are neither broken nor destroyed
+	Links links;       // list of the joints that are neither broken nor destroyed
 	scree_pose* poses; // poses of RenderTables.bodies from first to last, by the same index
 	int first, last;   // range of the indices of bodies that have joints
 	scree_joint* joints;
@@ -25,8 +25,8 @@ void joint_lines_close(JointLines* lines);
 // Reads poses and forces. Removes joints that broke or were destroyed from the list.
 scree_status joint_lines_update(JointLines* lines, const RenderTables* tables);
 
-// Adds strokes for the joints in view: lines, and dots at their anchors. A joint is omitted if it is shorter than
-// Style.detail pixels and its dots would be too small.
+// Adds strokes for the joints in view: lines, and dots at their anchors. A joint is omitted if its line is shorter than
+// Style.detail pixels and its dots are too small to be drawn.
 void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, const Style* style);
 
 // Returns the color of a joint; share: square root of its force divided by the largest force.

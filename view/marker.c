@@ -13,7 +13,7 @@
 
 static const Color red = {187, 53, 44}, pale = {232, 150, 140}, slate = {52, 62, 80}, mist = {206, 214, 228};
 
-// dark line with a light rim, because impulses lie on bodies of all colors
+// a dark line with a light rim is visible on bodies of all colors
 static const Color core = {38, 20, 58}, halo = {255, 250, 235};
 
 // Returns a darker color, because a dot is small and needs more contrast than a body.

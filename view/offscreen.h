@@ -10,7 +10,7 @@ typedef struct
 	void *display, *context; // EGLDisplay and EGLContext
 	Framebuffer framebuffer;
 	int width, height;  // px: size of the framebuffer
-	char renderer[128]; // GL_RENDERER
+	char renderer[128]; // name of the renderer, GL_RENDERER
 } Offscreen;
 
 // Opens an OpenGL 3.3 context on the first EGL device with OpenGL 3.3, and makes the context current. EGL lists GPUs

@@ -16,7 +16,7 @@ bool paint_tables_fill_graph(RenderTables* tables, const scree_contact* contacts
 // short.
 bool paint_tables_fill_forces(RenderTables* tables, const scree_contact* contacts, int count, float substep);
 
-// Fills the table of shares with the starting places of the bodies.
+// Fills the table of shares with the starting places of the bodies, 0 to 1 in x and y.
 scree_status paint_tables_fill_starts(RenderTables* tables);
 
 #endif

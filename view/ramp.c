@@ -2,7 +2,7 @@
 // ramp.c -- computes color ramps, the colors of numbers, for shaders and legends.
 #include "view/ramp.h"
 
-// blue at rest, yellow, red
+// from blue at rest over yellow to red
 static const Color speeds[] = {{84, 115, 168}, {227, 184, 97}, {204, 71, 56}};
 
 // the lightness rises, so that the ramp is readable in gray and with color blindness; its end is bright on dark and on

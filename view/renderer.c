@@ -73,7 +73,7 @@ static scree_status fetch_contacts(Renderer* r)
 	scree_contact* contacts = realloc(r->contacts, (size_t)capacity * sizeof *contacts);
 	r->contact_count = 0;
 	if (!contacts)
-		return SCREE_OK; // the picture is drawn without contacts
+		return SCREE_OK; // memory was short; the picture is drawn without contacts
 	r->contacts = contacts;
 	r->contact_capacity = capacity;
 	return scree_world_get_contacts(r->tables.world, r->contacts, capacity, &r->contact_count);

@@ -21,7 +21,7 @@ typedef struct
 {
 	SensorMark* list; // in ascending order of the index
 	int count;
-	uint8_t* marks; // marks of the rows up to the last sensor
+	uint8_t* marks; // marks by row, up to the row of the last sensor
 	int rows;       // number of marks; 0 if there are no sensors
 	double now;     // s: current time of the world
 } SensorMarks;

@@ -4,7 +4,7 @@
 #define SHADER_H
 #include <stddef.h>
 
-#define SENTENCE 512 // characters of an error message
+#define SENTENCE 512 // size of a buffer for an error message, characters
 
 // Creates a program from a vertex and a fragment shader. head (may be empty) is put before the vertex shader. On
 // failure returns 0 and writes OpenGL's message.

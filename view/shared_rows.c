@@ -80,7 +80,7 @@ static bool share_memory(Share* share, size_t bytes)
 		snprintf(sentence, size, "%s", scree_error());
 		return false;
 	}
-	memory->files[0] = -1; // owned by OpenCL from here on
+	memory->files[0] = -1; // OpenCL now owns the file descriptor
 	while (glGetError() != GL_NO_ERROR)
 		; // discards earlier errors
 	glCreateMemoryObjectsEXT(1, &share->memory);
@@ -88,7 +88,7 @@ static bool share_memory(Share* share, size_t bytes)
 	GLenum error = glGetError();
 	if (!error)
 	{
-		memory->files[1] = -1; // owned by OpenGL from here on
+		memory->files[1] = -1; // OpenGL now owns the file descriptor
 		glBufferStorageMemEXT(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, share->memory, 0);
 		error = glGetError();
 	}
@@ -100,7 +100,7 @@ static bool share_memory(Share* share, size_t bytes)
 static bool share_opengl(Share* share, size_t bytes)
 {
 	glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_DRAW);
-	glFinish(); // makes the buffer exist before OpenCL uses it
+	glFinish(); // the buffer must exist before OpenCL uses it
 	if (scree_world_share_opengl(share->world, share->buffer, bytes) == SCREE_OK)
 		return true;
 	snprintf(share->sentence, sizeof share->sentence, "%s", scree_error());
@@ -162,7 +162,7 @@ scree_status share_update(Share* share)
 		make_buffer(share);
 	if (share->how == SCREE_SHARING_COPIED)
 		return copy(share);
-	glFinish(); // finishes drawing the rows before they change
+	glFinish(); // OpenGL must finish drawing the rows before the device changes them
 	status = scree_world_write_render_rows(share->world, &share->count);
 	if (status == SCREE_ERROR_INVALID)
 	{

@@ -32,7 +32,7 @@ void share_open(Share* share, scree_world* world, bool copy);
 // sharing or copying again.
 scree_status share_update(Share* share);
 
-// Returns the reason for the last failure of share_update.
+// Returns the error message of the last share_update that failed.
 const char* share_error(const Share* share);
 
 void share_close(Share* share);

@@ -12,7 +12,7 @@ typedef struct
 	scree_box box; // box around the places at starts_frame, without the outermost 0.5 %
 } Starts;
 
-// Returns true if the place of a body is not stored.
+// Returns true if no starting place of a body is stored.
 bool starts_misses(const Starts* starts, scree_body body);
 
 // Stores the positions of bodies without a stored place. Returns false if memory is short.

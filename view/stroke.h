@@ -7,11 +7,11 @@
 
 typedef struct // 28 bytes; one instance in a draw call
 {
-	scree_vec a, b; // endpoints, m; equal for a dot
+	scree_vec a, b; // m: endpoints, which are equal for a dot or a ring
 	float width;    // px: width of a line or dot, diameter of a ring
 	uint8_t color[4];
-	uint8_t end;  // opacity at b
-	uint8_t ring; // line width of a ring in quarters of a pixel, 0: filled
+	uint8_t end;  // opacity at b, 0 to 255
+	uint8_t ring; // line width of a ring in quarters of a pixel; 0: a line or a dot
 	uint8_t unused[2];
 } Stroke;
 
@@ -19,7 +19,7 @@ typedef struct
 {
 	Stroke* list;
 	int count, capacity;
-	unsigned program, vertices, buffer; // OpenGL names
+	unsigned program, vertices, buffer; // names of OpenGL objects
 	int view, scale;                    // locations of uniforms
 } Strokes;
 

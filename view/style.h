@@ -4,7 +4,7 @@
 #define STYLE_H
 #include "scene/sprites.h"
 
-typedef enum // rule that colors a body
+typedef enum // rules for the colors of bodies
 {
 #define X(enumerator, name, help) PAINT_##enumerator,
 #include "view/paints.def"
@@ -17,7 +17,7 @@ extern const char* const paint_names[PAINTS];
 // Returns the index of a name in a list; -1 if the list does not contain the name.
 int find_name(const char* const* names, int count, const char* text, size_t length);
 
-#define GRAPH_COLORS 64 // number of values of scree_contact.color
+#define GRAPH_COLORS 64 // number of possible values of scree_contact.color
 
 // Returns the color for a graph color. Hues of consecutive graph colors differ by the golden angle; contacts of hubs
 // are dark.

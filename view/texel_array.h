@@ -5,9 +5,9 @@
 
 typedef enum // format of a texel
 {
-	FORMAT_BYTE, // R8UI
-	FORMAT_TWO,  // RG32F
-	FORMAT_FOUR, // RGBA32F
+	FORMAT_BYTE, // one byte per texel, R8UI
+	FORMAT_TWO,  // two floats per texel, RG32F
+	FORMAT_FOUR, // four floats per texel, RGBA32F
 } TexelFormat;
 
 typedef struct // texel k is in row k / 2048 of a 2D texture, because WebGL has no buffer textures

@@ -9,7 +9,7 @@ typedef struct
 	Color background, text;
 	Color still;  // bodies that are not dynamic
 	Color glass;  // outlines of collidables without a body
-	Color ink;    // velocities, centers of mass
+	Color ink;    // lines of velocities, dots of centers of mass
 	Color idle;   // joints without load
 	Color chosen; // outline of the selected body
 } Theme;

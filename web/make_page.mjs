@@ -8,7 +8,7 @@ import { execFileSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
-const WIDTH = 312; // px: twice the size in the list; HEIGHT includes the band of the caption, which the list cuts off
+const WIDTH = 312; // px: twice the width in the list of scenes; HEIGHT includes the caption, which the list cuts off
 const HEIGHT = 200 + 36;
 
 const [scree = 'build/scree', build = 'build', out = 'build/web'] = process.argv.slice(2);
@@ -17,7 +17,7 @@ const { scenes: list } = JSON.parse(readFileSync(join(source, 'web/start.json'),
 
 const readScene = (name) => JSON.parse(readFileSync(join(source, 'scenes', `${name}.json`), 'utf8'));
 
-// Returns the data of a scene that the page needs before it has loaded the file of the scene.
+// Returns the data of a scene that the page needs before it loads the scene file.
 function describe({ name, set = {} }) {
 	const scene = readScene(name);
 	const parameters = Object.entries(scene.parameters ?? {}).map(([key, entry]) => {
@@ -31,7 +31,7 @@ function describe({ name, set = {} }) {
 	return { name, title: scene.title, parameters };
 }
 
-// Draws the thumbnail of a scene, unless its file is newer than all of its sources.
+// Draws the thumbnail of a scene, unless the thumbnail is newer than all of its sources.
 function draw({ name, set = {}, picture }) {
 	const file = join(out, 'thumbnails', `${name}.png`);
 	const needs = [scree, join(source, 'scenes', `${name}.json`), join(source, 'web/start.json')];
@@ -41,7 +41,7 @@ function draw({ name, set = {}, picture }) {
 	execFileSync(scree, ['run', name, ...sets, '--steps', String(picture), ...size], { stdio: ['ignore', 'ignore', 'inherit'] });
 }
 
-// Fails if a scene of the folder is missing in the list.
+// Throws an error if a scene of the folder is missing in the list.
 function checkList() {
 	const files = readdirSync(join(source, 'scenes')).filter((file) => file.endsWith('.json') && !file.endsWith('schema.json'));
 	for (const file of files)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// page.c -- functions that the page calls: lists of names, and one scene, which is loaded and stepped.
+// page.c -- functions that the page calls: they return lists of names, and load and step one scene.
 //
-// Numbers go to JavaScript as one array of doubles, texts as pointers to C strings, which stay valid until the next
-// call.
+// JavaScript receives numbers as one array of doubles, and texts as pointers to C strings. Array and strings stay valid
+// until the next call.
 #include "web/page.h"
 #include "scene/load.h"
 #include <inttypes.h>
@@ -10,7 +10,7 @@
 #include <string.h>
 
 #define MAX_SETTINGS 32
-#define MOST_THREADS 8 // maximum number of threads; more do not pay for scenes that a page can show
+#define MOST_THREADS 8 // maximum number of threads; more threads do not help in scenes that a page can show
 
 Page page;
 
@@ -25,7 +25,7 @@ bool page_check(scree_status status) { return status == SCREE_OK || page_fail(sc
 EMSCRIPTEN_KEEPALIVE const char* page_error(void) { return page.sentence; }
 
 // ---------------------------------------------------------------------------------------------------------------
-// Names, so that lists exist once
+// Lists of names for JavaScript, from the .def files
 // ---------------------------------------------------------------------------------------------------------------
 
 // name, key and help of each action
@@ -75,7 +75,7 @@ static void close_scene(void)
 	*page.told = 0;
 }
 
-// Splits "rows=10\ncolumns=20" in place. Returns the number of settings, -1 if there are too many.
+// Splits "rows=10\ncolumns=20" in place. Returns the number of settings; -1 if there are too many.
 static int split_settings(char* text, SceneSetting* settings)
 {
 	int count = 0;
@@ -108,8 +108,8 @@ bool page_show_world(void)
 	       page_fail("there is no memory to draw this scene");
 }
 
-// Loads a scene file with settings, one NAME=VALUE per line, and creates its world. On failure the previous scene
-// stays.
+// Loads a scene file with settings, one NAME=VALUE per line, and creates its world. On failure returns false, and the
+// previous scene stays.
 EMSCRIPTEN_KEEPALIVE bool page_load(const char* path, char* lines, int threads)
 {
 	SceneSetting settings[MAX_SETTINGS];
@@ -134,7 +134,7 @@ EMSCRIPTEN_KEEPALIVE bool page_load(const char* path, char* lines, int threads)
 	return page_show_world();
 }
 
-// Takes one step with the pressed keys, bits by SceneKey.
+// Takes one step. Bit k of down: the key with SceneKey k is down. Returns false on failure.
 EMSCRIPTEN_KEEPALIVE bool page_step(uint32_t down)
 {
 	if (grab_pull(&page.grab) != SCREE_OK)
@@ -147,7 +147,7 @@ EMSCRIPTEN_KEEPALIVE bool page_step(uint32_t down)
 	                                                (double)page.player.steps * (double)page.scene->dt)));
 }
 
-// Returns the errors of tools in the steps since the last call; empty if there are none.
+// Returns the last error of a tool in a step since the previous call; empty if there is none.
 EMSCRIPTEN_KEEPALIVE const char* page_told(void)
 {
 	snprintf(page.text, sizeof page.text, "%s", page.told);
@@ -174,7 +174,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_hash(void)
 	return page.text;
 }
 
-// Returns the keys that the scene uses, bits by SceneKey.
+// Returns the keys that the scene uses: bit k for SceneKey k.
 EMSCRIPTEN_KEEPALIVE uint32_t page_keys(void) { return player_keys(page.scene); }
 
 // Returns the numbers of the world, in the order of NUMBERS in core.js.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// page.h -- the state that the files of the page share: the scene, its picture, the body that the visitor drags, the
-// selected body.
+// page.h -- declares the state that the files of the page share: the scene, its picture, the body that the visitor
+// drags, the selected body.
 #ifndef PAGE_H
 #define PAGE_H
 #include "scene/player.h"
@@ -16,7 +16,7 @@ typedef struct
 	Scene* scene;
 	ScenePlayer player;
 	Grab grab;
-	Grab reached; // the body under a finger, which may start a drag
+	Grab reached; // body under a pressed pointer, before a drag begins
 	Pour pour;
 	bool added; // true if bodies were added since the renderer last read the world
 	bool drawn; // true if renderer and share are open
@@ -26,9 +26,9 @@ typedef struct
 	Style style;
 	Inspected hovered, selected;
 	bool follows;            // true if the selected body stays in the middle
-	scree_vec behind;        // m: remaining difference of the body to the middle
+	scree_vec behind;        // m: vector from the followed body to the middle; shrinks to 0
 	char sentence[SENTENCE]; // error of the last call
-	char told[SENTENCE];     // error of a tool in a step that was still taken; empty if there is none
+	char told[SENTENCE];     // last error of a tool in a step; empty if there is none. The step itself was taken
 	char text[4096];         // text result of the last call
 	double numbers[24];
 } Page;
@@ -41,7 +41,8 @@ bool page_fail(const char* sentence);
 // Returns true if status is SCREE_OK; else stores the error for page_error and returns false.
 bool page_check(scree_status status);
 
-// Reads the world again into the renderer, after bodies were added or another world was loaded.
+// Reads the world again into the renderer, after bodies were added or another world was loaded. Returns false on
+// failure.
 bool page_show_world(void);
 
 #endif

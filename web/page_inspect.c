@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// page_inspect.c -- data that the visitor of the page inspects, without changing the world: numbers of bodies, legends.
+// page_inspect.c -- returns data that the visitor of the page inspects: numbers of bodies, legends. The world does not
+// change.
 //
 // Coordinates are px of the picture, from its upper left corner.
 #include "view/legend.h"
@@ -25,7 +26,7 @@ static bool choose(Inspected* inspected, float x, float y, float reach)
 	return good && inspect_any(inspected);
 }
 
-// Returns the few most important numbers of the body within reach of a point (px); empty if there is none.
+// Returns the few most important numbers of the body within reach (px) of a point; empty if there is no body.
 EMSCRIPTEN_KEEPALIVE const char* page_hover(float x, float y, float reach)
 {
 	Numbers numbers;
@@ -35,7 +36,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_hover(float x, float y, float reach)
 	return join_lines(&numbers);
 }
 
-// Selects the body within reach of a point. If there is none, clears the selection and returns false.
+// Selects the body within reach (px) of a point. If there is none, clears the selection and returns false.
 EMSCRIPTEN_KEEPALIVE bool page_select(float x, float y, float reach)
 {
 	page.follows = false;
@@ -48,14 +49,15 @@ EMSCRIPTEN_KEEPALIVE void page_forget(void)
 	page.selected = (Inspected){0};
 }
 
-// Reads the selected body. Returns false if there is none, or if it no longer exists; page_selected reports the latter.
+// Reads the numbers of the selected body. Returns false if no body is selected, or if the body no longer exists. In the
+// second case page_selected reports this.
 EMSCRIPTEN_KEEPALIVE bool page_read_selected(void)
 {
 	return inspect_any(&page.selected) && page_check(inspect_read(&page.selected, page.scene, page.player.world)) &&
 	       !page.selected.gone;
 }
 
-// Returns the numbers of the selected body as they were last read.
+// Returns the numbers of the selected body at the last page_read_selected. few: only the most important numbers.
 EMSCRIPTEN_KEEPALIVE const char* page_selected(bool few)
 {
 	Numbers numbers;
@@ -66,7 +68,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_selected(bool few)
 	return join_lines(&numbers);
 }
 
-// Appends to page.text.
+// Appends to page.text, whose length is given. Returns the new length.
 static size_t write(size_t length, const char* format, ...) __attribute__((format(printf, 2, 3)));
 static size_t write(size_t length, const char* format, ...)
 {
@@ -86,7 +88,7 @@ static size_t write_colors(size_t length, const char* name, const Color* colors,
 	return write(length, "]");
 }
 
-// Returns the legend of the bodies' colors, or of the joints' colors, as JSON; empty if there is none.
+// Returns the legend for the colors of joints (joints: true) or of bodies, as JSON; empty if there is none.
 EMSCRIPTEN_KEEPALIVE const char* page_legend(bool joints)
 {
 	Legend legend;

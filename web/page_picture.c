@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// page_picture.c -- the picture of the page: its content and its style. Coordinates are px of the picture, from its
-// upper left corner, or m.
+// page_picture.c -- draws the picture of the page, and sets its content and its style. Coordinates are px of the
+// picture, from its upper left corner, or m.
 #include "scene/scan_picture.h"
 #include "view/blast_tool.h"
 #include "web/page.h"
@@ -10,7 +10,7 @@
 #define SLOW_RAYS    3000 // value of Style.rays if drawing is slow
 #define THREAD_COLOR ((Color){187, 53, 44})
 
-// Opens the renderer in the current WebGL 2 context.
+// Opens the renderer in the current WebGL 2 context. Returns false on failure.
 EMSCRIPTEN_KEEPALIVE bool page_open_picture(void)
 {
 	page.style = (Style){.detail = 1.0f, .rays = RAYS_DRAWN};
@@ -18,7 +18,7 @@ EMSCRIPTEN_KEEPALIVE bool page_open_picture(void)
 	return page.drawn && (!page.player.world || page_show_world());
 }
 
-// Closes the renderer, after the context was lost or before it is lost.
+// Closes the renderer, before or after the context is lost.
 EMSCRIPTEN_KEEPALIVE void page_close_picture(void)
 {
 	if (page.share.world)
@@ -75,7 +75,7 @@ static void draw_grab(void)
 	strokes_add(&page.renderer.strokes, anchor, anchor, 6.0f, THREAD_COLOR, 255);
 }
 
-// Adds an arrow between two points (m) to the next picture.
+// Adds an arrow from x, y to to_x, to_y (m) to the next picture.
 EMSCRIPTEN_KEEPALIVE void page_mark_arrow(float x, float y, float to_x, float to_y)
 {
 	Strokes* strokes = &page.renderer.strokes;
@@ -91,13 +91,13 @@ EMSCRIPTEN_KEEPALIVE void page_mark_arrow(float x, float y, float to_x, float to
 		            THREAD_COLOR, 220);
 }
 
-// Adds a ring with a diameter in m to the next picture.
+// Adds a ring with a diameter in m to the next picture; opacity: 0 to 255.
 EMSCRIPTEN_KEEPALIVE void page_mark_ring(float x, float y, float diameter, int opacity)
 {
 	strokes_ring(&page.renderer.strokes, (scree_vec){x, y}, diameter * page.camera.scale, 3.0f, THREAD_COLOR, opacity);
 }
 
-// Adds circles for the reach of an explosion (px) to the next picture.
+// Adds circles at the radius (px) and at twice the radius of an explosion to the next picture.
 EMSCRIPTEN_KEEPALIVE void page_mark_blast(float x, float y, float radius)
 {
 	blast_mark(&page.renderer.strokes, (scree_vec){x, y}, radius);
@@ -108,7 +108,7 @@ static scree_vec middle(void)
 	return camera_point(&page.camera, 0.5f * (float)page.camera.width, 0.5f * (float)page.camera.height);
 }
 
-// Starts or stops following the selected body. Returns true if a body is followed.
+// Starts or stops following the selected body. Returns true if the picture now follows a body.
 EMSCRIPTEN_KEEPALIVE bool page_follow(bool follows)
 {
 	scree_vec at, now = middle();
@@ -146,7 +146,7 @@ EMSCRIPTEN_KEEPALIVE bool page_draw(void)
 	return true;
 }
 
-// Writes the positions (x, y in m) of dynamic bodies, at most capacity of them, and returns their count. For tests.
+// Writes x and y (m) of at most capacity dynamic bodies, and returns the number of these bodies. For tests.
 EMSCRIPTEN_KEEPALIVE int page_places(float* places, int capacity)
 {
 	const RenderTables* tables = &page.renderer.tables;

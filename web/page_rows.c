@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// page_rows.c -- the rows that a renderer draws, in a page: shared_rows.h for WebGL, which can neither map nor share
-// buffers.
+// page_rows.c -- implements shared_rows.h for WebGL: copies the rows through the host, because WebGL can neither map
+// nor share buffers.
 #include "view/opengl.h"
 #include "view/shared_rows.h"
 #include <stdio.h>
@@ -18,7 +18,7 @@ void share_close(Share* share)
 	*share = (Share){0};
 }
 
-// Allocates memory for all rows and half as many more.
+// Allocates memory and a buffer with room for more rows than there are. Returns false if memory is short.
 static bool make_room(Share* share)
 {
 	int capacity = share->count + share->count / 2 + 1024;

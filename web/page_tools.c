@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// page_tools.c -- tools of the page's visitor: drag bodies, throw and pour bodies in, set off explosions.
+// page_tools.c -- tools of the page's visitor: drag bodies, throw and pour new bodies, set off explosions.
 //
-// Coordinates are m of the world, so that the same calls before the same steps give the same world, whatever the
-// picture shows.
+// Coordinates are m of the world. So the same calls before the same steps give the same world, and the view of the
+// picture has no effect on it.
 #include "view/blast_tool.h"
 #include "web/page.h"
 
-// Returns the tables of the current world. Without a picture it creates them for this call.
+// Returns the tables of the current world. Without a picture, creates tables for this call in own. Returns null on
+// failure.
 static const RenderTables* open_tables(RenderTables* own, Sprites* sprites)
 {
 	if (page.drawn && (!page.added || page_show_world()))
@@ -32,13 +33,13 @@ static bool take(Grab* grab, float x, float y, bool (*how)(Grab*, const RenderTa
 	return good;
 }
 
-// Starts to drag the dynamic body at a point. Returns false if there is none.
+// Starts to drag the dynamic body at a point. Returns false if there is no such body.
 EMSCRIPTEN_KEEPALIVE bool page_pick(float x, float y) { return take(&page.grab, x, y, grab_pick); }
 
-// Finds the dynamic body at a point without changing it.
+// Finds the dynamic body at a point; the body does not change. Returns false if there is no such body.
 EMSCRIPTEN_KEEPALIVE bool page_reach(float x, float y) { return take(&page.reached, x, y, grab_reach); }
 
-// Returns the current position of the body's point that page_reach found, m; null if the body no longer exists.
+// Returns the current position, m, of the point of the body that page_reach found; null if the body no longer exists.
 EMSCRIPTEN_KEEPALIVE const double* page_reached(void)
 {
 	scree_vec at;
@@ -59,8 +60,8 @@ EMSCRIPTEN_KEEPALIVE void page_release(void)
 	pour_end(&page.pour);
 }
 
-// Starts to pour bodies around a point, which page_pull moves. Returns false with a sentence if the scene has no bodies
-// that can be poured.
+// Starts to pour bodies around a point, which page_pull can move. Returns false and stores a sentence if the scene has
+// no bodies that can be poured.
 EMSCRIPTEN_KEEPALIVE bool page_pour(float x, float y)
 {
 	grab_release(&page.grab);
@@ -69,7 +70,7 @@ EMSCRIPTEN_KEEPALIVE bool page_pour(float x, float y)
 	       (page.pour.kind_count > 0 || page_fail("This scene has no bodies of one shape that could be poured."));
 }
 
-// Adds a body of about this size at a point, with a velocity.
+// Adds a body of about this size (m) at a point, with a velocity. Returns false on failure.
 EMSCRIPTEN_KEEPALIVE bool page_throw(float x, float y, float vx, float vy, float size)
 {
 	const scree_vec held = page.grab.at;
@@ -80,8 +81,8 @@ EMSCRIPTEN_KEEPALIVE bool page_throw(float x, float y, float vx, float vy, float
 	return good;
 }
 
-// Pushes bodies away from a point: with the whole impulse (N s per metre of their width) within half the radius, with
-// none beyond the radius.
+// Pushes bodies away from a point. Bodies within half the radius get the whole impulse (N s per metre of their width),
+// bodies beyond the radius get no impulse.
 EMSCRIPTEN_KEEPALIVE bool page_blast(float x, float y, float radius, float impulse)
 {
 	scree_blast_def def = scree_blast_def_default();
@@ -92,7 +93,7 @@ EMSCRIPTEN_KEEPALIVE bool page_blast(float x, float y, float radius, float impul
 	return page_check(scree_world_blast(page.player.world, &def, NULL));
 }
 
-// Return the impulse of an explosion in this world, and the radius (px) of one whose key was held for a time in
-// seconds.
+// Return the impulse of an explosion in this world, N s/m, and the radius of an explosion whose key was held for a time
+// in seconds, px.
 EMSCRIPTEN_KEEPALIVE float page_blast_impulse(void) { return blast_impulse(&page.renderer.tables, BLAST_SPEED); }
 EMSCRIPTEN_KEEPALIVE float page_blast_radius(float seconds) { return blast_radius((double)seconds); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// serve.mjs -- serve.mjs FOLDER [PORT] [plain]: a web server for one folder on this machine, with the headers that
-// allow threads.
+// serve.mjs -- serve.mjs FOLDER [PORT] [plain]: serves a folder on this machine over HTTP, with the headers that a page
+// needs for threads.
 //
 // plain omits the headers, as most static hosts do.
 import { createServer } from 'node:http';

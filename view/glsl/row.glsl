@@ -20,8 +20,8 @@ uniform usampler2D kinds;     // per body: type plus 4 times the shade
 uniform usampler2D graph;     // per body: highest graph color of its contacts; 255 for no contact
 uniform sampler2D shares;     // per body: square root of the relative force, or starting place; 0 to 1
 uniform sampler2D velocities; // per body: velocity, m/s
-uniform usampler2D marks;     // per row: bits of sensor_marks.h
-uniform int sensors;              // 1 if sensors are shown
+uniform usampler2D marks;     // per row: mark, with the bits of sensor_marks.h
+uniform int sensors;              // 1: sensors are shown
 
 const vec3 sensor = vec3(38, 138, 94) / 255.0;
 

@@ -4,7 +4,7 @@ uniform float least; // px: shapes with a larger reach are not splats
 uniform vec2 size;   // size of the picture, px
 
 flat out vec3 color;
-flat out vec3 square; // px: middle and half a side
+flat out vec3 square; // px: middle x, y and half the side of the square
 
 void main()
 {

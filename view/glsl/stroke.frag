@@ -1,6 +1,6 @@
 // stroke.frag -- draws a stroke by the distance from its middle line.
 flat in vec2 stroke;
-flat in float ring; // px: half the line width of a ring, 0: filled
+flat in float ring; // px: half the line width of a ring; 0: a filled dot or a line
 flat in vec4 color;
 flat in float fade;
 in vec2 local;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// capture.c -- writes the content of the window to files: pictures, and videos frame by frame.
+// capture.c -- writes pictures and videos of the world, and pictures of the window, to files.
 #include "view/window/capture.h"
 #include "view/gl_picture.h"
 #include "view/shader.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// capture.h -- writes the content of the window to files: pictures, and videos frame by frame.
+// capture.h -- writes pictures and videos of the world, and pictures of the window, to files.
 #ifndef CAPTURE_H
 #define CAPTURE_H
 #include "scene/canvas.h"
@@ -11,8 +11,8 @@ typedef struct
 {
 	Framebuffer framebuffer; // has the size of the canvas
 	Canvas canvas;
-	Video video;    // pipe is null if no video is recorded
-	double seconds; // s of simulated time since the video began
+	Video video;    // Video.pipe is null if no video is recorded
+	double seconds; // s: simulated time since the video began
 	char path[64];
 } Capture;
 
@@ -34,7 +34,7 @@ void capture_window(Capture* capture);
 // which names the file or the error, and returns whether the file was written.
 bool capture_save(Capture* capture, const char* path, char* sentence);
 
-// Begins a video in a new file scree-N.mp4. Writes a sentence only on failure.
+// Begins a video in a new file scree-N.mp4. Returns false and writes a sentence on failure.
 bool capture_begin(Capture* capture, char* sentence);
 // Adds the picture to the video for each frame that is due at Capture.seconds: zero, one or several times.
 bool capture_frame(Capture* capture);

@@ -15,7 +15,7 @@ static int find_chosen(const Session* session)
 	return k;
 }
 
-// Returns true if choice k moves the world to another device.
+// Returns true if entry k of the list of devices is another device than that of the world.
 static bool is_elsewhere(const Session* session, int k)
 {
 	return k < session->device_count &&

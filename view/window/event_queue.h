@@ -33,7 +33,7 @@ typedef struct
 // lost.
 void events_add(Events* events, WindowEvent event);
 
-// Begins a frame.
+// Begins a frame: removes events that were taken, so that events_take can take more of them.
 void events_begin(Events* events);
 
 // Takes the next event of this frame. Returns false if the queue is empty, or if the next event belongs to a later

@@ -5,7 +5,7 @@
 #define FRAMING_H
 #include "view/window/window_state.h"
 
-// Shows the view of the scene file.
+// Shows the view in the scene file or, if there is none, the bodies that move.
 void eye_fit_scene(Viewer* viewer);
 
 // Shows the current positions of the bodies without outliers and, if the scene file has a view, this view too.

@@ -175,7 +175,7 @@ static void window_action(Viewer* v, Action action)
 	case ACTION_hover:
 		v->hovers = !v->hovers;
 		break;
-	default: // ACTION_quit
+	default: // ACTION_quit: clears the selection or, if nothing is selected, ends the viewer
 		v->done = !inspect_any(&v->selected);
 		v->selected = (Inspected){0};
 		break;
@@ -236,7 +236,7 @@ void input_button(Viewer* v, bool right, bool down)
 	v->press_y = v->y;
 }
 
-// Magnifies the picture; a followed body stays in the middle.
+// Magnifies the picture around the cursor. A followed body stays followed.
 void input_wheel(Viewer* v, float steps)
 {
 	camera_zoom(&v->camera, v->x, v->y, powf(ZOOM, steps));

@@ -13,7 +13,7 @@ typedef struct
 	scree_tuning solver;
 } Tuning;
 
-// Reads the values of a scene and its world.
+// Reads gravity and solver tuning of a world, and the substeps of its scene.
 scree_status tuning_read(Tuning* tuning, const Scene* scene, const scree_world* world);
 
 // Writes solver tuning and gravity to a world, then substeps to its scene. Stops at the first value that is refused,

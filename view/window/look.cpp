@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// look.cpp -- fonts, colors and sizes of the panel; in C++.
+// look.cpp -- sets fonts, colors and sizes of the panel; in C++.
 #include "view/window/look.h"
 #include "view/window/sizes.h"
 #include <unistd.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// look.h -- fonts, colors and sizes of the panel; in C++.
+// look.h -- sets fonts, colors and sizes of the panel; in C++.
 #ifndef LOOK_H
 #define LOOK_H
 #include <imgui.h>
 
-struct Accents // colors that Dear ImGui does not have
+struct Accents // colors of the panel that are not among those of Dear ImGui
 {
 	ImVec4 band, good, step, frame, limit, key;
 };

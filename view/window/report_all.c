@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// report_all.c -- sets all collidables of a world to report touches and hits, so that the viewer can show them.
+// report_all.c -- sets all collidables of bodies to report touches and hits, so that the viewer can show these events.
 #include "view/window/report_all.h"
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// report_all.h -- sets all collidables of a world to report touches and hits, so that the viewer can show them.
+// report_all.h -- sets all collidables of bodies to report touches and hits, so that the viewer can show these events.
 #ifndef REPORT_ALL_H
 #define REPORT_ALL_H
 #include "scree/scree.h"

@@ -99,7 +99,7 @@ static void print_state(Viewer* v)
 	if (*v->message)
 		printf(", says %s", v->message);
 	printf("\n");
-	fflush(stdout); // sends the line to the program that controls the viewer
+	fflush(stdout); // the program that controls the viewer needs the line at once
 }
 
 // Returns 1 if the viewer is in a state, 0 if not, -1 for an unknown state. The name of a paint is a state, too.
@@ -136,7 +136,7 @@ static bool fail_line(const Script* script, Viewer* v, const char* what, const c
 	return true;
 }
 
-// Runs one line; returns false if it is unknown or failed.
+// Runs one line of the script. Returns false if the command is unknown or failed.
 static bool run_line(Script* script, Viewer* v, const char* line)
 {
 	char word[256], rest = 0;

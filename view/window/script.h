@@ -19,7 +19,7 @@ typedef struct // docs/view.md describes the commands of a script
 bool script_open(Script* script, const char* path, char* sentence);
 void script_close(Script* script);
 
-// Runs the lines that are due; call it before each frame. The end of the file ends the viewer.
+// Runs the lines that are due. Call it before each frame. After the last line the viewer ends.
 void script_run(Script* script, Viewer* viewer);
 
 #endif

@@ -12,7 +12,7 @@
 typedef struct // parameter of a scene
 {
 	char name[64], value[256];
-	char help[200]; // description
+	char help[200]; // description of the parameter, for its tooltip
 } Parameter;
 
 typedef struct
@@ -33,12 +33,12 @@ typedef struct
 	bool paused;
 	int due;            // number of single steps that the user requested and that have not been taken
 	Tuning tuning;      // gravity, substeps and solver tuning
-	float rate;         // simulated seconds per second of the clock, at most 1
+	float rate;         // simulated seconds per second of the clock; at most 1
 	double accumulator; // s: simulated time by which the steps lag behind the clock
 	bool hashed;        // true if hash is the hash of the current state
 	uint64_t hash;      // hash of the world when session_hash was called
 	scree_counters counters;
-	float deepest;             // m: the deepest overlap since the world was created
+	float deepest;             // m: depth of the deepest overlap since the world was created
 	float last;                // ms: duration of the last step
 	float step;                // ms: duration of a step, smoothed
 	float stages[STAGE_TIMES]; // ms: durations of the stages, smoothed

@@ -53,7 +53,7 @@ static void draw_line(const Plot& plot, const History* h, const float* values, I
 		}
 		if (count > 1)
 			ImGui::GetWindowDrawList()->AddPolyline(points, count, color, 0, wide);
-		count = 0; // interrupts the line at a frame without a step
+		count = 0; // a frame without a step interrupts the line
 	}
 }
 

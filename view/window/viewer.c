@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// viewer.c -- operations on the viewer's state: load a scene, change the device, read the world, show messages.
+// viewer.c -- changes the viewer's state: loads a scene, moves the world to a device, reads the world, shows messages.
 #include "view/window/viewer.h"
 #include "view/window/framing.h"
 #include <inttypes.h>
@@ -49,7 +49,7 @@ bool viewer_fetch(Viewer* v, const Style* style)
 	return status == SCREE_OK;
 }
 
-// Finds the collidable under the cursor, within REACH.
+// Finds the collidable under the cursor, at a distance of at most REACH.
 static scree_status find_under(Viewer* v, scree_collidable* found)
 {
 	return inspect_find(v->session.player.world, camera_point(&v->camera, v->x, v->y), REACH / v->camera.scale, found);

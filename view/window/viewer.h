@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// viewer.h -- operations on the viewer's state: load a scene, change the device, read the world, show messages.
+// viewer.h -- changes the viewer's state: loads a scene, moves the world to a device, reads the world, shows messages.
 #ifndef VIEWER_H
 #define VIEWER_H
 #include "view/window/window_state.h"
@@ -7,7 +7,7 @@
 // Shows a message to the user for some seconds.
 void viewer_show(Viewer* viewer, const char* message);
 
-// Ends the viewer with a sentence.
+// Prints a sentence, and ends the viewer with exit code 1.
 void viewer_fail(Viewer* viewer, const char* sentence);
 
 // Reads the world again, after it was replaced or bodies were added or removed. On failure ends the viewer and returns

@@ -53,7 +53,7 @@ static void on_focus(GLFWwindow* window, int focused)
 		return;
 	v->session.player.down = 0;
 	input_hold(v, ACTION_pour, false);
-	v->tools.blasting = false; // cancels the blast
+	v->tools.blasting = false; // the blast ends without an explosion
 }
 
 static void on_scale(GLFWwindow* window, float x, float y)
@@ -176,7 +176,7 @@ static void handle_key(Viewer* v, const WindowEvent* event)
 		if (keys[k] != event->key)
 			continue;
 		bool held = k == ACTION_pour || k == ACTION_blast;
-		// a held key repeats a step only if no step is due
+		// a held key repeats its action for throws, and for steps if no step is due
 		bool repeats = (k == ACTION_step && v->session.due == 0) || k == ACTION_launch;
 		if (held && (released || (ours && event->action == GLFW_PRESS)))
 			input_hold(v, (Action)k, !released);

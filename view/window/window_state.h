@@ -21,18 +21,18 @@ typedef struct // tools of the user, for tools.c
 	Pour pour;
 	float blast;       // m/s: speed that a blast gives a typical body near it
 	bool blasting;     // true while the key of the blast is down
-	double blast_time; // s: time at which the key went down
+	double blast_time; // s: time at which the key of the blast went down
 } Tools;
 
 typedef struct // part of the world that the window shows, for framing.c
 {
 	bool fitted;      // true from the fit of a box until the user moves the picture
-	scree_box box;    // m: the fitted box
+	scree_box box;    // m: box that is fitted into the window
 	bool follows;     // true if the selected body is kept in the middle
 	scree_vec behind; // m: vector from the followed body to the middle of the window; shrinks to 0
 } Eye;
 
-typedef struct // place of the window when it is not full screen, in window units
+typedef struct // place of the window outside of full screen, in window units
 {
 	int x, y, width, height;
 } Place;
@@ -59,8 +59,8 @@ typedef struct
 	Capture capture;
 	float x, y;             // px: position of the cursor
 	float press_x, press_y; // px: position where the left button went down
-	bool panning;           // true if the right button is down, or the left one was pressed beside all bodies
-	Place place;            // place of the window when it is not full screen
+	bool panning;           // true if the right button is down, or the left button was pressed where no body is
+	Place place;            // place of the window outside of full screen
 	bool panel, keys;       // true if the panel is shown; true if the list of keys is shown
 	bool save_window;       // true: saves the window after this frame is drawn
 	double look_time;       // s: time from which the collidable under the cursor may be searched again

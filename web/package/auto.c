@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// auto.c -- device "auto" in a page, where the CPU is the only device: worlds stay on it. Replaces
+// auto.c -- implements device "auto" for a page, where worlds stay on the CPU, the only device. Replaces
 // src/world/device/auto.c.
 #include "world/device/auto.h"
 

@@ -2,8 +2,8 @@
 // generate.mjs -- generate.mjs HEADER RUNTIME FOLDER: writes scree.js, scree.d.ts, the list of exports and layout.c
 // from scree.h.
 //
-// scree.js is RUNTIME after two tables: the members of structs, and the parameters of functions, in codes that
-// runtime.js describes.
+// scree.js consists of two tables and then RUNTIME. The tables contain the members of structs and the parameters of
+// functions, in codes that runtime.js describes.
 import {readFileSync, writeFileSync} from "node:fs";
 import {parse, scalars} from "./header.mjs";
 import {types} from "./types.mjs";
@@ -11,7 +11,7 @@ import {types} from "./types.mjs";
 const [, , headerPath, runtimePath, folder] = process.argv;
 const header = parse(readFileSync(headerPath, "utf8"));
 
-// functions without use in a page: C hooks, device choice, memory that is shared with OpenCL
+// functions that are not useful in a page: C hooks, device choice, memory that is shared with OpenCL
 const left_out = /^scree_(hooks_set|opencl_hint|sharing_name|devices_get_sized|world_(share_\w+|cast_shared_\w+|unshare|measure_bandwidth|write_render_rows|get_sharing|move))$/;
 // functions that only the classes of runtime.js call: create worlds, read rows, set defaults of definitions
 const without_method = /^scree_(world_(create|destroy|get_render_rows)|filter_default|\w+_(default|make)_sized)$/;
@@ -26,7 +26,7 @@ function code(type) {
 	return short(type);
 }
 
-// Returns the codes of a function's parameters, the parameters that a program passes, and the results.
+// Returns for a function: the codes of all parameters, the parameters that a program passes, and the results.
 function describe(f) {
 	const codes = [], given = [], results = [], all = f.parameters;
 	for (let k = 0; k < all.length; ++k) {
@@ -48,7 +48,7 @@ function describe(f) {
 			given.push(p);
 		}
 		else if (f.name === "scree_world_get_states" && p.name === "bodies")
-			codes.push("0"); // omitted, because getBodies lists them in the same order
+			codes.push("0"); // this array is omitted, because getBodies lists the bodies in the same order
 		else if (list) {
 			codes.push(`?${code(p.type)}`);
 			results.push({...p, many: true});
@@ -106,7 +106,7 @@ const structTable = structs.map((s) => [short(s.name), ...s.members.map((m) => m
 const functionTable = described.filter((f) => !without_method.test(f.name))
 	.map((f) => [short(f.name), f.kind, ...f.codes].join(" ")).join("\n");
 
-// converts the names of enumerations: scree_body_type becomes BodyType, the bits SCREE_LOCK_* become Lock
+// converts names of enumerations: scree_body_type to BodyType; bits such as SCREE_LOCK_X are members of Lock
 const camel = (name) => name.replace(/(^|_)([a-z0-9])/g, (_, bar, letter) => letter.toUpperCase());
 const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level/.test(name)).map(([name, e]) => {
 	const names = Object.keys(e.members);

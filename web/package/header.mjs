@@ -7,7 +7,7 @@ const scalars = {
 	uint8_t: ["B", 1], uint16_t: ["h", 2], int64_t: ["l", 8], uint64_t: ["L", 8], char: ["c", 1],
 };
 
-// Returns the text of the lines of a comment, without the slashes and without lines of dashes.
+// Returns the text of a comment, given as lines: without the slashes and without lines of dashes.
 function comment(lines) {
 	return lines.map((line) => line.trim().replace(/^\/\/ ?/, "")).filter((line) => !/^-+$/.test(line)).join("\n");
 }
@@ -82,12 +82,13 @@ function parameters(text) {
 	});
 }
 
-// Computes offsets as clang does for wasm32: each member at a multiple of its alignment, pointers of 4 bytes.
+// Computes offsets as clang does for wasm32: the offset of each member is a multiple of its alignment; pointers have 4
+// bytes.
 function layout(name, block, structs, enums) {
 	const members = [];
 	let offset = 0, alignment = 1;
 	const inside = block.text.slice(block.text.indexOf("{") + 1, block.text.lastIndexOf("}"));
-	// a comment behind a member continues on further lines, which are indented more than members
+	// a comment behind a member may continue on further lines, which are indented more than members
 	let statement = "", note = [], before = [];
 	const finish = () => {
 		const match = /^\s*(const )?(\w+)([^]*)$/.exec(statement);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// libc.c -- replacements for parts of the C library: formatted text, with numbers written by JavaScript, and the log.
+// libc.c -- replaces parts of the C library: formatted text, whose numbers JavaScript writes, and the log.
 //
 // Emscripten's printf and strtof compute in long double, which makes the compressed package 10 kB larger.
 #include <stdarg.h>
@@ -12,7 +12,7 @@
 
 #define IMPORT(name) __attribute__((import_module("scree"), import_name(#name))) js_##name
 
-// Writes a number as printf does for kind 'g' or 'f' with a precision, and returns its length.
+// Writes a number as printf does, and returns the length of the text; kind: 'g' or 'f'.
 int IMPORT(number)(double value, int kind, int precision, char* text);
 double IMPORT(parse)(const char* text);
 void IMPORT(log)(const char* text);
@@ -39,7 +39,8 @@ static void add_integer(Text* t, unsigned long long value, unsigned base, int wi
 	add(t, digits + at, (size_t)(NUMBER_BYTES - at));
 }
 
-// Formats %c %d %f %g %s %u %x with precision, zero padding, l, ll and z: the conversions in the messages of Scree.
+// Formats %c %d %f %g %s %u %x with precision, zero padding, l, ll and z; Scree's messages contain no other
+// conversions.
 int vsnprintf(char* text, size_t size, const char* format, va_list arguments)
 {
 	Text t = {text, size, 0};
@@ -120,7 +121,7 @@ int fprintf(FILE* file, const char* format, ...)
 	return length;
 }
 
-// variants that clang calls if no argument is floating-point (i), or if no argument is a long double (small)
+// clang calls i variants if no argument is floating-point, and small variants if no argument is a long double
 int fiprintf(FILE* file, const char* format, ...) __attribute__((alias("fprintf")));
 int __small_fprintf(FILE* file, const char* format, ...) __attribute__((alias("fprintf")));
 int sniprintf(char* text, size_t size, const char* format, ...) __attribute__((alias("snprintf")));

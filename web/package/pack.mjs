@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// pack.mjs -- pack.mjs SOURCES SCALAR SIMD FOLDER: assembles the package from the builds of two forms, and prints the
-// size of the download for each.
+// pack.mjs -- pack.mjs SOURCES SCALAR SIMD FOLDER: assembles the package from the scalar and the SIMD build, and prints
+// the size of the download for each build.
 //
 // The engine is stored in a JavaScript module, so that every bundler includes it: one text for each column of
-// columns.mjs, with one letter per byte of the engine. The most frequent bytes have letters of one byte. Compressed,
-// the texts are 2 % larger than the bytes that they represent (base64: 35 %).
+// columns.mjs, with one letter per byte of the engine. The most frequent bytes have letters of one byte. After
+// compression the texts are 2 % larger than the compressed bytes of the engine (base64: 35 %).
 import {execFileSync} from "node:child_process";
 import {copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {brotliCompressSync, constants} from "node:zlib";
@@ -15,7 +15,7 @@ const limit = 150000;
 const compressed = (text) => brotliCompressSync(text, {params: {[constants.BROTLI_PARAM_QUALITY]: 11}}).length;
 
 // Writes a column for join(): letters in ascending order represent bytes in ascending order; rare bytes have letters of
-// two bytes. Characters with a meaning between backticks are not used as letters.
+// two bytes. Letters do not include characters with a meaning between backticks.
 function write_column(column) {
 	const times = new Array(256).fill(0), meaning = [10, 13, 36, 92, 96];
 	for (const byte of column)
@@ -44,7 +44,7 @@ function write_module(wasm, head) {
 	return `${head}export const wasm = () => join(${wasm.length}, [${columns.map(write_column).join(",\n")}]);\n`;
 }
 
-// Debian's terser starts only with this NODE_PATH
+// Debian's terser does not start without this NODE_PATH
 const minify = (from, to) => execFileSync("terser", [from, "--compress", "--mangle", "--module", "--comments", "/^ SPDX/", "-o", to],
 	{env: {...process.env, NODE_PATH: "/usr/share/nodejs"}});
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // runtime.js -- the package: loads the engine, and creates methods from the table of functions.
 //
-// A line of STRUCTS is a struct: its name, then member=TYPE, with a number before the type of an array. A line of
-// FUNCTIONS is a function: its name, its result, its parameters. Types: i u f d b B h for int, uint32, float, double,
-// bool, uint8, uint16; l L H for 64 bits as number, as BigInt and as text; else the name of a struct. Results: !
-// status, s text, v none, =T a struct. Parameters: w the world, .T a struct, <T a pointer to a struct that may be null,
-// *T an array, n its length, >T a result, +T one result for each element of the array, ?T c m a list of unknown length
-// with its capacity and count, @T and &T an argument that the function changes, #T a size, $ a text.
+// STRUCTS: a line is a struct: its name, then member=TYPE for each member. A number before TYPE: length of an array.
+// FUNCTIONS: a line is a function: its name, its result, its parameters.
+// Types: i int, u uint32, f float, d double, b bool, B uint8, h uint16; for 64 bits l as number, L as BigInt, H as
+// text; else the name of a struct.
+// Results: ! status, s text, v none, =T a struct.
+// Parameters: w the world; .T a struct; <T a pointer to a struct, which may be null; *T an array; n its length; >T a
+// result; +T one result for each element of the array; ?T, c and m a list of unknown length, its capacity and its
+// count; @T and &T an argument that the function changes; #T a size; $ a text.
 const SIZES = {i: 4, u: 4, f: 4, d: 8, b: 1, B: 1, h: 2, l: 8, L: 8, c: 1, $: 4, p: 4};
 const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 const HANDLES = ["attribute", "body", "collidable", "path", "joint", "field"];
@@ -27,10 +29,10 @@ for (const line of STRUCTS.split("\n")) {
 		alignment = Math.max(alignment, align);
 		floats &&= inner ? inner.floats : type === "f";
 	}
-	// excludes lengths of arrays, sizes and reserved members from objects
+	// objects have no members for lengths of arrays, for sizes, and for reserved members
 	const hidden = new Set(["reserved"]);
 	for (const m of Object.values(members))
-		if (m.counter && m.counter !== "first") // the length of first is the number of queries plus one
+		if (m.counter && m.counter !== "first") // the length of the array "first" is the number of queries plus one
 			hidden.add(m.counter);
 	const shown = Object.entries(members).filter(([key, m]) => m.type !== "z" && m.type !== "p" && !hidden.has(key));
 	layouts[name] = {name, members, shown: Object.fromEntries(shown), size: Math.ceil(offset / alignment) * alignment, alignment, floats};
@@ -92,7 +94,7 @@ class Engine {
 		return this.view;
 	}
 
-	// Allocates memory that is released at the end of the call.
+	// Allocates memory that done() releases at the end of the call.
 	take(bytes) {
 		const at = this.arena + this.top;
 		if (this.top + bytes <= ARENA) {
@@ -137,7 +139,8 @@ class Engine {
 			throw new ScreeError(this.text(this.c.scree_error()), status);
 	}
 
-	// Returns the bytes of a struct before members are set: its default, or zeros with the identity rotation.
+	// Returns the bytes of a struct before its members are set: the default of the struct, or zeros with the identity
+	// rotation.
 	blank(name, value) {
 		const {size, members} = layouts[name], typed = name === "joint_def" || name === "field_def", type = typed ? value?.type ?? 0 : 0;
 		const key = typed ? name + type : name;
@@ -163,7 +166,7 @@ class Engine {
 		return this.blanks[key];
 	}
 
-	// Writes a value of a type to an address; where: the name of the value in messages.
+	// Writes a value of a type to an address; where: name of the value in error messages.
 	put(type, at, value, world, where) {
 		const view = this.fresh(), wrong = (must) => {
 			throw new TypeError(`${where} is ${typeof value === "bigint" || typeof value === "object" ? Object.prototype.toString.call(value) : String(value)}, must be ${must}`);
@@ -264,7 +267,7 @@ class Engine {
 				else
 					value[key] = m.count ? this.getAll(m.type, place, m.count, world) : this.get(m.type, place, world);
 			}
-			// shortens the arrays for eight vertices to the number of vertices of the polygon
+			// the arrays have room for eight vertices; shortens them to the number of vertices of the polygon
 			if (type === "shape")
 				value.vertices.length = value.normals.length = value.count;
 			return value;
@@ -288,7 +291,8 @@ class Engine {
 	}
 }
 
-// Calls a function of the table. world: null for functions without a world; given: the arguments.
+// Calls a function of the table, and returns its results. world: null for functions without a world; given: the
+// arguments.
 function call(engine, f, world, given) {
 	const {c} = engine, values = [], outs = [];
 	let next = 0, count = -1, list;
@@ -323,7 +327,7 @@ function call(engine, f, world, given) {
 			else if (kind === ">" || kind === "+") {
 				const many = kind === "+";
 				outs.push([type, engine.take(size * (many ? count : 1)), many ? count : -1]);
-				// sets the size member of the result
+				// the function needs the size member of the struct for its result
 				if (!many && layouts[type])
 					new Uint8Array(engine.memory.buffer).set(engine.blank(type), outs.at(-1)[1]);
 				values.push(outs.at(-1)[1]);
@@ -435,8 +439,8 @@ export class World {
 		this.pointer = 0;
 	}
 
-	// Returns the same object for the same handle, so that === compares handles, and programs can store data in the
-	// object.
+	// Returns the object of a handle. Equal handles have the same object, so that === compares handles, and programs
+	// can store data in the object.
 	handle(type, index, generation) {
 		const list = (this.known[type] ??= []);
 		if (list[index]?.generation !== generation)
@@ -444,7 +448,7 @@ export class World {
 		return list[index];
 	}
 
-	// Allocates at least this many bytes of permanent memory, for views.
+	// Returns the address of permanent memory for views, named name, with at least this many bytes.
 	block(name, bytes) {
 		const {engine} = this.scree, old = this[name];
 		if (old && old.bytes >= bytes)
@@ -464,7 +468,7 @@ export class World {
 		const {engine} = this.scree, count = bodies?.length;
 		if (count === undefined)
 			throw new TypeError("poses: bodies must be an array");
-		// memory layout: handles, then poses
+		// layout of the memory: handles, then poses
 		const at = this.block("#poses", 24 * count + 8), poses = at + 8 * count;
 		engine.putAll("body", at, bodies, this, "poses: bodies");
 		engine.check(engine.c.scree_bodies_get_poses(this.live(), at, poses, count));
@@ -505,7 +509,7 @@ export class World {
 	}
 }
 
-// Functions on many objects: world.bodies, world.joints, world.collidables, world.movers.
+// Functions on many objects at a time: world.bodies, world.joints, world.collidables, world.movers.
 class Batch {
 	constructor(world, plural) {
 		this.world = world;
@@ -569,7 +573,7 @@ Object.defineProperties(Batch.prototype, Object.fromEntries(Object.entries(batch
 		return own.apply(this, all);
 	}}]))));
 
-// a module with vector instructions: it is valid if the browser supports them
+// a module with vector instructions, which is valid if the browser supports vector instructions
 const VECTORS = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11];
 
 async function compile(wasm) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// types.mjs -- the TypeScript declarations of the package: comments of scree.h become TSDoc.
+// types.mjs -- writes the TypeScript declarations of the package: comments of scree.h become TSDoc.
 import {scalars} from "./header.mjs";
 
 const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
@@ -10,7 +10,7 @@ const plurals = {bodies: "body", joints: "joint", collidables: "collidable", mov
 export function types({header, structs, described, enumerations, short}) {
 	const handles = new Set(header.handles);
 	const enumNames = Object.fromEntries(enumerations.map((e) => [e.name, e.title]));
-	// arguments may be partial: missing members have their defaults
+	// the members of an argument may be missing; missing members have their defaults
 	const type = (name, given) => {
 		if (handles.has(name))
 			return `${title(short(name))} | null`;

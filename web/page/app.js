@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// app.js -- the page: opens the engine and connects the parts of the page to it.
+// app.js -- opens the engine, and connects the parts of the page to the engine.
 import { Body } from './body.js';
 import { Compare } from './compare.js';
 import { $, dress, element, segments } from './dom.js';
@@ -15,8 +15,8 @@ import { fetchScene, fetchScenes, listScenes, markScene } from './scenes.js';
 import { Share } from './share.js';
 import { Theme } from './theme.js';
 
-const DENSEST = 2; // maximum pixels of the picture per pixel of the page: more would reduce a phone's frame rate
-const SLOW_FRAMES = 20; // frames per second below which the picture is drawn more coarsely
+const DENSEST = 2; // maximum pixels of the picture per pixel of the page: more reduce a phone's frame rate
+const SLOW_FRAMES = 20; // with fewer frames per second, the picture is drawn more coarsely
 const FIRST = 'pile';
 const TOOLS = [
 	{ value: 'drag', label: 'Drag', title: 'Drag bodies or the picture', icon: 'drag' },
@@ -25,7 +25,7 @@ const TOOLS = [
 	{ value: 'blast', label: 'Blast', title: 'Hold to grow an explosion, release to set it off', icon: 'blast' },
 	{ value: 'move', label: 'Move', title: 'Drag the picture only', icon: 'move' },
 ];
-// names in browsers of keys that have another name in view/window/keys.def
+// the browser's names of keys that have another name in view/window/keys.def
 const BROWSER_KEYS = { space: ' ', esc: 'Escape' };
 
 class App {
@@ -45,7 +45,7 @@ class App {
 		this.say = (message) => this.host.say(message);
 	}
 
-	// Returns the size of the picture in its pixels.
+	// Returns the size of the picture in its own pixels, and the number of these pixels per pixel of the page.
 	measure() {
 		const box = $('stage').getBoundingClientRect();
 		this.view.density = Math.min(DENSEST, devicePixelRatio || 1);
@@ -57,7 +57,7 @@ class App {
 	}
 
 	async open() {
-		const wish = new URLSearchParams(location.search); // for tests: ?form=scalar&threads=1&apart=0
+		const wish = new URLSearchParams(location.search); // tests use ?form=scalar&threads=1&apart=0
 		await this.host.open(
 			{
 				form: wish.get('form'),
@@ -143,7 +143,7 @@ class App {
 		note(sentence, { kind: 'bad', name: 'picture', lasting: true });
 	}
 
-	// Draws many bodies more coarsely if drawing is slow, as without a graphics card.
+	// Selects coarse drawing if there are many bodies and drawing is slow, as without a graphics card.
 	watch({ paused, frames, elapsed, bodies, times }) {
 		const busy = times.reduce((sum, ms) => sum + ms, 0);
 		const late = !paused && elapsed > 0 && (1000 * frames) / elapsed < SLOW_FRAMES && busy < elapsed / 2;
@@ -153,7 +153,7 @@ class App {
 		this.restyle();
 	}
 
-	// Loads the scene of the address, with its settings and actions.
+	// Loads the scene in the address, with its settings and actions.
 	async openLink() {
 		let link = { name: FIRST, settings: [], script: [], until: null };
 		try {
@@ -167,7 +167,8 @@ class App {
 		if (good && link.script.length > 0) note('Replay of recorded actions. Your first action ends it.', { name: 'replay' });
 	}
 
-	// Loads a scene. Settings that the address does not contain have the page's initial values.
+	// Loads a scene. Settings that are not given have the page's initial values. Returns false if the scene was not
+	// loaded.
 	async load({ name, settings = [], script = [], until = null, keepView = false }) {
 		const scene = this.scenes.get(name);
 		const given = new Map(settings);
@@ -183,7 +184,7 @@ class App {
 		} catch (error) {
 			note(error.message, { kind: 'bad', name: 'load', lasting: true });
 		}
-		if (!good && this.source) this.showSettings(); // the previous scene is still loaded
+		if (!good && this.source) this.showSettings(); // the previous scene is still loaded, so its settings are shown
 		else if (!good && (name !== FIRST || settings.length > 0)) await this.load({ name: FIRST });
 		return Boolean(good);
 	}
@@ -221,7 +222,7 @@ class App {
 		menu.selectedIndex = Math.max(0, Math.min(menu.length - 1, menu.selectedIndex + step));
 		menu.dispatchEvent(new Event('change'));
 	}
-	// Uses a tool at the cursor while a key is down.
+	// Begins to use a tool at the cursor if its key goes down, and ends when the key goes up.
 	holdTool(tool, down) {
 		const at = this.input.cursor;
 		if (at) this.say({ type: down ? 'press' : 'lift', ...at, tool, by: tool });
@@ -235,13 +236,13 @@ class App {
 		if (!(await this.host.ask({ type: 'follow', follows })))
 			note('Nothing is selected that could be followed: click on a body.', { name: 'follow' });
 	}
-	// Loads the previous scene of the list for by = -1, the next one for by = 1.
+	// Loads the scene before (by = -1) or after (by = 1) the current scene in the list.
 	neighbor(by) {
 		this.choose(this.names.at((this.names.indexOf(this.source.name) + by) % this.names.length));
 	}
 
-	// Adds to each action of a list the browser's name of its key and the function to call. Keys of layers and of some
-	// actions press a button; the tooltip of the button names the key.
+	// Returns the actions of a list with the browser's name of the key and the function to call. Keys of layers and of
+	// some actions press a button; the tooltip of such a button names the key.
 	actions(list) {
 		const own = {
 			pause: { button: 'pause' },

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// body.js -- numbers of bodies as text: the most important ones beside the cursor, all of them for the selected body.
+// body.js -- shows numbers of bodies as text: the most important numbers beside the cursor, all numbers of the selected
+// body.
 import { $, element } from './dom.js';
 import { note } from './notes.js';
 
-const BESIDE = 14; // px: distance from the cursor
+const BESIDE = 14; // px: distance of the text from the cursor
 
-// Writes lines of text; the first one is the name.
+// Writes lines of text into a box. The first line is the name of the body.
 function write(box, text) {
 	const [name, ...lines] = text.split('\n');
 	box.replaceChildren(element('b', {}, name), ...lines.map((line) => element('span', {}, line)));
@@ -16,13 +17,13 @@ export class Body {
 		this.follows = false;
 		this.box = $('body');
 		this.all = element('p', { class: 'lines all' });
-		this.few = element('p', { class: 'lines few' }); // replaces all on small screens
+		this.few = element('p', { class: 'lines few' }); // shown on small screens instead of this.all
 		this.button = element('button', { id: 'follow', type: 'button', title: 'follows the selected body until the picture is moved (k)', onclick: () => follow(!this.follows) });
 		const close = element('button', { id: 'forget', type: 'button', title: 'clears the selection (esc)', onclick: forget }, 'deselect');
 		this.box.replaceChildren(this.all, this.few, element('div', { class: 'row' }, this.button, close));
 	}
 
-	// Shows the selected body. numbers: {all, few, gone} or null.
+	// Shows the numbers of the selected body. numbers: {all, few, gone}; null if no body is selected.
 	show(numbers, follows) {
 		this.follows = follows;
 		this.box.hidden = !numbers || numbers.gone;
@@ -37,7 +38,7 @@ export class Body {
 		this.button.setAttribute('aria-pressed', String(follows));
 	}
 
-	// Shows a text beside the cursor, on its right and below it if there is room.
+	// Shows a text beside the cursor: on its right and below it, or on the other sides if there is no room.
 	hover(text, cursor, density) {
 		const tip = $('tip');
 		tip.hidden = text === '' || !cursor;

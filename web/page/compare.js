@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// compare.js -- compares the hash of this page with that of the visitor's machine: the command line, a field to paste
-// into, a verdict.
+// compare.js -- compares the hash of this page with a hash from the visitor's machine: shows a command line, a field
+// for the hash, and a verdict.
 import { $, copyButton, element } from './dom.js';
 
 const HASH = /\b[0-9a-f]{16}\b/;
 
-// Returns the command line that repeats a scene. It contains only settings that differ from the file.
+// Returns the command line that repeats a scene up to a step. It sets only parameters that differ from the scene file.
 export function commandLine({ name, parameters }, settings, step) {
 	const values = new Map(settings);
 	const sets = parameters
@@ -15,8 +15,8 @@ export function commandLine({ name, parameters }, settings, step) {
 	return `build/scree hash ${name}${sets} --steps ${step}`;
 }
 
-// Returns [good, sentence] for a pasted text. good: true if its hash equals the hash of the page, false if it differs,
-// null if there is no hash in the text.
+// Returns [good, sentence] for a pasted text. good: true if the hash in the text equals the hash of the page, false if
+// the two differ, null if the text contains no hash.
 export function verdict(text, hash, step) {
 	const found = text.toLowerCase().match(HASH);
 	if (text.trim() === '') return [null, ''];
@@ -26,7 +26,7 @@ export function verdict(text, hash, step) {
 		: [false, `Different: ${found[0]} there, ${hash} here. Are the steps, the parameters and the version the same?`];
 }
 
-// Returns the words of a line as elements, so that the line breaks only between words.
+// Returns the words of a line as elements, so that the browser breaks the line only between words.
 const unbroken = (line) => line.split(/(?= )/).map((word) => element('span', {}, word));
 
 export class Compare {
@@ -36,7 +36,7 @@ export class Compare {
 		this.box = $('compare');
 	}
 
-	// Shows the hash of a state, the last report of the engine, and the command line for its scene and settings.
+	// Shows the hash in state, the last report of the engine, and the command line for the scene and its settings.
 	show(state, scene, settings, version) {
 		const kind = !state.paused ? 'running' : state.touched ? 'touched' : state.step === 0 ? 'start' : 'ready';
 		const key = kind === 'ready' ? `${scene.name} ${settings} ${state.step} ${state.hash}` : kind;

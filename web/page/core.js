@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// core.js -- methods that call the functions of web/page.c; errors of these functions are thrown as sentences.
+// core.js -- calls the functions of web/page.c, and throws their errors as sentences.
 
 const NUMBERS = [ // in the order of page_numbers
 	'step', 'bodies', 'contacts', 'touching', 'colors', 'ms', 'dt', 'penetration',
@@ -19,7 +19,7 @@ export class Core {
 	numbersAt(pointer, count) {
 		return this.module.HEAPF64.subarray(pointer / 8, pointer / 8 + count);
 	}
-	// Returns all names of a list in the C code.
+	// Returns all names of a list in the C code; get(k) returns the pointer to name k.
 	names(get) {
 		const names = [];
 		for (let k = 0; this.text(get(k)); ++k) names.push(this.text(get(k)));
@@ -36,8 +36,8 @@ export class Core {
 			version: this.text(m._page_version()),
 		};
 	}
-	// Returns as soon as a new world can start its threads: the browser frees those of a destroyed world some time
-	// later.
+	// Resolves as soon as a new world can start its threads: the browser frees the threads of a destroyed world with a
+	// delay.
 	async threadsReady(threads) {
 		const pool = this.module.PThread;
 		while (pool && pool.unusedWorkers.length < threads - 1) await new Promise((resolve) => setTimeout(resolve, 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// dom.js -- helper functions for elements, used by all parts of the page.
+// dom.js -- creates and changes elements, for all parts of the page.
 
 export const $ = (id) => document.getElementById(id);
 
@@ -53,7 +53,8 @@ export function dress(button, name, label) {
 	button.replaceChildren(icon(name));
 }
 
-// Creates radio buttons that look like one bar. choices: [{value, label, title, icon}].
+// Creates radio buttons in a box; together they look like one bar. choices: [{value, label, title, icon}];
+// change(value) is called after a selection.
 export function segments(box, choices, chosen, change) {
 	const name = box.id;
 	box.replaceChildren(
@@ -74,7 +75,7 @@ export function segments(box, choices, chosen, change) {
 	);
 }
 
-// Creates a button that copies a text, and confirms it for a moment.
+// Creates a button that copies the result of text(), and confirms this for a moment.
 export function copyButton(label, text) {
 	const button = element('button', { type: 'button', class: 'copy' }, label);
 	button.addEventListener('click', async () => {

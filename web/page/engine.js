@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// engine.js -- the scene of the page: steps it by the clock, draws it, applies and records the visitor's actions.
+// engine.js -- steps the scene of the page by the clock, draws it, applies and records the visitor's actions.
 //
-// It runs in a worker, or in the page itself if a worker cannot draw. It receives and sends messages, {type, ...}.
+// The engine runs in a worker, or in the page itself if a worker cannot draw. It receives and sends messages,
+// {type, ...}.
 import { Core } from './core.js';
 import { Inspector } from './inspector.js';
 import { Picture } from './picture.js';
@@ -10,7 +11,7 @@ import { Pointer } from './pointer.js';
 import { loadForm } from './wasm.js';
 
 const LONGEST = 30; // ms: maximum duration of the steps in a frame; a slower world falls behind the clock
-const REPORT = 100; // ms between two reports to the page
+const REPORT = 100; // ms: time between two reports to the page
 const COSTLY = 8; // ms: a hash that takes longer is computed only while the scene is paused
 
 const nextFrame = globalThis.requestAnimationFrame
@@ -22,11 +23,11 @@ export class Engine {
 		this.say = say;
 		this.paused = false;
 		this.rate = 1;
-		this.behind = 0; // s of simulated time by which the steps lag behind the clock
+		this.behind = 0; // s: simulated time by which the steps lag behind the clock
 		this.history = []; // ms: durations of the steps since the last report
 		this.changed = true; // true if the picture is out of date
 		this.reported = 0;
-		// true if a frame was drawn since the last report; a paused scene without a new frame sends no reports, so that
+		// true if a frame was drawn since the last report. A paused scene without a new frame sends no reports, so that
 		// the page does no work
 		this.news = false;
 		this.frames = 0;
@@ -47,7 +48,7 @@ export class Engine {
 		this.say({ type: 'ready', form, threads, drawn: this.picture.drawn, ...this.core.lists() });
 	}
 
-	// Handles a message; an error is sent as a sentence.
+	// Handles a message. If this fails, sends a message with a sentence.
 	async hear(message) {
 		try {
 			this.changed ||= message.type !== 'hover';
@@ -58,7 +59,8 @@ export class Engine {
 		}
 	}
 
-	// Loads a scene. script: actions to play; until: {step, hash} at the end of their recording.
+	// Loads a scene. script: recorded actions to play; until: {step, hash} at the end of the recording; null: no
+	// recording.
 	async load({ name, text, settings, script = [], until = null, keepView = false, paused = this.paused }) {
 		await this.core.threadsReady(this.threads);
 		this.pointer.cancel();
@@ -132,7 +134,7 @@ export class Engine {
 	cancel() {
 		this.pointer.cancel();
 	}
-	// Handles a move of the mouse over the picture; over is false when the mouse leaves it.
+	// Handles a move of the mouse over the picture; over: false when the mouse leaves the picture.
 	hover({ x, y, over }) {
 		this.inspector.hover(over ? { x, y } : null);
 		if (over) this.pointer.move({ x, y, by: 'hover' });
@@ -147,14 +149,14 @@ export class Engine {
 		if (down !== this.player.keys) this.act('keys', [down]);
 	}
 
-	// Returns the actions since the start, the step and the hash, for links and tests.
+	// Returns the visitor's actions since the start of the scene, the step and the hash, for links and tests.
 	record() {
 		return { actions: this.player.done, step: this.step, hash: this.core.hash() };
 	}
 	look() {
 		return this.picture.look();
 	}
-	// Updates the inspected numbers at once.
+	// Reads the inspected numbers at once, for tests.
 	looked() {
 		this.inspector.fresh = true;
 		this.inspector.next = 0;
@@ -170,7 +172,7 @@ export class Engine {
 		this.picture.lose(restore);
 	}
 
-	// Applies an action of the visitor, which ends a replay.
+	// Applies and records an action of the visitor. The action ends a replay.
 	act(name, values) {
 		return this.player.act(this.step, name, values);
 	}
@@ -192,7 +194,7 @@ export class Engine {
 		if (this.player.until?.step === this.step) this.verdict();
 	}
 
-	// Compares the hash at the end of a replay with the recorded one, and pauses.
+	// Compares the hash at the end of a replay with the recorded hash, reports the result, and pauses.
 	verdict() {
 		const hash = this.core.hash();
 		const expected = this.player.until.hash;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// graph.js -- a graph of the durations of the last steps, with a line at 16.7 ms, the limit for 60 steps per second.
+// graph.js -- draws a graph of the durations of the last steps, with a line at 16.7 ms, the limit for 60 steps per
+// second.
 
 const KEPT = 240; // number of steps shown
-const FRAME = 1000 / 60; // ms: 60 steps per second
+const FRAME = 1000 / 60; // ms: duration of a step at 60 steps per second
 
 export class Graph {
 	constructor(canvas) {
@@ -16,7 +17,7 @@ export class Graph {
 		this.times = [];
 	}
 
-	// Returns the median of the durations shown, ms.
+	// Returns the median of the durations in the graph, ms.
 	get median() {
 		const sorted = this.times.slice(-60).sort((a, b) => a - b);
 		return sorted.length > 0 ? sorted[Math.floor(sorted.length / 2)] : null;
@@ -40,7 +41,7 @@ export class Graph {
 		this.canvas.height = height * density;
 		const pen = this.canvas.getContext('2d');
 		pen.scale(density, density);
-		// ignores single slow steps, such as the first, which would flatten all others
+		// single slow steps, such as the first, do not change the height: they would flatten all other steps
 		const sorted = [...this.times].sort((a, b) => a - b);
 		const most = Math.max(FRAME * 1.35, 1.2 * (sorted[Math.floor(0.98 * sorted.length)] ?? 0));
 		const y = (ms) => Math.max(0, height - 1 - (ms / most) * (height - 2));

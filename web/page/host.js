@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// host.js -- starts the engine, in a worker that draws into the canvas or else in the page itself, and sends it
-// messages.
+// host.js -- starts the engine, and exchanges messages with it. The engine runs in a worker that draws into the canvas,
+// or else in the page itself.
 import { bestForm, bestThreads, FORMS } from './wasm.js';
 
-// Returns true if a worker can draw into a canvas: with WebGL 2, unless the page itself has no WebGL 2 either.
+// Returns true if a worker can draw into a canvas with WebGL 2. Returns true, too, if the page itself has no WebGL 2,
+// so that a worker loses nothing.
 function workersDraw() {
 	if (!globalThis.Worker || !HTMLCanvasElement.prototype.transferControlToOffscreen) return false;
 	const draws = (canvas) => Boolean(canvas.getContext('webgl2'));
@@ -14,7 +15,7 @@ function workersDraw() {
 	}
 }
 
-// Returns true if workers can be modules.
+// Returns true if the browser supports modules as workers.
 function workersAreModules() {
 	let asked = false;
 	try {
@@ -39,8 +40,8 @@ export class Host {
 		this.number = 0;
 	}
 
-	// Starts the engine. wish: {form, threads, apart} from the address; missing members get the best values for the
-	// browser.
+	// Starts the engine. wish: {form, threads, apart} from the address. For missing members, selects the best values
+	// for the browser.
 	async open(wish, { width, height, density }) {
 		this.apart = wish.apart ?? (workersDraw() && workersAreModules());
 		const form = FORMS.includes(wish.form) ? wish.form : bestForm(this.apart);
@@ -65,7 +66,7 @@ export class Host {
 		const resolve = message.id === undefined ? null : this.waiting.get(message.id);
 		if (resolve) this.waiting.delete(message.id);
 		if (message.type !== 'answer') this.hear(message);
-		resolve?.(message.answer); // undefined after an error
+		resolve?.(message.answer); // the answer is undefined after an error
 	}
 
 	say(message) {
@@ -73,7 +74,7 @@ export class Host {
 		else this.turn = this.turn.then(() => this.engine.hear(message));
 	}
 
-	// Sends a message and returns a promise of its answer.
+	// Sends a message, and returns a promise of the engine's answer.
 	ask(message) {
 		const id = ++this.number;
 		return new Promise((resolve) => {

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// input.js -- mouse, pen and fingers in the picture: one pointer drags or uses a tool, two fingers move and zoom, the
-// wheel zooms.
+// input.js -- handles mouse, pen and fingers in the picture: one pointer drags or uses a tool, two fingers move and
+// zoom, the wheel zooms.
 
-const WHEEL = 0.0016; // logarithm of the zoom factor per pixel of the wheel
-const LINE = 33; // px: one line of the wheel, for browsers that report lines
+const WHEEL = 0.0016; // natural logarithm of the zoom factor per pixel of the wheel
+const LINE = 33; // px: height of a line, for browsers that report the wheel in lines
 
 export class Input {
-	// view: {density}: pixels of the picture per pixel of the page
+	// view.density: pixels of the picture per pixel of the page
 	constructor(canvas, view, say, tool) {
 		this.canvas = canvas;
 		this.view = view;
 		this.say = say;
 		this.tool = tool;
 		this.pointers = new Map();
-		this.single = null; // id of the pointer that drags; null if there is none
-		this.cursor = null; // position of the mouse, px of the picture
+		this.single = null; // id of the pointer that drags or uses a tool; null if there is none
+		this.cursor = null; // px of the picture: position of the pointer; null if the mouse has left the picture
 		canvas.addEventListener('pointerdown', (event) => this.down(event));
 		canvas.addEventListener('pointermove', (event) => this.move(event));
 		canvas.addEventListener('pointerup', (event) => this.up(event));
@@ -35,7 +35,7 @@ export class Input {
 	down(event) {
 		const at = this.place(event);
 		this.canvas.focus({ preventScroll: true });
-		this.canvas.classList.add('pointed'); // hides the focus ring of the picture for users of a mouse
+		this.canvas.classList.add('pointed'); // the focus ring of the picture is only for users of the keyboard
 		this.canvas.setPointerCapture(event.pointerId);
 		this.pointers.set(event.pointerId, at);
 		if (this.pointers.size === 1) {
@@ -65,7 +65,8 @@ export class Input {
 		this.say({ type: 'hover', over: false });
 	}
 
-	// Handles a move of one of two fingers: the picture follows their middle and their distance.
+	// Handles a move of one of two fingers: moves the picture with the point between the fingers, and scales it with
+	// their distance.
 	pinch(id, before, at) {
 		const [other] = [...this.pointers].filter(([key]) => key !== id).map(([, value]) => value);
 		const middle = (a) => ({ x: (a.x + other.x) / 2, y: (a.y + other.y) / 2 });
@@ -83,7 +84,7 @@ export class Input {
 		this.say(event.type === 'pointerup' ? { type: 'lift', ...this.place(event) } : { type: 'cancel' });
 	}
 
-	// Cancels the current action, including that of a tool whose key is down.
+	// Cancels the current action, also that of a tool whose key is down.
 	cancel() {
 		this.say({ type: 'cancel' });
 		this.single = null;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// inspector.js -- data that the visitor inspects without changing the world: numbers of bodies, the followed body,
-// legends.
+// inspector.js -- reads data that the visitor inspects without changing the world: numbers of bodies, the followed
+// body, legends.
 
-// px of the page: a shape within this distance of the cursor counts as under it, so that segments can be selected
+// px of the page: maximum distance of a shape from the cursor when the visitor points at it; segments have no area
 const REACH = 3;
-// Delay until the next reading, as a multiple of the duration of the last one. The first query after a step computes
-// boxes of all bodies that move, which for many bodies takes as long as a step.
+// Delay until the next reading, as a multiple of the duration of the last reading. The first query after a step
+// computes boxes of all bodies that move, which for many bodies takes as long as a step.
 const REST = 9;
-const SOONEST = 50; // ms: digits that change faster cannot be read
+const SOONEST = 50; // ms: minimum time between readings; digits that change faster cannot be read
 
 export class Inspector {
 	constructor(core, picture, say) {
@@ -15,11 +15,11 @@ export class Inspector {
 		this.module = core.module;
 		this.picture = picture;
 		this.say = say;
-		this.cursor = null; // position of the mouse over the picture, px of the picture
+		this.cursor = null; // px of the picture: position of the mouse; null if the mouse is not over the picture
 		this.begin();
 	}
 
-	// Resets everything for a new world.
+	// Resets the selection and all data for a new world.
 	begin() {
 		this.next = 0; // ms: time of the next reading
 		this.selected = false;
@@ -44,7 +44,8 @@ export class Inspector {
 		this.fresh = true;
 	}
 
-	// Starts or stops keeping the selected body in the middle of the picture.
+	// Starts or stops keeping the selected body in the middle of the picture. Returns false if there is no body to
+	// follow.
 	follow(follows) {
 		const good = Boolean(this.module._page_follow(follows));
 		if (good) this.picture.fitted = false;
@@ -52,7 +53,8 @@ export class Inspector {
 		return good === follows;
 	}
 
-	// Reads the numbers that are due, once per frame. quiet: ignores the cursor, because it is in use.
+	// Reads the numbers if a reading is due; called once per frame. quiet: the pointer is in use, so nothing under the
+	// cursor is read.
 	look(quiet) {
 		const now = performance.now();
 		if (!this.fresh || now < this.next) return;
@@ -72,8 +74,8 @@ export class Inspector {
 		return this.core.text(this.module._page_hover(this.cursor.x, this.cursor.y, REACH * this.picture.density));
 	}
 
-	// Returns the numbers of the selected body, {all, few, gone}: lines of text. If it no longer exists, the selection
-	// is cleared.
+	// Returns the numbers of the selected body, {all, few, gone}; all and few are lines of text. If the body no longer
+	// exists, clears the selection.
 	numbers() {
 		const gone = !this.module._page_read_selected();
 		const [all, few] = [0, 1].map((short) => this.core.text(this.module._page_selected(short)));

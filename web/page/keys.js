@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// keys.js -- the keyboard: keys of the page and of the scene; on touch screens, buttons for the keys of the scene.
+// keys.js -- handles the keyboard: keys of the page and of the scene. On touch screens, shows buttons for the keys of
+// the scene.
 import { $, dress, element } from './dom.js';
 
-// names of the scene keys in browsers
+// the browser's names of the keys that scenes use
 const CODES = {
 	left: 'ArrowLeft', right: 'ArrowRight', up: 'ArrowUp', down: 'ArrowDown', space: 'Space', shift: 'ShiftLeft',
 	enter: 'Enter', a: 'KeyA', d: 'KeyD', s: 'KeyS', w: 'KeyW',
@@ -10,15 +11,16 @@ const CODES = {
 const ARROWS = ['left', 'up', 'down', 'right'];
 
 export class Keys {
-	// actions: [{key, shown, help, run, hold}]: run() is called at a press, hold(down) at press and release; the list
-	// of keys omits actions without shown. names: names of the scene keys; hold(bits): receives those that are down
+	// actions: [{key, shown, help, run, hold}]. run() is called at a press; hold(down) is called at press and release.
+	// The list of keys omits actions without shown. names: names of the keys that scenes use; hold(bits): receives the
+	// pressed keys, bit k for name k.
 	constructor(actions, names, hold) {
-		this.held = new Set(); // actions whose key is down
+		this.held = new Set(); // actions with hold() whose key is down
 		this.actions = new Map(actions.map((action) => [action.key, action]));
 		this.codes = new Map(names.map((name, bit) => [CODES[name], bit]));
 		this.names = names;
 		this.hold = hold;
-		this.wanted = 0; // keys that the scene uses
+		this.wanted = 0; // keys that the scene uses, as bits
 		this.down = 0;
 		addEventListener('keydown', (event) => this.press(event));
 		addEventListener('keyup', (event) => this.lift(event));
@@ -65,7 +67,7 @@ export class Keys {
 		if (this.held.delete(action)) action.hold(false);
 	}
 
-	// Sets the keys of another scene, as bits.
+	// Begins to use the keys of another scene, given as bits.
 	use(wanted) {
 		this.set(0);
 		this.wanted = wanted;

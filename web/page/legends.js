@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// legends.js -- explanations of the colors in the picture. Words, numbers and colors are those of view/legend.c.
+// legends.js -- shows legends, the explanations of the colors in the picture. Words, numbers and colors are from
+// view/legend.c.
 import { $, element } from './dom.js';
 
 let shown = '';
 
-// Returns the CSS of a color bar, from left to right: a gradient, or blocks of one color each.
+// Returns the CSS of a color bar, from left to right: a gradient or, with blocks, one block for each color.
 function gradient(colors, blocks) {
 	const share = (k) => `${((100 * k) / colors.length).toFixed(2)}%`;
 	const stops = blocks ? colors.map((color, k) => `${color} ${share(k)} ${share(k + 1)}`) : colors;
@@ -18,7 +19,7 @@ function draw({ title, blocks, low, high, ticks = [] }) {
 	bar.firstElementChild.style.backgroundImage = flat ? 'none' : gradient(low, blocks);
 	const words = ticks.map(([at, text]) => {
 		const tick = element('span', {}, text);
-		// clamps the first and the last text to the ends of the color bar
+		// keeps the first and the last text within the ends of the color bar
 		tick.style.left = `${100 * at}%`;
 		tick.style.transform = `translateX(${at < 0.04 ? 0 : at > 0.96 ? -100 : -50}%)`;
 		return tick;

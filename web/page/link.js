@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// link.js -- the part of the address after #: scene, parameters, actions of the visitor, and the hash after them.
+// link.js -- reads and writes the part of the address after #: scene, parameters, actions of the visitor, and the hash
+// after the actions.
 //
 // #pile?count=500&do=...&at=321&hash=0123456789abcdef
 import { decodeActions, encodeActions } from './record.js';
 
-export const LONGEST = 16000; // characters: longer addresses are cut off by some programs that transmit them
+export const LONGEST = 16000; // characters: some programs that transmit addresses cut off longer addresses
 const RESERVED = ['do', 'at', 'hash'];
 
 export function writeLink({ name, settings, record }) {
@@ -18,7 +19,7 @@ export function writeLink({ name, settings, record }) {
 	return `#${name}${text ? `?${text}` : ''}`;
 }
 
-// Returns {name, settings, script, until}; throws an error with a sentence.
+// Returns {name, settings, script, until} for the part of an address. Throws an error with a sentence if it is invalid.
 export function readLink(fragment) {
 	const [name, query = ''] = fragment.replace(/^#/, '').split('?');
 	const values = new URLSearchParams(query);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// numbers.js -- numbers of the world, updated at most four times per second.
+// numbers.js -- shows numbers of the world, which change at most four times per second.
 import { $, element } from './dom.js';
 import { Graph } from './graph.js';
 

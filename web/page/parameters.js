@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// parameters.js -- the parameters of a scene as sliders with a field beside each.
+// parameters.js -- shows the parameters of a scene as sliders, with a field beside each slider.
 import { $, element } from './dom.js';
 
-const STEPS = 400; // steps of a slider
+const STEPS = 400; // number of steps of a slider
 const FACTOR = 4; // upper end of a slider as a multiple of the initial value, if the scene allows it
-const WAIT = 250; // ms without a change after which the scene restarts
+const WAIT = 250; // ms: the scene restarts if the sliders have not moved for this time
 
-// Returns the ends of a slider: those of the scene, but narrow enough that useful values are easy to set by hand.
+// Returns the ends of a slider: the limits of the scene, or nearer ends, so that useful values are easy to set by hand.
 function ends({ start, min, max, integer }) {
 	const reach = Math.max(Math.abs(start), integer ? 3 : 1) * FACTOR;
 	const low = min ?? -reach;
@@ -24,7 +24,7 @@ function row(parameter, value, change) {
 	const { name, description, min, max, integer } = parameter;
 	const id = `parameter-${name}`;
 	const [low, high] = ends(parameter);
-	// wide ranges have steps that grow with the value
+	// in a wide range, the steps of the slider grow with the value
 	const curve = low >= 0 && high - low > 60 ? 2 : 1;
 	const toSlider = (v) => STEPS * Math.min(1, Math.max(0, (v - low) / (high - low))) ** (1 / curve);
 	const fromSlider = (s) => tidy(low + (high - low) * (s / STEPS) ** curve, parameter);
@@ -70,7 +70,8 @@ function row(parameter, value, change) {
 	);
 }
 
-// Shows the parameters. change(settings) is called WAIT after the last move of a slider, and at once for a field.
+// Shows the parameters. change(settings) is called WAIT ms after the last move of a slider, and at once after a change
+// in a field.
 export function showParameters(scene, settings, change) {
 	const values = new Map(settings);
 	let timer = 0;

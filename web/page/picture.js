@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// picture.js -- the picture of the scene: a WebGL 2 context, which can be lost and restored, and marks for the
+// picture.js -- draws the picture of the scene in a WebGL 2 context, which can be lost and restored, with marks for the
 // visitor's tools.
 
 const FLASH = 350; // ms: duration of the ring of a blast
@@ -9,15 +9,15 @@ export class Picture {
 		this.core = core;
 		this.module = core.module;
 		this.canvas = canvas;
-		this.tell = tell; // receives a sentence about the picture; empty: no error
+		this.tell = tell; // called with a sentence about the picture; empty: no error
 		this.density = 1; // pixels of the picture per pixel of the page
 		this.arrow = null; // m: [x, y of the start, x, y of the tip]; null: no arrow
-		this.rings = []; // {at, radius, born}
-		this.blast = null; // {at, radius()} of a growing blast; radius in px
+		this.rings = []; // {at, radius, born} of each ring: m, m, ms
+		this.blast = null; // {at, radius()} of a growing blast: m, px
 		this.styled = [0, 0, false, false];
 		this.fitted = true; // true: the whole scene stays visible when the size of the picture changes
 		canvas.addEventListener('webglcontextlost', (event) => {
-			event.preventDefault(); // allows the browser to restore the context
+			event.preventDefault(); // without this call the browser does not restore the context
 			this.drawn = false;
 			this.module._page_close_picture();
 			this.tell('This page lost its WebGL context. The scene continues; the picture returns when the browser restores the context.');
@@ -70,7 +70,8 @@ export class Picture {
 		this.fitted = false;
 		this.module._page_zoom(x, y, factor);
 	}
-	// Sets the style. paint: index; layers: bits; slow: draw coarsely; dark: dark background.
+	// Sets the style. paint: index of the paint; layers: bits; slow: true for coarse drawing; dark: true for a dark
+	// background.
 	style(paint, layers, slow, dark) {
 		this.styled = [paint, layers, slow, dark];
 		this.module._page_style(...this.styled);
@@ -93,7 +94,7 @@ export class Picture {
 		this.core.check(this.module._page_draw());
 	}
 
-	// Returns the current pixels: rows from the top, four bytes per pixel.
+	// Draws, and returns the pixels: rows from the top, four bytes per pixel. For tests.
 	look() {
 		this.draw();
 		const { gl, width, height } = this;
@@ -105,14 +106,14 @@ export class Picture {
 		return { width, height, pixels };
 	}
 
-	// Returns the pixel at a point of the world.
+	// Returns the pixel at a point of the world, [x, y].
 	project(x, y) {
 		const [left, top] = this.core.point(0, 0);
 		const scale = this.module._page_scale();
 		return [(x - left) * scale, (top - y) * scale];
 	}
 
-	// Simulates the loss of the context, or its restoration, for tests.
+	// For tests: simulates the loss of the context or, if restore is true, its restoration.
 	lose(restore) {
 		this.loss ??= this.gl.getExtension('WEBGL_lose_context');
 		if (restore) this.loss.restoreContext();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// player.js -- applies and records actions of the visitor; plays recorded ones.
+// player.js -- applies and records actions of the visitor; plays recorded actions.
 import { makeAction } from './record.js';
 
 export class Player {
@@ -10,9 +10,9 @@ export class Player {
 
 	start(script, until) {
 		this.script = script;
-		this.until = until; // {step, hash}: end of the script
+		this.until = until; // {step, hash} at the end of the script; null: no script, or its end was reached
 		this.next = 0; // index of the script's next action
-		this.done = []; // actions that were applied
+		this.done = []; // actions that were applied, as a recording
 		this.keys = 0; // keys that are down, as bits
 	}
 
@@ -23,7 +23,7 @@ export class Player {
 		return this.done.length > 0;
 	}
 
-	// Applies an action. Returns true if it had an effect; only then is it recorded.
+	// Applies an action. Returns true if the action had an effect; act() does not record an action without effect.
 	apply(action) {
 		const m = this.module;
 		const v = action.values;
@@ -42,13 +42,13 @@ export class Player {
 				return m._page_throw(v[0], v[1], v[2], v[3], v[4]);
 			case 'blast':
 				return m._page_blast(v[0], v[1], v[2], v[3]);
-			default: // keys
+			default: // keys: the value is the pressed keys
 				this.keys = v[0];
 				return true;
 		}
 	}
 
-	// Applies and records an action of the visitor before a step. It ends the script.
+	// Applies and records an action of the visitor before a step. The action ends the script.
 	act(step, name, values) {
 		this.script = [];
 		this.next = 0;

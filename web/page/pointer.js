@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// pointer.js -- actions of one finger, the mouse or a held key in the picture: drag bodies or the picture, throw, pour,
-// blast, select.
+// pointer.js -- turns motions of one finger, of the mouse or with a held key into actions: drag bodies or the picture,
+// throw, pour, blast, select.
 
 const THROW_TIME = 0.25; // s: time in which a thrown body covers the distance from press to release
 const FASTEST = 200; // m/s: maximum speed of a thrown body
-const THROWN = 28; // px: size of a thrown body, so that it is visible at any scale
-const CLICK = { mouse: 4, touch: 10 }; // px: maximum motion of a click
+const THROWN = 28; // px of the page: size of a thrown body, so that the body is visible at any scale
+const CLICK = { mouse: 4, touch: 10 }; // px of the page: maximum motion in a click
 const HOLD = 250; // ms: after this time a press on a body drags it, even without motion
 
 export class Pointer {
@@ -16,9 +16,9 @@ export class Pointer {
 		this.picture = picture;
 		this.act = act;
 		this.select = select;
-		this.mode = null; // 'press', 'hold', 'pan', 'throw', 'pour', 'blast'
+		this.mode = null; // 'press', 'hold', 'pan', 'throw', 'pour', 'blast'; null: no action
 		this.by = null; // source of the press: 'pointer', or the tool whose key is down
-		this.wanted = null; // px of the picture: target of the held body, or of pouring, for the next step
+		this.wanted = null; // px of the picture: target of the held body, or place of pouring, in the next step
 	}
 
 	get holds() {
@@ -28,7 +28,7 @@ export class Pointer {
 		return this.mode !== null;
 	}
 
-	// Handles a press. finger: 'mouse' or 'touch'; selects: a click may select a body.
+	// Handles a press. finger: 'mouse' or 'touch'; selects: true if a click may select a body.
 	press({ x, y, tool, by = 'pointer', finger = 'mouse', selects = true }) {
 		this.cancel();
 		this.by = by;
@@ -57,7 +57,7 @@ export class Pointer {
 		if (this.mode === 'hold' || this.mode === 'pour') this.wanted = [x, y];
 		if (this.mode === 'throw') this.picture.arrow = [...this.core.point(...this.from), ...this.core.point(x, y)];
 		if (this.mode === 'blast') this.picture.blast.at = this.core.point(x, y);
-		// keeps the start, so that the picture moves by the whole distance once the press is no longer a click
+		// keeps x and y during a click; when the press becomes a drag, the picture moves by the whole distance
 		if (this.mode === 'pan' && this.clicks) return;
 		this.x = x;
 		this.y = y;
@@ -74,13 +74,13 @@ export class Pointer {
 		if (clicked) this.select(...from, room);
 	}
 
-	// Ends the current action without its effect, because the pointer left or another action begins.
+	// Ends the current action; a throw or a blast then has no effect.
 	cancel() {
 		if (this.mode === 'hold' || this.mode === 'pour') this.act('release');
 		this.mode = this.by = this.wanted = this.picture.arrow = this.picture.blast = null;
 	}
 
-	// Turns a press into a drag, at the point of the body that was pressed, which may have moved since.
+	// Turns a press into a drag, at the point of the body that was pressed; the body may have moved since the press.
 	hold() {
 		this.clicks = false;
 		const place = this.module._page_reached();
@@ -88,7 +88,7 @@ export class Pointer {
 		if (this.mode === 'hold') this.wanted = [this.x, this.y];
 	}
 
-	// Pulls once per step, independent of the rate of pointer events.
+	// Moves the target of the held body once per step, independent of the rate of pointer events.
 	beforeStep() {
 		if (this.mode === 'press' && performance.now() - this.begun > HOLD) this.hold();
 		if (!this.wanted) return;

@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: MIT
-// record.js -- actions of a visitor with their step numbers, and their encoding as a short text for links.
+// record.js -- creates actions of a visitor with their step numbers, and encodes them as a short text for links.
 //
-// An action is {step, kind, values}: it happened before that step; the first step is number 0. Values are whole
+// An action is {step, kind, values}; the visitor did it before this step. The first step is number 0. Values are whole
 // multiples of a unit that is a power of two, so that decoding gives exactly the floats that were applied to the world.
-// Positions are stored as the difference from the position before.
+// Positions are stored as differences from the previous position.
 
 const LENGTH = 1 / 4096; // m
 const SPEED = 1 / 256; // m/s
 const IMPULSE = 1 / 4096; // N s/m
 const position = [LENGTH, LENGTH];
 
-// units of the values; except for keys, the first two values are a position
+// units of the values; the first two values are a position, except for keys
 export const KINDS = [
 	{ name: 'pick', units: position },
 	{ name: 'pull', units: position },
 	{ name: 'release', units: [] },
 	{ name: 'throw', units: [...position, SPEED, SPEED, LENGTH] }, // position, velocity, size
 	{ name: 'blast', units: [...position, LENGTH, IMPULSE] }, // position, radius, impulse
-	{ name: 'keys', units: [1] }, // bits by the keys of scene_keys.def
-	{ name: 'pour', units: position }, // lasts until a release; a pull moves the position
+	{ name: 'keys', units: [1] }, // pressed keys: bit k for entry k of scene_keys.def
+	{ name: 'pour', units: position }, // pouring lasts until a release; a pull moves the position
 ];
 const kindOf = new Map(KINDS.map((kind, index) => [kind.name, index]));
 
-// Returns an action with its values rounded to units.
+// Returns an action with its values rounded to multiples of their units.
 export function makeAction(step, name, values = []) {
 	const { units } = KINDS[kindOf.get(name)];
 	return { step, kind: name, values: units.map((unit, k) => Math.fround(Math.round(values[k] / unit) * unit)) };
 }
 
-// Writes a number below 2^53 in bytes of seven bits, the lowest first.
+// Writes a number below 2^53 as bytes of seven bits each, the lowest bits first.
 function writeNumber(bytes, number) {
 	while (number > 127) {
 		bytes.push((number % 128) + 128);

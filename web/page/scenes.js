@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scenes.js -- the list of scenes with their thumbnails.
+// scenes.js -- shows the list of scenes with their thumbnails.
 import { $, element } from './dom.js';
 
 export async function fetchScenes() {
@@ -14,11 +14,11 @@ export async function fetchScene(name) {
 	return response.text();
 }
 
-// distance from the visible part within which thumbnails are loaded; browsers themselves load pictures from much
-// farther away
+// distance from the visible part of the list within which thumbnails are loaded. Browsers themselves load
+// pictures from much farther away
 const NEAR = '120px';
 
-// Loads the thumbnails that are visible, and those near them.
+// Loads thumbnails as soon as they are within NEAR of the visible part of the list.
 function loadWhenSeen(images) {
 	const observer = new IntersectionObserver(
 		(entries) => {

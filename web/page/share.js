@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// share.js -- links to the current scene: its parameters, and the visitor's actions, which can be played again.
+// share.js -- creates links to the current scene: its parameters, and the visitor's actions, which can be played again.
 import { $, copyButton, element } from './dom.js';
 import { LONGEST, writeLink } from './link.js';
 
 export class Share {
-	// source() returns {name, settings}; record() returns the visitor's actions, from the engine
+	// source() returns {name, settings}; record() returns the result of Engine.record(); replay() starts a replay
 	constructor(source, record, replay) {
 		this.source = source;
 		this.record = record;
@@ -28,7 +28,8 @@ export class Share {
 			: 'The link contains the scene and its parameters. Your actions on bodies will be added.';
 	}
 
-	// Creates the address. If there are too many actions, it omits them, and a sentence reports this.
+	// Returns the address of the scene with the visitor's actions. If this is too long, returns the address without
+	// actions, and shows a sentence.
 	async make() {
 		const record = await this.record();
 		const base = location.origin + location.pathname;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// theme.js -- the light or dark theme: that of the system until the visitor selects one. Sends the event 'theme' to the
-// window when it changes.
+// theme.js -- selects the light or the dark theme: the theme of the system, until the visitor selects one. Sends the
+// event 'theme' to the window when the theme changes.
 import { $, dress } from './dom.js';
 
 const KEY = 'scree-theme';
 
-// Returns the visitor's selection from an earlier visit; null if the browser stores nothing.
+// Returns the theme that the visitor selected in an earlier visit; null if the browser has stored nothing.
 function remembered() {
 	try {
 		return localStorage.getItem(KEY);
@@ -32,7 +32,7 @@ export class Theme {
 		try {
 			localStorage.setItem(KEY, name);
 		} catch {
-			// the selection lasts for this visit only
+			// the browser stores nothing, so the selection lasts for this visit only
 		}
 		this.apply();
 	}

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// wasm.js -- selects and loads a form of Scree's WebAssembly: threads, simd or scalar.
+// wasm.js -- selects and loads a build of Scree's WebAssembly: threads, simd or scalar.
 
-// a module with vector instructions: it is valid if the browser supports them
+// a module with vector instructions, which is valid if the browser supports vector instructions
 const VECTOR = [
 	0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ];
 
 export const FORMS = ['threads', 'simd', 'scalar'];
 
-// Returns the fastest form that this page can run. apart: the engine is in a worker, which may wait for threads.
+// Returns the fastest build that this page can run. apart: the engine runs in a worker, which may block.
 export function bestForm(apart) {
 	if (!WebAssembly.validate(new Uint8Array(VECTOR))) return 'scalar';
 	return apart && globalThis.crossOriginIsolated && bestThreads() > 1 ? 'threads' : 'simd';
 }
 
-// Returns the best number of threads: one per core, minus one for the page itself. Scenes of the page are too small
-// for more than four.
+// Returns the best number of threads: one per core, minus one for the page itself, but at most four, because the
+// scenes of the page are small.
 export function bestThreads() {
 	return Math.max(1, Math.min(4, (globalThis.navigator?.hardwareConcurrency ?? 2) - 1));
 }
@@ -24,7 +24,8 @@ export async function loadForm(form, threads) {
 	const { default: open } = await import(`./scree-${form}.js`);
 	return open({
 		locateFile: (name) => new URL(name, import.meta.url).href,
-		// number of workers that Emscripten starts in advance: a world opens before the previous one closes
+		// number of workers that Emscripten starts in advance: twice the number that a world needs, because a new world
+		// opens before the previous world closes
 		workers: 2 * (threads - 1),
 	});
 }

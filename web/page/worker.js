@@ -3,7 +3,7 @@
 import { Engine } from './engine.js';
 
 const engine = new Engine((message) => postMessage(message));
-let turn = Promise.resolve(); // messages are handled one after the other
+let turn = Promise.resolve(); // the engine handles one message after the other
 addEventListener('message', ({ data }) => {
 	turn = turn.then(() => engine.hear(data));
 });
