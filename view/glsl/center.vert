@@ -13,7 +13,7 @@ void main()
 	color = vec4(ink, 0.9);
 	fade = color.a;
 	local = vec2(0.0);
-	if (name.x < 0 || name.y < 0 || kind() != 2u || texelFetch(table, cell(7 * name.x + 1), 0).z * scale < 6.0)
+	if (name.x < 0 || name.y < 0 || kind() != 2u || texelFetch(table, cell(9 * name.x + 1), 0).z * scale < 6.0)
 		return;
 	local = (vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0) * 4.0;
 	gl_Position = vec4(clip_of(pose.xy + center + local / scale), 0.0, 1.0);
