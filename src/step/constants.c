@@ -27,8 +27,7 @@
 #define FIRM_WEIGHTS 20.0f
 #define FIRM_PAIR    1.3f
 #define FIRM_FIXED   2.6f
-#define FIRM_GRAVITY \
-	9.8f // m/s^2: lower limit of gravity in this formula, so that contacts are firm in a world without gravity
+#define FIRM_GRAVITY 9.8f // m/s^2: lower limit of gravity here, so that contacts are firm without gravity
 
 // Frequency of the soft part, as a multiple of contact_hertz after the limit CONTACT_STIFFEST. The limit CONTACT_DEEP
 // applies afterwards, and is lower at 60 Hz and 4 or more substeps. With larger values, boxes under a heavy box get

@@ -22,11 +22,10 @@ typedef struct // state of the host for one tree of the broad phase; see tree_ma
 	bool shrunk; // left is incomplete because it could not grow
 } TreeState;
 
-typedef struct // three lists of commands for a step: applied before the step, after it, or instead of both if it was refused
+typedef struct // lists of commands: applied before the step, after it, or after a refused step
 {
 	const Command *begin, *end, *undo;
-	const int*
-	    groups; // index of the first command of each group, and the end of the last group; a group has the commands of one item
+	const int* groups; // index of the first command of each group, and the end; a group: commands of one item
 	int count;
 } StepCommands;
 
@@ -91,19 +90,17 @@ typedef struct
 	int chains, chain_ranges; // number of items of a pass over chains; number of ranges of chains
 	int carried;      // index of the first item with a heavy chain between light bodies; all such items are last
 	int chain_places; // number of joints in chains and branches, with padding
-	int branches,
-	    branch_nodes; // number of items of a pass over branches, after those of chains; number of bodies in branches
-	bool dirty;       // joints were made, changed or destroyed since the last step
+	int branches, branch_nodes;             // items of a pass over branches, behind the chains; bodies of branches
+	bool dirty;                             // joints were made, changed or destroyed since the last step
 	float continuous_way, continuous_reach; // as in Step; bounds over all bodies that ever existed
 	int taut;                               // Counters.taut after the last step
 	bool split;                             // the neighbors of the spokes have been split for this layout
 	int rounds;                             // number of coloring rounds that the last step needed
 	int64_t steps;
-	bool tells; // the user has requested the moved bodies
-	uint64_t named,
-	    named_bodies;    // versions of Names on the device, for handles of collidables and of bodies; 0: none uploaded
-	int grown;           // number of times that a pool grew
-	double milliseconds; // wall-clock time of the last step, ms
+	bool tells;                      // the user has requested the moved bodies
+	uint64_t named, named_bodies;    // versions of Names on the device: collidables; bodies; 0: none
+	int grown;                       // number of times that a pool grew
+	double milliseconds;             // wall-clock time of the last step, ms
 	double stage_times[STAGE_COUNT]; // ms of each stage in the last step; zeros without timings
 	double query_milliseconds;       // ms of the last queries; 0 without timings
 	scree_traffic traffic;           // traffic of the last step

@@ -9,10 +9,10 @@
 #include "step/tree_maintenance.h"
 
 #define FIRST_ANSWERS  256 // initial capacity of a list of results
-#define APPENDED_SHARE 8 // leaves are sorted if more than 1 / APPENDED_SHARE of them were appended since the last sort
+#define APPENDED_SHARE 8   // leaves are sorted if more than 1 / APPENDED_SHARE of them were appended
 
-#define REFIT_RUNS \
-	(2 * 2 * (MAX_LEVELS + 4)) // largest number of runs of a refit: the levels of both trees twice, and two sorts
+// largest number of runs of a refit: the levels of both trees twice, and two sorts
+#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4))
 
 // Lists the runs that compute the boxes of tree t. ways: true for boxes around the paths of the last step.
 static void list_refit(Pipeline* pipeline, int t, bool ways)
