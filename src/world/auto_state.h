@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// auto_state.h -- the state of a world for device "auto".
+// auto_state.h -- declares the state of a world for device "auto".
 #ifndef AUTO_STATE_H
 #define AUTO_STATE_H
 #include "backend/backend.h"
@@ -13,28 +13,28 @@ typedef scree_status CompareDevice(Backend* backend);
 
 typedef struct // measured times of steps on one device
 {
-	double recent[RECENT_STEPS]; // ms of the last steps, in no order
-	int count;                   // steps since the world moved to this device
-	double step;                 // ms per step at the last comparison; 0 before the first
-	int work;                    // bodies and contacts at that comparison
+	double recent[RECENT_STEPS]; // ms of the last steps, in arbitrary order
+	int count;                   // number of steps since the world moved to this device
+	double step;                 // ms per step at the last comparison of the devices; 0 before the first comparison
+	int work;                    // number of bodies and contacts at the last comparison
 } StepMeter;
 
 typedef struct
 {
-	bool on;                // true if the device was given as "auto"
-	char named[160];        // value of SCREE_AUTO: the device to try at once; empty: a GPU when it may pay
-	CompareDevice* compare; // see async_open_begin
-	AsyncOpen* opening;     // opening of the other device in progress, or null
-	Backend* other;         // the other device, open but without the world; null before it is open
-	bool alone;             // true: there is no other device
-	bool trial;             // true: the world is on the device that is being measured
-	StepMeter meters[2];    // for the CPU and for the other device
-	double current;         // ms that the library has worked since the last step began
-	double spent;           // ms of steps since the last comparison
-	double started;         // ms: time at which the last trial began
-	double cost;            // ms that the last trial took, including its steps; 0 before the first
-	int failures;           // consecutive trials after which the world moved back
-	int failures_work;      // bodies and contacts at the last such trial
+	bool on;                // true if "auto" was given as the device
+	char named[160];        // value of SCREE_AUTO: the device to try at once; empty: a GPU is tried when it may pay
+	CompareDevice* compare; // see CompareDevice
+	AsyncOpen* opening;     // the other device while a thread opens it, or null
+	Backend* other;         // the other device, open but without the world; null until it is open
+	bool alone;             // true: the world stays on its device
+	bool trial;             // true: the world is on the other device for a trial
+	StepMeter meters[2];    // [0]: the CPU; [1]: the other device
+	double current;         // ms for which the library has worked since the last step began
+	double spent;           // ms of all steps since the last comparison
+	double started;         // ms: time at which the latest trial began
+	double cost;            // ms that the last trial took, including its steps; 0 before the first trial
+	int failures;           // number of consecutive trials after which the world moved back
+	int failures_work;      // number of bodies and contacts at the last of these trials
 } AutoDevice;
 
 #endif

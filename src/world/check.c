@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// check.c -- checks of arguments, and their error messages.
+// check.c -- checks arguments, and composes their error messages.
 #include "world/check.h"
 #include "pools/pools.h"
 #include <math.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// create.c -- creates a world on an open device, and destroys it.
+// create.c -- creates a world on an open device, and destroys a world.
 #include "world/create.h"
 #include "platform/error.h"
 #include "world/device/auto.h"
@@ -15,7 +15,8 @@
 #include "world/world.h"
 #include <stdio.h>
 
-// Adds body 0, the body of every collidable that has none. Its slot is never in use, so no handle refers to it.
+// Adds body 0, on which the host places collidables without a body. Its slot is never in use, so no handle refers to
+// it.
 static scree_status add_ground(scree_world* world, const char* function)
 {
 	if (!slots_reserve(&world->bodies, 1))

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// definition.c -- definitions and results of programs that were built with another version of the header.
+// definition.c -- reads definitions and writes results of programs that were built with another version of the header.
 #include "world/definition.h"
 #include <stddef.h>
 #include <string.h>
 
-// the end of a member, in bytes from the start of its struct
+// end of a member, in bytes from the start of its struct
 #define END_OF(type, member) (uint32_t)(offsetof(type, member) + sizeof((type*)0)->member)
 
 const DefinitionType world_definition = {sizeof(scree_world_def), END_OF(scree_world_def, contact_limit),

@@ -1,38 +1,43 @@
 // SPDX-License-Identifier: MIT
-// branches.c -- finds branches: trees of joints around light bodies that carry heavy ones, which are solved together.
+// branches.c -- finds branches: trees of joints around light bodies that carry heavy bodies. Their joints are solved
+// together.
 //
-// A branch is a tree of joints. It begins at a body with three joints or more that is light compared with the bodies at
-// their other ends. If all joints connected to this body form a tree, they are the branch: arms of any length, light
-// bodies beside each other, wheels on axles. Otherwise the branch has only the joints of adjacent light bodies, as far
-// as they form a tree. The choice depends only on the user's calls, so it is the same on every device.
+// The hub of a branch is a body with at least three joints that is light compared with the bodies at the other ends of
+// these joints. If all joints connected to the hub form a tree, the tree is the branch; it may have arms of any length,
+// light bodies beside each other, and wheels on axles. Otherwise the branch has only the joints of the hub and of
+// adjacent light bodies, as far as they form a tree. The choice depends only on the user's calls, so it is the same on
+// every device.
 #include "world/chain/branches.h"
 #include "world/objects/joints.h"
 #include <string.h>
 
-// A hub has at least HUB_JOINTS joints, whose ends weigh at least HUB_WEIGHT times as much, by mass and by inertia
-// about it. Solved joint by joint, hubs became unstable with 4 to 7 times their inertia in welded ends, and with 28 to
-// 56 times in hinged ones. These yield only along their arms, so they count as HUB_HINGE of their mass, at the hinge.
+// The hub of a branch has at least HUB_JOINTS joints. The bodies at their other ends have in sum at least HUB_WEIGHT
+// times its mass and inertia, where the two ratios are added. Solved joint by joint, hubs became unstable when welded
+// bodies had 4 to 7 times their inertia, and when hinged bodies had 28 to 56 times their inertia. A hinged body yields
+// except along its arm, so it counts as HUB_HINGE of its mass, located at the hinge.
 #define HUB_JOINTS 3
 #define HUB_WEIGHT 3.0f
 #define HUB_HINGE  0.18f
-// Alternatively, the bodies connected to a hub have HUB_LOAD times its mass. Ragdolls have up to 9, and come to rest.
+// A body is also a hub if the bodies connected to it have HUB_LOAD times its mass. Ragdolls have up to 9 times, and
+// come to rest without a branch.
 #define HUB_LOAD 20.0f
-// Maximum nodes of a branch: its time is proportional to its joints. A larger tree is solved only around light bodies.
+// Maximum number of nodes of a branch, because its time is proportional to its joints. If a tree is larger, only the
+// joints around its light bodies form branches.
 #define MOST_NODES  1024
-#define MOST_WELDED 64 // bodies behind a welded end that are summed: each hub visits them again
+#define MOST_WELDED 64 // maximum number of bodies in the sum behind a welded end, because each hub sums them again
 
 typedef struct
 {
 	ChainSearch* s;
-	int* place;   // 1 + position of each body in list, 0 if it is not listed
+	int* place;   // per body: 1 + its position in list, 0 if it is not listed
 	int* list;    // bodies in the order in which they were reached
-	int* through; // joint through which each was reached, -1 for none
-	int* above;   // position in list of the body from which each was reached, -1 for none
+	int* through; // per listed body: joint through which it was reached, -1 for none
+	int* above;   // per listed body: position in list of the body from which it was reached, -1 for none
 } Branching;
 
 size_t branches_bytes(size_t joints, size_t bodies)
 {
-	// an immovable body is listed once per joint; a branch has at least two joints, and one node more than joints
+	// an immovable body is listed once per joint; a branch has at least two joints, and one more node than joints
 	size_t listed = joints + bodies, nodes = 2 * joints;
 	return nodes * (sizeof(BranchNode) + sizeof(int)) + joints * sizeof(ChainRow) + bodies * sizeof(int) +
 	       listed * 3 * sizeof(int);
@@ -42,7 +47,8 @@ static float distance(scree_vec a, scree_vec b) { return sqrtf((a.x - b.x) * (a.
 
 static bool welded(const HostJoint* host) { return host->def.coordinates[SCREE_ANGLE].locked; }
 
-// Returns the weight of a joint's end, with bodies welded to it, relative to the hub at its other side.
+// Returns the weight of the body at the other end of a hub's joint, with the bodies welded to it, relative to the hub.
+// The weight is the sum of the ratios of masses and of inertias.
 static float weight_of(const scree_world* world, int joint, int hub)
 {
 	const HostJoint* host = world->host_joints + joint;
@@ -81,7 +87,7 @@ static float weight_of(const scree_world* world, int joint, int hub)
 	return sum / own->mass + (own->inertia > 0.0f ? inertia / own->inertia : 0.0f);
 }
 
-// Returns whether a body is light compared with the ends of its joints.
+// Returns whether a body is light compared with the bodies at the other ends of its joints.
 static bool light(const scree_world* world, int body)
 {
 	const HostBody* hub = world->host_bodies + body;
@@ -118,7 +124,8 @@ static int put(Branching* b, int count, int body, int through, int above)
 	return count + 1;
 }
 
-// Lists bodies joined to the listed ones: to all, or to light ones. *whole becomes false if a joint closes a ring.
+// Adds all bodies that joints connect to the listed bodies, or only to light listed bodies unless all is set. Returns
+// the new number of listed bodies. Sets *whole to false if a joint closes a ring or leads to another branch.
 static int spread(Branching* b, int count, bool all, bool* whole)
 {
 	const scree_world* world = b->s->world;
@@ -148,7 +155,8 @@ static void forget(Branching* b, int count)
 		b->place[b->list[k]] = 0;
 }
 
-// Returns whether some body of a tree is light compared with its ends, or with all bodies connected to it.
+// Returns whether some body of a tree is light compared with the ends of its joints, or with all bodies connected to
+// it.
 static bool worth(Branching* b, int count)
 {
 	const scree_world* world = b->s->world;
@@ -175,13 +183,13 @@ static bool similar(const Branching* b, int count)
 	return mass_ratio(range) <= MOST_RATIO;
 }
 
-// Adds the listed bodies as the nodes of a branch, in the order of their distance from the first one.
+// Adds the listed bodies as nodes of a branch, sorted by distance from the first body.
 static void add(Branching* b, int count)
 {
 	ChainLayout* layout = &b->s->layout;
 	const scree_world* world = b->s->world;
 	BranchNode* nodes = layout->nodes + layout->node_count;
-	// an immovable first body is not a node; the root is attached to it
+	// an immovable first body is no node; the root is attached to it
 	int skip = !chain_moves(world, b->list[0]);
 	for (int k = skip; k < count; ++k)
 	{
@@ -212,7 +220,8 @@ static void add(Branching* b, int count)
 	layout->node_count += count;
 }
 
-// Lists the tree again from an immovable body that it is attached to, whose joint is solved exactly only at the root.
+// Lists a tree again, beginning with an immovable body to which it is attached, if there is one. The joint to an
+// immovable body is solved exactly only at the root. Returns the new number of listed bodies.
 static int hang(Branching* b, int count, bool all)
 {
 	const scree_world* world = b->s->world;
@@ -252,7 +261,7 @@ void branches_find(ChainSearch* s, void* memory)
 			continue;
 		if (!(s->marks[body] & BODY_IN_NET))
 		{
-			// all connected bodies are examined at once
+			// examines all connected bodies at once
 			count = spread(&b, put(&b, 0, body, -1, -1), true, &tree);
 			tree = tree && count <= MOST_NODES;
 			for (int k = 0; k < count; ++k)

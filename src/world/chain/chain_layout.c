@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// chain_layout.c -- places the joints of chains in the memory of a device: a chain alone in rows, or side by side.
+// chain_layout.c -- places the joints of chains in the memory of a device: a chain alone in rows, or chains side by
+// side.
 //
-// A chain alone lies in rows; chains of similar lengths lie side by side, which costs a worker less. But one worker
-// solves all of these, so a few chains lie alone if there are more workers. The estimated cost of a pass decides.
+// One worker solves chains of similar lengths side by side, one per lane, in less time than one after another. With
+// more workers than chains, a chain alone in rows is faster, because each worker gets one. The layout with the lower
+// estimated cost of a pass is used.
 #include "world/chain/chain_layout.h"
 #include "backend/backend.h"
 #include "platform/threads.h"
@@ -10,20 +12,23 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-// Cost of a pass over a block of joints, relative to solving one joint by itself; measured on CPUs with 16 and 8 lanes.
+// Costs of a pass over a block of joints, relative to one joint solved alone: in rows, and side by side. Measured on
+// CPUs with 16 and 8 lanes.
 #define ROW_COST  12
 #define SIDE_COST 8
-#define APART     0.9 // ranges get separate blocks if a pass costs less than this share of one over common blocks
-// All chains lie alone if that costs less than this share: below 1, because workers in a pass wait for each other.
+#define APART     0.9 // ranges get separate blocks if these cost less than this share of common blocks
+// All chains are placed alone if that costs less than this share of the other layout. The share is below 1 because the
+// workers in a pass wait for each other.
 #define ALONE 0.75
 
 typedef struct
 {
 	ChainLayout* layout;
 	int lanes, groups;
-	bool alone; // true: all chains lie alone
-	int parts;  // ranges that may share blocks
-	// the last blocks of chains side by side: spot of their joint 0, spots from there to joint 1, number of ranges
+	bool alone; // true: all chains are placed alone
+	int parts;  // number of ranges that may share blocks
+	// latest blocks with chains side by side: spot of joint 0, number of spots from joint 0 to joint 1, number of
+	// ranges
 	int column, column_odds, column_parts;
 } ChainPlacement;
 
@@ -31,7 +36,7 @@ static int padded(int count, int lanes) { return (count + lanes - 1) / lanes * l
 
 static int row_length(int joints, int bits) { return ((joints - 1) >> bits) + 1; }
 
-// Finds the number of rows for which a chain alone costs least.
+// Chooses the number of rows for which a chain alone costs least. Sets row->bits and row->cost.
 static void choose_rows(ChainRow* row, int lanes)
 {
 	for (int bits = 1; bits == 1 || (lanes > 1 && 1 << bits <= row->count); ++bits)
@@ -45,8 +50,9 @@ static void choose_rows(ChainRow* row, int lanes)
 	}
 }
 
-// Returns how many chains lie side by side, from chain k on: as many as there are lanes, or 1 if a chain alone costs
-// less. Shorter chains cost nothing beside a longer one. *cost becomes the cost of these chains.
+// Returns the number of chains that are placed side by side, beginning with chain k: as many as there are lanes, or 1
+// if single chains cost less. A shorter chain beside a longer chain costs nothing. Sets *cost to the cost of these
+// chains.
 static int side_by_side(const ChainPlacement* s, int k, int* cost)
 {
 	const ChainLayout* layout = s->layout;
@@ -60,7 +66,8 @@ static int side_by_side(const ChainPlacement* s, int k, int* cost)
 	return count;
 }
 
-// Returns whether count chains from chain k on begin an item of a pass; otherwise they share the blocks before them.
+// Returns whether count chains, beginning with chain k, are a new item of a pass. If not, they share the blocks of the
+// chains before them.
 static bool begins_item(ChainPlacement* s, int k, int count)
 {
 	const ChainRow* rows = s->layout->rows;
@@ -69,8 +76,8 @@ static bool begins_item(ChainPlacement* s, int k, int count)
 	return !shares;
 }
 
-// Returns the cost of all chains: that of the worker with the most work; or, if there are more work-groups, the mean
-// cost per work-group, but at least that of the longest item.
+// Returns the cost of a pass over all chains: the cost of the worker with the most work. With more work-groups than
+// MAX_WORKERS: the mean cost per work-group, but at least the cost of the longest item.
 static double cost_of_all(ChainPlacement* s)
 {
 	double loads[MAX_WORKERS] = {0}, sum = 0, most = 0, item = 0;
@@ -91,8 +98,9 @@ static double cost_of_all(ChainPlacement* s)
 	return s->groups > counted ? fmax(sum / s->groups, most) : most;
 }
 
-// Chooses the number of ranges that share blocks, and returns the cost. One worker solves the ranges in a block,
-// because two would write to the same cache lines. Separate blocks take more memory, but share work better.
+// Chooses the number of ranges that share blocks, and returns the cost of a pass. One worker solves all ranges in a
+// block, because two workers would write to the same cache lines. Separate blocks take more memory, but distribute the
+// work better.
 static double choose_parts(ChainPlacement* s)
 {
 	int most = s->parts;
@@ -113,7 +121,8 @@ static ChainRange place_alone(ChainPlacement* s, const ChainRow* row)
 	return at;
 }
 
-// Places chains side by side. Blocks of MAX_LANES have space for several ranges, because later chains are not longer.
+// Places chains side by side. Several ranges share a block of MAX_LANES columns: chains are sorted by length, so the
+// first chain in a block is the longest.
 static ChainRange place_side(ChainPlacement* s, int count, bool begins)
 {
 	int length = (count + 1) / 2;
@@ -128,7 +137,8 @@ static ChainRange place_side(ChainPlacement* s, int count, bool begins)
 	return at;
 }
 
-// Orders carried chains last; longer chains first; chains of one length as they were found.
+// Sorts carried chains behind all others, longer chains before shorter chains, and chains of one length as they were
+// found.
 static int compare_rows(const void* a, const void* b)
 {
 	const ChainRow *first = a, *second = b;
@@ -165,7 +175,7 @@ void chain_layout(ChainLayout* layout, int lanes, int groups)
 	}
 	for (int k = 0; k < layout->branch_count; ++k)
 	{
-		// one row, in separate blocks
+		// a branch is one row, in separate blocks
 		const ChainRow* branch = layout->branches + k;
 		ChainRange at = {
 		    .first = layout->places, .count = branch->count, .odds = branch->first, .stride = 1, .parts = 1};

@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: MIT
-// chain_layout.h -- places the joints of chains in the memory of a device: a chain alone in rows, or side by side.
+// chain_layout.h -- places the joints of chains in the memory of a device: a chain alone in rows, or chains side by
+// side.
 #ifndef CHAIN_LAYOUT_H
 #define CHAIN_LAYOUT_H
 #include "pools/pools.h"
 
 typedef struct // a chain
 {
-	int first, count; // joints in ChainLayout.joints
-	int carried;      // 1 for a short chain that is heavy between light ends
-	int bits, cost;   // set by chain_layout for the chain alone: log2 of its number of rows, and the cost of a pass
+	int first, count; // range of its joints in ChainLayout.joints
+	int carried;      // 1 for a short chain with heavy bodies between light ends
+	int bits, cost;   // for the chain placed alone: log2 of the number of rows, and cost of a pass; set by chain_layout
 } ChainRow;
 
 typedef struct
 {
 	int* joints;       // joints of all chains, in order
-	ChainRow* rows;    // one per chain; chain_layout sorts them
+	ChainRow* rows;    // chains, which chain_layout sorts
 	int count;         // number of chains
-	BranchNode* nodes; // nodes of all branches, a row per branch
-	int* node_joints;  // joint of each node, -1 for none
+	BranchNode* nodes; // nodes of all branches; those of a branch are adjacent
+	int* node_joints;  // joint of each node toward the root, -1 for none
 	ChainRow* branches;
 	int branch_count, node_count;
 	// results
 	ChainRange* ranges;        // at most one per chain and one per branch
-	int* spots;                // per joint of the world: its spot; unchanged for joints of no chain or branch
-	int ranged, items, places; // number of ranges, items of a pass over chains, spots with padding
-	int carried;               // first item of carried chains
+	int* spots;                // spot of each joint of the world; unchanged for joints in no chain or branch
+	int ranged, items, places; // number of ranges, number of items of a pass over chains, number of spots with padding
+	int carried;               // index of the first item of carried chains
 } ChainLayout;
 
-// Assigns spots to the joints of all chains, for a device's lanes and work-groups. ranged, items and places are zero.
+// Assigns spots to the joints of all chains and branches. lanes, groups: number of lanes and of work-groups of the
+// device. ranged, items and places must be zero.
 void chain_layout(ChainLayout* layout, int lanes, int groups);
 
 #endif

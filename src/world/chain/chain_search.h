@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: MIT
-// chain_search.h -- common parts of the searches for chains and for branches.
+// chain_search.h -- defines the common parts of the searches for chains and for branches.
 #ifndef CHAIN_SEARCH_H
 #define CHAIN_SEARCH_H
 #include "world/chain/chain_layout.h"
 #include "world/world.h"
 #include <math.h>
 
-// Maximum ratio of masses that are solved together. Beyond it, large inverse masses leave no digit of the small ones in
-// sums, and impulses are wrong by any factor. Such joints are solved one by one: they yield, but stay finite.
+// Maximum ratio of masses that are solved together. With a larger ratio, a sum of large and small inverse masses keeps
+// no digit of the small ones, and impulses may be wrong by any factor. Joints with a larger ratio are solved one by
+// one: they yield, but stay finite.
 #define MOST_RATIO 1e5f
 
 #define BODY_OWNED    1 // the body is at the end of a chain
 #define BODY_BRANCHED 2 // the body is in a branch
-#define BODY_IN_TREE  4 // the joints connected to it form a tree
-#define BODY_IN_NET   8 // the joints connected to it do not
+#define BODY_IN_TREE  4 // the joints connected to the body form a tree
+#define BODY_IN_NET   8 // the joints connected to the body form no tree
 
 typedef struct
 {
 	const scree_world* world;
 	ChainLayout layout;
-	uint8_t* seen;  // per joint: in a chain or a branch, or found to be in neither
+	uint8_t* seen;  // per joint: 1 if the search is finished: the joint is in a chain, in a branch, or in neither
 	uint8_t* marks; // per body: BODY_* flags
 	int joints;     // number of joints of all chains
 } ChainSearch;
 
-// Returns whether a joint has a lock, and bodies that it can act on. Couplings are excluded because they do not hold
-// frames together, joints on paths because the axes of a path turn, while the system of a chain keeps its axes.
+// Returns whether a joint has a lock and acts on its bodies. Excludes couplings, which do not hold frames together.
+// Excludes joints on paths, because the axes of a path turn, while the equations of a chain keep their axes.
 bool chain_acts(const scree_world* world, int joint);
 
 static inline int chain_other_body(const scree_world* world, int joint, int body)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // chains.c -- finds chains: joints in a row, which are solved together.
 //
-// A chain passes through bodies that have two joints with locks. No body belongs to two chains. Ropes and bridges are
-// chains; nets are not; a short chain of similar masses gains nothing. The choice depends only on the user's calls, so
-// it is the same on every device. The placement in memory (chain_layout.c) depends on the device, but changes no bit.
+// A chain passes through bodies that have two joints with locks. No movable body belongs to two chains. Ropes and
+// bridges are chains, nets are not. A short chain of similar masses is not used, because it gains nothing. The choice
+// depends only on the user's calls, so it is the same on every device. The placement in memory (chain_layout.c) depends
+// on the device, but does not change the results.
 #include "world/chain/chains.h"
 #include "platform/error.h"
 #include "step/reserve.h"
@@ -11,11 +12,12 @@
 #include "world/objects/joints.h"
 #include <string.h>
 
-// A chain has at least LEAST_JOINTS joints, or at least two and masses with a ratio of at least LEAST_RATIO.
+// A chain has at least LEAST_JOINTS joints. It may have fewer, but at least two, if the ratio of its largest to its
+// smallest mass is at least LEAST_RATIO.
 #define LEAST_JOINTS 8
 #define LEAST_RATIO  8.0f
 
-// Returns the other joint of a body that can move, is in no branch and has exactly two joints; else -1.
+// Returns the second joint of a body that can move, is in no branch and has exactly two joints; -1 for other bodies.
 static int next_joint(const ChainSearch* s, int body, int joint)
 {
 	const scree_world* world = s->world;
@@ -33,7 +35,8 @@ static int next_joint(const ChainSearch* s, int body, int joint)
 	return count == 2 ? next : -1;
 }
 
-// Returns the last joint of a joint's chain towards *body, which becomes the body beyond; in a ring, the one before it.
+// Follows the chain of a joint in the direction of *body. Returns the last joint and sets *body to the body behind it;
+// in a ring, returns the joint before the first.
 static int chain_end(const ChainSearch* s, int joint, int* body)
 {
 	for (int first = joint;;)
@@ -46,7 +49,8 @@ static int chain_end(const ChainSearch* s, int joint, int* body)
 	}
 }
 
-// Lists the joints of a chain from its first one on, which follows body *at; *at becomes the body after the last one.
+// Lists the joints of a chain from its first joint on. *at: the body in front of the first joint; set to the body
+// behind the last joint. Returns the number of joints.
 static int chain_list(ChainSearch* s, int first, int* at)
 {
 	int count = 0;
@@ -59,7 +63,8 @@ static int chain_list(ChainSearch* s, int first, int* at)
 	return count;
 }
 
-// Returns whether a chain may end at a body: if it cannot move or is in no other chain. Marks the body as taken.
+// Returns whether a chain may end at a body: a body that cannot move, or is in no other chain and no branch. Marks the
+// body as taken.
 static bool own(ChainSearch* s, int body)
 {
 	if (!chain_moves(s->world, body))
@@ -75,7 +80,8 @@ static float chain_mass(const scree_world* world, int body)
 	return chain_moves(world, body) ? world->host_bodies[body].mass.mass : INFINITY;
 }
 
-// Returns the largest load / mass of inner bodies in a short chain. Load: the heaviest body of the lighter side.
+// Returns the largest ratio of load to mass among the inner bodies of a short chain. The load of a body: the heaviest
+// bodies on its two sides are compared, and the lighter of these two is the load.
 static float load_ratio(const scree_world* world, const int* row, int count)
 {
 	float masses[LEAST_JOINTS], before = 0.0f, ratio = 0.0f;
@@ -115,7 +121,7 @@ static void add_chain(ChainSearch* s, int joint)
 	bool ring = next_joint(s, first_body, first) >= 0;
 	int count = chain_list(s, first, &last_body);
 	if (ring)
-		--count; // the last joint shares bodies with the first one, so it is solved by itself
+		--count; // the last joint shares bodies with the first, so it is solved outside the chain
 	else
 	{
 		begin = !own(s, first_body);
@@ -129,7 +135,7 @@ static void add_chain(ChainSearch* s, int joint)
 	float ratio = row_ratio(world, row, joints);
 	if (ratio > MOST_RATIO || (joints < LEAST_JOINTS && ratio < LEAST_RATIO))
 		return;
-	// true for a cart on light wheels: its ends are light, but no body between two joints is
+	// true for a cart on light wheels: its ends are light, but all bodies between two joints are heavy
 	bool carried = joints < LEAST_JOINTS && load_ratio(world, row, joints) < LEAST_RATIO;
 	s->layout.rows[s->layout.count++] = (ChainRow){.first = begin, .count = joints, .carried = carried};
 	s->joints = begin + joints;

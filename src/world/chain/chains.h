@@ -4,7 +4,8 @@
 #define CHAINS_H
 #include "world/world.h"
 
-// Finds the chains again if they may have changed, and uploads their placement; marks moved joints for the upload.
+// If joints or masses have changed, finds the chains again, uploads their placement, and marks joints with another spot
+// for the upload.
 scree_status chains_update(scree_world* world);
 
 #endif
