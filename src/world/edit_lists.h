@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// edit_lists.h -- the user's changes since the last upload: new rows, then commands in the order of calls.
+// edit_lists.h -- declares the lists of the user's changes since the last upload: rows, then commands in the order of
+// calls.
 #ifndef EDIT_LISTS_H
 #define EDIT_LISTS_H
 #include "pools/pools.h"
 #include "scree/scree.h"
 #include <stdbool.h>
 
-typedef struct // row of a body; for a destroyed body all zero except the rotation
+typedef struct // row of a new body; for a destroyed body, zeros and the rotation (1, 0)
 {
 	int index;
-	int since;       // commands before this one belong to the previous body of the slot
+	int since;       // number of commands recorded before this row, which belong to the previous body in the slot
 	scree_pose pose; // pose of the origin
 	scree_vec center;
 	scree_velocity velocity;
@@ -19,16 +20,16 @@ typedef struct // row of a body; for a destroyed body all zero except the rotati
 	bool disabled;
 } BodyRow;
 
-typedef struct // row of a collidable; the upload reads its values from the host
+typedef struct // row of a created or destroyed collidable; the upload reads the values from HostCollidable
 {
 	int index;
-	int since; // see BodyRow
+	int since; // as BodyRow.since
 } CollidableRow;
 
-typedef struct // pending edits of a body or a collidable; 0 for none
+typedef struct // pending edits of a body or a collidable; zeros if there are none
 {
-	int row;   // 1 + index of its row
-	int group; // 1 + its group of commands, during world_upload
+	int row;   // 1 + index of its row in the list
+	int group; // 1 + index of its group of commands; set during world_upload
 } PendingEdits;
 
 typedef struct
@@ -39,14 +40,14 @@ typedef struct
 	int body_count, body_capacity;
 	int collidable_count, collidable_capacity;
 	int command_count, command_capacity;
-	int* attributes; // slots to upload, each once
+	int* attributes; // slots of attributes to upload, each once
 	int attribute_count, attribute_capacity;
-	int* joints; // the same for joints
+	int* joints; // slots of joints to upload, each once
 	int joint_count, joint_capacity;
-	int* paths; // the same for paths
+	int* paths; // slots of paths to upload, each once
 	int path_count, path_capacity;
-	int sample_rows;    // number of path samples on the device that have ever been written
-	int attribute_rows; // number of attribute rows on the device that have ever been written
+	int sample_rows;    // number of rows of the pool path_sample that have ever been written
+	int attribute_rows; // number of rows of the pool attribute that have ever been written
 } Edits;
 
 #endif

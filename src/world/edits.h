@@ -6,17 +6,17 @@
 
 // A row holds a body's values at its creation. Later changes are commands, so the time of the upload does not matter.
 
-// Reserves memory for more edits, after which the functions below cannot fail.
+// Reserves memory for more edits. Until it is used up, the functions below cannot fail.
 scree_status edits_reserve(scree_world* world, const char* function, int bodies, int collidables, int commands);
 void edits_close(Edits* edits);
 
 // Records that a body was created or destroyed. The caller sets all members of row except since.
 void edits_body(scree_world* world, BodyRow row);
 
-// Records that a collidable was created or destroyed, or that its contacts must restart.
+// Records that a collidable was created or destroyed, or that its contacts must end and begin again.
 void edits_collidable(scree_world* world, int index);
 
-// Records a change; whole is Command.whole[0].
+// Record a command. whole: Command.whole[0].
 void edits_command(scree_world* world, int kind, int index, Float4 value, int whole);
 void edits_whole(scree_world* world, Command command);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// failure.c -- the sticky error of a world, after which it can only be destroyed.
+// failure.c -- records that a world is broken. A broken world can only be destroyed.
 #include "world/failure.h"
 #include "world/check.h"
 #include "world/world.h"

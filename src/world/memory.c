@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// memory.c -- arrays that grow, and temporary memory for one call.
+// memory.c -- enlarges arrays, and provides temporary memory for one call.
 #include "world/memory.h"
 #include "platform/error.h"
 #include "world/world.h"

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// auto.h -- device "auto": decides on which device a world is faster, and moves it there; docs/auto.md.
+// auto.h -- device "auto": decides on which device a world is faster, and moves the world there. See docs/auto.md.
 #ifndef AUTO_H
 #define AUTO_H
 #include "world/auto_state.h"
 
-// Turn device "auto" on and off. compare is that of async_open_begin.
+// Turn device "auto" on and off. compare: see async_open_begin.
 void auto_open(scree_world* world, CompareDevice* compare);
 void auto_close(scree_world* world);
 
-// Records the time of the last step, and moves the world if that pays, before a step. Fails only if the world breaks.
+// Must be called before a step. Records the time of the last step, and moves the world if that pays. Fails only if the
+// world breaks.
 scree_status auto_choose(scree_world* world);
 
-// auto_clock returns the time, ms. auto_count adds the time since then to the current step.
+// auto_clock returns the current time, ms. auto_count adds the time from since to now to the time of the current step.
 double auto_clock(void);
 void auto_count(scree_world* world, double since);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// devices.c -- lists the devices, and opens one.
+// devices.c -- lists the devices, and opens a device.
 #include "world/device/devices.h"
 #include "platform/error.h"
 #include <string.h>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// devices.h -- lists the devices, and opens one.
+// devices.h -- lists the devices, and opens a device.
 #ifndef DEVICES_H
 #define DEVICES_H
 #include "backend/backend.h"
 
-// Lists up to capacity devices, the CPU first. Returns the total number of devices.
+// Writes up to capacity devices to an array, the CPU first. Returns the total number of devices.
 int devices_list(scree_device* devices, int capacity);
 
-// Opens the device of a definition; "auto" stands for the CPU here.
+// Opens the device that a definition names. The name "auto" opens the CPU.
 scree_status device_open(const scree_world_def* def, Backend** backend);
 
-// Opens the first GPU that reports arithmetic with equal bits, if there is one.
+// Opens the first GPU that reports arithmetic with the same bits as the CPU, if there is such a GPU.
 scree_status device_open_gpu(const scree_world_def* def, Backend** backend);
 
 #endif

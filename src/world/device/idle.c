@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
-// idle.c -- finds the blocks of bodies and of collidables that no step changes, so that a CPU skips them.
+// idle.c -- finds the blocks of bodies and of collidables that no step changes, which a CPU skips.
 #include "world/device/idle.h"
 #include "world/memory.h"
 #include "world/objects/collidables.h"
 #include "world/world.h"
 
-// states of a block; any other state is the number of steps until the block is examined
+// states of a block; all other states are the number of steps until the block is examined
 #define IDLE  0
 #define MOVES 255
 
-#define SETTLING 2 // steps until values repeat: the first moves boxes, the second clears the marks of moved boxes
+// number of steps until values repeat: the first step moves boxes, the second clears the marks of moved boxes
+#define SETTLING 2
 
 static void touch(IdleBlocks* list, int index)
 {
 	int block = index / ACTIVE_ITEMS;
-	if (block >= list->known) // the block is new; idle_begin adds it
+	if (block >= list->known) // a new block, which idle_begin adds
 		return;
 	list->states[block] = SETTLING;
 	list->stale = list->settling = true;
@@ -61,7 +62,7 @@ void idle_forget(scree_world* world)
 
 static bool body_moves(const scree_world* world, int index)
 {
-	// the first body stands for the ground, and the first item of a kernel also does work that is done once
+	// body 0 is the ground; item 0 of some kernels also does work that is needed once per step
 	return index == 0 || (slots_in_use(&world->bodies, index) && world->host_bodies[index].type != SCREE_BODY_STATIC);
 }
 
@@ -103,7 +104,7 @@ void idle_begin(scree_world* world)
 		int used = kind == ACTIVE_BODIES ? world->bodies.used : world->collidables.used;
 		world->backend->active[kind] = (ActiveBlocks){0};
 		if (!reserve(list, (used + ACTIVE_ITEMS - 1) / ACTIVE_ITEMS))
-			continue; // without memory nothing is skipped
+			continue; // if there is no memory, no block is skipped
 		if (list->stale)
 		{
 			list->count = 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // migrate.c -- moves a world from one device to another, between two steps.
 //
-// The host's data depends on the device only in the positions of the trees. So a move copies the pools that persist.
+// The data of the host depends on the device only in the positions of the trees. So a move copies only the pools whose
+// items outlive a step.
 #include "world/device/migrate.h"
 #include "platform/error.h"
 #include "world/device/idle.h"
@@ -11,11 +12,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#define BOUNCE_BYTES ((size_t)4 << 20) // used if the host can address the pools of neither device
+#define BOUNCE_BYTES ((size_t)4 << 20) // size of a buffer, used if the host can address the pools of neither device
 
 static int smaller(int a, int b) { return a < b ? a : b; }
 
-// Returns how many items of a kind persist between steps. Slots of pending edits may exceed the capacity.
+// Returns the number of items of a kind that outlive a step. Slots of pending edits may exceed the capacity.
 static int lasting_items(const scree_world* world, Per per)
 {
 	const Counters* c = &world->pipeline.counters;
@@ -27,7 +28,7 @@ static int lasting_items(const scree_world* world, Per per)
 	case PER_COLLIDABLE:
 		return smaller(world->collidables.used, b->capacity[per]);
 	case PER_BODY:
-		// wide kernels also process the padding, which must be inert
+		// wide kernels also process the padding, whose items must be inert
 		return smaller((world->bodies.used + MAX_LANES - 1) / MAX_LANES * MAX_LANES, b->capacity[per]);
 #define CONSTRAINT_KIND(kind, Kind, KIND)                      \
 	case PER_##KIND:                                           \
@@ -53,7 +54,7 @@ static int lasting_items(const scree_world* world, Per per)
 	case PER_ONE:
 		return 1;
 	default:
-		return 0; // scratch; the nodes of the trees are computed again, and copy_all copies their leaves separately
+		return 0; // scratch. Nodes of trees are computed on the new device; copy_all copies the leaves
 	}
 }
 
@@ -112,7 +113,7 @@ static scree_status copy_all(Move* m)
 		TRY(copy(m, POOL_leaf, t * from->capacity[PER_COLLIDABLE], t * to->capacity[PER_COLLIDABLE],
 		         world->pipeline.trees[t].tree.leaves));
 
-	// the backend stores the counters that it reads; the read also waits for the writes, and reports their failures
+	// reading the counters also stores them in the backend, waits for the writes, and reports failed writes
 	Counters counters;
 	return to->f->read(to, POOL_counters, 0, 1, &counters);
 }
@@ -124,9 +125,9 @@ scree_status world_move(scree_world* world, Backend* to)
 	scree_release(m.bounce);
 	if (status != SCREE_OK)
 		return status;
-	world_unshare(world);       // another device cannot use that memory
+	world_unshare(world);       // another device cannot use the shared memory
 	world->chains_stale = true; // the placement of chains depends on the device
-	world->fields.stale = true; // fields are not copied
+	world->fields.stale = true; // fields are not copied, but uploaded again
 	idle_forget(world);
 	world->backend = to;
 	snprintf(world->device, sizeof world->device, "%s", to->name);

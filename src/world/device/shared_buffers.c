@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shared_buffers.c -- memory of the device that a world shares with other programs.
+// shared_buffers.c -- lets a world share memory of its device with other programs.
 #include "world/device/shared_buffers.h"
 #include "world/failure.h"
 #include "world/world.h"

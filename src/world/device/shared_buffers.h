@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// shared_buffers.h -- memory of the device that a world shares with other programs.
+// shared_buffers.h -- lets a world share memory of its device with other programs.
 #ifndef SHARED_BUFFERS_H
 #define SHARED_BUFFERS_H
 #include "backend/backend.h"
 #include "scree/scree.h"
 
-#define SHARED_LEAST 32 // minimum bytes: one row, query or answer
+#define SHARED_LEAST 32 // minimum size in bytes: one row, query or query result
 
-// Shares memory with other programs for a use. what, for messages: "rows" or "queries".
+// Begins to share memory with other programs. what: name of the use in messages, "rows" or "queries".
 scree_status world_share(scree_world* world, const char* function, const char* what, SharedUse use,
                          const SharedMemory* memory);
 
-// Ends the sharing of memory. Does nothing if none is shared.
+// Ends the sharing of memory for all uses. Does nothing if no memory is shared.
 void world_unshare(scree_world* world);
 
 #endif

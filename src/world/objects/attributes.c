@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// attributes.c -- the table of attributes: equal values share a slot.
+// attributes.c -- keeps the table of attributes, in which equal values share a slot.
 #include "world/objects/attributes.h"
 #include "platform/error.h"
 #include "world/memory.h"
@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-// Bounds of the margin of an enlarged box, m; within them it is an eighth of the shape's size. With a larger margin
-// more pairs are found that do not touch; with a smaller one, a body leaves its box more often.
+// Bounds of the margin of an enlarged box, m. Between them, the margin is an eighth of the shape's size. With a larger
+// margin, more pairs are found that do not touch; with a smaller margin, bodies leave their boxes more often.
 #define LEAST_MARGIN 0.01f
 #define MOST_MARGIN  0.1f
 
@@ -22,7 +22,7 @@ static uint32_t name_of(const scree_attribute_def* def)
 	return hash ? hash : 1;
 }
 
-// Returns the entry of the table with these values, or the empty entry for them.
+// Returns the entry of the table with these values, or the empty entry to use for them. name: hash of the values.
 static int* find(const scree_world* world, uint32_t name, const scree_attribute_def* def)
 {
 	uint32_t mask = (uint32_t)world->attribute_table_size - 1;
@@ -35,7 +35,7 @@ static int* find(const scree_world* world, uint32_t name, const scree_attribute_
 	}
 }
 
-// Removes an entry from the table, and moves the entries behind it closer to their home positions.
+// Removes an entry from the table. Moves the entries behind it closer to the positions that their hashes give.
 static void forget(scree_world* world, int* entry)
 {
 	int* table = world->attribute_table;
@@ -51,7 +51,7 @@ static void forget(scree_world* world, int* entry)
 	table[hole] = 0;
 }
 
-// Reserves memory for one more attribute, in a table that is at most half full.
+// Reserves memory for one more attribute. The table is at most half full afterwards.
 static scree_status reserve(scree_world* world, const char* function)
 {
 	Slots* slots = &world->attribute_slots;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// attributes.h -- the table of attributes: equal values share a slot.
+// attributes.h -- keeps the table of attributes, in which equal values share a slot.
 #ifndef ATTRIBUTES_H
 #define ATTRIBUTES_H
 #include "pools/pools.h"
 #include "scree/scree.h"
 
-// Claims the attribute with these values, creating it if needed. def is canonical: equal values have equal bytes.
+// Claims the attribute with the values of def, and creates it if there is none. Sets *index to its slot. def must be
+// canonical: equal values have equal bytes.
 scree_status attribute_claim(scree_world* world, const char* function, const scree_attribute_def* def, int* index);
 
-// Removes one claim; the last one frees the slot. No collidable may use the attribute then.
+// Removes one claim. Removal of the last claim frees the slot; no collidable may use the attribute any longer.
 void attribute_disclaim(scree_world* world, int index);
 
 // Return the rows of an attribute in the pools attribute, rule and thickness.

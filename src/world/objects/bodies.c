@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bodies.c -- values that depend on the type and the locks of a body.
+// bodies.c -- computes values that depend on the type and the locks of a body.
 #include "world/objects/bodies.h"
 #include "platform/error.h"
 #include "step/tree_maintenance.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// collidables.c -- slots of collidables, their lists by body, and their kinds.
+// collidables.c -- keeps the slots of collidables, their lists by body, and their kinds.
 #include "world/objects/collidables.h"
 #include "platform/error.h"
 #include "step/tree_maintenance.h"
@@ -65,7 +65,8 @@ scree_status collidables_allocate(scree_world* world, int* slots, int count)
 	return SCREE_OK;
 }
 
-// Sends the link from a collidable, -1 for none, to the next one in its list, unless its whole row is pending.
+// Records a command that links a collidable to the next collidable in its list. Not needed if previous is -1, or if the
+// whole row of the collidable is pending.
 static void list_changed(scree_world* world, int previous)
 {
 	if (previous < 0 || world->host_collidables[previous].waiting.row > 0)

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// collidables.h -- slots of collidables, their lists by body, and their kinds.
+// collidables.h -- keeps the slots of collidables, their lists by body, and their kinds.
 #ifndef COLLIDABLES_H
 #define COLLIDABLES_H
 #include "world/world.h"
 
-// Reserves memory for more collidables, after which collidable_put cannot fail. The caller calls edits_reserve.
+// Reserves memory for more collidables, so that collidable_put cannot fail. The caller must also call edits_reserve.
 scree_status collidables_reserve(scree_world* world, const char* function, int more);
 
-// Takes a slot for each kind in slots, and writes it there; with a leaf unless KIND_DEAD. On failure takes none.
+// Allocates slots. slots contains the kind of each collidable, which is replaced by its slot. Inserts a leaf for each
+// collidable unless its kind is KIND_DEAD. On failure, no slot is allocated.
 scree_status collidables_allocate(scree_world* world, int* slots, int count);
 
-// Creates a collidable in a slot, at the end of its body's list (body -1: none).
+// Creates a collidable in a slot, and appends it to the list of its body, if it has one.
 void collidable_put(scree_world* world, int index, const HostCollidable* made);
 void collidable_remove(scree_world* world, int index);
 
-int collidable_kind(const scree_world* world, int index); // KIND_DEAD also on a disabled body
-int device_kind(const scree_world* world, int index);     // the same with KIND_SENSOR, as stored on the device
-int kind_on_body(const scree_world* world, int body);     // kind of a collidable on this body, -1 for none
+int collidable_kind(const scree_world* world, int index); // also KIND_DEAD if the body is disabled
+int device_kind(const scree_world* world, int index);     // kind as stored on the device, with KIND_SENSOR for a sensor
+int kind_on_body(const scree_world* world, int body);     // kind of a collidable on a body; body -1: no body
 int kind_of_type(scree_body_type type);
 
 static inline int tree_of_kind(int kind) { return kind == KIND_STATIC; }

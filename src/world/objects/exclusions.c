@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exclusions.c -- pairs of bodies that the user excluded from touching: slots, lists by body, and the upload.
+// exclusions.c -- keeps the pairs of bodies that the user excluded from touching: slots, lists by body, and the upload.
 #include "world/objects/exclusions.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
@@ -17,7 +17,7 @@ scree_status exclusions_reserve(scree_world* world, const char* function, int mo
 	return GROW(function, e->rows, e->capacity, e->slots.capacity);
 }
 
-// Searches the shorter one of the two lists.
+// Searches the shorter of the lists of the two bodies.
 int exclusion_find(const scree_world* world, int a, int b)
 {
 	const HostBody* bodies = world->host_bodies;
@@ -101,7 +101,7 @@ scree_status upload_exclusions(scree_world* world)
 	Backend* b = world->backend;
 	if (!e->waiting)
 		return SCREE_OK;
-	// rows that are no longer in use are written without a pair
+	// rows that are no longer in use are written as NO_PAIR
 	int rows = e->slots.used > pipeline->excluded ? e->slots.used : pipeline->excluded;
 	TRY(pipeline_reserve(pipeline, PER_EXCLUDED, rows));
 	Word64* keys = world_scratch(world, (size_t)rows * sizeof *keys);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// fields.c -- slots of fields, and the upload of the active ones.
+// fields.c -- keeps the slots of fields, and uploads the active fields.
 //
-// Fields are few and change seldom, so all active ones are sent when one changed, without gaps, by slot. Many are
-// sorted, so that a box around neighbors is small: fields without a region first, then those in the world along the
-// curve of Morton, A Computer Oriented Geodetic Data Base, 1966, then those on bodies. The order depends only on calls.
+// Fields are few and change seldom, so after a change all active fields are uploaded, without gaps. A few are in the
+// order of their slots. More are sorted, so that boxes around neighbors are small: first fields without a region, then
+// fields in the world along the curve of Morton, A Computer Oriented Geodetic Data Base, 1966, then fields on bodies.
+// The order depends only on the user's calls.
 #include "world/objects/fields.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
@@ -74,7 +75,7 @@ static Field field_row(const HostField* host)
 	const scree_field_def* def = &host->def;
 	const uint64_t all = ~(uint64_t)0;
 	Field row;
-	memset(&row, 0, sizeof row); // the hash includes the padding
+	memset(&row, 0, sizeof row); // the hash also reads the padding
 	shape_row(&def->shape, &row.shape);
 	row.pose = pose_row(def->pose);
 	row.category = def->category;
@@ -108,7 +109,7 @@ int fields_acting(const scree_world* world, bool* shapes)
 	return world->fields.acting;
 }
 
-typedef struct // an active field, and the key by which active fields are sorted
+typedef struct // an active field with its sort key
 {
 	uint64_t key;
 	int slot;
@@ -124,7 +125,7 @@ static uint64_t spread(uint32_t x)
 	return (bits | bits << 1) & 0x5555555555555555u;
 }
 
-// Returns 30 bits of a coordinate, in steps of 0.2 mm.
+// Returns a coordinate as an integer of 30 bits, in units of 0.2 mm.
 static uint32_t fixed(float x) { return (uint32_t)(((double)x + (double)SCREE_MAX_COORDINATE) * 5000.0); }
 
 static uint64_t key_of(const HostField* host)

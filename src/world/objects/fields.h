@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fields.h -- slots of fields, and the upload of the active ones.
+// fields.h -- keeps the slots of fields, and uploads the active fields.
 #ifndef FIELDS_H
 #define FIELDS_H
 #include "pools/pools.h"
@@ -7,17 +7,19 @@
 
 scree_status fields_reserve(scree_world* world, const char* function);
 
-// field_make takes a slot. field_put sets the checked definition of the field in a slot, on a body or on none (-1).
+// field_make returns a new slot. field_put sets the definition of the field in a slot, which must have been checked.
+// body: -1 for a field in the world.
 int field_make(scree_world* world);
 void field_put(scree_world* world, int index, const scree_field_def* def, int body);
 void field_remove(scree_world* world, int index);
 
-// Removes fields on a body before it is destroyed; marks them as changed after the body was enabled or disabled.
+// fields_body_gone removes the fields on a body that is about to be destroyed. fields_body_changed marks them as
+// changed after the body was enabled or disabled.
 void fields_body_gone(scree_world* world, int body);
 void fields_body_changed(scree_world* world, int body);
 scree_status upload_fields(scree_world* world);
 
-// Returns the number of active fields for a step; *shapes becomes whether some act on shapes.
+// Returns the number of active fields. Sets *shapes to whether some active field acts on shapes.
 int fields_acting(const scree_world* world, bool* shapes);
 
 uint64_t fields_hash(const scree_world* world);

@@ -54,7 +54,8 @@ static Names names_of(const Slots* slots) { return (Names){slots->generation, sl
 Names collidable_names(const scree_world* world) { return names_of(&world->collidables); }
 Names body_names(const scree_world* world) { return names_of(&world->bodies); }
 
-// Indices begin at 1 so that the handle of a body, passed as that of a collidable, is detected more often.
+// Indices in handles begin at 1. A handle of a body that is passed as a handle of a collidable is then detected more
+// often.
 scree_collidable collidable_handle(const scree_world* world, int index)
 {
 	return (scree_collidable){(uint32_t)index + 1, world->collidables.generation[index]};
@@ -73,8 +74,9 @@ scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_
 	return SCREE_OK;
 }
 
-// Returns the generation of an attribute's handle. For the first attribute in a slot it is a hash of its values, so
-// that a handle of another world is accepted only for equal values; later ones have other generations.
+// Returns the generation in an attribute's handle. For the first attribute in a slot it is a hash of the values, so
+// that a handle of another world is accepted only for equal values. Later attributes in the slot have other
+// generations.
 static uint32_t generation_of(const scree_world* world, int index)
 {
 	uint32_t before = world->attribute_slots.generation[index] >> 1;
@@ -105,7 +107,7 @@ scree_status check_attribute(const scree_world* world, ArgumentPlace at, const c
 	return SCREE_OK;
 }
 
-// Indices begin at 1, like those of collidables.
+// Indices in handles begin at 1, as for collidables.
 scree_joint joint_handle(const scree_world* world, int index)
 {
 	return (scree_joint){(uint32_t)index + 1, world->joints.generation[index]};

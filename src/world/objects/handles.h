@@ -12,7 +12,7 @@ scree_joint joint_handle(const scree_world* world, int index);
 scree_path path_handle(const scree_world* world, int index);
 scree_field field_handle(const scree_world* world, int index);
 
-// Returns the handle of the body of a collidable, null for none.
+// Returns the handle of the body of a collidable, or a null handle.
 scree_body owner_handle(const scree_world* world, int collidable);
 
 bool body_is_valid(const scree_world* world, scree_body body);
@@ -22,14 +22,16 @@ bool joint_is_valid(const scree_world* world, scree_joint joint);
 bool path_is_valid(const scree_world* world, scree_path path);
 bool field_is_valid(const scree_world* world, scree_field field);
 
-// Return the slot of a handle in *index. For a null or invalid handle fail with SCREE_ERROR_STALE, naming the argument.
+// Check a handle, and set *index to its slot. For a null or invalid handle they fail with SCREE_ERROR_STALE and name
+// the argument.
 scree_status check_body(const scree_world* world, ArgumentPlace at, const char* member, scree_body body, int* index);
 scree_status check_joint(const scree_world* world, ArgumentPlace at, scree_joint joint, int* index);
 scree_status check_path(const scree_world* world, ArgumentPlace at, const char* member, scree_path path, int* index);
 scree_status check_field(const scree_world* world, ArgumentPlace at, scree_field field, int* index);
 scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_collidable collidable, int* index);
 
-// Does the same for a body that may have been destroyed since. Refuses null, and a body that this world never had.
+// Checks the handle of a body that may have been destroyed since. Refuses a null handle, and a body that this world
+// never had.
 scree_status check_body_once(const scree_world* world, ArgumentPlace at, const char* member, scree_body body);
 
 Names collidable_names(const scree_world* world);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_check.c -- checks of the numbers in definitions of joints.
+// joint_check.c -- checks the numbers in definitions of joints.
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
 #include <stdio.h>
@@ -41,7 +41,7 @@ scree_status check_coordinate(ArgumentPlace at, scree_joint_type type, scree_coo
 	char member[64];
 	for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; ++k)
 	{
-		// a world may have a million joints, so the name is composed only for a message
+		// names are composed only for messages, because a world may have a million joints
 		if (numbers[k].value >= numbers[k].low && numbers[k].value <= numbers[k].high)
 			continue;
 		snprintf(member, sizeof member, ".coordinates[%s].%s", names[which], numbers[k].name);

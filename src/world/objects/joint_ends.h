@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_ends.h -- the list of a body's joints.
+// joint_ends.h -- links the joints of a body to a list.
 //
 // Each joint has two ends, one per body: joint k has the ends 2 k + 0 and 2 k + 1. The list of a body links ends.
 #ifndef JOINT_ENDS_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joints.c -- slots of joints, their lists by body, and the upload.
+// joints.c -- keeps the slots of joints and their lists by body, and uploads joints.
 #include "world/objects/joints.h"
 #include "platform/error.h"
 #include "step/reserve.h"
@@ -19,7 +19,7 @@ scree_status joints_reserve(scree_world* world, const char* function, int more)
 	if (!slots_reserve(&world->joints, more))
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more joints", function, more);
 	TRY(edits_reserve(world, function, 0, 0, 2 * more));
-	// every joint is pending at most once
+	// a joint is in the list of pending joints at most once
 	TRY(GROW(function, world->edits.joints, world->edits.joint_capacity, world->joints.capacity));
 	return GROW(function, world->host_joints, world->host_joint_capacity, world->joints.capacity);
 }
@@ -127,7 +127,7 @@ void body_joints_remove(scree_world* world, int body)
 		joint_remove(world, joint_of_end(world->host_bodies[body].first_joint));
 }
 
-// Returns the modes of a coordinate, as JOINT_* bits. A locked coordinate has no drives.
+// Returns the modes of a coordinate as JOINT_* bits. A locked coordinate has neither limits nor spring nor motor.
 static int coordinate_modes(const scree_joint_coordinate* from, int k)
 {
 	if (from->locked)
@@ -187,7 +187,8 @@ static int joint_modes(const scree_joint_def* def)
 	return modes | JOINT_COUPLED;
 }
 
-// Returns side k of a coupling, else the default: sides of other types are not checked, and may not be finite.
+// Returns side k of a coupling. For all other joints returns a default, because their sides are not checked and may not
+// be finite.
 static scree_joint_side side_of(const scree_joint_def* def, int k)
 {
 	return joint_couples(def->type) ? def->sides[k] : (scree_joint_side){.base.rotation.c = 1.0f};
@@ -255,7 +256,7 @@ static bool is_unlocked(const scree_world* world, int index)
 	return false;
 }
 
-// Returns whether a joint connects a body to one that no force moves.
+// Returns whether forces cannot move one of the two bodies of a joint.
 static bool is_tether(const scree_world* world, int index)
 {
 	const int* bodies = world->host_joints[index].bodies;
@@ -279,7 +280,7 @@ scree_status upload_joints(scree_world* world, void* memory)
 	for (int k = 0; k < p->joint_count; ++k)
 	{
 		rows[k] = joint_edit(world, p->joints[k]);
-		if (!slots_in_use(&world->joints, p->joints[k])) // its row is empty, and other bodies may use the slots
+		if (!slots_in_use(&world->joints, p->joints[k])) // a destroyed joint, whose row is empty
 			continue;
 		pipeline->has_drives |= has_drives(rows + k);
 		pipeline->springs |= ((int)rows[k].data.modes & JOINT_SPRINGS) != 0;

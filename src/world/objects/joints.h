@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: MIT
-// joints.h -- slots of joints, their lists by body, and the upload.
+// joints.h -- keeps the slots of joints and their lists by body, and uploads joints.
 //
-// The host has all data of a joint except whether it broke, so an upload sends its whole row.
+// The host has all data of a joint except whether it broke, so an upload writes the whole row.
 #ifndef JOINTS_H
 #define JOINTS_H
 #include "world/objects/joint_ends.h"
 
 scree_status joints_reserve(scree_world* world, const char* function, int more);
 
-// Records the anchors of a joint at its bodies. The caller has reserved memory for two commands.
+// Passes the anchors of a joint to its bodies, for their masses. The caller has reserved memory for two commands.
 void joint_anchors(scree_world* world, int index);
 
-// Creates a joint in a slot, for which memory is reserved. The definition is checked.
+// Creates a joint, and returns its slot. The caller has reserved memory, and checked the definition.
 int joint_put(scree_world* world, const scree_joint_def* def, int body_a, int body_b);
 void joint_remove(scree_world* world, int index);
 
-// Marks a joint for the upload; restarts: its constraint begins again, without impulses.
+// Marks a joint for the upload. restarts: the constraint must end and begin again, without impulses.
 void joint_changed(scree_world* world, int index, bool restarts);
 
-// Restarts the joints of a body that became movable or immovable.
+// Restarts the joints of a body that has become movable or immovable.
 void body_joints_changed(scree_world* world, int body);
 void body_joints_remove(scree_world* world, int body);
 
-// Lets the joints on paths of a body search for the nearest part of their paths, because the body was placed elsewhere.
+// Makes the joints of a body that follow paths search for the nearest part of the path. Needed after the body was
+// placed elsewhere.
 void body_joints_seek(scree_world* world, int body);
 
 enum
@@ -32,13 +33,13 @@ enum
 #include "world/objects/joint_presets.def"
 };
 
-// Returns whether a joint is a gear or a pulley, which has only the coordinate along.
+// Returns whether a type is a gear or a pulley, which have only the coordinate along.
 static inline bool joint_couples(scree_joint_type type)
 {
 	return type == SCREE_JOINT_GEAR || type == SCREE_JOINT_PULLEY;
 }
 
-// Sends the pending joints. memory has space for one row per joint.
+// Uploads the pending joints. memory: space for one row per pending joint.
 scree_status upload_joints(scree_world* world, void* memory);
 
 #endif
