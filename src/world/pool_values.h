@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// pool_values.h -- converts values of the interface to those of the pools.
+// pool_values.h -- converts values of the interface to values of the pools.
 #ifndef POOL_VALUES_H
 #define POOL_VALUES_H
 #include "pools/pools.h"
 #include "world/world.h"
 #include <string.h>
 
-// Returns the bits of a collidable that share a word on the device.
+// Returns the word Filter.reports of a collidable, with its REPORT_* and SENSOR_* bits.
 static inline uint32_t report_bits(const HostCollidable* host) { return host->reports | host->sensor << SENSOR_SHIFT; }
 
 static inline Filter filter_row(scree_filter filter, uint32_t reports)
@@ -25,7 +25,7 @@ static inline void shape_row(const scree_shape* shape, Attribute* row)
 	}
 }
 
-// Returns the value of COMMAND_MOTION.
+// Returns Command.value for COMMAND_MOTION.
 static inline Float4 body_values_row(const BodyValues* values)
 {
 	_Static_assert(sizeof *values <= sizeof(Float4), "a command has four numbers");

@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
-// slots.h -- slots with generations, to which handles refer. The lowest free slot is allocated first.
+// slots.h -- allocates slots with generations, to which handles refer. The lowest free slot is allocated first.
 #ifndef SLOTS_H
 #define SLOTS_H
 #include <stdbool.h>
 #include <stdint.h>
 
-#define SLOT_LEVELS 5 // levels of 64-bit words: enough for 2^30 slots
+#define SLOT_LEVELS 5 // levels of words with 64 bits: enough for 2^30 slots
 
 typedef struct
 {
-	uint32_t* generation; // per slot; odd while the slot is in use
-	// Level 0: a bit per free slot below used; others: a bit per word of the level below that is not zero.
+	uint32_t* generation; // generation of each slot, odd while the slot is in use
+	// Level 0 has a set bit for each free slot below used. Each higher level has a set bit for each word of the level
+	// below that is not zero.
 	uint64_t* free[SLOT_LEVELS];
 	int free_count, used, capacity, alive;
 	uint64_t changes; // number of changes of generations
 } Slots;
 
-// Reserves memory, so that more slots can be allocated without failing. Returns false if there is no memory.
+// Reserves memory, so that the allocation of more slots cannot fail. Returns false if there is no memory.
 bool slots_reserve(Slots* slots, int more);
 void slots_close(Slots* slots);
 
 int slots_allocate(Slots* slots);
 void slots_free(Slots* slots, int slot);
 
-// Undoes slots_allocate; the slot allocated last is put back first. used is the value of Slots.used before all of them.
+// Reverts slots_allocate. If several slots are put back, the slot allocated last must be first. used: Slots.used before
+// all these allocations.
 void slots_put_back(Slots* slots, int slot, int used);
 
 static inline bool slots_in_use(const Slots* slots, int slot) { return slots->generation[slot] & 1; }

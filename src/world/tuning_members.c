@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tuning_members.c -- the members that scree_tuning and scree_world_def have in common.
+// tuning_members.c -- copies and checks the members that scree_tuning and scree_world_def have in common.
 #include "world/tuning_members.h"
 
 scree_tuning tuning_of(const scree_world_def* def)

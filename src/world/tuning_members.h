@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tuning_members.h -- the members that scree_tuning and scree_world_def have in common.
+// tuning_members.h -- copies and checks the members that scree_tuning and scree_world_def have in common.
 #ifndef TUNING_MEMBERS_H
 #define TUNING_MEMBERS_H
 #include "world/check.h"

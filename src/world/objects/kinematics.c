@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// kinematics.c -- the list of a world's kinematic bodies: if few, continuous collision compares paths with each.
+// kinematics.c -- keeps the list of kinematic bodies. If the list is short, continuous collision compares paths with
+// each of them.
 #include "world/objects/kinematics.h"
 #include "world/memory.h"
 #include "world/world.h"
@@ -15,7 +16,7 @@ void kinematic_put(scree_world* world, int body)
 	world->host_bodies[body].kinematic = ++world->kinematic_count;
 }
 
-// Removes a body; the last one takes its place.
+// Removes a body from the list, and moves the last body of the list to its position.
 void kinematic_drop(scree_world* world, int body)
 {
 	HostBody* host = world->host_bodies + body;

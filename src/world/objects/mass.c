@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// mass.c -- the mass of a body, computed from its collidables.
+// mass.c -- computes the mass of a body from its collidables.
 #include "world/objects/mass.h"
 #include "world/edits.h"
 #include "world/objects/attributes.h"
@@ -7,8 +7,9 @@
 #include "world/shape/geometry.h"
 #include <math.h>
 
-// Minimum radius of gyration as a share of a body's longest arm, squared. Below it the equations of joints have no
-// digits left for the mass: a chain of beads of 2 mm, welded at arms of 0.5 m, became 1e25 times as fast within a step.
+// Minimum of the squared radius of gyration, as a share of the squared longest arm of a body. With a smaller inertia,
+// the equations of joints have no digits left for the mass: a chain of beads of 2 mm, welded at arms of 0.5 m, became
+// 1e25 times as fast within a step.
 #define LEAST_GYRATION 1.0e-3
 
 static scree_mass massless(scree_body_type type)
@@ -16,7 +17,7 @@ static scree_mass massless(scree_body_type type)
 	return (scree_mass){.mass = type == SCREE_BODY_DYNAMIC ? 1.0f : 0.0f};
 }
 
-// Adds to the sums the collidables of a body that follow the last one in them.
+// Adds the collidables of a body to its sums, beginning after the collidable that was added last.
 static void add_parts(const scree_world* world, MassSums* sums)
 {
 	int k = sums->last < 0 ? world->host_bodies[sums->body].first_collidable : world->host_collidables[sums->last].next;
@@ -33,7 +34,7 @@ static void add_parts(const scree_world* world, MassSums* sums)
 	}
 }
 
-// Returns mass and center from the sums; the inertia is 0.
+// Returns the mass and the center that follow from the sums. The inertia is 0.
 static scree_mass mass_of_sums(const MassSums* sums)
 {
 	if (sums->mass == 0.0)
@@ -78,7 +79,8 @@ scree_mass mass_now(const scree_world* world, int body)
 	return lacks ? mass_of_body(world, body) : world->host_bodies[body].mass;
 }
 
-// Returns the distance of a point from the center of mass, m; in double, because hypotf differs between systems.
+// Returns the distance of a point from the center of mass, m. Computes in double, because hypotf differs between
+// systems.
 static float arm_of(const HostBody* host, scree_vec point)
 {
 	double x = point.x - host->mass.center.x, y = point.y - host->mass.center.y;
@@ -94,7 +96,8 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / (host->mass.inertia > least ? host->mass.inertia : least) : 0.0f;
 }
 
-// Returns the longest arm of the joints; also of the solid shapes if the user set the mass, which may not fit them.
+// Returns the longest arm of a body, m: over the anchors of its joints, and, if the user set the mass, also over its
+// solid shapes, which such a mass may not fit.
 static float longest_arm(const scree_world* world, const HostBody* host)
 {
 	float most = 0.0f;
@@ -121,7 +124,8 @@ ContinuousBody continuous_row(scree_world* world, int body)
 	for (int k = host->first_collidable; host->type == SCREE_BODY_DYNAMIC && k >= 0;
 	     k = world->host_collidables[k].next)
 	{
-		// continuous collision adds the components of the arm: at most 1.4143 times its length; 0.1 % more for rounding
+		// continuous collision adds the components of the arm, which are at most 1.4143 times its length; 0.1 % more
+		// for rounding
 		const HostCollidable* collidable = world->host_collidables + k;
 		float way = CONTINUOUS_TRAVEL * attribute_thickness(world, collidable->attribute);
 		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach +
@@ -211,7 +215,7 @@ void mass_settle(scree_world* world)
 	edits_whole(world, continuous_command(world, sums->body));
 }
 
-// Adds new collidables to the mass of a dynamic body, which had no other change since the last call.
+// Adds new collidables to the mass of a dynamic body. The body had no other change since the last call for it.
 static void gain(scree_world* world, int body)
 {
 	MassSums* sums = &world->mass_sums;
@@ -246,7 +250,8 @@ void masses_update(scree_world* world, const int* bodies, int count, bool gained
 		world->host_bodies[bodies[k]].marked = false;
 		world->host_bodies[bodies[k]].own_mass = (scree_mass){0};
 		if (world->host_bodies[bodies[k]].type != SCREE_BODY_DYNAMIC)
-			edits_whole(world, continuous_command(world, bodies[k])); // its list may begin with another collidable
+			// the list of the body may begin with another collidable
+			edits_whole(world, continuous_command(world, bodies[k]));
 		else if (gained)
 			gain(world, bodies[k]);
 		else

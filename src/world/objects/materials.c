@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// materials.c -- surface values of pairs of materials: the rows of the pool material_pair.
+// materials.c -- keeps the surface values of pairs of materials, the rows of the pool material_pair.
 #include "world/objects/materials.h"
 #include "platform/error.h"
 #include "pools/hash_types.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// materials.h -- surface values of pairs of materials: the rows of the pool material_pair.
+// materials.h -- keeps the surface values of pairs of materials, the rows of the pool material_pair.
 #ifndef MATERIALS_H
 #define MATERIALS_H
 #include "world/world.h"
 
-// Returns the row of a pair of materials, in any order; all zero if it was never set.
+// Returns the row of a pair of materials, in any order. All values are zero if the pair was never set.
 MaterialPair material_row(const scree_world* world, int a, int b);
 
-// Sets the row of a pair, which the next upload sends.
+// Sets the row of a pair of materials, and marks it for the next upload.
 scree_status material_set(scree_world* world, const char* function, int a, int b, MaterialPair row);
 
 scree_status upload_materials(scree_world* world);

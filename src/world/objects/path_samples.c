@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: MIT
-// path_samples.c -- computes the samples of a path: the cubic spline through its points, and the arc length along it.
+// path_samples.c -- computes the samples of a path: a cubic spline through its points, and the arc length along the
+// spline.
 //
-// The spline has a continuous curvature, so the force on a body along it has no jumps. Its parameter is the sum of the
-// distances of the points. Doubles, with + - * / and square roots only, give every machine the same bits.
+// The curvature of the spline is continuous, so the force on a body that follows it has no jumps. The parameter of the
+// spline is the sum of the distances between successive points. Only + - * / and square roots of doubles are used, so
+// every machine computes the same bits.
 //
 // This work is based on: Carl de Boor, A Practical Guide to Splines, 1978: slopes of a spline, and its ends; Michael
 // Floater, Chordal Cubic Spline Interpolation is Fourth-Order Accurate, 2006: the parameter.
 #include "world/objects/path_samples.h"
 #include <math.h>
 
-#define MOST_TURN 1.0 // rad: most turn of the tangent between two samples with a curvature; more is a cusp
+#define MOST_TURN 1.0 // rad: largest turn of the tangent between two samples; limits the curvature of cusps
 
-typedef struct // a vector in double
+typedef struct // vector of doubles
 {
 	double x, y;
 } Double2;
 
 typedef struct // equations for the slopes m: before[k] m[k - 1] + own[k] m[k] + behind[k] m[k + 1] = right[k]
 {
-	double *before, *own, *behind, *length; // length: of the chord that follows a point
-	Double2 *slope, *wrap;                  // slope: right sides, then solutions; wrap: those for closing a ring
+	double *before, *own, *behind, *length; // length: length of the chord behind each point
+	Double2 *slope, *wrap;                  // slope: right sides, later the solution; wrap: terms that close a ring
 } System;
 
 static System system_in(double* work, int count)
@@ -34,7 +36,8 @@ static Double2 chord(const scree_vec* points, int count, int k)
 	return (Double2){(double)b.x - a.x, (double)b.y - a.y};
 }
 
-// Sets up the equations: second derivatives agree at inner points, and at an end of an open curve with the next point.
+// Sets up the equations. At inner points, the second derivatives of the two spans agree. At an end of an open curve,
+// the second derivative is that of the neighboring point.
 static void set_up(const scree_vec* points, int count, bool closed, System* s)
 {
 	for (int k = 0; k < count; ++k)
@@ -64,7 +67,8 @@ static void set_up(const scree_vec* points, int count, bool closed, System* s)
 	s->slope[end] = (Double2){(1.0 + both) * last.x / s->length[end - 1], (1.0 + both) * last.y / s->length[end - 1]};
 }
 
-// Solves by elimination; a ring first without corner elements, then for them: Jack Sherman, Winifred Morrison, 1950.
+// Solves the equations by elimination. The equations of a ring are first solved without their two corner elements; a
+// correction for these follows. Source: Jack Sherman, Winifred Morrison, 1950.
 static void solve(int count, bool closed, System* s)
 {
 	int end = count - 1;
@@ -106,7 +110,7 @@ static void solve(int count, bool closed, System* s)
 	}
 }
 
-typedef struct // a span as a cubic, whose parameter goes from 0 at its first point to 1
+typedef struct // span between two points as a cubic in t: 0 at the first point, 1 at the second
 {
 	Double2 from, m1, m2, m3;
 } Cubic;
@@ -133,7 +137,7 @@ static double pace_at(const Cubic* c, double t)
 	return sqrt(v.x * v.x + v.y * v.y);
 }
 
-// Returns the length of a share of a span, by Gauss quadrature with three points.
+// Returns the length of a part of a span, from t = from to from + share, by Gauss quadrature with three points.
 static double length_of(const Cubic* c, double from, double share)
 {
 	static const double offset = 0.7745966692414834; // sqrt(3 / 5)
@@ -142,12 +146,13 @@ static double length_of(const Cubic* c, double from, double share)
 	return share * sum / 18.0;
 }
 
-// Returns a sample of a span with the given chord length; along and length are members of the sample.
+// Returns a sample of a span at parameter t. chord_length: of the span; along and length: values of these members of
+// the sample.
 static PathSample sample_at(const Cubic* c, double t, double chord_length, double along, double length)
 {
 	Double2 v = speed_at(c, t), a = {2.0 * c->m2.x + 6.0 * t * c->m3.x, 2.0 * c->m2.y + 6.0 * t * c->m3.y};
 	double pace = sqrt(v.x * v.x + v.y * v.y), most = MOST_TURN / length;
-	// if the curve turns back here, its derivative is 0, and the direction is that of the chord
+	// if the curve turns back here, the derivative is 0; the tangent is then the direction of the chord
 	bool stands = !(pace > 1e-6 * chord_length);
 	Double2 d = {c->m1.x + c->m2.x + c->m3.x, c->m1.y + c->m2.y + c->m3.y};
 	Double2 u = stands ? (Double2){d.x / chord_length, d.y / chord_length} : (Double2){v.x / pace, v.y / pace};

@@ -6,16 +6,17 @@
 #include "scree/scree.h"
 #include <stdbool.h>
 
-// Samples per span, from one point to the next. The cubics between samples deviate by angle^4 / 384 of the radius of a
-// circle: 2.4e-7 if 8 points make a full circle. The curve through these points itself deviates by 1.2e-3.
+// Number of samples per span, which goes from one point to the next. The cubics between samples deviate by angle^4 /
+// 384 of the radius of a circle: by 2.4e-7 of it if 8 points make a full circle. The curve through 8 points itself
+// deviates by 1.2e-3 of the radius.
 #define PATH_SHARES 8
 
 static inline int path_spans(int points, bool closed) { return points - !closed; }
 
-// Returns the number of doubles in the work memory of path_sample.
+// Returns the number of doubles that path_sample needs as work memory.
 static inline size_t path_work(int points) { return (size_t)points * 8; }
 
-// Writes PATH_SHARES samples of each span, and the last one. Neighboring points must differ.
+// Writes PATH_SHARES samples for each span, and one for the last point. Neighboring points must differ.
 void path_sample(const scree_vec* points, int count, bool closed, double* work, PathSample* samples);
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// paths.c -- slots of paths, the positions of their samples in the pool, and the upload.
+// paths.c -- keeps the slots of paths and the positions of their samples in the pool, and uploads paths.
 //
-// The samples of all paths are in one pool, those of a path side by side. The host keeps a copy, which it also reads. A
-// new path takes the first gap that is large enough, so positions depend only on the user's calls.
+// One pool contains the samples of all paths; those of a path are adjacent. The host keeps a copy, which it also reads.
+// A new path takes the first gap that is large enough, so positions depend only on the user's calls.
 #include "world/objects/paths.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
@@ -10,7 +10,8 @@
 #include "world/objects/path_samples.h"
 #include <math.h>
 
-// Returns the first gap for the samples; *before becomes the path in front of it, as 1 + index, 0 for none.
+// Returns the position of the first gap with room for count samples. Sets *before to the path in front of the gap, as 1
+// + index, or to 0.
 static int find_place(const scree_world* world, int count, int* before)
 {
 	int end = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paths.h -- slots of paths, the positions of their samples in the pool, and the upload.
+// paths.h -- keeps the slots of paths and the positions of their samples in the pool, and uploads paths.
 #ifndef PATHS_H
 #define PATHS_H
 #include "constraints/path_curve.h"
@@ -7,7 +7,7 @@
 
 #define MOST_PATH_POINTS 65536
 
-// Creates a path from checked points. On failure nothing has changed.
+// Creates a path, and sets *index to its slot. The points must have been checked. On failure nothing has changed.
 scree_status path_put(scree_world* world, const char* function, const scree_path_def* def, int* index);
 void path_remove(scree_world* world, int index);
 
@@ -17,7 +17,8 @@ static inline PathCurve path_curve_of(const scree_world* world, int index)
 	return path_curve(host->samples, host->segments);
 }
 
-// Returns the point and the tangent at an arc length, which is clamped on an open path and repeats on a closed one.
+// Returns the point and the tangent of a path at an arc length, m. The arc length is clamped on an open path, and
+// repeats on a closed path.
 scree_pose path_pose_at(const scree_world* world, int index, float along);
 
 scree_status upload_paths(scree_world* world);

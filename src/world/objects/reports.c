@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// reports.c -- collidables that report events: their number, names of destroyed ones, and the events of the device.
+// reports.c -- keeps the data of reported events: the number of collidables that report, names of destroyed
+// collidables, and the events read from the device.
 //
-// Events identify collidables by slots, which may have been reused since, even twice: after the last step, and before
-// it, if contacts of the old collidable ended in that step. So a slot stores two names, of the collidables that left it
-// after an even and after an odd number of steps. Collidables that took part in no step have no events.
+// Events identify collidables by slots. A slot may have been reused since the event, even twice: after the last step,
+// and before the last step, if contacts of the old collidable ended in that step. So each slot stores two names: of the
+// collidables destroyed after an even number and after an odd number of steps. A collidable that took part in no step
+// has no events.
 #include "world/objects/reports.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"

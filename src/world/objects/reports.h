@@ -1,29 +1,33 @@
 // SPDX-License-Identifier: MIT
-// reports.h -- collidables that report events: their number, names of destroyed ones, and the events of the device.
+// reports.h -- keeps the data of reported events: the number of collidables that report, names of destroyed
+// collidables, and the events read from the device.
 #ifndef REPORTS_H
 #define REPORTS_H
 #include "world/world.h"
 
-// Reserves memory for the names of collidables that are destroyed after the next step, if one has ever reported.
+// Reserves memory for the names of collidables destroyed after the next step. Does nothing if there has never been a
+// sensor or a collidable that reports events.
 scree_status reports_reserve(scree_world* world, const char* function);
 
 // Stores the name of a collidable that is about to be destroyed.
 void reports_depart(scree_world* world, int index);
 
-// Records that a collidable reports these events from now on.
+// Prepares the pipeline for the events that a collidable reports from now on. reports: SCREE_REPORT_* bits.
 void reports_note(scree_world* world, uint32_t reports);
 uint64_t allowed_hash(const scree_world* world);
 
-// Discards the events of the last step, because the next one begins.
+// Discards the events of the last step. Must be called when the next step begins.
 void reports_forget(scree_world* world);
 
-// Discards the approvals of the previous step, after a step.
+// Discards the approvals for the previous step. Must be called after each step.
 void reports_stepped(scree_world* world);
 
-// Reads the events of the last step, unless they were read already. Called before later changes are uploaded.
+// Reads the events of the last step, unless they have been read. Must be called before later changes are uploaded.
 scree_status reports_fetch(scree_world* world);
 
-// Returns the name of a collidable that took part in the last step; before: or in the one before, but not in the last.
+// Returns the name of the collidable that had a slot in the last step. before: if another collidable left the slot
+// between the last two steps, returns the name of that collidable. Sets *destroyed to whether the returned collidable
+// has been destroyed.
 CollidableName reports_name(const scree_world* world, int index, bool before, int* destroyed);
 
 void reports_close(scree_world* world);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// sensors.c -- sensors: the collidables that visit them, and the visits that began and ended in the last step.
+// sensors.c -- finds the visits to sensors, and lists the visits that began and ended in the last step.
 //
-// The device finds the overlaps during the step (src/stages/read/sensor.h). Lasting visits are stored in order: a new
-// one has begun, a missing one has ended. So each visit ends once, whatever happens to its two collidables.
+// The device finds the overlaps during the step (src/stages/read/sensor.h). The host keeps a sorted list of the visits
+// that last. A visit that is new in the list has begun; a visit that is missing has ended. So each visit ends exactly
+// once, even if its collidables are changed or destroyed.
 #include "world/objects/sensors.h"
 #include "platform/error.h"
 #include "step/step_queries.h"
@@ -40,7 +41,7 @@ void sensors_forget(scree_world* world)
 	world->sensors.ended_count = 0;
 }
 
-// Returns whether a collidable is new, or has another shape, since the end of the step before the last one.
+// Returns whether a collidable was created, or got another shape, after the step before the last.
 static bool is_new(const scree_world* world, int index)
 {
 	return slots_in_use(&world->collidables, index) && world->host_collidables[index].born >= world->pipeline.steps - 1;
@@ -75,7 +76,7 @@ static void begin_visit(Sensors* s, const Visit* visit)
 		end_visit(s, visit, visit->left, false);
 }
 
-// Compares the visits at the end of the previous step with those of the last step. Both are in order.
+// Compares the visits at the end of the previous step with the visits of the last step. Both lists are sorted.
 static void compare_visits(scree_world* world, const Visit* found, int count)
 {
 	Sensors* s = &world->sensors;
@@ -92,7 +93,8 @@ static void compare_visits(scree_world* world, const Visit* found, int count)
 		const Visit* was = side == 0 ? s->visits + old++ : NULL;
 		if (now->lasts)
 			s->next[kept++] = *now;
-		if (was && !is_fresh(world, was) && now->time == 0.0f) // time > 0: it was placed elsewhere before the step
+		// time > 0: a collidable was placed elsewhere before the step, so the old visit ends and a new one begins
+		if (was && !is_fresh(world, was) && now->time == 0.0f)
 		{
 			if (!now->lasts)
 				end_visit(s, now, now->left, false);
@@ -111,7 +113,7 @@ static void compare_visits(scree_world* world, const Visit* found, int count)
 	s->visit_count = kept;
 }
 
-// Finds the visits on the device. *count becomes their number; found holds them in order.
+// Finds the visits on the device, and sets *count to their number. The visits are in Sensors.found, sorted.
 static scree_status ask(scree_world* world, const char* function, int* count)
 {
 	Sensors* s = &world->sensors;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// targets.c -- poses of kinematic bodies at the end of the next step: stored on the host, sent with the step.
+// targets.c -- keeps the targets of kinematic bodies: poses at the end of the next step, which are uploaded with the
+// step.
 #include "world/objects/targets.h"
 #include "platform/error.h"
 #include "world/edits.h"
@@ -24,7 +25,7 @@ void target_put(scree_world* world, int body, scree_pose pose)
 	world->targets[host->target - 1] = (Target){body, pose};
 }
 
-// Removes a target; the last one takes its place.
+// Removes the target of a body, and moves the last target of the list to its position.
 void target_drop(scree_world* world, int body)
 {
 	HostBody* host = world->host_bodies + body;

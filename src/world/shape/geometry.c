@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// geometry.c -- shapes: checks, normals, and the mass properties of rounded outlines.
+// geometry.c -- checks shapes, and computes their normals and mass properties.
 #include "world/shape/geometry.h"
 #include "platform/trig.h"
 #include <math.h>
@@ -17,15 +17,15 @@ scree_vec pose_point(scree_pose pose, scree_vec p)
 	return (scree_vec){pose.position.x + (q.c * p.x - q.s * p.y), pose.position.y + (q.s * p.x + q.c * p.y)};
 }
 
-#define WELD_SIZES 20.0 // minimum size of a polygon with the full tolerances, as a multiple of WELD_DISTANCE
+#define WELD_SIZES 20.0 // polygons of at least WELD_SIZES * WELD_DISTANCE have the full tolerances
 
-typedef struct // sums over pieces of a shape, about vertex 0, per unit of density
+typedef struct // sums over the pieces of a shape, about vertex 0, for density 1
 {
 	double area, x, y; // m^2, m^3
 	double inertia;    // m^4
 } Moments;
 
-// Adds a piece; inertia is about the centroid of the piece.
+// Adds a piece with its centroid at (x, y). inertia: about this centroid.
 static void add_piece(Moments* m, double area, double x, double y, double inertia)
 {
 	m->area += area;
@@ -34,9 +34,10 @@ static void add_piece(Moments* m, double area, double x, double y, double inerti
 	m->inertia += inertia + area * (x * x + y * y);
 }
 
-// Computes the mass properties of all points within the radius of the hull: of triangles around vertex 0, a rectangle
-// on each edge, and at each corner the sector between the normals of its edges. The first moment of a sector needs no
-// angle: the integral of (cos, sin) between two normals is their difference, rotated back by a quarter turn.
+// Computes the mass properties of all points within the radius of the hull. The pieces are triangles around vertex 0, a
+// rectangle on each edge, and at each corner a sector between the normals of the two edges. The first moment of a
+// sector needs no angle: the integral of (cos, sin) between two normals is their difference, rotated back by a quarter
+// turn.
 static void fill_mass(scree_shape* shape)
 {
 	const scree_vec *v = shape->vertices, *n = shape->normals;
@@ -49,7 +50,8 @@ static void fill_mass(scree_shape* shape)
 		double x = (double)v[i].x - v[0].x, y = (double)v[i].y - v[0].y;
 		double nx = (double)v[next].x - v[0].x, ny = (double)v[next].y - v[0].y;
 
-		// triangle of vertex 0 and this edge; with edges a, b, its inertia about vertex 0 is area (a.a + a.b + b.b) / 6
+		// triangle of vertex 0 and the edge; if a and b are its sides at vertex 0, its inertia about vertex 0 is area
+		// (a.a + a.b + b.b) / 6
 		double area = 0.5 * (x * ny - y * nx), tx = (x + nx) / 3.0, ty = (y + ny) / 3.0;
 		double about_corner = area * (x * x + y * y + x * nx + y * ny + nx * nx + ny * ny) / 6.0;
 		add_piece(&m, area, tx, ty, about_corner - area * (tx * tx + ty * ty));
@@ -96,7 +98,7 @@ void shape_fill(scree_shape* shape)
 		area += vec_cross_from(shape->vertices[0], shape->vertices[i - 1], shape->vertices[i]);
 	for (int i = 0; i < s.count; ++i)
 	{
-		// adding zero makes a negative zero positive, so that equal shapes have equal bytes
+		// adding 0 makes a negative zero positive, so that equal shapes have equal bytes
 		scree_vec v = shape->vertices[area < 0.0 ? s.count - 1 - i : i];
 		s.vertices[i] = (scree_vec){v.x + 0.0f, v.y + 0.0f};
 		double reach = sqrt((double)v.x * v.x + (double)v.y * v.y) + s.radius;

@@ -1,34 +1,35 @@
 // SPDX-License-Identifier: MIT
-// geometry.h -- shapes: their checks, normals, mass and reach, from corners and radius.
+// geometry.h -- checks shapes, and computes normals, mass and reach from corners and radius.
 #ifndef GEOMETRY_H
 #define GEOMETRY_H
 #include "world/check.h"
 
-#define SMALLEST_SIZE 0.001f // m
-#define WELD_DISTANCE 0.005f // m: corners closer than this coincide; smaller in small shapes
-#define FLAT_DISTANCE 0.0005 // m: corners closer to the line between their neighbors lie on it; smaller in small shapes
+#define SMALLEST_SIZE 0.001f // m: least size of a shape
+#define WELD_DISTANCE 0.005f // m: corners closer together count as one corner; smaller in small shapes
+#define FLAT_DISTANCE 0.0005 // m: a corner closer to the line between its neighbors is flat; smaller in small shapes
 
-typedef struct // the two distances for a polygon of a given size, m
+typedef struct // the distances WELD_DISTANCE and FLAT_DISTANCE for a polygon of a given size, m
 {
 	double weld, flat;
 } Tolerance;
 
-// Returns the tolerances of a polygon: weld is a twentieth of the largest distance of two points, between 0.5 mm and
-// WELD_DISTANCE; flat is a tenth of that. The octagon of the smallest size has edges of 0.77 mm.
+// Returns the tolerances of a polygon. weld is a twentieth of the largest distance of two points, but from 0.5 mm to
+// WELD_DISTANCE; flat is a tenth of weld. The octagon of the smallest size has edges of 0.77 mm.
 Tolerance tolerance_of(const scree_vec* points, int count);
 
-// Checks a shape whose kind, count, radius and vertices are given, and computes all else; members beyond count become
-// zero. Thresholds are lower than those of scree_shape_make_polygon, so a shape that was rotated and moved stays valid.
+// Checks a shape with given kind, count, radius and vertices, and computes all other members. Sets array entries beyond
+// count to zero. The thresholds are lower than those of scree_shape_make_polygon, so that a shape stays valid after
+// rotations and translations.
 scree_status shape_finish(ArgumentPlace at, scree_shape* shape);
 
-// Does the same without checks. A clockwise polygon is reversed.
+// Computes the same members without checks. Reverses a clockwise polygon.
 void shape_fill(scree_shape* shape);
 
-// Refuses corners that do not form a convex polygon, of either orientation.
+// Fails if corners do not form a convex polygon, clockwise or counter-clockwise.
 scree_status check_corners(const char* function, const char* argument, const scree_vec* v, int count,
                            Tolerance tolerance);
 
-// Refuses coordinates that are not finite or beyond SCREE_MAX_COORDINATE.
+// Fails if coordinates are not finite, or beyond SCREE_MAX_COORDINATE.
 scree_status check_points(const char* function, const char* argument, const scree_vec* v, int count);
 
 static inline double vec_cross_from(scree_vec origin, scree_vec a, scree_vec b)
@@ -44,13 +45,13 @@ static inline scree_vec rot_vec(scree_rot rotation, scree_vec v)
 	return pose_point((scree_pose){{0.0f, 0.0f}, rotation}, v);
 }
 
-// Returns the rotation by b, then by a.
+// Returns the rotation that first rotates by b, then by a.
 static inline scree_rot rot_product(scree_rot a, scree_rot b)
 {
 	return (scree_rot){a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
 }
 
-// Returns the pose in the world of a pose that is given in the frame of another one.
+// Returns the pose in the world of inner, which is given in the frame of outer.
 static inline scree_pose pose_product(scree_pose outer, scree_pose inner)
 {
 	return (scree_pose){pose_point(outer, inner.position), rot_product(outer.rotation, inner.rotation)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hull.c -- the convex hull of a few points.
+// hull.c -- computes the convex hull of a few points.
 //
 // This work is based on: Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996, in two dimensions.
 #include "world/shape/hull.h"
@@ -14,7 +14,8 @@ typedef struct
 	Tolerance tolerance;
 } Hull;
 
-// Adds the corners between corner a and corner b in order. outside holds the points to the right of the line a to b.
+// Appends the corners between corner a and corner b to the hull, in order. outside: the points to the right of the line
+// from a to b.
 static void add_side(Hull* hull, int a, int b, const int* outside, int outside_count)
 {
 	const scree_vec* p = hull->points;
@@ -32,7 +33,7 @@ static void add_side(Hull* hull, int a, int b, const int* outside, int outside_c
 	if (corner < 0)
 		return;
 
-	// points beyond either of the two new sides
+	// points beyond the first and beyond the second of the two new sides
 	int first[HULL_POINTS], second[HULL_POINTS], first_count = 0, second_count = 0;
 	for (int k = 0; k < outside_count; ++k)
 	{
@@ -47,7 +48,8 @@ static void add_side(Hull* hull, int a, int b, const int* outside, int outside_c
 	add_side(hull, corner, b, second, second_count);
 }
 
-// Removes the flattest corner, one at a time, until no corner is flat: each removal makes its neighbors less flat.
+// Removes the flattest corner, one at a time, until no corner is flat. Each removal makes the neighboring corners less
+// flat.
 static void drop_flat(Hull* hull)
 {
 	while (hull->count >= 3)
@@ -78,7 +80,7 @@ int hull_corners(const scree_vec* points, int count, int* corners)
 {
 	Tolerance tolerance = tolerance_of(points, count);
 
-	// welding: the first of several close points stands for all of them
+	// welding: of several close points, only the first is kept
 	int kept[HULL_POINTS], kept_count = 0;
 	for (int i = 0; i < count; ++i)
 	{
@@ -91,7 +93,7 @@ int hull_corners(const scree_vec* points, int count, int* corners)
 	if (kept_count < 3)
 		return kept_count;
 
-	// the lowest of several leftmost points is a corner, and the highest of several rightmost ones
+	// the lowest of the leftmost points is a corner, and so is the highest of the rightmost points
 	int left = kept[0], right = kept[0];
 	for (int k = 1; k < kept_count; ++k)
 	{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// edit_order.c -- sorts rows by slot, and finds their runs.
+// edit_order.c -- sorts rows by slot, and finds sequences of rows with neighboring slots.
 #include "world/upload/edit_order.h"
 #include "platform/error.h"
 #include "world/memory.h"
@@ -9,12 +9,13 @@
 #define DIGIT_BITS 8
 #define DIGITS     (1 << DIGIT_BITS)
 
-typedef struct // a sort key, and the row that it belongs to
+typedef struct // sort key of a row (index), and position of the row
 {
 	uint32_t index, row;
 } Place;
 
-// Sorts places by index with a radix sort. bits: every bit that is set in some index. other: space for count places.
+// Sorts places by index with a radix sort. bits: all bits that are set in some index. other: memory for count places.
+// Returns the sorted array, which is places or other.
 static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 {
 	for (int shift = 0; bits >> shift != 0; shift += DIGIT_BITS)
@@ -37,7 +38,7 @@ static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 	return places;
 }
 
-// Returns the index of row k, which is its first member. bytes is the size of a row.
+// Returns the first member of row k, the index of its slot. bytes: size of a row.
 static uint32_t row_index(const void* rows, size_t bytes, int k)
 {
 	uint32_t index;
@@ -45,7 +46,7 @@ static uint32_t row_index(const void* rows, size_t bytes, int k)
 	return index;
 }
 
-// Returns the bytes of memory that sort_rows needs; 0 if the rows are sorted already, as in a new world.
+// Returns the bytes of memory that sort_rows needs: 0 if the rows are already sorted, as in a new world.
 static size_t sort_bytes(const void* rows, int count, size_t bytes)
 {
 	int k = 1;
