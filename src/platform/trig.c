@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// trig.c -- sine, cosine and arc tangent on the host, by power series after an exact reduction of the angle.
+// trig.c -- computes sine, cosine and arc tangent on the host, by power series after an exact reduction of the angle.
 //
-// This work is based on: Mary Payne, Robert Hanek, Radian Reduction for Trigonometric Functions, 1983: a large angle
-// is multiplied only by those digits of 1 / (2 pi) that affect the fraction of a turn.
+// This work is based on: Mary Payne, Robert Hanek, Radian Reduction for Trigonometric Functions, 1983: a large angle is
+// multiplied only by those digits of 1 / (2 pi) that affect the fraction of a turn.
 #include "platform/trig.h"
 #include "scree/scree.h"
 #include <math.h>

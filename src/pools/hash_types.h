@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hash_types.h -- hash functions for the types of hashed pools.
+// hash_types.h -- defines the hash functions for the types of hashed pools.
 #ifndef HASH_TYPES_H
 #define HASH_TYPES_H
 #include "dialect/hash_word.h"
@@ -17,7 +17,7 @@ INLINE Word64 hash_Filter(Word64 h, Filter v)
 	h = hash_int(h, v.group);
 	return v.reports ? hash_word(h, v.reports) : h;
 }
-// Leaves out the motion within the step.
+// Hashes a BodyState without dx, dy and da, the motion within the step.
 INLINE Word64 hash_BodyState(Word64 h, BodyState v)
 {
 	h = hash_float(hash_float(hash_float(h, v.vx), v.vy), v.w);

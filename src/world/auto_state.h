@@ -23,7 +23,7 @@ typedef struct
 {
 	bool on;                // true if "auto" was given as the device
 	char named[160];        // value of SCREE_AUTO: the device to try at once; empty: a GPU is tried when it may pay
-	CompareDevice* compare; // see CompareDevice
+	CompareDevice* compare; // compares the bits of the other device with those of the CPU after it was opened
 	AsyncOpen* opening;     // the other device while a thread opens it, or null
 	Backend* other;         // the other device, open but without the world; null until it is open
 	bool alone;             // true: the world stays on its device
