@@ -31,7 +31,7 @@ typedef struct
 	float scale;                           // scale of the panel; 0: that of the display
 	const char* script;                    // path of user actions; null: none
 	int width, height;                     // px
-	bool has_view, has_zoom;               // true if view and zoom were given; default: the view of the scene, unchanged
+	bool has_view, has_zoom;               // true if view and zoom were given; default: the scene's view, unchanged
 	scree_box view, zoom;                  // m: part of the world in pictures at the start, and at the end
 	int repeats;
 	int queries;       // 0: a million
