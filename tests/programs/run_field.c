@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_field.c -- calls of fields, and reads of their state.
+// run_field.c -- makes the calls of fields, and reads the state of fields.
 #include "programs/run_call.h"
 
 static scree_field call_field(const CallRun* r)
