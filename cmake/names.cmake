@@ -1,8 +1,8 @@
 # names.cmake -- scree_names(objects out): links a library of objects into one object, in which only scree_* is a global
 # name.
 #
-# The static library holds this object instead of the library's objects, because with those a program that has a
-# function named `launch` would not link. The object is machine code even if the program is compiled with -flto: in the
+# The static library holds this object instead of the library's objects, because otherwise a program that has a function
+# named `launch` would not link. The object is machine code even if the program is compiled with -flto: in the
 # compiler's intermediate code, names could not be made local.
 function(scree_names objects out)
 	set_target_properties(${objects} PROPERTIES INTERPROCEDURAL_OPTIMIZATION OFF)

@@ -23,7 +23,8 @@ bool items_count(Reader* reader, const Location* location, const Loops* loops, i
 // Calls each() for every item. Stops and returns false if each() returns false, or if a range of a loop is invalid.
 bool items_run(Reader* reader, const Loops* loops, bool (*each)(Items* items, void* context), void* context);
 
-// Compute one number and two numbers of the current item. Both fail if a number is out of its range.
+// Compute one number (items_value) and two numbers (items_vec) of the current item. They fail if a number is out of its
+// range.
 bool items_value(const Items* items, const Number* number, double* value);
 bool items_vec(const Items* items, const Number pair[2], scree_vec* vec);
 

@@ -9,8 +9,8 @@
 #include <string.h>
 
 #define MAX_SIDE   16384 // px
-#define FONT       15.0  // px: if title and caption fit into one line
-#define SMALL_FONT 12.0  // px: if title and caption have two lines
+#define FONT       15.0  // px: font size if title and caption are in one line
+#define SMALL_FONT 12.0  // px: font size if title and caption are in two lines
 #define THIN       CAIRO_FONT_WEIGHT_NORMAL
 #define BOLD       CAIRO_FONT_WEIGHT_BOLD
 

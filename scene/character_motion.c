@@ -9,8 +9,8 @@
 #define GROUND_PULL 10.0f // 1/s: maximum acceleration of a character on ground, m/s2, divided by its speed, m/s
 #define AIR_PULL    4.0f  // 1/s: likewise in the air, while the key left or right is down
 
-// m: depth by which a character that drops through a one-way platform is moved into it, so that the platform lets it
-// through
+// m: a character that drops through a one-way platform is moved down by this depth, so that it is inside the platform
+// and the platform no longer holds it
 #define DROP 0.05f
 
 #define DOWN(keys, name) ((keys) >> SCENE_KEY_##name & 1)

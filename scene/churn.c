@@ -3,8 +3,8 @@
 // explosions.
 //
 // The changed bodies and their new places depend only on the number of the step, so no state is kept between steps. All
-// replaced bodies are destroyed before any is created, and a world uses the lowest free slots first. So each new body
-// gets the slot of the old one, and the bodies of a scene stay in the order of the file.
+// replaced bodies are destroyed before the first new body is created, and a world uses the lowest free slots first. So
+// each new body gets the slot of the old one, and the bodies of a scene stay in the order of the file.
 #include "scene/churn.h"
 #include "scene/attribute_block.h"
 #include "scene/evaluate.h"

@@ -13,7 +13,7 @@ bool scene_churns(const Scene* scene);
 // On failure scree_error() has the reason.
 scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step);
 
-typedef struct // change of one body by scene_churn, for callers without a world
+typedef struct // change of a body before a step, for callers without a world
 {
 	int item;      // index of the body in the order of the file
 	bool replaced; // true: destroyed and created again; false: moved

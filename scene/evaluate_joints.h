@@ -22,7 +22,8 @@ typedef struct // consecutive joints of a block
 	void* context;
 } JointBatch;
 
-// Computes all joints, batch by batch. Fails as evaluate_block does, and if a joint has the same body twice.
+// Computes all joints, batch by batch. Fails for the same reasons as evaluate_block, and if bodies a and b of a joint
+// are the same.
 bool evaluate_joints(Reader* reader, const Scene* scene, const JointBlock* block,
                      bool (*full)(void* context, const void* batch), void* context);
 

@@ -41,7 +41,7 @@ const char* expression_evaluate(const Expression* expression, const Item* item, 
 // Returns true if a parameter or an index may have this name: small letters, digits and underscores, not a function.
 bool name_is_allowed(const char* name);
 
-// Finds a name in a scope; returns null if it is not there.
+// Finds a name in a scope; returns null if the scope does not have the name.
 const Name* scope_find(const Scope* scope, const char* name);
 
 #endif

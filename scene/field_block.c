@@ -22,7 +22,8 @@ typedef struct // entry of "fields" or "blasts"; each of its items is added to t
 	SceneBlast blast;
 } Entry;
 
-// Makes room for one more entry in a list of the scene.
+// Makes room for another entry in a list of the scene. size: bytes of an entry. Fails if there is no memory or the list
+// is too long.
 static bool grow(const Entry* e, void** list, int count, size_t size)
 {
 	if (count >= MOST_FIELDS)

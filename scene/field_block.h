@@ -11,7 +11,7 @@ struct SceneField
 	int block, index;    // body that carries the field: position in Scene.blocks, -1 for none; index in its block
 };
 
-// Reads the members "fields" and "blasts", if the scene has them. The blocks of bodies have been read.
+// Reads the members "fields" and "blasts", if the scene has them, after the blocks of bodies.
 bool fields_read(Reader* reader, const json_t* root, Scene* scene);
 bool blasts_read(Reader* reader, const json_t* root, Scene* scene);
 

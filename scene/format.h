@@ -28,7 +28,7 @@ typedef enum
 	TYPE_BOOLEAN,
 	TYPE_BITS,  // a list of bit numbers
 	TYPE_NAME,  // a name from a list
-	TYPE_NAMES, // a list of names, each for one bit
+	TYPE_NAMES, // a list of names; each name stands for a bit
 	TYPE_OTHER,
 } FormatType;
 

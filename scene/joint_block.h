@@ -28,7 +28,7 @@ struct JointBlock
 	int64_t count;        // number of joints
 };
 
-// Reads one entry of "joints". The blocks of bodies have been read. The caller frees the block, also on failure.
+// Reads one entry of "joints", after the blocks of bodies. The caller frees the block, also on failure.
 bool joint_block_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                       JointBlock* block);
 

@@ -18,7 +18,7 @@ typedef struct // nested loops, the outermost first
 	int count;
 } Loops;
 
-// Reads one loop. The caller frees it, also on failure.
+// Reads one loop. The caller frees the loop, also on failure.
 bool loop_read(Reader* reader, const Location* location, const json_t* value, Loop* loop);
 void loop_free(Loop* loop);
 

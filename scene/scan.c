@@ -143,7 +143,7 @@ scree_status scan_aim(Scan* scan, scree_world* world, const scree_box* box, int 
 {
 	int64_t total = scan->scene->ray_count, every = 1;
 	scan->count = 0;
-	// reads the bodies again, because a scene may replace a body between steps by another with the same index
+	// reads the bodies again, because churn may have replaced bodies; each new body has the index of the old body
 	scree_status status = scene_churns(scan->scene) ? read_bodies(scan, world) : SCREE_OK;
 	if (status == SCREE_OK && box)
 		status = visit(scan, world, box, 0, &total);
@@ -185,7 +185,7 @@ void scan_add(const Scan* scan, ScanSum* sum)
 		memcpy(words, &scan->found[k], sizeof words);
 		for (int n = 0; n < 4; ++n)
 			parts[n] = (parts[n] ^ words[n]) * 0x9e3779b97f4a7c15u;
-		parts[0] ^= parts[0] >> 29; // propagates the high bits to the low ones
+		parts[0] ^= parts[0] >> 29; // mixes the high bits into the low bits
 		parts[1] ^= parts[1] >> 29;
 		parts[2] ^= parts[2] >> 29;
 		parts[3] ^= parts[3] >> 29;

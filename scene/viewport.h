@@ -16,8 +16,8 @@ typedef struct
 // Returns a viewport that shows a whole box in the middle of the picture. width, height: px.
 Viewport viewport_show(scree_box view, int width, int height);
 
-// Returns the view of a moving camera: at share 0 the box `from`, at share 1 the box `to`. Between them the scale
-// changes by a constant rate, and one point of the world stays at its place in the picture.
+// Returns the view of a moving camera: at share 0 the box `from`, at share 1 the box `to`. Between these the scale
+// changes at a constant rate, and one point of the world stays at its place in the picture.
 scree_box viewport_between(scree_box from, scree_box to, double share);
 
 // Finds a box around the points without the outermost 0.5 % in x and in y, and enlarges it by 2 * reach at each side.

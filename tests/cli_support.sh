@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cli_support.sh -- functions for scripts that test a command line.
 
-# begin PROGRAM: goes to a scratch folder; skips the test if there is no such program
+# begin PROGRAM: goes to a scratch folder; skips the test if the program was not built
 begin()
 {
 	program=$1

@@ -58,7 +58,7 @@ typedef struct Option
 typedef struct
 {
 	const Option* option;
-	int commands; // one bit for each command that takes the option
+	int commands; // bits of the commands that take the option
 } OptionRow;
 
 typedef struct OptionTable // the options of a program

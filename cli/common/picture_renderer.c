@@ -148,7 +148,8 @@ scree_status picture_renderer_draw(PictureRenderer* renderer, const ScenePlayer*
 	scree_status status = SCREE_OK;
 	if (!poses)
 	{
-		// reads the bodies again, because a scene may replace a body between steps by another with the same index
+		// reads the bodies again, because churn of the scene may have replaced bodies; each new body has the index of
+		// the old body
 		int count;
 		picture_bodies(renderer->picture, &count);
 		status = scree_world_get_bodies(player->world, renderer->bodies, count, &count);

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ITEM_GROUP  48        // work-items per group in stages with one item per group
+#define ITEM_GROUP  48        // work-items per group in stages that use a whole group for each item
 #define SMALL_GROUP 32        // work-items per group in kernels without waits between groups
 #define NEVER       (1 << 18) // maximum number of reads of a mailbox, so large that no work-item reaches it
 
@@ -286,7 +286,7 @@ static scree_status run_list(const Run* runs, int count)
 	return SCREE_OK;
 }
 
-// Executes a stage with one item per group.
+// Executes a run of a stage that uses a whole group of work-items for each item.
 static scree_status run_groups(const Run* run)
 {
 	task = (Task){.pools = &pools, .run = *run};

@@ -30,7 +30,7 @@ typedef struct // counters since form_take
 	int spread;                    // maximum number of work-items per constraint
 	int tiles, inner, border;      // maximum numbers of tiles, constraints within tiles, constraints between tiles
 	int launches, runs;            // number of launches of the persistent kernel, and of their runs
-	int group_stages;              // number of launches of stages with one item per group
+	int group_stages;              // number of launches of stages that use a whole group for each item
 	int kept;                      // number of solves with the tiles of the previous solve
 	int fault;                     // fault of the device, FAULT_*
 	int looks;                     // maximum number of reads of mailboxes by a work-item of a shunned group

@@ -138,7 +138,7 @@ static void build_raft(scree_world* world)
 }
 
 // Makes five plates, which are hubs, side by side on a plank. The first and the last plate have the same hub color, so
-// the plank is split between them. These two plates also touch, so one is a light end of the other.
+// the plank is split between them. These two plates also touch, so one hub is the neighbor in a spoke of the other.
 static void build_hubs(scree_world* world)
 {
 	static const float places[5] = {-2.0f, 0.0f, 1.0f, 2.0f, -1.0f};

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// firefox.mjs -- firefox.mjs SCREE PAGE [PICTURE]: tests the hashes of all scenes in Firefox; exit status 1 if one differs.
+// firefox.mjs -- firefox.mjs SCREE PAGE [PICTURE]: tests the hashes of all scenes in Firefox; exit status 1 if a hash
+// differs.
 //
-// It is run by hand; make test does not run it. With a display the page also draws, and PICTURE receives a screenshot; without a
-// display Firefox has no WebGL. The protocol is Marionette, Firefox's own: messages are JSON, each preceded by its length.
+// It is run by hand; make test does not run it. With a display the page also draws, and PICTURE receives a screenshot;
+// without a display Firefox has no WebGL. The protocol is Marionette, Firefox's own: messages are JSON, each preceded
+// by its length.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { connect, createServer } from 'node:net';

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// main.mjs -- main.mjs SCREE PAGE SCRATCH: runs the tests of the page in Chromium; exit status 1 if one fails.
+// main.mjs -- main.mjs SCREE PAGE SCRATCH: runs the tests of the page in Chromium; exit status 1 if a test fails.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser, startServer, stop } from './browser.mjs';

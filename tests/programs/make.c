@@ -108,7 +108,7 @@ static void put_attribute(Maker* m)
 }
 
 static float any_attribute(Maker* m) { return (float)below(m, m->attributes + chance(m, 0.01)); }
-// Adds an attribute with the shape of an existing one and another surface.
+// Adds an attribute with the shape of an existing attribute and with another surface.
 static void put_like(Maker* m)
 {
 	Call call = call_make(CALL_like);

@@ -70,7 +70,7 @@ typedef struct // first device of a world, and target of the call "move"; empty:
 // number of values of Pair.first_read; each value selects other reads for the same calls
 #define READ_CHOICES 16
 
-typedef struct // two worlds on which programs run one after the other
+typedef struct // two worlds on which programs run one after another
 {
 	Place places[2]; // places[0]: place of the reference
 	scree_world* worlds[2];
@@ -115,7 +115,7 @@ bool state_limited(scree_world* world, char sentence[256]);
 // Returns the number of bodies that the last step froze.
 int state_frozen(scree_world* world);
 
-// coloring.c: returns whether colors, counts and hubs are consistent. sentence gets the first fault.
+// coloring.c: returns whether colors, counts and hubs are consistent. If not, sentence gets the first fault.
 bool state_colored(scree_world* world, char sentence[256]);
 
 // shrink.c: replaces a program by a shorter program that still differs: the shortest that it finds within the time, s.

@@ -8,7 +8,7 @@ static scree_field call_field(const CallRun* r)
 	return k >= 0 && k < MOST_NAMES ? r->names->fields[k] : SCREE_NULL_FIELD;
 }
 
-// Creates a field, or redefines an existing one.
+// Creates a field, or redefines an existing field.
 static scree_status run_make(const CallRun* r)
 {
 	scree_field_def def = scree_field_def_default((scree_field_type)call_whole(r, "type"));
