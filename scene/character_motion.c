@@ -68,7 +68,7 @@ static void steer(const Character* character, scree_vec gravity, float dt, uint3
 	float along = v.x * up.y - v.y * up.x, rises = v.x * up.x + v.y * up.y;
 	float wish = (float)((int)DOWN(down, right) - (int)DOWN(down, left)) * character->speed;
 	float most = (stands ? GROUND_PULL : AIR_PULL) * character->speed * dt;
-	if (stands || wish != 0.0f) // in the air, without the keys left and right, this velocity stays
+	if (stands || wish != 0.0f) // without a key in the air, the velocity along the ground stays
 		along = fminf(fmaxf(wish, along - most), along + most);
 	rises -= stands ? 0.0f : g * dt;
 	scree_vec carried = {0};

@@ -58,7 +58,7 @@ void detail_put(Detail* p, Canvas* canvas)
 	Viewport whole = viewport_show(p->whole, canvas->width, canvas->height);
 	Viewport part = viewport_show(p->part, canvas->width, canvas->height);
 	double zoom = whole.scale / part.scale, floor = canvas->height - BAND;
-	// px: corner of the mark, the place in the drawn whole of the part's upper left corner
+	// px: left and top of the mark, at the place in the whole scene of the upper left corner of the part
 	double left = (part.left + p->left / part.scale - whole.left) * whole.scale;
 	double top = floor - (part.bottom + (floor - p->top) / part.scale - whole.bottom) * whole.scale;
 	canvas_mark(canvas, left, top, p->width * zoom, p->height * zoom);

@@ -6,9 +6,9 @@
 
 #define BATCH_SIZE 65536 // maximum number of items or collidables of a batch; not less than MAX_PARTS
 
-typedef struct // consecutive items of a block; as attributes they have positions in Scene.attributes, with generation 0
+typedef struct // consecutive items of a block, with positions in Scene.attributes as attributes (generation 0)
 {
-	int count, capacity;         // number of items, and maximum number
+	int count, capacity;         // number of items; maximum number
 	scree_body_def* bodies;      // array of count bodies, or null
 	scree_collidable_def* parts; // array of count * Block.parts.count collidables, or null
 	const Block* block;

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-// Returns the frame, in a body, of an anchor and a direction of the x axis given in the world. It computes in doubles,
-// so that the frames of both bodies coincide as closely as floats allow.
+// Returns the frame of an anchor in a body. anchor, axis: position, and direction of the x axis, in the world. The
+// computation uses doubles, so that the frames of both bodies coincide as closely as floats allow.
 static scree_pose frame_at(scree_pose body, const double anchor[2], scree_rot axis)
 {
 	double c = body.rotation.c, s = body.rotation.s;

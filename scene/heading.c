@@ -42,7 +42,8 @@ bool scene_heading(const char* path, char* title, size_t title_size, char* param
 	return true;
 }
 
-// Writes a limit of a parameter, which may be a number or an expression; without: the text if there is no limit.
+// Writes a limit of a parameter, which may be a number or an expression. without: text for a parameter without this
+// limit.
 static void write_bound(const json_t* bound, const char* without, char text[32])
 {
 	if (json_is_string(bound))

@@ -22,8 +22,8 @@ typedef struct // nested loops, the outermost first
 bool loop_read(Reader* reader, const Location* location, const json_t* value, Loop* loop);
 void loop_free(Loop* loop);
 
-// Adds the index to the names of expressions. slot: place of its values in Item.indices; -1: the index has this
-// constant value.
+// Makes the index a name for expressions. slot: place of its values in Item.indices; -1: the index is the constant
+// value.
 bool loop_add_index(Reader* reader, const Location* location, const Loop* loop, int slot, double value);
 
 // Reads the member "repeat" of a block, if the block has it. The ranges of inner loops and the block may use each

@@ -5,8 +5,8 @@
 #include "scene/reader.h"
 #include "scene/scene.h"
 
-// Reads "parameters" and adds their names to the scope. A parameter among the settings (count: their number) gets the
-// value of the setting, any other its default.
+// Reads "parameters" and adds their names to the scope. count: number of settings. A parameter with a setting gets the
+// value of the setting, any other parameter its default.
 bool parameters_read(Reader* reader, const json_t* root, const SceneSetting* settings, int count);
 
 // Reads "constants" and adds their names to the scope.

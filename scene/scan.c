@@ -97,7 +97,7 @@ static bool make_room(Scan* scan, int64_t count)
 	return scan->capacity > 0;
 }
 
-// Adds the rays of a body whose number is divisible by every. Rays are numbered over the whole scene, so that
+// Adds those rays of a body that have a number divisible by `every`. Rays are numbered over the whole scene, so that
 // neighboring bodies show different rays. serial: number of the body's first ray.
 static void add_rays(Scan* scan, const Fan* fan, const scree_vec* ways, scree_pose pose, scree_body body,
                      int64_t serial, int64_t every)
@@ -108,8 +108,8 @@ static void add_rays(Scan* scan, const Fan* fan, const scree_vec* ways, scree_po
 		    .origin = eye, .translation = turned(pose.rotation, ways[k]), .radius = fan->radius, .ignored = body};
 }
 
-// Sets *total to the number of rays that can be cast. If every is above 0, also adds each ray whose number is divisible
-// by every.
+// Sets *total to the number of rays that can be cast. If `every` is above 0, also adds each ray with a number divisible
+// by `every`.
 static scree_status visit(Scan* scan, scree_world* world, const scree_box* box, int64_t every, int64_t* total)
 {
 	const Scene* scene = scan->scene;

@@ -79,9 +79,9 @@ typedef struct
 	int steps;               // default number of steps of a run
 	float penetration_limit; // m: a run with deeper overlaps is invalid
 	bool has_view;
-	scree_box view; // m: box of the world that pictures show
+	scree_box view; // m: box of the world in pictures
 	bool has_detail;
-	scree_box detail; // m: box that wide pictures also show magnified
+	scree_box detail; // m: box of the world that wide pictures also show, magnified
 	int body_count, collidable_count, joint_count;
 
 	uint64_t seed;

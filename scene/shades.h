@@ -26,7 +26,7 @@ Shades shades_of(int entry);
 // uses the same formula.
 Color shades_color(const Shades* shades, int shade, uint32_t body);
 
-typedef struct // state of visiting the bodies of a scene in the order of their indices
+typedef struct // state of a loop over the bodies of a scene in the order of their indices
 {
 	const Scene* scene; // null: all bodies get the middle shade
 	int block;

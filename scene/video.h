@@ -18,8 +18,8 @@ typedef struct
 // Starts ffmpeg. On failure it prints an error message and returns false.
 bool video_open(Video* video, const char* path, int width, int height);
 
-// Returns the number of frames to write at this time, s after the first frame, at 60 frames per second. It may be 0 or
-// more than 1, because a step may be shorter or longer than a frame.
+// Returns the number of frames to write when this time, s, has passed since the first frame, at 60 frames per second.
+// It may be 0 or more than 1, because a step may be shorter or longer than a frame.
 int video_due(const Video* video, double seconds);
 
 // Writes one frame of width * height pixels, four bytes each: blue, green, red, unused.

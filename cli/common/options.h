@@ -34,7 +34,7 @@ typedef struct
 	bool has_view, has_zoom;               // true if view and zoom were given; default: the scene's view, unchanged
 	scree_box view, zoom;                  // m: part of the world in pictures at the start, and at the end
 	int repeats;
-	int queries;       // 0: a million
+	int queries;       // 0: 1,000,000 queries
 	const char* known; // path of a CSV with expected hashes; null: none
 	bool names, whole, quick;
 	bool help; // true: print the command's help; the options after --help were not read
@@ -61,7 +61,7 @@ typedef struct
 	int commands; // bits of the commands that take the option
 } OptionRow;
 
-typedef struct OptionTable // the options of a program
+typedef struct OptionTable // options of a program
 {
 	const OptionRow* rows;
 	int count;

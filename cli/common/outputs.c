@@ -128,7 +128,7 @@ int outputs_frames(Outputs* outputs, const ScenePlayer* player, const Snapshot* 
 	int due = outputs_due(outputs, player), code = draw(outputs, player, snapshot);
 	for (; due > 0 && code == EXIT_GOOD; --due)
 		if (!video_frame(&outputs->video, picture_renderer_canvas(outputs->renderer)->pixels))
-			code = EXIT_FAILED; // video_close prints the reason
+			code = EXIT_FAILED; // video_close prints the reason later
 	return code;
 }
 

@@ -126,8 +126,8 @@ static void put_drop(Maker* m)
 	put(m, call);
 }
 
-// Returns a body for a target. Only kinematic bodies can have a target, and these are few. So it is mostly a body that
-// was created as kinematic or became kinematic.
+// Returns a body for a target. Only kinematic bodies can have a target, and these are few. So the result is mostly a
+// body that was created as kinematic or became kinematic.
 static float any_kinematic(Maker* m)
 {
 	int place = m->kinematics > 0 ? below(m, m->kinematics) : 0;

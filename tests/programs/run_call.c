@@ -129,8 +129,8 @@ static scree_status run_material(const CallRun* r)
 
 #define MOST_READ 512
 
-// Returns whether the contacts of a body are equal to those contacts of the whole list that contain the body, in the
-// same order.
+// Returns whether the contacts of a body are exactly the entries of the list `all` that contain the body, in the same
+// order.
 static bool contacts_agree(const CallRun* r, scree_body body, const scree_contact* all, int count)
 {
 	static scree_contact some[MOST_READ];
