@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// frames_command.c -- scree bench frames: measures steps with drawing, with rows shared with OpenGL and with copied
-// rows.
+// frames_command.c -- scree bench frames: measures steps that are drawn, with render rows shared with OpenGL and with
+// copied render rows.
 #include "cli/common/library_error.h"
 #include "cli/common/open_scene.h"
 #include "cli/common/step_record.h"
@@ -60,7 +60,7 @@ static scree_status draw_run(ScenePlayer* player, const Offscreen* offscreen, Sh
 	return SCREE_OK;
 }
 
-// Runs the scene once, in a new world.
+// Runs the scene once in a new world. Writes times, medians and hashes to *frames. Returns an exit code.
 static int measure(const Options* options, const Scene* scene, const Offscreen* offscreen, bool copy, int steps,
                    double* times[4], Frames* frames)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// list_commands.c -- scree scenes and scree devices: the lists of scenes and devices.
+// list_commands.c -- scree scenes and scree devices: print the lists of scenes and devices.
 #include "cli/common/library_error.h"
 #include "commands.h"
 #include "scene/find.h"

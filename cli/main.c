@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// main.c -- the command line of Scree.
+// main.c -- the command line of Scree: selects the command.
 #include "cli/common/command_line.h"
 #include "command_options.h"
 #include "commands.h"
@@ -8,7 +8,7 @@
 #include "view/window/run_viewer.h"
 #endif
 
-// Prints the keys of the window; nothing in a build without the viewer.
+// Prints the keys of the window; prints nothing in a build without the viewer.
 static void print_view_keys(FILE* file)
 {
 #ifdef SCREE_HAVE_WINDOW

@@ -41,7 +41,7 @@ typedef struct
 	scree_shape circle;
 } Batch;
 
-// The box around the bodies.
+// Computes the box around the positions of all bodies. Returns false if there are no bodies, or on failure.
 static bool bounds(scree_world* world, scree_vec* low, scree_vec* high)
 {
 	int count = 0;
@@ -99,7 +99,8 @@ static scree_status ask(Batch* b, Kind kind, int* found, uint64_t* hash)
 	return status;
 }
 
-// Repeats a batch of queries and measures it. The first call allocates memory, and its results are hashed.
+// Executes a batch of queries `repeats` times and prints the median times. A first execution, which is not measured,
+// allocates memory; its results are hashed.
 static scree_status measure(Batch* batch, Kind kind, const char* scene, int repeats, double* times[2])
 {
 	int found = 0;

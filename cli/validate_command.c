@@ -12,7 +12,8 @@ static int list_experiments(void)
 	return EXIT_GOOD;
 }
 
-// Creates a world with the options, so that an error is printed before any row. Returns an exit code.
+// Creates a world with the options and destroys it, so that an error is printed before the rows of results. Returns an
+// exit code.
 static int try_device(const EngineOptions* options)
 {
 	scree_world_def def = scree_world_def_default();

@@ -1,9 +1,9 @@
-# cli.cmake -- the command line, which needs scenes; it draws if the build can draw.
+# cli.cmake -- builds the command line, which needs scenes; it draws pictures only if the build has a renderer.
 file(GLOB cli_sources CONFIGURE_DEPENDS cli/*.c)
 file(GLOB cli_common_sources CONFIGURE_DEPENDS cli/common/*.c)
 
 if(cli_sources AND SCREE_BUILD_CLI AND TARGET scree_scene)
-	# scree_paper links this part too
+	# scree_paper links this library too
 	add_library(scree_cli_common STATIC ${cli_common_sources})
 	add_executable(scree_cli ${cli_sources})
 	set_target_properties(scree_cli PROPERTIES OUTPUT_NAME scree RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})

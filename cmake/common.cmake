@@ -1,4 +1,4 @@
-# common.cmake -- scree_common: clock, random numbers, hash and medians of all programs that are not the library itself.
+# common.cmake -- builds scree_common: clock, random numbers, hash and medians of all programs except the library.
 file(GLOB common_sources CONFIGURE_DEPENDS tools/common/*.c)
 add_library(scree_common STATIC EXCLUDE_FROM_ALL ${common_sources})
 scree_flags(scree_common)

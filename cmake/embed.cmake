@@ -1,11 +1,13 @@
-# embed.cmake -- writes the OpenCL program as one array of chars: ENTRY and all it includes, in place.
+# embed.cmake -- writes the OpenCL program as one array of chars: the file ENTRY, with each include replaced by the text
+# of the file.
 #
 # Run at build time: cmake -DROOT=. -DENTRY=opencl/kernels.cl -DNAME=opencl_program -DOUT=program.c -P embed.cmake
 #
-# Includes are searched in src, then in ROOT. A header is inlined at its first include, a .def (a list of X lines) at each. Each
-# piece begins with a #line of its file and line, so that messages of a compiler name the source. Comments are left out, and so are
-# the headers that only the CPU uses (dialect/extremes.h, dialect/box_overlaps.h, dialect/transpose.h). Text is always quoted and
-# searched with FIND: as a list, CMake would split it at semicolons and join it at brackets.
+# Includes are searched in src, then in ROOT. A header is inlined at its first include, a .def (a list of X lines) at
+# each of its includes. Each piece begins with a #line with file name and line, so that compiler messages name the
+# source. Comments are left out, and so are the headers that only the CPU uses (dialect/extremes.h,
+# dialect/box_overlaps.h, dialect/transpose.h). Text is always quoted and searched with FIND: if it were a list, CMake
+# would split it at semicolons and join elements at brackets.
 
 function(inline path out)
 	set(file "${ROOT}/src/${path}")
@@ -42,9 +44,9 @@ function(inline path out)
 	set(${out} "${result}${text}" PARENT_SCOPE)
 endfunction()
 
-# The arguments of every kernel: buffers, each of which holds the pools of some kinds of items one behind the other
-# (src/pools/buffers.def), and for each kind its offset and its capacity in items. One argument for each pool would cost 15 us per
-# launch (75 buffers, NVIDIA).
+# Makes the arguments of every kernel: the buffers, and for each kind of items its capacity and its offset in the
+# buffer. One buffer holds the pools of one kind or of several kinds, one behind the other (src/pools/buffers.def). One
+# argument for each pool would cost 15 us per launch (75 buffers, NVIDIA).
 file(READ "${ROOT}/src/pools/buffers.def" sharing)
 string(REGEX REPLACE "//[^\n]*" "" sharing "${sharing}")
 string(REGEX MATCHALL "SHARES\\([A-Z_]+, [A-Z_]+\\)" sharing "${sharing}")

@@ -1,7 +1,7 @@
-# flags.cmake -- scree_flags(target): the compiler flags of every file of this project.
+# flags.cmake -- scree_flags(target): sets the compiler flags of every target of this project.
 
-# Equal bits need two roundings in a * b + c everywhere, so contraction is off. No stage reads errno or floating-point exceptions,
-# so the compiler may treat sqrt and divisions as pure. No other part of fast-math is safe.
+# Equal bits need two roundings in a * b + c everywhere, so contraction is off. No stage reads errno or floating-point
+# exceptions, so the compiler may treat sqrt and divisions as pure. No other part of fast-math is safe.
 set(SCREE_FLOAT_FLAGS -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
 set(SCREE_LINK_FLAGS "")
@@ -20,7 +20,8 @@ function(scree_flags target)
 		${PROJECT_SOURCE_DIR})
 	target_compile_options(${target} PRIVATE ${SCREE_FLOAT_FLAGS} -Wall -Wextra -Wshadow
 		$<$<COMPILE_LANGUAGE:C>:-Wstrict-prototypes>)
-	# assertions name files by their path in the sources, so that no byte of a program depends on the folder of the build
+	# replaces the folder of the sources in file names of assertions, so that a program does not depend on the folder of
+	# the build
 	target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 	# vectors are passed only between functions of one file
 	target_compile_options(${target} PRIVATE -Wno-psabi)
@@ -28,7 +29,8 @@ function(scree_flags target)
 		target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 	endif()
 	if(CMAKE_SYSTEM_NAME MATCHES "^(Linux|Emscripten)$")
-		# empty, so that a file may define it too; C17 alone hides popen, clock_gettime and others; compilers define it for C++
+		# declares popen, clock_gettime and others, which C17 hides. The value is empty, so that a file may define it
+		# too; C++ compilers define it.
 		target_compile_definitions(${target} PRIVATE $<$<COMPILE_LANGUAGE:C>:_GNU_SOURCE=>)
 	endif()
 	if(SCREE_WERROR)
@@ -40,31 +42,34 @@ function(scree_flags target)
 	endif()
 endfunction()
 
-# Each number of lanes has a file, compiled for the instructions that it needs. The library chooses one at run time by the features
-# of the processor. With eight lanes or more, kernels of one item come from scalar_avx2.c.
+# Each number of lanes has a file, compiled for the instructions that it needs. At run time the library selects a number
+# of lanes by the features of the processor. With eight lanes or more, kernels of one item come from scalar_avx2.c.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
 	set_source_files_properties(src/cpu/lanes8.c src/cpu/scalar_avx2.c PROPERTIES COMPILE_OPTIONS "-mavx2")
 	set_source_files_properties(src/cpu/lanes16.c PROPERTIES
 		COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw")
 endif()
 
-# One file holds all stages. Without this option gcc stops inlining when the file has grown by 40 %, so each new stage would make
-# others slower.
+# Each of these files holds all stages. Without this option gcc stops inlining when a file has grown by 40 %, so each
+# new stage would make other stages slower.
 if(CMAKE_C_COMPILER_ID STREQUAL "GNU")
 	set_property(SOURCE src/cpu/lanes1.c src/cpu/scalar_avx2.c APPEND PROPERTY COMPILE_OPTIONS --param=inline-unit-growth=100)
 endif()
 
-# A page downloads the whole engine, so code outside a step is compiled for size. Loops are unrolled in full or not at all: then the
-# two points of a contact stay in registers; loops unrolled in part would be larger and no faster.
+# A page downloads the whole engine, so code outside a step is compiled for size. In code of a step, loops are unrolled
+# in full or not at all. Full unrolling keeps the two points of a contact in registers; partly unrolled loops would be
+# larger and no faster.
 if(EMSCRIPTEN)
 	set(CMAKE_C_FLAGS_RELEASE "-Oz -DNDEBUG")
 	set(hot src/cpu/lanes1.c src/cpu/lanes4.c src/cpu/primitives.c src/cpu/work.c)
-	# -O2 after -Oz does not undo its -fno-inline-functions in emcc; without inlining a step takes up to 2.4 times as long
+	# -Oz sets -fno-inline-functions in emcc, and a later -O2 does not undo that; without inlining a step takes up to
+	# 2.4 times as long
 	set(hot_options -O2 -finline-functions -funroll-loops -mllvm -unroll-runtime=0 -mllvm -unroll-allow-partial=0
 		-fno-vectorize -fno-slp-vectorize)
 	if(CMAKE_C_FLAGS MATCHES "-flto")
-		# The linker inlines again, by the same limits. With 45 a step is 1 to 4 % shorter, but the compressed package 0.6 kB larger,
-		# which is too large; with 10 a step is 1 to 3 % longer, and the package has the same size.
+		# The linker inlines again, with these thresholds. With 45, a step is 1 to 4 % shorter, but the compressed
+		# package is 0.6 kB larger, which is too large. With 10, a step is 1 to 3 % longer, and the package has the same
+		# size.
 		list(APPEND hot_options -mllvm -inline-threshold=24 -mllvm -inlinehint-threshold=24)
 		set(SCREE_LINK_FLAGS -Wl,-mllvm,-inline-threshold=24,-mllvm,-inlinehint-threshold=24)
 	endif()

@@ -1,4 +1,4 @@
-# glsl.cmake -- scree_glsl(target): compiles the shaders of view/glsl into a target, as texts.
+# glsl.cmake -- scree_glsl(target): adds the shaders of view/glsl to a target, as texts.
 file(GLOB SCREE_SHADERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/view/glsl/*)
 
 function(scree_glsl target)

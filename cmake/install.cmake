@@ -1,4 +1,5 @@
-# install.cmake -- the files of `cmake --install` and their folders: header, libraries, package files, scenes, the command line.
+# install.cmake -- selects the files of `cmake --install` and their folders: header, libraries, package files, scenes,
+# command line.
 include(CMakePackageConfigHelpers)
 
 set(forms "")
@@ -26,7 +27,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/scree-config-version.cmak
 install(FILES ${PROJECT_BINARY_DIR}/scree-config.cmake ${PROJECT_BINARY_DIR}/scree-config-version.cmake
 	DESTINATION ${package})
 
-# the folders relative to the package file, so that an installed tree can be moved
+# folders relative to the package file, so that an installed tree can be moved
 set(pc_folder ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH pc_prefix ${pc_folder} ${CMAKE_INSTALL_PREFIX})
 file(RELATIVE_PATH pc_include ${pc_folder} ${CMAKE_INSTALL_FULL_INCLUDEDIR})

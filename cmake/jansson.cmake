@@ -1,9 +1,10 @@
-# jansson.cmake -- Jansson from its sources, as a target, because no system has it for WebAssembly.
+# jansson.cmake -- builds Jansson from its sources, because no system has a package of it for WebAssembly.
 set(SCREE_JANSSON_SOURCE ${PROJECT_SOURCE_DIR}/build/sources/jansson CACHE PATH
 	"Folder of Jansson's sources; tools/source.sh jansson FOLDER fetches them")
 file(GLOB jansson_sources ${SCREE_JANSSON_SOURCE}/src/*.c)
 if(jansson_sources)
-	# android/ has the configuration for a system without locales; the private configuration is given as definitions
+	# android/ has the configuration for a system without locales; the definitions below replace Jansson's private
+	# configuration
 	set(made ${PROJECT_BINARY_DIR}/jansson)
 	file(CONFIGURE OUTPUT ${made}/jansson_private_config.h CONTENT "")
 	add_library(scree_jansson STATIC ${jansson_sources})

@@ -1,7 +1,9 @@
-# names.cmake -- scree_names(objects out): makes one object of a library of objects, in which only scree_* is a global name.
+# names.cmake -- scree_names(objects out): links a library of objects into one object, in which only scree_* is a global
+# name.
 #
-# The static library holds this object. With the objects themselves, a program that has a function named `launch` would not link.
-# The object is machine code even if the program is compiled with -flto: names in the compiler's own form could not be made local.
+# The static library holds this object instead of the library's objects, because otherwise a program that has a function
+# named `launch` would not link. The object is machine code even if the program is compiled with -flto: in the
+# compiler's intermediate code, names could not be made local.
 function(scree_names objects out)
 	set_target_properties(${objects} PROPERTIES INTERPROCEDURAL_OPTIMIZATION OFF)
 	target_compile_options(${objects} PRIVATE -fno-lto)

@@ -1,7 +1,8 @@
-# page.cmake -- the WebAssembly of the page: scenes, and the renderer of view/ for WebGL 2. docs/web_page.md describes the page.
+# page.cmake -- builds the WebAssembly of the page: scenes, and the renderer of view/ for WebGL 2. docs/web_page.md
+# describes the page.
 include(cmake/glsl.cmake)
 
-# files that open OpenGL, share memory with it or read pictures back are not used in a page
+# excludes files that open OpenGL, share memory with it or read pictures back: the page does not use them
 file(GLOB page_view CONFIGURE_DEPENDS view/*.c)
 list(FILTER page_view EXCLUDE REGEX "/(shared_rows|exported_memory|offscreen|framebuffer|gl_picture)\\.c$")
 
@@ -24,7 +25,8 @@ target_link_options(scree_page PRIVATE -O2 -sMODULARIZE -sEXPORT_ES6 -sEXPORT_NA
 	-sFORCE_FILESYSTEM -sINCOMING_MODULE_JS_API=locateFile,print,printErr,workers
 	-sEXPORTED_RUNTIME_METHODS=GL,FS,UTF8ToString,allocateUTF8 -sEXPORTED_FUNCTIONS=_malloc,_free -sABORTING_MALLOC=0)
 if(form STREQUAL threads)
-	# all workers are created before the first world, because a thread that waits for another cannot start it
+	# creates all workers before the first world, because a thread that waits for another thread cannot start that
+	# thread
 	target_link_options(scree_page PRIVATE -pthread -sPTHREAD_POOL_SIZE=Module.workers -Wno-pthreads-mem-growth
 		-sEXPORTED_RUNTIME_METHODS=GL,FS,UTF8ToString,allocateUTF8,PThread)
 endif()

@@ -1,4 +1,5 @@
-# paper.cmake -- the pipeline of the paper that Scree started from, which tests link too, and scree_paper, its command line.
+# paper.cmake -- builds the pipeline of the paper that Scree started from, as a library for tests too, and scree_paper,
+# the command line of this pipeline.
 file(GLOB paper_sources CONFIGURE_DEPENDS tools/paper/*.c)
 set(pipeline_sources ${paper_sources})
 list(FILTER pipeline_sources INCLUDE REGEX "/(all_pairs|import|paper|paper_cpu|paper_opencl|paper_state|resolve)\\.c$")
@@ -17,7 +18,7 @@ else()
 	target_compile_definitions(scree_paper_pipeline PRIVATE SCREE_NO_OPENCL)
 endif()
 
-# not installed, because it only repeats measurements
+# not installed, because scree_paper only repeats measurements
 if(TARGET scree_cli_common)
 	add_executable(scree_paper ${paper_sources})
 	scree_flags(scree_paper)

@@ -1,4 +1,4 @@
-# peers.cmake -- scree_peers, the benchmark against Box2D v3, built if a CMake package of Box2D is installed.
+# peers.cmake -- builds scree_peers, the benchmark against Box2D v3, if a CMake package of Box2D is installed.
 find_package(box2d CONFIG QUIET)
 if(NOT TARGET box2d::box2d)
 	message(STATUS "Peers: left out, because Box2D v3 was not found; CMAKE_PREFIX_PATH may name the folder of its installation")

@@ -1,5 +1,7 @@
-# pools.cmake -- scree_pools(out root): the pools of src/pools/pools.def in order, as entries "type name kind-of-item". A pool of
-# each kind of constraint has one line there, and one entry for each kind here.
+# pools.cmake -- scree_pools(out root): lists the pools of src/pools/pools.def in order, as entries "type name
+# kind-of-item".
+#
+# A pool that exists for each kind of constraint has one line in pools.def, and one entry per kind in the list.
 function(scree_pools out root)
 	file(READ "${root}/src/pools/kinds.def" kinds)
 	string(REGEX REPLACE "//[^\n]*" "" kinds "${kinds}")

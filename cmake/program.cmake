@@ -1,4 +1,4 @@
-# program.cmake -- scree_embed(target entry name): compiles an OpenCL program into a target, as the array of chars `name`.
+# program.cmake -- scree_embed(target entry name): adds an OpenCL program to a target, as the array of chars `name`.
 file(GLOB_RECURSE SCREE_KERNEL_FILES CONFIGURE_DEPENDS src/*.h src/*.cl src/*.def tools/paper/*.h
 	tools/paper/*.cl)
 

@@ -1,8 +1,8 @@
-# scene.cmake -- the scene files, which need Jansson, and pictures of them, which need Cairo.
+# scene.cmake -- builds the reader of scene files, which needs Jansson, and pictures of scenes, which need Cairo.
 file(GLOB scene_sources CONFIGURE_DEPENDS scene/*.c)
 
 if(EMSCRIPTEN)
-	# Debian has neither library for WebAssembly; Jansson is built from its sources
+	# Debian has neither Jansson nor Cairo for WebAssembly; Jansson is built from its sources
 	include(cmake/jansson.cmake)
 else()
 	find_package(PkgConfig)

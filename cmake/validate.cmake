@@ -1,4 +1,4 @@
-# validate.cmake -- the experiments of scree validate, which scree_peers repeats with Box2D.
+# validate.cmake -- builds the experiments of scree validate, which scree_peers repeats with Box2D.
 file(GLOB validate_sources CONFIGURE_DEPENDS validate/*.c)
 
 if(TARGET scree_scene)

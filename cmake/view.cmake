@@ -1,4 +1,5 @@
-# view.cmake -- drawing with OpenGL, which needs libepoxy; it shares memory through Vulkan if the headers of Vulkan are found.
+# view.cmake -- builds the renderer with OpenGL, which needs libepoxy. It shares memory through Vulkan if the headers of
+# Vulkan are found.
 file(GLOB view_sources CONFIGURE_DEPENDS view/*.c)
 include(cmake/glsl.cmake)
 
@@ -24,7 +25,7 @@ elseif(view_sources)
 	endif()
 endif()
 
-# the window: GLFW, and Dear ImGui for its panel, in C++
+# window with GLFW; its panel uses Dear ImGui, in C++
 file(GLOB window_sources CONFIGURE_DEPENDS view/window/*.c view/window/*.cpp)
 include(CheckLanguage)
 if(NOT CMAKE_CXX_COMPILER)

@@ -1,10 +1,12 @@
-# web.cmake -- targets for WebAssembly besides the libraries: the engine of the npm package, and the program whose hashes tests
-# compare.
+# web.cmake -- builds targets for WebAssembly besides the libraries: the engine of the npm package, and the program
+# whose hashes tests compare.
 
-# the JavaScript optimizers that Emscripten runs at link time need acorn; node finds it with the path of Debian's modules
+# the JavaScript optimizers that Emscripten runs at link time need acorn, which node finds in the path of Debian's
+# modules
 set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
 
-# the package: scree.js and its types, made from the header; the engine has no JavaScript of Emscripten, so no threads
+# makes the package: scree.js and its types, from the header; the engine has no JavaScript of Emscripten, so it has no
+# threads
 if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 	find_program(SCREE_NODE NAMES node nodejs REQUIRED)
 	set(package ${PROJECT_BINARY_DIR}/package)
@@ -15,18 +17,18 @@ if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 		DEPENDS ${PROJECT_SOURCE_DIR}/include/scree/scree.h ${tools}/generate.mjs ${tools}/header.mjs ${tools}/types.mjs
 			${tools}/runtime.js
 		COMMENT "Making the package from scree.h" VERBATIM)
-	# layout.c asserts that the offsets of members in the compiler are those in the package
+	# layout.c asserts that each member has the same offset in C and in the package
 	add_executable(engine ${tools}/auto.c ${tools}/libc.c ${package}/layout.c)
 	scree_flags(engine)
 	set_target_properties(engine PROPERTIES SUFFIX .wasm LINK_DEPENDS ${package}/exports.json)
 	target_link_libraries(engine PRIVATE scree_internals)
-	# saves 1 kB; no code of the engine relies on a trap
+	# wasm-opt saves 1 kB; --traps-never-happen is safe, because no code of the engine relies on a trap
 	find_program(SCREE_WASM_OPT wasm-opt REQUIRED)
 	set(features --mvp-features)
 	if(CMAKE_C_FLAGS MATCHES "-msimd128")
 		list(APPEND features --enable-simd --enable-bulk-memory --enable-sign-ext --enable-nontrapping-float-to-int)
 	endif()
-	# strips before -Oz; after it the package would be 0.3 kB larger
+	# strips before -Oz; stripping after -Oz would make the package 0.3 kB larger
 	add_custom_command(TARGET engine POST_BUILD COMMAND ${SCREE_WASM_OPT} ${features} --strip-producers --strip-target-features
 		-Oz --traps-never-happen --low-memory-unused --converge $<TARGET_FILE:engine> -o $<TARGET_FILE:engine>)
 	target_link_options(engine PRIVATE -O2 --no-entry -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -sERROR_ON_UNDEFINED_SYMBOLS=0
@@ -37,7 +39,8 @@ if(TARGET scree_scene)
 	add_executable(golden tests/web/golden.c)
 	scree_flags(golden)
 	target_link_libraries(golden PRIVATE scree_scene scree_internals)
-	# real files; main runs in a thread of its own, so that it can wait for others
+	# NODERAWFS gives access to real files; with threads, main runs in a separate thread, which may wait for other
+	# threads
 	target_link_options(golden PRIVATE -O1 -sALLOW_MEMORY_GROWTH -sNODERAWFS -sEXIT_RUNTIME)
 	if(CMAKE_C_FLAGS MATCHES "-pthread")
 		target_link_options(golden PRIVATE -sPROXY_TO_PTHREAD -Wno-pthreads-mem-growth)

@@ -13,7 +13,7 @@ static void check(scree_status status)
 	}
 }
 
-// A body of one shape, in meters.
+// Creates a body with one shape at (x, y), m.
 static scree_body create(scree_world* world, scree_body_type type, scree_shape shape, float x, float y)
 {
 	scree_attribute_def attribute_def = scree_attribute_def_default();
@@ -28,7 +28,7 @@ static scree_body create(scree_world* world, scree_body_type type, scree_shape s
 	return body;
 }
 
-// A wheel with a spring of 4 Hz and a motor of at most 3 N m.
+// Adds a wheel at (x, y) to the car, with a spring of 4 Hz and a motor of at most 3 N m.
 static void mount(scree_world* world, scree_body car, float x, float y)
 {
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_WHEEL);
@@ -37,14 +37,14 @@ static void mount(scree_world* world, scree_body car, float x, float y)
 	check(scree_shape_make_circle((scree_vec){0.0f, 0.0f}, 0.4f, &circle));
 	def.body_a = car;
 	def.body_b = create(world, SCREE_BODY_DYNAMIC, circle, x, y);
-	// the x axis of the frames points upward: springs act along it
+	// the x axis of the frames points upward, because the spring acts along that axis
 	check(scree_joint_def_place(world, &def, (scree_pose){{x, y}, {0.0f, 1.0f}}));
 	spring->spring_hertz = 4.0f;
 	spring->limited = true;
 	spring->lower = -0.25f;
 	spring->upper = 0.25f;
 	motor->motor = true;
-	motor->motor_speed = -15.0f; // rad/s, clockwise: to the right
+	motor->motor_speed = -15.0f; // rad/s; clockwise, so that the car drives to the right
 	motor->motor_max = 3.0f;
 	check(scree_joint_create(world, &def, NULL));
 }

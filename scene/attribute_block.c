@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// attribute_block.c -- the attributes of a scene: shapes and surfaces by name.
+// attribute_block.c -- reads the attributes of a scene: shapes and surfaces by name.
 #include "scene/attribute_block.h"
 #include "scene/format.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-// Reads a list of points whose count is in a range.
+// Reads a list of points; range: allowed number of points. Fails if the value is not such a list.
 static bool read_points(Reader* reader, const Location* location, const json_t* value, Range range, scree_vec* points,
                         int* count)
 {
@@ -27,7 +27,7 @@ static bool read_points(Reader* reader, const Location* location, const json_t* 
 	return true;
 }
 
-// Fails with the library's error message about a shape, without the name of the function.
+// Reports the library's error message about a shape, without the name of the function, and returns false.
 static bool shape_fail(Reader* reader, const Location* location)
 {
 	const char* sentence = scree_error();
@@ -43,7 +43,7 @@ static bool make_box(scree_vec half, float radius, scree_shape* shape)
 	return scree_shape_make_polygon(corners, 4, radius, shape) == SCREE_OK;
 }
 
-// Finds the key of a shape, of which the object has exactly one.
+// Finds the only key of an object that gives a shape. Fails if there is no such key or more than one.
 static bool find_shape(Reader* reader, const Location* location, const json_t* value, const FormatKey** shape)
 {
 	char list[80] = "";

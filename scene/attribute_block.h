@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// attribute_block.h -- the attributes of a scene: shapes and surfaces by name.
+// attribute_block.h -- reads the attributes of a scene: shapes and surfaces by name.
 #ifndef ATTRIBUTE_BLOCK_H
 #define ATTRIBUTE_BLOCK_H
 #include "scene/reader.h"
@@ -14,7 +14,7 @@ struct Attribute
 // Reads "attributes" into Scene.attributes.
 bool attributes_read(Reader* reader, const Location* location, const json_t* value, Scene* scene);
 
-// Returns the index of a name in Scene.attributes, -1 if there is none.
+// Returns the index of a name in Scene.attributes, -1 if no attribute has this name.
 int attributes_find(const Scene* scene, const char* name);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// block.c -- a block of a scene: bodies of one kind, or collidables without a body, repeated over nested loops.
+// block.c -- reads a block of a scene: bodies of one kind, or collidables without a body, repeated over nested loops.
 #include "scene/block.h"
 #include "scene/format.h"
 #include <stdlib.h>

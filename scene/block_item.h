@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// block_item.h -- values that differ between the items of a scene's block, for the expressions of the scene.
+// block_item.h -- the values that an expression may use and that differ between the items of a block.
 #ifndef BLOCK_ITEM_H
 #define BLOCK_ITEM_H
 #include <stdint.h>
 
 typedef struct
 {
-	const double* indices; // values of the repeat indices
+	const double* indices; // values of the loop indices
 	uint64_t seed;         // seed of the scene
-	uint64_t number;       // number of the item within its repeat block
+	uint64_t number;       // number of the item within its block, or of a change of churn; random() depends on it
 } Item;
 
 #endif

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// block_items.c -- the items of a block: runs its loops, and computes the numbers of each item.
+// block_items.c -- runs the loops of a block, and computes the numbers of each item.
 #include "scene/block_items.h"
 #include "scene/scene.h"
 #include <stdio.h>
 #include <string.h>
 
-// Limits the iterations of the outer loops. A limit of items would not do so, because inner loops may be empty.
+// Maximum number of iterations of the outer loops. The limit of items is not enough, because inner loops may be empty.
 #define MAX_ROUNDS 50000000
 
 typedef struct
 {
 	Items items;
-	bool (*each)(Items* items, void* context); // null while counting
+	bool (*each)(Items* items, void* context); // function for each item; null: the items are only counted
 	void* context;
 	int64_t rounds, count, limit;
-	const Location* location; // location of the block, while counting
+	const Location* location; // location of the block in the file; set only for counting
 } Run;
 
 void items_open(Items* items, Reader* reader, uint64_t number)
@@ -88,8 +88,8 @@ static bool run_loops(Run* run, int depth)
 	}
 	const Loop* loop = &items->loops->list[depth];
 	double first, end;
-	// uses the number of the next item, so that random() in a range gives the same value while items are counted and
-	// while they are created
+	// sets the number of the next item, so that random() in the range of a loop gives the same value while items are
+	// counted and while they are created
 	items->item.number = (uint64_t)run->count;
 	if (!items_value(items, &loop->first, &first) || !items_value(items, &loop->end, &end))
 		return false;

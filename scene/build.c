@@ -12,12 +12,12 @@
 typedef struct
 {
 	scree_world* world;
-	const scree_attribute* attributes; // handles, by position in Scene.attributes
-	scree_path* paths;                 // handles, by position in Scene.paths
-	scree_body* bodies;                // handles of a batch
-	scree_body* named;                 // handles of all blocks with names, block by block
-	scree_body** of_block;             // the first of a block in named, by position in Scene.blocks
-	scree_body* next;                  // position for the next handles of the current block; null: it has no name
+	const scree_attribute* attributes; // handles in the order of Scene.attributes
+	scree_path* paths;                 // handles in the order of Scene.paths
+	scree_body* bodies;                // handles of the bodies of one batch
+	scree_body* named;                 // handles of the bodies of all named blocks, block by block
+	scree_body** of_block;             // first handle of each block in named; null: the block has no name
+	scree_body* next;                  // place in named for the next bodies of the current block; null: it has no name
 	scree_status status;
 } Build;
 
@@ -107,8 +107,8 @@ scree_status scene_build(const Scene* scene, scree_world* world)
 		const SceneMaterials* m = scene->materials + k;
 		build.status = scree_world_set_material_pair(world, m->a, m->b, &m->pair);
 	}
-	// all numbers were checked when the scene was read, so the only possible error is a lack of memory, here or in the
-	// world
+	// all numbers were checked when the scene was read, so the only possible error is a lack of memory, in this
+	// function or in the world
 	for (int k = 0; k < scene->block_count && build.status == SCREE_OK; ++k)
 	{
 		build.next = build.of_block[k];

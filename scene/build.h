@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// build.h -- creates the bodies, collidables and joints of a scene in a world.
+// build.h -- creates the bodies, collidables, joints and fields of a scene in a world.
 #ifndef BUILD_H
 #define BUILD_H
 #include "scene/scene.h"

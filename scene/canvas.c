@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// canvas.c -- the pixels of a picture, its caption and its file, with Cairo.
+// canvas.c -- the pixels of a picture; draws caption and legend, and writes the file, with Cairo.
 #include "scene/canvas.h"
 #include "scene/viewport.h"
 
@@ -9,8 +9,8 @@
 #include <string.h>
 
 #define MAX_SIDE   16384 // px
-#define FONT       15.0  // px: title and caption in one line
-#define SMALL_FONT 12.0  // px: in two lines
+#define FONT       15.0  // px: font size if title and caption are in one line
+#define SMALL_FONT 12.0  // px: font size if title and caption are in two lines
 #define THIN       CAIRO_FONT_WEIGHT_NORMAL
 #define BOLD       CAIRO_FONT_WEIGHT_BOLD
 
@@ -91,8 +91,8 @@ static void show_text(cairo_t* cairo, const char* text, cairo_font_weight_t weig
 	cairo_show_text(cairo, text);
 }
 
-// Draws a caption, or only measures it, and returns its width. The 16 digits of a hash have equal widths, because
-// otherwise the fields after it would jump from frame to frame.
+// Returns the width of a caption, px; draws the caption if show is true. The 16 digits of a hash get equal widths;
+// otherwise the fields after the hash would jump from frame to frame.
 static double put_caption(cairo_t* cairo, const char* caption, bool show, double x, double y)
 {
 	static const char digits[] = "0123456789abcdef";
@@ -116,7 +116,7 @@ static double put_caption(cairo_t* cairo, const char* caption, bool show, double
 	return x - begin;
 }
 
-// Removes the last fields that do not fit, but keeps the first one.
+// Removes fields from the end of a caption until it fits into room, px. Keeps the first field.
 static void drop_fields(cairo_t* cairo, char* caption, double room)
 {
 	for (char* last = caption; last && put_caption(cairo, caption, false, 0, 0) > room;)
@@ -129,10 +129,10 @@ static void drop_fields(cairo_t* cairo, char* caption, double room)
 	}
 }
 
-// Returns the font size of a line, px, for a text with this width at SMALL_FONT.
+// Returns the font size of a line that fits into room, px. width: width of the line at SMALL_FONT.
 static double line_font(double width, double room) { return width > room ? SMALL_FONT * room / width : SMALL_FONT; }
 
-// Draws title and caption below each other in a smaller font; a line that is still too long gets an even smaller one.
+// Draws title and caption in two lines with a smaller font. A line that is still too long gets an even smaller font.
 static void show_lines(cairo_t* cairo, const char* title, const char* caption, double room, double top)
 {
 	char fields[256];
@@ -167,9 +167,9 @@ void canvas_caption(Canvas* p, const char* title, const char* caption)
 }
 
 #define BAR    240.0 // px: width of a legend's color bar
-#define HIGH   12.0  // px: its height
-#define SQUARE 44.0  // px: its height if its colors depend on x and y
-#define LEAST  420   // px: narrower pictures have no legend
+#define HIGH   12.0  // px: height of a color bar whose colors depend only on x
+#define SQUARE 44.0  // px: height of a color bar whose colors depend on x and y
+#define LEAST  420   // px: minimum width of a picture with a legend; half of it is the minimum height
 
 static bool is_flat(const Legend* legend)
 {
@@ -184,7 +184,7 @@ static void add_stop(cairo_pattern_t* pattern, double at, Color color)
 	cairo_pattern_add_color_stop_rgb(pattern, at, color.r / 255.0, color.g / 255.0, color.b / 255.0);
 }
 
-// Draws columns of one pixel, each a gradient from top to bottom.
+// Draws the color bar as columns of one pixel; each column is a gradient from top to bottom.
 static void draw_colors(cairo_t* cairo, const Legend* legend, double left, double top, double high)
 {
 	for (int column = 0; column < (int)BAR; ++column)
@@ -221,13 +221,13 @@ void canvas_legend(Canvas* p, const Legend* legend)
 	draw_colors(p->cairo, legend, left, top, high);
 	set_color(p->cairo, p->text, 1);
 	cairo_set_font_size(p->cairo, 13);
-	text_width(p->cairo, legend->title, THIN); // selects the font
+	text_width(p->cairo, legend->title, THIN); // only selects the font
 	cairo_move_to(p->cairo, left, top - 9);
 	cairo_show_text(p->cairo, legend->title);
 	cairo_set_font_size(p->cairo, 12);
 	for (int k = 0; k < legend->tick_count; ++k)
 	{
-		// clamps the first and the last text to the ends of the color bar
+		// keeps the first and the last text within the color bar
 		double wide = text_width(p->cairo, legend->ticks[k].text, THIN),
 		       x = left + BAR * (double)legend->ticks[k].at - wide / 2;
 		x = x < left ? left : x > left + BAR - wide ? left + BAR - wide : x;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// canvas.h -- the pixels of a picture, its caption and its file, for the renderers of Cairo and OpenGL.
+// canvas.h -- the pixels of a picture; draws caption and legend, and writes the file, for the renderers of Cairo and
+// OpenGL.
 #ifndef CANVAS_H
 #define CANVAS_H
 #include "scene/scene.h"
@@ -9,7 +10,7 @@
 typedef struct
 {
 	int width, height; // px
-	size_t stride;     // bytes from one row to the next
+	size_t stride;     // bytes from one row of pixels to the next
 	uint8_t* pixels;   // four bytes each: blue, green, red, unused; rows from the top
 	void *surface, *cairo;
 	Color background, text; // colors of the caption
@@ -20,31 +21,31 @@ typedef struct
 typedef struct // explanation of the colors of a picture, with numbers and units
 {
 	char title[64]; // title with the unit
-	bool blocks;    // separate colors; if false, they change evenly
+	bool blocks;    // true: separate colors; false: colors change evenly
 	int color_count;
-	Color low[LEGEND_COLORS], high[LEGEND_COLORS]; // colors at the bottom and at the top
+	Color low[LEGEND_COLORS], high[LEGEND_COLORS]; // colors at the bottom and at the top of the color bar
 	int tick_count;
 	struct
 	{
-		float at; // 0 to 1 from left to right
+		float at; // position in the color bar: 0 left, 1 right
 		char text[20];
 	} ticks[LEGEND_COLORS];
 } Legend;
 
-// Opens a canvas. Returns false and writes a sentence if this build has no Cairo, memory is short, or the size is out
-// of range.
+// Opens a canvas. Returns false and writes an error message if this build has no Cairo, memory is short, or the size is
+// out of range.
 bool canvas_open(Canvas* canvas, int width, int height, char* sentence);
 void canvas_close(Canvas* canvas);
 
-// Draw the outline of a rectangle, and a line; px from the left and the top.
+// canvas_mark draws the outline of a rectangle, canvas_line draws a line. Coordinates: px from the left and the top.
 void canvas_mark(Canvas* canvas, double left, double top, double width, double height);
 void canvas_line(Canvas* canvas, double x0, double y0, double x1, double y1);
 
 // Draws the title in bold type and the caption into the band at the bottom. Fields of the caption are separated by
-// three spaces; in a narrow picture the last ones are omitted.
+// three spaces; in a narrow picture the last fields are omitted.
 void canvas_caption(Canvas* canvas, const char* title, const char* caption);
 
-// Draws a legend above the band, at the right.
+// Draws a legend above the caption, at the right. Small pictures get no legend.
 void canvas_legend(Canvas* canvas, const Legend* legend);
 
 // Writes the picture as PNG. Returns false if writing fails.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// caption.c -- the caption of a picture, beside its title.
+// caption.c -- writes the caption of a picture, which stands beside the title.
 #include "scene/caption.h"
 #include <inttypes.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// character.h -- characters of a scene: a mover, the body that shows it, the bodies that it takes, and a script of its
-// keys.
+// character.h -- reads the characters of a scene: a mover, the body that shows it, the bodies that it takes, and a
+// script of its keys.
 #ifndef CHARACTER_H
 #define CHARACTER_H
 #include "scene/reader.h"
 #include "scene/scene.h"
 
-struct Cue // keys that are down from this step on
+struct Cue // keys that are down from a step on, until the next cue
 {
 	int64_t step;
 	uint32_t down; // bits by SceneKey

@@ -6,11 +6,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define GROUND_PULL 10.0f // 1/s: maximum acceleration of a character on ground, per unit of its speed
-#define AIR_PULL    4.0f  // 1/s: the same in the air, while a key is down
+#define GROUND_PULL 10.0f // 1/s: maximum acceleration of a character on ground, m/s2, divided by its speed, m/s
+#define AIR_PULL    4.0f  // 1/s: likewise in the air, while the key left or right is down
 
-// m: depth by which a character that drops through a one-way platform is moved into it, so that the platform lets it
-// through
+// m: a character that drops through a one-way platform is moved down by this depth, so that it is inside the platform
+// and the platform no longer holds it
 #define DROP 0.05f
 
 #define DOWN(keys, name) ((keys) >> SCENE_KEY_##name & 1)
@@ -57,7 +57,8 @@ static uint32_t script_keys(const Character* character, int64_t step)
 	return down;
 }
 
-// Computes the velocity of a character's mover from the keys. fresh: keys that went down with this step.
+// Computes the velocity of a character's mover from the keys. down: all keys that are down; fresh: keys that were not
+// down in the last step.
 static void steer(const Character* character, scree_vec gravity, float dt, uint32_t down, uint32_t fresh,
                   scree_mover* mover)
 {
@@ -67,7 +68,7 @@ static void steer(const Character* character, scree_vec gravity, float dt, uint3
 	float along = v.x * up.y - v.y * up.x, rises = v.x * up.x + v.y * up.y;
 	float wish = (float)((int)DOWN(down, right) - (int)DOWN(down, left)) * character->speed;
 	float most = (stands ? GROUND_PULL : AIR_PULL) * character->speed * dt;
-	if (stands || wish != 0.0f) // in the air its velocity stays without a key
+	if (stands || wish != 0.0f) // without a key in the air, the velocity along the ground stays
 		along = fminf(fmaxf(wish, along - most), along + most);
 	rises -= stands ? 0.0f : g * dt;
 	scree_vec carried = {0};
@@ -93,14 +94,14 @@ static scree_status walk(Characters* characters, scree_world* world, int k, uint
 	bool enabled = scree_body_is_enabled(world, mover->ignored);
 	steer(&character, gravity, scene->dt, down, fresh, mover);
 	scree_status status = scree_movers_move(world, &character.def, mover, 1, scene->dt);
-	// position after the next motion of its ground
+	// target of the body: the mover's position plus the motion of its ground during the next step
 	scree_pose pose = {{mover->position.x + mover->ground_velocity.x * scene->dt,
 	                    mover->position.y + mover->ground_velocity.y * scene->dt},
 	                   scree_rot_make(atan2f(-character.def.up.x, character.def.up.y))};
 	return status == SCREE_OK && enabled ? scree_body_set_target(world, mover->ignored, pose) : status;
 }
 
-// Disables the bodies that were taken, by the visits of the last step.
+// Disables the bodies that the characters take: sensors that a character began to visit in the last step.
 static scree_status take(Characters* characters, scree_world* world)
 {
 	const Scene* scene = characters->scene;

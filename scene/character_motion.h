@@ -10,20 +10,20 @@ typedef struct
 	scree_body* bodies; // bodies of the scene, in the order of the file
 	int body_count;
 	scree_mover* movers; // movers of the characters
-	uint32_t before;     // keys that were down in the last step
-	bool played;         // true once the user has held a key: the scripts are over
+	uint32_t before;     // keys that were down in the last step for any character
+	bool played;         // true after the user has held a key; the scripts then end
 	int taken;           // number of bodies that the characters took
 } Characters;
 
 // Returns the keys that characters use: bits by SceneKey.
 uint32_t characters_keys(const Scene* scene);
 
-// Opens the characters in a world that scene_build has built. On failure the caller closes the characters also.
+// Opens the characters in a world that scene_build has filled. The caller closes the characters also on failure.
 scree_status characters_open(Characters* characters, const Scene* scene, scree_world* world);
 void characters_close(Characters* characters);
 
 // Moves the characters before a step; the first step is number 0. down: keys that the user holds. Sets the targets of
-// their bodies, and disables the bodies that they took in the last step.
+// the characters' bodies, and disables the bodies that characters took in the last step.
 scree_status characters_move(Characters* characters, scree_world* world, int64_t step, uint32_t down);
 
 #endif

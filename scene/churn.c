@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// churn.c -- changes of a scene's bodies between steps: some are moved to another place, some destroyed and created
-// again, some pushed by explosions.
+// churn.c -- changes bodies of a scene between steps: moves some, replaces some by new bodies, and pushes some by
+// explosions.
 //
 // The changed bodies and their new places depend only on the number of the step, so no state is kept between steps. All
-// replaced bodies are destroyed before any is created, and a world uses the lowest free slots first. So each new body
-// gets the slot of the old one, and the bodies of a scene stay in the order of the file.
+// replaced bodies are destroyed before the first new body is created, and a world uses the lowest free slots first. So
+// each new body gets the slot of the old one, and the bodies of a scene stay in the order of the file.
 #include "scene/churn.h"
 #include "scene/attribute_block.h"
 #include "scene/evaluate.h"
@@ -22,9 +22,9 @@ static int64_t common_divisor(int64_t a, int64_t b)
 	return a;
 }
 
-// Returns the distance in the file between consecutively changed bodies. It has no common divisor with count, so that
-// every body is changed before one is changed again. It is a golden section of count, so that consecutively changed
-// bodies are far apart.
+// Returns the distance, in the order of the file, from one changed body to the next. It has no common divisor with
+// count, so that every body is changed before any is changed a second time. It is about 0.618 count (golden section),
+// so that two consecutive changes are far apart.
 static int64_t stride_of(int64_t count)
 {
 	int64_t stride = (int64_t)(0.6180339887 * (double)count) + 1;
@@ -39,7 +39,7 @@ static int compare_changes(const void* a, const void* b)
 	return x->replaced != y->replaced ? x->replaced - y->replaced : (x->item > y->item) - (x->item < y->item);
 }
 
-// Computes the changes of one block; first: index of its first body in the scene.
+// Computes the changes of one block. first: index of its first body in the scene.
 static bool block_changes(Reader* reader, const Block* block, int first, int64_t step, SceneChange* changes)
 {
 	const Churn* churn = &block->churn;
@@ -129,7 +129,7 @@ static void close_arrays(Arrays* arrays)
 	free(arrays->defs);
 }
 
-// Applies the moves or the replacements.
+// Applies the moves (replaced is false) or the replacements (replaced is true).
 static scree_status apply(scree_world* world, Arrays* arrays, const SceneChange* changes, int count, bool replaced)
 {
 	int chosen = 0;
@@ -167,7 +167,7 @@ scree_status scene_churn(const Scene* scene, scree_world* world, int64_t step)
 		status = SCREE_ERROR_OUT_OF_MEMORY;
 	if (status == SCREE_OK)
 		status = scree_world_get_bodies(world, arrays.bodies, bodies, &bodies);
-	// a world has one attribute for equal definitions, so these are the handles of the bodies
+	// equal definitions share one attribute, so this returns the handles that the bodies already use
 	for (int k = 0; k < scene->attribute_count && status == SCREE_OK; ++k)
 		status = scree_attribute_create(world, &scene->attributes[k].def, &arrays.attributes[k]);
 	if (status == SCREE_OK)

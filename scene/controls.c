@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// controls.c -- forces on bodies of a scene while the user holds keys down in the viewer.
+// controls.c -- applies forces to bodies of a scene while the user holds keys down in the viewer.
 #include "scene/controls.h"
 #include "scene/block.h"
 #include "scene/format.h"

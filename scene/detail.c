@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// detail.c -- a part of a scene, magnified, in the empty part of a picture that is wider than the scene.
+// detail.c -- shows a magnified part of a scene in the empty part of a picture that is wider than the scene.
 #include "scene/detail.h"
 #include <stdlib.h>
 #include <string.h>
@@ -21,10 +21,10 @@ bool detail_open(Detail* p, const Scene* scene, int width, int height)
 	p->height = (int)room_up;
 	if (p->width < LEAST_SHARE * width || p->height < 1)
 		return false;
-	// the box of the whole has the aspect ratio of the picture, so that the scene is at its left
+	// widens the view of the scene to the whole width of the picture, so that the scene is drawn at the left
 	p->whole = view;
 	p->whole.upper.x = view.lower.x + (float)(room_across / scale);
-	// the box of the part is as large as the picture, so that the part is drawn at its final place
+	// widens the view of the part to the size of the picture, so that the part is drawn at its final place
 	double x = part.upper.x - part.lower.x, y = part.upper.y - part.lower.y;
 	double large = p->width / x < p->height / y ? p->width / x : p->height / y;
 	p->part.lower.x = (float)(part.lower.x + x / 2 - (p->left - MARGIN + p->width / 2.0) / large);
@@ -58,7 +58,7 @@ void detail_put(Detail* p, Canvas* canvas)
 	Viewport whole = viewport_show(p->whole, canvas->width, canvas->height);
 	Viewport part = viewport_show(p->part, canvas->width, canvas->height);
 	double zoom = whole.scale / part.scale, floor = canvas->height - BAND;
-	// position in the whole of the point of the world at the upper left pixel of the part
+	// px: left and top of the mark, at the place in the whole scene of the upper left corner of the part
 	double left = (part.left + p->left / part.scale - whole.left) * whole.scale;
 	double top = floor - (part.bottom + (floor - p->top) / part.scale - whole.bottom) * whole.scale;
 	canvas_mark(canvas, left, top, p->width * zoom, p->height * zoom);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// evaluate.c -- computes the items of a block: bodies and collidables as scree.h defines them.
+// evaluate.c -- computes the items of a block: bodies and collidables, as definitions of scree.h.
 #include "scene/evaluate.h"
 #include "scene/block_items.h"
 #include <stdlib.h>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// evaluate_joints.c -- computes the joints of a block as scree.h defines them.
+// evaluate_joints.c -- computes the joints of a block, as definitions of scree.h.
 #include "scene/evaluate_joints.h"
 #include "scene/block.h"
 #include "scene/block_items.h"
 #include <math.h>
 #include <stdlib.h>
 
-// Returns the frame of a body at an anchor in the world, rotated by axis there. It computes in doubles, so that the
-// frames of both bodies coincide as closely as floats allow.
+// Returns the frame of an anchor in a body. anchor, axis: position, and direction of the x axis, in the world. The
+// computation uses doubles, so that the frames of both bodies coincide as closely as floats allow.
 static scree_pose frame_at(scree_pose body, const double anchor[2], scree_rot axis)
 {
 	double c = body.rotation.c, s = body.rotation.s;
@@ -68,7 +68,7 @@ static bool place(const Items* items, const Scene* scene, const JointBlock* bloc
 		if (!items_value(items, &block->anchors[k][0], &anchors[k][0]) ||
 		    !items_value(items, &block->anchors[k][1], &anchors[k][1]))
 			return false;
-		// frame A of a path joint is the place of the path
+		// for a joint on a path, frame A is the place of the path and has been read from the file
 		if (k > 0 || block->on < 0)
 			*frames[k] = frame_at(body, anchors[k], axis);
 	}

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// expression.c -- arithmetic in scene files: text compiled once, evaluated for each of up to millions of items.
+// expression.c -- arithmetic in scene files: compiles a text once, and evaluates it for up to millions of items.
 //
-// The compiler is a recursive descent parser of sums, products, signs and atoms. It writes postfix code for a small stack
-// and computes operations on constants itself.
+// The compiler is a recursive descent parser of sums, products, signs and atoms. It writes postfix code for a small
+// stack and executes operations on constants at once.
 #include "scene/expression.h"
 #include "scene/instruction.h"
 #include <ctype.h>
@@ -55,7 +55,7 @@ static bool emit(Parser* p, Op op, uint32_t argument, double value)
 	int operands = instruction_operands(op);
 	Expression* e = p->expression;
 
-	// operands that are constants are the last instructions of the code, one each
+	// finds whether all operands are constants; then they are the last instructions of the code, one for each operand
 	bool fold = operands > 0 && op != OP_RANDOM;
 	for (int k = 1; k <= operands; ++k)
 		fold = fold && e->code[e->count - k].op == OP_CONSTANT;
@@ -100,7 +100,7 @@ static bool sum(Parser* p);
 
 static bool number(Parser* p)
 {
-	// scans the number itself, because strtod accepts hexadecimal numbers and "inf" too
+	// finds the end of the number without strtod, which would also accept hexadecimal numbers and "inf"
 	char digits[64];
 	size_t length = strspn(p->at, "0123456789.");
 	if (p->at[length] == 'e' || p->at[length] == 'E')

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// expression.h -- arithmetic in scene files: text compiled once, evaluated for up to millions of items.
+// expression.h -- arithmetic in scene files: compiles a text once, and evaluates it for up to millions of items.
 //
 // A scene gives the same floats on every machine. So expressions use only + - * / sqrt floor and comparisons of
 // doubles, Scree's own sine and cosine, and random numbers that are hashes of the item's number.
@@ -28,20 +28,20 @@ typedef struct // names that an expression may use
 
 typedef struct Expression Expression;
 
-// Compiles text, or returns null and writes an error. *sites counts the random() calls of a whole scene, so that each
-// call has its own numbers. The caller frees the expression with free().
+// Compiles a text. On an error it writes a message and returns null. *sites counts the random() calls of a whole scene,
+// so that each call gives different numbers. The caller frees the expression with free().
 Expression* expression_compile(const char* text, const Scope* scope, uint32_t* sites, char* error, size_t error_size);
 
-// Returns true if the value is the same for all items, and stores it.
+// Returns true if the value is the same for all items; then *value is set to it.
 bool expression_is_constant(const Expression* expression, double* value);
 
-// Stores a finite value and returns null, or returns an error.
+// Sets *value to a finite number and returns null, or returns an error message.
 const char* expression_evaluate(const Expression* expression, const Item* item, double* value);
 
 // Returns true if a parameter or an index may have this name: small letters, digits and underscores, not a function.
 bool name_is_allowed(const char* name);
 
-// Finds a name in a scope; returns null if it is not there.
+// Finds a name in a scope; returns null if the scope does not have the name.
 const Name* scope_find(const Scope* scope, const char* name);
 
 #endif

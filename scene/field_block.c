@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// field_block.c -- the fields of a scene, and the explosions that it sets off between steps.
+// field_block.c -- reads the fields of a scene and the explosions between its steps, and creates them in a world.
 #include "scene/field_block.h"
 #include "scene/attribute_block.h"
 #include "scene/block_items.h"
@@ -7,22 +7,23 @@
 #include "scene/joint_block.h"
 #include <stdlib.h>
 
-#define MOST_FIELDS 100000 // maximum number of fields of a scene, and of explosions
+#define MOST_FIELDS 100000 // maximum number of fields of a scene; also that of explosions
 
-typedef struct // an entry of the file, whose items are added to the scene
+typedef struct // entry of "fields" or "blasts"; each of its items is added to the scene
 {
 	Scene* scene;
 	Reader* reader;
 	const Location* location;
 	FormatNumbers numbers;
-	// the rest of a field
+	// only for a field
 	scree_field_def def;
 	JointEnd body;
-	// the rest of an explosion
+	// only for an explosion
 	SceneBlast blast;
 } Entry;
 
-// Makes room for one more entry in a list of the scene.
+// Makes room for another entry in a list of the scene. size: bytes of an entry. Fails if there is no memory or the list
+// is too long.
 static bool grow(const Entry* e, void** list, int count, size_t size)
 {
 	if (count >= MOST_FIELDS)

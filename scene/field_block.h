@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// field_block.h -- the fields of a scene, and the explosions that it sets off between steps.
+// field_block.h -- reads the fields of a scene and the explosions between its steps, and creates them in a world.
 #ifndef FIELD_BLOCK_H
 #define FIELD_BLOCK_H
 #include "scene/reader.h"
@@ -8,17 +8,17 @@
 struct SceneField
 {
 	scree_field_def def; // without its body
-	int block, index;    // body that carries the field: position in Scene.blocks, -1 for none; number in its block
+	int block, index;    // body that carries the field: position in Scene.blocks, -1 for none; index in its block
 };
 
-// Reads the members "fields" and "blasts", if the scene has them. The blocks of bodies have been read.
+// Reads the members "fields" and "blasts", if the scene has them, after the blocks of bodies.
 bool fields_read(Reader* reader, const json_t* root, Scene* scene);
 bool blasts_read(Reader* reader, const json_t* root, Scene* scene);
 
-// Creates a field in a world, on a body, which may be null.
+// Creates a field in a world. body: carries the field; may be null.
 scree_status field_build(const SceneField* field, scree_world* world, scree_body body);
 
-// Sets off the explosions of the scene before a step.
+// Sets off the explosions that the scene has before this step.
 scree_status blasts_fire(const Scene* scene, scree_world* world, int64_t step);
 
 #endif

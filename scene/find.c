@@ -9,7 +9,7 @@
 
 #define FOLDERS 4
 
-// Writes the folders in the order of search and returns their count.
+// Writes the folders in the order of search and returns their number.
 static int folders(const char* executable, char folder[FOLDERS][SCENE_PATH])
 {
 	int count = 0;
@@ -24,7 +24,7 @@ static int folders(const char* executable, char folder[FOLDERS][SCENE_PATH])
 	return count;
 }
 
-// Returns true if the folder that the user selected exists.
+// Returns false and writes an error message if $SCREE_SCENES is set but is not a folder.
 static bool check_chosen(char* sentence)
 {
 	const char* chosen = getenv("SCREE_SCENES");
@@ -75,7 +75,7 @@ static int is_scene(const struct dirent* entry)
 
 static int compare_names(const void* a, const void* b) { return strcmp(*(char* const*)a, *(char* const*)b); }
 
-// Adds the scenes of a folder that are not in the list yet. Returns the new count, -1 if memory is short.
+// Adds the scenes of a folder that are not in the list yet. Returns the new number of names, -1 if memory is short.
 static int list_folder(const char* folder, char*** names, int count)
 {
 	struct dirent** entries;

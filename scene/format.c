@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// format.c -- the table of the keys of scene files, and the reader of the values that need no code of their own.
+// format.c -- holds the table of the keys of scene files, and reads the values of keys without special code.
 #include "scene/format.h"
 #include <float.h>
 #include <math.h>

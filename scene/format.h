@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// format.h -- the table of the keys of scene files, and the reader of the keys without code of their own.
+// format.h -- the table of the keys of scene files; reads the values of keys without special code.
 #ifndef FORMAT_H
 #define FORMAT_H
 #include "scene/reader.h"
@@ -13,12 +13,12 @@ typedef enum // the JSON objects of a scene file
 	FORMAT_OBJECTS,
 } FormatObject;
 
-typedef enum // presence of a key in an object
+typedef enum // rule for the presence of a key in an object
 {
 	NEED_MAY,
 	NEED_MUST,
-	NEED_EITHER, // exactly one of these keys
-	NEED_ALONE,  // only in a body with an attribute: each of several collidables has its own
+	NEED_EITHER, // the object has exactly one of the keys with this need
+	NEED_ALONE,  // only in a body with the key "attribute"; otherwise each collidable of the body has this key
 } FormatNeed;
 
 typedef enum
@@ -27,14 +27,14 @@ typedef enum
 	TYPE_PAIR,   // a list of two numbers
 	TYPE_BOOLEAN,
 	TYPE_BITS,  // a list of bit numbers
-	TYPE_NAME,  // one of a list of names
-	TYPE_NAMES, // a list of names, each for one bit
+	TYPE_NAME,  // a name from a list
+	TYPE_NAMES, // a list of names; each name stands for a bit
 	TYPE_OTHER,
 } FormatType;
 
 typedef enum // C types of the numbers of a struct
 {
-	STORE_NONE, // not a number
+	STORE_NONE, // the member is not a number
 	STORE_FLOAT,
 	STORE_ROTATION, // scree_rot, from radians
 	STORE_INT,
@@ -49,16 +49,16 @@ typedef struct
 	const char* name;
 	FormatNeed need;
 	FormatType type;
-	Range range;              // limits of numbers, or of the count of points
-	const char* const* names; // ends with null
-	bool special;             // true if the code of the object reads it
+	Range range;              // limits of numbers, or of the number of points
+	const char* const* names; // names of a value; the last is null
+	bool special;             // true if special code of the object reads the key
 	FormatStore store;
-	size_t offset; // place of the member in the struct of the object
+	size_t offset; // offset of the member in the struct of the object
 } FormatKey;
 
 typedef struct // a number that differs between items
 {
-	size_t offset; // place of the member in the struct of an item
+	size_t offset; // offset of the member in the struct of an item
 	FormatStore store;
 	Number number;
 } FormatNumber;
@@ -69,29 +69,29 @@ typedef struct
 	int count;
 } FormatNumbers;
 
-#define LIST(array, ...) extern const char* const array[]; // ends with null
+#define LIST(array, ...) extern const char* const array[]; // the last name is null
 #include "scene/format.def"
 
-// Returns the first key of an object. Its other keys follow, then those of another object.
+// Returns the first key of an object. The other keys of the object follow, then the keys of the next object.
 const FormatKey* format_keys(FormatObject object);
 
-// Returns the range of the numbers of a key, which the object must have.
+// Returns the range of the numbers of a key; the object must have a key with this name.
 Range format_range(FormatObject object, const char* name);
 
-// Checks that a value is an object, and that all its keys are in the format.
+// Checks that a value is an object, and that all its keys are allowed and all necessary keys are present.
 bool format_check(Reader* reader, const Location* location, const json_t* value, FormatObject object);
 
-// Writes the value of an object's struct without any key.
+// Writes the struct of an object with the values that it has without any key.
 void format_default(FormatObject object, void* target);
 
-// Reads all keys of an object except the special ones into its struct, which is at an offset in an item. Numbers that
-// differ between items are added to a list, for items_store; a null list means that no index exists here. The caller
+// Reads all keys of an object, except the special keys, into the struct at this offset in an item. Adds numbers that
+// differ between items to a list, which items_store evaluates; numbers null: no loop index exists here. The caller
 // frees the list, also on failure.
 bool format_read(Reader* reader, const Location* location, const json_t* value, FormatObject object, void* item,
                  size_t offset, FormatNumbers* numbers);
 void format_free(FormatNumbers* numbers);
 
-// Writes a number into a struct.
+// Writes a number into a member of a struct, in the C type of the member.
 void format_store(void* item, size_t offset, FormatStore store, double value);
 
 #endif

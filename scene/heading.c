@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// heading.c -- the title and the parameters of a scene file.
+// heading.c -- reads the title and the parameters of a scene file without loading the scene.
 #include "scene/heading.h"
 #include "scene/reader.h"
 #include <stdio.h>
 #include <string.h>
 
-// Copies an expression without its blanks, because blanks separate parameters.
+// Copies an expression without its blanks, because blanks separate the parameters in the text.
 static void append_tight(char* text, size_t size, const char* expression)
 {
 	for (; *expression && size > 1; ++expression)
@@ -42,7 +42,8 @@ bool scene_heading(const char* path, char* title, size_t title_size, char* param
 	return true;
 }
 
-// Writes a bound, which may be an expression.
+// Writes a limit of a parameter, which may be a number or an expression. without: text for a parameter without this
+// limit.
 static void write_bound(const json_t* bound, const char* without, char text[32])
 {
 	if (json_is_string(bound))

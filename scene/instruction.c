@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// instruction.c -- the operations of compiled expressions, on a stack of doubles.
+// instruction.c -- executes the operations of compiled expressions, on a stack of doubles.
 //
-// Each operation is a statement of its own, so that no compiler can contract two of them into one.
+// Each operation is a separate statement, so that no compiler can contract two operations into one.
 #include "scene/instruction.h"
 #include "scree/scree.h"
 #include <math.h>
@@ -11,8 +11,8 @@ int instruction_operands(Op op)
 	return op <= OP_INDEX ? 0 : op == OP_NEGATE || (op >= OP_ABS && op <= OP_COS) ? 1 : 2;
 }
 
-// Returns a uniform random number in [0, 1). The mixing steps are those of splitmix64 (Steele, Lea, Flood, Fast
-// Splittable Pseudorandom Number Generators, 2014).
+// Returns a uniform random number in [0, 1), which depends only on the arguments. The mixing steps are those of
+// splitmix64 (Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, 2014).
 static double random_unit(uint64_t seed, uint64_t site, uint64_t number)
 {
 	uint64_t x = seed * 0x9e3779b97f4a7c15u + site * 0xd1b54a32d192ed03u + number;
@@ -26,7 +26,7 @@ static double random_unit(uint64_t seed, uint64_t site, uint64_t number)
 	return (double)(x >> 11) * 0x1p-53;
 }
 
-// Replaces a value by the result of an operation with one operand.
+// Replaces *value by the result of an operation with one operand. Returns null, or an error message.
 static const char* run_unary(Op op, double* value)
 {
 	double a = *value;
@@ -74,7 +74,7 @@ static const char* divide(Op op, double* a, double b)
 	return NULL;
 }
 
-// Replaces *a by the result of an operation with the operands *a and b.
+// Replaces *a by the result of an operation with the operands *a and b. Returns null, or an error message.
 static const char* run_binary(const Instruction* i, double* a, double b, const Item* item)
 {
 	switch (i->op)

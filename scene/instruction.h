@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// instruction.h -- the operations of compiled expressions, on a stack of doubles.
+// instruction.h -- executes the operations of compiled expressions, on a stack of doubles.
 #ifndef INSTRUCTION_H
 #define INSTRUCTION_H
 #include "scene/block_item.h"
@@ -32,10 +32,11 @@ typedef struct
 	double value;      // value of OP_CONSTANT
 } Instruction;
 
-// Returns the number of values that an operation takes from the stack: 0, 1 or 2. It puts one back.
+// Returns the number of values that an operation takes from the stack: 0, 1 or 2. Every operation puts one value on the
+// stack.
 int instruction_operands(Op op);
 
-// Runs one instruction on a stack whose last value is **top. Returns null, or an error.
+// Executes one instruction on a stack; **top is the last value. Returns null, or an error message.
 const char* instruction_run(const Instruction* instruction, double** top, const Item* item);
 
 #endif

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// joint_block.c -- a block of joints of a scene: joints of one type, repeated over nested loops.
+// joint_block.c -- reads a block of joints of a scene: joints of one type, repeated over nested loops.
 #include "scene/joint_block.h"
 #include "scene/block.h"
 #include "scene/path_block.h"
 #include <string.h>
 
-// Reads an object of a coordinate that contains only numbers, and whether it is present. needed: the member without
-// which it has no effect, or null.
+// Reads an object of a coordinate (spring, motor, lock) and sets *there, if the file has the object. needed: member
+// without which the object has no effect; null: no such member.
 static bool read_group(Reader* reader, const Location* location, const json_t* object, const char* key,
                        FormatObject group, const char* needed, size_t start, JointBlock* block, bool* there)
 {

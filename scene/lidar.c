@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lidar.c -- the rays that bodies of a scene cast after every step: one fan for each body of an entry.
+// lidar.c -- reads the rays that bodies of a scene cast after every step; each body of an entry casts one fan.
 #include "scene/lidar.h"
 #include "scene/block.h"
 #include "scene/format.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// links.c -- the joints of a picture: a line from the center of one body over the anchors to the center of the other;
-// and paths.
+// links.c -- lists the joints of a picture and their paths. The line of a joint leads from the center of one body over
+// the anchors to the center of the other.
 #include "scene/links.h"
 #include <stdlib.h>
 #include <string.h>
 
-// lines of a path between neighboring points, and maximum of all its lines
+// number of lines between two neighboring points of a path, and maximum number of lines of a whole path
 #define RAIL_SHARES 8
 #define RAIL_MOST   4000
 
@@ -21,12 +21,12 @@ static bool set_end(Link* link, int end, const Sprites* sprites, const scree_wor
 	link->bodies[end] = sprites_find(sprites, body);
 	if (link->bodies[end] < 0 || scree_body_get_type(world, body, &type) != SCREE_OK)
 		return false;
-	// excludes static and kinematic bodies, which may be large, with their origins far away
+	// excludes the centers of static and kinematic bodies: such bodies may be large, with their origins far away
 	link->centers[end] = type == SCREE_BODY_DYNAMIC;
 	return true;
 }
 
-// Returns true if a rope goes over the bases of both sides.
+// Returns true for a gear or pulley that measures two distances, whose rope goes over both bases.
 static bool joint_hoists(const scree_joint_def* def)
 {
 	return (def->type == SCREE_JOINT_GEAR || def->type == SCREE_JOINT_PULLEY) &&
@@ -39,7 +39,7 @@ static scree_vec turned(scree_pose pose, scree_vec at)
 	return (scree_vec){pose.position.x + q.c * at.x - q.s * at.y, pose.position.y + q.s * at.x + q.c * at.y};
 }
 
-// Adds the path of a joint, unless it is already in the list, in the same place.
+// Adds the path of a joint, unless the list already has this path in the same place. Returns false if memory is short.
 static bool add_rail(Links* links, const Link* link, scree_world* world, const scree_joint_def* def)
 {
 	float length;

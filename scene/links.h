@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-// links.h -- the joints of a picture: a line from the center of one body over the anchors to the center of the other.
+// links.h -- lists the joints of a picture and their paths. The line of a joint leads from the center of one body over
+// the anchors to the center of the other.
 #ifndef LINKS_H
 #define LINKS_H
 #include "scene/sprites.h"
 
-typedef struct // one joint to draw
+typedef struct // joint to draw
 {
 	scree_joint joint;
 	int bodies[2];        // index in Sprites.bodies, -1 for the world
-	bool centers[2];      // true if the line continues to the body's origin
+	bool centers[2];      // true if the line ends at the body's origin, not at the anchor
 	scree_vec anchors[2]; // m, in the bodies' frames or in the world
 	bool roped;           // true if the line between the anchors goes over the bases of a pulley
-	bool railed;          // true if it is on a path, and has only the anchor of b
-	scree_vec bases[2];   // m, in the world
+	bool railed;          // true for a joint on a path, whose line has only the anchor of b
+	scree_vec bases[2];   // m, in the world: bases of a pulley
 } Link;
 
-typedef struct // a path to draw, in a body or in the world
+typedef struct // path to draw, on a body or in the world
 {
 	scree_path path;
 	int body;          // index in Sprites.bodies, -1 for the world
@@ -32,17 +33,17 @@ typedef struct
 	int rail_count;
 } Links;
 
-// Lists the joints of a world that hold or move something. Returns false if memory is short.
+// Lists the joints of a world, except filter joints and disabled joints. Returns false if memory is short.
 bool links_list(Links* links, const Sprites* sprites, scree_world* world);
 void links_free(Links* links);
 
 #define LINK_POINTS 6
 
-// Writes the 1 to LINK_POINTS points of the line in the world, and the positions of both anchors among them; returns
-// the count of points.
+// Writes the points of a joint's line in the world, at least 1 and at most LINK_POINTS, and the positions of both
+// anchors in the list of points. Returns the number of points.
 int link_points(const Link* link, const scree_pose* poses, scree_vec points[LINK_POINTS], int anchors[2]);
 
-// Returns point k of a path in the world.
+// Returns point k of a drawn path, in the world.
 scree_vec rail_point(const Rail* rail, const scree_pose* poses, int k);
 
 #endif

@@ -24,7 +24,7 @@ static bool read_world(Reader* reader, const json_t* root, Scene* scene)
 	                  format_read(reader, location, world, OBJECT_world, scene, 0, NULL));
 }
 
-// Reads a member that is the box of a picture, if there is one.
+// Reads a member that gives a box of a picture. *there: whether the file has the member.
 static bool read_box(Reader* reader, const json_t* root, const char* key, bool* there, scree_box* box)
 {
 	const json_t* list = json_object_get(root, key);
@@ -77,7 +77,7 @@ static bool read_numbers(Reader* reader, const json_t* root, Scene* scene)
 	return good;
 }
 
-typedef struct // destination of the next items of a block; null: they are not kept
+typedef struct // places for the next items of a block; null: they are not kept
 {
 	scree_body_def* items;
 	scree_pose* poses;
@@ -105,8 +105,9 @@ static bool check_churn(Reader* reader, const Location* location, const Block* b
 	                   (double)block->count);
 }
 
-// Evaluates a block that has been counted: finds invalid numbers before a world is created. Keeps the definitions of
-// its bodies if some are replaced, and their poses if joints can name them.
+// Evaluates the items of a block, whose number is set, so that invalid numbers are found before a world is created.
+// Keeps the definitions of the bodies if churn replaces some, and their poses if the block has a name, which joints may
+// use.
 static bool check_items(Reader* reader, const Location* location, Block* block)
 {
 	Kept kept = {0};
@@ -119,7 +120,7 @@ static bool check_items(Reader* reader, const Location* location, Block* block)
 	return evaluate_block(reader, block, keep_items, &kept);
 }
 
-// Reads, counts and evaluates one list of blocks.
+// Reads one list of blocks: counts and evaluates the items of each block.
 static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* scene)
 {
 	const char* key = bodies ? "bodies" : "collidables";

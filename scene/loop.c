@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// loop.c -- the repeat loops of a block: an index that runs over a range of whole numbers.
+// loop.c -- reads the repeat loops of a block: an index that runs over a range of whole numbers.
 #include "scene/loop.h"
 #include "scene/format.h"
 #include <string.h>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// loop.h -- the repeat loops of a block: an index that runs over a range of whole numbers.
+// loop.h -- reads the repeat loops of a block: an index that runs over a range of whole numbers.
 #ifndef LOOP_H
 #define LOOP_H
 #include "scene/reader.h"
 
 #define MAX_LOOPS 4 // maximum nesting depth
 
-typedef struct // index runs over the whole numbers from first up to, not including, end
+typedef struct // index that runs over the whole numbers from first to end - 1
 {
 	char index[NAME_SIZE];
 	Number first, end;
@@ -18,14 +18,16 @@ typedef struct // nested loops, the outermost first
 	int count;
 } Loops;
 
-// Reads one loop. The caller frees it, also on failure.
+// Reads one loop. The caller frees the loop, also on failure.
 bool loop_read(Reader* reader, const Location* location, const json_t* value, Loop* loop);
 void loop_free(Loop* loop);
 
-// Lets expressions use the index: by slot if it differs between items, else (slot -1) with a constant value.
+// Makes the index a name for expressions. slot: place of its values in Item.indices; -1: the index is the constant
+// value.
 bool loop_add_index(Reader* reader, const Location* location, const Loop* loop, int slot, double value);
 
-// Reads the member "repeat" of a block, if it has one. Each index can be used in the loops inside it and in the block.
+// Reads the member "repeat" of a block, if the block has it. The ranges of inner loops and the block may use each
+// index.
 bool loops_read(Reader* reader, const Location* location, const json_t* object, Loops* loops);
 void loops_free(Loops* loops);
 

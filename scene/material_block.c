@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// material_block.c -- the surface values of pairs of materials in a scene.
+// material_block.c -- reads the surface values of pairs of materials in a scene.
 #include "scene/material_block.h"
 #include "scene/format.h"
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// material_block.h -- the surface values of pairs of materials in a scene.
+// material_block.h -- reads the surface values of pairs of materials in a scene.
 #ifndef MATERIAL_BLOCK_H
 #define MATERIAL_BLOCK_H
 #include "scene/reader.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// parameter_block.c -- the parameters and constants of a scene: names that its expressions use.
+// parameter_block.c -- reads the parameters and constants of a scene: names that its expressions use.
 #include "scene/parameter_block.h"
 #include "scene/format.h"
 #include <stdio.h>
@@ -19,7 +19,7 @@ static bool add_name(Reader* reader, const Location* location, const char* text,
 	return true;
 }
 
-// Reads the value that the user set, if there is one.
+// Reads the value that the user set for a parameter. Fails if it is not a number in the range.
 static bool read_setting(Reader* reader, const SceneSetting* setting, Range range, double* value)
 {
 	char fault[160];

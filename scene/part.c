@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// part.c -- the collidables of a block's items: attribute, pose in the body, filter.
+// part.c -- reads the collidables of a block's items: attribute, pose in the body, filter.
 #include "scene/part.h"
 #include "scene/attribute_block.h"
 #include "scene/loop.h"
@@ -42,12 +42,12 @@ static bool read_choice(Reader* reader, const Location* location, const json_t* 
 	if (choice->count > 1 && !choose)
 		return reader_fail(reader, location,
 		                   "a list of attributes needs choose, an expression that picks one by position");
-	// range for the position, whose whole part is used, so that random(0, 3) selects evenly from 3
+	// range of the position; its whole part is used, so that random(0, 3) selects evenly from 3 attributes
 	Range range = {0, choice->count - 1, false, true};
 	return reader_member(reader, location, object, "choose", range, 0, &choice->choose);
 }
 
-// Reads a part as an object of the format: one of several of a body, or a collidable without a body.
+// Reads a part as an object of the format: an entry of a body's collidables, or a collidable without a body.
 static bool read_part(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                       FormatObject object, Part* part)
 {
@@ -56,7 +56,7 @@ static bool read_part(Reader* reader, const Location* location, const json_t* va
 	       format_read(reader, location, value, object, &part->def, 0, &part->numbers);
 }
 
-// Adds parts and returns the first of them.
+// Adds empty parts to a list and returns the first new part, or null if memory is short.
 static Part* add_parts(Parts* parts, int count)
 {
 	Part* list = realloc(parts->list, (size_t)(parts->count + count) * sizeof(Part));
@@ -68,8 +68,8 @@ static Part* add_parts(Parts* parts, int count)
 	return list + parts->count - count;
 }
 
-// Reads one entry of a body's collidables. With a repeat it is read once for each value of the index, which is a
-// constant there, so that all items of a block have the same number of collidables.
+// Reads one entry of a body's collidables. An entry with a repeat is read once for each value of the index, with the
+// index as a constant. So all items of a block have the same number of collidables.
 static bool read_part_entry(Reader* reader, const Location* location, const json_t* value, const Scene* scene,
                             Parts* parts)
 {

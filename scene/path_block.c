@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path_block.c -- the paths of a scene: points by name, single ones and rows of them.
+// path_block.c -- reads the paths of a scene: single points, and rows of points, by the name of the path.
 #include "scene/path_block.h"
 #include "scene/block_items.h"
 #include "scene/format.h"
@@ -23,7 +23,7 @@ static bool add_point(Reader* reader, const Location* location, ScenePath* path,
 	return true;
 }
 
-typedef struct // a row of points
+typedef struct // row of points, computed with loops
 {
 	ScenePath* path;
 	const Location* location;
@@ -71,7 +71,7 @@ static bool read_points(Reader* reader, const Location* location, const json_t* 
 	return true;
 }
 
-// Fails with the library's sentence about a path, without the name of the function.
+// Creates a path in a world. On failure it reports the library's error message, without the name of the function.
 static bool check_path(Reader* reader, const Location* location, const ScenePath* path, scree_world* world)
 {
 	if (path_build(path, world, NULL) == SCREE_OK)
@@ -147,6 +147,6 @@ scree_status path_build(const ScenePath* path, scree_world* world, scree_path* m
 	def.points = path->points;
 	def.count = path->count;
 	if (!def.points)
-		def.points = &(scree_vec){0.0f, 0.0f}; // valid pointer, so that the error is about the number of points
+		def.points = &(scree_vec){0.0f, 0.0f}; // valid pointer, so that the error message is about the number of points
 	return scree_path_create(world, &def, made);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path_block.h -- the paths of a scene: points by name.
+// path_block.h -- reads the paths of a scene: lists of points by name.
 #ifndef PATH_BLOCK_H
 #define PATH_BLOCK_H
 #include "scene/reader.h"
@@ -8,7 +8,7 @@
 struct ScenePath
 {
 	char name[NAME_SIZE];
-	scree_path_def def; // without its points
+	scree_path_def def; // points and their number are not set
 	scree_vec* points;  // m
 	int count, capacity;
 };
@@ -17,10 +17,10 @@ struct ScenePath
 bool paths_read(Reader* reader, const json_t* root, Scene* scene);
 void paths_free(Scene* scene);
 
-// Returns the position in Scene.paths, -1 if there is none with that name.
+// Returns the position of a name in Scene.paths, -1 if no path has this name.
 int paths_find(const Scene* scene, const char* name);
 
-// Creates a path in a world.
+// Creates a path in a world. *made gets the handle; may be null.
 scree_status path_build(const ScenePath* path, scree_world* world, scree_path* made);
 
 #endif

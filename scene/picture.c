@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// picture.c -- pictures of a world, drawn with Cairo; uses only the public interface of Scree.
+// picture.c -- draws pictures of a world with Cairo; uses only the public interface of Scree.
 #include "scene/picture.h"
 #include "scene/detail.h"
 #include "scene/links.h"
@@ -18,7 +18,7 @@
 #define SMALL    1.0 // px: a shape with a smaller reach is drawn as a square of its area, not as a path
 #define OUTLINED 3.5 // px: a shape with a smaller reach has no outline
 #define LINKED   1.0 // px: a shorter line of a joint is not drawn
-#define PINNED   1.2 // px: an anchor with a smaller radius has no dot
+#define PINNED   1.2 // px: an anchor with a smaller radius is not drawn as a dot
 
 static const Color rim = {157, 154, 147}, glass = {67, 93, 134}, ink = {58, 54, 50};
 
@@ -28,7 +28,7 @@ struct Picture
 	char title[160];
 	bool has_view;
 	scree_box view; // m
-	Detail detail;  // pixels is null if there is no detail
+	Detail detail;  // detail of the scene; Detail.pixels is null if there is no detail
 	Sprites sprites;
 	Links links;
 	FieldRegions regions;
@@ -89,7 +89,7 @@ const scree_body* picture_bodies(const Picture* p, int* count)
 	return p->sprites.bodies;
 }
 
-// Sets the view of a scene without one: the dynamic bodies, or all bodies if none is dynamic.
+// Sets the view for a scene that gives no view: it contains the dynamic bodies, or all bodies if none is dynamic.
 static void fit_view(Picture* p, const scree_pose* poses)
 {
 	int first = p->sprites.first_moving < p->sprites.count ? p->sprites.first_moving : 0, count = 0;
@@ -113,7 +113,7 @@ static void set_color(cairo_t* cairo, Color color, double factor)
 	cairo_set_source_rgb(cairo, color.r * unit, color.g * unit, color.b * unit);
 }
 
-// Sets the current path to the outline of a shape. y grows downwards in pixels, so angles change their sign.
+// Sets Cairo's current path to the outline of a shape. In pixels y grows downwards, so angles change their sign.
 static void make_path(Picture* p, const scree_shape* shape, scree_pose pose)
 {
 	double x[SCREE_MAX_VERTICES], y[SCREE_MAX_VERTICES];
@@ -149,7 +149,7 @@ static void make_path(Picture* p, const scree_shape* shape, scree_pose pose)
 	cairo_close_path(p->cairo);
 }
 
-// Returns true if a shape, with its outline, is outside the picture.
+// Returns true if a shape and its outline are outside the picture.
 static bool unseen(const Picture* p, const scree_shape* shape, scree_pose pose)
 {
 	double x = (pose.position.x - p->viewport.left) * p->viewport.scale;
@@ -158,7 +158,7 @@ static bool unseen(const Picture* p, const scree_shape* shape, scree_pose pose)
 	return x < -reach || y < -reach || x > p->width + reach || y > p->height + reach;
 }
 
-// Draws a square of the shape's area, blended pixel by pixel. The surface must be flushed.
+// Draws a square with the area of the shape, blended pixel by pixel. The caller has flushed the surface.
 static void draw_splat(Picture* p, const scree_shape* shape, scree_pose pose, Color color)
 {
 	double side = sqrt(fmax(shape->area, 0)) * p->viewport.scale;
@@ -184,7 +184,7 @@ static void draw_splat(Picture* p, const scree_shape* shape, scree_pose pose, Co
 	}
 }
 
-// Draws the current path as a sensor.
+// Draws Cairo's current path as a sensor: an outline, tinted if a collidable is inside.
 static void draw_sensor(Picture* p, const Sprite* s, double line)
 {
 	const Color c = SENSOR_COLOR;
@@ -226,7 +226,7 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	cairo_fill_preserve(p->cairo);
 	if (shape->kind == SCREE_SHAPE_CIRCLE)
 	{
-		// the spoke shows the rotation
+		// a radius shows the rotation
 		double x = (pose.position.x + pose.rotation.c * shape->vertices[0].x - pose.rotation.s * shape->vertices[0].y -
 		            p->viewport.left) *
 		           p->viewport.scale;
@@ -242,7 +242,7 @@ static void draw_sprite(Picture* p, const Sprite* s, scree_pose pose)
 	cairo_stroke(p->cairo);
 }
 
-// Tints the region of a field; a fluid without a shape is everything below its surface.
+// Draws the region of a field as a tinted area. A fluid without a shape is everything below its surface.
 static void draw_region(Picture* p, const FieldRegion* region, const scree_pose* poses)
 {
 	const float far = 2.0f * SCREE_MAX_COORDINATE;
@@ -277,7 +277,7 @@ static void draw_link(Picture* p, const Link* link, const scree_pose* poses)
 	cairo_stroke(p->cairo);
 	for (int end = 0; pin >= PINNED && end < 2; ++end)
 	{
-		// a dot in the middle of a body would only hide it
+		// draws no dot at the center of a body, which the dot would hide
 		int at = anchors[end], center = end ? count - 1 : 0;
 		if (center != at && hypot(x[at] - x[center], y[at] - y[center]) < pin)
 			continue;
@@ -299,7 +299,7 @@ static void draw_rail(Picture* p, const Rail* rail, const scree_pose* poses)
 	cairo_stroke(p->cairo);
 }
 
-// Returns the view of the whole picture, margins included, m.
+// Returns the box of the world that the whole picture shows, margins included, m.
 static scree_box shown(const Picture* p)
 {
 	const Viewport* v = &p->viewport;
@@ -333,7 +333,7 @@ static scree_status draw_view(Picture* p, scree_box view, const scree_pose* pose
 				continue;
 			scree_pose pose = sprite_pose(s, poses);
 			if (unseen(p, shape, pose) || (is_splat && s->sensor))
-				continue; // the outline of a sensor that small is invisible
+				continue; // a sensor of this size has an invisible outline
 			if (is_splat)
 				draw_splat(p, shape, pose, s->color);
 			else
@@ -378,7 +378,7 @@ Picture* picture_create(const Scene* scene, scree_world* world, int width, int h
 {
 	(void)scene, (void)world;
 	Canvas canvas;
-	canvas_open(&canvas, width, height, sentence); // writes the sentence
+	canvas_open(&canvas, width, height, sentence); // only writes the error message
 	return NULL;
 }
 

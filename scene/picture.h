@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// picture.h -- pictures of a world, drawn with Cairo; uses only the public interface of Scree.
+// picture.h -- draws pictures of a world with Cairo; uses only the public interface of Scree.
 #ifndef PICTURE_H
 #define PICTURE_H
 #include "scene/canvas.h"
@@ -7,22 +7,22 @@
 
 typedef struct Picture Picture;
 
-// Prepares pictures of a world whose bodies do not change. Returns null and writes a sentence if this build has no
-// Cairo, memory is short, or the size is out of range.
+// Prepares pictures of a world whose list of bodies does not change. If this build has no Cairo, memory is short, or
+// the size is out of range, it writes an error message and returns null.
 Picture* picture_create(const Scene* scene, scree_world* world, int width, int height, char* sentence);
 void picture_free(Picture* picture);
 
-// Returns the bodies whose poses picture_draw needs, in this order.
+// Returns the bodies whose poses picture_draw needs, in the same order. *count: their number.
 const scree_body* picture_bodies(const Picture* picture, int* count);
 
-// Shows a box instead of the view of the scene and its detail.
+// Shows this box of the world, in place of the view of the scene and of its detail.
 void picture_aim(Picture* picture, scree_box view);
 
-// Draws the bodies at poses, sensors and the rays of the scene, with the title of the scene and a caption. Fails if
-// casting the rays fails.
+// Draws bodies at the given poses, joints, sensors, fields and rays, and writes the title of the scene and a caption.
+// Fails if a ray cast fails.
 scree_status picture_draw(Picture* picture, const scree_pose* poses, const char* caption);
 
-// The canvas of the pictures.
+// Returns the canvas of the pictures.
 Canvas* picture_canvas(Picture* picture);
 
 #endif

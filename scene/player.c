@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// player.c -- a scene in its world, step by step.
+// player.c -- the scene player: fills a world with a scene, and applies churn, characters and keys before each step.
 #include "scene/player.h"
 #include "scene/build.h"
 #include "scene/churn.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// player.h -- a scene in its world, step by step.
+// player.h -- the scene player: fills a world with a scene, and applies churn, characters and keys before each step.
 #ifndef PLAYER_H
 #define PLAYER_H
 #include "scene/character_motion.h"
@@ -10,24 +10,24 @@ typedef struct
 	const Scene* scene;
 	scree_world* world;
 	bool owns;                          // true if player_close destroys the world
-	double opening, building, scanning; // s: durations of creating the world, of filling it, and of the last scan
-	int64_t steps;                      // number of steps so far
+	double opening, building, scanning; // s: time for creating the world, for filling it, and for the last rays
+	int64_t steps;                      // number of steps that have been taken
 	uint32_t down;                      // keys that the user holds: bits by SceneKey; set by the caller
 	Characters characters;
-	Scan scan;        // rays of the last scan
-	ScanSum answered; // sums of the results of all scans
+	Scan scan;        // rays after the last step
+	ScanSum answered; // sums of the results of all rays
 } ScenePlayer;
 
-// Creates a world from a definition, and the scene in it. The caller closes the player also on failure.
+// Creates a world from a definition, and fills it with the scene. The caller closes the player also on failure.
 scree_status player_open(ScenePlayer* player, const Scene* scene, const scree_world_def* def);
 
-// Creates the scene in an empty world, which the caller destroys. The caller closes the player also on failure.
+// Fills an empty world with the scene. The caller destroys the world, and closes the player also on failure.
 scree_status player_fill(ScenePlayer* player, const Scene* scene, scree_world* world);
 void player_close(ScenePlayer* player);
 
 // Applies the changes of the scene before a step (churn, explosions, characters, keys), then takes the step.
 scree_status player_step(ScenePlayer* player);
-// Do the two parts of player_step: the changes, and the step.
+// player_change applies the changes before a step; player_advance takes the step.
 scree_status player_change(ScenePlayer* player);
 scree_status player_advance(ScenePlayer* player);
 

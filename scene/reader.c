@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SHOWN 48 // maximum number of characters of an invalid value in an error
+#define SHOWN 48 // maximum number of characters of an invalid value in an error message
 
 json_t* reader_load(const char* path, char* sentence)
 {
@@ -107,7 +107,7 @@ bool reader_number(Reader* reader, const Location* location, const json_t* value
 	if (!code)
 		return reader_fail(reader, location, "\"%.60s\": %s", expression, text);
 
-	// without a repeat index an expression has only one value
+	// an expression without a loop index has only one value
 	bool varies = !expression_is_constant(code, &number->constant);
 	bool indexed = reader->redraws;
 	for (int k = 0; k < reader->scope.count; ++k)

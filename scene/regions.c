@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// regions.c -- the fields of a picture: outlines of their regions.
+// regions.c -- lists the fields of a picture: the regions that are tinted.
 #include "scene/regions.h"
 #include <stdlib.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// regions.h -- the fields of a picture: outlines of their regions.
+// regions.h -- lists the fields of a picture: the regions that are tinted.
 #ifndef REGIONS_H
 #define REGIONS_H
 #include "scene/sprites.h"
 
-typedef struct // the region of a field
+typedef struct // field whose region is drawn
 {
 	scree_field_def def;
 	int body; // index in Sprites.bodies, -1 for the world
@@ -20,7 +20,7 @@ typedef struct
 bool regions_list(FieldRegions* regions, const Sprites* sprites, const scree_world* world);
 void regions_free(FieldRegions* regions);
 
-// Return the pose of a region in the world, and the color of its tint.
+// Return the pose of a region in the world, and the color of its tint. poses: poses of Sprites.bodies.
 scree_pose region_pose(const FieldRegion* region, const scree_pose* poses);
 Color region_color(const FieldRegion* region);
 

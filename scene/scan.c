@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scan.c -- casts the rays of a scene in its world, all of them after a step, or some for a picture.
+// scan.c -- casts the rays of a scene in its world: all rays after a step, or some of them for a picture.
 #include "scene/scan.h"
 #include "scene/block.h"
 #include "scene/churn.h"
@@ -64,7 +64,8 @@ static bool is_inside(scree_vec p, scree_box box, float around)
 	       p.y <= box.upper.y + around;
 }
 
-// Reads the poses of the bodies that cast a fan, and finds the first of their handles; null for the world.
+// Reads the poses of the bodies that cast a fan, and sets *bodies to the first of their handles. For rays from the
+// world it sets one pose, and *bodies to null.
 static scree_status read_poses(Scan* scan, scree_world* world, const Fan* fan, int* count, const scree_body** bodies)
 {
 	*count = (int)fan_bodies(scan->scene, fan);
@@ -96,7 +97,8 @@ static bool make_room(Scan* scan, int64_t count)
 	return scan->capacity > 0;
 }
 
-// Adds every n-th ray of a body, n = every, counted over all rays of the scene, so that neighbors show different rays.
+// Adds those rays of a body that have a number divisible by `every`. Rays are numbered over the whole scene, so that
+// neighboring bodies show different rays. serial: number of the body's first ray.
 static void add_rays(Scan* scan, const Fan* fan, const scree_vec* ways, scree_pose pose, scree_body body,
                      int64_t serial, int64_t every)
 {
@@ -106,7 +108,8 @@ static void add_rays(Scan* scan, const Fan* fan, const scree_vec* ways, scree_po
 		    .origin = eye, .translation = turned(pose.rotation, ways[k]), .radius = fan->radius, .ignored = body};
 }
 
-// Counts the rays that can be cast; if every is above 0, also adds the selected ones.
+// Sets *total to the number of rays that can be cast. If `every` is above 0, also adds each ray with a number divisible
+// by `every`.
 static scree_status visit(Scan* scan, scree_world* world, const scree_box* box, int64_t every, int64_t* total)
 {
 	const Scene* scene = scan->scene;
@@ -140,15 +143,15 @@ scree_status scan_aim(Scan* scan, scree_world* world, const scree_box* box, int 
 {
 	int64_t total = scan->scene->ray_count, every = 1;
 	scan->count = 0;
-	// reads the bodies again, because a scene may replace bodies between steps, each by one with the same index
+	// reads the bodies again, because churn may have replaced bodies; each new body has the index of the old body
 	scree_status status = scene_churns(scan->scene) ? read_bodies(scan, world) : SCREE_OK;
 	if (status == SCREE_OK && box)
 		status = visit(scan, world, box, 0, &total);
 	if (status != SCREE_OK)
 		return status;
 	while (box && (total + every - 1) / every > most)
-		every *= 2; // powers of 2, so that most rays stay while the number in view changes
-	// maximum number of rays: for each body one more than its share
+		every *= 2; // a power of 2, so that most drawn rays stay the same while the number of rays in view changes
+	// upper bound of the number of rays
 	if (!make_room(scan, total < scan->scene->ray_count / every + 1 ? total : scan->scene->ray_count / every + 1))
 		return SCREE_ERROR_OUT_OF_MEMORY;
 	status = visit(scan, world, box, every, &total);
@@ -174,7 +177,7 @@ scree_status scan_cast(Scan* scan, scree_world* world)
 
 void scan_add(const Scan* scan, ScanSum* sum)
 {
-	// a hash for each of the four words of a result, so that the four multiplications are independent
+	// one hash for each of the four words of a result, so that the four multiplications are independent
 	uint64_t parts[4] = {0, 1, 2, 3};
 	for (int k = 0; k < scan->count; ++k)
 	{
@@ -182,7 +185,7 @@ void scan_add(const Scan* scan, ScanSum* sum)
 		memcpy(words, &scan->found[k], sizeof words);
 		for (int n = 0; n < 4; ++n)
 			parts[n] = (parts[n] ^ words[n]) * 0x9e3779b97f4a7c15u;
-		parts[0] ^= parts[0] >> 29; // propagates the high bits to the low ones
+		parts[0] ^= parts[0] >> 29; // mixes the high bits into the low bits
 		parts[1] ^= parts[1] >> 29;
 		parts[2] ^= parts[2] >> 29;
 		parts[3] ^= parts[3] >> 29;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scan_picture.c -- rays in pictures of Cairo, and the style of rays in all pictures.
+// scan_picture.c -- draws rays in pictures of Cairo, and defines their style for all pictures.
 #include "scene/scan_picture.h"
 
 float hit_width(float scale)

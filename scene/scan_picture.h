@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
-// scan_picture.h -- rays in pictures of Cairo, and the style of rays in all pictures.
+// scan_picture.h -- draws rays in pictures of Cairo, and defines their style for all pictures.
 #ifndef SCAN_PICTURE_H
 #define SCAN_PICTURE_H
 #include "scene/scan.h"
 #include "scene/sprites.h"
 #include "scene/viewport.h"
 
-#define RAYS_DRAWN 20000 // approximate maximum number of rays: more are a grey area, and take longer than a frame may
+#define RAYS_DRAWN 20000 // approximate maximum number of rays in a picture; more would be a grey area and slow
 
-// Colors of a ray, which fades from its origin to its end; hits are dots.
+// Color of a ray, whose opacity decreases from its origin to its end; its hit is a dot.
 #define RAY_COLOR  ((Color){58, 122, 178})
 #define HIT_COLOR  ((Color){187, 53, 44})
-#define RAY_NEAR   90   // opacity at the origin, of 255
-#define RAY_FAR    14   // opacity at the end
+#define RAY_NEAR   90   // opacity at the origin; 255 is opaque
+#define RAY_FAR    14   // opacity at the end; 255 is opaque
 #define RAY_WIDTH  1.0f // px
 #define HIT_OPAQUE 220
 
-// Returns the diameter of a hit's dot, px, at a scale in px per metre.
+// Returns the diameter of the dot of a hit, px. scale: px per meter.
 float hit_width(float scale);
 
-// Returns the end of ray k: its hit, or the end of its translation.
+// Returns the end of ray k: the point that it hit, or the end of its translation.
 scree_vec scan_end(const Scan* scan, int k);
 
 #ifdef SCREE_HAVE_CAIRO
-// Draw on the cairo_t of a canvas of this height: the rays, which are under the bodies, and the dots of their hits,
-// over them.
+// Draw on the cairo_t of a canvas with this height, px. The rays are drawn before the bodies, and the dots of their
+// hits after the bodies.
 void scan_draw_rays(const Scan* scan, void* cairo, const Viewport* viewport, int height);
 void scan_draw_hits(const Scan* scan, void* cairo, const Viewport* viewport, int height);
 #endif

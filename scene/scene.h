@@ -1,71 +1,71 @@
 // SPDX-License-Identifier: MIT
-// scene.h -- a scene that was read from a file. scenes/scene.schema.json describes the format of files.
+// scene.h -- the contents of a scene file in memory. scenes/scene.schema.json describes the format of the file.
 #ifndef SCENE_H
 #define SCENE_H
 #include "scene/scene_keys.h"
 #include "scree/scree.h"
 #include <stdio.h>
 
-#define SCENE_MAX_BODIES 20000000 // maximum number of bodies, of collidables, and of joints
-#define SCENE_MAX_RAYS   20000000 // maximum number of rays after a step: 64 bytes each
-#define SCENE_SENTENCE   512      // characters of an error message
-#define SCENE_PATH       1024     // characters of a path
+#define SCENE_MAX_BODIES 20000000 // maximum number of bodies; likewise of collidables, and of joints
+#define SCENE_MAX_RAYS   20000000 // maximum number of rays after a step; a ray needs 64 bytes
+#define SCENE_SENTENCE   512      // size of an error message, characters
+#define SCENE_PATH       1024     // size of a path, characters
 #define MAX_HULL_POINTS  64
 #define FULL_TURN        6.283185307f // rad
 
-typedef struct Block Block;                   // scene/block.h
-typedef struct JointBlock JointBlock;         // scene/joint_block.h
-typedef struct Attribute Attribute;           // scene/attribute_block.h
-typedef struct ScenePath ScenePath;           // scene/path_block.h
-typedef struct SceneMaterials SceneMaterials; // scene/material_block.h
-typedef struct SceneField SceneField;         // scene/field_block.h
-typedef struct Cue Cue;                       // scene/character.h
+typedef struct Block Block;                   // defined in scene/block.h
+typedef struct JointBlock JointBlock;         // defined in scene/joint_block.h
+typedef struct Attribute Attribute;           // defined in scene/attribute_block.h
+typedef struct ScenePath ScenePath;           // defined in scene/path_block.h
+typedef struct SceneMaterials SceneMaterials; // defined in scene/material_block.h
+typedef struct SceneField SceneField;         // defined in scene/field_block.h
+typedef struct Cue Cue;                       // defined in scene/character.h
 
-typedef struct // changes of bodies of a block before every step
+typedef struct // changes to bodies of a block before every step
 {
-	int moved, replaced; // bodies per step: moved to another place; destroyed and created again there
-	scree_pose pose;     // pose without the numbers that differ between bodies
+	int moved, replaced; // bodies per step: moved to another place; replaced by new bodies at another place
+	scree_pose pose;     // new pose; numbers that differ between bodies are computed later
 	scree_velocity velocity;
-	scree_body_def* items; // all bodies of the block as created first; their attributes are positions in
+	scree_body_def* items; // first definitions of all bodies of the block; as attributes they have positions in
 	                       // Scene.attributes
 } Churn;
 
-typedef struct // an explosion
+typedef struct // explosion
 {
-	int64_t step; // step before which it goes off
+	int64_t step; // number of the step before which the explosion happens
 	scree_blast_def def;
 } SceneBlast;
 
-typedef struct // rays of each body of a block
+typedef struct // rays that each body of a block casts
 {
-	int block;          // position in Scene.blocks of the bodies that cast; -1: the world
-	int count;          // rays per body
-	scree_vec position; // m: position of the eye in the body's frame
+	int block;          // position in Scene.blocks of the bodies that cast the rays; -1: the world
+	int count;          // number of rays per body
+	scree_vec position; // m: origin of the rays in the body's frame
 	float angle;        // rad: middle of the fan, in the body's frame
-	float spread;       // rad: angle from the first ray to the last; at FULL_TURN the last ray is next to the first
-	float length;       // m
+	float spread;       // rad: angle from the first to the last ray; at FULL_TURN the last ray is beside the first
+	float length;       // m: length of a ray
 	float radius;       // m: radius of the circle that moves along each ray
 	scree_query_def def;
 } Fan;
 
-typedef struct // a force while the user holds a key
+typedef struct // force on bodies while the user holds a key
 {
 	SceneKey key;
-	int block;        // position in Scene.blocks
-	int first, count; // bodies of the block
-	scree_vec force;  // N, at the center of mass, in each step that begins with the key down
-	float torque;     // N m
+	int block;        // position of the bodies in Scene.blocks
+	int first, count; // index in the block of the first body with the force, and number of such bodies
+	scree_vec force;  // N: at the center of mass, in each step before which the key is down
+	float torque;     // N m: in the same steps
 	bool turns;       // true if the force rotates with the body
 } Control;
 
-typedef struct // a mover, the body that shows it, and its script
+typedef struct // mover, the body that shows it, and its script
 {
-	int block; // position in Scene.blocks of its body, the first one of a kinematic entry
-	int takes; // position in Scene.blocks of the bodies with sensors that it takes when it enters them; -1: none
+	int block; // position in Scene.blocks of kinematic bodies, the first of which shows the mover
+	int takes; // bodies that the character takes when it enters their sensors: position in Scene.blocks; -1: none
 	scree_mover_def def;
 	float speed; // m/s: walking speed
 	float jump;  // m/s: upward speed at the start of a jump
-	Cue* cues;   // in ascending order of the steps
+	Cue* cues;   // in ascending order of their steps
 	int cue_count;
 } Character;
 
@@ -74,14 +74,14 @@ typedef struct
 	char name[64];
 	char title[160];
 	scree_world_def world; // the caller sets device, threads and lanes
-	float dt;              // s
+	float dt;              // s: length of a step
 	int substeps;
-	int steps;               // steps of a run, unless the user selects another number
+	int steps;               // default number of steps of a run
 	float penetration_limit; // m: a run with deeper overlaps is invalid
 	bool has_view;
-	scree_box view; // m: view of a picture
+	scree_box view; // m: box of the world in pictures
 	bool has_detail;
-	scree_box detail; // m: the part that a wide picture also shows magnified
+	scree_box detail; // m: box of the world that wide pictures also show, magnified
 	int body_count, collidable_count, joint_count;
 
 	uint64_t seed;
@@ -95,7 +95,7 @@ typedef struct
 	int field_count;
 	SceneBlast* blasts;
 	int blast_count;
-	Block* blocks; // blocks of bodies, then of collidables without a body
+	Block* blocks; // blocks of bodies, then blocks of collidables without a body
 	int block_count;
 	JointBlock* joint_blocks;
 	int joint_block_count;
@@ -104,13 +104,13 @@ typedef struct
 	Character* characters;
 	int character_count;
 	Fan* fans;
-	int fan_count, ray_count; // rays after each step, of all bodies
+	int fan_count, ray_count; // number of fans, and number of rays of all bodies after each step
 } Scene;
 
-typedef struct // --set NAME=VALUE
+typedef struct // setting of a parameter by --set NAME=VALUE
 {
 	const char* name;
-	const char* value; // a number or an expression without names
+	const char* value; // number, or expression without names
 } SceneSetting;
 
 #endif

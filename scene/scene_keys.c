@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scene_keys.c -- keys that a scene may use, and their names in scene files.
+// scene_keys.c -- the names in scene files of the keys that a scene may use.
 #include "scene/scene_keys.h"
 
 const char* const scene_key_names[SCENE_KEYS + 1] = {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// scene_keys.h -- keys that a scene may use, and their names in scene files.
+// scene_keys.h -- the keys of the keyboard that a scene may use, and their names in scene files.
 #ifndef SCENE_KEYS_H
 #define SCENE_KEYS_H
 
@@ -11,6 +11,6 @@ typedef enum
 	SCENE_KEYS, // number of keys, at most 32
 } SceneKey;
 
-extern const char* const scene_key_names[SCENE_KEYS + 1]; // ends with null
+extern const char* const scene_key_names[SCENE_KEYS + 1]; // the last name is null
 
 #endif

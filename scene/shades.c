@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shades.c -- the colors of bodies: each attribute has a range of shades, which are distributed over the bodies of an
-// entry of the scene.
+// shades.c -- computes the colors of bodies: each attribute has a range of shades, which are distributed over the
+// bodies of an entry of the scene.
 #include "scene/shades.h"
 #include "scene/block.h"
 
@@ -32,8 +32,8 @@ Color shades_color(const Shades* shades, int shade, uint32_t body)
 	               channel(a->b, b->b, c->b, place, factor)};
 }
 
-// Returns the shade of a body whose place in its block is 0 to 1. A block with several attributes, and so several hues,
-// uses the middle half of their shades.
+// Returns the shade of a body. place: its place among the bodies of its block, from 0 to 1. A block with several
+// attributes, which have different hues, uses only the middle half of the shades.
 static int shade_at(const Block* block, double place)
 {
 	double share = block->parts.list[0].choice.count > 1 ? 0.5 : 1;
@@ -46,7 +46,7 @@ int shade_next(ShadeWalk* walk, uint32_t index)
 	for (; scene && walk->block < scene->block_count; ++walk->block)
 	{
 		const Block* block = &scene->blocks[walk->block];
-		// the first body of a world has the index 1
+		// in the world of a scene, the first body has the index 1
 		int64_t count = block->bodies ? block->count : 0, place = (int64_t)index - 1 - walk->first;
 		if (place < count)
 			return count > 1 ? shade_at(block, (double)place / (double)(count - 1)) : SHADE_MIDDLE;

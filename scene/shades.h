@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shades.h -- the colors of bodies: each attribute has a range of shades, which are distributed over the bodies of an
-// entry of the scene.
+// shades.h -- computes the colors of bodies: each attribute has a range of shades, which are distributed over the
+// bodies of an entry of the scene.
 #ifndef SHADES_H
 #define SHADES_H
 #include "scene/scene.h"
@@ -10,7 +10,7 @@ typedef struct
 	uint8_t r, g, b;
 } Color;
 
-#define SHADE_COUNT  63 // number of shades of an attribute: six bits of a byte of render_tables.h
+#define SHADE_COUNT  63 // number of shades of an attribute; render_tables.h stores a shade in six bits
 #define SHADE_MIDDLE 31
 
 typedef struct
@@ -18,23 +18,23 @@ typedef struct
 	Color first, middle, last; // colors of shade 0, SHADE_MIDDLE and SHADE_COUNT - 1
 } Shades;
 
-// Returns the shades of an entry of the palette, which repeats after its end; entry -1 has the single color of bodies
-// that are not dynamic.
+// Returns the shades of an entry of the palette; a larger entry starts again at the first color. Entry -1 has the
+// single color of bodies that are not dynamic.
 Shades shades_of(int entry);
 
-// Returns the color of a shade, a little lighter or darker by the index of the body, so that neighbors differ; row.glsl
+// Returns the color of a shade, a little lighter or darker by the index of the body, so that neighbors differ. row.glsl
 // uses the same formula.
 Color shades_color(const Shades* shades, int shade, uint32_t body);
 
-typedef struct // traversal of the bodies of a scene in the order of their indices
+typedef struct // state of a loop over the bodies of a scene in the order of their indices
 {
-	const Scene* scene; // null: all bodies have the middle shade
+	const Scene* scene; // null: all bodies get the middle shade
 	int block;
-	int64_t first; // first body of the block
+	int64_t first; // number of bodies in the blocks before this block
 } ShadeWalk;
 
-// Returns the shade of a body, by its position between the first and the last body of its entry. Bodies that the scene
-// did not create have the middle shade. Indices must not decrease between calls.
+// Returns the shade of a body by its position in its block. Bodies that the scene did not create get the middle shade.
+// The index must not be less than in the last call.
 int shade_next(ShadeWalk* walk, uint32_t index);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sprites.c -- the shapes and colors of a picture, read through the public interface of Scree.
+// sprites.c -- lists the shapes and colors of a picture; uses only the public interface of Scree.
 #include "scene/sprites.h"
 #include <stdlib.h>
 
@@ -16,7 +16,7 @@ static bool use_attribute(Sprites* p, scree_world* world, scree_attribute attrib
 			return false;
 		for (int k = p->attribute_count; k < needed; ++k)
 		{
-			defs[k] = (scree_attribute_def){0}; // marks it as not fetched yet
+			defs[k] = (scree_attribute_def){0}; // marks the definition as not fetched yet
 			color_of[k] = -1;
 		}
 		p->attribute_count = needed;

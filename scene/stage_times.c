@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// stage_times.c -- the times of the stages of a step as an array, with their names.
+// stage_times.c -- copies the times of the stages of a step to an array, and names them.
 #include "scene/stage_times.h"
 
 const char* const stage_names[STAGE_TIMES] = {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// stage_times.h -- the times of the stages of a step as an array, with their names.
+// stage_times.h -- copies the times of the stages of a step to an array, and names them.
 #ifndef STAGE_TIMES_H
 #define STAGE_TIMES_H
 #include <scree/scree.h>
 
-enum // indices in stage_names and in the times
+enum // indices in stage_names and in the array of times
 {
 #define X(name) STAGE_TIME_##name,
 #include "src/stages/stages.def"
@@ -16,7 +16,7 @@ enum // indices in stage_names and in the times
 extern "C" {
 #endif
 
-extern const char* const stage_names[STAGE_TIMES]; // in execution order
+extern const char* const stage_names[STAGE_TIMES]; // in the order of execution
 
 // Copies the times of the stages, ms.
 void stage_times(const scree_timings* timings, float times[STAGE_TIMES]);

@@ -8,7 +8,8 @@
 
 #define RATE 60 // frames per second
 
-// Quotes a path for the shell. "./" before a leading dash keeps it from being an option.
+// Quotes a path for the shell. Puts "./" before a leading dash; otherwise ffmpeg would read the path as an option.
+// Returns false if the text is too short.
 static bool quote(const char* path, char* text, size_t size)
 {
 	size_t length = 0;
@@ -39,7 +40,7 @@ bool video_open(Video* video, const char* path, int width, int height)
 		fprintf(stderr, "scree: the path of the video is too long\n");
 		return false;
 	}
-	// h264 requires even sides
+	// H.264 requires an even width and an even height
 	snprintf(command, sizeof command,
 	         "ffmpeg -loglevel error -y -f rawvideo -pix_fmt bgr0 -video_size %dx%d -framerate %d -i - "
 	         "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p %s",

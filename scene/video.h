@@ -11,21 +11,21 @@ typedef struct
 	FILE* pipe;
 	const char* path;
 	size_t bytes;      // bytes per frame
-	int frames;        // number of frames written so far
+	int frames;        // number of frames that have been written
 	int width, height; // px
 } Video;
 
-// Starts ffmpeg. On failure it prints a sentence and returns false.
+// Starts ffmpeg. On failure it prints an error message and returns false.
 bool video_open(Video* video, const char* path, int width, int height);
 
-// Returns the number of frames that are due at this time since the first one, at 60 per second. A step may be longer or
-// shorter than a frame.
+// Returns the number of frames to write when this time, s, has passed since the first frame, at 60 frames per second.
+// It may be 0 or more than 1, because a step may be shorter or longer than a frame.
 int video_due(const Video* video, double seconds);
 
 // Writes one frame of width * height pixels, four bytes each: blue, green, red, unused.
 bool video_frame(Video* video, const uint8_t* pixels);
 
-// Closes the pipe and returns when ffmpeg has ended. If ffmpeg failed, prints a sentence and returns false.
+// Closes the pipe and returns after ffmpeg has ended. If ffmpeg failed, prints an error message and returns false.
 bool video_close(Video* video);
 
 #endif

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// viewport.c -- the part of a world that a picture of some size shows.
+// viewport.c -- computes the part of a world that a picture shows.
 #include "scene/viewport.h"
 #include "tools/common/median.h"
 #include <math.h>
 #include <stdlib.h>
 
-#define SHOWN_SHARE 0.995f // share of the points that are inside the box
+#define SHOWN_SHARE 0.995f // share of the points that viewport_fit keeps inside the box in x, and in y
 
 Viewport viewport_show(scree_box view, int width, int height)
 {
@@ -16,8 +16,8 @@ Viewport viewport_show(scree_box view, int width, int height)
 	                  view.lower.y + up / 2 - (height - BAND) / scale / 2};
 }
 
-// Interpolates one axis of the view: the size changes by equal factors in equal times, and the middle moves in
-// proportion to the size.
+// Interpolates one axis of the view: in equal times the size is multiplied by equal factors, and the middle moves in
+// proportion to the change of the size.
 static void between(float low0, float high0, float low1, float high1, double share, float* low, float* high)
 {
 	double size0 = high0 - low0, size1 = high1 - low1, size = size0 * pow(size1 / size0, share);
@@ -31,7 +31,7 @@ scree_box viewport_between(scree_box from, scree_box to, double share)
 {
 	scree_box box;
 	if (share <= 0 || share >= 1)
-		return share <= 0 ? from : to; // exactly the given boxes
+		return share <= 0 ? from : to; // returns exactly the given boxes
 	between(from.lower.x, from.upper.x, to.lower.x, to.upper.x, share, &box.lower.x, &box.upper.x);
 	between(from.lower.y, from.upper.y, to.lower.y, to.upper.y, share, &box.lower.y, &box.upper.y);
 	return box;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# cli_support.sh -- checks of a command line, for the scripts that test one.
+# cli_support.sh -- functions for scripts that test a command line.
 
-# begin PROGRAM: goes to a scratch folder; skips the test if there is no such program
+# begin PROGRAM: goes to a scratch folder; skips the test if the program was not built
 begin()
 {
 	program=$1
@@ -19,7 +19,7 @@ fail()
 	failures=$((failures + 1))
 }
 
-# expect CODE TEXT words...: the words end with the code, and the text is in what they print
+# expect CODE TEXT words...: runs the program with the words; it must exit with the code, and print the text
 expect()
 {
 	local code=$1 text=$2 got
@@ -30,14 +30,14 @@ expect()
 	grep -qF -- "$text" out err || fail "${program##*/} $*: does not say \"$text\""
 }
 
-# refuse CODE TEXT words...: the same, and nothing is on standard output
+# refuse CODE TEXT words...: like expect, and the program must print nothing to standard output
 refuse()
 {
 	expect "$@"
 	[ -s out ] && fail "${program##*/} ${*:3}: prints results in spite of the error"
 }
 
-# ends the test
+# prints the number of failures; fails if there are any
 end()
 {
 	echo "$failures failures"

@@ -1,4 +1,5 @@
-# comments.awk -- comments that are not plain English, by their first word or by a phrase: file:line: why: text.
+# comments.awk -- prints comments that are not plain English, found by their first word or by a phrase: file:line: why:
+# text.
 #
 # STYLE.md has the rule. Consecutive lines that begin with // are one comment; a comment behind code is one too.
 function check(text, first)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// known_hashes.c -- the hashes of an earlier bench, with which those of a new one must agree.
+// known_hashes.c -- reads the hashes of an earlier bench, with which the hashes of a new bench must agree.
 #include "known_hashes.h"
 #include "csv.h"
 #include <errno.h>

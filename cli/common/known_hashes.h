@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// known_hashes.h -- the hashes of an earlier bench, with which those of a new one must agree.
+// known_hashes.h -- reads the hashes of an earlier bench, with which the hashes of a new bench must agree.
 #ifndef KNOWN_HASHES_H
 #define KNOWN_HASHES_H
 #include "options.h"
@@ -17,12 +17,13 @@ typedef struct
 	int count;
 } Known;
 
-// Reads the columns scene, settings, steps and hash of a CSV file of bench. A null path reads nothing. Prints a
-// sentence on failure. Returns an exit code.
+// Reads the columns scene, settings, steps and hash of a CSV file of bench. path null: there are no known hashes. On
+// failure it prints an error message. Returns an exit code.
 int known_open(const char* path, Known* known);
 void known_close(Known* known);
 
-// Finds the hash of a scene with these settings after this many steps. Returns false if there is none.
+// Finds the hash of a scene with these settings after this number of steps, and writes it to *hash. Returns false if
+// the file has no such row.
 bool known_find(const Known* known, const char* scene, const char* settings, int steps, uint64_t* hash);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// library_error.c -- errors of the library on the command line.
+// library_error.c -- prints error messages of the library on the command line.
 #include "library_error.h"
 
 int report(scree_status status)

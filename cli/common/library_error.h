@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// library_error.h -- errors of the library on the command line.
+// library_error.h -- prints error messages of the library on the command line.
 #ifndef LIBRARY_ERROR_H
 #define LIBRARY_ERROR_H
 #include "options.h"

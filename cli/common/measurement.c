@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// measurement.c -- the steps of several runs of a scene: their check, and their row in the CSV of bench.
+// measurement.c -- collects the steps of several runs of a scene, checks them, and prints their row in the CSV of
+// bench.
 #include "measurement.h"
 #include "csv.h"
 #include <inttypes.h>

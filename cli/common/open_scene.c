@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// open_scene.c -- opens the scenes and the worlds that options name.
+// open_scene.c -- opens the scenes and the worlds that the options select.
 #include "open_scene.h"
 #include "library_error.h"
 #include "scene/find.h"

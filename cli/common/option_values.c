@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// option_values.c -- options that several programs have, and the readers of their values.
+// option_values.c -- defines the options that several programs have, and reads the values of options.
 #include "option_values.h"
 #include <ctype.h>
 #include <stdlib.h>

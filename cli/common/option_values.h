@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// option_values.h -- options that several programs have, and the readers of their values.
+// option_values.h -- defines the options that several programs have, and reads the values of options.
 #ifndef OPTION_VALUES_H
 #define OPTION_VALUES_H
 #include "options.h"
@@ -14,10 +14,11 @@ bool read_switch(Options* options, const Option* option, char* text);
 bool read_text(Options* options, const Option* option, char* text);
 bool read_number(Options* options, const Option* option, char* text);
 
-// the last members of an Option that sets a member of Options, or of a struct that begins with them
+// last three members of an Option. SWITCH, TEXT and NUMBER set a member of Options, or of a struct that begins with
+// Options.
 #define SWITCH(type, member)       read_switch, offsetof(type, member), 0
 #define TEXT(type, member)         read_text, offsetof(type, member), 0
 #define NUMBER(type, member, most) read_number, offsetof(type, member), most
-#define OTHER(read)                read, 0, 0 // the function sets the value
+#define OTHER(read)                read, 0, 0 // for an option whose read function needs no offset
 
 #endif

@@ -32,7 +32,8 @@ static const OptionRow* find_row(const OptionTable* table, const Options* option
 	return NULL;
 }
 
-// Reads the options up to --help, and sets a bit of given for the row of each.
+// Reads the options, at most up to --help. Sets bit k of *given if the option of row k was read. Returns false after it
+// has printed an error message.
 static bool read_all(const OptionTable* table, Options* options, int count, char** words, const char* shorts,
                      const struct option* longs, unsigned* given)
 {

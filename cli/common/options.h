@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// options.h -- the options of a command, and the table that defines them.
+// options.h -- the values of all options of a command, and the reader of options by a table.
 #ifndef OPTIONS_H
 #define OPTIONS_H
 #include "scene/scene.h"
@@ -20,24 +20,24 @@ typedef struct
 	const char* executable;
 	int command;      // a bit of OptionRow.commands
 	const char* name; // name of the command as the user wrote it
-	int steps;        // 0: the number of the scene
+	int steps;        // 0: the number of steps in the scene
 	const char* device;
 	int threads, lanes; // 0: as many as available
 	bool allow_unequal_bits;
 	const scree_opengl* opengl;            // context that draws the world; null if there is none
-	const char *picture, *video, *csv;     // null: none
-	const char *renderer, *paint, *layers; // null: the default
+	const char *picture, *video, *csv;     // paths; null: no such file
+	const char *renderer, *paint, *layers; // names; null: the default value
 	bool dark;                             // dark theme
 	float scale;                           // scale of the panel; 0: that of the display
-	const char* script;                    // null: none
+	const char* script;                    // path of user actions; null: none
 	int width, height;                     // px
-	bool has_view, has_zoom;               // if false: the view of the scene, during the whole run
-	scree_box view, zoom;                  // m: part of the world in pictures at the start and at the end of the run
+	bool has_view, has_zoom;               // true if view and zoom were given; default: the scene's view, unchanged
+	scree_box view, zoom;                  // m: part of the world in pictures at the start, and at the end
 	int repeats;
-	int queries;       // 0: a million
-	const char* known; // CSV of expected hashes; null: none
+	int queries;       // 0: 1,000,000 queries
+	const char* known; // path of a CSV with expected hashes; null: none
 	bool names, whole, quick;
-	bool help; // true: print the command's help; options after it were not read
+	bool help; // true: print the command's help; the options after --help were not read
 	SceneSetting settings[MAX_SETTINGS];
 	int setting_count;
 	char** arguments; // words that are not options
@@ -48,9 +48,9 @@ typedef struct Option
 {
 	const char* name;
 	char letter;
-	const char* value; // null for a switch
+	const char* value; // name of the value in the help; null for a switch
 	const char* help;
-	bool (*read)(Options* options, const struct Option* option, char* value); // false: it printed a sentence
+	bool (*read)(Options* options, const struct Option* option, char* value); // returns false after an error message
 	size_t offset; // offset of the member that a switch, a text or a number sets
 	int most;      // maximum of a number; the minimum is 1
 } Option;
@@ -58,15 +58,15 @@ typedef struct Option
 typedef struct
 {
 	const Option* option;
-	int commands; // one bit for each command that takes the option
+	int commands; // bits of the commands that take the option
 } OptionRow;
 
-typedef struct OptionTable // the options of a program
+typedef struct OptionTable // options of a program
 {
 	const OptionRow* rows;
 	int count;
-	// Checks combinations of options; given has one bit per row. If an option has no effect, it prints the reason and
-	// returns false.
+	// Checks that each given option has an effect; given: bit k for row k. If an option has no effect, it prints the
+	// reason and returns false.
 	bool (*have_effect)(const struct OptionTable* table, const Options* options, unsigned given);
 } OptionTable;
 
@@ -76,11 +76,12 @@ static inline int options_steps(const Options* options, const Scene* scene)
 	return options->steps > 0 ? options->steps : scene->steps;
 }
 
-// Reads the words after the command's name. options: Options, or a struct that begins with them. On failure it prints a
-// sentence and returns false.
+// Reads the words after the command's name. options: Options, or a struct that begins with Options. On failure it
+// prints an error message and returns false.
 bool options_read(const OptionTable* table, Options* options, int count, char** words);
 
-// Returns true if an option whose letter is in letters was given, and prints the reason why it has no effect.
+// Returns true if an option with one of these letters was given; then it prints that this option has no effect, and the
+// reason.
 bool options_no_effect(const OptionTable* table, const Options* options, unsigned given, const char* letters,
                        const char* because);
 

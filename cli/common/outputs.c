@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// outputs.c -- the files of a run: a picture, a video, a CSV file.
+// outputs.c -- writes the files of a run: a picture, a video, a CSV file.
 #include "outputs.h"
 #include "library_error.h"
 #include "scene/caption.h"
@@ -20,7 +20,8 @@ static bool open_file(FILE** file, const char* path)
 	return *file || !path || file_failed(path) == EXIT_GOOD;
 }
 
-// Closes a file; if the disk is full, the last bytes may fail only here.
+// Closes a file. Returns false and prints an error message if any write failed; on a full disk, writing may fail only
+// here.
 static bool close_file(FILE** file, const char* path)
 {
 	if (!*file)
@@ -72,7 +73,7 @@ int outputs_open(Outputs* outputs, const ScenePlayer* player, const char* const*
 	return EXIT_GOOD;
 }
 
-// Moves the camera between the two views, slowly at the start and at the end.
+// Moves the camera from the first view to the zoomed view, slowly at the start and at the end of the run.
 static void aim(const Outputs* outputs, const Scene* scene, long long step)
 {
 	const Options* options = outputs->options;
@@ -127,7 +128,7 @@ int outputs_frames(Outputs* outputs, const ScenePlayer* player, const Snapshot* 
 	int due = outputs_due(outputs, player), code = draw(outputs, player, snapshot);
 	for (; due > 0 && code == EXIT_GOOD; --due)
 		if (!video_frame(&outputs->video, picture_renderer_canvas(outputs->renderer)->pixels))
-			code = EXIT_FAILED; // video_close prints the reason
+			code = EXIT_FAILED; // video_close prints the reason later
 	return code;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// outputs.h -- the files of a run: a picture, a video, a CSV file.
+// outputs.h -- writes the files of a run: a picture, a video, a CSV file.
 #ifndef OUTPUTS_H
 #define OUTPUTS_H
 #include "picture_renderer.h"
@@ -19,26 +19,27 @@ typedef struct // state that a picture shows
 {
 	const scree_counters* counters;
 	uint64_t hash;
-	const scree_pose* poses; // poses of all bodies, in the order of scree_world_get_bodies; null: those of the world
+	const scree_pose* poses; // poses of all bodies, in the order of scree_world_get_bodies; null: poses of the world
 } Snapshot;
 
-// Opens the renderer. *drawn gets a copy of the options with the renderer's OpenGL context; the world must be created
-// with these. Returns an exit code. The caller closes the outputs also on failure.
+// Opens the renderer. *drawn gets a copy of the options with the renderer's OpenGL context; the caller must create the
+// world with *drawn. Returns an exit code. The caller closes the outputs also on failure.
 int outputs_begin(Outputs* outputs, const Options* options, Options* drawn);
 
 // Opens all files before the first step, so that a wrong path is reported early. stages: names of the columns of
 // Record.stages. Returns an exit code.
 int outputs_open(Outputs* outputs, const ScenePlayer* player, const char* const* stages);
 
-// Adds the row of a step. Returns an exit code.
+// Writes the row of a step to the CSV file, and gives the step to the renderer. Returns an exit code.
 int outputs_step(Outputs* outputs, const ScenePlayer* player, const Record* record);
 
 // Returns the number of video frames that are due after this step.
 int outputs_due(const Outputs* outputs, const ScenePlayer* player);
-// Adds the frames that are due. Returns an exit code.
+// Draws the world, and adds the picture to the video once for each frame that is due. Returns an exit code.
 int outputs_frames(Outputs* outputs, const ScenePlayer* player, const Snapshot* snapshot);
 
-// Writes the picture if code is EXIT_GOOD, and closes everything. Returns the first exit code that is not EXIT_GOOD.
+// Writes the picture if code, the exit code so far, is EXIT_GOOD, and closes all files and the renderer. Returns the
+// first exit code that is not EXIT_GOOD.
 int outputs_close(Outputs* outputs, const ScenePlayer* player, const Snapshot* snapshot, int code);
 
 #endif

@@ -11,11 +11,11 @@
 struct PictureRenderer
 {
 	int width, height;
-	Picture* picture; // drawn by Cairo; null if OpenGL draws
+	Picture* picture; // draws with Cairo; null if OpenGL draws
 	scree_pose* poses;
 	scree_body* bodies;
 #ifdef SCREE_HAVE_VIEW
-	GlPicture* gl; // null if Cairo draws
+	GlPicture* gl; // draws with OpenGL; null if Cairo draws
 	Style style;
 #endif
 };
@@ -148,7 +148,8 @@ scree_status picture_renderer_draw(PictureRenderer* renderer, const ScenePlayer*
 	scree_status status = SCREE_OK;
 	if (!poses)
 	{
-		// reads the bodies again, because a scene may replace bodies between steps, each by one with the same index
+		// reads the bodies again, because churn of the scene may have replaced bodies; each new body has the index of
+		// the old body
 		int count;
 		picture_bodies(renderer->picture, &count);
 		status = scree_world_get_bodies(player->world, renderer->bodies, count, &count);

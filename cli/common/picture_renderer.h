@@ -8,24 +8,25 @@
 
 typedef struct PictureRenderer PictureRenderer;
 
-// Opens the renderer that the options select. On failure it prints a sentence, sets an exit code and returns null.
+// Opens the renderer that the options select. On failure it prints an error message, sets *code to an exit code and
+// returns null.
 PictureRenderer* picture_renderer_open(const Options* options, int* code);
 void picture_renderer_close(PictureRenderer* renderer);
 
-// Returns the OpenGL context for scree_world_def.opengl; may be null.
+// Returns the OpenGL context for scree_world_def.opengl, or null.
 const scree_opengl* picture_renderer_opengl(const PictureRenderer* renderer);
 
-// Selects the world to draw. On failure it prints a sentence and returns false.
+// Selects the world to draw. On failure it prints an error message and returns false.
 bool picture_renderer_set_world(PictureRenderer* renderer, const ScenePlayer* player);
 
 // Adds the events of a step that the picture shows. Call it after every step.
 scree_status picture_renderer_step(PictureRenderer* renderer, const ScenePlayer* player);
 
-// Shows a box instead of the view of the scene and its detail.
+// Shows this box of the world, in place of the view of the scene and of its detail.
 void picture_renderer_aim(PictureRenderer* renderer, scree_box view);
 
-// Draws the current state of the world. poses: poses of all bodies, in the order of scree_world_get_bodies; null:
-// those of the world. Only Cairo draws other poses.
+// Draws the current state of the world. poses: poses of all bodies, in the order of scree_world_get_bodies; null: poses
+// of the world. Only Cairo can draw poses that differ from those of the world.
 scree_status picture_renderer_draw(PictureRenderer* renderer, const ScenePlayer* player, const scree_pose* poses,
                                    const char* caption);
 

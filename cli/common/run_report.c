@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// run_report.c -- the progress bar of a run, and the table of its results.
+// run_report.c -- prints the progress bar of a run, and the table of its results.
 #include "run_report.h"
 #include "scene/caption.h"
 #include "tools/common/clock.h"
 #include <inttypes.h>
 #include <unistd.h>
 
-#define BAR       40   // characters
+#define BAR       40   // width of the bar, characters
 #define BAR_PAUSE 0.05 // s: time between two updates of the bar
 
 void totals_add(Totals* totals, const Record* record)

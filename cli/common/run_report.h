@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_report.h -- the progress bar of a run, and the table of its results.
+// run_report.h -- prints the progress bar of a run, and the table of its results.
 #ifndef RUN_REPORT_H
 #define RUN_REPORT_H
 #include "step_record.h"
@@ -7,7 +7,7 @@
 typedef struct // sums over all steps
 {
 	Record last;
-	double seconds; // time of the steps
+	double seconds; // s: time of the steps
 	double stages[STAGE_TIMES];
 	double scans; // s: time of the scene's rays
 	float penetration, joint_gap;
@@ -19,13 +19,13 @@ void totals_add(Totals* totals, const Record* record);
 typedef struct
 {
 	bool visible; // true if standard output and error are terminals
-	double shown; // s, by seconds_now: time of the last update
+	double shown; // s, by seconds_now: time of the last print of the bar
 } ProgressBar;
 
 ProgressBar progress_bar(void);
 void progress_show(ProgressBar* bar, int step, int steps);
 
-// Prints the results of a run. stages: names of the stages in the totals.
+// Prints the results of a run. stages: names of Totals.stages.
 void print_results(const ScenePlayer* player, const Totals* totals, const char* const* stages, int steps,
                    uint64_t hash);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// step_record.c -- counters and milliseconds of each step, and their medians.
+// step_record.c -- records counters and milliseconds of each step, and computes medians over steps.
 #include "step_record.h"
 #include "tools/common/clock.h"
 #include "tools/common/median.h"
@@ -14,7 +14,7 @@ scree_status record_step(ScenePlayer* player, Record* record)
 	double start = seconds_now();
 	if (status == SCREE_OK)
 		status = player_advance(player);
-	// reading the counters blocks until the device has finished, so that its work is measured
+	// reading the counters blocks until the device has finished the step, so that the time includes all of its work
 	if (status == SCREE_OK)
 		status = scree_world_get_counters(player->world, &record->counters);
 	record->milliseconds = (float)(1000 * (seconds_now() - start));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// step_record.h -- counters and milliseconds of each step, and their medians.
+// step_record.h -- records counters and milliseconds of each step, and computes medians over steps.
 #ifndef STEP_RECORD_H
 #define STEP_RECORD_H
 #include "scene/player.h"
@@ -8,9 +8,9 @@
 typedef struct
 {
 	scree_counters counters;
-	float stages[STAGE_TIMES]; // milliseconds, in the order of stage_names, or of the stages of another pipeline
-	float milliseconds;        // duration of the step by the clock of the host
-	float scan;                // milliseconds by the same clock for the rays of the scene
+	float stages[STAGE_TIMES]; // ms: in the order of stage_names, or of the stages of another pipeline
+	float milliseconds;        // ms: duration of the step by the clock of the host
+	float scan;                // ms by the clock of the host: rays of the scene after the step
 	int rays;                  // number of rays of this step
 	int64_t hits;
 	scree_traffic traffic;
@@ -23,10 +23,10 @@ scree_status record_step(ScenePlayer* player, Record* record);
 // Returns the deepest overlap of all records, m.
 float deepest(const Record* records, int count);
 
-// The median of a value over records.
+// Returns the median of value(record, argument) over all records; 0 if there are no records.
 double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument);
 
-// Return values of a record, for median.
+// Return a value of a record; to be passed to median.
 double step_of(const Record* record, int unused);
 double stage_of(const Record* record, int stage);
 double scan_of(const Record* record, int unused);

@@ -8,17 +8,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ITEM_GROUP  48        // work-items per group in stages with one item per group
+#define ITEM_GROUP  48        // work-items per group in stages that use a whole group for each item
 #define SMALL_GROUP 32        // work-items per group in kernels without waits between groups
-#define NEVER       (1 << 18) // reads of a mailbox; more than any wait needs
+#define NEVER       (1 << 18) // maximum number of reads of a mailbox, so large that no work-item reaches it
 
-typedef struct // words that last from solve to solve
+typedef struct // words that keep their values from solve to solve
 {
 	Word64* words;
 	int count;
 } Kept;
 
-typedef struct // memory that is freed together
+typedef struct // blocks of memory that are freed together
 {
 	void* memory[8];
 	int count;
@@ -31,15 +31,16 @@ static Form form;
 static Pools pools;
 static Task task;
 static Kept mailboxes, parts;
-static Buffers solve_buffers, tile_buffers; // memory of the current solve; memory of the tile layout
+static Buffers solve_buffers, tile_buffers; // memory of the current solve, and memory of the tile layout
 static Task laid_out;
 static int run_words[1024]; // header and runs of the persistent kernel
-static bool stale;          // tiles must be laid out again
-static bool pushed;         // fields have changed forces since the last solve
+static bool stale;          // true: tiles must be laid out again
+static bool pushed;         // true: fields have changed forces since the last solve
 
 void form_spoil(int body, int word, uint64_t value) { mailboxes.words[body * mailbox_words + word] = value; }
 
-// Allocates count items of a size in bytes, filled with a pattern that no code may depend on.
+// Allocates memory for count items of a size in bytes. It has a pattern, because no code may depend on its first
+// contents.
 static void* buffer(Buffers* buffers, int count, size_t bytes)
 {
 	size_t size = ((size_t)(count > 0 ? count : 1) * bytes + 63) / 64 * 64;
@@ -54,7 +55,8 @@ static void let_go(Buffers* buffers)
 		free(buffers->memory[--buffers->count]);
 }
 
-// Returns memory of at least count words. New words are zero, as on a device.
+// Returns memory of at least count words, which keep their values from solve to solve. New words are zero, as on a
+// device.
 static Word64* keep(Kept* kept, int count)
 {
 	if (count > kept->count)
@@ -262,7 +264,8 @@ static bool left_out(const Run* run)
 	return run->kernel_id < KERNEL_COUNT && kernel_widths[run->kernel_id] >= WIDTH_ALONE;
 }
 
-// Executes runs like persistent_run of src/opencl/persistent.c. The header of the list lasts from launch to launch.
+// Executes runs like persistent_run of src/opencl/persistent.c. The header of the list keeps its values from launch to
+// launch.
 static scree_status run_list(const Run* runs, int count)
 {
 	int largest = 1;
@@ -283,7 +286,7 @@ static scree_status run_list(const Run* runs, int count)
 	return SCREE_OK;
 }
 
-// Executes a stage with one item per group.
+// Executes a run of a stage that uses a whole group of work-items for each item.
 static scree_status run_groups(const Run* run)
 {
 	task = (Task){.pools = &pools, .run = *run};
@@ -361,7 +364,7 @@ void form_take(scree_world* world, const Form* how)
 	b->f = &functions;
 	b->distant = how->ahead;
 	if (how->persistent)
-		b->chain_lanes = 1; // as on a device
+		b->chain_lanes = 1; // devices interleave no chains
 	form = *how;
 	form_close();
 	memset(&form_counts, 0, sizeof form_counts);

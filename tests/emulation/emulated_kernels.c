@@ -18,7 +18,7 @@ const int relay_group = RELAY_GROUP, mailbox_words = MAILBOX_WORDS, relay_ticket
           persistent_table = SORT_BLOCKS * SORT_DIGITS > SCAN_BLOCKS ? SORT_BLOCKS *SORT_DIGITS : SCAN_BLOCKS,
           fault_timeout = FAULT_TIMEOUT, fault_stale = FAULT_STALE;
 
-// Stages with one item per group; GROUP_KERNEL declares them as functions name_group.
+// stages that use a whole group for each item; GROUP_KERNEL declares them as functions name_group
 #define GROUP_ONE(name)
 #define GROUP_WIDE(name)
 #define GROUP_ALONE(name)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// emulated_kernels.h -- the persistent kernel and the kernels of relay and tiles, as functions that run all their
-// work-items (work_items.h).
+// emulated_kernels.h -- runs all work-items (work_items.h) of the persistent kernel and of the kernels of relay and
+// tiles.
 #ifndef EMULATED_KERNELS_H
 #define EMULATED_KERNELS_H
 #include "emulation/work_items.h"
@@ -12,14 +12,14 @@ typedef struct // arguments of all kernels that work on pools; each kernel uses 
 	Word64 *mailboxes, *parts;
 	Float4* stream;
 	int bodies, constraints, substeps, passes, bound, spins, spread, hub_groups;
-	// tiles
+	// arguments of tiles
 	int *place, *border, *resident, *table, *total, *rank, *order;
 	int stride, tile_rows, places, q, begin, end;
-	// persistent
+	// arguments of the persistent kernel
 	int *list, *probes;
 	int runs;
-	Run run;    // run of group_stage
-	int pushed; // fields have changed forces since the last solve
+	Run run;    // argument of group_stage
+	int pushed; // 1: fields have changed forces since the last solve
 } Task;
 
 typedef enum
@@ -57,14 +57,15 @@ typedef enum
 	EMULATED_COUNT
 } EmulatedKernel;
 
-// Runs a kernel in a number of groups; group is the number of work-items per group.
+// Runs a kernel in a number of groups with `group` work-items each. Returns false and writes a sentence if it cannot
+// end.
 bool emulated_run(EmulatedKernel kernel, const Task* task, int groups, int group, const Schedule* schedule,
                   char sentence[ITEMS_SENTENCE]);
 
-// Runs relay_probe and returns its fault: 0, FAULT_TIMEOUT or FAULT_STALE; -1 if it did not end.
+// Runs relay_probe and returns its fault: 0, FAULT_TIMEOUT or FAULT_STALE. Returns -1 if it did not end.
 int probe_run(int groups, int group, int rounds, int spins, const Schedule* schedule);
 
-// sizes of opencl/group_sizes.h that the host uses
+// sizes of opencl/group_sizes.h that the emulated host uses
 extern const int relay_group, mailbox_words, relay_tickets, stream_float4s, tile_bodies, tile_group, tile_columns,
     primitive_group, persistent_header, persistent_table, fault_timeout, fault_stale;
 

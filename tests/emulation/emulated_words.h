@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// emulated_words.h -- words of OpenCL C that C17 lacks, defined by calls of work_items.h. Include it before the
-// kernels.
+// emulated_words.h -- defines words of OpenCL C that C17 lacks, by calls of work_items.h. It must be included before
+// the kernels.
 //
-// Stages are those of stage_items.h, with groups of more than one work-item.
+// The stages come from stage_items.h. Here their groups have more than one work-item.
 #ifndef EMULATION_EMULATED_WORDS_H
 #define EMULATION_EMULATED_WORDS_H
 #include "emulation/work_items.h"
@@ -10,7 +10,7 @@
 
 #include "support/stage_items.h"
 
-// adds to the list as a device does
+// adds items to a list with an atomic counter, as a device does
 #undef LIST_KERNEL
 #define LIST_KERNEL(name, list, length)                           \
 	INLINE int name##_listed(const Pools* p, int i);              \
@@ -21,11 +21,11 @@
 	}                                                             \
 	INLINE int name##_listed(const Pools* p, int i)
 
-// small enough for several tiles in a small world; a group needs more work-items than there are colors
+// so small that a small world has several tiles; a group needs more work-items than there are colors
 #define TILE_BODIES 16
 #define TILE_GROUP  80
 
-// small enough for several groups and passes in a small sort
+// so small that a small sort has several groups and passes
 #define PRIMITIVE_GROUP 32
 #define SORT_DIGIT_BITS 5
 #define SORT_GRAIN      64
@@ -33,14 +33,15 @@
 #define SORT_TEAM       8
 
 #if !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wold-style-declaration" // volatile static
+#pragma GCC diagnostic ignored "-Wold-style-declaration" // for "volatile static"
 #endif
-// PAUSE and FETCH_AHEAD are empty
+// for PAUSE and FETCH_AHEAD, which are empty
 #pragma GCC diagnostic ignored "-Wempty-body"
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #pragma GCC diagnostic ignored "-Wunused-variable"
 
-// Memory of a group is shared by its work-items: work_items.c copies that of the group with the turn into this section.
+// Work-items of a group share its memory: work_items.c copies the memory of the group that has the turn into this
+// section.
 #define __local static __attribute__((section("group_memory")))
 #define __global
 #define __kernel                      static __attribute__((unused))
@@ -91,7 +92,7 @@ typedef Words ulong2;
 #define MAILBOX_READ(row)                 items_look(row)
 #define MAILBOX_WRITE(row, first, second) items_put(row, (Words){(first), (second)})
 
-// pools are passed as one struct; tests/CMakeLists.txt makes POOL_NAMES of src/pools/pools.def
+// passes the pools as one struct; tests/CMakeLists.txt makes POOL_NAMES from src/pools/pools.def
 #define POOL_ARGUMENTS const Pools *given,
 #include "emulation/pool_names.h"
 

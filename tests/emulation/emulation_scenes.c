@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// emulation_scenes.c -- small worlds, and comparisons of the forms of a solve with the stages of the CPU.
+// emulation_scenes.c -- makes small worlds, and compares the forms of a solve with the stages of the CPU.
 #include "emulation/emulation_scenes.h"
 #include "emulation/emulated_kernels.h"
 #include "support/different_pools.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Makes a body on the floor, and one that touches nothing.
+// Makes a body on the floor, and a body that touches nothing.
 static void build_one(scree_world* world)
 {
 	add_floor(world);
@@ -51,7 +51,7 @@ static void build_pyramid(scree_world* world)
 			         0.55f + 1.02f * (float)row, 0.0f);
 }
 
-// Makes towers of bodies that touch few others, so that most of them are inside a tile.
+// Makes towers of bodies that touch few other bodies, so that most bodies are inside a tile.
 static void build_towers(scree_world* world)
 {
 	add_floor(world);
@@ -138,7 +138,7 @@ static void build_raft(scree_world* world)
 }
 
 // Makes five plates, which are hubs, side by side on a plank. The first and the last plate have the same hub color, so
-// the plank is split between them. They also touch, so one is a light end of the other.
+// the plank is split between them. These two plates also touch, so one hub is the neighbor in a spoke of the other.
 static void build_hubs(scree_world* world)
 {
 	static const float places[5] = {-2.0f, 0.0f, 1.0f, 2.0f, -1.0f};
@@ -150,7 +150,7 @@ static void build_hubs(scree_world* world)
 		add_crate(world, SCREE_BODY_DYNAMIC, 36.0f + 1.1f * (float)k, 1.1f);
 }
 
-// Returns a joint between two bodies, or a body and the world, at a point in world coordinates.
+// Returns the definition of a joint between two bodies, or a body and the world, at a point in world coordinates.
 static scree_joint_def pin(scree_world* world, scree_joint_type type, scree_body a, scree_body b, float x, float y)
 {
 	scree_joint_def def = scree_joint_def_make(type);
@@ -160,8 +160,8 @@ static scree_joint_def pin(scree_world* world, scree_joint_type type, scree_body
 	return def;
 }
 
-// Makes rows of bodies joined by each type of joint, with all kinds of drives, which fall on the floor and on each
-// other; and a wheel with nearly as many joints as there are colors.
+// Makes rows of bodies, joined by each type of joint, with all kinds of drives. The rows fall on the floor and on each
+// other. Also makes a wheel with nearly as many joints as there are colors.
 static void build_joints(scree_world* world)
 {
 	static const scree_joint_type types[6] = {SCREE_JOINT_REVOLUTE, SCREE_JOINT_WELD,      SCREE_JOINT_DISTANCE,
@@ -203,7 +203,7 @@ static void build_joints(scree_world* world)
 	}
 }
 
-// Creates, changes and destroys joints; destroys, disables and enables their bodies.
+// Creates, changes and destroys joints; destroys, disables and enables bodies of joints.
 static void act_joints(scree_world* world, int step)
 {
 	scree_joint joints[80];
@@ -225,8 +225,8 @@ static void act_joints(scree_world* world, int step)
 		OK(scree_body_destroy(world, bodies[6]));
 }
 
-// Makes wagons with all kinds of drives on a closed path in a body and on an open path in the world; they hit each
-// other.
+// Makes wagons with all kinds of drives on a closed path in a body and on an open path in the world. The wagons hit
+// each other.
 static void build_paths(scree_world* world)
 {
 	add_floor(world);
@@ -268,8 +268,8 @@ static void build_paths(scree_world* world)
 	}
 }
 
-// Makes a plate with balls, which is a hub and hangs on joints, and a wheel. The wheel has more contacts and joints
-// than there are colors for contacts alone, so its contacts are spokes.
+// Makes a plate with balls and a wheel. The plate is a hub and hangs on joints. The wheel has more contacts and joints
+// together than there are colors for contacts alone, so its contacts are spokes.
 static void build_joint_hubs(scree_world* world)
 {
 	add_floor(world);
@@ -325,7 +325,7 @@ static const Counters* counted(const scree_world* world)
 	return world->backend->f->address(world->backend, POOL_counters);
 }
 
-// Compares the counters of a solve that no hash includes.
+// Returns whether two worlds have equal counters of a solve. The counters compared here are not part of the world hash.
 static bool same_counts(const scree_world* one, const scree_world* other)
 {
 	const Counters *a = counted(one), *b = counted(other);
@@ -340,7 +340,7 @@ void check_form(const FormScene* scene, const Form* form)
 	scene->build(plain);
 	scene->build(emulated);
 	form_take(emulated, form);
-	int steps = quick() ? (scene->steps + 1) / 2 : scene->steps; // with sanitizers, the emulation takes minutes
+	int steps = quick() ? (scene->steps + 1) / 2 : scene->steps; // with sanitizers, all steps would take minutes
 	for (int k = 0; k < steps; ++k)
 	{
 		if (scene->act)
@@ -363,12 +363,12 @@ void check_form(const FormScene* scene, const Form* form)
 	form_close();
 }
 
-// BOUND is the maximum number of looks at a mailbox by a waiting work-item. Every 1,024 looks it checks whether another
-// work-item has reached that limit. Then it ends too, within LEARN looks.
+// BOUND: maximum number of reads of a mailbox by a waiting work-item. At every 1,024th read, a work-item checks whether
+// another work-item has reached this maximum, and then ends. LEARN: maximum number of reads until it ends.
 #define BOUND 6000
 #define LEARN 4000
 
-// Takes 15 steps on the CPU and one step by a form.
+// Makes a world of a scene. Takes 15 steps on the CPU, then one step by a form, and returns the world.
 static scree_world* step_once(const char* name, Form form, scree_status* status)
 {
 	scree_world* world = open_world(-10.0f);

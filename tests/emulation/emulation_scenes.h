@@ -9,31 +9,31 @@ typedef struct
 {
 	const char* name;
 	int steps;
-	bool hubs; // has bodies with many contacts
+	bool hubs; // true: has bodies with many contacts
 	void (*build)(scree_world* world);
-	void (*act)(scree_world* world, int step); // before each step; may be null
+	void (*act)(scree_world* world, int step); // called before each step; may be null
 } FormScene;
 
 extern const FormScene form_scenes[];
 extern const int form_scene_count;
 const FormScene* form_scene(const char* name);
 
-// Steps two worlds of a scene, one of them with solves by a form. Fails at the first step after which the hashes
-// differ, and prints the seed.
+// Steps two worlds of a scene; in one of them a form executes the solves. Fails at the first step after which the
+// hashes differ, and prints the seed.
 void check_form(const FormScene* scene, const Form* form);
 
-// Solves a scene by a form in which a work-item stops. Fails unless all work-items end and the device reports a
+// Solves a scene by a form whose schedule stops a work-item. Fails unless all work-items end and the device reports a
 // timeout.
 void check_fault(const char* scene, Form form);
 
-// Calls check_fault with one lost word, for some words of a launch and for each of its last words.
+// Calls check_fault with one lost write to a mailbox, for some writes of a launch and for each of its last writes.
 void check_lost(const char* scene, Form form);
 
-// Returns the number of seeds to try for a form on a scene: SCREE_SEEDS of the environment, else 2; in quick builds one
-// seed on every third scene.
+// Returns the number of seeds to try for a form on a scene: the environment variable SCREE_SEEDS if it is set, else 2.
+// In quick builds every third scene gets one seed, and other scenes none.
 int form_seeds(int form, int scene);
 
-// Returns 77 and prints the reason if work-items cannot be emulated here, else returns 0.
+// Prints the reason and returns 77 if work-items cannot be emulated here; otherwise returns 0.
 int check_refused(void);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// work_items.c -- fibers that take turns, their barriers, and words that arrive late.
+// work_items.c -- runs fibers in turns, with barriers, and with words that arrive late.
 #include "emulation/work_items.h"
 #include "tools/common/random_numbers.h"
 #include <stdio.h>
@@ -29,8 +29,8 @@
 #endif
 
 #define MOST_GROUPS   512
-#define MOST_SWITCHES ((int64_t)1 << 24) // maximum of a launch: some seconds, and far more than any launch needs
-#define MOST_LATE     12                 // maximum number of pieces that have not arrived
+#define MOST_SWITCHES ((int64_t)1 << 24) // maximum per launch: takes some seconds; no launch needs nearly as many
+#define MOST_LATE     12                 // maximum number of pieces that have been written and have not arrived
 
 typedef struct
 {
@@ -38,7 +38,7 @@ typedef struct
 	char* stack;
 	void* shadow; // fake stack of the address sanitizer
 	int group, lane;
-	int at; // position in Group.ready; -1 after the end of the work-item
+	int at; // position in Group.ready; -1 after the work-item has ended
 	int looks;
 } Item;
 
@@ -46,19 +46,19 @@ typedef struct
 {
 	Item** ready; // work-items that can continue
 	int ready_count, ended;
-	int met; // number of work-items at the barrier in this file and line:
+	int met; // number of work-items at the barrier with this file and line:
 	const char* file;
 	int line;
-	unsigned char* memory; // its __local memory while another group has the turn
+	unsigned char* memory; // __local memory of the group, while another group has the turn
 } Group;
 
-typedef struct // part of two words that has not arrived yet
+typedef struct // part of two words that has been written and has not arrived
 {
 	volatile unsigned char* place;
 	unsigned char bytes[16];
 } Piece;
 
-// __local memory of all kernels, with the contents of the group that has the turn
+// __local memory of the group that has the turn, for all kernels
 extern unsigned char __start_group_memory[], __stop_group_memory[];
 
 static ucontext_t home;
@@ -67,14 +67,14 @@ static void* home_shadow;
 static const void* home_bottom;
 static size_t home_bytes;
 #endif
-static Item** items; // as many as in the largest launch
+static Item** items; // work-items; as many as in the largest launch
 static int item_count;
 static Group groups[MOST_GROUPS];
 static Launch launch;
 static Schedule schedule;
 static Item* now; // work-item that has the turn
 static uint64_t state;
-static unsigned patience; // mean number of possible switches that a work-item passes before it gives up its turn
+static unsigned patience; // mean number of possible switches at which a work-item keeps its turn
 static int64_t switches_left, put_count;
 static Piece pieces[MOST_LATE];
 static int piece_count;
@@ -90,7 +90,7 @@ static int random_of(int count) { return (int)(((uint64_t)next_random() * (uint6
 
 static size_t memory_bytes(void) { return (size_t)(__stop_group_memory - __start_group_memory); }
 
-// Returns a group in which a work-item can continue; -1 if there is none. It is mostly the last group again, because no
+// Returns a group in which a work-item can continue; -1 if there is none. Mostly returns the last group, because no
 // memory is copied then.
 static int choose_group(int last)
 {
@@ -212,7 +212,7 @@ int items_group_size(void) { return launch.group; }
 // words
 // ---------------------------------------------------------------------------------------------------------------
 
-// Stores a piece that has arrived: the oldest piece of the same place.
+// Stores a piece that arrives. It is the oldest piece with the same place.
 static void piece_arrives(int k)
 {
 	for (int older = 0; older < k; ++older)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// work_items.h -- emulated work-items of a device. They run on one thread, in turns that a seed decides.
+// work_items.h -- emulates work-items of a device. They run on one thread, in turns whose order depends on a seed.
 //
-// Each work-item is a fiber with its own stack. It runs until a point at which work-items can interact: a look at a
-// word, a put of a word, an atomic or a barrier. Any other work-item may get the turn there. A seed repeats a run.
+// Each work-item is a fiber with a separate stack. It runs to a point at which work-items can interact: a read or a
+// write of a mailbox, an atomic or a barrier. There any other work-item may get the turn. The same seed gives the same
+// order.
 #ifndef WORK_ITEMS_H
 #define WORK_ITEMS_H
 #include <stdbool.h>
@@ -16,12 +17,12 @@ typedef struct // two words of a mailbox
 
 typedef struct
 {
-	uint64_t seed; // decides the order of turns
-	bool late;     // words arrive some time after their put, those of different places in any order
-	int pieces;    // bytes of two words that arrive together: 8, or 4, which tears words; 0 for both words
-	bool leavers;  // ended work-items do not count at a barrier; else each must come to each barrier
-	int shunned;   // number of a group, from 1 on, that gets turns only if no other group can; 0 for none
-	int lost;      // number of a put, from 1 on, that never arrives; 0 for none
+	uint64_t seed; // selects the order of turns
+	bool late;     // true: words arrive some time after they are written; words of different places arrive in any order
+	int pieces;    // number of bytes of two words that arrive together: 8; 4, which tears words; 0: all bytes
+	bool leavers;  // true: a barrier counts no ended work-items; false: each work-item must reach each barrier
+	int shunned;   // number of a group, counted from 1, that gets turns only if no other group can continue; 0: none
+	int lost;      // number of a write to a mailbox, counted from 1, that never arrives; 0: none
 } Schedule;
 
 typedef struct
@@ -31,34 +32,34 @@ typedef struct
 	const void* arguments;
 } Launch;
 
-// Runs all work-items to their end. Returns false if they cannot end; sentence then has the reason.
+// Runs all work-items to their end. If they cannot end, returns false and writes the reason to sentence.
 #define ITEMS_SENTENCE 256
 bool items_run(const Launch* launch, const Schedule* schedule, char sentence[ITEMS_SENTENCE]);
 
-// Returns the maximum number of looks by a work-item of a group in the last run.
+// Returns the number of reads of mailboxes by the work-item of a group that read most often in the last launch.
 int items_looks(int group);
 
-// Returns the number of puts in the last run.
+// Returns the number of writes to mailboxes in the last launch.
 int items_puts(void);
 
-// Frees the stacks.
+// Frees the stacks of all fibers.
 void items_close(void);
 
-// Returns null if work-items can be emulated, else the reason.
+// Returns null if work-items can be emulated, otherwise the reason why not.
 const char* items_refused(void);
 
 // ---------------------------------------------------------------------------------------------------------------
 // calls from the work-item that has the turn
 // ---------------------------------------------------------------------------------------------------------------
 
-int items_group(void);      // number of its group
+int items_group(void);      // number of the work-item's group
 int items_groups(void);     // number of groups
-int items_lane(void);       // its position in the group
+int items_lane(void);       // position of the work-item in its group
 int items_group_size(void); // number of work-items in the group
 
 void items_yield(void);                       // lets another work-item continue
-void items_meet(const char* file, int line);  // a barrier
-Words items_look(const volatile void* place); // returns both words at a place, as far as they have arrived
+void items_meet(const char* file, int line);  // barrier of a group
+Words items_look(const volatile void* place); // returns both words at a place; words that have not arrived are missing
 void items_put(volatile void* place, Words words);
 
 #endif

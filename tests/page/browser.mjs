@@ -34,14 +34,14 @@ function start(command, words, pattern) {
 export const startServer = (script, folder, plain) =>
 	start(process.execPath, [script, folder, '0', ...(plain ? ['plain'] : [])], /http:\/\/127\.0\.0\.1:(\d+)\//);
 
-// Ends a program of start().
+// Ends a program that start() has started.
 export function stop(child) {
 	child.removeAllListeners('exit');
 	child.kill();
 }
 
-// Starts chromedriver. It chooses a free port of IPv6 and then uses the same port of IPv4, which may be in use; then the
-// start is repeated.
+// Starts chromedriver. It chooses a free port of IPv6, and uses the port with the same number of IPv4. That port may be
+// in use; then the start is repeated.
 async function startDriver(trials = 5) {
 	try {
 		return await start('chromedriver', ['--port=0'], /successfully on port (\d+)/);
@@ -92,7 +92,7 @@ export class Browser {
 			return value;
 		});
 	}
-	// Returns as soon as an expression in the page is true.
+	// Returns as soon as an expression in the page is true. what: description of the expression for the error.
 	async until(expression, what = expression) {
 		const end = Date.now() + PATIENCE;
 		while (Date.now() < end) {

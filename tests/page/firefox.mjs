@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// firefox.mjs -- firefox.mjs SCREE PAGE [PICTURE]: tests the hashes of all scenes in Firefox; exit status 1 if one differs.
+// firefox.mjs -- firefox.mjs SCREE PAGE [PICTURE]: tests the hashes of all scenes in Firefox; exit status 1 if a hash
+// differs.
 //
-// It is run by hand; make test does not run it. With a display the page also draws, and PICTURE receives a screenshot; without a
-// display Firefox has no WebGL. The protocol is Marionette, Firefox's own: messages are JSON, each preceded by its length.
+// It is run by hand; make test does not run it. With a display the page also draws, and PICTURE receives a screenshot;
+// without a display Firefox has no WebGL. The protocol is Marionette, Firefox's own: messages are JSON, each preceded
+// by its length.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { connect, createServer } from 'node:net';
@@ -11,7 +13,7 @@ import { join } from 'node:path';
 import { sleep, startServer, stop } from './browser.mjs';
 import { checkHashes, nativeHashes } from './hashes.mjs';
 
-const PATIENCE = 60000; // ms
+const PATIENCE = 60000; // ms: maximum time until the page reaches an expected state
 
 const freePort = () =>
 	new Promise((resolve) => {
@@ -54,7 +56,7 @@ class Firefox {
 			if (colon < 0 || this.bytes.length < end) return;
 			const message = JSON.parse(this.bytes.subarray(colon + 1, end));
 			this.bytes = this.bytes.subarray(end);
-			if (!Array.isArray(message)) continue; // the greeting of Firefox
+			if (!Array.isArray(message)) continue; // skips the greeting of Firefox
 			const [, number, error, value] = message;
 			const { resolve, reject } = this.waiting.get(number) ?? {};
 			if (error) reject?.(new Error(`${error.error}: ${error.message}`));
@@ -104,7 +106,7 @@ try {
 		if (!good) console.log(`FAILED: ${sentence}`);
 	});
 	await firefox.run(`await scree.load({ name: 'ragdolls' }); await scree.host.ask({ type: 'steps', count: 120 })`);
-	await sleep(500); // time to draw a frame
+	await sleep(500); // waits until a frame is drawn
 	const { value } = await firefox.call('WebDriver:TakeScreenshot', { full: false });
 	if (picture) writeFileSync(picture, Buffer.from(value, 'base64'));
 } finally {

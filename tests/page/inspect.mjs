@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// inspect.mjs -- tests the information of the page about bodies and colors: numbers of the hovered and of the selected body,
-// following, legends, theme, thumbnails. Inspection must not change the world.
+// inspect.mjs -- tests the information of the page about bodies and colors: numbers of the hovered and of the selected
+// body, camera that follows a body, legends, theme, thumbnails. Inspection must not change the world.
 import { begin, middleOf, overBody, record, step } from './tools.mjs';
 
 const SMALL = [['count', '40']];
@@ -10,7 +10,7 @@ const click = async (browser, { x, y }, pointer = 'mouse') => {
 	await browser.point(pointer, 'up', x, y);
 };
 
-// Compares a world with the cursor over it and with a selected and followed body to the same world without these.
+// Checks that a world has the same hash and no recorded actions after a body was hovered, selected and followed.
 async function checkNumbers(browser, check) {
 	await begin(browser, 'pile', SMALL, 100);
 	const at = await overBody(browser);
@@ -32,7 +32,7 @@ async function checkNumbers(browser, check) {
 	check((await text(browser, 'body')) === '', 'another world forgets what was selected');
 }
 
-// The followed body is in the middle of the picture until the picture is moved.
+// Checks that a followed body is in the middle of the picture until the user moves the picture.
 async function checkFollow(browser, check) {
 	await begin(browser, 'pile', SMALL, 60);
 	const at = await overBody(browser);
@@ -56,7 +56,8 @@ async function checkFollow(browser, check) {
 	await browser.until(`document.querySelector('.note[data-name=follow]')`, 'a sentence that nothing is selected');
 }
 
-// A finger selects a body. When the body is destroyed, the page shows a message and clears the selection.
+// Checks that a finger selects a body, and that the page shows a message and clears the selection when the body is
+// destroyed.
 async function checkGone(browser, check) {
 	await begin(browser, 'churn', [['columns', '6'], ['rows', '6'], ['moved', '0'], ['replaced', '0']], 1);
 	await click(browser, await overBody(browser), 'touch');
@@ -110,7 +111,7 @@ async function checkTheme(browser, check) {
 	await browser.type('l');
 }
 
-// Thumbnails are loaded when they become visible.
+// Checks that thumbnails are loaded when they become visible.
 async function checkThumbnails(browser, address, check) {
 	await browser.go('about:blank');
 	await browser.go(`${address}?form=simd#pile?count=40`);

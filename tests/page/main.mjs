@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// main.mjs -- main.mjs SCREE PAGE SCRATCH: runs the tests of the page in Chromium; exit status 1 if one fails.
+// main.mjs -- main.mjs SCREE PAGE SCRATCH: runs the tests of the page in Chromium; exit status 1 if a test fails.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser, startServer, stop } from './browser.mjs';
@@ -21,7 +21,7 @@ function check(good, sentence) {
 	console.log(`FAILED: ${sentence}`);
 }
 
-// Opens the page with a form of WebAssembly, and checks that the page shows the name of this form.
+// Opens the page with a build of WebAssembly, and checks that the page shows the name of this build.
 async function openForm(browser, address, form, words) {
 	await browser.go(`${address}?form=${form}`);
 	await browser.until('document.body.dataset.ready', `the page with ${form}`);
@@ -76,7 +76,7 @@ try {
 			HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === 'webgl2' ? null : get.call(this, kind, ...rest); };
 			OffscreenCanvas.prototype.getContext = () => null;`;
 		const { identifier } = await browser.cdp('Page.addScriptToEvaluateOnNewDocument', { source });
-		await replay(browser, `${common}?apart=0${played.link}`); // the change above does not reach workers
+		await replay(browser, `${common}?apart=0${played.link}`); // without a worker, which the script would not change
 		const { hash } = await browser.run(`return scree.host.ask({ type: 'record' })`);
 		check(hash === played.hash, `a link plays to the same hash without a picture: ${hash}, ${played.hash}`);
 		const told = await browser.run(`return document.querySelector('.note[data-name=picture]')?.textContent ?? ''`);

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 // pictures.mjs -- compares the picture of the page with that of the command line's OpenGL renderer.
 //
-// Both are drawn from the same bits with the same shaders, but Mesa and ANGLE round the sums of a fragment differently, so that
-// the channels of a pixel at an edge may differ by some of their 256 values. A shape that is a pixel off, or has another color,
-// makes the mean difference larger than MEAN, or the fraction of pixels that differ by more than 32 larger than FAR.
+// Both pictures are drawn from the same bits with the same shaders, but Mesa and ANGLE round the sums of a fragment
+// differently, so that the channels of a pixel at an edge may differ by some of their 256 values. A shape that is a
+// pixel off, or has another color, makes the mean difference larger than MEAN, or the fraction of pixels that differ by
+// more than 32 larger than FAR.
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { readPng } from './png.mjs';
 
-const WIDTH = 400, HEIGHT = 436, CAPTION = 36; // px: below the minimum size for a legend by the command line
+const WIDTH = 400, HEIGHT = 436, CAPTION = 36; // px: the command line draws no legend in a picture of this size
 const MEAN = 0.5, FAR = 0.001;
 const CASES = [
 	{ name: 'pile', steps: 90, settings: [['count', '300']], paint: 'attribute', layers: ['joints'] },
 	{ name: 'ragdolls', steps: 80, settings: [['columns', '3'], ['rows', '2']], paint: 'speed', layers: ['joints', 'contacts', 'velocities'] },
 	{ name: 'pond', steps: 40, settings: [['fish', '100'], ['stones', '60']], paint: 'attribute', layers: ['fields', 'sensors', 'boxes'] },
-	{ name: 'drift', steps: 10, settings: [['boxes', '9000']], paint: 'speed', layers: ['normals'] }, // splats
+	{ name: 'drift', steps: 10, settings: [['boxes', '9000']], paint: 'speed', layers: ['normals'] }, // small bodies, drawn as splats
 	{ name: 'lidar', steps: 12, settings: [['robots', '20'], ['rays', '40']], paint: 'graph', layers: ['rays', 'sensors'] },
 ];
 

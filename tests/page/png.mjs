@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { inflateSync } from 'node:zlib';
 
-// predictions of a byte by the filters of PNG, in the order of their numbers
+// predictions of a byte, in the order of the numbers of PNG's filters
 const PREDICTED = [
 	() => 0,
 	(left) => left,
@@ -16,7 +16,7 @@ const PREDICTED = [
 	},
 ];
 
-// Returns {width, height, channels, pixels}.
+// Reads a PNG file. Returns {width, height, channels, pixels}.
 export function readPng(path) {
 	const file = readFileSync(path);
 	const parts = [];

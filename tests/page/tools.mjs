@@ -20,8 +20,8 @@ export async function begin(browser, name, settings, steps) {
 	);
 }
 
-// Returns a place over a body, px of the window. body: index of its x in the list of places; null: the highest body in the picture,
-// which no other body covers.
+// Returns the place of a body, px of the window. body: index of the body's x in the list of places; null: the highest
+// body in the picture, because no other body covers it.
 export async function overBody(browser, body = null) {
 	return browser.run(
 		`const places = await scree.host.ask({ type: 'places' });
@@ -40,7 +40,7 @@ export const middleOf = (browser) =>
 	browser.run(`const b = document.getElementById('picture').getBoundingClientRect(); return { x: Math.round(b.left + b.width / 2), y: Math.round(b.top + b.height / 2) }`);
 const places = (browser) => browser.run(`return scree.host.ask({ type: 'places' })`);
 export const record = (browser) => browser.run(`return scree.host.ask({ type: 'record' })`);
-// text of actions for comparisons, because chromedriver sorts the members of objects
+// actions as text for comparisons, because chromedriver changes the order of an object's members
 const plain = (actions) => actions.map(({ step: at, kind, values }) => `${at} ${kind} ${values}`).join('\n');
 export const step = (browser, count) => browser.run(`await scree.host.ask({ type: 'steps', count: args[0] })`, count);
 
@@ -83,7 +83,7 @@ async function checkFingers(browser, check) {
 	check(actions.every(({ kind }) => kind === 'pick' || kind === 'release'), 'two fingers do nothing to bodies');
 }
 
-// Opens a link, and plays it at ten times the speed.
+// Opens a link, and plays its actions at ten times the speed.
 export async function replay(browser, link) {
 	await browser.go('about:blank');
 	await browser.go(link);
@@ -92,11 +92,11 @@ export async function replay(browser, link) {
 	await browser.until(`scree.state.paused && document.querySelector('.note[data-name=replayed]')`, 'the replay of a link');
 }
 
-// Throws, blasts, pours and drags, and then opens the link to these actions in a fresh page. Returns the link and the record of the
-// actions.
+// Throws, blasts, pours and drags. Then opens the link to these actions in a fresh page, and checks the result. Returns
+// the link and the record of the actions.
 async function checkLink(browser, address, check) {
 	await begin(browser, 'pile', SMALL, 100);
-	await browser.run(`document.getElementById('notes').replaceChildren()`); // notes cover bodies
+	await browser.run(`document.getElementById('notes').replaceChildren()`); // removes notes, which may cover bodies
 	const at = await overBody(browser);
 	const drag = async (x, y, toX, toY) => {
 		await browser.point('mouse', 'down', x, y);
@@ -144,7 +144,7 @@ async function checkLink(browser, address, check) {
 	check(replayed.step === mine.step && replayed.hash === mine.hash, `the link plays to the same hash at step ${mine.step}: ${replayed.hash}, ${mine.hash}`);
 	check(await browser.run(`return document.querySelector('.note[data-name=replayed]').classList.contains('good')`), 'and the page says so');
 
-	// simulates a link by another version, whose hash differs
+	// simulates a link of another version, which has another hash
 	await replay(browser, address + link.slice(link.indexOf('#')).replace(mine.hash, '0123456789abcdef'));
 	check(await browser.run(`return document.querySelector('.note[data-name=replayed]').classList.contains('bad')`), 'another hash is told');
 
@@ -155,7 +155,7 @@ async function checkLink(browser, address, check) {
 	return { link: link.slice(link.indexOf('#')), ...mine };
 }
 
-// A blast is larger if its key was down for longer.
+// Checks that a blast is larger if its key was down for a longer time.
 async function checkGrowth(browser, check) {
 	await begin(browser, 'pile', SMALL, 60);
 	const at = await middleOf(browser);
@@ -202,7 +202,8 @@ async function checkTime(browser, check) {
 	check(again.step === 0 && again.hash === start.hash, 'from the start means the same world');
 }
 
-// The list of keys comes from the WebAssembly. Keys press buttons of the page, and the tooltips of the buttons name the keys.
+// Checks the list of keys, which comes from the WebAssembly. Also checks that keys press buttons of the page, and that
+// the tooltips of the buttons name the keys.
 async function checkList(browser, check) {
 	await browser.run(`document.getElementById('picture').focus()`);
 	const contacts = () => browser.run(`return document.getElementById('layer-contacts').checked`);
@@ -221,7 +222,7 @@ async function checkList(browser, check) {
 	await browser.run(`document.getElementById('keys').close()`);
 }
 
-// The arrow keys control the platformer, and a replay repeats their effect.
+// Checks that the arrow keys control the scene platformer, and that a replay repeats their effect.
 async function checkKeys(browser, check) {
 	await begin(browser, 'platformer', [], 0);
 	await browser.run(`document.getElementById('picture').focus()`);
@@ -256,7 +257,7 @@ async function checkCompare(browser, expected, check) {
 	await browser.until(`!document.getElementById('command') && /no command line can repeat/.test(document.getElementById('compare').textContent)`, 'a sentence about a touched world');
 }
 
-// A scene that cannot be loaded is reported, and the page keeps another scene.
+// Checks that the page reports a scene that cannot be loaded, and keeps the current scene.
 async function checkBad(browser, address, check) {
 	const sentence = () => browser.run(`return document.querySelector('.note[data-name=load]')?.textContent ?? ''`);
 	await browser.go('about:blank');

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// coloring.c -- a check that colors, counts and hubs of the constraints of a world are consistent after each step.
+// coloring.c -- checks that colors, counts and hubs of the constraints of a world are consistent after each step.
 //
-// While some constraints begin and others end, the number at a body may pass the limit of a hub for a moment; on a GPU
-// the order of these changes is arbitrary. The state after a step may depend only on the numbers at its end. This check
-// finds violations without a GPU.
+// Within a step, constraints begin and end in an order that is arbitrary on a GPU. Meanwhile the number of constraints
+// of a body may exceed the limit for hubs for a short time. The state after a step may depend only on the numbers at
+// its end. This check finds violations without a GPU.
 #include "constraints/constraint_kinds.h"
 #include "programs/program.h"
 #include "world/world.h"
@@ -14,7 +14,7 @@ typedef struct // state of the bodies, and sums over their constraints
 {
 	BodyState* state;
 	int* touching;   // number of constraints of each body
-	uint64_t* masks; // colors of these constraints
+	uint64_t* masks; // colors of the constraints of each body
 } Counted;
 
 typedef struct // constraints of one kind
@@ -38,8 +38,8 @@ static bool count_end(Counted* counted, int body, int color)
 	return free_here;
 }
 
-// Counts the constraints of a kind. Checks that two of one color share no body that can move, and that each has a place
-// in the range of its color.
+// Counts the constraints of a kind. Checks that two constraints of one color share no body that can move, and that each
+// constraint has a place in the range of its color.
 static bool count_kind(Counted* counted, const Constraints* s, char sentence[256])
 {
 	for (int k = 0; k < s->count; ++k)
@@ -64,7 +64,7 @@ static bool count_kind(Counted* counted, const Constraints* s, char sentence[256
 	return true;
 }
 
-// Returns whether the pools of the bodies contain the counted values.
+// Returns whether the pools of the bodies contain the values that were counted.
 static bool bodies_fit(scree_world* world, const Counted* counted, char sentence[256])
 {
 	int used = world->bodies.used;
@@ -90,7 +90,7 @@ static bool over_limit(const Counted* counted, int body)
 	return counted->touching[body] > HUB_CONTACTS && counted->state[body].inv_mass > 0.0f;
 }
 
-// Returns whether all contacts of each body above the limit are spokes.
+// Returns whether all contacts are spokes at each body with more contacts than the limit.
 static bool hubs_fit(const Counted* counted, const Constraints* contacts, char sentence[256])
 {
 	for (int k = 0; k < contacts->count; ++k)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// different.c -- the fields of the pools in which two worlds differ, with their bits.
+// different.c -- prints the fields of the pools in which two worlds differ, with their bits; finds invalid state of one
+// world.
 #include "constraints/constraint_kinds.h"
 #include "programs/program.h"
 #include "world/world.h"
@@ -94,7 +95,7 @@ static void print_pool(scree_world* const worlds[2], const Named* n, int count, 
 	free(items[1]);
 }
 
-// Prints the impulses in which two worlds differ. Impulses are stored at the place of the constraint of their contact.
+// Prints the impulses in which two worlds differ. The impulses of a contact are stored at the place of its constraint.
 static void print_impulses(scree_world* const worlds[2], const Counters counters[2], FILE* file)
 {
 	static const char* const fields[] = {"normal1", "normal2", "tangent1", "tangent2", "rolling"};
@@ -142,7 +143,7 @@ static void print_impulses(scree_world* const worlds[2], const Counters counters
 
 #define MOST_KEPT 22 // maximum number of kept rows of a joint
 
-// Collects the kept rows of the joint at a place, with their names; returns their number.
+// Collects the kept rows of the joint in this lane of a block, with their names. Returns the number of rows.
 static int joint_kept(const JointRows* rows, const JointRareRows* rare, int lane, const char* names[MOST_KEPT],
                       float values[MOST_KEPT])
 {
@@ -158,7 +159,7 @@ static int joint_kept(const JointRows* rows, const JointRareRows* rare, int lane
 	return count;
 }
 
-typedef struct // joints of a world, and their rows
+typedef struct // joints of a world: places of their constraints, and rows
 {
 	int* places;
 	JointRows* rows;
@@ -287,7 +288,7 @@ bool state_finite(scree_world* world, char sentence[256])
 		free(items);
 	}
 
-	// only collidables that are not destroyed
+	// checks only collidables that are not destroyed
 	int* kinds = read_items(world, POOL_collidable_kind, world->collidables.used);
 	Float4* boxes = read_items(world, POOL_box, world->collidables.used);
 	WorldShape* placed = read_items(world, POOL_world_shape, world->collidables.used);

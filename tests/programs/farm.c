@@ -17,7 +17,7 @@
 typedef struct // progress of a process, shared with its parent
 {
 	uint64_t seed;
-	double since; // start of the current program, s by the clock
+	double since; // s, by seconds_now: start of the current program
 	int done, failed, steps, frozen;
 	bool finished;
 } Desk;
@@ -47,7 +47,7 @@ bool farm_shrink(Pair* pair, Program* program, double seconds)
 	program_copy(&whole, program);
 	program_shrink(program, pair, seconds);
 
-	// reused worlds save time, but the difference may come from an earlier trial on them
+	// trials run on reused worlds to save time, so the difference may come from an earlier trial
 	if (seconds > 0.0 && !differs_anew(pair, program))
 	{
 		program_copy(program, &whole);
@@ -59,8 +59,8 @@ bool farm_shrink(Pair* pair, Program* program, double seconds)
 	return true;
 }
 
-// Shortens the program in which worlds began to differ, prints it and writes it to a file. If it does not differ alone,
-// the earlier programs on the same worlds are put before it.
+// Shortens a program after which the worlds differ, prints it and writes it to a file. If the program does not differ
+// on new worlds, the earlier programs on the same worlds are put before it.
 static void report(const Options* o, Pair* pair, Program* program, Program* before, uint64_t seed)
 {
 	char path[512], what[64];
@@ -95,7 +95,8 @@ static void report(const Options* o, Pair* pair, Program* program, Program* befo
 	fclose(file);
 }
 
-// Runs the programs with the seeds first to end - 1 on the same worlds. Stops at a point in time.
+// Runs programs first to end - 1 on the same worlds; the seed of program k is Options.seed + k. After the time `until`,
+// s, no program is started.
 static void live(const Options* o, Pair* pair, int first, int end, double until, Desk* desk, int* reports)
 {
 	Program program = {0}, before = {0};

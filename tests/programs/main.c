@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// main.c -- the command "programs": runs random programs on a device and on the reference, or one of them again.
+// main.c -- the command "programs": runs random programs on a device and on the reference, or repeats one program.
 #include "programs/farm.h"
 #include "support/form_names.h"
 #include <inttypes.h>

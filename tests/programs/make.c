@@ -17,14 +17,14 @@ static void set_filter(Maker* m, Call* call)
 	call_set(call, "group", (float)(below(m, 5) - 2));
 }
 
-// Sets reports, in half of the programs.
+// Sets the events that a collidable reports, in half of the programs.
 static void set_reports(Maker* m, Call* call)
 {
 	if (m->reports && (call->kind == CALL_reports || chance(m, 0.3)))
 		call_set(call, "reports", (float)below(m, m->rules ? 8 : 4));
 }
 
-// Makes sensors, in a third of the programs.
+// Makes some collidables sensors, in a third of the programs.
 static void set_sensor(Maker* m, Call* call)
 {
 	if (m->senses && (call->kind == CALL_sensor || chance(m, 0.15)))
@@ -34,7 +34,7 @@ static void set_sensor(Maker* m, Call* call)
 static void set_place(Maker* m, Call* call)
 {
 	float x = bounded(m, 4.0f), y = bounded(m, 3.0f);
-	if (chance(m, 0.05)) // far away
+	if (chance(m, 0.05)) // places some objects far away
 		x += sign(m) * PICK(m, 100.0f, 3000.0f, 90000.0f);
 	call_set(call, "x", x);
 	call_set(call, "y", chance(m, 0.05) ? y : y + 3.0f);
@@ -108,7 +108,7 @@ static void put_attribute(Maker* m)
 }
 
 static float any_attribute(Maker* m) { return (float)below(m, m->attributes + chance(m, 0.01)); }
-// Adds an attribute with the shape of an existing one and another surface.
+// Adds an attribute with the shape of an existing attribute and with another surface.
 static void put_like(Maker* m)
 {
 	Call call = call_make(CALL_like);
@@ -118,7 +118,7 @@ static void put_like(Maker* m)
 	put(m, call);
 }
 
-// Destroys any attribute, also one in use or one already destroyed.
+// Destroys any attribute, which may be in use or already destroyed.
 static void put_drop(Maker* m)
 {
 	Call call = call_make(CALL_drop);
@@ -126,8 +126,8 @@ static void put_drop(Maker* m)
 	put(m, call);
 }
 
-// Returns a body for a target. Only kinematic bodies, which are few, can have one, so it is mostly one that was made
-// kinematic.
+// Returns a body for a target. Only kinematic bodies can have a target, and these are few. So the result is mostly a
+// body that was created as kinematic or became kinematic.
 static float any_kinematic(Maker* m)
 {
 	int place = m->kinematics > 0 ? below(m, m->kinematics) : 0;
@@ -200,7 +200,7 @@ static void put_bodies(Maker* m, int count)
 		put_joints(m, count);
 }
 
-// Adds a plate with more contacts than there are colors.
+// Adds a plate with more contacts than there are colors, which becomes a hub.
 static void put_hub(Maker* m)
 {
 	Call plate = call_make(CALL_box), crate = plate;
@@ -269,7 +269,7 @@ static void put_step(Maker* m)
 	put(m, call);
 }
 
-// Adds one of the calls that move bodies.
+// Adds a random call of those that move bodies.
 static void put_motion(Maker* m)
 {
 	Call call = call_make((CallKind)(CALL_force + below(m, CALL_pose - CALL_force + 1)));
@@ -498,7 +498,7 @@ static void put_blast(Maker* m)
 
 static void put_any(Maker* m)
 {
-	// on a GPU a step takes as long as dozens of other calls
+	// few calls are steps, because on a GPU a step takes as long as dozens of other calls
 	int k = below(m, 100);
 	if (k < 12)
 	{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make.h -- a random program while it is made, and random numbers for its calls.
+// make.h -- the state of a random program while it is made, and random numbers for its calls.
 #ifndef MAKE_H
 #define MAKE_H
 #include "programs/program.h"
@@ -8,17 +8,17 @@
 #include <math.h>
 
 #define MOST_KINEMATIC 8
-#define MOST_BODIES    110 // maximum at a time, so that thousands of programs take minutes
+#define MOST_BODIES    110 // maximum number of bodies at a time, so that thousands of programs run within minutes
 
 typedef struct
 {
 	Program* program;
 	uint64_t seed;
-	int bodies, collidables, attributes, joints, paths; // next free numbers
-	float kinematic[MOST_KINEMATIC]; // numbers of the last bodies that were created as, or became, kinematic
+	int bodies, collidables, attributes, joints, paths; // next unused numbers of objects
+	float kinematic[MOST_KINEMATIC]; // numbers of the last bodies that were created as kinematic or became kinematic
 	int kinematics;
 	int alive;     // approximate number of bodies
-	float extreme; // share of values that are extreme
+	float extreme; // share of extreme values among all values
 	bool extras;   // has restitution, rolling resistance and tangent speeds
 	bool moves;    // moves between devices, which takes as long as dozens of steps
 	bool jointed;  // has joints
@@ -60,7 +60,7 @@ static inline float amount(Maker* m, float usual)
 	return between(m, -usual, usual);
 }
 
-// Returns a coordinate, speed or spin. Values beyond 1e5 must be refused.
+// Returns a coordinate, speed or spin. The library must refuse values beyond 1e5.
 static inline float bounded(Maker* m, float usual)
 {
 	if (chance(m, m->extreme))
@@ -71,7 +71,7 @@ static inline float bounded(Maker* m, float usual)
 	return between(m, -usual, usual);
 }
 
-// Returns a factor. A negative one must be refused.
+// Returns a factor. The library must refuse negative factors.
 static inline float factor(Maker* m, float most)
 {
 	if (chance(m, m->extreme))
@@ -83,16 +83,16 @@ static inline float angle(Maker* m) { return PICK(m, 0.0f, 0.0f, between(m, -3.2
 
 static inline void put(Maker* m, Call call) { program_add(m->program, call); }
 
-// Returns the number of a body, sometimes one that does not exist.
+// Returns a number for a body; sometimes no body has this number.
 static inline float any_body(Maker* m) { return (float)below(m, m->bodies + 1); }
 
-// make_joint.c
+// defined in make_joint.c
 void put_joint(Maker* m);
 void put_joints(Maker* m, int count); // joins a row of bodies that the last call created
 void put_joint_change(Maker* m);
 void put_path(Maker* m); // adds or destroys a path
 
-// make_field.c
+// defined in make_field.c
 void put_field(Maker* m);
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// make_field.c -- calls of fields for random programs.
+// make_field.c -- makes calls of fields for random programs.
 #include "programs/make.h"
 
-#define MOST_FIELDS 24 // numbers of fields, so few that calls often redefine an existing field
+#define MOST_FIELDS 24 // number of different numbers of fields: so few that calls often redefine an existing field
 
 static void set_pose(Maker* m, Call* call)
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// make_joint.c -- calls of joints for random programs: all types, between near and distant bodies, and all changes.
+// make_joint.c -- makes calls of joints for random programs: all types, between near and distant bodies, and all
+// changes.
 #include "programs/make.h"
 #include "world/objects/joints.h"
 
-// Returns the number of a joint, sometimes one that does not exist.
+// Returns a number for a joint; sometimes no joint has this number.
 static float any_joint(Maker* m) { return (float)below(m, m->joints + 1); }
 
 static float hertz(Maker* m)
@@ -20,7 +21,7 @@ static float ratio(Maker* m)
 	return between(m, 0.0f, 3.0f);
 }
 
-// Returns a force or torque for a bound or a threshold.
+// Returns a force or torque: a limit or a threshold.
 static float most(Maker* m)
 {
 	if (chance(m, m->extreme))
@@ -73,7 +74,7 @@ static void set_sides(Maker* m, Call* call)
 	call_set(call, "couple", (float)chance(m, 0.6));
 }
 
-// Adds a path, mostly with few points and sometimes with too few; or destroys a path.
+// Adds a path, mostly with few points, sometimes with too few points for a path; or destroys a path.
 void put_path(Maker* m)
 {
 	if (m->paths > 0 && chance(m, 0.2))
@@ -111,7 +112,7 @@ void put_joint(Maker* m)
 	float a = any_body(m);
 	call_set(&call, "joint", (float)m->joints++);
 	call_set(&call, "type", (float)type);
-	// neighbors, or any two bodies
+	// joins neighbors, or any two bodies
 	call_set(&call, "a", chance(m, 0.25) ? -1.0f : a);
 	call_set(&call, "b", chance(m, 0.5) ? a + 1.0f : any_body(m));
 	if (chance(m, 0.1))
@@ -175,7 +176,7 @@ static void put_coordinate(Maker* m)
 	put(m, call);
 }
 
-// Adds one of the calls that change existing joints.
+// Adds a random call of those that change existing joints.
 void put_joint_change(Maker* m)
 {
 	if (chance(m, 0.35))

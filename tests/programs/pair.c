@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Returns a word that depends only on the call and first, not on the rest of the program, which may become shorter
-// (Donald Knuth, multiplicative hashing).
+// Returns a pseudo-random word for a call (Donald Knuth, multiplicative hashing). It depends only on the call and on
+// first, and not on other calls, because a program may be shortened.
 static uint32_t any_of(const Call* call, uint32_t first)
 {
 	uint32_t any = first + (uint32_t)call->kind;
@@ -20,8 +20,8 @@ static uint32_t any_of(const Call* call, uint32_t first)
 	return (any ^ any >> 13) * 2654435769u;
 }
 
-// Reads a world between two calls, moves it to its own device, or does nothing. Later results must not change. The list
-// of moved bodies is not read, because it begins with the last call for it.
+// Reads a world between two calls, moves it to its own device, or does nothing. The results of later calls must not
+// change. The list of moved bodies is not read, because each reading begins a new list.
 static void read_between(Pair* pair, CallRun run)
 {
 	uint32_t any = any_of(run.call, pair->first_read);
@@ -53,7 +53,8 @@ static void read_between(Pair* pair, CallRun run)
 	}
 }
 
-// Makes a call on world k. hashes: whether the hash of the world is part of the result of a step.
+// Makes a call on world k and returns the outcome. hashes: whether the hash of the world is part of the outcome of a
+// step.
 static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 {
 	Left left = {0};
@@ -226,7 +227,7 @@ void program_add_empty(Program* program)
 	}
 }
 
-// Empties both worlds. Returns whether that succeeds and leaves equal bits.
+// Empties both worlds. Returns whether all calls succeed with equal results.
 static bool pair_empty(Pair* pair)
 {
 	Program program = {0};
@@ -258,7 +259,7 @@ static bool pair_ready(Pair* pair, const Call* made, Outcome* outcome)
 		left[k].status = run_world(&pair->places[k], made, &pair->worlds[k]);
 		if (left[k].status != SCREE_OK)
 			snprintf(left[k].error, sizeof left[k].error, "%s", scree_error());
-		// full name of the device
+		// keeps the full name of the device
 		snprintf(pair->homes[k], sizeof pair->homes[k], "%s", scree_world_get_device(pair->worlds[k]));
 	}
 	if (left[0].status == SCREE_OK && left[1].status == SCREE_OK)
@@ -282,7 +283,7 @@ Outcome pair_run(Pair* pair, const Program* program, FILE* details)
 		bool hashes = pair->every < 2 || outcome.steps % pair->every == 0 || i + 1 == program->count;
 		make_calls(pair, call, hashes, left);
 		bool differs = left_differs(&left[0], &left[1], &outcome);
-		// a step of 0 s changes no value that is not finite or too large
+		// only a step with dt above 0 can find and correct values that are not finite or too large
 		bool moved = call->kind == CALL_step && call_value(call, "dt") > 0.0f;
 		if (!differs && moved && left[0].status == SCREE_OK && hashes)
 		{

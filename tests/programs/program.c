@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// program.c -- calls with named arguments, and programs as text.
+// program.c -- calls with named arguments; writes programs as text and reads them.
 #include "programs/program.h"
 #include <stdlib.h>
 #include <string.h>
@@ -49,7 +49,7 @@ Call call_make(CallKind kind)
 	return call;
 }
 
-// Returns the place of an argument, or -1 if the call has no argument of this name.
+// Returns the position of an argument, or -1 if the call has no argument with this name.
 static int place_of(const CallInfo* info, const char* name)
 {
 	for (int k = 0; k < info->count; ++k)

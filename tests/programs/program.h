@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// program.h -- random programs of calls on a world: made, written, run on two worlds side by side, and shortened.
+// program.h -- random programs of calls on a world: makes, writes and reads them, runs them on two worlds side by side,
+// and shortens them.
 #ifndef PROGRAM_H
 #define PROGRAM_H
 #include "backend/tables.h"
@@ -32,25 +33,25 @@ typedef struct
 
 typedef struct
 {
-	Call* calls; // the first one is CALL_world
+	Call* calls; // the first call is CALL_world
 	int count, capacity;
 } Program;
 
-typedef struct // line of calls.def for one kind
+typedef struct // one line of calls.def
 {
 	const char* name;
 	int count;
 	char names[MOST_ARGUMENTS][16];
-	float values[MOST_ARGUMENTS]; // defaults
+	float values[MOST_ARGUMENTS]; // default values
 } CallInfo;
 
-// program.c
+// defined in program.c
 const CallInfo* call_info(CallKind kind);
-Call call_make(CallKind kind);                            // all arguments have the defaults of calls.def
-float call_value(const Call* call, const char* name);     // value of an argument
+Call call_make(CallKind kind);                            // returns a call with the default arguments of calls.def
+float call_value(const Call* call, const char* name);     // returns the value of an argument
 void call_set(Call* call, const char* name, float value); // sets an argument
 void program_add(Program* program, Call call);
-void program_copy(Program* to, const Program* from); // frees the old calls of to
+void program_copy(Program* to, const Program* from); // frees the old calls of `to`
 void program_close(Program* program);
 void program_write(const Program* program, FILE* file); // one line per call; arguments with defaults are left out
 bool program_read(Program* program, FILE* file, char error[256]); // reads the text of program_write
@@ -59,64 +60,65 @@ bool program_read(Program* program, FILE* file, char error[256]); // reads the t
 #define PROGRAM_BLOCK 64
 void program_make(Program* program, uint64_t seed, int calls);
 
-typedef struct // device of a world, and the device of the call "move"; empty for none
+typedef struct // first device of a world, and target of the call "move"; empty: none
 {
 	char device[128], other[128];
 	int threads, lanes;
-	bool reads; // the world is read between calls, and moved to its own device
+	bool reads; // true: the world is read between calls, and moved to its own device
 } Place;
 
-// number of values of Pair.first_read; each selects other reads for the same calls
+// number of values of Pair.first_read; each value selects other reads for the same calls
 #define READ_CHOICES 16
 
-typedef struct // two worlds on which programs run one after the other
+typedef struct // two worlds on which programs run one after another
 {
-	Place places[2]; // places[0] is that of the reference
+	Place places[2]; // places[0]: place of the reference
 	scree_world* worlds[2];
-	char homes[2][160]; // devices on which they were created
-	Call made;          // call that created them
+	char homes[2][160]; // devices on which the worlds were created
+	Call made;          // call that created the worlds
 	struct Names* names[2];
-	struct Worker* worker; // takes the steps of the reference, or null
-	bool infinite;         // a state that is not finite is no difference
-	bool limits;           // a body beyond the limits of its world is a difference
-	bool anew;             // each program gets new worlds
+	struct Worker* worker; // thread that takes the steps of the reference; null: no such thread
+	bool infinite;         // true: a state that is not finite is not reported
+	bool limits;           // true: a body beyond the limits of its world is reported
+	bool anew;             // true: each program gets new worlds
 	uint32_t first_read;   // from 0 to READ_CHOICES - 1
-	int every; // steps from one comparison of hashes to the next; the end of a program has one too; 0 means 1
+	int every; // steps from one comparison of hashes to the next; the end of a program is also compared; 0 means 1
 } Pair;
 
 typedef struct
 {
 	bool differs;
-	int call;           // index of the first call after which they differ
+	int call;           // index of the first call after which the worlds differ
 	char sentence[256]; // description of the difference
-	int steps, frozen;  // number of steps, and of bodies that were frozen in them
+	int steps, frozen;  // number of steps; number of bodies that were frozen in these steps
 } Outcome;
 
-// pair.c
+// defined in pair.c
 void program_add_empty(Program* program); // adds calls that return a world to its first state, as far as calls can
 void pair_open(Pair* pair, const Place places[2]);
 void pair_close(Pair* pair);
-// Runs a program on both worlds. They are created again unless they are empty and were created by the same call.
-// details gets the differences, unless it is null.
+// Runs a program on both worlds. The worlds are reused if they were created by the same call and can be emptied;
+// otherwise new worlds are created. details: receives the differences; may be null.
 Outcome pair_run(Pair* pair, const Program* program, FILE* details);
-void pair_forget(Pair* pair);     // the next program gets new worlds
+void pair_forget(Pair* pair);     // gives new worlds to the next program
 scree_status pair_hide_log(void); // turns off the log of the library
 
-// different.c: reads the first items of a pool, which the caller frees.
+// different.c: reads the first `count` items of a pool. The caller frees the items.
 void* read_items(scree_world* world, PoolId pool, int count);
 // Prints the fields of the pools in which two worlds differ.
 void different_print(scree_world* a, scree_world* b, FILE* file);
-// Returns whether all state of a world is finite. sentence gets the first value that is not.
+// Returns whether all state of a world is finite. If not, sentence gets the first value that is not finite.
 bool state_finite(scree_world* world, char sentence[256]);
-// Returns whether no body exceeds max_speed or the spin that the last step allowed. sentence gets the first that does.
+// Returns whether no body exceeds max_speed or the spin that the last step allowed. If not, sentence gets the first
+// such body.
 bool state_limited(scree_world* world, char sentence[256]);
 // Returns the number of bodies that the last step froze.
 int state_frozen(scree_world* world);
 
-// coloring.c: returns whether colors, counts and hubs are consistent. sentence gets the first fault.
+// coloring.c: returns whether colors, counts and hubs are consistent. If not, sentence gets the first fault.
 bool state_colored(scree_world* world, char sentence[256]);
 
-// shrink.c: replaces a program by the shortest one, found within a number of seconds, that still differs.
+// shrink.c: replaces a program by a shorter program that still differs: the shortest that it finds within the time, s.
 void program_shrink(Program* program, Pair* pair, double seconds);
 
 #endif

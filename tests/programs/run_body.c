@@ -52,7 +52,7 @@ static scree_status destroy(const CallRun* r)
 	return scree_bodies_destroy(r->world, r->names->bodies + (count > 0 ? first : 0), count);
 }
 
-typedef struct // the same value for each body of a batch
+typedef struct // values of a batch, in which each body gets the same values
 {
 	scree_body bodies[MOST_BATCH];
 	scree_vec vectors[MOST_BATCH], points[MOST_BATCH];

@@ -129,7 +129,8 @@ static scree_status run_material(const CallRun* r)
 
 #define MOST_READ 512
 
-// Returns whether the contacts of a body are those of the list of all contacts that contain it, in the same order.
+// Returns whether the contacts of a body are exactly the entries of the list `all` that contain the body, in the same
+// order.
 static bool contacts_agree(const CallRun* r, scree_body body, const scree_contact* all, int count)
 {
 	static scree_contact some[MOST_READ];
@@ -227,7 +228,7 @@ static scree_status run_clear(const CallRun* r)
 		status = clear_paths(r);
 	if (status == SCREE_OK)
 		status = clear_fields(r);
-	const Open open = r->names->open; // open touches end with the next step
+	const Open open = r->names->open; // keeps the open touches and visits, which end with the next step
 	memset(r->names, 0, sizeof *r->names);
 	r->names->open = open;
 	return status;

@@ -8,7 +8,7 @@
 // Maximum number of names that a program can use for objects of one type.
 #define MOST_NAMES 8192
 
-typedef struct // touches and visits that have begun and not ended: their number, and the sum of their names
+typedef struct // touches and visits that have begun and not ended: their number, and the sum of their hashes
 {
 	int count;
 	uint64_t sum;
@@ -32,7 +32,7 @@ typedef struct // outcome of a call
 	char error[256];
 } Left;
 
-typedef struct // a call on one of the two worlds
+typedef struct // call on one of the two worlds
 {
 	const Call* call;
 	scree_world* world;
@@ -42,18 +42,19 @@ typedef struct // a call on one of the two worlds
 	Left* left;
 } CallRun;
 
-// arguments of a call
+// return arguments of a call
 float call_real(const CallRun* run, const char* name);
-int call_whole(const CallRun* run, const char* name); // 0 if the value is NaN or not between -1e6 and 1e6
+int call_whole(const CallRun* run, const char* name); // 0 if the value is NaN or is not between -1e6 and 1e6
 scree_vec call_vec(const CallRun* run, const char* x, const char* y);
-scree_pose call_pose(const CallRun* run); // from x, y and angle
+scree_pose call_pose(const CallRun* run); // from the arguments x, y and angle
 scree_body call_body(const CallRun* run, int k);
 scree_attribute call_attribute(const CallRun* run, const char* name);
 scree_filter call_filter(const CallRun* run);
-scree_collidable call_collidable(const CallRun* run); // by its number, or from the list of a body
+scree_collidable call_collidable(const CallRun* run); // found by its number, or in the list of a body
 
 #define MOST_BATCH 256
-// Returns the number of names of a batch; the argument is the first of them. Returns 0 if a name is out of range.
+// Returns the number of objects of a batch; first: name of the argument with the first number. Returns 0 if a number is
+// out of range.
 int call_batch(const CallRun* run, const char* first);
 
 // run_attribute.c, run_body.c, run_collidable.c: make the calls of these objects.
@@ -65,13 +66,13 @@ scree_status run_collidable(const CallRun* run);
 scree_status run_joint(const CallRun* run);
 scree_status read_joints(const CallRun* run, uint64_t* word);
 
-// run_path.c: the same for paths. clear_paths destroys all paths.
+// run_path.c: likewise for paths. clear_paths destroys all paths.
 scree_path call_path(const CallRun* run);
 scree_status run_path(const CallRun* run);
 scree_status read_paths(const CallRun* run, uint64_t* word);
 scree_status clear_paths(const CallRun* run);
 
-// run_field.c: the same for fields.
+// run_field.c: likewise for fields.
 scree_status run_field(const CallRun* run);
 scree_status read_fields(const CallRun* run, uint64_t* word);
 scree_status clear_fields(const CallRun* run);
@@ -88,10 +89,10 @@ scree_status run_step(const CallRun* run);
 uint32_t call_random(uint32_t* seed);
 float call_random_part(uint32_t* seed); // from 0 to 1
 
-// Makes the call and returns its status; left gets the data that it read.
+// Makes the call and returns its status. run->left gets the data that the call read.
 scree_status run_call(const CallRun* run);
 
-// Creates the world of a program.
+// Creates the world of a program by its first call.
 scree_status run_world(const Place* place, const Call* call, scree_world** world);
 
 #endif

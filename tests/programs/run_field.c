@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_field.c -- calls of fields, and reads of their state.
+// run_field.c -- makes the calls of fields, and reads the state of fields.
 #include "programs/run_call.h"
 
 static scree_field call_field(const CallRun* r)
@@ -8,7 +8,7 @@ static scree_field call_field(const CallRun* r)
 	return k >= 0 && k < MOST_NAMES ? r->names->fields[k] : SCREE_NULL_FIELD;
 }
 
-// Creates a field, or redefines an existing one.
+// Creates a field, or redefines an existing field.
 static scree_status run_make(const CallRun* r)
 {
 	scree_field_def def = scree_field_def_default((scree_field_type)call_whole(r, "type"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_joint.c -- calls of joints, and reads of their state.
+// run_joint.c -- makes the calls of joints, and reads the state of joints.
 #include "programs/run_call.h"
 #include <float.h>
 #include <stddef.h>
@@ -10,7 +10,7 @@ static scree_joint joint_of(const CallRun* r, int k)
 	return k >= 0 && k < MOST_NAMES ? r->names->joints[k] : SCREE_NULL_JOINT;
 }
 
-// Returns a threshold; -1 stands for one that is never exceeded.
+// Returns a threshold. The argument -1 stands for a threshold that is never exceeded.
 static float threshold_of(const CallRun* r, const char* name)
 {
 	float x = call_real(r, name);
@@ -33,7 +33,7 @@ static scree_pose second_pose(const CallRun* r)
 	return (scree_pose){call_vec(r, "bx", "by"), scree_rot_make(call_real(r, "bangle"))};
 }
 
-// Sets the sides of a gear or a pulley, both with the same base.
+// Sets the sides of a gear or a pulley; both sides get the same base.
 static void set_sides(const CallRun* r, scree_joint_def* def)
 {
 	static const char* const names[] = {"measure_a", "measure_b"};
@@ -85,7 +85,7 @@ static scree_status run_one(const CallRun* r)
 	return make(r, &def, 1);
 }
 
-// Joins neighbors in a row of bodies, halfway between them, or each body of the row with the first.
+// Joins neighbors in a row of bodies, halfway between them; or joins the first body of the row with each of the others.
 static scree_status run_row(const CallRun* r)
 {
 	scree_joint_def defs[MOST_BATCH];
@@ -142,7 +142,7 @@ static scree_status run_change(const CallRun* r)
 		if (kind == CALL_joint_coordinate)
 			coordinates[k] = coordinate_of(r);
 		else if (kind == CALL_joint_enabled)
-			enabled[k] = call_whole(r, "enabled") != (k & 1); // alternates in a batch
+			enabled[k] = call_whole(r, "enabled") != (k & 1); // alternates between the joints of a batch
 		else
 			values[k] = call_real(r, "x");
 	}
@@ -194,7 +194,7 @@ scree_status run_joint(const CallRun* r)
 	}
 }
 
-// Returns whether a state has no NaN, which is no result and may differ between devices.
+// Returns whether a state has no NaN. States with NaN are not compared, because NaN may differ between devices.
 static bool state_counts(const scree_joint_state* s)
 {
 	bool counts = s->force.x == s->force.x && s->force.y == s->force.y && s->torque == s->torque;

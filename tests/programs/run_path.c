@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_path.c -- calls of paths, and reads of their state.
+// run_path.c -- makes the calls of paths, and reads the state of paths.
 #include "programs/run_call.h"
 #include <string.h>
 
@@ -11,7 +11,7 @@ scree_path call_path(const CallRun* r)
 	return k >= 0 && k < MOST_NAMES ? r->names->paths[k] : SCREE_NULL_PATH;
 }
 
-// Creates a path through points on a ring or a line of a size, each shifted by up to half of spread.
+// Creates a path through points on a ring or a line. Each point is shifted at random by up to half of spread.
 static scree_status run_new(const CallRun* r)
 {
 	scree_vec points[MOST_POINTS];

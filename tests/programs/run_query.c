@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// run_query.c -- queries and blasts of a program, which must have the same results in both worlds.
+// run_query.c -- makes the queries and blasts of a program, which must have the same results in both worlds.
 #include "programs/run_call.h"
 #include <math.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// run_step.c -- a step of a program and its events, which must be the same in both worlds and end as often as they
-// begin.
+// run_step.c -- takes a step of a program, and reads its events, which must be the same in both worlds and end as often
+// as they begin.
 #include "programs/run_call.h"
 
 static uint64_t name_of(const scree_contact* c)
@@ -27,8 +27,8 @@ static uint64_t name_of_visit(const scree_visit* v)
 	return hash_bytes(hash_bytes(0x9ae16a3b2f90404fu, &v->sensor, sizeof v->sensor), &v->visitor, sizeof v->visitor);
 }
 
-// Counts the beginnings and ends of events. Returns false if more have ended than begun, or if a touch or visit is open
-// in an empty world.
+// Adds the begin and end events of a step to the open events. Returns false if more events have ended than begun, or if
+// a touch or visit is open in an empty world.
 static bool balanced(Open* open, const scree_events* events, bool empty)
 {
 	for (int k = 0; k < events->touches_ended_count; ++k)

@@ -13,12 +13,12 @@ typedef struct
 	Program* best;
 	Program trial;
 	Pair* pair;
-	double end; // limit of time, s by the clock
+	double end; // s, by seconds_now: limit of time
 } Shrink;
 
 static bool over(const Shrink* s) { return seconds_now() > s->end; }
 
-// Keeps the trial if it differs too. Drops the calls after the first difference.
+// Keeps the trial if it also differs, without the calls after its first difference. Returns whether it was kept.
 static bool keeps(Shrink* s)
 {
 	if (s->trial.count < 2)
@@ -37,7 +37,7 @@ static void drop_calls(Shrink* s)
 	for (int part = s->best->count / 2; part >= 1 && !over(s); part /= 2)
 		for (int first = s->best->count - part; first >= 1 && !over(s); first -= part)
 		{
-			// by now the program may be shorter than this part
+			// kept trials may have made the program shorter than the end of this part
 			if (first + part > s->best->count)
 				continue;
 			s->trial.count = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// allocations.c -- an allocator that fails on request of a test.
+// allocations.c -- an allocator that fails when a test requests it.
 #include "support/allocations.h"
 #include <stdlib.h>
 #include <string.h>

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// allocations.h -- an allocator that fails on request of a test.
+// allocations.h -- an allocator that fails when a test requests it.
 #ifndef ALLOCATIONS_H
 #define ALLOCATIONS_H
 #include "support/checks.h"
 
-// From this call on the library uses an allocator with the limits below, none of which is set at first.
+// From this call on the library uses an allocator with the limits below. At first no limit is set.
 void count_allocations(void);
-extern int allocations_left;      // number of allocations before all others fail; negative: none fails
+extern int allocations_left;      // number of allocations that succeed before all others fail; negative: no limit
 extern size_t largest_allocation; // size of the largest allocation that succeeds, bytes
-extern bool shortage_passes;      // true: only one allocation fails, then allocations_left is -1
+extern bool shortage_passes;      // true: only one allocation fails; then allocations_left becomes -1
 
-// Checks that the call with this status failed for lack of memory, with a message. Then ends the shortage.
+// Checks that status is that of a call that failed for lack of memory, and that there is a message. Then ends the
+// shortage.
 void end_of_shortage(scree_status status);
 
 #endif

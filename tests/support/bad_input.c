@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bad_input.c -- the world for tests of bad arguments.
+// bad_input.c -- makes a world for calls with bad arguments, and checks that they are refused.
 #include "support/bad_input.h"
 #include <string.h>
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// bad_input.h -- a world whose functions get bad arguments, and checks that they refuse them.
+// bad_input.h -- makes a world for calls with bad arguments, and checks that they are refused.
 #ifndef BAD_INPUT_H
 #define BAD_INPUT_H
 #include "support/make_bodies.h"
 
-// A world with two crates on the ground, another world, and handles that are valid, foreign or stale.
+// `world` has two crates on the ground; `other` is another world. The handles are valid, foreign (of the other world)
+// or stale.
 extern scree_world *world, *other;
 extern scree_attribute crate, foreign;
 extern scree_body body, second, fixed, stale;
@@ -16,7 +17,8 @@ static const scree_pose good_pose = {{1, 2}, {0, 1}};
 int set_up_bad_input(void** state);
 int tear_down_bad_input(void** state);
 
-// Checks that a call returned the expected status and a message that contains both texts, and left the world unchanged.
+// Checks that a call returned the expected status, that its message contains both texts, and that the world is
+// unchanged.
 void assert_refused(scree_status status, scree_status expected, const char* function, const char* part_of);
 
 // REFUSED checks the call function(arguments).
