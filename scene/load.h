@@ -4,8 +4,8 @@
 #define LOAD_H
 #include "scene/scene.h"
 
-// Reads and checks a file. On an error it writes a message (SCENE_SENTENCE characters) and returns null. count: number
-// of settings. The caller frees the scene.
+// Reads and checks a file. On an error it writes a message (SCENE_SENTENCE characters) and returns null. count:
+// number of settings. The caller frees the scene.
 Scene* scene_load(const char* path, const SceneSetting* settings, int count, char* sentence);
 void scene_free(Scene* scene);
 

@@ -1,5 +1,5 @@
-# comments.awk -- prints comments that are not plain English, found by their first word or by a phrase: file:line: why:
-# text.
+# comments.awk -- prints comments that are not plain English, found by their first word, by the first word of a line or by
+# a phrase: file:line: why: text.
 #
 # STYLE.md has the rule. Consecutive lines that begin with // are one comment; a comment behind code is one too.
 function check(text, first)
@@ -24,6 +24,8 @@ FNR == 1 { flush() }
 	if (text ~ /^SPDX-License-Identifier/) { flush(); next }
 	if (before ~ /[^ \t\/]/) { flush(); start = FNR; comment = text; flush(); next }
 	if (comment == "") start = FNR
+	else if (tolower(text) ~ /^(of|what|where|so many)([^a-z_]|$)/)
+		printf "%s:%d: a line begins with %s\n", FILENAME, FNR, text
 	comment = comment (comment == "" ? "" : " ") text
 	if (FNR == 2) sub(/^[^ ]+ -- /, "", comment)
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_churn.c -- checks worlds whose bodies jump, are destroyed and created again, or lie at one point.
 //
-// Times vary too much for a test. The test checks their causes instead: the size of the nodes of the trees, the number
-// of contacts, and the memory that is reserved for contacts.
+// Times vary too much for a test. The test checks their causes instead: the size of the nodes of the trees, the
+// number of contacts, and the memory that is reserved for contacts.
 #include "platform/processor.h"
 #include "stages/geometry/box.h"
 #include "support/make_bodies.h"

@@ -189,8 +189,8 @@ static void check_spokes(const Graph* g, const Counters* counters, const int* co
 	*touching += spokes;
 }
 
-// Checks that constraints are sorted by color, and within a color by slot. Each color is padded with -1 to a multiple
-// of COLOR_PADDING.
+// Checks that constraints are sorted by color, and within a color by slot. Each color is padded with -1 to a
+// multiple of COLOR_PADDING.
 static void check_layout(Backend* b, const Graph* g)
 {
 	Counters* counters = calloc(1, sizeof *counters);

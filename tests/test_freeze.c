@@ -148,8 +148,8 @@ static void sums_end_at_the_most(void** state)
 	}
 }
 
-// Beads of 2 mm are welded or hinged at arms of 0.5 m. The inertia of a bead is 1/100,000 of its mass times the square
-// of the arm. The beads fall, and stay in a row.
+// Beads of 2 mm are welded or hinged at arms of 0.5 m. The inertia of a bead is 1/100,000 of its mass times the
+// square of the arm. The beads fall, and stay in a row.
 static void beads_at_long_arms(scree_joint_type type)
 {
 	scree_world* world = open_world(-10.0f);

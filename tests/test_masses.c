@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_masses.c -- checks masses of bodies: masses set by the user, bodies without density, and motion when the center
-// of mass changes.
+// test_masses.c -- checks masses of bodies: masses set by the user, bodies without density, and motion when the
+// center of mass changes.
 #include "support/make_bodies.h"
 #include <string.h>
 

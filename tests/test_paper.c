@@ -272,9 +272,9 @@ static void test_take_over(void** state)
 	paper_destroy(paper);
 }
 
-// Figures 5 and 6 start with a second of Scree's pipeline and a few steps of the paper's. After this start, a pyramid
-// of ten boxes has as many contacts and as deep overlaps as after a second of the paper's pipeline. A box touches two
-// boxes above it and two below it, but not the boxes beside it: 16 contacts, 4 of them with the ground.
+// Figures 5 and 6 start with a second of Scree's pipeline and a few steps of the paper's. After this start, a
+// pyramid of ten boxes has as many contacts and as deep overlaps as after a second of the paper's pipeline. A box
+// touches two boxes above it and two below it, but not the boxes beside it: 16 contacts, 4 of them with the ground.
 static void test_warm_up(void** state)
 {
 	(void)state;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // bounce.c -- balls of restitution 1 keep their energy, others rise to the right height, and gases gain no energy.
 //
-// With a restitution above 1 balls rise higher than before. Both engines integrate with v += g h, y += v h in substeps
-// of h seconds. So y + v^2 / 2g - v h / 2 is constant in free flight: it is the height of the apex, which can be
-// computed after any step.
+// With a restitution above 1 balls rise higher than before. Both engines integrate with v += g h, y += v h in
+// substeps of h seconds. So y + v^2 / 2g - v h / 2 is constant in free flight: it is the height of the apex, which can
+// be computed after any step.
 #include "props.h"
 #include <math.h>
 

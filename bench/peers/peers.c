@@ -2,9 +2,9 @@
 // peers.c -- compares the speed of Scree and Box2D v3 with the same scenes, steps, substeps and threads, without sleep.
 //
 // Each trial is a process, so that the engines do not share memory, threads or clock speed. The trials alternate, A B A
-// B, because the speed of a machine changes. A ratio is computed from each pair of consecutive trials, and the median
-// of the ratios is printed. Overlaps, contacts and final states come from trials that are not timed. A timed trial must
-// end in the same state.
+// B, because the speed of a machine changes. A ratio is computed from each pair of consecutive trials, and the
+// median of the ratios is printed. Overlaps, contacts and final states come from trials that are not timed. A timed
+// trial must end in the same state.
 #include "engine_box2d.h"
 #include "peer_queries.h"
 #include "peer_validate.h"

@@ -66,8 +66,8 @@ static int match(const char* name, int count, char** words)
 	return count > 2 && strcmp(words[2], name + first + 1) == 0 ? 2 : 0;
 }
 
-// Returns the command with the longest name that begins at words[1], or null if there is none. *named: number of words
-// of the name.
+// Returns the command with the longest name that begins at words[1], or null if there is none. *named: number of
+// words of the name.
 static const Command* find_command(const CommandLine* line, int count, char** words, int* named)
 {
 	const Command* found = NULL;

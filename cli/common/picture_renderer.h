@@ -25,8 +25,8 @@ scree_status picture_renderer_step(PictureRenderer* renderer, const ScenePlayer*
 // Shows this box of the world, in place of the view of the scene and of its detail.
 void picture_renderer_aim(PictureRenderer* renderer, scree_box view);
 
-// Draws the current state of the world. poses: poses of all bodies, in the order of scree_world_get_bodies; null: poses
-// of the world. Only Cairo can draw poses that differ from those of the world.
+// Draws the current state of the world. poses: poses of all bodies, in the order of scree_world_get_bodies; null:
+// poses of the world. Only Cairo can draw poses that differ from those of the world.
 scree_status picture_renderer_draw(PictureRenderer* renderer, const ScenePlayer* player, const scree_pose* poses,
                                    const char* caption);
 

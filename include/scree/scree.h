@@ -1026,15 +1026,15 @@ SCREE_API scree_status scree_path_set_user(scree_world* world, scree_path path, 
 // (scree_joint_side).
 //
 // A joint of type PATH holds anchor B on a path, which lies in frame A. Its translation along is an arc length of the
-// path, with all full laps on a closed path. Its translation across is the distance from the path, positive to the left
-// of the path's direction. Its angle is that of frame B relative to the direction of the path. The ends of an open path
-// act as limits.
+// path, with all full laps on a closed path. Its translation across is the distance from the path, positive to the
+// left of the path's direction. Its angle is that of frame B relative to the direction of the path. The ends of an open
+// path act as limits.
 //
 // Either body can be null: its frame is then in the world. Joints with a static or kinematic body are usual. A joint
 // between two bodies that cannot move, or with a disabled body, has no effect.
 //
-// Method: Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024. docs/joints.md has the formulas, and the equivalents
-// of the joint types of other engines.
+// Method: Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024. docs/joints.md has the formulas, and
+// the equivalents of the joint types of other engines.
 // ---------------------------------------------------------------------------------------------------------------
 
 typedef struct scree_joint
@@ -1111,8 +1111,8 @@ typedef enum scree_measure // measure of a frame relative to a base, which is a 
 
 // One side of a coupling. In joints of types GEAR and PULLEY, the coordinate along is the measure of frame B in its
 // base, plus ratio times the measure of frame A in its base. This coordinate can have a lock, limits, a spring and a
-// motor like any other. Its unit of force is N m if the measure of b is an angle. Bases do not move: couple two wheels
-// of one vehicle through their angles only if the vehicle does not rotate.
+// motor like any other. Its unit of force is N m if the measure of b is an angle. Bases do not move: couple two
+// wheels of one vehicle through their angles only if the vehicle does not rotate.
 typedef struct scree_joint_side
 {
 	scree_measure measure;

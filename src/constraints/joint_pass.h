@@ -55,10 +55,10 @@ INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Ve
 		raise_int(&p->counters->taut, 1);
 }
 
-// Applies the impulses of the last step, as a share if they would change the velocities by more than an allowed share
-// of max_speed and max_spin, because an impact must not be repeated. The allowed share grows while a joint carries an
-// impulse from step to step: such an impulse is a load that the other joints of the bodies hold too, as in the corner
-// of a net, which carries the weight of all knots.
+// Applies the impulses of the last step, as a share if they would change the velocities by more than an allowed
+// share of max_speed and max_spin, because an impact must not be repeated. The allowed share grows while a joint
+// carries an impulse from step to step: such an impulse is a load that the other joints of the bodies hold too, as in
+// the corner of a net, which carries the weight of all knots.
 INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];

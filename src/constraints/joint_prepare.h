@@ -39,8 +39,8 @@ INLINE void joint_lock(const Pools* p, const Real joint[4], int k, Int chained, 
 	joint_softness(p, joint[0], joint[1], splat(JOINT_CHAIN_STIFFER), &chain_rate, &chain_soft);
 	*soft = blend(*soft, chain_soft, chained);
 
-	// Angles of a chain need not yield: a welded beam does not sag. Translations must yield, because otherwise the pull
-	// of a bridge of planks without slack has no limit.
+	// Angles of a chain need not yield: a welded beam does not sag. Translations must yield, because otherwise the
+	// pull of a bridge of planks without slack has no limit.
 	if (k == JOINT_ANGLE)
 		*soft = blend(*soft, splat(0.0f), chained);
 }

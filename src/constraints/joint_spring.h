@@ -66,8 +66,8 @@ typedef struct
 
 // Returns the coefficients of a spring with a frequency in hertz and a damping ratio, both defined for the coordinate's
 // yield without other locks. share: the yield while the rigid locks of the joint hold, as a share of that yield.
-// beside: largest number of constraints of a body of the joint, times the springs of the joint; alone: above 0 in lanes
-// whose bodies have no other constraints.
+// beside: largest number of constraints of a body of the joint, times the springs of the joint; alone: above 0 in
+// lanes whose bodies have no other constraints.
 INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real share, Real beside, Real alone)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);

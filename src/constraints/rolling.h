@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // rolling.h -- computes normal, arms and gaps of a round contact, which follow the motion of its bodies.
 //
-// A contact point lies at a corner of one core, and on an edge or at a corner of the other. Corner, edge and the poses
-// of the bodies are the complete state, so no stored point of a surface lags behind a roller.
+// A contact point lies at a corner of one core, and on an edge or at a corner of the other. Corner, edge and the
+// poses of the bodies are the complete state, so no stored point of a surface lags behind a roller.
 //
 // The forces of a step act along the normal while the bodies move on. Consider a roller whose geometry has the
 // stiffness k, which is load divided by mass and radius. A step of N substeps has the determinant 1 + ((N - 1) / (2 N)

@@ -26,9 +26,9 @@
 #define INLINE_LONG static inline __attribute__((always_inline))
 #endif
 
-// Marks large parts, without barriers, of large kernels. With CALLS they are not inlined, because PoCL copies the code
-// of a kernel: three times, and again three times between barriers that not all work-items reach. In WebAssembly they
-// are not inlined, so that pages are smaller.
+// Marks large parts, without barriers, of large kernels. With CALLS they are not inlined, because PoCL copies the
+// code of a kernel: three times, and again three times between barriers that not all work-items reach. In WebAssembly
+// they are not inlined, so that pages are smaller.
 #if defined(CALLS) || defined(__EMSCRIPTEN__)
 #define OUT_OF_LINE static __attribute__((noinline))
 #else

@@ -25,11 +25,11 @@ INLINE Word overlaps8(const GLOBAL Float4* boxes, Float4 box)
 }
 #endif
 
-// Returns a bit mask of the packed boxes that a moving box meets: bit k for packed box k. sides: x and y of the sides
-// of the moving box that enter other boxes first, then of the sides that leave them last. inverse: 1 / x and 1 / y of
-// its path. enter: fraction of the path at which the moving box enters each packed box, at least 0; boxes entered at a
-// fraction above most do not count. All operations are monotonic: a box that encloses other boxes is entered no later
-// than these.
+// Returns a bit mask of the packed boxes that a moving box meets: bit k for packed box k. sides: x and y of the
+// sides of the moving box that enter other boxes first, then of the sides that leave them last. inverse: 1 / x and 1 /
+// y of its path. enter: fraction of the path at which the moving box enters each packed box, at least 0; boxes entered
+// at a fraction above most do not count. All operations are monotonic: a box that encloses other boxes is entered no
+// later than these.
 #ifndef BEAM8
 INLINE Word beam8(const GLOBAL Float4* boxes, Float4 sides, Float2 inverse, float most, float enter[8])
 {

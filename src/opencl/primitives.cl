@@ -7,8 +7,8 @@
 // the two, which scans the table, would take longer than reading the table many times: the table is small and cached.
 // The persistent kernel processes the same parts, with a device-wide barrier instead of the end of a launch.
 //
-// The number of items is read on the device; work-groups without items return at once. A pool is passed as the buffer
-// of its kind and an offset in bytes. The counters have a buffer of their own.
+// The number of items is read on the device; work-groups without items return at once. A pool is passed as the
+// buffer of its kind and an offset in bytes. The counters have a buffer of their own.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 

@@ -22,8 +22,8 @@
 // Light loads need no such limit: up to the overlap under a load of FIRM_WEIGHTS times the body's own weight, a contact
 // is firmer. Its frequency is multiplied by FIRM_PAIR between bodies that can move, by FIRM_FIXED if one cannot. So
 // stacks sink less, and only heavier loads reach the soft part of the spring. The damping is that of the firm part, so
-// impacts do not get deeper. At 240 substeps per second the factors give 52 and 104 Hz; with larger factors, a pyramid
-// of base 100 never comes to rest.
+// impacts do not get deeper. At 240 substeps per second the factors give 52 and 104 Hz; with larger factors, a
+// pyramid of base 100 never comes to rest.
 #define FIRM_WEIGHTS 20.0f
 #define FIRM_PAIR    1.3f
 #define FIRM_FIXED   2.6f

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // coloring.c -- checks that colors, counts and hubs of the constraints of a world are consistent after each step.
 //
-// Within a step, constraints begin and end in an order that is arbitrary on a GPU. Meanwhile the number of constraints
-// of a body may exceed the limit for hubs for a short time. The state after a step may depend only on the numbers at
-// its end. This check finds violations without a GPU.
+// Within a step, constraints begin and end in an order that is arbitrary on a GPU. Meanwhile the number of
+// constraints of a body may exceed the limit for hubs for a short time. The state after a step may depend only on the
+// numbers at its end. This check finds violations without a GPU.
 #include "constraints/constraint_kinds.h"
 #include "programs/program.h"
 #include "world/world.h"

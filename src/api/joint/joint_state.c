@@ -22,8 +22,8 @@ static scree_joint_state state_of(const JointState* row)
 	return state;
 }
 
-// Computes and reads the states of all joints between the lowest and the highest index of the batch, then copies those
-// of the batch.
+// Computes and reads the states of all joints between the lowest and the highest index of the batch, then copies
+// those of the batch.
 scree_status scree_joints_get_states_sized(scree_world* world, const scree_joint* joints, scree_joint_state* states,
                                            size_t size, int count)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// mover_slide.c -- computes the parts of the motion of movers: each part makes a few rounds of queries, for all movers
-// of a call together.
+// mover_slide.c -- computes the parts of the motion of movers: each part makes a few rounds of queries, for all
+// movers of a call together.
 #include "api/mover/mover_slide.h"
 #include "world/check.h"
 #include "world/failure.h"

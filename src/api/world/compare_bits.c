@@ -2,8 +2,8 @@
 // compare_bits.c -- compares the bits of a device with those of the CPU.
 //
 // Some drivers report their arithmetic wrongly. Therefore a small world of all shapes falls, bounces, slides and rolls
-// on the device and on the CPU: contracted products, other rounding of divisions and flushed denormals change the hash
-// of this world.
+// on the device and on the CPU: contracted products, other rounding of divisions and flushed denormals change the
+// hash of this world.
 #include "api/world/compare_bits.h"
 #include "platform/error.h"
 #include "world/create.h"

@@ -138,8 +138,8 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem 
 	return SCREE_OK;
 }
 
-// Computes the work-groups that are resident at once. A CPU executes work-items one after another, so it gets one group
-// of one work-item, which suffices for tests.
+// Computes the work-groups that are resident at once. A CPU executes work-items one after another, so it gets one
+// group of one work-item, which suffices for tests.
 static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 {
 	size_t most = 0;

@@ -74,8 +74,8 @@ INLINE void relay_send_next(const Relay* r, Side side, int q, Body body)
 		              body.v.y, body.w);
 }
 
-// Finishes pass q of a body, if this side is the body's last: integrates the body and sends it to its first constraint
-// of the next pass, or stores it after the last pass.
+// Finishes pass q of a body, if this side is the body's last: integrates the body and sends it to its first
+// constraint of the next pass, or stores it after the last pass.
 INLINE void relay_finish_pass(const Pools* p, const Relay* r, Side side, int q, Body body, float m[8], float base[4])
 {
 	if (!side.moves || !side.last)

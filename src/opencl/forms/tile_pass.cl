@@ -88,8 +88,8 @@ INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
 
 #define TILE_LAST_COLUMN (TILE_COLUMNS - 1)
 
-// Returns the place of the next constraints of a work-group: `at` if it is in the same column, otherwise the beginning
-// of the next column with constraints.
+// Returns the place of the next constraints of a work-group: `at` if it is in the same column, otherwise the
+// beginning of the next column with constraints.
 INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column)
 {
 	if (at < range[*column + 1])
