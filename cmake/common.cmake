@@ -1,4 +1,4 @@
-# common.cmake -- builds scree_common: clock, random numbers, hash and medians of all programs except the library.
+# common.cmake -- builds scree_common: clock, random numbers, hash, medians and spaced names for programs.
 file(GLOB common_sources CONFIGURE_DEPENDS tools/common/*.c)
 add_library(scree_common STATIC EXCLUDE_FROM_ALL ${common_sources})
 scree_flags(scree_common)

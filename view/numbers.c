@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // numbers.c -- writes the numbers of a body as lines of text, for the panel.
 #include "view/numbers.h"
+#include "tools/common/spaced.h"
 #include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
@@ -19,13 +20,11 @@ static void add(Numbers* numbers, const char* format, ...)
 	va_end(values);
 }
 
-// Adds a value of body_values.def, with spaces in its name instead of underscores.
+// Adds a value of body_values.def, by its name as words.
 static void add_value(Numbers* numbers, const char* name, float value)
 {
 	char label[NUMBER_TEXT];
-	snprintf(label, sizeof label, "%s", name);
-	for (char* c = label; *c; ++c)
-		*c = *c == '_' ? ' ' : *c;
+	spaced(name, label, sizeof label);
 	add(numbers, "%.40s %.3g", label, (double)value);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // plot_bars.c -- writes figure 6 as commands for gnuplot: share of each stage in a step.
 #include "tools/paper/plot_bars.h"
+#include "tools/common/spaced.h"
 #include "tools/paper/plot_text.h"
 
 // Colors of stages. Light and dark colors take turns in a bar, so that stages can also be distinguished in gray.
@@ -61,14 +62,6 @@ static void put_scene(FILE* to, const Table* table, int scene)
 	fprintf(to, "set xrange [0:%g]\n", x + 1);
 }
 
-// Writes the name of a stage with spaces: "to_device" becomes "to device".
-static void stage_text(const char* name, char text[PLOT_TEXT])
-{
-	snprintf(text, 32, "%s", name);
-	for (; *text; ++text)
-		*text = *text == '_' ? ' ' : *text;
-}
-
 // Writes a plot command for all stages: the bars of a scene or, with legend, only their legend in an empty plot.
 static void put_stages(FILE* to, bool legend)
 {
@@ -76,7 +69,7 @@ static void put_stages(FILE* to, bool legend)
 	for (int k = 0; k < FIGURE_STAGE_COUNT; ++k)
 	{
 		char text[PLOT_TEXT];
-		stage_text(figure_stages[k], text);
+		spaced(figure_stages[k], text, sizeof text);
 		if (legend)
 			fprintf(to, ", NaN with boxes lc rgb color[%d] title '%s'", k + 1, text);
 		else

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // time_part.cpp -- draws the part of the panel with the graph of milliseconds, times of the stages, and counters; in
 // C++.
+#include "tools/common/spaced.h"
 #include "view/window/look.h"
 #include "view/window/parts.h"
 #include "view/window/sizes.h"
-#include <algorithm>
-#include <cstring>
 #include <imgui.h>
 
 #define LIMIT (1000.0f / 60.0f) // ms: duration of a frame at 60 frames per second
@@ -14,8 +13,7 @@ static void draw_bar(const char* name, float value, float whole)
 {
 	char text[32], label[32];
 	snprintf(text, sizeof text, "%.3f ms", static_cast<double>(value));
-	snprintf(label, sizeof label, "%s", name);
-	std::replace(label, label + strlen(label), '_', ' ');
+	spaced(name, label, sizeof label);
 	ImGui::Text("%s", label);
 	ImGui::SameLine(sized(112.0f));
 	ImVec2 at = ImGui::GetCursorScreenPos();
