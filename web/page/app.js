@@ -78,7 +78,7 @@ class App {
 		this.layerNames = layers.map(({ name }) => name);
 		layers.forEach(({ name, on }) => this.setLayer(name, on));
 		$('form').textContent = form === 'threads' ? `${threads} threads` : form === 'simd' ? 'SIMD, 1 thread' : 'no SIMD, 1 thread';
-		$('form').title = 'the form of WebAssembly that this browser runs';
+		$('form').title = 'the build for WebAssembly that this browser runs';
 		$('form').hidden = false;
 		this.buildTransport();
 		this.buildLook(layers, paints);
