@@ -5,12 +5,18 @@
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
 #   FOLDER  gets parity.csv, programs.txt, bench.csv, queries.csv, rays.csv, frames.csv, machine.txt and the curves; default
 #           bench/results/DEVICE
-# Variables and their defaults: STEPS, the number of steps after which hashes are compared (300); HEAVY, the scenes that the CPU
-# simulates with one thread for only HEAVY_STEPS (10) steps (million); PROGRAMS and SECONDS_EACH, as for bench/programs.sh, which
-# PROGRAMS=0 leaves out.
-# BENCH: the scenes to measure. FRAMES: the scenes to draw. QUERIES: the scene for a million queries. RAYS: the scene whose rays are
-# cast after every step. The value none leaves out the part. CURVES=yes also runs bench/curves.sh, and FIGURES=yes draws the figures
-# of docs/paper.md. Exit 1 when a hash or a picture differs or a row is invalid.
+# Variables and their defaults:
+#   STEPS (300)      number of steps after which hashes are compared
+#   HEAVY (million)  scenes that the CPU simulates with one thread for only HEAVY_STEPS (10) steps
+#   PROGRAMS, SECONDS_EACH  passed to bench/programs.sh; PROGRAMS=0 skips that script
+#   BENCH            scenes to measure
+#   FRAMES           scenes to draw
+#   QUERIES          scene for a million queries
+#   RAYS             scene whose rays are cast after every step
+#   CURVES=yes       also runs bench/curves.sh
+#   LIMIT (240)      maximum seconds of a run
+#   FIGURES=yes      draws the figures of docs/paper.md
+# BENCH, FRAMES, QUERIES or RAYS with the value none skips its part. Exit 1 when a hash or a picture differs or a row is invalid.
 set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"
 cd "$(dirname "$0")/.."

@@ -77,7 +77,8 @@ static void world_goes_back(void** state)
 	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(was_logged("the world does not stay on opencl:"));
 
-	// the next trial starts when the world has spent many times the cost of this trial in steps
+	// the cost of the trial and its failure are kept: the next trial starts after steps that together took many times as
+	// long as this trial
 	assert_true(world->auto_device.cost > 0.0);
 	assert_true(world->auto_device.failures == 1);
 	assert_false(world->auto_device.trial);

@@ -119,7 +119,7 @@ static void test_bad_expressions(void** state)
 		free(expression);
 	}
 
-	// errors that depend on an index appear when it is evaluated
+	// compilation accepts these expressions; evaluation reports errors that depend on an index
 	char error[160], deep[400] = "";
 	const double indices[] = {3};
 	Item item = {indices, 1, 0};

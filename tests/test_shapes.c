@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_shapes.c -- checks the contacts, impulses, rest and overlaps of every pair of shapes, in whole worlds.
+// test_shapes.c -- steps worlds with every pair of shapes, and checks contacts, impulses, overlaps and the state of rest.
 #include "support/make_bodies.h"
 #include <math.h>
 #include <stdio.h>

@@ -42,7 +42,7 @@ pack()
 		--mode=u=rwX,go=rX --exclude=./package --transform="s,^\.,$2," -C "$1" -cf - . | gzip -9n >"$folder/$3"
 }
 pack "$tree/build/web" "scree-page-$version" "scree-page-$version.tar.gz"
-# npm requires the prefix package
+# npm requires that all paths in the archive begin with "package/"
 pack "$tree/build/web/package" package "scree-npm-$version.tgz"
 rm -rf "$tree"
 (cd "$folder" && sha256sum -- *.t*gz >SHA256SUMS && cat SHA256SUMS)

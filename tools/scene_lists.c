@@ -222,8 +222,8 @@ static void print_key(const FormatKey* key, size_t index, const char* made)
 	printf("}");
 }
 
-// Prints the member of the schema that lists the keys of an object with one need. Prints nothing if there are no such
-// keys.
+// Prints the member of the schema that lists those keys of an object whose need is `need`. Prints nothing if the object
+// has no such key.
 static void print_needs(FormatObject object, FormatNeed need, const char* before, const char* begin, const char* end,
                         const char* after)
 {

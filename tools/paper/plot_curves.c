@@ -57,8 +57,9 @@ static void put_curves(FILE* to, const Table* table)
 	fputs("EOD\n", to);
 }
 
-// Marks crossovers by triangles: OpenCL becomes faster than the CPU. In left plots the number of bodies is beside the
-// triangle. In right plots triangles are close together, so the numbers are in the empty corner.
+// Marks crossovers by triangles. A crossover is the number of bodies from which OpenCL is faster than the CPU. In left
+// plots this number is beside the triangle. In right plots triangles are close together, so the numbers are in the empty
+// corner.
 static void put_crossovers(FILE* to, const Table* table, int scene, double most)
 {
 	int lines = 0;
