@@ -4,7 +4,7 @@
 #define OPENCL_CONTEXT_H
 #include "opencl/opencl_state.h"
 
-// Sets context and program. opengl: OpenGL context that shares memory; then no other world uses the two. Or null.
+// Sets context and program. opengl: null, or an OpenGL context that shares memory; no other world then uses the two.
 scree_status context_open(OpenCl* d, const char* options, const scree_opengl* opengl);
 
 // Releases context and program, unless other worlds use them or they are kept (context.c).

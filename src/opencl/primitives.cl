@@ -65,7 +65,7 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 }
 
 // Writes the keys of a part to their places, stably, by one digit. A bit mask per digit gives the rank of a key among
-// PRIMITIVE_GROUP keys: each work-item sets a bit and counts the lower ones. Work-item t counts digit t.
+// PRIMITIVE_GROUP keys: each work-item sets a bit and counts lower bits. Work-item t has the next place of digit t.
 INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
                             uint block, int shift, uint mask, LOCAL SortMemory* bench)
 {
