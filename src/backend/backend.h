@@ -34,7 +34,7 @@ typedef struct // memory that OpenGL or another program uses too; the caller own
 typedef enum // uses of shared memory
 {
 	SHARED_ROWS,    // render rows
-	SHARED_QUERIES, // queries and their answers
+	SHARED_QUERIES, // queries and query results
 	SHARED_USES
 } SharedUse;
 

@@ -25,8 +25,8 @@
 #define SCAN_ITEMS  4 // number of consecutive items that a work-item processes at a time
 #define SCAN_GRAIN  (PRIMITIVE_GROUP * SCAN_ITEMS)
 
-#define PERSISTENT_GROUP  PRIMITIVE_GROUP // work-items per group, which also sort; maximum runs in its list
-#define PERSISTENT_HEADER 32              // number of ints before the runs in this list; the first counts arrivals
+#define PERSISTENT_GROUP  PRIMITIVE_GROUP // work-items per group, as many as in a sort; maximum runs in a list
+#define PERSISTENT_HEADER 32              // number of ints before the runs in the list; the first counts arrivals
 #define PERSISTENT_PROBE  (-1)            // run that tests whether groups are resident at once and exchange writes
 
 #define RELAY_GROUP     32        // work-items per group, which share barriers but no bodies; equal to COLOR_PADDING
@@ -39,7 +39,7 @@
 #define STREAM_FLOAT4S (STREAM_QUADS + (STREAM_PAIRS + 1) / 2)
 
 #ifndef TILE_BODIES      // tests with small worlds define other values
-#define TILE_BODIES 1024 // in local memory, 36 bytes each; more bodies: fewer border constraints, but a lower occupancy
+#define TILE_BODIES 1024 // in local memory, 32 bytes each; with more, fewer border constraints but lower occupancy
 #define TILE_GROUP  256  // work-items per tile
 #endif
 // Columns of the table of tiles: beginnings of the constraints of each color and kind of a tile, and their end.

@@ -117,7 +117,7 @@ INLINE void relay_load_motion(const Pools* p, const Relay* r, Side side, int q, 
 	}
 }
 
-// Loads the constants for integration, and the body if it needs no ticket: it cannot move, or is at the first one.
+// Loads the constants for integration, and the body if it needs no ticket: it cannot move, or the step begins.
 INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body* body, float m[8], float base[4])
 {
 	if (!side.moves || (q == 0 && side.before == 0))
