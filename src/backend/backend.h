@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// backend.h -- declares the functions of a device, which stores pools, executes lists of runs and solves; the caller
-// orders the stages of the step.
+// backend.h -- declares the backend of a device: pools, lists of runs, solves. The caller orders the stages of a step.
 #ifndef BACKEND_H
 #define BACKEND_H
 #include "backend/run_list.h"
@@ -35,7 +34,7 @@ typedef struct // memory that OpenGL or another program uses too; the caller own
 typedef enum // uses of shared memory
 {
 	SHARED_ROWS,    // render rows
-	SHARED_QUERIES, // queries and their answers
+	SHARED_QUERIES, // queries and query results
 	SHARED_USES
 } SharedUse;
 
@@ -54,9 +53,8 @@ typedef struct
 	int count;
 } ActiveBlocks;
 
-// Distribution of long items, sorted by length, to workers: forward in even rounds, backward in odd rounds. So workers
-// have similar amounts of work, and the same items in every pass. Maps a worker to its position in a round, and a
-// position to its worker.
+// Maps a worker to its position in a round of long items, sorted by length, and a position to its worker: forward in
+// even rounds, backward in odd rounds, for similar amounts of work and the same items in every pass.
 static inline int dealt(int round, int place, int workers) { return round & 1 ? workers - 1 - place : place; }
 
 typedef struct // upload of many items, a kernel over each item, and readback of a result for each item
@@ -66,8 +64,8 @@ typedef struct // upload of many items, a kernel over each item, and readback of
 	Run run; // run of the kernel, which begins at item 0
 	PoolId answered;
 	void* answers; // results, in the order of the items
-	// Checks items begin to end - 1, in any thread while the device works; null for no check. No result is written to
-	// `answers` before all items are valid. The kernel ends even if items are invalid.
+	// Checks items begin to end - 1, in any thread while the device works; null: no check. Results are written to
+	// `answers` only if all items are valid. The kernel ends even if items are invalid.
 	scree_status (*check)(const void* context, int begin, int end);
 	const void* context; // argument of check
 } Batch;
@@ -81,11 +79,9 @@ typedef struct // every function that returns a status sets the error's sentence
 	scree_status (*resize)(Backend* b, Per per, int capacity);
 	// executes runs in order; each run is complete before the next begins; may return before the device has finished
 	scree_status (*run)(Backend* b, const Step* step, const Run* runs, int count);
-	// executes a solve to the final poses, with the result of solve_list; list is empty, and its capacity suffices for
-	// solve_list
+	// executes a solve to the final poses, with the result of solve_list; list is empty, with capacity for solve_list
 	scree_status (*solve)(Backend* b, const Step* step, const Solve* solve, RunList* list);
-	// copy items first to first + count - 1 to and from the device, in order with the runs; read returns when the copy
-	// is done
+	// copy `count` items, from item `first` on, to and from the device, in order with the runs; read returns afterwards
 	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
 	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);
 	// a read in two halves: read_begin starts a copy after the runs before it; read_end returns when this copy is done,
@@ -95,8 +91,7 @@ typedef struct // every function that returns a status sets the error's sentence
 	// combines write, run and read, which may overlap
 	scree_status (*batch)(Backend* b, const Step* step, const Batch* batch);
 	scree_status (*wait)(Backend* b);
-	// returns the milliseconds of each stage since the last call, after all work has ended, and clears them; zeros
-	// without BackendOptions.timings
+	// returns and clears the times of the stages since the last call, after all work; 0 without BackendOptions.timings
 	scree_status (*timings)(Backend* b, double milliseconds[STAGE_COUNT]);
 	// sets the memory of a use, null for none, after all work has ended; on failure keeps the previous memory
 	scree_status (*share)(Backend* b, SharedUse use, const SharedMemory* memory);
@@ -106,17 +101,14 @@ typedef struct // every function that returns a status sets the error's sentence
 	// offset, into the pool. upload: from the pool into this memory; returns when other programs may read it
 	scree_status (*download)(Backend* b, PoolId pool, int count, size_t offset);
 	scree_status (*upload)(Backend* b, PoolId pool, int count, size_t offset);
-	// returns the address of a pool in host memory, valid until the next resize; null if the pools are not in host
-	// memory
+	// returns the address of a pool in host memory, valid until the next resize; null if pools are not in host memory
 	void* (*address)(Backend* b, PoolId pool);
-	// frees a core for other work of this process (true), or takes it back (false), between lists; null if the backend
-	// uses no cores
+	// frees a core for other work of this process (true), or takes it back, between lists; null: no cores are used
 	void (*spare)(Backend* b, bool core);
 	// allocate and release two blocks, to measure the speed of copies; release also works without blocks
 	scree_status (*copy_reserve)(Backend* b, size_t bytes);
 	void (*copy_release)(Backend* b);
-	// copies one block to the other the given number of times; the whole device takes part; returns when the copies are
-	// done
+	// copies one block to the other `times` times, on the whole device; returns after the copies
 	scree_status (*copy)(Backend* b, int times);
 } BackendFunctions;
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// batch.c -- executes a batch in one part: uploads all items, executes the kernel, checks the items and reads all
-// results back.
+// batch.c -- executes a batch in one part: uploads the items, runs the kernel, checks the items, and reads the results.
 #include "backend/batch.h"
 #include "platform/error.h"
 

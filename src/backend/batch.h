@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// batch.h -- executes a batch in one part: uploads all items, executes the kernel, checks the items and reads all
-// results back.
+// batch.h -- executes a batch in one part: uploads the items, runs the kernel, checks the items, and reads the results.
 #ifndef BATCH_H
 #define BATCH_H
 #include "backend/backend.h"

@@ -22,8 +22,7 @@ void runs_add_single(RunList* list, int kernel);
 // Returns the number of bits that an index below `count` takes in a sort key, at least 1.
 int index_bits(int count);
 
-// Adds a sort of items 0 to end - 1 by bits low to high - 1 of their keys. count: counter that may lower the end, or
-// NO_COUNT.
+// Adds a sort of items 0 to end - 1 by bits low to high - 1 of their keys. count: as for runs_add.
 void runs_add_sort(RunList* list, int end, int count, int low, int high);
 
 #endif

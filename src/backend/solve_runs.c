@@ -10,16 +10,14 @@ int solve_bodies(const Solve* solve) { return padded(solve->bodies); }
 
 int solve_runs_most(int substeps)
 {
-	// maximum of a pass: one run per color and kind, two per hub color, two of chains, one each of branches and
-	// overflow, one over bodies
+	// per pass: one run per color and kind, two per hub color, two of chains, one each of branches, overflow and bodies
 	return schedule_passes(substeps, 1) * (COLORS * CONSTRAINT_KINDS + 2 * HUB_COLORS + 5) + 2 * CONSTRAINT_KINDS +
 	       COLORS + 14;
 }
 
-// Adds a pass. In the relax pass, heavy chains between light bodies are solved before the colors: they remove the
-// velocity with which the bias pass pulled their frames together. Otherwise contacts of the light bodies would stop
-// this velocity with impulses that remain, and a landing cart would be thrown up again. Counters.split on the host is
-// up to date only if the layout is: in a solve with a bound.
+// Adds a pass. Relax solves heavy chains between light bodies before the colors: they remove the velocity with which
+// bias pulled their frames together. Otherwise contacts of the light bodies would stop it with impulses that remain,
+// and throw a landing cart up. With a bound, Counters.split is up to date on the host.
 static void add_pass(RunList* list, const Solve* solve, int pass)
 {
 	const Counters* c = solve->counters;

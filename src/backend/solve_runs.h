@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// solve_runs.h -- builds a whole solve, from velocities and constraints to final poses: its data, and its list of runs.
-//
-// The backend chooses the form: the list of runs, or fewer launches that do the same. Every form has the order of
-// constraints/schedule.h.
+// solve_runs.h -- builds a whole solve, from velocities and constraints to final poses, as a list of runs. A backend
+// may choose a form with fewer launches; every form has the order of constraints/schedule.h.
 #ifndef SOLVE_RUNS_H
 #define SOLVE_RUNS_H
 #include "backend/run_list.h"
@@ -16,10 +14,9 @@ typedef struct
 	bool bounces;                // as in Step
 	bool unlocked;               // some body with joints may have no collidable, and therefore no leaf in a tree
 	int chains, chain_places;    // items of a pass over chains; number of spots of chains and branches
-	// first item of the pass over chains with a heavy chain between light bodies; all later items have such a chain too
-	int carried;
-	int branches;             // items of a pass over branches, which follow the chains
-	bool taut;                // colored joints may pull so hard that bodies need larger inertias for the step
+	int carried;  // items of the pass over chains from this index on have a heavy chain between light bodies
+	int branches; // items of a pass over branches, which follow the chains
+	bool taut;    // colored joints may pull so hard that bodies need larger inertias for the step
 	const Counters* counters; // counters on the host; they contain the layout of the constraints
 	int bound; // counter that is 0 if the layout is out of date, so that the device skips the solve; or NO_COUNT
 } Solve;
@@ -45,8 +42,7 @@ static inline int solve_constraints(const Solve* solve) { return solve_first(sol
 int solve_bodies(const Solve* solve);
 int solve_runs_most(int substeps);
 
-// solve_taut adds the runs that raise inertias for taut joints; it comes after the kernel solve_begin. solve_slack adds
-// the run that restores them; it comes after the passes.
+// solve_taut raises inertias for taut joints, after the kernel solve_begin; solve_slack restores them after the passes.
 void solve_taut(const Solve* solve, RunList* list);
 void solve_slack(const Solve* solve, RunList* list);
 

@@ -21,8 +21,8 @@ typedef enum
 #include "stages/kernels.def"
 #undef X
 	KERNEL_COUNT,
-	// Primitives, not kernels: each backend has its own implementation, with equal results. SORT: sorts items 0 to end
-	// - 1 of pool key, stably, by bits RUN_LOW to RUN_HIGH - 1 of the key; both are in the run's argument.
+	// Primitives, implemented by each backend with equal results. SORT: sorts items 0 to end - 1 of pool key, stably,
+	// by bits RUN_LOW to RUN_HIGH - 1 of the key, which are in the run's argument.
 	PRIMITIVE_SORT = KERNEL_COUNT,
 	PRIMITIVE_SCAN, // replaces each of items 0 to end - 1 of pool scan by the sum of the items before it
 	RUN_KINDS

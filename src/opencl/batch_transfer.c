@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// batch_transfer.c -- executes a batch on a GPU in parts that overlap: sends the items of a part, runs the kernel over
-// them, and fetches their results.
+// batch_transfer.c -- executes a batch on a GPU in parts that overlap: sends items, runs the kernel, fetches results.
 //
 // While the kernel works on a part, the items of the next part are sent and the results of the previous part are
-// fetched; a bus transfers in both directions at once. Each direction and the kernel have a queue; events order the
-// commands of the three queues.
+// fetched: a bus transfers both ways at once. Each direction and the kernel have a queue; events order their commands.
 #include "opencl/batch_transfer.h"
 #include "backend/batch.h"
 #include "opencl/launch.h"
@@ -14,9 +12,8 @@
 
 #define DEPTH (TRANSFER_BLOCKS / 2) // maximum parts in flight; a part has a block for items and a block for results
 
-// Number of parts of a batch, unless the size of a block requires more. With more than one part, transfers and work
-// overlap, and a part still has enough work-items for a GPU. A million rays took an H200 1.9 ms in one part, 2.3 ms in
-// four and 3.0 ms in eight.
+// Number of parts of a batch, unless the size of a block requires more: with several parts, transfers and kernels
+// overlap. Kernels over a million rays take an H200 1.9 ms in one part, 2.3 ms in four and 3.0 ms in eight.
 #define PARTS 4
 
 typedef struct
@@ -42,7 +39,7 @@ static void check_share(void* context, int block, int blocks)
 	checked->bad[block] = begin < end && x->check(x->context, begin, end) != SCREE_OK;
 }
 
-// Checks all items; the threads share them. On failure the error message is that of the first bad item.
+// Checks all items, in several threads. The error message is that of the first bad item.
 static scree_status check(OpenCl* d, const Batch* x)
 {
 	BatchCheck checked = {.batch = x};
@@ -69,8 +66,7 @@ static int up_block(int k) { return k % DEPTH; }
 
 static int down_block(int k) { return DEPTH + k % DEPTH; }
 
-// Copies the items of part k to a block, and the results of part back from a block to the user's array. Omits a part if
-// k is too large or back is -1.
+// Copies the items of part k to a block if k < parts, and the results of part `back` to the user if back >= 0.
 static void copy(const Way* way, int k, int back)
 {
 	const Batch* x = way->batch;
@@ -87,8 +83,7 @@ static void copy(const Way* way, int k, int back)
 		transfer_copy(way->d, loads, count);
 }
 
-// Enqueues part k: sends its items, runs the kernel over them, and fetches the results. begin: event after which the
-// device may overwrite the items of the pool.
+// Enqueues all commands of part k. begin: event after which the device may overwrite the pool of the items.
 static scree_status enqueue(const Way* way, int k, cl_event begin)
 {
 	OpenCl* d = way->d;
@@ -124,7 +119,7 @@ static scree_status go(const Way* way)
 		if (back == 0)
 			status = check(d, way->batch);
 		if (back >= 0 && back < way->parts && status == SCREE_OK)
-			status = transfer_settle(d, down_block(back)); // afterwards the items of part back are no longer needed
+			status = transfer_settle(d, down_block(back)); // the kernel has then read the items of this part too
 		if (status != SCREE_OK)
 			break;
 		if (k < way->parts)
@@ -164,10 +159,10 @@ scree_status opencl_batch(Backend* b, const Step* step, const Batch* batch)
 	scree_status status = go(&way);
 	if (status == SCREE_OK)
 	{
-		d->staging.used = 0; // the results arrived after all uploads
+		d->staging.used = 0; // the uploads ended before the results arrived
 		return SCREE_OK;
 	}
-	// before the blocks may be used again, all transfers must have ended
+	// all transfers end before the blocks are used again
 	opencl.Finish(d->transfer.up);
 	opencl.Finish(d->queue);
 	opencl.Finish(d->transfer.down);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// batch_transfer.h -- executes a batch on a GPU in parts that overlap: sends items, runs the kernel, and fetches
-// results.
+// batch_transfer.h -- executes a batch on a GPU in parts that overlap.
 #ifndef BATCH_TRANSFER_H
 #define BATCH_TRANSFER_H
 #include "opencl/opencl_state.h"

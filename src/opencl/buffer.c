@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// buffer.c -- creates buffers that are not pools, scratch buffers and pinned memory.
+// buffer.c -- creates scratch buffers, pinned memory and other buffers that are not pools.
 #include "opencl/buffer.h"
 #include "opencl/queue.h"
 #include "platform/error.h"
@@ -15,7 +15,7 @@ scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer)
 		const cl_int zero = 0;
 		error = opencl.EnqueueFillBuffer(d->queue, *buffer, &zero, sizeof zero, 0, bytes, 0, NULL, NULL);
 	}
-	// drivers that allocate on first use fail here, with an error code that depends on the driver
+	// drivers that allocate on first use fail in the fill, each with a different error code
 	if (error == CL_MEM_OBJECT_ALLOCATION_FAILURE || error == CL_OUT_OF_RESOURCES || error == CL_OUT_OF_HOST_MEMORY ||
 	    error == CL_INVALID_BUFFER_SIZE)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s has no room for a buffer of %zu bytes: %s (%d).",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// buffer.h -- creates buffers that are not pools, scratch buffers and pinned memory.
+// buffer.h -- creates scratch buffers, pinned memory and other buffers that are not pools.
 #ifndef OPENCL_BUFFER_H
 #define OPENCL_BUFFER_H
 #include "opencl/opencl_state.h"
@@ -7,8 +7,7 @@
 // Creates a buffer of zeros. Fails with SCREE_ERROR_OUT_OF_MEMORY if the device has too little memory.
 scree_status buffer_create(OpenCl* d, size_t bytes, cl_mem* buffer);
 
-// Grows a scratch buffer to at least the given size, and adds the difference to Backend.bytes. A buffer that grows
-// becomes zero.
+// Grows a scratch buffer to at least `bytes`, and updates Backend.bytes. A buffer that grows is filled with zeros.
 scree_status scratch_reserve(OpenCl* d, Scratch* scratch, size_t bytes);
 void scratch_release(Scratch* scratch);
 // Waits for the queue, releases `count` scratch buffers and subtracts their sizes from Backend.bytes.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cache.c -- stores compiled programs on disk: one file per key, which is checked when it is read. A new file is
-// written under a temporary name and then renamed.
+// cache.c -- stores compiled programs on disk: a file per key, with a digest, written under another name and renamed.
 #include "opencl/cache.h"
 #include "platform/error.h"
 #include <errno.h>
@@ -37,8 +36,7 @@ static const char magic[8] = "scree-1";
 
 Digest digest_begin(void) { return (Digest){0xcbf29ce484222325u, 0x9e3779b97f4a7c15u}; }
 
-// Adds bytes to a digest. a: FNV-1a (Fowler, Noll, Vo, 1991). b: the same with another factor and a rotation, so that a
-// and b differ.
+// a: FNV-1a (Fowler, Noll, Vo, 1991). b: the same with another factor and a rotation, so that it differs from a.
 void digest_add(Digest* digest, const void* bytes, size_t count)
 {
 	const unsigned char* byte = bytes;
@@ -50,7 +48,7 @@ void digest_add(Digest* digest, const void* bytes, size_t count)
 	}
 }
 
-// Writes the path of the cache's folder. Returns false if there is no folder.
+// Writes the path of the cache's folder. Returns false if no folder is set.
 static bool cache_folder(char* path)
 {
 	const char* own = getenv("SCREE_CACHE");

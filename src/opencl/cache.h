@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cache.h -- stores compiled programs on disk.
-//
-// The folder is the first that is set: $SCREE_CACHE, whose empty value means no cache; $XDG_CACHE_HOME/scree;
-// ~/.cache/scree. The cache is optional: a program that cannot be read or written is compiled again.
+// cache.h -- stores compiled programs on disk; a program that cannot be read or written is compiled again. The folder
+// is the first that is set: $SCREE_CACHE (empty: no cache), $XDG_CACHE_HOME/scree, ~/.cache/scree.
 #ifndef OPENCL_CACHE_H
 #define OPENCL_CACHE_H
 #include <stdbool.h>

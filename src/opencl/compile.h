@@ -7,8 +7,8 @@
 
 #define PROGRAM_OPTIONS 64 // maximum bytes of the argument options
 
-// Builds text, a program that cmake/embed.cmake generated. The compiler's options are the given ones, plus those that
-// equal bits require. The caller releases *program. If the build fails, the compiler's messages are logged.
+// Builds the program `text`, which cmake/embed.cmake generated, with the given options and those that equal bits
+// require. The caller releases *program. If the build fails, the compiler's messages are logged.
 scree_status program_build(cl_context context, const Device* device, const char* options, const char* text,
                            size_t length, cl_program* program);
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // context.c -- opens OpenCL contexts and builds programs in them; the worlds of a process share contexts and programs.
 //
-// PoCL takes 0.2 s for every build of a program, so a context on a CPU is kept until the process ends. A context on a
-// GPU is released with the last world that uses it, to free memory. After any OpenCL failure, new worlds get new
-// contexts, because the existing contexts may be lost.
+// PoCL builds a program in 0.2 s, so a context on a CPU is kept until the process ends. A context on a GPU is released
+// with its last world, to free memory. After an OpenCL failure, contexts may be lost, so new worlds get new ones.
 #include "opencl/context.h"
 #include "opencl/compile.h"
 #include "opencl/external_memory.h"
@@ -44,8 +43,7 @@ static void release(SharedContext gone)
 	opencl.ReleaseContext(gone.context);
 }
 
-// Removes a context from the list and returns it. The caller releases the context after the lock, because this may take
-// long.
+// Removes a context from the list. The caller releases it after unlock(), because the release may take long.
 static SharedContext pull(SharedContext* shared)
 {
 	SharedContext gone = *shared;

@@ -4,11 +4,10 @@
 #define OPENCL_CONTEXT_H
 #include "opencl/opencl_state.h"
 
-// Sets the context and the program of a device. opengl: null, or an OpenGL context to share memory with; with it,
-// context and program are not shared with other worlds.
+// Sets context and program. opengl: null, or an OpenGL context that shares memory; no other world then uses the two.
 scree_status context_open(OpenCl* d, const char* options, const scree_opengl* opengl);
 
-// Releases the context and the program, unless other worlds use them or they are kept.
+// Releases context and program, unless other worlds use them or they are kept (context.c).
 void context_close(OpenCl* d);
 
 #endif

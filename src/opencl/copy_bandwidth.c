@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// copy_bandwidth.c -- copies blocks within the memory of the device, to measure the bandwidth.
+// copy_bandwidth.c -- copies blocks within device memory, to measure bandwidth.
 #include "opencl/copy_bandwidth.h"
 #include "opencl/buffer.h"
 #include "opencl/queue.h"

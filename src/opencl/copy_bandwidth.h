@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// copy_bandwidth.h -- copies blocks within the memory of the device, to measure the bandwidth; see
-// src/backend/backend.h.
+// copy_bandwidth.h -- copies blocks within device memory, to measure bandwidth; see src/backend/backend.h.
 #ifndef COPY_BANDWIDTH_H
 #define COPY_BANDWIDTH_H
 #include "opencl/opencl_state.h"

@@ -210,11 +210,9 @@ const char* opencl_hint(void)
 {
 	if (!opencl_load())
 		return "There is no OpenCL on this machine: install ocl-icd-libopencl1 and, for the CPU, pocl-opencl-icd "
-		       "(Debian, "
-		       "Ubuntu), or the GPU vendor's driver.";
+		       "(Debian, Ubuntu), or the GPU vendor's driver.";
 	if (device_list(NULL, 0) == 0)
 		return "OpenCL is installed but has no device: install pocl-opencl-icd (Debian, Ubuntu) for the CPU, or the "
-		       "GPU "
-		       "vendor's driver.";
+		       "GPU vendor's driver.";
 	return "";
 }

@@ -22,9 +22,8 @@ typedef struct
 // Writes at most `capacity` devices. Returns the total number of devices.
 int device_list(Device* devices, int capacity);
 
-// Chooses the best device whose name or platform name contains options->device; case is ignored. A device with equal
-// bits is better than one without; among devices that are equal in this, a GPU is best. Fails with
-// SCREE_ERROR_NO_DEVICE.
+// Chooses a device whose name or platform name contains options->device (case ignored). Best are devices that the
+// options allow, of these GPUs, and of these devices with equal bits. Fails with SCREE_ERROR_NO_DEVICE.
 scree_status device_choose(const BackendOptions* options, Device* device);
 
 #endif

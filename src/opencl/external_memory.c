@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // external_memory.c -- shares memory with other programs on the device: render rows, queries and query results.
 //
-// Drivers offer two extensions. cl_khr_gl_sharing imports a buffer object of OpenGL; the OpenCL context must be created
-// for this. cl_khr_external_memory imports memory that Vulkan exported as a file descriptor. With both extensions, the
-// memory must be acquired before a kernel uses it, and released afterwards.
-//
-// Only the kernel render_row writes directly to shared memory, which is its argument for one launch. Queries and query
-// results are copied on the device, at the speed of its memory, because their pools share a buffer with other pools.
+// cl_khr_gl_sharing imports a buffer object of OpenGL into a context that was created for it; cl_khr_external_memory
+// imports memory that Vulkan exported as a file descriptor. The memory must be acquired before each use and released
+// after it. Only the kernel render_row writes to it directly. Queries and query results are copied within device
+// memory, because their pools share a buffer with other pools.
 #include "opencl/external_memory.h"
 #include "opencl/launch.h"
 #include "opencl/queue.h"
@@ -122,7 +120,6 @@ void shared_close(OpenCl* d)
 
 scree_status share_open_context(OpenCl* d, const scree_opengl* opengl)
 {
-	// creates a context shared with OpenGL if the user requested this and it works, otherwise a plain context
 	cl_int error;
 	cl_context_properties plain[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
 	if (opengl && d->device.shares_opengl)

@@ -7,17 +7,13 @@
 #define CONTINUOUS_GROUP 32  // the same for continuous, whose many registers would be partly idle in larger groups
 #define HUB_GROUP        256 // work-items of the group that solves a hub: one per column of its sums (HUB_COLUMNS)
 
-// Number of nodes above leaves that a traversal visits, about 3 us each, before its rest is split. Most bodies visit 4
-// to 8.
+// Nodes above leaves that a traversal visits, about 3 us each, before its rest is split; most bodies visit 4 to 8.
 #define TRAVERSAL_NODES 12
 
-// Work-items per group of sort and scan, one per digit; all GPUs support 256. Tests with small worlds define other
-// values for these macros.
+// Work-items per group of sort and scan, one per digit; all GPUs support 256. Some tests define other values.
 #ifndef PRIMITIVE_GROUP
 #define PRIMITIVE_GROUP 256
-// Bits per pass of the sort; a pass has two launches. 9 bits would need more than the 32 KiB of local memory that
-// OpenCL 1.2 guarantees.
-#define SORT_DIGIT_BITS 8
+#define SORT_DIGIT_BITS 8    // bits per pass; 9 would exceed 32 KiB, the local memory that OpenCL 1.2 guarantees
 #define SORT_GRAIN      512  // minimum keys per work-group; with fewer keys, another work-group would take longer
 #define SORT_FEW        2048 // maximum keys that the persistent kernel sorts in one pass; they fit in local memory
 #define SORT_TEAM       32   // work-items that together compute the rank of a key
@@ -29,22 +25,21 @@
 #define SCAN_ITEMS  4 // number of consecutive items that a work-item processes at a time
 #define SCAN_GRAIN  (PRIMITIVE_GROUP * SCAN_ITEMS)
 
-#define PERSISTENT_GROUP  PRIMITIVE_GROUP // work-items per group, which also sort; maximum runs in its list
-#define PERSISTENT_HEADER 32              // number of ints before the runs in this list; the first counts arrivals
+#define PERSISTENT_GROUP  PRIMITIVE_GROUP // work-items per group, as many as in a sort; maximum runs in a list
+#define PERSISTENT_HEADER 32              // number of ints before the runs in the list; the first counts arrivals
 #define PERSISTENT_PROBE  (-1)            // run that tests whether groups are resident at once and exchange writes
 
 #define RELAY_GROUP     32        // work-items per group, which share barriers but no bodies; equal to COLOR_PADDING
 #define MAILBOX_WORDS   4         // 64-bit words of a mailbox
 #define RELAY_TICKETS   68        // tickets of a pass: one before each color and hub color, and one after the last
 #define RELAY_MAX_SPINS (1 << 22) // limit of a spin-wait, in reads of about 0.5 us: 2 s
-// Numbers of columns of float4 and of float2 in the stream of constraints. The last column of each type is common to
-// all kinds.
+// columns of float4 and of float2 in the stream of constraints; the last column of each type is common to all kinds
 #define STREAM_QUADS   5
 #define STREAM_PAIRS   6
 #define STREAM_FLOAT4S (STREAM_QUADS + (STREAM_PAIRS + 1) / 2)
 
 #ifndef TILE_BODIES      // tests with small worlds define other values
-#define TILE_BODIES 1024 // in local memory, 36 bytes each; more bodies: fewer border constraints, but a lower occupancy
+#define TILE_BODIES 1024 // in local memory, 32 bytes each; with more, fewer border constraints but lower occupancy
 #define TILE_GROUP  256  // work-items per tile
 #endif
 // Columns of the table of tiles: beginnings of the constraints of each color and kind of a tile, and their end.

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// kernels.cl -- contains the OpenCL program: the stages, and kernels that only OpenCL devices have. cmake/embed.cmake
-// inlines all includes.
+// kernels.cl -- contains the OpenCL program: stages, and kernels of OpenCL only. cmake/embed.cmake inlines includes.
 #include "stages/all_stages.h"
 #include "opencl/primitives.cl"
 
 // Variants for some worlds: narrow_phase_plain without small bodies, belts and segments; continuous_plain without
-// rules. They use fewer registers, so more work-items are resident. docs/opencl.md has the speed without each variant.
+// rules. They use fewer registers, so more work-items are resident; docs/opencl.md has measurements.
 KERNEL_FUNCTION(narrow_phase_plain, narrow_phase, (pools.step.small = pools.step.belts = pools.step.segments = 0), SPREAD_NOT)
 
-// Returns the number of work-items per item: the largest power of two, up to 32, for which the launch has enough
-// work-items.
+// Returns the work-items per item: the largest power of two, up to 32, for which the launch has enough work-items.
 INLINE int spread_warp(int items)
 {
 	int spread = 1;
@@ -18,8 +16,8 @@ INLINE int spread_warp(int items)
 	return spread;
 }
 KERNEL_FUNCTION(continuous_plain, continuous, (pools.step.rules = pools.step.asks = pools.step.material_pairs = 0), spread_warp)
-// Kernels for devices that keep several work-groups resident at once. These kernels take most of the compile time. A
-// CPU would compile the persistent kernel for minutes, so its program does not contain it; tests emulate the kernel.
+// Kernels for devices that keep several work-groups resident at once; they take most of the compile time. A CPU would
+// compile the persistent kernel for minutes, so its program does not contain it; tests emulate this kernel.
 #ifdef PERSISTENT
 #include "opencl/persistent.cl"
 #endif

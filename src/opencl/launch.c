@@ -5,8 +5,7 @@
 #include "platform/error.h"
 #include <string.h>
 
-// Maximum work-groups per compute unit in a launch, enough for any device; beyond this, a work-item processes several
-// items.
+// maximum work-groups per compute unit, enough for any device; in longer runs a work-item takes several items
 #define GROUPS_A_UNIT 64
 
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel)
@@ -37,8 +36,7 @@ size_t pool_offset(const OpenCl* d, PoolId pool)
 
 scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 {
-	// layout of the capacities in cmake/embed.cmake: beginnings of kinds that share a buffer, then capacities of all
-	// kinds
+	// capacities as in cmake/embed.cmake: beginnings of kinds that share a buffer, then capacities of all kinds
 	struct
 	{
 		cl_ulong begins[PER_COUNT - BUFFERS];
@@ -72,7 +70,7 @@ scree_status kernel_step(OpenCl* d, Kernel* kernel)
 	return SCREE_OK;
 }
 
-// Returns the kernel for the current world, which may be specialized (PLAIN_*).
+// Returns the kernel, or its variant for worlds without some features (PLAIN_*).
 static Kernel* kernel_function(OpenCl* d, int kernel)
 {
 	const Step* step = &d->constants.step;

@@ -27,19 +27,17 @@ scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* 
 cl_mem pool_buffer(const OpenCl* d, PoolId pool);
 size_t pool_offset(const OpenCl* d, PoolId pool);
 
-// Sets the buffer of a kind of item, and the capacities, as arguments of a kernel that takes all pools. Called after
-// the buffer was replaced.
+// Sets the buffer of a kind of item, and the capacities, as arguments of a kernel, after the buffer was replaced.
 scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel);
 
 // Sets the constants of the step for all later launches.
 void step_set(OpenCl* d, const Step* step);
 
-// Sets the step as an argument of a kernel that takes all pools, if the step has changed since the last call for this
-// kernel.
+// Sets the step as an argument of a kernel, if it has changed since the last call for this kernel.
 scree_status kernel_step(OpenCl* d, Kernel* kernel);
 
-// Launch a run of a kernel. kernel_run_within: a work-group processes items_a_group items, or more if this would take
-// more than groups_a_unit work-groups per compute unit.
+// Launch a run. kernel_run_within: a work-group gets items_a_group items, or more if there would otherwise be more than
+// groups_a_unit work-groups per compute unit.
 scree_status kernel_run(OpenCl* d, const Run* run);
 scree_status kernel_run_within(OpenCl* d, const Run* run, size_t items_a_group, size_t groups_a_unit);
 

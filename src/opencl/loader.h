@@ -61,17 +61,16 @@ extern OpenClFunctions opencl; // filled by opencl_load
 // Opens the library, once per process, from any thread. Returns false if there is no library.
 bool opencl_load(void);
 
-// Returns a function of an extension or of a newer OpenCL version by its full name; null if the function does not
-// exist.
+// Returns a function of an extension or of a newer OpenCL version by its full name, or null if it does not exist.
 void* opencl_find(cl_platform_id platform, const char* name);
 
-// Returns the name of an error code, as "CL_OUT_OF_RESOURCES", or "unknown error".
+// Returns the name of an error code, such as "CL_OUT_OF_RESOURCES", or "unknown error".
 const char* opencl_error_name(cl_int code);
 
 // Returns the number of OpenCL calls that have failed in this process.
 int opencl_failures(void);
 
-// Returns SCREE_OK for CL_SUCCESS; otherwise fails with a message as "clName: CL_OUT_OF_RESOURCES (-5)".
+// Returns SCREE_OK for CL_SUCCESS; otherwise fails with a message such as "clName: CL_OUT_OF_RESOURCES (-5)".
 scree_status opencl_check(const char* function, cl_int code);
 
 // Calls an OpenCL function that returns an error code, and checks this code.

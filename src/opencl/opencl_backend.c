@@ -110,7 +110,7 @@ static scree_status buffer_copy(OpenCl* d, Per home, const Plan* plan)
 static scree_status kind_reserve(Backend* b, Per per, int capacity)
 {
 	OpenCl* d = b->state;
-	// the old and the new buffer exist during the copy
+	// both the old and the new buffer exist during the copy
 	size_t bytes = item_bytes(per);
 	uint64_t wanted = (uint64_t)bytes * (uint64_t)capacity, old = (uint64_t)bytes * (uint64_t)d->room[per];
 	if (capacity > INT_MAX - CAPACITY_ITEMS || b->bytes + wanted > d->device.about.memory)
@@ -153,7 +153,7 @@ static scree_status kernels_bind(OpenCl* d, Per per)
 	return primitives_bind(d);
 }
 
-// Releases all scratch buffers of the solve. The next solve reserves them again.
+// Releases all scratch buffers of the solve, so that they can shrink; the next solve reserves them again.
 static scree_status solve_drop(OpenCl* d)
 {
 	Scratch* scratch[TILE_BUFFERS + 3] = {&d->relay.mailboxes, &d->relay.stream, &d->relay.parts};
@@ -171,7 +171,6 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 		TRY(kind_reserve(b, per, capacity));
 		TRY(kernels_bind(d, per));
 	}
-	// the scratch buffers of the solve shrink with the constraints
 	if (per == PER_EDGE && capacity < b->capacity[per])
 		TRY(solve_drop(d));
 	b->capacity[per] = capacity;
@@ -209,7 +208,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
-	// a world that moves to this device writes these pools; tiles built before are out of date
+	// a migration to this device writes these pools; tiles built before are out of date
 	Per per = pool_info[pool].per;
 	d->tiles.stale |= per == PER_CONTACT || per == PER_CONTACT_PLACE || per == PER_BODY;
 	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
@@ -219,8 +218,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
-// Returns the work-items per group of a kernel. On a CPU, one work-item solves a branch, because PoCL would compile the
-// barriers for two minutes.
+// Returns the work-items per group: one for branches on a CPU, as PoCL would compile their barriers for two minutes.
 static size_t kernel_group(const OpenCl* d, int stage)
 {
 	if (kernel_widths[stage] == WIDTH_TEAM && d->device.type & CL_DEVICE_TYPE_CPU)

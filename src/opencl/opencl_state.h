@@ -159,11 +159,10 @@ typedef struct
 	bool stale;                 // constraints or motion constants may have changed since the tiles were built
 	bool pushed, pushed_before; // fields changed forces since the last solve; the same at the last build
 	int rows;                   // number of tiles at the last build
-	// number of border constraints at the last build, which the host reads asynchronously
-	cl_event edges_event; // null if no read is in flight
-	cl_int edges[2];      // begin and end of the border, valid when the event is complete
-	int border;           // number of border constraints; -1 before the first read
-	int age;              // number of solves without tiles since the last build
+	cl_event edges_event;       // event of a read of edges; null if none is in flight
+	cl_int edges[2];            // begin and end of the border at the last build, valid when the event is complete
+	int border;                 // number of border constraints at the last build; -1 before the first read
+	int age;                    // number of solves without tiles since the last build
 } TileState;
 
 // type of clEnqueueAcquire... and clEnqueueRelease..., which pass memory from another API to OpenCL and back
@@ -185,9 +184,8 @@ typedef struct
 	int shared_context;     // 1 + index of the context in the list of context.c; 0 if the context is not shared
 	cl_command_queue queue; // in-order queue
 
-	// A buffer holds the pools of one or more kinds of item (pools/buffers.def). Pools of one kind have the same
-	// capacity. Kernels take buffers and capacities in the order in which pools.def first names the kinds
-	// (cmake/embed.cmake).
+	// A buffer holds the pools of one or more kinds of item (pools/buffers.def); pools of a kind have equal capacities.
+	// Kernels take buffers and capacities in the order of the kinds in pools.def (cmake/embed.cmake).
 	cl_mem buffers[PER_COUNT]; // null for a kind whose pools are in the buffer of another kind
 	Per home[PER_COUNT];       // kind whose buffer holds the pools of a kind
 	size_t begin[PER_COUNT];   // offset of the pools of a kind in their buffer, bytes

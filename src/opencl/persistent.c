@@ -7,18 +7,15 @@
 #include "platform/error.h"
 #include <string.h>
 
-// Maximum number of items in a run of the persistent kernel, in a solve and in other stages. For longer runs launches
-// are faster: memory bandwidth then limits the time, and a launch has a higher occupancy than work-groups that must all
-// be resident at once. Measured on an H200, with the persistent kernel and with launches. Solve of scene pyramids, 88
-// runs: 10k bodies 0.29 and 0.51 ms, 100k 0.40 and 0.49 ms, 300k 1.10 and 0.86 ms. Runs before a solve, which are
-// short, 1M mixed bodies in motion with 3M contacts: 1.37 and 1.14 ms.
+// Maximum number of items of a run, in a solve and in other stages. Longer runs are faster as launches: bandwidth
+// limits them, and a launch has a higher occupancy than work-groups that must all be resident. H200, ms of persistent
+// kernel and launches: solve of scene pyramids (88 runs) with 10k bodies 0.29 and 0.51, 100k 0.40 and 0.49, 300k 1.10
+// and 0.86; short runs before the solve, 1M mixed bodies in motion with 3M contacts: 1.37 and 1.14.
 #define PERSISTENT_SOLVE 150000
 #define PERSISTENT_ITEMS 1000000
 
-// Limits of a spin-wait, in reads of about 0.5 us. SPINS is 2 s, which no step takes. PROBE_SPINS is 30 ms, for the
-// probe, which may fail.
-#define SPINS       (1 << 22)
-#define PROBE_SPINS (1 << 16)
+#define SPINS       (1 << 22) // limit of a spin-wait, in reads of about 0.5 us: 2 s, which no step takes
+#define PROBE_SPINS (1 << 16) // the same for the probe, which may fail: 30 ms
 #define PROBE_RUNS  64
 
 // kernel arguments that follow the step
@@ -31,8 +28,7 @@ enum
 	ARGUMENT_SPINS
 };
 
-// Launches the persistent kernel with a list of runs. Uploads the list only if it has changed, because the runs of a
-// settled world are the same in every step.
+// Launches the kernel with a list of runs, uploaded only if changed: a settled world has the same runs in every step.
 static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int groups, cl_int spins)
 {
 	Persistent* own = &d->persistent;
@@ -75,8 +71,7 @@ static scree_status probe(OpenCl* d, bool* works)
 scree_status persistent_open(OpenCl* d)
 {
 	Persistent* own = &d->persistent;
-	// work-groups certainly resident at once: per compute unit, as many as have together the work-items of the largest
-	// group
+	// work-groups certainly resident at once: a compute unit has room for the work-items of the largest possible group
 	size_t most = 0;
 	TRY(CALL(GetKernelWorkGroupInfo, own->kernel.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
 	         NULL));

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // persistent.cl -- executes many runs in one launch: a device-wide barrier follows each run that has items.
 //
-// A run may change the counter that bounds a later run of the list, so bounds are read after each barrier. The barrier
-// takes a quarter of the time of a launch. It needs all work-groups resident at once, which OpenCL does not guarantee.
-// The host tests this when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
+// The barrier takes a quarter of the time of a launch. It needs all work-groups resident at once, which OpenCL does not
+// guarantee: the host tests it when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
@@ -26,8 +25,7 @@ typedef struct // device-wide barrier
 	int spins;    // limit of a spin-wait
 } DeviceBarrier;
 
-// Waits until all work-groups have arrived. Returns false if a spin-wait reached its limit, in this or another
-// work-group.
+// Waits until all work-groups have arrived. Returns false if a spin-wait of any work-group reached its limit.
 INLINE bool device_barrier(DeviceBarrier* b)
 {
 	b->arrivals = (int)((uint)b->arrivals + (uint)get_num_groups(0));
@@ -48,8 +46,7 @@ INLINE bool device_barrier(DeviceBarrier* b)
 	return *b->healthy;
 }
 
-// Waits, in the first work-group, until all other groups have arrived at the next barrier. Returns the same as
-// device_barrier.
+// Waits, in the first work-group, until the others have arrived at the next barrier. Returns as device_barrier does.
 INLINE bool device_barrier_await(const DeviceBarrier* b)
 {
 	if (get_local_id(0) == 0)
@@ -67,8 +64,8 @@ INLINE bool device_barrier_await(const DeviceBarrier* b)
 	return *b->healthy;
 }
 
-// Executes run k of the probe: writes k for a work-item of another work-group, and checks that a third group wrote k -
-// 1 for this work-item. The reads are not volatile and repeat the same addresses, so that a stale cache is detected.
+// Executes run k of the probe: writes k for a work-item of another work-group, and checks that a third wrote k-1 for
+// this work-item. The reads are not volatile and repeat the same addresses, so that a stale cache is detected.
 INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0), group = (int)get_local_size(0);
@@ -79,8 +76,7 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 	now[(i + 2 * group) % n] = k;
 }
 
-// Waits at the barrier after a run: at that of the work-group if alone is true, otherwise at that of the device.
-// Returns false if a spin-wait reached its limit.
+// Waits at the barrier of the device, or of this work-group if alone. Returns false if a spin-wait reached its limit.
 INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 {
 	if (!alone)
@@ -89,8 +85,7 @@ INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 	return true;
 }
 
-// Sorts as the launches of primitives.c do. If there are fewer work-groups than parts, a group processes several parts.
-// Returns false if a spin-wait reached its limit.
+// Sorts as primitives.c does, the parts shared among work-groups. Returns false if a spin-wait reached its limit.
 INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL SortMemory* bench, DeviceBarrier* b,
                             bool alone)
 {
@@ -141,8 +136,7 @@ INLINE bool persistent_scan(const Pools* p, Run run, __global uint* table, LOCAL
 	return true;
 }
 
-// Executes a kernel over the items of a run, one per work-item. Kernels of groups and rare kernels are launched
-// separately.
+// Executes a run, one item per work-item. Kernels of groups and rare kernels are launched separately.
 #define CASE_ONE(name, p)                                \
 	case KERNEL_##name:                                   \
 		for (int i = run.begin + from; i < end; i += by) \
@@ -166,7 +160,7 @@ INLINE bool takes_one_group(Run run, int end)
 	return end - run.begin <= most;
 }
 
-// Returns run i of the list; a run without items if the list has no run i.
+// Returns run i of the list, or a run without items if the list is shorter.
 INLINE Run run_at(__global const int* list, int count, int i)
 {
 	Run run = {0, 0, 0, -1, 0};
@@ -175,8 +169,8 @@ INLINE Run run_at(__global const int* list, int count, int i)
 	return run;
 }
 
-// Returns the index of the first run, from `next` on, that has items, and copies this run to *chosen; returns `count`
-// if there is none. mine: run of this work-item.
+// Copies the first run that has items, from index `next` on, to *chosen, and returns its index; returns `count` if no
+// run has items. mine: the run that this work-item holds.
 INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile LOCAL int* found, LOCAL Run* chosen)
 {
 	int lane = (int)get_local_id(0);
@@ -205,12 +199,11 @@ INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __globa
 	return true;
 }
 
-// Executes the runs of a list. The list begins with PERSISTENT_HEADER ints: the arrivals at the barrier, the arrivals
-// at the end of the last launch, and the next run of the first work-group. Then follow `count` runs, at most one per
-// work-item of a group. Each work-item holds one run and reads its bound after every barrier. So all bounds together
-// take the time of one memory access, and runs without items take no time. Consecutive short runs are executed by the
-// first group, while the other groups wait at the next device-wide barrier. The first group begins when the others have
-// arrived there, because its runs change bounds that the others read.
+// Executes the runs of a list: PERSISTENT_HEADER ints (arrivals at the barrier, arrivals at the end of the last launch,
+// next run of the first work-group), then `count` runs, at most one per work-item of a group. A run may change the
+// bounds of later runs, so each work-item holds one run and reads its bound after every barrier; all bounds together
+// take one memory access, and runs without items no time. The first group executes consecutive short runs alone, after
+// the others have arrived at the next device-wide barrier, because its runs change bounds that they read.
 __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global uint* table,
                          __global int* probes, int spins)
 {

@@ -72,8 +72,7 @@ void primitives_close(OpenCl* d)
 		opencl.ReleaseMemObject(d->primitives.table);
 }
 
-// Launches one pass of the sort: sorts the keys at offset from by bits shift to shift + bits - 1, and writes them to
-// offset to.
+// Launches a pass of the sort, by bits shift to shift + bits - 1. from, to: offsets of keys before and after it, bytes.
 static scree_status sort_pass(OpenCl* d, const Run* run, cl_ulong from, cl_ulong to, cl_int shift, int bits)
 {
 	cl_uint mask = (1u << bits) - 1;

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-// primitives.cl -- sorts keys and computes prefix sums: a pass has two launches, and work-groups of a launch may run in
-// any order.
+// primitives.cl -- sorts keys and computes prefix sums, with two launches per pass.
 //
-// In the first launch each work-group counts (or sums) its part of the items into a row of a table. In the second
-// launch, each group adds up the rows of earlier groups and writes its items to their places. A third launch between
-// the two, which scans the table, would take longer than reading the table many times: the table is small and cached.
-// The persistent kernel processes the same parts, with a device-wide barrier instead of the end of a launch.
-//
-// The number of items is read on the device; work-groups without items return at once. A pool is passed as the
-// buffer of its kind and an offset in bytes. The counters have a buffer of their own.
+// In the first launch each work-group counts (or sums) its part of the items into a row of a table. In the second, it
+// adds up the rows of earlier groups and writes its items to their places. Groups may run in any order. Another launch
+// to scan the table would take longer than the repeated reads: the table is small and cached. The persistent kernel has
+// a device-wide barrier between the same parts. A pool is passed as the buffer of its kind and an offset in bytes.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
@@ -68,9 +64,8 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 	table[block * SORT_DIGITS + t] = count[t];
 }
 
-// Writes the keys of a part to their places by one digit. The sort is stable. Within PRIMITIVE_GROUP consecutive keys,
-// a bit mask per digit gives the rank of a key among keys with this digit: each work-item sets its bit, in any order,
-// and counts the lower bits. Work-item t also stores the next place of a key with digit t.
+// Writes the keys of a part to their places, stably, by one digit. A bit mask per digit gives the rank of a key among
+// PRIMITIVE_GROUP keys: each work-item sets a bit and counts lower bits. Work-item t has the next place of digit t.
 INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
                             uint block, int shift, uint mask, LOCAL SortMemory* bench)
 {
@@ -119,9 +114,8 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 	barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Sorts up to SORT_FEW keys by bits from to end - 1, in one stable pass: the place of a key is the number of smaller
-// keys and of equal keys before it. Every work-group holds all keys in local memory; SORT_TEAM work-items compare one
-// key with all keys.
+// Sorts up to SORT_FEW keys, stably, by bits `from` to end - 1: the place of a key is the number of smaller keys and of
+// equal keys before it. Each work-group has all keys in local memory; SORT_TEAM work-items compare one with all.
 INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
                      LOCAL SortMemory* bench)
 {

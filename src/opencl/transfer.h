@@ -14,20 +14,17 @@ bool transfer_wanted(const OpenCl* d, size_t count);
 scree_status transfer_up(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);
 scree_status transfer_down(OpenCl* d, cl_mem buffer, size_t offset, void* bytes, size_t count);
 
-// Allocates the blocks and starts the threads, if not done yet. This function and those below are parts of a transfer;
-// batches use them too.
+// Parts of a transfer, which batches use too. transfer_open allocates blocks and threads at its first call.
 scree_status transfer_open(OpenCl* d);
 unsigned char* transfer_block(const OpenCl* d, int block);
-// Waits until the device no longer uses a block: for the event of the block's last command.
+// Waits for the last command that uses a block.
 scree_status transfer_settle(OpenCl* d, int block);
-// Enqueue a transfer between a block and a buffer, after the event `wait` if it is not null. The device must not use
-// the block (transfer_settle).
+// Enqueue a transfer between an unused block (transfer_settle) and a buffer. wait: event that precedes it, or null.
 scree_status transfer_send(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                            size_t bytes);
 scree_status transfer_fetch(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                             size_t bytes);
-// a copy within the host's memory; all threads share the copies of transfer_copy
-typedef struct
+typedef struct // a copy within host memory; transfer_copy divides copies among all threads
 {
 	void* to;
 	const void* from;

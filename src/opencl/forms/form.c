@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// form.c -- chooses and executes the fastest form of a solve: launches by color, a relay (relay.cl), or tiles
-// (tiles.cl).
+// form.c -- executes a solve in the fastest form: launches by color, a relay (relay.cl) or tiles (tiles.cl).
 #include "opencl/forms/form.h"
 #include "opencl/execute.h"
 #include "opencl/forms/relay.h"
@@ -11,8 +10,7 @@
 
 #define RELAY_CONSTRAINTS 1000000 // maximum number of constraints for which a relay is faster than tiles
 
-// Maximum work-groups of continuous per compute unit. Each item gets a work-group, because items in one work-group
-// would delay each other.
+// Maximum work-groups of continuous per compute unit; a group per item, because items in a group delay each other.
 #define CONTINUOUS_GROUPS 12
 
 // arguments of the kernel solve_end that follow the step

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// form.h -- chooses and executes the fastest form of a solve: launches by color, a relay (relay.cl), or tiles
-// (tiles.cl).
+// form.h -- executes a solve in the fastest form: launches by color, a relay (relay.cl) or tiles (tiles.cl).
 #ifndef OPENCL_FORM_H
 #define OPENCL_FORM_H
 #include "opencl/opencl_state.h"

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
-// registers.cl -- functions that relay and tiles share: constraints in registers and in the stream, and bodies without
-// constraints.
-//
-// A pass over registers calls the same functions as a pass over pools (solve_pass.h), so the bits are the same.
+// registers.cl -- loads and stores constraints in registers and in the stream, and integrates bodies without
+// constraints, for relay and tiles. Passes call the same functions as those over pools (solve_pass.h), for equal bits.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-// Specializations of a kernel for worlds without some features: they set members of Step to constants. A specialized
-// kernel uses fewer registers, so its occupancy is higher. STEP_PLAIN: worlds without joints, radii, restitution,
-// rolling resistance and tangent speed. On an H200, a solve of a million stacked boxes takes 1.379 ms with STEP_PLAIN
-// and 1.420 ms without.
+// Specializations of a kernel set members of Step to constants, for fewer registers and a higher occupancy. STEP_PLAIN:
+// worlds without joints, radii, restitution, rolling resistance and tangent speed. On an H200, a solve of a million
+// stacked boxes takes 1.379 ms with STEP_PLAIN and 1.420 ms without.
 #define STEP_JOINTS(step)   ((void)0)
 #define STEP_HINGES(step)   ((step).springs = (step).couplings = (step).paths = 0)
 #define STEP_CONTACTS(step) ((step).joints = (step).has_drives = (step).springs = (step).couplings = (step).paths = 0)
@@ -61,10 +58,9 @@ INLINE bool all_zero(const float* values, int count)
 	return bits == 0;
 }
 
-// Computes the state of a body without constraints before pass q. Every work-item that needs the state computes it: a
-// state in memory could be replaced only after the last of them has read it. Most such bodies rest, and only the first
-// substep is computed: if body_accelerate leaves a body at rest, it does so in every later substep, because its
-// arguments have the same bits; body_move then adds nothing.
+// Computes the state of a body without constraints before pass q, in each work-item that needs it: in memory it could
+// be replaced only after the last read. A body at rest takes one substep: if body_accelerate leaves it at rest, its
+// arguments have the same bits in later substeps, and body_move adds nothing.
 INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[8])
 {
 	float m[8], base[4];
@@ -96,8 +92,7 @@ typedef struct // one body of a constraint
 	bool moves, last; // last: no other constraint of the body follows in a pass
 } Side;
 
-// Returns the side of a constraint with a color. hubs: the world has hubs, which precede the colors of a body in a
-// pass.
+// Returns the side of a constraint with a color. hubs: the world has hubs, which precede colors in a pass.
 INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 {
 	Side side;
@@ -134,7 +129,7 @@ typedef struct // a constraint in registers
 	bool inert;
 } Registers;
 
-// Loads the masses of both bodies of a constraint, and sets their displacements to zero, as at the start of a step.
+// Loads the masses of both bodies, and sets their displacements to zero, as at the start of a step.
 INLINE void registers_bodies(const Pools* p, Registers* u)
 {
 	BodyState a = p->body[u->side[0].body], b = p->body[u->side[1].body];
@@ -148,8 +143,7 @@ INLINE void registers_bodies(const Pools* p, Registers* u)
 	u->b.da = 0.0f;
 }
 
-// Prepares and loads a constraint and the masses of its bodies, but not its sides. Derives the values that the passes
-// use.
+// Prepares and loads a constraint and the masses of its bodies, but not its sides; derives the values of the passes.
 OUT_OF_LINE Registers registers_make(const Pools* p, KindPlace at, int slot)
 {
 	Registers u;
@@ -217,8 +211,7 @@ OUT_OF_LINE void registers_store_kept(const Pools* p, const Registers* u)
 #undef CONSTRAINT_KIND
 }
 
-// The stream: constraints that are not in registers, in STREAM_QUADS columns of float4, followed by STREAM_PAIRS
-// columns of float2.
+// The stream: constraints not in registers, in STREAM_QUADS columns of float4, then STREAM_PAIRS columns of float2.
 
 #define EDGE_QUAD (STREAM_QUADS - 1) // last column of float4, common to all kinds: inverse masses
 #define EDGE_PAIR (STREAM_PAIRS - 1) // last column of float2, common to all kinds: bodies
@@ -342,7 +335,7 @@ OUT_OF_LINE Registers registers_load(const Pools* p, int t, __global float4* str
 	return u;
 }
 
-// Integrates the bodies without constraints, and finalizes all bodies. The kernel continuous follows.
+// Integrates bodies without constraints, and finalizes all bodies. The kernel continuous follows.
 __kernel void solve_end(POOL_ARGUMENTS Step step, int bodies, int substeps, int passes, int bound)
 {
 	Pools pools = {POOL_NAMES step, 0};

@@ -11,13 +11,11 @@
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
-// Maximum work-items per constraint. A warp continues when all its constraints can be solved, so a constraint waits
-// less if its warp has fewer constraints. On an H200 the solve of the scene washer, 4,600 constraints, took 0.335,
-// 0.315, 0.294, 0.287, 0.288 and 0.290 ms with 1, 2, 4, 8, 16 and 32 work-items per constraint.
+// Maximum work-items per constraint: a warp waits for all its constraints, so fewer constraints per warp wait less.
+// H200, solve of scene washer, 4,600 constraints: 0.335, 0.315, 0.294, 0.287, 0.288, 0.290 ms with 1, 2, 4, 8, 16, 32.
 #define MAX_SPREAD 8
 
-// indices of the kernel arguments after the step: RELAY_* of relay, HUBS_* of relay_hubs; the first two are common to
-// both kernels
+// kernel arguments after the step: RELAY_* of relay, HUBS_* of relay_hubs; the first two are common to both
 enum
 {
 	RELAY_MAILBOXES = ARGUMENT_STEP + 1,
@@ -73,8 +71,7 @@ static Kernel* hubs_kernel(OpenCl* d)
 	return &d->relay.kernels[d->constants.step.joints ? joints : RELAY_HUBS];
 }
 
-// Returns the number of work-groups that solve hubs. The other groups solve the other constraints; if only one group is
-// resident, it solves all.
+// Returns the number of work-groups that solve hubs; the others solve colors. A single resident group solves both.
 static size_t hub_groups(OpenCl* d, const Solve* solve)
 {
 	size_t most = hubs_kernel(d)->groups > 1 ? (size_t)hubs_kernel(d)->groups / 2 : 1,
@@ -87,8 +84,7 @@ static size_t other_most(OpenCl* d, const Solve* solve)
 	return (size_t)hubs_kernel(d)->groups - hub_groups(d, solve);
 }
 
-// Returns the number of work-items per constraint, a power of two up to MAX_SPREAD, for which `places` work-items
-// suffice. Only one of them computes.
+// Returns the work-items per constraint, a power of two, for which `places` work-items suffice; only one computes.
 static int spread_of(int constraints, size_t places)
 {
 	int spread = 1;
@@ -138,8 +134,7 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem 
 	return SCREE_OK;
 }
 
-// Computes the work-groups that are resident at once. A CPU executes work-items one after another, so it gets one
-// group of one work-item, which suffices for tests.
+// Computes the work-groups resident at once: on a CPU, which runs work-items one by one, one group of one work-item.
 static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 {
 	size_t most = 0;

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
-// relay.cl -- executes a whole solve in one launch, without a device-wide barrier: constraints send bodies to each
-// other.
+// relay.cl -- executes a solve in one launch without device-wide barriers: constraints send bodies to each other.
 //
-// The colors order the constraints of each body, and the result depends only on that order. Therefore a constraint may
-// be solved as soon as the previous constraint of each of its two bodies is solved.
+// The colors order the constraints of each body, and the result depends only on this order. So a constraint may be
+// solved as soon as the previous constraint of each of its bodies is solved.
 //
-// Each body has a mailbox in global memory: two 64-bit words of velocity and two of displacement. Each word holds
-// components and a ticket. A constraint spin-waits until its ticket is in the mailboxes of both bodies, solves, and
-// writes the new velocities with the next tickets. Words are read and written atomically, and only the constraint whose
-// ticket a mailbox holds writes to it, so no memory fence is needed. The last constraint of a body in a pass integrates
-// the body. As a run with a device-wide barrier, a color takes 3.3 us. In a relay it takes the time in which one word
-// passes through the second-level cache.
+// Each body has a mailbox in global memory: two 64-bit words of velocity and two of displacement, each with components
+// and a ticket. A constraint spin-waits until its ticket is in the mailboxes of both bodies, solves, and writes the new
+// velocities with the next tickets. No memory fence is needed: words are read and written atomically, and only the
+// constraint whose ticket a mailbox has writes to it. The last constraint of a body in a pass integrates the body.
 //
-// All work-items must be resident on the device at once, and the work-items of a work-group must make progress
-// independently; relay_probe tests both. Each work-item does its tasks in the order of passes and, within a pass, of
-// colors. The first unfinished task in this order never waits, so there is no deadlock.
+// All work-items must be resident at once and make progress independently; relay_probe tests this. Each work-item does
+// its tasks in the order of passes, then of colors. The first unfinished task in this order never waits: no deadlock.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
@@ -25,8 +21,7 @@
 #define PAUSE(ns)
 #endif
 
-// Accesses to two words of a mailbox; each word is read and written atomically. Emulated kernels in tests define other
-// versions.
+// accesses to two words of a mailbox, each word atomically; emulated kernels in tests define other versions
 #ifndef MAILBOX_READ
 #define MAILBOX_READ(words)                 (*(volatile __global const ulong2*)(words))
 #define MAILBOX_WRITE(words, first, second) (*(volatile __global ulong2*)(words) = (ulong2)((first), (second)))
@@ -43,8 +38,7 @@ typedef struct // values that are constant in all tasks
 // Returns the ticket of a constraint in pass q. before: number of constraints of the body that precede it in the pass.
 INLINE uint relay_ticket(int q, int before) { return RELAY_TICKETS * (uint)q + (uint)before + 1u; }
 
-// Unpacks three 32-bit components from two words, each with a 16-bit ticket. Returns whether both words have this
-// ticket.
+// Unpacks three 32-bit components from two words with a 16-bit ticket each. Returns whether both have this ticket.
 INLINE bool mailbox_unpack(ulong2 words, uint ticket, float* x, float* y, float* z)
 {
 	*x = as_float((uint)(words.x >> 32));
@@ -60,7 +54,7 @@ INLINE void mailbox_write(volatile __global ulong* words, uint ticket, float x, 
 	MAILBOX_WRITE(words, first, second);
 }
 
-// Sets a mailbox to zero. No constraint waits for this mailbox after the last ticket of a step.
+// Sets a mailbox to zero, after the last ticket of a step.
 INLINE void mailbox_clear(volatile __global ulong* words)
 {
 	for (int k = 0; k < MAILBOX_WORDS; ++k)
@@ -74,8 +68,7 @@ INLINE void relay_send_next(const Relay* r, Side side, int q, Body body)
 		              body.v.y, body.w);
 }
 
-// Finishes pass q of a body, if this side is the body's last: integrates the body and sends it to its first
-// constraint of the next pass, or stores it after the last pass.
+// Finishes pass q of a body at its last side: integrates it and sends it to the next pass, or stores it at the end.
 INLINE void relay_finish_pass(const Pools* p, const Relay* r, Side side, int q, Body body, float m[8], float base[4])
 {
 	if (!side.moves || !side.last)
@@ -102,7 +95,7 @@ INLINE void relay_finish_pass(const Pools* p, const Relay* r, Side side, int q, 
 		p->base[side.body] = make_float4(base[0], base[1], base[2], 0.0f);
 }
 
-// Loads the values with which relay_finish_pass integrates the body, if this side is the body's last.
+// Loads the values with which relay_finish_pass integrates the body at its last side.
 INLINE void relay_load_motion(const Pools* p, const Relay* r, Side side, int q, float m[8], float base[4])
 {
 	if (!side.moves || !side.last)
@@ -124,8 +117,7 @@ INLINE void relay_load_motion(const Pools* p, const Relay* r, Side side, int q, 
 	}
 }
 
-// Loads the parts of a side that need no ticket: the constants for integration, and the body itself if it cannot move
-// or has its first constraint of the step.
+// Loads the constants for integration, and the body if it needs no ticket: it cannot move, or the step begins.
 INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body* body, float m[8], float base[4])
 {
 	if (!side.moves || (q == 0 && side.before == 0))
@@ -140,8 +132,7 @@ INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body
 	relay_load_motion(p, r, side, q, m, base);
 }
 
-// Spin-waits for tickets in two mailboxes, and reads three components of each. Returns false if a spin-wait reached its
-// limit, in this or another work-item.
+// Waits for tickets in two mailboxes and reads three components of each. Returns false if any spin-wait was too long.
 INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __global ulong* mailbox_a, uint ticket_a,
                        Vec* a, float* wa, bool wait_b, volatile __global ulong* mailbox_b, uint ticket_b, Vec* b,
                        float* wb)
@@ -160,8 +151,8 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 	return true;
 }
 
-// Executes pass q of a constraint. Returns false if a ticket did not arrive. in_step: all work-items of the group call
-// this function together and fail together; no two constraints of the group share a body.
+// Executes pass q of a constraint. Returns false if a ticket did not arrive. in_step: all work-items of the group make
+// this call, and fail, together; no two constraints of the group share a body.
 INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool in_step, volatile LOCAL int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
@@ -209,9 +200,8 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool
 	return true;
 }
 
-// Executes all passes of all constraints; solve_end integrates bodies without constraints. If there are more
-// constraints than work-items, stream holds STREAM_FLOAT4S float4s for each constraint. Does nothing if bound names a
-// counter that is 0.
+// Executes all passes of all constraints, unless the counter `bound` is 0; solve_end integrates bodies without
+// constraints. stream: STREAM_FLOAT4S float4s per constraint, if there are more constraints than work-items.
 INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream, int constraints, int bound, int spread,
                         volatile LOCAL int* fault)
 {
@@ -272,9 +262,8 @@ RELAY_KERNEL(relay_plain, STEP_PLAIN)
 RELAY_KERNEL(relay_hinges, STEP_HINGES)
 RELAY_KERNEL(relay_joints, STEP_JOINTS)
 
-// Tests whether work-items make progress independently, and whether words are written as a whole. In round k, three of
-// four work-items wait for round k of their neighbor's words; each fourth waits for round k - 1 of words of another
-// work-group.
+// Tests whether work-items make progress independently and words are written as a whole. In round k, three of four
+// work-items wait for round k of their neighbor, the fourth for round k - 1 of a work-item in another work-group.
 __kernel void relay_probe(volatile __global ulong* mailboxes, volatile __global int* fault, int rounds, int spins)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0);

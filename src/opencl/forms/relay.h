@@ -4,8 +4,7 @@
 #define OPENCL_RELAY_H
 #include "opencl/opencl_state.h"
 
-// relay_create creates the kernels; relay_bind sets a buffer as their argument; relay_open tests whether the device can
-// run them.
+// relay_bind sets a buffer as an argument of the kernels; relay_open tests whether the device can run them.
 scree_status relay_create(OpenCl* d);
 scree_status relay_bind(OpenCl* d, Per per);
 scree_status relay_open(OpenCl* d);

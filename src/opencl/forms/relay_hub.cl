@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// relay_hub.cl -- executes a solve as a relay in a world with hubs: some work-groups solve hubs, the others solve
-// constraints with colors.
+// relay_hub.cl -- executes a solve as a relay in a world with hubs: some work-groups solve hubs, the others colors.
 //
-// In each pass the hubs of a body precede its colors. The work-group of a hub waits for the mailboxes of the hub and of
-// all its neighbors, solves all spokes together (hub.h), and sends each body to its next hub or its first color. If a
-// body is split into parts, one work-item collects the parts and sends the body on.
+// In each pass the hubs of a body precede its colors. The work-group of a hub waits for the mailboxes of the hub and
+// its neighbors, solves all spokes together (hub.h), and sends each body to its next hub or first color. If a body is
+// split into parts, one work-item collects them and sends the body on.
 //
-// Tasks are done in the order of passes; within a pass, hubs precede colors, in the order of hub colors; within a hub
-// color, the hubs precede the split bodies. The first unfinished task in this order never waits.
+// Order of tasks: by pass; in a pass, hub colors before colors; in a hub color, hubs before split bodies. The first
+// unfinished task in this order never waits.
 #include "opencl/forms/relay.cl"
 
-// Returns the side of a body for a hub color. turn: number of the hub color.
+// Returns the side of a body for hub color `turn`.
 INLINE Side relay_side(const Pools* p, int body, int turn)
 {
 	Side side;
@@ -69,8 +68,8 @@ OUT_OF_LINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, 
 	relay_finish_pass(p, r, side, q, b, m, base);
 }
 
-// Sends the velocity of a part of a body to the work-item that collects the parts. Tickets rise from pass to pass. The
-// first ticket of a step is lower than the last one of the previous step, so old parts do not have to be cleared.
+// Sends the velocity of a part to the work-item that collects the parts of a body. Old parts need no clearing: tickets
+// rise from pass to pass, and the first ticket of a step is lower than the last one of the previous step.
 INLINE void relay_send_part(volatile __global ulong* parts, int k, int q, float vx, float vy, float w)
 {
 	mailbox_write(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
@@ -84,8 +83,8 @@ INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global
 	return relay_wait(p, r, true, parts + 2 * (ulong)k, (uint)q + 1u, v, w, false, parts, 0u, &none, &no);
 }
 
-// Executes pass q of hub n in a work-group. If a ticket did not arrive, sets *fault and solves nothing. Index of a part
-// in `parts`: of a neighbor, the index of its spoke; of a hub, n after all spokes.
+// Executes pass q of hub n in a work-group. If a ticket did not arrive, sets *fault and solves nothing. parts: a part
+// per spoke, of its neighbor, followed by a part per hub.
 INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* parts, int n, int q,
                       LOCAL float* bench, volatile LOCAL int* fault)
 {
@@ -109,7 +108,7 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 		return;
 	hub_work(p, &h, schedule_pass(r->substeps, q), bench);
 
-	// index h.count, after the spokes, stands for the hub itself
+	// index h.count, after the spokes, is the hub itself
 	group_meet();
 	for (int k = group_lane(); k <= h.count; k += group_width())
 	{
@@ -123,8 +122,8 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 	}
 }
 
-// Adds up the parts of a split body in pass q of hub color turn, as the kernel hub_merge does, and sends the body on.
-// i: first of the body's sorted spokes. Returns false if a ticket did not arrive.
+// Adds up the parts of a split body in pass q of hub color `turn`, like the kernel hub_merge, and sends the body on.
+// Returns false if a ticket did not arrive. i: first of the body's sorted spokes.
 OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q, int turn)
 {
 	int spoke = hub_merged(p, i, turn);
@@ -264,8 +263,8 @@ INLINE void hub_tasks_store_colors(const Pools* p, const HubTasks* t, Registers*
 	}
 }
 
-// Executes all passes, as relay_tasks does, but the first hub_groups work-groups solve hubs, and the other groups solve
-// constraints. A single work-group solves both. parts: two words per spoke and per hub.
+// Executes all passes like relay_tasks, but the first hub_groups work-groups solve hubs, and the others constraints
+// with colors. A single work-group solves both. parts: two words per spoke and per hub.
 INLINE void relay_hub_tasks(const Pools* p, const Relay* r, __global float4* stream, int bound, int spread,
                             __global ulong* parts, int hub_groups, LOCAL float* bench, volatile LOCAL int* fault)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tile_pass.cl -- executes one pass of the solve, over all tiles, and then over the border constraints.
+// tile_pass.cl -- executes one pass of the solve over all tiles, and then over the border constraints.
 #include "opencl/forms/tiles.cl"
 
 typedef struct // bodies of a tile in local memory
@@ -88,8 +88,7 @@ INLINE void tile_scatter(LOCAL Tile* tile, uint place, const Body* b)
 
 #define TILE_LAST_COLUMN (TILE_COLUMNS - 1)
 
-// Returns the place of the next constraints of a work-group: `at` if it is in the same column, otherwise the
-// beginning of the next column with constraints.
+// Returns the place of a work-group's next constraints: `at`, or the beginning of the next column with constraints.
 INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column)
 {
 	if (at < range[*column + 1])
@@ -114,12 +113,11 @@ INLINE int tile_next(const Pools* p, LOCAL const int* range, int at, int* column
 	if ((read) >> pass & 1)                         \
 		FETCH_AHEAD(stream_pairs(t->stream, n, j) + k * n);
 
-// Returns whether the world may have constraints of a kind. The compiler computes the result in a kernel without
-// joints.
+// Returns whether the world may have constraints of a kind; a constant in kernels without joints.
 INLINE bool tile_has(const Pools* p, int kind) { return kind == CONSTRAINT_CONTACT || p->step.joints; }
 
 // Prefetches the next constraints of a work-group, one work-item per cache line. Memory bandwidth limits the pass: on
-// an H200, prefetching is 6 % faster than an early load into registers, and a higher occupancy is not faster.
+// an H200 this is 6 % faster than an early load into registers, and a higher occupancy is not faster.
 INLINE void tile_fetch_ahead(const Pools* p, const Tiles* t, int kind, int j, int lane, int pass)
 {
 	int n = t->stride;
@@ -212,8 +210,8 @@ INLINE void tile_border_send(const Pools* p, const Relay* r, Side side, int q, B
 		mailbox_clear(r->mailboxes + MAILBOX_WORDS * (ulong)side.body);
 }
 
-// Executes pass q of a border constraint. Its bodies come from their pool, or by mailbox from their previous border
-// constraints. Returns false if a ticket did not arrive.
+// Executes pass q of a border constraint, with bodies from their pool or from their previous border constraints.
+// Returns false if a ticket did not arrive.
 INLINE bool tile_border_task(const Pools* p, const Relay* r, const Tiles* t, int j, int q, volatile LOCAL int* fault)
 {
 	Registers u = registers_load(p, t->order[j], t->stream, t->stride, j);

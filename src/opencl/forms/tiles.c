@@ -7,12 +7,9 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// Tiles that are out of date are rebuilt if at most BORDER_SHARE of the constraints were border constraints at the last
-// build. After BORDER_AGE solves without tiles, they are rebuilt in any case, to measure this share again.
-#define BORDER_SHARE 0.1
-#define BORDER_AGE   64
-
-#define BORDER_GRAIN 64 // border constraints per work-group of the relay if there are few; more groups take longer
+#define BORDER_SHARE 0.1 // maximum share of border constraints at the last build for which stale tiles are rebuilt
+#define BORDER_AGE   64  // solves without tiles after which they are rebuilt in any case, to measure this share again
+#define BORDER_GRAIN 64  // border constraints per work-group of the relay if there are few; more groups take longer
 
 // names of kernels, and maximum work-items per work-group
 static const struct

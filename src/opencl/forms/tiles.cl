@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: MIT
-// tiles.cl -- solves a large world with tiles, one launch per pass: a work-group keeps a tile of bodies in local
-// memory.
+// tiles.cl -- solves a large world with tiles: in each pass, a work-group keeps a tile of bodies in local memory.
 //
-// A pass by colors reads and writes a body in global memory once for each of its constraints. With tiles, the bodies
-// are divided into tiles of neighbors along the Hilbert curve of the broad phase's tree. A work-group loads a tile once
-// per pass, integrates its bodies, and solves the constraints inside the tile color by color, with barriers between the
-// colors.
+// Launches by color read and write a body in global memory once per constraint. A tile contains neighbors along the
+// Hilbert curve of the broad phase's tree. In one launch per pass, a work-group loads a tile once, integrates its
+// bodies, and solves the constraints inside it color by color.
 //
-// The constraints of each body must still be solved in the order of their colors. A constraint between two tiles is a
-// border constraint, and so is every later constraint of either of its bodies. A second launch solves the border as a
-// relay (relay.cl). The result does not depend on the tiles.
+// A constraint between two tiles is a border constraint. Every later constraint of either body is one too, to keep the
+// order by color. A second launch solves the border as a relay (relay.cl). The result does not depend on the tiles.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
 #define TILE_RESTS TILE_BODIES // place in local memory that stands for all bodies that rest and cannot move
 #define TILE_PLAIN 0x40000000  // added to the index of a body for which tile_plain is true
 
-// Returns false if bound names a counter that is 0: then the layout of constraints has changed, and no kernel of the
-// tiles does anything.
+// Returns false if the counter `bound` is 0: the layout of constraints has changed, and kernels of tiles do nothing.
 INLINE bool tile_wanted(const Pools* p, int bound)
 {
 	return bound < 0 || ((__global const int*)p->counters)[bound] != 0;
@@ -34,8 +30,7 @@ INLINE int tile_body_of(const Pools* p, int leaf)
 }
 
 // Returns TILE_PLAIN if a body has no force, damping or lock, and gravity scale 1: passes then do not read its
-// constants. Only fields can change these before the tiles are rebuilt, because every change by the user rebuilds the
-// tiles.
+// constants. Only fields can change these until the tiles are rebuilt, because a change by the user rebuilds them.
 INLINE int tile_plain(const Pools* p, int body)
 {
 	Motion m = p->motion[body];
@@ -56,8 +51,7 @@ __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __globa
 	border[body] = COLORS + 1;
 }
 
-// Lists the bodies by place: resident has an int per place, -1 without a body. pushed: 1 if fields change forces, so
-// that no body is plain.
+// Lists the bodies by place; resident is -1 at other places. pushed: 1 if fields change forces, so no body is plain.
 __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places,
                         int bound, int pushed)
 {
@@ -72,8 +66,8 @@ INLINE bool tile_still(const float row[8])
 	return all_zero(row, 3) && all_zero(row + 4, 4);
 }
 
-// Returns the row of the table for a body that cannot move: -1 for any row, or the row of the border if the body is
-// kinematic and moving, because its position then differs from pass to pass.
+// Returns the table row for a body that cannot move: -1 for any row; the border's for a moving kinematic body, because
+// its position differs from pass to pass.
 INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 {
 	float first[8], second[8];
@@ -84,8 +78,7 @@ INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 
 INLINE int tile_column(int color, int kind) { return color * CONSTRAINT_KINDS + kind; }
 
-// Returns the row of the table for a constraint: that of its tile, or the last row for a border constraint. border: per
-// body, its first color with a border constraint.
+// Returns the row of a constraint: that of its tile, or `rows` for the border. border: first border color of each body.
 INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int* place, __global const int* border,
                     int rows)
 {
@@ -103,9 +96,8 @@ INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int*
 	return row == -1 ? rows : row;
 }
 
-// Counts the constraints of one color, and finds border constraints. Each color has a separate launch, because its
-// border depends on earlier colors. The count before a constraint is added becomes its rank; the order of ranks may
-// differ between executions.
+// Counts the constraints of one color, in a launch per color, because the border depends on earlier colors. rank: count
+// before the constraint was added, which may differ between executions.
 __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
                          __global int* rank, int rows, int bound, int begin, int end)
 {
@@ -151,7 +143,7 @@ INLINE int tile_padded(int count, int row, int rows)
 	return row < rows ? count : (count + RELAY_GROUP - 1) / RELAY_GROUP * RELAY_GROUP;
 }
 
-// Sums the number of places of each row of the table. The last row is the border.
+// Sums the places in each row of the table; the last row is the border.
 __kernel void tile_total(__global const int* table, __global int* total, int rows)
 {
 	int row = (int)get_global_id(0), sum = 0;
@@ -162,7 +154,7 @@ __kernel void tile_total(__global const int* table, __global int* total, int row
 	total[row] = sum;
 }
 
-// Replaces the sums by the beginning of each row, in one work-group.
+// Replaces the sums by the beginnings of the rows, in one work-group.
 __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_begin(__global int* total, int rows)
 {
 	__local uint sum[PRIMITIVE_GROUP];
@@ -193,7 +185,7 @@ __kernel void tile_range(__global int* table, __global const int* total, int row
 	}
 }
 
-// Writes the task of each constraint to its place in order. The other places keep -1.
+// Writes the task of each constraint to its place in `order`; the other places keep -1.
 __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
                          __global const int* table, __global const int* rank, int rows, int bound,
                          __global int* order, int constraints)
