@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// check.h -- checks arguments. Each function returns a status, and on failure sets a message with the argument and its
-// value.
+// check.h -- checks arguments. A failed check sets a message with the argument and its value.
 #ifndef CHECK_H
 #define CHECK_H
 #include "platform/error.h"
@@ -43,9 +42,8 @@ scree_status check_real(ArgumentPlace at, const char* member, float x, float low
 // Checks that both components are from -limit to limit.
 scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float limit);
 
-// Checks a pose: its position must be within SCREE_MAX_COORDINATE, and its rotation must have length 1 to within
-// 0.0005. Normalizes the rotation unless its length is within a few units of the last place, so that a pose that was
-// read can be set again unchanged.
+// Checks a pose: position within SCREE_MAX_COORDINATE, rotation of length 1 to within 0.0005. Normalizes a rotation if
+// its length differs from 1 by more than 2.5e-7, so that a pose that was read can be set again unchanged.
 scree_status check_pose(ArgumentPlace at, const char* member, scree_pose* pose);
 
 // Checks that a device name has one of the forms listed at scree_world_def.device.
@@ -61,8 +59,7 @@ scree_status check_pointer(const char* function, const char* argument, const voi
 // Checks that count is from 0 to MAX_ITEMS, and that the array is not null unless count is 0.
 scree_status check_batch(const char* function, const char* argument, const void* array, int count);
 
-// Checks the arguments of a function that fills a list: an array with room for capacity entries, and the address of the
-// number of entries.
+// Checks the arguments of functions that fill lists: an array, its capacity, and the address of the number of entries.
 scree_status check_list(const char* function, const char* argument, const void* array, int capacity, const int* count);
 
 #endif

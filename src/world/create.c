@@ -15,8 +15,7 @@
 #include "world/world.h"
 #include <stdio.h>
 
-// Adds body 0, on which the host places collidables without a body. Its slot is never in use, so no handle refers to
-// it.
+// Adds body 0, the ground, for joints and collidables without a body. Its slot is never in use: no handle refers to it.
 static scree_status add_ground(scree_world* world, const char* function)
 {
 	if (!slots_reserve(&world->bodies, 1))

@@ -16,10 +16,8 @@ const DefinitionType attribute_definition = {sizeof(scree_attribute_def), END_OF
 const DefinitionType body_definition = {sizeof(scree_body_def), END_OF(scree_body_def, user), "scree_body_def_default"};
 const DefinitionType collidable_definition = {sizeof(scree_collidable_def), END_OF(scree_collidable_def, user),
                                               "scree_collidable_def_default"};
-
 const DefinitionType joint_definition = {sizeof(scree_joint_def), END_OF(scree_joint_def, user),
                                          "scree_joint_def_make"};
-
 const DefinitionType path_definition = {sizeof(scree_path_def), END_OF(scree_path_def, user), "scree_path_def_default"};
 const DefinitionType query_definition = {sizeof(scree_query_def), END_OF(scree_query_def, one_way),
                                          "scree_query_def_default"};
@@ -29,7 +27,6 @@ const DefinitionType mover_definition = {sizeof(scree_mover_def), END_OF(scree_m
                                          "scree_mover_def_default"};
 const DefinitionType material_definition = {sizeof(scree_material_pair), END_OF(scree_material_pair, tangent_speed),
                                             "scree_material_pair_default"};
-
 const DefinitionType field_definition = {sizeof(scree_field_def), END_OF(scree_field_def, user),
                                          "scree_field_def_default"};
 

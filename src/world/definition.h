@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // definition.h -- reads definitions and writes results of programs that were built with another version of the header.
-//
-// New versions add members at the end, with 0 as their default. A definition stores its size; for a result, the size is
-// an argument of the call.
+// New versions add members at the end, with default 0. Definitions contain their size; for results it is an argument.
 #ifndef DEFINITION_H
 #define DEFINITION_H
 #include "world/check.h"
@@ -14,8 +12,7 @@ typedef struct // a type of definition
 	const char* default_function; // name of the function that returns a definition with default values
 } DefinitionType;
 
-// Upper bound of the sizes of definitions and results, bytes. A definition with a larger size was not initialized by
-// its caller.
+// bytes: upper bound of the sizes of definitions and results. A definition with a larger size was not initialized.
 #define MOST_SIZE 4096
 
 extern const DefinitionType world_definition, tuning_definition, attribute_definition, body_definition,
@@ -25,12 +22,10 @@ extern const DefinitionType world_definition, tuning_definition, attribute_defin
 // Checks definition k of a batch. All definitions of a batch must have the size of the first.
 scree_status check_definition(ArgumentPlace at, const void* defs, int k, const DefinitionType* type);
 
-// Returns definition k of a checked batch: its address if it has the size of this library, else the address local, with
-// a copy.
+// Returns the address of definition k of a checked batch, or local with a copy if its size is not that of this library.
 const void* definition_at(const void* defs, int k, const DefinitionType* type, void* local);
 
-// Copies a result of this library into a struct of the caller. bytes: size of this struct; bytes beyond the result
-// become 0.
+// Copies a result into a struct of the caller. bytes: size of this struct; bytes beyond the result become 0.
 void write_result(void* to, size_t bytes, const void* result, size_t result_bytes);
 
 #endif

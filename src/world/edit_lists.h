@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// edit_lists.h -- declares the lists of the user's changes since the last upload: rows, then commands in the order of
-// calls.
+// edit_lists.h -- declares the lists of changes since the last upload: rows, then commands in the order of the calls.
 #ifndef EDIT_LISTS_H
 #define EDIT_LISTS_H
 #include "pools/pools.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// edits.h -- records the user's changes until the next upload.
+// edits.h -- records the user's changes until the next upload. A row contains a body's values at its creation. Later
+// changes are commands, so the time of the upload does not matter.
 #ifndef EDITS_H
 #define EDITS_H
 #include "world/edit_lists.h"
 
-// A row holds a body's values at its creation. Later changes are commands, so the time of the upload does not matter.
-
-// Reserves memory for more edits. Until it is used up, the functions below cannot fail.
+// Reserves memory for more edits. The functions below cannot fail until this memory is used up.
 scree_status edits_reserve(scree_world* world, const char* function, int bodies, int collidables, int commands);
 void edits_close(Edits* edits);
 

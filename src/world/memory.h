@@ -5,8 +5,7 @@
 #include "scree/scree.h"
 #include <stddef.h>
 
-// Returns memory of at least the given number of bytes, or null if there is none. The memory is valid until the next
-// call of this function.
+// Returns memory of at least the given size, or null if there is none. The memory is valid until the next call.
 void* world_scratch(scree_world* world, size_t bytes);
 
 // Enlarges an array to at least needed items, and by at least half, if its capacity is smaller. item: bytes of an item.

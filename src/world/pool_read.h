@@ -7,8 +7,7 @@
 // Reads items of a pool for the user. Adds the time to that of the current step for device "auto".
 scree_status world_read(scree_world* world, PoolId pool, int first, int count, void* items);
 
-// Returns the pose of a body's origin. row: the body's row in the pool pose, which contains the pose of the center of
-// mass.
+// Returns the pose of a body's origin. row: the body's row in the pool pose, the pose of its center of mass.
 scree_pose world_body_pose(const scree_world* world, int index, const Float4* row);
 
 #endif

@@ -10,8 +10,7 @@
 typedef struct
 {
 	uint32_t* generation; // generation of each slot, odd while the slot is in use
-	// Level 0 has a set bit for each free slot below used. Each higher level has a set bit for each word of the level
-	// below that is not zero.
+	// level 0: a set bit for each free slot below used; higher levels: a set bit for each nonzero word one level below
 	uint64_t* free[SLOT_LEVELS];
 	int free_count, used, capacity, alive;
 	uint64_t changes; // number of changes of generations
@@ -24,8 +23,7 @@ void slots_close(Slots* slots);
 int slots_allocate(Slots* slots);
 void slots_free(Slots* slots, int slot);
 
-// Reverts slots_allocate. If several slots are put back, the slot allocated last must be first. used: Slots.used before
-// all these allocations.
+// Reverts allocations, the last allocation first. used: value of Slots.used before all these allocations.
 void slots_put_back(Slots* slots, int slot, int used);
 
 static inline bool slots_in_use(const Slots* slots, int slot) { return slots->generation[slot] & 1; }

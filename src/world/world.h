@@ -76,9 +76,7 @@ typedef struct // host data of a joint
 	bool marked;              // within one call: true if the joint has already been in the batch
 } HostJoint;
 
-// Sums for the mass of one dynamic body: the last one that got collidables without another change. They spare a sum
-// over all its collidables for each new one.
-typedef struct
+typedef struct // sums for the mass of one dynamic body that gets collidables one by one, so that each is added once
 {
 	double mass, x, y; // kg; kg m: sums of mass times center
 	int body;          // index of the body, 0 for none
@@ -137,8 +135,7 @@ typedef struct // the name of a collidable in events, which may have been destro
 typedef struct // events of the last step
 {
 	int reporters; // number of collidables that report events
-	// Names of destroyed collidables, two per slot: the last one destroyed after an even number of steps, and the last
-	// one destroyed after an odd number.
+	// names of destroyed collidables, two per slot: the last after an even, and the last after an odd number of steps
 	CollidableName* departed;
 	int departed_capacity;
 	bool fetched; // true: the lists below have been read back after the last step
@@ -243,8 +240,7 @@ struct scree_world
 	int target_count, target_capacity;
 	Edits edits;
 	Reports reports;
-	Queries queries,
-	    blast_queries; // the user's queries; queries of explosions, separate so that the user's list is kept
+	Queries queries, blast_queries; // queries of the user; queries of blasts, which leave the user's list unchanged
 	Sensors sensors;
 	Materials materials;
 	Fields fields;

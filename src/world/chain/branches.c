@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: MIT
-// branches.c -- finds branches: trees of joints around light bodies that carry heavy bodies. Their joints are solved
-// together.
-//
-// The hub of a branch is a body with at least three joints that is light compared with the bodies at the other ends of
-// these joints. If all joints connected to the hub form a tree, the tree is the branch; it may have arms of any length,
-// light bodies beside each other, and wheels on axles. Otherwise the branch has only the joints of the hub and of
-// adjacent light bodies, as far as they form a tree. The choice depends only on the user's calls, so it is the same on
-// every device.
+// branches.c -- finds branches: trees of joints, solved together, around light bodies that carry heavy bodies.
+// The hub of a branch is a body with at least three joints that is light compared with the bodies at their other ends.
+// If all joints connected to the hub form a tree, the tree is the branch. Otherwise the branch has only the joints of
+// the hub and of adjacent light bodies, as far as they form a tree. The choice depends only on the user's calls, so it
+// is the same on every device.
 #include "world/chain/branches.h"
 #include "world/objects/joints.h"
 #include <string.h>
 
-// The hub of a branch has at least HUB_JOINTS joints. The bodies at their other ends have in sum at least HUB_WEIGHT
-// times its mass and inertia, where the two ratios are added. Solved joint by joint, hubs became unstable when welded
-// bodies had 4 to 7 times their inertia, and when hinged bodies had 28 to 56 times their inertia. A hinged body yields
-// except along its arm, so it counts as HUB_HINGE of its mass, located at the hinge.
+// A hub has at least HUB_JOINTS joints; the bodies at their other ends have HUB_WEIGHT times its mass and inertia (both
+// ratios added). Solved joint by joint, hubs were unstable with welded bodies of 4 to 7 times their inertia, or hinged
+// bodies of 28 to 56 times. A hinged body yields except along its arm: HUB_HINGE of its mass counts, at the hinge.
 #define HUB_JOINTS 3
 #define HUB_WEIGHT 3.0f
 #define HUB_HINGE  0.18f
 // A body is also a hub if the bodies connected to it have HUB_LOAD times its mass. Ragdolls have up to 9 times, and
 // come to rest without a branch.
 #define HUB_LOAD 20.0f
-// Maximum number of nodes of a branch, because its time is proportional to its joints. If a tree is larger, only the
-// joints around its light bodies form branches.
+// Maximum number of nodes of a branch, to limit its time. In larger trees only joints around light bodies are branches.
 #define MOST_NODES  1024
 #define MOST_WELDED 64 // maximum number of bodies in the sum behind a welded end, because each hub sums them again
 
@@ -47,8 +42,7 @@ static float distance(scree_vec a, scree_vec b) { return sqrtf((a.x - b.x) * (a.
 
 static bool welded(const HostJoint* host) { return host->def.coordinates[SCREE_ANGLE].locked; }
 
-// Returns the weight of the body at the other end of a hub's joint, with the bodies welded to it, relative to the hub.
-// The weight is the sum of the ratios of masses and of inertias.
+// Returns mass / hub's mass + inertia / hub's inertia for the body at a joint's other end with all bodies welded to it.
 static float weight_of(const scree_world* world, int joint, int hub)
 {
 	const HostJoint* host = world->host_joints + joint;
@@ -155,8 +149,7 @@ static void forget(Branching* b, int count)
 		b->place[b->list[k]] = 0;
 }
 
-// Returns whether some body of a tree is light compared with the ends of its joints, or with all bodies connected to
-// it.
+// Returns whether some body of a tree is light compared with the ends of its joints, or with all bodies of the tree.
 static bool worth(Branching* b, int count)
 {
 	const scree_world* world = b->s->world;
@@ -261,7 +254,6 @@ void branches_find(ChainSearch* s, void* memory)
 			continue;
 		if (!(s->marks[body] & BODY_IN_NET))
 		{
-			// examines all connected bodies at once
 			count = spread(&b, put(&b, 0, body, -1, -1), true, &tree);
 			tree = tree && count <= MOST_NODES;
 			for (int k = 0; k < count; ++k)

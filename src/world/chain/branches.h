@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// branches.h -- finds branches: trees of joints around light bodies that carry heavy bodies. Their joints are solved
-// together.
+// branches.h -- finds branches: trees of joints, solved together, around light bodies that carry heavy bodies.
 #ifndef BRANCHES_H
 #define BRANCHES_H
 #include "world/chain/chain_search.h"

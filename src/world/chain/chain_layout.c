@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-// chain_layout.c -- places the joints of chains in the memory of a device: a chain alone in rows, or chains side by
-// side.
-//
-// One worker solves chains of similar lengths side by side, one per lane, in less time than one after another. With
-// more workers than chains, a chain alone in rows is faster, because each worker gets one. The layout with the lower
-// estimated cost of a pass is used.
+// chain_layout.c -- places the joints of chains in device memory: a chain alone in rows, or chains side by side.
+// One worker solves chains of similar lengths faster side by side, one per lane. With more workers than chains, chains
+// in rows are faster, because each worker gets a chain. The layout with the lower estimated cost of a pass is used.
 #include "world/chain/chain_layout.h"
 #include "backend/backend.h"
 #include "platform/threads.h"
@@ -12,8 +9,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-// Costs of a pass over a block of joints, relative to one joint solved alone: in rows, and side by side. Measured on
-// CPUs with 16 and 8 lanes.
+// Costs of a pass over a block of joints, relative to one joint solved alone; measured on CPUs with 16 and 8 lanes.
 #define ROW_COST  12
 #define SIDE_COST 8
 #define APART     0.9 // ranges get separate blocks if these cost less than this share of common blocks
@@ -27,8 +23,7 @@ typedef struct
 	int lanes, groups;
 	bool alone; // true: all chains are placed alone
 	int parts;  // number of ranges that may share blocks
-	// latest blocks with chains side by side: spot of joint 0, number of spots from joint 0 to joint 1, number of
-	// ranges
+	// latest blocks with chains side by side: spot of joint 0, spots from joint 0 to joint 1, number of ranges
 	int column, column_odds, column_parts;
 } ChainPlacement;
 
@@ -50,9 +45,8 @@ static void choose_rows(ChainRow* row, int lanes)
 	}
 }
 
-// Returns the number of chains that are placed side by side, beginning with chain k: as many as there are lanes, or 1
-// if single chains cost less. A shorter chain beside a longer chain costs nothing. Sets *cost to the cost of these
-// chains.
+// Returns the number of chains to place side by side from chain k on: as many as there are lanes, or 1 if single chains
+// cost less. Sets *cost to the cost of these chains. A shorter chain beside a longer chain costs nothing.
 static int side_by_side(const ChainPlacement* s, int k, int* cost)
 {
 	const ChainLayout* layout = s->layout;
@@ -66,8 +60,7 @@ static int side_by_side(const ChainPlacement* s, int k, int* cost)
 	return count;
 }
 
-// Returns whether count chains, beginning with chain k, are a new item of a pass. If not, they share the blocks of the
-// chains before them.
+// Returns whether chains k to k + count - 1 begin an item of a pass. Otherwise they share the blocks of earlier chains.
 static bool begins_item(ChainPlacement* s, int k, int count)
 {
 	const ChainRow* rows = s->layout->rows;
@@ -98,9 +91,8 @@ static double cost_of_all(ChainPlacement* s)
 	return s->groups > counted ? fmax(sum / s->groups, most) : most;
 }
 
-// Chooses the number of ranges that share blocks, and returns the cost of a pass. One worker solves all ranges in a
-// block, because two workers would write to the same cache lines. Separate blocks take more memory, but distribute the
-// work better.
+// Chooses the number of ranges that share blocks, and returns the cost of a pass. One worker solves a whole block,
+// because two would write to the same cache lines. Separate blocks take more memory, but distribute the work better.
 static double choose_parts(ChainPlacement* s)
 {
 	int most = s->parts;
@@ -133,12 +125,10 @@ static ChainRange place_side(ChainPlacement* s, int count, bool begins)
 		s->layout->places += 2 * s->column_odds;
 	}
 	int first = s->column + (s->column_parts - 1) * s->lanes;
-	ChainRange at = {first, count, s->column_odds, MAX_LANES, length, 1, 0, 0};
-	return at;
+	return (ChainRange){first, count, s->column_odds, MAX_LANES, length, 1, 0, 0};
 }
 
-// Sorts carried chains behind all others, longer chains before shorter chains, and chains of one length as they were
-// found.
+// Sorts carried chains last, longer chains before shorter chains, and chains of one length in the order of discovery.
 static int compare_rows(const void* a, const void* b)
 {
 	const ChainRow *first = a, *second = b;

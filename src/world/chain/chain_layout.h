@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// chain_layout.h -- places the joints of chains in the memory of a device: a chain alone in rows, or chains side by
-// side.
+// chain_layout.h -- places the joints of chains in device memory: a chain alone in rows, or chains side by side.
 #ifndef CHAIN_LAYOUT_H
 #define CHAIN_LAYOUT_H
 #include "pools/pools.h"
@@ -28,8 +27,7 @@ typedef struct
 	int carried;               // index of the first item of carried chains
 } ChainLayout;
 
-// Assigns spots to the joints of all chains and branches. lanes, groups: number of lanes and of work-groups of the
-// device. ranged, items and places must be zero.
+// Assigns spots for a device with this number of lanes and of work-groups. ranged, items, places, carried must be 0.
 void chain_layout(ChainLayout* layout, int lanes, int groups);
 
 #endif

@@ -6,9 +6,8 @@
 #include "world/world.h"
 #include <math.h>
 
-// Maximum ratio of masses that are solved together. With a larger ratio, a sum of large and small inverse masses keeps
-// no digit of the small ones, and impulses may be wrong by any factor. Joints with a larger ratio are solved one by
-// one: they yield, but stay finite.
+// Maximum ratio of masses solved together. With more, the sum of two inverse masses keeps no digit of the smaller one,
+// and impulses are wrong by any factor. Joints with a larger ratio are solved one by one: they yield, but stay finite.
 #define MOST_RATIO 1e5f
 
 #define BODY_OWNED    1 // the body is at the end of a chain

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// chains.c -- finds chains: joints in a row, which are solved together.
-//
-// A chain passes through bodies that have two joints with locks. No movable body belongs to two chains. Ropes and
-// bridges are chains, nets are not. A short chain of similar masses is not used, because it gains nothing. The choice
-// depends only on the user's calls, so it is the same on every device. The placement in memory (chain_layout.c) depends
-// on the device, but does not change the results.
+// chains.c -- finds chains: joints in a row, which are solved together. A chain passes through bodies that have two
+// joints with locks. No movable body belongs to two chains. Ropes and bridges are chains, nets are not. A short chain
+// that has similar masses gains nothing, so it is not used. The choice depends only on the user's calls, so it is the
+// same on every device; only the placement in memory depends on the device.
 #include "world/chain/chains.h"
 #include "platform/error.h"
 #include "step/reserve.h"
@@ -12,12 +10,11 @@
 #include "world/objects/joints.h"
 #include <string.h>
 
-// A chain has at least LEAST_JOINTS joints. It may have fewer, but at least two, if the ratio of its largest to its
-// smallest mass is at least LEAST_RATIO.
+// Minimum number of joints of a chain; two suffice if its largest mass is LEAST_RATIO times its smallest mass.
 #define LEAST_JOINTS 8
 #define LEAST_RATIO  8.0f
 
-// Returns the second joint of a body that can move, is in no branch and has exactly two joints; -1 for other bodies.
+// Returns the other joint of a body that can move, is in no branch and has exactly two joints; -1 for other bodies.
 static int next_joint(const ChainSearch* s, int body, int joint)
 {
 	const scree_world* world = s->world;
@@ -49,8 +46,7 @@ static int chain_end(const ChainSearch* s, int joint, int* body)
 	}
 }
 
-// Lists the joints of a chain from its first joint on. *at: the body in front of the first joint; set to the body
-// behind the last joint. Returns the number of joints.
+// Lists a chain's joints from first on, and returns their number. *at: body before first; set to the body at the end.
 static int chain_list(ChainSearch* s, int first, int* at)
 {
 	int count = 0;
@@ -63,8 +59,7 @@ static int chain_list(ChainSearch* s, int first, int* at)
 	return count;
 }
 
-// Returns whether a chain may end at a body: a body that cannot move, or is in no other chain and no branch. Marks the
-// body as taken.
+// Returns whether a chain may end at a body: it cannot move, or is in no other chain and no branch. Marks it as taken.
 static bool own(ChainSearch* s, int body)
 {
 	if (!chain_moves(s->world, body))
@@ -80,8 +75,8 @@ static float chain_mass(const scree_world* world, int body)
 	return chain_moves(world, body) ? world->host_bodies[body].mass.mass : INFINITY;
 }
 
-// Returns the largest ratio of load to mass among the inner bodies of a short chain. The load of a body: the heaviest
-// bodies on its two sides are compared, and the lighter of these two is the load.
+// Returns the largest ratio of load to mass of the inner bodies of a short chain. The load of a body is the lighter of
+// two bodies: the heaviest body on its one side, and the heaviest body on its other side.
 static float load_ratio(const scree_world* world, const int* row, int count)
 {
 	float masses[LEAST_JOINTS], before = 0.0f, ratio = 0.0f;

@@ -4,8 +4,7 @@
 #define CHAINS_H
 #include "world/world.h"
 
-// If joints or masses have changed, finds the chains again, uploads their placement, and marks joints with another spot
-// for the upload.
+// Finds the chains again if joints or masses changed, uploads them, and marks joints with new spots for the upload.
 scree_status chains_update(scree_world* world);
 
 #endif

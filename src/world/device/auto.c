@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // auto.c -- device "auto": a world begins on the CPU, and moves to the device on which its steps take less time.
-//
-// The GPU is opened when the time that it may save in the expected steps exceeds the time to open it. A thread opens
-// the GPU while the world continues to step. A trial on the other device begins when its cost is a small part of the
-// time that the world has worked so far. Both devices compute the same bits, so measured times may decide.
+// A thread opens the GPU when the time that it may save in the expected steps exceeds the time to open it. A trial on
+// the other device begins when its cost is a small part of the time that the world has worked so far. Both devices
+// compute the same bits, so measured times may decide.
 #include "world/device/auto.h"
 #include "platform/error.h"
 #include "platform/processor.h"
@@ -17,20 +16,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-// minimum number of further steps expected of a world; a world that has taken more steps is expected to take as many
-// again
+// minimum number of further steps expected of a world; after more steps than that, as many again are expected
 #define HORIZON 500
 
-// Minimum time of a step on a GPU, ms. In the scene pyramids, an H200 takes 0.13 ms for 10,000 boxes, and hardly less
-// for fewer boxes.
+// ms: minimum time of a step on a GPU. An H200 takes 0.13 ms for 10,000 boxes (scene pyramids), hardly less for fewer.
 #define LEAST_STEP 0.15
 
 // Assumed time of a step on the CPU before a step is measured, ms per body and thread. It is less than the measured
 // time of any scene (pyramids on 16 threads: 5e-4), so only very large worlds open the GPU before their first step.
 #define BODY_STEP 4e-4
 
-// Assumed time to open a GPU before it is measured, ms. A machine with an H200 and a cached program takes 215 to 235 ms
-// when idle.
+// ms: assumed time to open a GPU. An idle machine with an H200 and a cached program takes 215 to 235 ms.
 #define OPENING 230
 
 #define MOVE_SPEED 4e6 // assumed speed of copying a world, bytes per ms: less than the bus of any fast GPU
@@ -40,9 +36,8 @@
 #define TRIAL_STEPS 4
 #define TRIAL_LIMIT 20
 
-// The next trial begins when the world has worked PATIENCE times as long as the last trial took. The factor is
-// LIKELY_PATIENCE if the predicted time of a step on the other device is less than LIKELY of the current time. Each
-// failed trial doubles the delay.
+// A trial begins when the world has worked PATIENCE times as long as the last trial took: LIKELY_PATIENCE times if the
+// predicted step of the other device takes less than LIKELY of the current time. Each failed trial doubles the delay.
 #define PATIENCE        100
 #define LIKELY_PATIENCE 20
 #define LIKELY          0.8 // share of the current time of a step
@@ -73,8 +68,7 @@ static int compare_times(const void* a, const void* b)
 }
 
 // Returns a quantile of the times of the last steps, ms; not their mean, because other work disturbs single steps.
-// share: 0 for the shortest time, 0.5 for the median. The first step after a move counts only if there is no other
-// step.
+// share 0: shortest time; 0.5: median. The first step after a move counts only if there is no other step.
 static double meter_step(const StepMeter* m, double share)
 {
 	double sorted[RECENT_STEPS];
@@ -96,8 +90,7 @@ static double least_step(const scree_world* world, const Backend* b)
 	return b->distant ? LEAST_STEP : BODY_STEP * world->bodies.alive / b->threads;
 }
 
-// Returns the predicted time of a step on the other device, ms. On a CPU the time is proportional to the work, on a GPU
-// nearly constant.
+// Returns the predicted time of a step on the other device, ms: on a CPU proportional to the work, on a GPU constant.
 static double predicted_step(scree_world* world)
 {
 	const Backend* other = world->auto_device.other;
@@ -153,8 +146,7 @@ static bool trial_pays(scree_world* world)
 	const StepMeter* m = meter_of(world, here);
 	if (m->count < RECENT_STEPS || a->spent < LIKELY_PATIENCE * a->cost)
 		return false;
-	// the other device must have three times the memory of the world: the world may grow, and a step that runs out of
-	// memory cannot be undone
+	// requires three times the memory, because the world may grow, and a step that runs out of memory cannot be undone
 	if (there->memory > 0 && 3 * here->bytes > there->memory)
 		return false;
 	double step = meter_step(m, MEDIAN), predicted = predicted_step(world);

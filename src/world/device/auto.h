@@ -8,8 +8,7 @@
 void auto_open(scree_world* world, CompareDevice* compare);
 void auto_close(scree_world* world);
 
-// Must be called before a step. Records the time of the last step, and moves the world if that pays. Fails only if the
-// world breaks.
+// Records the time of the last step, and moves the world if that pays. Called before a step; fails if the world breaks.
 scree_status auto_choose(scree_world* world);
 
 // auto_clock returns the current time, ms. auto_count adds the time from since to now to the time of the current step.

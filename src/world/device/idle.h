@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// idle.h -- finds the blocks of bodies and of collidables that no step changes, which a CPU skips.
-//
-// A level of a game has many static bodies and few bodies that move. For unchanged static bodies, the kernels over all
-// bodies and all collidables would only write values that are already stored. So a block is idle if it contains only
-// static items and free slots, and some steps have passed since the last change. The results have the same bits.
+// idle.h -- finds the blocks of bodies and of collidables that no step changes, which a CPU skips. For unchanged static
+// bodies, the kernels would only write values that are already stored. So a block is idle if it has only static items
+// and free slots, and some steps have passed since the last change. The results have the same bits.
 #ifndef IDLE_H
 #define IDLE_H
 #include "scree/scree.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// migrate.c -- moves a world from one device to another, between two steps.
-//
-// The data of the host depends on the device only in the positions of the trees. So a move copies only the pools whose
-// items outlive a step.
+// migrate.c -- moves a world from one device to another, between two steps. The data of the host depends on the device
+// only in the positions of the trees, so only the pools whose items outlive a step are copied.
 #include "world/device/migrate.h"
 #include "platform/error.h"
 #include "world/device/idle.h"

@@ -11,8 +11,7 @@ scree_velocity body_velocity_allowed(const HostBody* host, scree_velocity veloci
 // body is dynamic. The caller has reserved memory for one command.
 void body_send_motion(scree_world* world, int index);
 
-// Inserts leaves for all collidables of a body into the trees. On failure, leaves of some collidables may have been
-// inserted.
+// Inserts leaves for all collidables of a body into the trees. On failure, some leaves may have been inserted.
 scree_status body_insert_leaves(scree_world* world, const HostBody* host);
 void body_remove_leaves(scree_world* world, const HostBody* host);
 

@@ -65,8 +65,7 @@ scree_status collidables_allocate(scree_world* world, int* slots, int count)
 	return SCREE_OK;
 }
 
-// Records a command that links a collidable to the next collidable in its list. Not needed if previous is -1, or if the
-// whole row of the collidable is pending.
+// Records the link of a collidable to the next one in its list, unless its whole row is pending. previous: -1 for none
 static void list_changed(scree_world* world, int previous)
 {
 	if (previous < 0 || world->host_collidables[previous].waiting.row > 0)

@@ -17,7 +17,6 @@ scree_status exclusions_reserve(scree_world* world, const char* function, int mo
 	return GROW(function, e->rows, e->capacity, e->slots.capacity);
 }
 
-// Searches the shorter of the lists of the two bodies.
 int exclusion_find(const scree_world* world, int a, int b)
 {
 	const HostBody* bodies = world->host_bodies;

@@ -7,14 +7,12 @@
 
 scree_status fields_reserve(scree_world* world, const char* function);
 
-// field_make returns a new slot. field_put sets the definition of the field in a slot, which must have been checked.
-// body: -1 for a field in the world.
+// field_make returns a new slot. field_put sets the checked definition of a field. body: -1 for a field in the world.
 int field_make(scree_world* world);
 void field_put(scree_world* world, int index, const scree_field_def* def, int body);
 void field_remove(scree_world* world, int index);
 
-// fields_body_gone removes the fields on a body that is about to be destroyed. fields_body_changed marks them as
-// changed after the body was enabled or disabled.
+// Remove the fields on a body before its destruction; mark them as changed after the body was enabled or disabled.
 void fields_body_gone(scree_world* world, int body);
 void fields_body_changed(scree_world* world, int body);
 scree_status upload_fields(scree_world* world);

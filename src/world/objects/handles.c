@@ -54,8 +54,7 @@ static Names names_of(const Slots* slots) { return (Names){slots->generation, sl
 Names collidable_names(const scree_world* world) { return names_of(&world->collidables); }
 Names body_names(const scree_world* world) { return names_of(&world->bodies); }
 
-// Indices in handles begin at 1. A handle of a body that is passed as a handle of a collidable is then detected more
-// often.
+// Indices in handles begin at 1, so a handle of a body that is passed for a collidable is detected more often.
 scree_collidable collidable_handle(const scree_world* world, int index)
 {
 	return (scree_collidable){(uint32_t)index + 1, world->collidables.generation[index]};
@@ -74,9 +73,8 @@ scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_
 	return SCREE_OK;
 }
 
-// Returns the generation in an attribute's handle. For the first attribute in a slot it is a hash of the values, so
-// that a handle of another world is accepted only for equal values. Later attributes in the slot have other
-// generations.
+// Returns the generation in an attribute's handle: for the first attribute in a slot a hash of its values, so that
+// handles of another world are accepted only for equal values; for later attributes in the slot another number.
 static uint32_t generation_of(const scree_world* world, int index)
 {
 	uint32_t before = world->attribute_slots.generation[index] >> 1;
@@ -107,7 +105,6 @@ scree_status check_attribute(const scree_world* world, ArgumentPlace at, const c
 	return SCREE_OK;
 }
 
-// Indices in handles begin at 1, as for collidables.
 scree_joint joint_handle(const scree_world* world, int index)
 {
 	return (scree_joint){(uint32_t)index + 1, world->joints.generation[index]};

@@ -22,16 +22,14 @@ bool joint_is_valid(const scree_world* world, scree_joint joint);
 bool path_is_valid(const scree_world* world, scree_path path);
 bool field_is_valid(const scree_world* world, scree_field field);
 
-// Check a handle, and set *index to its slot. For a null or invalid handle they fail with SCREE_ERROR_STALE and name
-// the argument.
+// Check a handle, and set *index to its slot. Fail with SCREE_ERROR_STALE for a null or invalid handle.
 scree_status check_body(const scree_world* world, ArgumentPlace at, const char* member, scree_body body, int* index);
 scree_status check_joint(const scree_world* world, ArgumentPlace at, scree_joint joint, int* index);
 scree_status check_path(const scree_world* world, ArgumentPlace at, const char* member, scree_path path, int* index);
 scree_status check_field(const scree_world* world, ArgumentPlace at, scree_field field, int* index);
 scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_collidable collidable, int* index);
 
-// Checks the handle of a body that may have been destroyed since. Refuses a null handle, and a body that this world
-// never had.
+// Checks a handle of a body that may have been destroyed. Refuses null, and a body that this world never had.
 scree_status check_body_once(const scree_world* world, ArgumentPlace at, const char* member, scree_body body);
 
 Names collidable_names(const scree_world* world);

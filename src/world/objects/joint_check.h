@@ -4,8 +4,7 @@
 #define JOINT_CHECK_H
 #include "world/check.h"
 
-// Checks the numbers of a coordinate. Error messages name it as a member of the definition at place at (at.index may be
-// ALONE).
+// Checks the numbers of a coordinate. at: the definition to which messages refer; at.index may be ALONE.
 scree_status check_coordinate(ArgumentPlace at, scree_joint_type type, scree_coordinate which,
                               const scree_joint_coordinate* c);
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_ends.h -- links the joints of a body to a list.
-//
-// Each joint has two ends, one per body: joint k has the ends 2 k + 0 and 2 k + 1. The list of a body links ends.
+// joint_ends.h -- links the joints of a body to a list of ends. Joint k has two ends, one per body: 2 k and 2 k + 1.
 #ifndef JOINT_ENDS_H
 #define JOINT_ENDS_H
 #include "world/world.h"

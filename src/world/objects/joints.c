@@ -155,7 +155,6 @@ static JointDriveData drive_row(const scree_joint_coordinate* from)
 
 static bool moves(const HostBody* body) { return body->type == SCREE_BODY_DYNAMIC; }
 
-// springs and motors along and across
 #define LINEAR_DRIVES \
 	(JOINT_SPRING(JOINT_ALONG) | JOINT_MOTOR(JOINT_ALONG) | JOINT_SPRING(JOINT_ACROSS) | JOINT_MOTOR(JOINT_ACROSS))
 
@@ -187,8 +186,7 @@ static int joint_modes(const scree_joint_def* def)
 	return modes | JOINT_COUPLED;
 }
 
-// Returns side k of a coupling. For all other joints returns a default, because their sides are not checked and may not
-// be finite.
+// Returns side k of a coupling; a default for other joints, whose sides are not checked and may not be finite.
 static scree_joint_side side_of(const scree_joint_def* def, int k)
 {
 	return joint_couples(def->type) ? def->sides[k] : (scree_joint_side){.base.rotation.c = 1.0f};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// joints.h -- keeps the slots of joints and their lists by body, and uploads joints.
-//
-// The host has all data of a joint except whether it broke, so an upload writes the whole row.
+// joints.h -- keeps the slots of joints and their lists by body, and uploads joints. An upload writes the whole row,
+// because the host has all data of a joint except whether it broke.
 #ifndef JOINTS_H
 #define JOINTS_H
 #include "world/objects/joint_ends.h"
@@ -22,8 +21,7 @@ void joint_changed(scree_world* world, int index, bool restarts);
 void body_joints_changed(scree_world* world, int body);
 void body_joints_remove(scree_world* world, int body);
 
-// Makes the joints of a body that follow paths search for the nearest part of the path. Needed after the body was
-// placed elsewhere.
+// Makes a body's joints on paths search for the nearest part of the path, after the body was placed elsewhere.
 void body_joints_seek(scree_world* world, int body);
 
 enum

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// kinematics.c -- keeps the list of kinematic bodies. If the list is short, continuous collision compares paths with
-// each of them.
+// kinematics.c -- keeps the list of kinematic bodies. Continuous collision tests each body of a short list.
 #include "world/objects/kinematics.h"
 #include "world/memory.h"
 #include "world/world.h"
@@ -16,7 +15,6 @@ void kinematic_put(scree_world* world, int body)
 	world->host_bodies[body].kinematic = ++world->kinematic_count;
 }
 
-// Removes a body from the list, and moves the last body of the list to its position.
 void kinematic_drop(scree_world* world, int body)
 {
 	HostBody* host = world->host_bodies + body;

@@ -7,9 +7,8 @@
 #include "world/shape/geometry.h"
 #include <math.h>
 
-// Minimum of the squared radius of gyration, as a share of the squared longest arm of a body. With a smaller inertia,
-// the equations of joints have no digits left for the mass: a chain of beads of 2 mm, welded at arms of 0.5 m, became
-// 1e25 times as fast within a step.
+// Minimum squared radius of gyration, as a share of the squared longest arm of a body. With less, equations for joints
+// keep no digit of the mass: a chain of beads of 2 mm, welded at arms of 0.5 m, became 1e25 times as fast in a step.
 #define LEAST_GYRATION 1.0e-3
 
 static scree_mass massless(scree_body_type type)
@@ -79,8 +78,7 @@ scree_mass mass_now(const scree_world* world, int body)
 	return lacks ? mass_of_body(world, body) : world->host_bodies[body].mass;
 }
 
-// Returns the distance of a point from the center of mass, m. Computes in double, because hypotf differs between
-// systems.
+// Returns the distance of a point from the center of mass, m. hypotf is not used, because it differs between systems.
 static float arm_of(const HostBody* host, scree_vec point)
 {
 	double x = point.x - host->mass.center.x, y = point.y - host->mass.center.y;
@@ -96,8 +94,7 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / (host->mass.inertia > least ? host->mass.inertia : least) : 0.0f;
 }
 
-// Returns the longest arm of a body, m: over the anchors of its joints, and, if the user set the mass, also over its
-// solid shapes, which such a mass may not fit.
+// Returns the longest arm, m: to joints' anchors, and to solid shapes if the user set the mass, which may not fit them.
 static float longest_arm(const scree_world* world, const HostBody* host)
 {
 	float most = 0.0f;
@@ -124,8 +121,7 @@ ContinuousBody continuous_row(scree_world* world, int body)
 	for (int k = host->first_collidable; host->type == SCREE_BODY_DYNAMIC && k >= 0;
 	     k = world->host_collidables[k].next)
 	{
-		// continuous collision adds the components of the arm, which are at most 1.4143 times its length; 0.1 % more
-		// for rounding
+		// continuous collision adds the components of the arm, at most 1.4143 times its length; 0.1 % more for rounding
 		const HostCollidable* collidable = world->host_collidables + k;
 		float way = CONTINUOUS_TRAVEL * attribute_thickness(world, collidable->attribute);
 		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach +

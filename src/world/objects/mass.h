@@ -4,15 +4,13 @@
 #define MASS_H
 #include "world/world.h"
 
-// Returns the mass of a dynamic body: the mass that the user set, else the sum over its collidables, else 1 kg that
-// cannot rotate. Returns mass 0 for other bodies.
+// Returns the mass that the user set, else the sum over collidables, else 1 kg without inertia; 0 if not dynamic.
 scree_mass mass_of_body(const scree_world* world, int body);
 
 // Returns HostBody.mass with the correct inertia, even if the inertia is still pending.
 scree_mass mass_now(const scree_world* world, int body);
 
-// Return the inverse mass, 1/kg, and the inverse inertia, 1/(kg m^2). The inverse of 0 is 0, and the inverse inertia is
-// 0 if the rotation is locked.
+// Return the inverse mass, 1/kg, and inverse inertia, 1/(kg m^2): 0 for the inverse of 0 and for a locked rotation.
 float mass_inverse(const HostBody* host);
 float mass_inverse_inertia(const HostBody* host);
 
@@ -21,19 +19,17 @@ float mass_inverse_inertia(const HostBody* host);
 ContinuousBody continuous_row(scree_world* world, int body);
 Command continuous_command(scree_world* world, int body);
 
-// Records an anchor of a joint in the body's frame, which may raise the inertia. The caller has reserved memory for a
-// command.
+// Records an anchor of a joint in the body's frame, which may raise the inertia. Needs reserved memory for one command.
 void mass_anchor(scree_world* world, int body, scree_vec anchor);
 
-// Updates the mass of a body after one of its collidables became a sensor, or solid. body -1: no body. The caller has
-// reserved memory for a command.
+// Updates the mass after a collidable became a sensor or solid. body -1: none. Needs reserved memory for one command.
 void mass_touches(scree_world* world, int body);
 
-// Sets the mass of a body on the host and on the device. The caller has reserved memory for two commands.
+// Sets the mass of a body on the host and on the device. Needs reserved memory for two commands.
 void mass_set(scree_world* world, int body, scree_mass mass);
 
 // Sets a mass that the user gave. It is kept, even while the body is not dynamic, until the collidables of the body
-// change. The caller has reserved memory for two commands.
+// change. Needs reserved memory for two commands.
 void mass_own(scree_world* world, int body, scree_mass mass);
 
 // Recomputes the mass of each dynamic body in a list, once each; the mass is then no longer that of the user. Records
@@ -42,8 +38,7 @@ void mass_own(scree_world* world, int body, scree_mass mass);
 // collidables created one by one would need sums over n^2 / 2 of them.
 void masses_update(scree_world* world, const int* bodies, int count, bool gained);
 
-// Computes the pending inertia. Must be called before uploads, before reads of the inertia, and before commands that
-// depend on it.
+// Computes the pending inertia. Needed before uploads, reads of the inertia, and commands that depend on the inertia.
 void mass_settle(scree_world* world);
 
 // Discards the sums for a body. Its mass is set in another way, or the body is about to be destroyed.

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-// path_samples.c -- computes the samples of a path: a cubic spline through its points, and the arc length along the
-// spline.
-//
-// The curvature of the spline is continuous, so the force on a body that follows it has no jumps. The parameter of the
-// spline is the sum of the distances between successive points. Only + - * / and square roots of doubles are used, so
-// every machine computes the same bits.
-//
+// path_samples.c -- computes the samples of a path: a cubic spline through its points, and its arc length. The
+// curvature is continuous, so the force on a body that follows the spline has no jumps. The parameter is the sum of the
+// distances between successive points. Only + - * / and square roots of doubles are used, so every machine computes the
+// same bits.
 // This work is based on: Carl de Boor, A Practical Guide to Splines, 1978: slopes of a spline, and its ends; Michael
 // Floater, Chordal Cubic Spline Interpolation is Fourth-Order Accurate, 2006: the parameter.
 #include "world/objects/path_samples.h"
@@ -36,8 +33,7 @@ static Double2 chord(const scree_vec* points, int count, int k)
 	return (Double2){(double)b.x - a.x, (double)b.y - a.y};
 }
 
-// Sets up the equations. At inner points, the second derivatives of the two spans agree. At an end of an open curve,
-// the second derivative is that of the neighboring point.
+// Sets up the equations. The second derivative is continuous at inner points; an open end has that of its neighbor.
 static void set_up(const scree_vec* points, int count, bool closed, System* s)
 {
 	for (int k = 0; k < count; ++k)
@@ -146,8 +142,7 @@ static double length_of(const Cubic* c, double from, double share)
 	return share * sum / 18.0;
 }
 
-// Returns a sample of a span at parameter t. chord_length: of the span; along and length: values of these members of
-// the sample.
+// Returns the sample of a span at parameter t. chord_length: of the span; along, length: members of the sample.
 static PathSample sample_at(const Cubic* c, double t, double chord_length, double along, double length)
 {
 	Double2 v = speed_at(c, t), a = {2.0 * c->m2.x + 6.0 * t * c->m3.x, 2.0 * c->m2.y + 6.0 * t * c->m3.y};

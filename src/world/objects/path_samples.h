@@ -6,9 +6,8 @@
 #include "scree/scree.h"
 #include <stdbool.h>
 
-// Number of samples per span, which goes from one point to the next. The cubics between samples deviate by angle^4 /
-// 384 of the radius of a circle: by 2.4e-7 of it if 8 points make a full circle. The curve through 8 points itself
-// deviates by 1.2e-3 of the radius.
+// Number of samples per span, which goes from one point to the next. Cubics between samples deviate by angle^4 / 384 of
+// a circle's radius: 2.4e-7 with 8 points on the full circle. The curve through 8 points itself deviates by 1.2e-3.
 #define PATH_SHARES 8
 
 static inline int path_spans(int points, bool closed) { return points - !closed; }

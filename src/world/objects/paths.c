@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// paths.c -- keeps the slots of paths and the positions of their samples in the pool, and uploads paths.
-//
-// One pool contains the samples of all paths; those of a path are adjacent. The host keeps a copy, which it also reads.
-// A new path takes the first gap that is large enough, so positions depend only on the user's calls.
+// paths.c -- keeps the slots of paths and the positions of their samples in the pool, and uploads paths. The host keeps
+// a copy of samples. A new path takes the first gap that is large enough, so positions depend only on the user's calls.
 #include "world/objects/paths.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
@@ -10,8 +8,7 @@
 #include "world/objects/path_samples.h"
 #include <math.h>
 
-// Returns the position of the first gap with room for count samples. Sets *before to the path in front of the gap, as 1
-// + index, or to 0.
+// Returns the position of the first gap for count samples. Sets *before to 1 + index of the path before it, or to 0.
 static int find_place(const scree_world* world, int count, int* before)
 {
 	int end = 0;

@@ -17,8 +17,7 @@ static inline PathCurve path_curve_of(const scree_world* world, int index)
 	return path_curve(host->samples, host->segments);
 }
 
-// Returns the point and the tangent of a path at an arc length, m. The arc length is clamped on an open path, and
-// repeats on a closed path.
+// Returns point and tangent of a path at an arc length, m, clamped on an open path, and repeated on a closed path.
 scree_pose path_pose_at(const scree_world* world, int index, float along);
 
 scree_status upload_paths(scree_world* world);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// reports.h -- keeps the data of reported events: the number of collidables that report, names of destroyed
-// collidables, and the events read from the device.
+// reports.h -- keeps the number of reporting collidables, names of destroyed collidables, and events of the last step.
 #ifndef REPORTS_H
 #define REPORTS_H
 #include "world/world.h"
 
-// Reserves memory for the names of collidables destroyed after the next step. Does nothing if there has never been a
-// sensor or a collidable that reports events.
+// Reserves memory for names of collidables destroyed later, if there has ever been a sensor or a reporting collidable.
 scree_status reports_reserve(scree_world* world, const char* function);
 
 // Stores the name of a collidable that is about to be destroyed.
@@ -25,9 +23,8 @@ void reports_stepped(scree_world* world);
 // Reads the events of the last step, unless they have been read. Must be called before later changes are uploaded.
 scree_status reports_fetch(scree_world* world);
 
-// Returns the name of the collidable that had a slot in the last step. before: if another collidable left the slot
-// between the last two steps, returns the name of that collidable. Sets *destroyed to whether the returned collidable
-// has been destroyed.
+// Returns the name of the collidable that had a slot in the last step; if before is set, of a collidable that left the
+// slot between the last two steps, if there is one. Sets *destroyed to whether this collidable has been destroyed.
 CollidableName reports_name(const scree_world* world, int index, bool before, int* destroyed);
 
 void reports_close(scree_world* world);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// sensors.c -- finds the visits to sensors, and lists the visits that began and ended in the last step.
-//
-// The device finds the overlaps during the step (src/stages/read/sensor.h). The host keeps a sorted list of the visits
-// that last. A visit that is new in the list has begun; a visit that is missing has ended. So each visit ends exactly
-// once, even if its collidables are changed or destroyed.
+// sensors.c -- finds the visits to sensors, and lists the visits that began and ended in the last step. The device
+// finds the overlaps (src/stages/read/sensor.h). The host keeps a sorted list of visits: a new visit has begun, a
+// missing visit has ended. So each visit ends exactly once, even if its collidables are changed or destroyed.
 #include "world/objects/sensors.h"
 #include "platform/error.h"
 #include "step/step_queries.h"

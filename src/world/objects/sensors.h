@@ -4,8 +4,7 @@
 #define SENSORS_H
 #include "world/world.h"
 
-// Records that a collidable was created, changed or removed. before, after: its sensor bits before and after the
-// change.
+// Records the sensor bits of a collidable before and after its creation, change or removal; 0 if it does not exist.
 void sensors_note(scree_world* world, uint32_t before, uint32_t after);
 
 // Discards the lists of visits that began and ended. Must be called before each step.
@@ -14,8 +13,7 @@ void sensors_forget(scree_world* world);
 // Finds the visits on the device, and lists the visits that began and ended. Must be called after each step.
 scree_status sensors_update(scree_world* world, const char* function);
 
-// Returns the number of visits to a sensor at the end of the last step. Sets *first to the index of the first visit in
-// Sensors.visits.
+// Returns the number of visits to a sensor at the end of the last step. They begin at Sensors.visits[*first].
 int sensors_visits(const scree_world* world, int sensor, int* first);
 void sensors_close(scree_world* world);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// targets.c -- keeps the targets of kinematic bodies: poses at the end of the next step, which are uploaded with the
-// step.
+// targets.c -- keeps the targets of kinematic bodies: poses at the end of the next step, uploaded with the step.
 #include "world/objects/targets.h"
 #include "platform/error.h"
 #include "world/edits.h"
@@ -25,7 +24,6 @@ void target_put(scree_world* world, int body, scree_pose pose)
 	world->targets[host->target - 1] = (Target){body, pose};
 }
 
-// Removes the target of a body, and moves the last target of the list to its position.
 void target_drop(scree_world* world, int body)
 {
 	HostBody* host = world->host_bodies + body;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// targets.h -- keeps the targets of kinematic bodies: poses at the end of the next step with dt above 0.
+// targets.h -- keeps the targets of kinematic bodies: poses at the end of the next step with dt above 0. They stay on
+// the host until the step, because the velocity that moves a body to its target depends on dt.
 #ifndef TARGETS_H
 #define TARGETS_H
 #include "scree/scree.h"
 #include "step/pipeline_state.h"
-
-// Targets stay on the host until the step, because the velocity that moves a body to its target depends on dt.
 
 // Reserves memory for more targets, so that target_put cannot fail.
 scree_status targets_reserve(scree_world* world, const char* function, int more);

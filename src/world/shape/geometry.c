@@ -34,10 +34,9 @@ static void add_piece(Moments* m, double area, double x, double y, double inerti
 	m->inertia += inertia + area * (x * x + y * y);
 }
 
-// Computes the mass properties of all points within the radius of the hull. The pieces are triangles around vertex 0, a
-// rectangle on each edge, and at each corner a sector between the normals of the two edges. The first moment of a
-// sector needs no angle: the integral of (cos, sin) between two normals is their difference, rotated back by a quarter
-// turn.
+// Computes the mass properties of all points within the radius of the hull: triangles around vertex 0, a rectangle on
+// each edge, and at each corner a sector between the normals of its edges. The first moment of a sector needs no angle:
+// the integral of (cos, sin) between two normals is their difference, rotated by -90 degrees.
 static void fill_mass(scree_shape* shape)
 {
 	const scree_vec *v = shape->vertices, *n = shape->normals;

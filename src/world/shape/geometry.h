@@ -17,9 +17,8 @@ typedef struct // the distances WELD_DISTANCE and FLAT_DISTANCE for a polygon of
 // WELD_DISTANCE; flat is a tenth of weld. The octagon of the smallest size has edges of 0.77 mm.
 Tolerance tolerance_of(const scree_vec* points, int count);
 
-// Checks a shape with given kind, count, radius and vertices, and computes all other members. Sets array entries beyond
-// count to zero. The thresholds are lower than those of scree_shape_make_polygon, so that a shape stays valid after
-// rotations and translations.
+// Checks kind, count, radius and vertices of a shape, and computes all other members; entries beyond count become 0.
+// The thresholds are lower than in scree_shape_make_polygon, so a shape stays valid after rotations and translations.
 scree_status shape_finish(ArgumentPlace at, scree_shape* shape);
 
 // Computes the same members without checks. Reverses a clockwise polygon.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // hull.c -- computes the convex hull of a few points.
-//
 // This work is based on: Barber, Dobkin, Huhdanpaa, The Quickhull Algorithm for Convex Hulls, 1996, in two dimensions.
 #include "world/shape/hull.h"
 #include "world/shape/geometry.h"
@@ -14,8 +13,7 @@ typedef struct
 	Tolerance tolerance;
 } Hull;
 
-// Appends the corners between corner a and corner b to the hull, in order. outside: the points to the right of the line
-// from a to b.
+// Appends the corners of the hull between a and b, in order. outside: the points to the right of the line from a to b.
 static void add_side(Hull* hull, int a, int b, const int* outside, int outside_count)
 {
 	const scree_vec* p = hull->points;
@@ -48,8 +46,7 @@ static void add_side(Hull* hull, int a, int b, const int* outside, int outside_c
 	add_side(hull, corner, b, second, second_count);
 }
 
-// Removes the flattest corner, one at a time, until no corner is flat. Each removal makes the neighboring corners less
-// flat.
+// Removes the flattest corner until no corner is flat. Each removal makes the neighboring corners less flat.
 static void drop_flat(Hull* hull)
 {
 	while (hull->count >= 3)

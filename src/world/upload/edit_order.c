@@ -14,8 +14,7 @@ typedef struct // sort key of a row (index), and position of the row
 	uint32_t index, row;
 } Place;
 
-// Sorts places by index with a radix sort. bits: all bits that are set in some index. other: memory for count places.
-// Returns the sorted array, which is places or other.
+// Sorts places by index (radix sort). Returns the sorted array, places or other. bits: all bits set in any index.
 static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 {
 	for (int shift = 0; bits >> shift != 0; shift += DIGIT_BITS)

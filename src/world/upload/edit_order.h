@@ -6,8 +6,7 @@
 
 scree_status edits_sort(scree_world* world);
 
-// Return the end of the sequence of rows with neighboring slots that begins at row k. The collidables of a sequence are
-// all dead, or all alive.
+// Return the end of the sequence of neighboring slots that begins at row k. Its collidables are all dead, or all alive.
 int body_run(const Edits* p, int k);
 int collidable_run(const scree_world* world, int k);
 

@@ -23,7 +23,7 @@
 typedef struct // memory that an upload needs
 {
 	int body_rows, collidable_rows; // rows in the longest sequence of at least LONG_RUN rows
-	int commands;                   // upper bound of their number
+	int commands;                   // upper bound of the number of commands
 } Demand;
 
 static Demand demand_of(const scree_world* world)
@@ -168,5 +168,4 @@ static scree_status upload(scree_world* world, bool steps)
 }
 
 scree_status world_upload(scree_world* world) { return upload(world, false); }
-
 scree_status world_upload_to_step(scree_world* world) { return upload(world, true); }

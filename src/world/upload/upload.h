@@ -7,8 +7,7 @@
 // Sends all changes by the user since the last call to the device. Called before every readback.
 scree_status world_upload(scree_world* world);
 
-// Does the same before a step, and also finds the chains again if they changed. Before a readback this would change
-// the impulses of the next step.
+// Does the same before a step, and finds changed chains again. Before a readback, that would change later impulses.
 scree_status world_upload_to_step(scree_world* world);
 
 #endif

@@ -73,8 +73,8 @@ typedef struct // commands grouped by item
 	int collected, count, groups;
 } Groups;
 
-// Adds the commands of a row, which the caller has written behind the last group. Without later commands of the user
-// for the same item they form a group. Otherwise they are moved to from, and group_commands groups them with those.
+// Adds the commands of a row, written by the caller behind the last group. They form a group if the user gave no later
+// command for the item. Otherwise they are moved to from, and group_commands groups them with the later commands.
 static void add_row(Groups* g, const PendingEdits* waiting, int count)
 {
 	if (waiting->group > 0)
