@@ -14,7 +14,6 @@
 #include "world/objects/mass.h"
 #include "world/objects/targets.h"
 #include "world/world.h"
-#include <string.h>
 
 void scree_body_def_default_sized(scree_body_def* def, size_t size)
 {
@@ -76,8 +75,7 @@ static void fetch_collidable(const scree_world* world, int collidable)
 	fetch_rows(world->host_collidables, collidable, sizeof *world->host_collidables);
 }
 
-// Writes a body from a checked definition to slot index, which is taken. slot: taken slot of its collidable, if the
-// definition has one.
+// Writes a body from a checked definition. index, slot: allocated slots of the body and of its collidable, if any.
 static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def, int index, int slot)
 {
 	bool moves = def->type == SCREE_BODY_DYNAMIC;
@@ -109,7 +107,6 @@ static void put(scree_world* world, ArgumentPlace at, const scree_body_def* def,
 		collidable_put(world, slot, &made);
 	}
 	host->mass = mass_of_body(world, index);
-
 	scree_pose pose = def->pose;
 	check_pose(at, ".pose", &pose); // normalizes the rotation
 	edits_body(world, (BodyRow){.index = index,
@@ -197,8 +194,6 @@ static scree_status destroy(scree_world* world, const char* function, const char
 {
 	TRY(world_check(world, function));
 	TRY(check_batch(function, argument, bodies, count));
-
-	// a body that is already marked is in the batch twice
 	scree_status status = SCREE_OK;
 	int marked = 0, collidables = 0;
 	for (int index = 0; marked < count && status == SCREE_OK;)

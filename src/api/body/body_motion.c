@@ -17,10 +17,9 @@ typedef struct // command and argument names of one call
 {
 	const char* function;
 	int kind; // COMMAND_*
-	const char* bodies;
 	const char* values;
 	const char* points; // null if the kind has no points
-	bool alone;         // true: the call is for a single body, so messages contain no index
+	bool alone;         // true: the call is for a single body, so messages contain "body" and no index
 } Call;
 
 typedef struct // values of a call: only one of these arrays is set, but points may be set together with vectors
@@ -75,8 +74,7 @@ static void send(scree_world* world, int kind, int index, Float4 value)
 	const HostBody* host = world->host_bodies + index;
 	if (kind == COMMAND_VELOCITY || kind == COMMAND_LINEAR_VELOCITY)
 	{
-		scree_velocity v = {{value.x, value.y}, value.z};
-		v = body_velocity_allowed(host, v);
+		scree_velocity v = body_velocity_allowed(host, (scree_velocity){{value.x, value.y}, value.z});
 		value = make_float4(v.linear.x, v.linear.y, v.angular, 0.0f);
 		target_drop(world, index);
 		world->host_bodies[index].still = false;
@@ -103,8 +101,9 @@ static void send(scree_world* world, int kind, int index, Float4 value)
 static scree_status change(scree_world* world, const Call* call, const scree_body* bodies, const Values* values,
                            int count)
 {
+	const char* name = call->alone ? "body" : "bodies";
 	TRY(world_check(world, call->function));
-	TRY(check_batch(call->function, call->bodies, bodies, count));
+	TRY(check_batch(call->function, name, bodies, count));
 	TRY(check_batch(call->function, call->values, values_array(values), count));
 	if (call->points)
 		TRY(check_batch(call->function, call->points, values->points, count));
@@ -112,8 +111,7 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 	Float4 value;
 	for (int k = 0; k < count; ++k)
 	{
-		TRY(check_body(world, (ArgumentPlace){call->function, call->bodies, call->alone ? ALONE : k}, "", bodies[k],
-		               &index));
+		TRY(check_body(world, (ArgumentPlace){call->function, name, call->alone ? ALONE : k}, "", bodies[k], &index));
 		TRY(value_at(call, values, k, &value));
 	}
 	TRY(edits_reserve(world, call->function, 0, 0, count));
@@ -128,132 +126,127 @@ static scree_status change(scree_world* world, const Call* call, const scree_bod
 
 scree_status scree_bodies_apply_forces(scree_world* world, const scree_body* bodies, const scree_vec* forces, int count)
 {
-	static const Call call = {"scree_bodies_apply_forces", COMMAND_FORCE, "bodies", "forces", NULL, false};
+	static const Call call = {"scree_bodies_apply_forces", COMMAND_FORCE, "forces", NULL, false};
 	return change(world, &call, bodies, &(Values){.vectors = forces}, count);
 }
 
 scree_status scree_bodies_apply_torques(scree_world* world, const scree_body* bodies, const float* torques, int count)
 {
-	static const Call call = {"scree_bodies_apply_torques", COMMAND_TORQUE, "bodies", "torques", NULL, false};
+	static const Call call = {"scree_bodies_apply_torques", COMMAND_TORQUE, "torques", NULL, false};
 	return change(world, &call, bodies, &(Values){.numbers = torques}, count);
 }
 
 scree_status scree_bodies_apply_impulses(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
                                          int count)
 {
-	static const Call call = {"scree_bodies_apply_impulses", COMMAND_IMPULSE, "bodies", "impulses", NULL, false};
+	static const Call call = {"scree_bodies_apply_impulses", COMMAND_IMPULSE, "impulses", NULL, false};
 	return change(world, &call, bodies, &(Values){.vectors = impulses}, count);
 }
 
 scree_status scree_bodies_apply_angular_impulses(scree_world* world, const scree_body* bodies, const float* impulses,
                                                  int count)
 {
-	static const Call call = {
-	    "scree_bodies_apply_angular_impulses", COMMAND_ANGULAR_IMPULSE, "bodies", "impulses", NULL, false};
+	static const Call call = {"scree_bodies_apply_angular_impulses", COMMAND_ANGULAR_IMPULSE, "impulses", NULL, false};
 	return change(world, &call, bodies, &(Values){.numbers = impulses}, count);
 }
 
 scree_status scree_bodies_apply_forces_at(scree_world* world, const scree_body* bodies, const scree_vec* forces,
                                           const scree_vec* points, int count)
 {
-	static const Call call = {"scree_bodies_apply_forces_at", COMMAND_FORCE_AT, "bodies", "forces", "points", false};
+	static const Call call = {"scree_bodies_apply_forces_at", COMMAND_FORCE_AT, "forces", "points", false};
 	return change(world, &call, bodies, &(Values){.vectors = forces, .points = points}, count);
 }
 
 scree_status scree_bodies_apply_impulses_at(scree_world* world, const scree_body* bodies, const scree_vec* impulses,
                                             const scree_vec* points, int count)
 {
-	static const Call call = {
-	    "scree_bodies_apply_impulses_at", COMMAND_IMPULSE_AT, "bodies", "impulses", "points", false};
+	static const Call call = {"scree_bodies_apply_impulses_at", COMMAND_IMPULSE_AT, "impulses", "points", false};
 	return change(world, &call, bodies, &(Values){.vectors = impulses, .points = points}, count);
 }
 
 scree_status scree_bodies_set_velocities(scree_world* world, const scree_body* bodies, const scree_velocity* velocities,
                                          int count)
 {
-	static const Call call = {"scree_bodies_set_velocities", COMMAND_VELOCITY, "bodies", "velocities", NULL, false};
+	static const Call call = {"scree_bodies_set_velocities", COMMAND_VELOCITY, "velocities", NULL, false};
 	return change(world, &call, bodies, &(Values){.velocities = velocities}, count);
 }
 
 scree_status scree_bodies_set_linear_velocities(scree_world* world, const scree_body* bodies,
                                                 const scree_vec* velocities, int count)
 {
-	static const Call call = {
-	    "scree_bodies_set_linear_velocities", COMMAND_LINEAR_VELOCITY, "bodies", "velocities", NULL, false};
+	static const Call call = {"scree_bodies_set_linear_velocities", COMMAND_LINEAR_VELOCITY, "velocities", NULL, false};
 	return change(world, &call, bodies, &(Values){.vectors = velocities}, count);
 }
 
 scree_status scree_bodies_set_angular_velocities(scree_world* world, const scree_body* bodies, const float* velocities,
                                                  int count)
 {
-	static const Call call = {"scree_bodies_set_angular_velocities", COMMAND_SPIN, "bodies", "velocities", NULL, false};
+	static const Call call = {"scree_bodies_set_angular_velocities", COMMAND_SPIN, "velocities", NULL, false};
 	return change(world, &call, bodies, &(Values){.numbers = velocities}, count);
 }
 
 scree_status scree_bodies_set_poses(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
 {
-	static const Call call = {"scree_bodies_set_poses", COMMAND_POSE, "bodies", "poses", NULL, false};
+	static const Call call = {"scree_bodies_set_poses", COMMAND_POSE, "poses", NULL, false};
 	return change(world, &call, bodies, &(Values){.poses = poses}, count);
 }
 
 scree_status scree_body_apply_force(scree_world* world, scree_body body, scree_vec force)
 {
-	static const Call call = {"scree_body_apply_force", COMMAND_FORCE, "body", "force", NULL, true};
+	static const Call call = {"scree_body_apply_force", COMMAND_FORCE, "force", NULL, true};
 	return change(world, &call, &body, &(Values){.vectors = &force}, 1);
 }
 
 scree_status scree_body_apply_force_at(scree_world* world, scree_body body, scree_vec force, scree_vec point)
 {
-	static const Call call = {"scree_body_apply_force_at", COMMAND_FORCE_AT, "body", "force", "point", true};
+	static const Call call = {"scree_body_apply_force_at", COMMAND_FORCE_AT, "force", "point", true};
 	return change(world, &call, &body, &(Values){.vectors = &force, .points = &point}, 1);
 }
 
 scree_status scree_body_apply_torque(scree_world* world, scree_body body, float torque)
 {
-	static const Call call = {"scree_body_apply_torque", COMMAND_TORQUE, "body", "torque", NULL, true};
+	static const Call call = {"scree_body_apply_torque", COMMAND_TORQUE, "torque", NULL, true};
 	return change(world, &call, &body, &(Values){.numbers = &torque}, 1);
 }
 
 scree_status scree_body_apply_impulse(scree_world* world, scree_body body, scree_vec impulse)
 {
-	static const Call call = {"scree_body_apply_impulse", COMMAND_IMPULSE, "body", "impulse", NULL, true};
+	static const Call call = {"scree_body_apply_impulse", COMMAND_IMPULSE, "impulse", NULL, true};
 	return change(world, &call, &body, &(Values){.vectors = &impulse}, 1);
 }
 
 scree_status scree_body_apply_impulse_at(scree_world* world, scree_body body, scree_vec impulse, scree_vec point)
 {
-	static const Call call = {"scree_body_apply_impulse_at", COMMAND_IMPULSE_AT, "body", "impulse", "point", true};
+	static const Call call = {"scree_body_apply_impulse_at", COMMAND_IMPULSE_AT, "impulse", "point", true};
 	return change(world, &call, &body, &(Values){.vectors = &impulse, .points = &point}, 1);
 }
 
 scree_status scree_body_apply_angular_impulse(scree_world* world, scree_body body, float impulse)
 {
-	static const Call call = {
-	    "scree_body_apply_angular_impulse", COMMAND_ANGULAR_IMPULSE, "body", "impulse", NULL, true};
+	static const Call call = {"scree_body_apply_angular_impulse", COMMAND_ANGULAR_IMPULSE, "impulse", NULL, true};
 	return change(world, &call, &body, &(Values){.numbers = &impulse}, 1);
 }
 
 scree_status scree_body_set_velocity(scree_world* world, scree_body body, scree_velocity velocity)
 {
-	static const Call call = {"scree_body_set_velocity", COMMAND_VELOCITY, "body", "velocity", NULL, true};
+	static const Call call = {"scree_body_set_velocity", COMMAND_VELOCITY, "velocity", NULL, true};
 	return change(world, &call, &body, &(Values){.velocities = &velocity}, 1);
 }
 
 scree_status scree_body_set_linear_velocity(scree_world* world, scree_body body, scree_vec velocity)
 {
-	static const Call call = {
-	    "scree_body_set_linear_velocity", COMMAND_LINEAR_VELOCITY, "body", "velocity", NULL, true};
+	static const Call call = {"scree_body_set_linear_velocity", COMMAND_LINEAR_VELOCITY, "velocity", NULL, true};
 	return change(world, &call, &body, &(Values){.vectors = &velocity}, 1);
 }
 
 scree_status scree_body_set_angular_velocity(scree_world* world, scree_body body, float velocity)
 {
-	static const Call call = {"scree_body_set_angular_velocity", COMMAND_SPIN, "body", "velocity", NULL, true};
+	static const Call call = {"scree_body_set_angular_velocity", COMMAND_SPIN, "velocity", NULL, true};
 	return change(world, &call, &body, &(Values){.numbers = &velocity}, 1);
 }
 
 scree_status scree_body_set_pose(scree_world* world, scree_body body, scree_pose pose)
 {
-	static const Call call = {"scree_body_set_pose", COMMAND_POSE, "body", "pose", NULL, true};
+	static const Call call = {"scree_body_set_pose", COMMAND_POSE, "pose", NULL, true};
 	return change(world, &call, &body, &(Values){.poses = &pose}, 1);
 }

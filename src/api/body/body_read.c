@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// body_read.c -- reads poses, velocities and definitions of bodies, and velocities of points on bodies, from the
-// device.
+// body_read.c -- reads poses, velocities and definitions of bodies, and velocities of their points, from the device.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/memory.h"
@@ -10,8 +9,7 @@
 #include "world/upload/upload.h"
 #include "world/world.h"
 
-// Mean distance of slots up to which one read of all slots between the lowest and the highest is cheaper than one read
-// per body; on a GPU a read costs as much time as 100 kB of data.
+// Up to this mean distance of slots, one read of the range is faster: a read takes a GPU as long as 100 kB of data.
 #define SPARSE_ROWS 1024
 
 typedef struct // rows of one pool, read for a batch
@@ -39,7 +37,6 @@ static scree_status read_rows(scree_world* world, const char* function, const ch
 		high = index > high ? index : high;
 	}
 	TRY(world_upload(world));
-
 	bool dense = (int64_t)high - low < (int64_t)SPARSE_ROWS * count;
 	*rows = (Rows){.bytes = pool_info[pool].bytes, .first = dense ? low : -1};
 	size_t bytes = rows->bytes * (size_t)(dense ? high - low + 1 : count);
@@ -60,16 +57,11 @@ static scree_status get_poses(scree_world* world, const char* function, const ch
 	Rows rows;
 	TRY(read_rows(world, function, argument, POOL_pose, bodies, count, alone, &rows));
 	for (int k = 0; k < count; ++k)
-	{
 		poses[k] = world_body_pose(world, (int)bodies[k].index, row_of(&rows, bodies, k));
-	}
 	return SCREE_OK;
 }
 
-static scree_velocity stored_velocity(const StoredVelocity* row)
-{
-	return (scree_velocity){{row->vx, row->vy}, row->w};
-}
+static scree_velocity velocity_of(const StoredVelocity* row) { return (scree_velocity){{row->vx, row->vy}, row->w}; }
 
 static scree_status get_velocities(scree_world* world, const char* function, const char* argument,
                                    const scree_body* bodies, scree_velocity* velocities, int count, bool alone)
@@ -89,7 +81,7 @@ static scree_status get_velocities(scree_world* world, const char* function, con
 	TRY(read_rows(world, function, argument, POOL_stored_velocity, bodies, count, alone, &rows));
 	for (int k = 0; k < count; ++k)
 		if (world->host_bodies[bodies[k].index].disabled)
-			velocities[k] = stored_velocity(row_of(&rows, bodies, k));
+			velocities[k] = velocity_of(row_of(&rows, bodies, k));
 	return SCREE_OK;
 }
 
@@ -175,7 +167,7 @@ scree_status scree_world_get_states(scree_world* world, scree_body* bodies, scre
 		states[listed].pose = world_body_pose(world, k, poses + k);
 		states[listed].velocity = (scree_velocity){{rows[k].vx, rows[k].vy}, rows[k].w};
 		if (world->host_bodies[k].disabled)
-			states[listed].velocity = stored_velocity(stored + k);
+			states[listed].velocity = velocity_of(stored + k);
 		if (bodies)
 			bodies[listed] = body_handle(world, k);
 		++listed;

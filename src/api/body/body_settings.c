@@ -50,7 +50,6 @@ scree_status scree_body_set_type(scree_world* world, scree_body body, scree_body
 			tree_leave(&world->pipeline, new_tree, done);
 		return status;
 	}
-
 	kinematic_drop(world, index);
 	if (type == SCREE_BODY_KINEMATIC)
 		kinematic_put(world, index);

@@ -17,25 +17,23 @@ static scree_status check_target(const scree_world* world, ArgumentPlace body, A
 	return check_pose(value, "", pose);
 }
 
-static scree_status set(scree_world* world, ArgumentPlace body, ArgumentPlace value, const scree_body* bodies,
-                        const scree_pose* poses, int count)
+static scree_status set(scree_world* world, const char* function, const char* body, const char* value,
+                        const scree_body* bodies, const scree_pose* poses, int count, bool alone)
 {
-	const char* function = body.function;
-	bool alone = body.index == ALONE;
 	TRY(world_check(world, function));
-	TRY(check_batch(function, body.argument, bodies, count));
-	TRY(check_batch(function, value.argument, poses, count));
+	TRY(check_batch(function, body, bodies, count));
+	TRY(check_batch(function, value, poses, count));
 	for (int k = 0; k < count; ++k)
 	{
 		scree_pose pose = poses[k];
-		body.index = value.index = alone ? ALONE : k;
-		TRY(check_target(world, body, value, bodies[k], &pose));
+		ArgumentPlace at = {function, body, alone ? ALONE : k};
+		TRY(check_target(world, at, (ArgumentPlace){function, value, at.index}, bodies[k], &pose));
 	}
 	TRY(targets_reserve(world, function, count));
 	for (int k = 0; k < count; ++k)
 	{
 		scree_pose pose = poses[k];
-		check_pose(value, "", &pose); // normalizes the rotation
+		check_pose((ArgumentPlace){function, value, k}, "", &pose); // normalizes the rotation
 		target_put(world, (int)bodies[k].index, pose);
 	}
 	return SCREE_OK;
@@ -43,14 +41,10 @@ static scree_status set(scree_world* world, ArgumentPlace body, ArgumentPlace va
 
 scree_status scree_bodies_set_targets(scree_world* world, const scree_body* bodies, const scree_pose* poses, int count)
 {
-	const char* function = "scree_bodies_set_targets";
-	return set(world, (ArgumentPlace){function, "bodies", 0}, (ArgumentPlace){function, "poses", 0}, bodies, poses,
-	           count);
+	return set(world, "scree_bodies_set_targets", "bodies", "poses", bodies, poses, count, false);
 }
 
 scree_status scree_body_set_target(scree_world* world, scree_body body, scree_pose pose)
 {
-	const char* function = "scree_body_set_target";
-	return set(world, (ArgumentPlace){function, "body", ALONE}, (ArgumentPlace){function, "pose", ALONE}, &body, &pose,
-	           1);
+	return set(world, "scree_body_set_target", "body", "pose", &body, &pose, 1, true);
 }

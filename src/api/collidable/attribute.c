@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// attribute.c -- creates attributes, one for all equal values, and destroys an attribute when its last claim is
-// removed.
+// attribute.c -- creates attributes, one for all equal values, and destroys them when their last claim is removed.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/attributes.h"
@@ -33,7 +32,6 @@ static scree_status check_def(const char* function, scree_attribute_def* def)
 	TRY(check_real(at, ".restitution", def->restitution, 0.0f, MOST_RESTITUTION));
 	TRY(check_real(at, ".rolling_resistance", def->rolling_resistance, 0.0f, MOST_SURFACE));
 	TRY(check_real(at, ".tangent_speed", def->tangent_speed, -SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE));
-
 	TRY(check_vec(at, ".one_way", def->one_way, SCREE_MAX_COORDINATE));
 	if (def->material < 0 || def->material >= MATERIALS)
 		return refuse(SCREE_ERROR_INVALID, at, ".material", "is %d, must be from 0 to %d", def->material,
@@ -42,7 +40,6 @@ static scree_status check_def(const char* function, scree_attribute_def* def)
 	    (def->one_way.x != 0.0f || def->one_way.y != 0.0f))
 		return refuse(SCREE_ERROR_INVALID, at, ".one_way", "is (%s, %s), too short for a direction: at least %s",
 		              decimal(def->one_way.x).text, decimal(def->one_way.y).text, decimal(LEAST_DIRECTION).text);
-
 	// adding zero makes a negative zero positive
 	scree_attribute_def plain;
 	memset(&plain, 0, sizeof plain);

@@ -55,7 +55,6 @@ static scree_status create(scree_world* world, const char* function, const char*
 	int* slots = world_scratch(world, 2 * (size_t)count * sizeof *slots);
 	if (!slots)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d collidables", function, count);
-
 	int* bodies = slots + count;
 	for (int k = 0; k < count; ++k)
 	{
@@ -95,7 +94,6 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	int* bodies = world_scratch(world, (size_t)count * sizeof *bodies);
 	if (!bodies)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d collidables", function, count);
-
 	scree_status status = SCREE_OK;
 	int marked = 0;
 	for (int index = 0; marked < count && status == SCREE_OK;)
@@ -113,7 +111,6 @@ static scree_status destroy(scree_world* world, const char* function, const char
 	for (int k = 0; k < marked; ++k)
 		world->host_collidables[collidables[k].index - 1].marked = false;
 	TRY(status);
-
 	for (int k = 0; k < count; ++k)
 		collidable_remove(world, (int)collidables[k].index - 1);
 	masses_update(world, bodies, count, false);

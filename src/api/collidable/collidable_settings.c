@@ -38,8 +38,7 @@ scree_status scree_collidable_get_attribute(const scree_world* world, scree_coll
 	return SCREE_OK;
 }
 
-// Inserts a collidable into its tree again, where it has a leaf already: the tree must be updated because the box
-// changes.
+// Inserts a collidable again into the tree in which it has a leaf: the tree must be updated because the box changes.
 static scree_status mark_tree(scree_world* world, int index)
 {
 	int kind = collidable_kind(world, index);
@@ -58,7 +57,6 @@ scree_status scree_collidable_set_attribute(scree_world* world, scree_collidable
 	if (host->attribute == now)
 		return SCREE_OK;
 	TRY(edits_reserve(world, function, 0, 1, 1));
-
 	// the shapes of attributes are canonical: equal values have equal bytes
 	bool same = memcmp(&old->shape, &def->shape, sizeof old->shape) == 0, heavier = old->density != def->density;
 	if (!same)
@@ -228,8 +226,7 @@ scree_status scree_collidables_set_poses(scree_world* world, const scree_collida
 		scree_pose pose = poses[k];
 		check_pose((ArgumentPlace){function, "poses", k}, "", &pose);
 		world->host_collidables[index].pose = pose;
-		Float4 value = pose_row(pose);
-		edits_command(world, COMMAND_PLACE, index, value, 0);
+		edits_command(world, COMMAND_PLACE, index, pose_row(pose), 0);
 	}
 	return SCREE_OK;
 }

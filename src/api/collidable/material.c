@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// material.c -- sets and reads surface values of pairs of materials, which replace the values mixed from two
-// attributes.
+// material.c -- sets and reads surface values of pairs of materials, which replace values mixed from two attributes.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/materials.h"

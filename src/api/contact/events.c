@@ -83,8 +83,7 @@ static scree_status check_sizes(const char* function, const scree_events* events
 	return SCREE_OK;
 }
 
-// Writes the rows of all lists to a buffer, and the addresses of these rows to *result, whose counts and sizes are
-// already set.
+// Writes the rows of all lists to a buffer, and their addresses to *result, whose counts and sizes are already set.
 static void write_rows(const scree_world* world, const JointEvent* joints, char* to, scree_events* result)
 {
 	const Reports* r = &world->reports;
@@ -141,7 +140,6 @@ scree_status scree_world_get_events_sized(scree_world* world, scree_events* even
 	JointEvent* joints = NULL;
 	if (result.joint_size > 0)
 		TRY(joint_events_find(world, function, &joints, &result.joint_count));
-
 	size_t contacts =
 	    (size_t)result.touches_began_count + (size_t)result.touches_ended_count + (size_t)result.approval_count;
 	size_t bytes = contacts * result.contact_size + (size_t)result.hit_count * result.hit_size +

@@ -2,8 +2,6 @@
 // blast.c -- computes explosions: an impulse on each dynamic collidable near a position.
 #include "world/definition.h"
 #include "world/failure.h"
-#include "world/memory.h"
-#include "world/objects/attributes.h"
 #include "world/objects/handles.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
@@ -88,8 +86,7 @@ static scree_status push(scree_world* world, const char* function, const scree_b
 	return SCREE_OK;
 }
 
-// Swaps the query results of the user with those of blasts. Blasts have a separate list, so that the list that a
-// program reads stays valid.
+// Swaps the query results of the user with those of blasts: a blast must not change the list that the user reads.
 static void swap_lists(scree_world* world)
 {
 	Queries queries = world->queries;

@@ -2,16 +2,10 @@
 // joint.c -- creates, destroys and lists joints.
 #include "world/definition.h"
 #include "world/failure.h"
-#include "world/memory.h"
 #include "world/objects/handles.h"
 #include "world/objects/joint_check.h"
 #include "world/objects/joints.h"
 #include <stdlib.h>
-
-static const scree_joint_def* def_at(const scree_joint_def* defs, int k, scree_joint_def* local)
-{
-	return definition_at(defs, k, &joint_definition, local);
-}
 
 static scree_status check_end(const scree_world* world, ArgumentPlace at, const char* member, scree_body body,
                               int* index)
@@ -24,7 +18,7 @@ static scree_status check_def(const scree_world* world, ArgumentPlace at, const 
                               scree_joint_def* made, int bodies[2])
 {
 	TRY(check_definition(at, defs, k, &joint_definition));
-	*made = *def_at(defs, k, made);
+	*made = *(const scree_joint_def*)definition_at(defs, k, &joint_definition, made);
 	if ((unsigned)made->type >= JOINT_TYPES)
 		return refuse(SCREE_ERROR_INVALID, at, ".type", "is %d, not a scree_joint_type", (int)made->type);
 	TRY(check_end(world, at, ".body_a", made->body_a, bodies));
@@ -156,8 +150,7 @@ scree_status scree_body_get_joints(const scree_world* world, scree_body body, sc
 	TRY(check_pointer(function, "world", world));
 	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index));
 	TRY(check_list(function, "joints", joints, capacity, count));
-	// the list of a body begins with the newest joint; if capacity is too small for all, a scan of all joints finds the
-	// first
+	// the list of a body begins with its newest joint; if capacity is too small, all joints are scanned in index order
 	int total = 0;
 	for (int end = world->host_bodies[index].first_joint; end > 0; end = joint_next(world, end))
 		++total;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_change.c -- changes coordinates and frames of joints and enables joints, one joint or a batch at a time.
-#include "world/definition.h"
+// joint_change.c -- changes coordinates and frames of joints, and enables joints, one joint or a batch at a time.
 #include "world/edits.h"
 #include "world/failure.h"
 #include "world/objects/handles.h"
@@ -16,13 +15,12 @@ typedef struct // a batch of changes
 	const scree_joint* joints;
 	int count;
 	scree_coordinate which;
-	size_t member; // offset of the changed number in scree_joint_coordinate
+	size_t member; // bytes: offset of the changed number in scree_joint_coordinate
 	bool moves;    // true: frames change
 } Change;
 
 typedef scree_status (*Setter)(const Change* change, ArgumentPlace at, const void* values, int k, scree_joint_def* def);
 
-// Checks all joints and values, then writes the values.
 static scree_status change_all(const Change* change, const void* values, Setter set)
 {
 	scree_world* world = change->world;

@@ -13,7 +13,7 @@
 static const struct // values that scree_joint_def_make presets for a type
 {
 	const char* name;
-	unsigned locks; // coordinates, one bit each
+	unsigned locks; // locked coordinates, one bit each
 } presets[JOINT_TYPES] = {
 #define X(NAME, name, locks) [SCREE_JOINT_##NAME] = {name, locks},
 #include "world/objects/joint_presets.def"
@@ -95,7 +95,7 @@ scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scr
 	scree_pose frame_a, frame_b;
 	TRY(place(world, at, ".body_a", def->body_a, pose, &frame_a));
 	TRY(place(world, at, ".body_b", def->body_b, pose, &frame_b));
-	if (def->type != SCREE_JOINT_PATH) // on a path, frame A is that of the path
+	if (def->type != SCREE_JOINT_PATH) // frame A of a path joint is the frame of the path
 		def->frame_a = frame_a;
 	def->frame_b = frame_b;
 	return SCREE_OK;

@@ -6,7 +6,6 @@
 #include "world/failure.h"
 #include "world/memory.h"
 #include "world/objects/handles.h"
-#include "world/objects/joints.h"
 #include "world/pool_read.h"
 #include "world/upload/upload.h"
 #include <stdlib.h>
@@ -22,8 +21,7 @@ static scree_joint_state state_of(const JointState* row)
 	return state;
 }
 
-// Computes and reads the states of all joints between the lowest and the highest index of the batch, then copies
-// those of the batch.
+// Computes and reads the states of all joints between the lowest and the highest index of the batch, in one read.
 scree_status scree_joints_get_states_sized(scree_world* world, const scree_joint* joints, scree_joint_state* states,
                                            size_t size, int count)
 {

@@ -4,8 +4,7 @@
 #define JOINT_STATE_H
 #include "world/world.h"
 
-// Reads the rows of events, sorted by index, without events of joints that were destroyed after the step. The rows are
-// in world_scratch.
+// Reads the events of joints that still exist, sorted by the slot of the joint. *rows is in world_scratch.
 scree_status joint_events_find(scree_world* world, const char* function, JointEvent** rows, int* count);
 scree_joint_event joint_event_result(const scree_world* world, const JointEvent* row);
 

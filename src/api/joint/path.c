@@ -8,9 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
-// m: minimum distance of neighboring points: with shorter curves, rounding would move a body by more than the length of
-// a curve
-#define LEAST_APART 1e-4f
+#define LEAST_APART 1e-4f // m, between neighbors: rounding moves a body by more than the length of a shorter curve
 
 void scree_path_def_default_sized(scree_path_def* def, size_t size)
 {

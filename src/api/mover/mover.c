@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-// mover.c -- moves characters (capsules that walk, slide, climb steps and ride on their ground) by queries, without
-// forces.
+// mover.c -- moves movers (characters), capsules that walk, slide, climb steps and ride on their ground, by queries.
 #include "api/mover/mover_slide.h"
 #include "api/mover/swept.h"
 #include "api/query/query_check.h"
 #include "world/definition.h"
 #include "world/failure.h"
-#include "world/memory.h"
 #include "world/objects/handles.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
-#include <math.h>
-#include <stddef.h>
 
 void scree_mover_def_default_sized(scree_mover_def* def, size_t size)
 {
@@ -68,8 +64,7 @@ static scree_status check_movers(const scree_world* world, const char* function,
 	return SCREE_OK;
 }
 
-// Writes to poses[k] the pose of the body on which mover k stands; nowhere if there is no ground or the ground has no
-// body.
+// Writes to poses[k] the pose of the body on which mover k stands, or nowhere if it stands on no body.
 static scree_status ground_poses(MoverCall* call, scree_pose* poses)
 {
 	int count = 0;
@@ -112,7 +107,7 @@ static float belt_speed(const scree_world* world, scree_collidable ground)
 	return def.tangent_speed;
 }
 
-// Initializes the motion of a mover. now: current pose of the body on which the mover stands.
+// Initializes the motion of a mover. now: current pose of the body on which the mover stands, or nowhere.
 static void begin(const MoverCall* call, const scree_mover* mover, scree_pose now, float dt, MoverMotion* w)
 {
 	scree_vec up = call->def->up;
@@ -156,7 +151,7 @@ static scree_status move(MoverCall* call, scree_mover* movers, scree_pose* poses
 		begin(call, movers + k, poses[k], dt, call->motions + k);
 	TRY(mover_is_crushed(call));
 	TRY(mover_swept(call, dt));
-	TRY(mover_slide(call)); // moves the movers with their ground; afterwards they may overlap it
+	TRY(mover_slide(call)); // moves the movers with their ground; afterwards movers may overlap surfaces
 	TRY(mover_recover(call));
 	for (int k = 0; k < call->count; ++k)
 	{
@@ -186,7 +181,6 @@ scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, s
 	TRY(check_real((ArgumentPlace){function, "dt", ALONE}, "", dt, 0.0f, 1.0f));
 	if (count == 0)
 		return SCREE_OK;
-
 	scree_query_def seen = scree_query_def_default();
 	seen.kinds = def->kinds;
 	seen.category = def->category;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// mover_slide.c -- computes the parts of the motion of movers: each part makes a few rounds of queries, for all
-// movers of a call together.
+// mover_slide.c -- computes the parts of the motion of movers, each by some rounds of queries for all movers of a call.
 #include "api/mover/mover_slide.h"
 #include "world/check.h"
-#include "world/failure.h"
 #include <math.h>
 
 #define RECOVER_ROUNDS 8
@@ -17,7 +15,7 @@ static void ask(MoverCall* call, int k, scree_vec from, scree_vec translation)
 	call->of[call->asked++] = k;
 }
 
-// Returns the distance that a probe may move, m: until its distance from the surface that it hits is the skin.
+// Returns the distance that a probe may move until its distance from the surface that it hits is the skin, m.
 static float free_length(const MoverCall* call, int k)
 {
 	scree_vec way = call->probes[k].translation;
@@ -30,9 +28,8 @@ static float free_length(const MoverCall* call, int k)
 	return s > 0.0f ? s : 0.0f;
 }
 
-// Casts the probes with the mover's shape, and again with a shape that includes the skin, because the surface that the
-// mover hits first need not be the first within the skin. A cast ignores surfaces that the shape overlaps at the start,
-// so the second shape is thinner by twice the tolerance of mover_recover.
+// Casts the probes with the mover's shape, and with one that includes the skin, which may hit another surface first.
+// A cast ignores surfaces that the shape overlaps at the start, so the second shape is thinner by 2 TOUCH.
 static scree_status cast(MoverCall* call)
 {
 	scree_query_result* wide = call->found + call->count;
@@ -75,8 +72,7 @@ static scree_vec clip(scree_vec v, scree_vec normal)
 	return against < 0.0f ? add_scaled(v, -against, normal) : v;
 }
 
-// Returns velocity or motion v after a mover met a surface. A surface too steep to stand on lifts only movers that rise
-// already.
+// Returns velocity or motion v after a mover met a surface. A surface too steep to stand on lifts only rising movers.
 static scree_vec deflect(const MoverCall* call, scree_vec v, scree_vec normal)
 {
 	scree_vec up = call->def->up, free = clip(v, normal);
@@ -88,8 +84,7 @@ static scree_vec deflect(const MoverCall* call, scree_vec v, scree_vec normal)
 	return clip(v, (scree_vec){level.x / length, level.y / length});
 }
 
-// Stops a mover at a surface: removes the components of its remaining motion and its velocity that point into the
-// surface.
+// Stops a mover at a surface: removes the parts of its remaining motion and velocity that point into the surface.
 static void meet(const MoverCall* call, MoverMotion* w, scree_collidable collidable, scree_vec normal)
 {
 	scree_vec up = call->def->up;
@@ -120,8 +115,7 @@ static void meet(const MoverCall* call, MoverMotion* w, scree_collidable collida
 	w->last = normal;
 }
 
-// Resets the motion of a crushed mover. It is not moved, because a surface beyond its middle would push it out on the
-// other side.
+// A crushed mover is not pushed out: a surface beyond the middle of the mover would push it out on the other side.
 void mover_crush(const MoverCall* call, int k, scree_collidable by)
 {
 	call->motions[k] = (MoverMotion){.at = call->movers[k].position, .wall = by, .crushed = true};
@@ -152,7 +146,7 @@ scree_status mover_recover(MoverCall* call)
 {
 	for (int round = 0; round < RECOVER_ROUNDS; ++round)
 	{
-		// the first round has all movers, later rounds have those that the last round moved
+		// the first round has all movers, a later round has the movers that the last round moved
 		int asked = round == 0 ? call->count : call->asked;
 		call->asked = 0;
 		for (int k = 0; k < asked; ++k)
@@ -193,9 +187,8 @@ scree_status mover_recover(MoverCall* call)
 	return SCREE_OK;
 }
 
-// Replaces found[].hit for each probe by whether the mover can stand on the surface that it hit. The surface is ground,
-// or it is a corner with ground beside it, so low that the round end of the capsule can rise to it by at most
-// step_height.
+// Sets found[].hit to whether the mover can stand on the surface that its probe hit: on ground, or on a corner that has
+// ground beside it and that the round end of the capsule can climb with a rise of at most step_height.
 static scree_status find_ground(MoverCall* call)
 {
 	const scree_mover_def* def = call->def;
@@ -228,8 +221,7 @@ static scree_status find_ground(MoverCall* call)
 	return SCREE_OK;
 }
 
-// Moves movers that a wall stopped up, forward and down again, as on a step. Movers keep their place if there is no
-// ground, or the step is too high.
+// Lifts movers stopped by a wall onto a step: up, forward and down, unless there is no ground or the step is too high.
 static scree_status climb(MoverCall* call)
 {
 	const scree_mover_def* def = call->def;

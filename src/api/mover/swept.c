@@ -1,26 +1,23 @@
 // SPDX-License-Identifier: MIT
 // swept.c -- pushes movers out of the way of kinematic bodies that swept over them in the last step.
-//
-// A mover that overlaps a wall after a step is pushed out on the nearer side. If the wall moves more than half of a
-// mover's size in a step, the nearer side may be the wrong one, or the mover may be left behind the wall. Therefore the
-// motions of fast kinematic bodies are tested against the movers, on the host, because such bodies are few.
+// mover_recover pushes a mover out of a wall on the nearer side. If the wall moves more than half of the mover's size
+// in a step, this may be the wrong side, or the wall may pass the mover. Fast kinematic bodies are few, so the host
+// tests their motions against the movers.
 #include "api/mover/swept.h"
 #include "api/mover/mover_slide.h"
-#include "world/failure.h"
-#include "world/memory.h"
 #include "world/objects/handles.h"
 #include "world/shape/geometry.h"
 #include "world/world.h"
 #include <math.h>
 
-#define SWEPT_FAR 0.5f // as a share of a mover's radius: mover_recover handles collidables that move less
+#define SWEPT_FAR 0.5f // share of a mover's radius: mover_recover handles collidables that move less
 
 typedef struct // a moving collidable of a kinematic body
 {
 	scree_collidable handle;
 	scree_shape shape;
 	scree_pose from, to; // poses of the collidable's origin before and after the step, in the world
-	float reach, far;    // m: maximum distance of its points from its origin; their maximum displacement
+	float reach, far;    // m: maximum distance of the shape's points from its origin; their maximum displacement
 } Sweeper;
 
 // Returns the pose of a body's origin dt seconds ago, computed from its velocity.
@@ -98,7 +95,6 @@ static scree_status push_by(const MoverCall* call, const Sweeper* s, const Mover
 	TRY(scree_shapes_get_impact(&s->shape, s->from, s->to, &call->shape, at, at, &found));
 	if (first.distance < -0.5f * call->def->radius || !found.hit)
 		return SCREE_OK;
-
 	// the point of the sweeper that hits the mover moves on to its final position, and pushes the mover that far
 	scree_distance met;
 	float f = found.fraction;
@@ -116,8 +112,7 @@ static scree_status push_by(const MoverCall* call, const Sweeper* s, const Mover
 	return SCREE_OK;
 }
 
-// Moves the pushed movers; a mover is crushed if a static collidable is in its way. crushers: collidable that pushes
-// the mover of each probe.
+// Moves the pushed movers; a mover is crushed if a static collidable is in its way.
 static scree_status push_all(MoverCall* call, const scree_collidable* crushers)
 {
 	uint32_t kinds = call->seen.kinds;
@@ -147,8 +142,7 @@ static scree_body owner_of(const MoverCall* call, scree_collidable collidable)
 
 static bool is_body(scree_body a, scree_body b) { return !scree_body_is_null(a) && a.index == b.index; }
 
-// Finds the longest displacement of mover k by a sweeper, and this sweeper. A sweeper that is the ground of the mover
-// moves it with it, so its displacement is w->carried.
+// Finds the longest displacement of mover k by a sweeper, and this sweeper. The mover's ground moves it by w->carried.
 static scree_status push_of(MoverCall* call, int k, const Sweeper* sweepers, int count, scree_vec* longest,
                             scree_collidable* crusher)
 {
@@ -201,7 +195,7 @@ typedef struct // kinematic bodies with their poses and velocities, and the swee
 	scree_pose* poses;
 	scree_velocity* velocities;
 	Sweeper* sweepers;
-	scree_collidable* crushers; // collidable that pushes the mover, one per probe
+	scree_collidable* crushers; // collidables that push the mover of each probe
 } SweptBodies;
 
 static scree_status push(MoverCall* call, const SweptBodies* swept, int bodies, float dt)

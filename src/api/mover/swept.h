@@ -4,8 +4,7 @@
 #define SWEPT_H
 #include "api/mover/mover_slide.h"
 
-// Moves the movers that a kinematic body hit during the last step, of dt seconds, out of the way of this body. Movers
-// that a static collidable stops are crushed. Called before anything else moves.
+// Called before anything else moves. Movers that a static collidable stops are crushed. dt: duration of the step, s.
 scree_status mover_swept(MoverCall* call, float dt);
 
 #endif

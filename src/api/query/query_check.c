@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// query_check.c -- checks queries: definition and shape before the queries start, rays and probes while the device
-// works.
+// query_check.c -- checks queries: definition and shape before they start, rays and probes while the device works.
 #include "api/query/query_check.h"
 #include "world/definition.h"
 #include "world/failure.h"
@@ -66,6 +65,7 @@ scree_status query_check(scree_world* world, const char* function, const scree_q
 }
 
 #define MAGNITUDE 0x7fffffffu
+#define BLOCK     64 // items between two tests for an item outside the bounds
 
 typedef uint32_t Words4 __attribute__((vector_size(16))); // half of a ray or a probe
 
@@ -74,16 +74,11 @@ typedef struct // for each word of an item: mask of the compared bits; largest a
 	Words4 counts[2], most[2];
 } PlainBits;
 
-// Returns the number of items, from the first on, that are certainly within bounds. *ignores: set to whether some of
-// these items ignore a body, whose handle is in the last two words, or an item is left. Nonnegative floats are ordered
-// like their bits, with NaN beyond infinity; a word above its bound sets the highest bit. Comparisons of floats took 6
-// ms for a million rays.
+// Returns the number of leading items that are certainly within bounds. *ignores: set to whether an item is left, or an
+// item ignores a body, whose handle is in the last two words. Nonnegative floats are ordered like their bits, with NaN
+// beyond infinity; a word above its bound sets the highest bit. Float comparisons took 6 ms for a million rays.
 static int plain_items(const void* items, int count, const PlainBits* plain, bool* ignores)
 {
-	enum
-	{
-		BLOCK = 64
-	};
 	Words4 bodies = {0};
 	int k = 0;
 	for (; k < count; k += BLOCK)
@@ -160,8 +155,7 @@ scree_status query_shape_of(const char* function, const char* argument, const sc
 	return SCREE_OK;
 }
 
-// Converts the shape of a query as query_shape_of does, unless it is the shape of the last query, whose result the
-// world stores.
+// Converts a shape as query_shape_of does. The world stores the result, in case the next query has the same shape.
 static scree_status set_shape(scree_world* world, const char* function, const scree_shape* shape, Attribute* to)
 {
 	Queries* known = &world->queries;

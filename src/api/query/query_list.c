@@ -7,7 +7,6 @@
 #include "world/memory.h"
 #include "world/shape/geometry.h"
 #include "world/upload/upload.h"
-#include <string.h>
 
 static void sort_few(QueryResult* found, int* query, int count)
 {

@@ -11,7 +11,6 @@ scree_status scree_world_share_queries(scree_world* world, int file_descriptor, 
 	                   &(SharedMemory){.how = SCREE_SHARING_MEMORY, .file = file_descriptor, .bytes = bytes});
 }
 
-// Checks that `count` items of 32 bytes fit into the shared memory behind offset.
 static scree_status check_place(const scree_world* world, const char* function, const char* name, size_t offset,
                                 int count)
 {

@@ -17,7 +17,7 @@ _Static_assert(sizeof(scree_probe) == sizeof(Query) && offsetof(scree_probe, ign
 _Static_assert(sizeof(scree_query_result) == sizeof(QueryResult) &&
                    offsetof(scree_query_result, fraction) == offsetof(QueryResult, fraction) &&
                    offsetof(scree_query_result, hit) == offsetof(QueryResult, marks),
-               "an answer is a Found");
+               "a query result is a QueryResult");
 
 static scree_status answer(scree_world* world, const char* function, const QueryRequest* questions,
                            scree_query_result* found)

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// shape_query.c -- geometric queries for two shapes without a world: distance, cast, time of impact.
+// shape_query.c -- computes distance, cast and time of impact of two shapes without a world.
 #include "api/query/query_check.h"
 #include "platform/processor.h"
 #include "stages/geometry/convex_sum.h"
 #include "world/shape/geometry.h"
 
-// m: shapes at this distance have met; a twentieth of the slop of contacts
-#define IMPACT_DISTANCE (0.05f * LINEAR_SLOP)
+#define IMPACT_DISTANCE (0.05f * LINEAR_SLOP) // m: shapes at this distance have met
 #define IMPACT_ROUNDS   200
 
 typedef struct // two shapes with their poses; q, turn: pose of b in the frame of a
@@ -162,8 +161,7 @@ static float swing(const Way* m, const Attribute* shape)
 	return absolute(m->angle) * square_root(square);
 }
 
-// Returns the time of impact of two moving shapes. Each round adds the time in which the maximum speed along the normal
-// closes the current distance: no two points can meet earlier.
+// Returns the impact of two moving shapes. Each round advances by the least time in which they can close the distance.
 static scree_query_result advance(Pair* pair, const Way* a, const Way* b)
 {
 	scree_vec path = {(b->to.position.x - b->from.position.x) - (a->to.position.x - a->from.position.x),

@@ -5,15 +5,11 @@
 #include "world/failure.h"
 #include "world/world.h"
 
-// Bytes of each of the two blocks of a copy; halved, down to LEAST_BYTES, while the device has too little memory for
-// both blocks.
-#define MOST_BYTES  ((size_t)256 << 20)
+#define MOST_BYTES  ((size_t)256 << 20) // bytes of a block; halved, down to LEAST_BYTES, if two blocks do not fit
 #define LEAST_BYTES ((size_t)1 << 20)
-// The bandwidth is that of the best of TRIES tries. Each try makes COPIES copies, so that the time to start and end it
-// has little effect. A slow device makes fewer tries: no try begins after ENOUGH ms.
-#define TRIES  4
-#define COPIES 8
-#define ENOUGH 500.0
+#define TRIES       4     // the best try counts
+#define COPIES      8     // copies of a try: with many, the time to start and end a try has little effect
+#define ENOUGH      500.0 // ms: no try begins later
 
 scree_status scree_world_get_traffic_sized(scree_world* world, scree_traffic* traffic, size_t size)
 {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// compare_bits.c -- compares the bits of a device with those of the CPU.
-//
-// Some drivers report their arithmetic wrongly. Therefore a small world of all shapes falls, bounces, slides and rolls
-// on the device and on the CPU: contracted products, other rounding of divisions and flushed denormals change the
-// hash of this world.
+// compare_bits.c -- compares the bits of a device with those of the CPU, as some drivers misreport their arithmetic.
+// A small world of all shapes falls, bounces, slides and rolls on the device and on the CPU: contracted products, other
+// rounding of divisions and flushed denormals change its hash.
 #include "api/world/compare_bits.h"
 #include "platform/error.h"
 #include "world/create.h"
@@ -92,7 +90,6 @@ scree_status compare_bits(Backend* b)
 	scree_status status = sample_hash(here, &expected);
 	scree_world_destroy(here);
 	TRY(status);
-
 	TRY(world_create(&def, b, &there));
 	status = sample_hash(there, &hash);
 	there->backend = NULL; // the device stays open when the world is destroyed

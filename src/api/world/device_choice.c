@@ -51,8 +51,7 @@ scree_status scree_world_move(scree_world* world, const char* device)
 		scree_status status = world_move(world, to);
 		Backend* left = status == SCREE_OK ? from : to;
 		left->f->close(left);
-		if (status != SCREE_OK)
-			return status;
+		TRY(status);
 	}
 	auto_close(world);
 	return SCREE_OK;

@@ -130,8 +130,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 		targets_arrived(world);
 		idle_end(world);
 	}
-	// the boxes have moved but the bodies have not, so later steps would not find pairs whose boxes began to overlap
-	// now
+	// the boxes have moved but the bodies have not: later steps would miss pairs whose boxes began to overlap now
 	if (status != SCREE_OK && world->pipeline.started)
 		world->broken = status;
 	double milliseconds = processor_milliseconds() - start;
