@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// all_stages.h -- every stage, in the order of dependencies, for lanes1.c, scalar_avx2.c and the OpenCL program.
+// all_stages.h -- includes all stages in the order of dependencies, for lanes1.c, scalar_avx2.c and the OpenCL program.
 // clang-format off
 #include "dialect/dialect.h"
 #include "pools/pools.h"

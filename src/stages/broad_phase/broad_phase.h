@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
 // broad_phase.h -- finds the new pairs: tests the boxes that moved against the trees.
 //
-// A contact exists exactly as long as the enlarged boxes of its collidables overlap. So a pair is new if its boxes
-// overlap now and did not overlap before this step's transform; no table of known pairs is needed. If both collidables
-// moved, the traversal of the collidable with the lower index finds the pair.
-//
-// Traversals visit leaves in rising order, so a traversal can stop at any leaf, and another work-item can continue it.
+// A contact exists as long as the enlarged boxes of its collidables overlap. So a pair is new if its boxes overlap now
+// and did not before this step's transform. If both collidables moved, the traversal of the one with the lower index
+// finds the pair. Leaves are visited in rising order, so another work-item can continue a traversal at any leaf.
 #ifndef BROAD_PHASE_H
 #define BROAD_PHASE_H
 #include "stages/rules/apart.h"
 #include "stages/tree/tree.h"
 #include "stages/tree/tree_packet.h"
 
-// leaves: mask of eight leaves, of which bit 0 is the leaf at place first. Returns the mask without the leaves whose
-// old boxes overlap the old box of collidable i: these pairs are known, as most are. With FETCHES the mask stays the
-// same, because broad_phase_leaf tests the old boxes. Without FETCHES the eight boxes are loaded together, to hide the
-// latency of memory.
+// Removes from a mask of eight leaves those whose old boxes overlap the old box of collidable i, because these pairs
+// are known. Bit 0 is the leaf at place first. A GPU loads the eight boxes together, to hide the latency of memory; a
+// CPU returns the mask unchanged, and broad_phase_leaf tests the old boxes.
 INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 {
 	int leaf[ARITY];
@@ -47,9 +44,8 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 	return place < p->step.contact_limit;
 }
 
-// Visits the leaves of tree t, from (included) to end (excluded; 0: all leaves), that overlap the box of collidable i.
-// nodes: maximum number of visited nodes of level 1. Returns the leaf at which the search must continue, 0 if the
-// search is complete.
+// Visits the leaves of tree t that overlap the box of collidable i. from, end, nodes: as in TreeTraversal. Returns the
+// leaf at which the search must continue, 0 if the search is complete.
 INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end, int nodes)
 {
 	const GLOBAL Tree* tree = p->tree + t;
@@ -90,8 +86,7 @@ INLINE int broad_phase_trees(int kind)
 	return kind & KIND_SENSOR ? 0 : kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1;
 }
 
-// Traverses tree t for collidable k, up to a limit of nodes. If nodes are left, lists the rest of the traversal, which
-// other work-items complete.
+// Traverses tree t for collidable k, up to a limit of nodes; lists the rest, if any, for broad_phase_rest.
 INLINE void broad_phase_alone(const Pools* p, int k, int t)
 {
 	int next = broad_phase_traverse(p, k, t, 0, 0, p->step.traversal_nodes);
@@ -101,8 +96,8 @@ INLINE void broad_phase_alone(const Pools* p, int k, int t)
 	raise_int(&p->counters->rest, 0x7fffffff);
 }
 
-// Processes the leaves of tree t that overlap the boxes of a packet, except for traversals whose bit is set in alone.
-// kinematic, alone: one bit per traversal. Returns 0 if the search must stop, because the limit of contacts is reached.
+// Processes the leaves that overlap the boxes of a packet, except for traversals whose bit is set in alone. kinematic,
+// alone: one bit per traversal. Returns 0 if the search must stop, because the limit of contacts is reached.
 INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* collidables, const Float4* boxes,
                               Word kinematic, Word alone, const PacketFront* front)
 {

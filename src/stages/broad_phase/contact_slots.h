@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// contact_slots.h -- puts new pairs into slots of the contact pool, by their keys, lowest free slots first.
+// contact_slots.h -- puts new pairs, in the order of their keys, into the lowest free slots of the contact pool.
 //
-// The slots of contacts determine their priorities in coloring and their order in a readback, so slots must not depend
-// on the device.
+// Slots determine priorities in coloring and the order of a readback, so they must not depend on the device.
 #ifndef CONTACT_SLOTS_H
 #define CONTACT_SLOTS_H
 #include "constraints/contact_one.h"
@@ -11,8 +10,7 @@
 #include "stages/edit/pool_item.h"
 #include "stages/rules/apart.h"
 
-// Checks the number of contacts against the contact limit of the world, which is equal on all devices, and the
-// number of new pairs against the capacity for pairs, which may differ.
+// Checks the contact limit, which is equal on all devices, and the capacity for new pairs, which may differ.
 KERNEL(contact_admit)
 {
 	GLOBAL Counters* c = p->counters;
@@ -80,8 +78,7 @@ KERNEL(contact_pack_end)
 INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
 
 // Returns friction, restitution, rolling lever and tangent speed of a pair; the order of the two attributes does not
-// matter. Friction is the geometric mean, so ice stays slippery on anything. The lever is computed with the larger
-// radius. The tangent speeds are added.
+// matter. Friction is the geometric mean, so ice stays slippery on anything.
 INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attribute* sb)
 {
 	float lever =
@@ -142,8 +139,7 @@ KERNEL(contact_join)
 	contact_anew(p, i, flags, joined | (flags & CONTACT_REPORTS));
 }
 
-// Recomputes the surface and the report bits of contact i after a change of attributes or reports. If the contact has a
-// place among the constraints, its rows are updated too.
+// Updates surface, report bits and constraint rows of contact i after a change of attributes or reports.
 KERNEL(contact_mix)
 {
 	Int2 pair = p->pair[i];

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// transform.h -- computes world poses and boxes of collidables. An enlarged box is replaced when the tight box leaves
-// it.
+// transform.h -- computes world poses and boxes of collidables; replaces enlarged boxes that the tight boxes exceed.
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
 #include "dialect/vec.h"
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
 
-#define REACH_SHARE 0.125f // fraction of the reach; like the thickness, it is compared with half of GRAIN_SIZE
+#define REACH_SHARE 0.125f // this fraction of the reach is compared with half of GRAIN_SIZE, as the thickness is
 
-// Clears the counters of the step.
 KERNEL(step_begin)
 {
 	GLOBAL Counters* c = p->counters;
@@ -139,8 +137,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	int moved = p->collidable_flags[i];
 	if (p->collidable_kind[i] == KIND_DEAD)
 	{
-		// an empty box ends the contacts of the collidable; if it was destroyed before its first step, the box is
-		// already empty
+		// an empty box ends the contacts of the collidable
 		p->collidable_flags[i] = COLLIDABLE_NEW_BOX;
 		p->box[i] = box_empty();
 		return 0;
@@ -196,8 +193,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	return 1;
 }
 
-// Restores the boxes after a step that stopped before it found all contacts, so that the next step finds the same
-// pairs.
+// Restores the boxes after a step that stopped before it found all contacts, so that the next step finds them.
 KERNEL(transform_undo)
 {
 	if (!(p->collidable_flags[i] & COLLIDABLE_NEW_BOX) || p->collidable_kind[i] == KIND_DEAD)

@@ -4,15 +4,13 @@
 // This work is based on:
 // Mark T. Jones, Paul E. Plassmann, A Parallel Graph Coloring Heuristic, 1993.
 //
-// Graph coloring. Each contact has a unique priority. In each round a contact with the highest priority on both of its
-// bodies takes the lowest color that is free on both. The result is that of a sequential greedy coloring by falling
-// priority, for any number of threads. Colors are kept while contacts touch, so only contacts that begin to touch are
-// colored in a step, usually a few.
+// Each edge has a unique priority. In each round an edge with the highest priority on both of its bodies takes the
+// lowest color that is free on both. The result is that of a sequential greedy coloring by falling priority, for any
+// number of threads. Colors are kept while contacts touch, so usually few edges are colored in a step.
 //
 // Contacts with bodies that cannot move take the highest free color: they are solved last, so that no other contact
-// undoes their result. The last colors are for contacts with static bodies: of two immovable bodies that press a third
-// one, the static one prevails. The contacts of hubs (spoke.h) take no color and do not take part in the rounds; every
-// other contact finds a free color. So a body with thousands of new contacts costs no rounds.
+// undoes their result. The contacts of hubs (spoke.h) take no color and no part in the rounds, so thousands of new
+// contacts of a body cost no rounds. Every other contact finds a free color.
 #ifndef COLOR_H
 #define COLOR_H
 #include "constraints/contact_one.h"
@@ -21,8 +19,7 @@
 #include "stages/color/spoke.h"
 
 // Returns the priority of an edge. Odd multipliers and xor-shifts are invertible, so no two edges have the same
-// priority; and the priorities are in no visible order. With priorities in the order of slots, a row of contacts would
-// be colored at one contact per round.
+// priority. The order looks random: in the order of slots, a row of contacts would be colored at one contact per round.
 INLINE Word color_priority(int edge)
 {
 	Word x = (Word)edge + 0x9e3779b9u;
@@ -53,9 +50,8 @@ INLINE int color_spoke(const Pools* p, int edge, Int2 bodies)
 	return edge_kind(edge) == CONSTRAINT_CONTACT && hub_wants(p, bodies);
 }
 
-// Returns whether a joint gets no color, because it is in a chain or because its bodies have no free color in common. A
-// contact always finds a color: if a body has too many constraints, its contacts become spokes before. argument, here
-// and in color_claim and color_assign: the round.
+// Returns whether a joint gets no color: it is in a chain, or its bodies have no free color in common. A contact always
+// finds a color, because the contacts of a body with too many constraints become spokes first.
 INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 {
 	if (edge_kind(edge) == CONSTRAINT_CONTACT)
@@ -67,9 +63,9 @@ INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 	return (mask_a | mask_b) == (Word64)COLOR_MASK;
 }
 
-// Number of the last colors, which are for contacts with static bodies; other constraints take them only if no other
-// color is free. A body that is pressed by a kinematic body against a static one cannot obey both: the constraint that
-// is solved last prevails. Eight colors are enough for a body in a corner where four collidables of a level meet.
+// Number of the last colors, for contacts with static bodies; other constraints take them only if no other is free. A
+// body between a kinematic and a static one cannot obey both, and the contact that is solved last prevails. Eight
+// colors are enough for a body in a corner where four collidables of a level meet.
 #define STATIC_COLORS 8
 
 // Returns whether an edge is a contact with something static, which is the second collidable of a pair.
@@ -139,7 +135,7 @@ KERNEL(color_assign)
 		write_shared_word64(&p->color_mask[bodies.y], mask_b | bit);
 }
 
-// After MAX_ROUNDS rounds: moves the count of the last round to the first place, and clears the other counts.
+// Moves the count of the last round to the first place after MAX_ROUNDS rounds, and clears the other counts.
 KERNEL(color_wrap)
 {
 	GLOBAL Counters* c = p->counters;
@@ -159,8 +155,6 @@ KERNEL(color_reset)
 	write_shared_word(&p->claim1[bodies.y], 0);
 }
 
-// Layout: the constraints of a kind by color.
-
 // The upper half of a sort key is the color; for a spoke it is COLORS plus the body of the hub. Returns the upper half
 // for a constraint that has not begun: all bits set. argument of the kernels below: number of these bits.
 INLINE Word64 color_none(int bits) { return ((Word64)1 << bits) - (Word64)1; }
@@ -171,9 +165,8 @@ INLINE int color_of_key(Word64 key, int bits)
 	return name == color_none(bits) ? COLORS + 1 : name < (Word64)COLORS ? (int)name : COLORS;
 }
 
-// Selects the kinds to lay out. A layout needs a color for every constraint and, if there are hubs, keys with bits for
-// them. argument: index in uncolored of the number of edges left after the last round, and number of bits in the
-// keys of contacts.
+// Selects the kinds to lay out, if all constraints have a color and, with hubs, the keys have bits for these. argument:
+// index in uncolored of the edges left after the last round, and number of bits in the keys of contacts.
 KERNEL(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
@@ -195,8 +188,7 @@ KERNEL(color_arrange)
 	(void)i;
 }
 
-// Number by which constraints with the color COLORS are sorted: contacts by their hub, joints of chains before other
-// joints.
+// number by which constraints of the color COLORS are sorted: contacts by hub, joints of chains before other joints
 INLINE int contact_group(const Pools* p, int i) { return hub_owner(p, p->contact_bodies[i]); }
 INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 
@@ -335,8 +327,7 @@ KERNEL(chain_pad)
 		joint_pad(p, place);
 }
 
-// Computes the place of a sorted constraint, and writes the values of its rows that stay constant until the next
-// layout.
+// Computes the place of a sorted constraint, and writes its row values that stay constant until the next layout.
 #define COLOR_PLACE(kind, KIND)                                                                                \
 	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu);           \
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                                 \

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// edge.h -- functions of edges: an edge is a constraint of any kind, for coloring and for the forms relay and tiles.
+// edge.h -- begins, ends, counts and reads edges: constraints of any kind, for coloring and the forms relay and tiles.
 #ifndef EDGE_H
 #define EDGE_H
 #include "constraints/constraint_kinds.h"
@@ -43,9 +43,8 @@ INLINE void edge_add_belt(const Pools* p, Int2 bodies, int belt)
 	atomic_add_int(&p->belts[bodies.y], belt);
 }
 
-// Counts a constraint that begins, for one of its bodies. If the body may now be a hub, and some of its contacts have
-// colors, requests the search for hubs (spoke.h). Other constraints begin and end at the same time, so the search may
-// find no hub.
+// Counts a constraint that begins, for one of its bodies. If the body may now be a hub and some of its contacts have
+// colors, requests the search for hubs (spoke.h), which may find none, because other constraints end meanwhile.
 INLINE void edge_count(const Pools* p, int body, int belt)
 {
 	int over_limit = atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS;
@@ -137,7 +136,6 @@ INLINE Int2 edge_bodies_at(const Pools* p, int kind, int place)
 }
 
 // Tasks: the places of all kinds in the order of a pass, by color, then by kind.
-
 typedef struct
 {
 	int kind, place;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_edges.h -- applies the user's changes of joints, begins and ends their constraints, and lists the pairs of
-// bodies that they keep from touching.
+// joint_edges.h -- applies changes of joints, begins and ends their constraints, lists bodies that must not touch.
 #ifndef JOINT_EDGES_H
 #define JOINT_EDGES_H
 #include "constraints/joint_one.h"
@@ -117,8 +116,6 @@ KERNEL(joint_updated)
 	(void)i;
 }
 
-// Pairs of bodies that joints or the user keep from touching.
-
 INLINE Word64 joint_pair_of(int a, int b)
 {
 	int low = a < b ? a : b, high = a < b ? b : a;
@@ -161,8 +158,6 @@ INLINE int joint_parts(const Pools* p, Int2 bodies)
 	return at < count && p->joined[at] == key;
 }
 
-// End of a step: turns of couplings, thresholds.
-
 // Item: a place of joints. Reports the joint if its force or torque exceeded its threshold, and breaks the joint if it
 // can break. Counts the turns of a coupling with the ratio of this step, because the user may change the ratio.
 KERNEL(joint_finalize)
@@ -179,8 +174,8 @@ KERNEL(joint_finalize)
 	}
 	JointEvent event;
 	event.slot = slot;
-	// a threshold of the largest float means none, so no value may exceed it: these values are computed only in worlds
-	// with thresholds, and a step must not depend on the thresholds of other joints
+	// a joint without a threshold has the largest float, which no value may exceed: these values are computed only in
+	// worlds with thresholds, and a step must not depend on the thresholds of other joints
 	event.force = finite_or_most(joint_rare(p, peak_force, i) * p->step.inv_h);
 	event.torque = finite_or_most(joint_rare(p, peak_torque, i) * p->step.inv_h);
 	event.broken = (p->joint_flags[slot] & JOINT_CAN_BREAK) != 0;

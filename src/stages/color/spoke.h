@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-// spoke.h -- finds out whether a body is a hub, and computes the hub of each spoke and the places of a hub's spokes.
+// spoke.h -- finds hubs, and computes the hub of each spoke and the places of a hub's spokes.
 //
 // A body with more than HUB_CONTACTS constraints, including joints, becomes a hub: all of its contacts become spokes as
-// long as they touch, so that a varying number of contacts does not switch the layout back and forth.
-//
-// A body on belts that run against each other becomes a hub too. Its friction is the difference of the loads on the
-// belts. Of two contacts that are solved one after the other, the first takes every change of the load; the two share
-// this change only as impulses leak, within 0.2 s. With that delay a body on two belts swings more and more, until it
-// is as fast as the belts. The contacts of a hub share a change at once, as springs do.
+// long as they touch, so that a varying number of contacts does not switch the layout back and forth. A body on belts
+// that run against each other becomes a hub too: contacts that are solved one after the other share a change of the
+// load too slowly, and the body would swing more and more (docs/hubs.md, Belts).
 #ifndef SPOKE_H
 #define SPOKE_H
 #include "pools/pools.h"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// touch.h -- events for the user: touches, from the meeting of two surfaces until they part, and hits.
+// touch.h -- lists touches, from the meeting of two surfaces until they part, and hits, as events for the user.
 //
-// A contact has points before its surfaces meet, so that it acts as soon as they meet. Its touch begins in the step in
-// which the surfaces meet: they push each other or overlap. It ends when the contact loses its points or is destroyed.
-// So a body that rests or rolls does not begin another touch, even if its impulses vary.
+// A touch begins in the step in which the surfaces push each other or overlap, and ends when the contact loses its
+// points or is destroyed. So a body that rests or rolls begins no other touch, even if its impulses vary.
 #ifndef TOUCH_H
 #define TOUCH_H
 #include "constraints/constraint_kinds.h"
@@ -35,9 +34,8 @@ RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 	p->contact_feature[i] = make_int2(-1, -1);
 }
 
-// Lists the end of the touch of a contact that the narrow phase is about to release, because its boxes parted. This is
-// a separate kernel, because with these lines the narrow phase was slower by a fifth on an H200, in worlds without
-// events.
+// Ends the touch of a contact whose boxes parted, before the narrow phase releases it. This is a separate kernel: with
+// these lines the narrow phase was slower by a fifth on an H200, in worlds without events.
 KERNEL(touch_part)
 {
 	Word flags = p->contact_flags[i];

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// command.h -- applies the user's commands since the last step. Commands of one item are applied in the order of the
-// calls.
+// command.h -- applies the user's commands since the last step, those of one item in the order of the calls.
 #ifndef COMMAND_H
 #define COMMAND_H
 #include "constraints/angle.h"
@@ -137,8 +136,7 @@ INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 	p->body[i].w = 0.0f;
 }
 
-// Initializes a new body at rest, without mass, forces or locks. pose: pose of the center of mass, computed by the
-// host.
+// Initializes a new body at rest, without mass, forces or locks. pose: pose of the center of mass.
 INLINE void command_body(const Pools* p, int i, Float4 pose, Float2 center)
 {
 	item_clear(p, PER_BODY, i);

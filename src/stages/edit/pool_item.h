@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pool_item.h -- operations on an item in all its pools at once, selected by their roles: hash, clear, move, fetch.
+// pool_item.h -- hashes, clears, moves or prefetches an item in all of its pools; roles select the pools.
 #ifndef POOL_ITEM_H
 #define POOL_ITEM_H
 #include "constraints/constraint_kinds.h"

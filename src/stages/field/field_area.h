@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // field_area.h -- computes area and centroid of the part of a shape that is in a fluid.
 //
-// The outline of a shape is a sequence of edges and arcs. The axes lie on the surface of the fluid: x along it, y = 0
-// on it. The integrals of x dy, x^2 / 2 dy and x y dy around the immersed part are its area and its first moments. The
-// integrals along the surface itself are 0, so sums over the outline below the surface are exact. A shape that several
-// edges of a region cut is clipped by one edge after the other, with corners in place of its arcs.
+// An outline consists of edges and arcs. The x axis lies on the surface of the fluid. The integrals of x dy, x^2 / 2 dy
+// and x y dy around the immersed part are its area and its first moments. They are 0 along the surface itself, so sums
+// over the outline below the surface are exact. A shape that is cut by several edges of a region is clipped by one edge
+// after the other, and corners replace its arcs.
 //
 // This work is based on:
 // George Green, An Essay on the Application of Mathematical Analysis, 1828: areas from integrals along outlines.

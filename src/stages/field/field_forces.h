@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // field_forces.h -- computes the forces of fields on bodies, once per step, before the solve.
 //
-// One item sums all forces on a body: first the sums of the body's collidables, in the order of their list, then the
-// forces of fields that act on bodies, by index. So no two items write to one place, and the order of a sum depends
-// only on the user's calls. The result is added to the user's forces, which integrate applies in each substep and
-// finalize clears.
+// One item sums all forces on a body, so no two items write to one place. It adds the sums of the body's collidables in
+// the order of their list, then the forces of fields that act on bodies, by index, so the order depends only on the
+// user's calls. The result is added to the user's forces, which integrate applies in each substep and finalize clears.
 //
 // This work is based on:
 // Henry Crozier Plummer, On the Problem of Distribution in Globular Star Clusters, 1911: soft centers.
@@ -34,8 +33,7 @@ KERNEL(field_place)
 	box_pack(p->field_box, i, box);
 }
 
-// Item: a group of ARITY boxes. Computes the box around them. argument: number of boxes; boxes beyond this number are
-// padding.
+// Item: a group of ARITY boxes. Computes the box around them. argument: number of boxes without the padding.
 KERNEL(field_gather)
 {
 	Float4 box = box_empty();
@@ -103,8 +101,7 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 	}
 }
 
-// Item: a body. Adds the forces of fields to the user's forces. argument: 1 if some fields act on shapes, and the
-// number of fields.
+// Adds the forces of fields on body i to the user's forces. argument: 1 if fields act on shapes; number of fields.
 KERNEL(field_body)
 {
 	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f)

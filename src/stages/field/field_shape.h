@@ -90,8 +90,7 @@ INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 	return sign * edge.offset + most + t->shape->radius;
 }
 
-// Returns the immersed part of a shape. *depth, m: length of the shortest translation that takes the whole shape out of
-// the fluid.
+// Returns the immersed part of a shape. *depth, m: shortest translation that takes the whole shape out of the fluid.
 INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, float* depth)
 {
 	FieldArea none = {0.0f, 0.0f, 0.0f};
@@ -118,10 +117,9 @@ INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* sp
 	return field_area_below(t->shape, t->turn, line);
 }
 
-// N: Returns the limit of the force of a fluid at a point. Without a limit, the force would throw a much lighter body
-// out of the fluid. In a step the point gains at most the speed that takes the shape out of the fluid within a step,
-// and at most 2 sqrt(g width), about the speed of a ball that is released under water. The body still carries dozens of
-// times its weight.
+// N: Returns the limit of the force of a fluid at a point, without which a much lighter body would be thrown out. In a
+// step the point gains at most the speed that takes the shape out of it within a step, and at most 2 sqrt(g width),
+// about the speed of a ball that is released under water. A body can still carry dozens of times its weight.
 INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, float weight, float depth, float width)
 {
 	BodyState state = p->body[body];

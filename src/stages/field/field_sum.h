@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // field_sum.h -- computes the poses of fields and bodies at which fields act, and sums the forces of fields on a body.
 //
-// Fields act once per step. A substep adds the force to the velocity, then the velocity to the position. So with n
-// substeps of h s a constant force moves a body by n (n + 1) / 2 h^2 times its acceleration in a step. If the force is
-// evaluated at the pose that the body reaches without the force after (n - 1) / 2 h, the step is a drift, a kick and a
-// drift, and motion in a conservative field keeps its energy. With the pose at the start of the step, orbits would
-// grow.
+// Fields act once per step, at the poses that bodies reach without fields after (n - 1) / 2 of n substeps. So a step is
+// a drift, a kick and a drift, and orbits keep their energy (docs/fields.md, When fields act).
 //
 // This work is based on:
 // Ernst Hairer, Christian Lubich, Gerhard Wanner, Geometric Numerical Integration, 2006, I.1.4: Stoermer and Verlet.
@@ -29,8 +26,7 @@ INLINE Float4 field_body_pose(const Pools* p, int body)
 	return make_float4(pose.x + ahead * state.vx, pose.y + ahead * state.vy, turn.x, turn.y);
 }
 
-// Transforms a pose from the frame of a body to the world. *arm: vector from the center of mass to the position of the
-// pose.
+// Transforms a pose from a body's frame to the world. *arm: vector from the center of mass to the pose's position.
 INLINE Float4 field_body_point(const Pools* p, int body, Float4 own, Vec* arm)
 {
 	Float4 pose = field_body_pose(p, body);
@@ -98,7 +94,7 @@ typedef struct // traversal of the fields whose boxes overlap a box, by rising i
 {
 	Float4 box;
 	int count;        // number of fields
-	int next;         // next block to test: of boxes if there are few fields, else of groups
+	int next;         // next block to test: boxes if there are few fields, else groups
 	int group, first; // first box of the current block of groups, and of the current block of boxes
 	Word groups, hits;
 } FieldTraversal;
@@ -154,7 +150,7 @@ INLINE void field_push(FieldForce* sum, Vec arm, Vec force)
 	sum->torque = sum->torque + vec_cross(arm, force);
 }
 
-// Adds the drag of a medium at a point. rate, kg/s: force over the speed of the medium relative to the point.
+// Adds the drag of a medium at a point. rate, kg/s: force divided by the speed of the medium relative to the point.
 INLINE void field_brake(FieldForce* sum, Vec arm, float rate, Vec force)
 {
 	sum->drag_x = sum->drag_x + force.x;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // contact_approval.h -- contact approval: lists contacts for the user's decision, and stops their bodies as they meet.
 //
-// A contact of a collidable that requires approval has points but no impulses until the user approves it. In the step
-// in which it gets points it is listed and becomes pending. Its bodies move only until they meet, so that they do not
-// pass through each other before the user has decided. The bodies keep their velocities.
+// A pending contact has points but no impulses. Its bodies move only until they meet, so that they do not pass through
+// each other before the user has decided; they keep their velocities (docs/rules.md, Contact approval).
 #ifndef CONTACT_APPROVAL_H
 #define CONTACT_APPROVAL_H
 #include "constraints/angle.h"
@@ -46,8 +45,6 @@ KERNEL(approval_list)
 	if (p->contact_flags[i] & CONTACT_WAITED)
 		p->asked[atomic_add_int(&p->counters->asked, 1)] = i;
 }
-
-// Bodies of pending contacts.
 
 // Stores the pose of body i before the solve.
 KERNEL(approval_begin)

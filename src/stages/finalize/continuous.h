@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: MIT
 // continuous.h -- continuous collision: stops a body that the solver would move through something.
 //
-// Contacts are created before bodies meet, from the velocities at the start of a step (sweep.h). A body that is hit
-// within the step moves elsewhere. It may have no contact there, or a contact without a point at the corner that it
-// rotates to. So the path of a body that moved further than a fraction of its thickness is swept against the
-// collidables along it. The body moves until it is slightly inside the surface of one of them. It keeps its velocity,
-// and the next step has a contact for it.
-//
-// Static collidables do not move during the sweep; dynamic collidables move by their own displacements. When two
-// dynamic bodies meet, a body stops if it moves toward the other one at that point. A body that moves away continues;
-// if it stopped, the other one would run through it. A kinematic body does not yield: after they meet, a body that
-// moves toward it is moved along with it. The order of bodies does not matter, because this stage reads only data that
-// it does not write.
-//
-// Such bodies are few, and the work per body is long, so finalize lists them for a separate kernel. As a part of
-// finalize the code used registers for all bodies of a GPU: 1M bodies in motion took 0.159 ms instead of 0.043 ms on an
-// H200. Several work-items share a body of many collidables.
+// A body that moved further than a fraction of its thickness is swept against the collidables along its path, and stops
+// slightly inside the surface of one of them (docs/continuous.md). The order of bodies does not matter, because this
+// stage reads only data that it does not write. Such bodies are few, and the work per body is long, so finalize lists
+// them for a separate kernel: as a part of finalize the code used registers for all bodies of a GPU, and 1M bodies in
+// motion took 0.159 ms instead of 0.043 ms on an H200.
 //
 // This work is based on:
 // Erin Catto, Continuous Collision, GDC 2013: static shapes stop moving ones, at a target inside the surface.
@@ -24,7 +14,7 @@
 #include "stages/finalize/continuous_search.h"
 
 // fraction of the thickness: a path that leaves the box of the step by more is also swept against moving collidables
-// without a contact
+// without a contact; with less, neither of the two gets past the other's middle, because their boxes are apart
 #define CONTINUOUS_OUTLIER 0.5f
 
 // Returns the path of collidable i, which moves with its body. path, turn: displacement and rotation of the body.
@@ -65,11 +55,9 @@ RARE int continuous_far_from_some(const Pools* p, const ContinuousPath* g)
 	return far;
 }
 
-// Returns a mask of the kinds that may obstruct a collidable, one bit per kind. With lists 0, also sets the box of its
-// path if the mask is not 0. While the path stays in the box of the step, the collidable has a contact with everything
-// near it. Boxes of collidables without a contact are apart, so neither gets past the middle of the other while each
-// leaves its box by less than CONTINUOUS_OUTLIER of its thickness. lists: 1 if the caller tests only whether the mask
-// is 0; then a GPU leaves the test of kinematic bodies to the kernel continuous, to save registers.
+// Returns a mask of the kinds that may obstruct a collidable, one bit per kind. A collidable whose path stays in the
+// step's box has contacts with everything near it. lists 0: also sets the box of the path if the mask is not 0. lists
+// 1: only tests whether the mask is 0; a GPU leaves kinematic bodies to the kernel continuous, to save registers.
 INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 {
 	float far = continuous_far(g->way.path, g->swing);
@@ -156,9 +144,8 @@ INLINE int continuous_skip(const Pools* p, int k, int count)
 	return k;
 }
 
-// Returns the first end among the paths of the collidables in a part of a body. With part -1, for a pressed body,
-// returns that of all its collidables. Neighboring parts test their collidables in the same iteration, because
-// work-items of a GPU wait for each other.
+// Returns the earliest path end of the collidables in a part of a body; part -1: of all collidables of a pressed body.
+// Neighboring parts test their collidables in the same iteration, because work-items of a GPU wait for each other.
 INLINE ContinuousStop continuous_part(const Pools* p, ContinuousBody continuous_body, int part, Vec path, float turn)
 {
 	ContinuousStop least = continuous_stop(1.0f, vec(0.0f, 0.0f), 0);
@@ -186,8 +173,7 @@ INLINE int continuous_near_statics(const Pools* p, int body, Vec path, float rea
 	return tree_hits(p, tree->begin[tree->top], box_grow(box, reach)) != 0;
 }
 
-// Returns whether a body moves far enough to be tested. Bounds in Step exclude most bodies before the row of the body
-// is read.
+// Returns whether a body moves far enough to be tested. Bounds in Step exclude most bodies before their rows are read.
 INLINE int continuous_wanted(const Pools* p, int body, Vec path, float turn)
 {
 	float far = absolute(path.x) + absolute(path.y), swing = absolute(turn);
@@ -201,8 +187,7 @@ INLINE int continuous_wanted(const Pools* p, int body, Vec path, float turn)
 	       (p->step.kinematic || continuous_near_statics(p, body, path, continuous_body.reach));
 }
 
-// Returns whether a body may get deeper than PRESS_MOST into something static. depth, m: depth to which it is pressed
-// there at the start of the path.
+// Returns whether a body may get deeper than PRESS_MOST into something static. depth, m: its depth there at the start.
 INLINE int continuous_presses(const Pools* p, int body, float depth, Vec path, float turn)
 {
 	return depth + continuous_far(path, absolute(turn) * p->continuous_body[body].reach) > PRESS_MOST;
@@ -225,8 +210,7 @@ INLINE void continuous_enlist(const Pools* p, int body)
 	p->continuous_parts[body] = 0;
 }
 
-// Returns whether the calling part is the last of a body's parts to finish. Then sets *share, the share of this part,
-// to the least share of all parts.
+// Returns whether a part of a body finishes last; if so, sets *share, its share, to the least share of all parts.
 INLINE int continuous_all(const Pools* p, ContinuousBody continuous_body, int body, float* share)
 {
 	if (continuous_body.parts == 1)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// continuous_search.h -- finds the end of a collidable's path: the first obstacle, and the distance that the collidable
-// moves.
+// continuous_search.h -- finds the first obstacle on a collidable's path, and the distance that the collidable moves.
 #ifndef CONTINUOUS_SEARCH_H
 #define CONTINUOUS_SEARCH_H
 #include "stages/broad_phase/transform.h"
@@ -52,8 +51,7 @@ INLINE Sweep continuous_way(const Pools* p, WorldShape s, Advance advance)
 #define CONTINUOUS_ROUNDING 1.00001f // factor that enlarges a length by more than its rounding error
 
 // Returns the motion with the exact distance of the farthest corner as its reach. The bound of sweep_with is much
-// larger for a shape far from its origin: a small body that spins would take more rounds than the limit, and stay in
-// the air.
+// larger for a shape far from its origin: a small spinning body would exceed the limit of rounds and stay in the air.
 INLINE Sweep continuous_near(const Pools* p, WorldShape s, Sweep way)
 {
 	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
@@ -82,8 +80,7 @@ INLINE Vec continuous_arm(Sweep way, ContinuousMeeting met)
 	return vec_sub(met.point, vec_turn(vec_rotation(met.time * way.turn), way.center));
 }
 
-// Returns the distance, m, by which the second of two bodies moves away from the first one in a step, at their
-// meeting point.
+// Returns the distance, m, by which the second body moves away from the first in a step, at their meeting point.
 INLINE float continuous_away(Sweep way, ContinuousMeeting met)
 {
 	return vec_dot(met.normal, vec_add(way.path, vec_spin(way.turn, continuous_arm(way, met))));
@@ -103,8 +100,7 @@ typedef struct // collidable and its path
 	Filter filter;
 } ContinuousPath;
 
-// Returns the fraction of its path that a collidable moves if it keeps up with a kinematic collidable after they have
-// met.
+// Returns the fraction of its path that a collidable moves if it follows a kinematic collidable after they met.
 INLINE float continuous_follows(const ContinuousPath* g, WorldShape other, Sweep goes, ContinuousMeeting met)
 {
 	Vec center = vec_add(vec(g->from.x - other.x, g->from.y - other.y), vec_sub(g->way.center, goes.center));
@@ -117,7 +113,7 @@ INLINE float continuous_follows(const ContinuousPath* g, WorldShape other, Sweep
 
 #define CONTINUOUS_LEAVES (FETCHES ? 1 : 4) // leaves that are read together, because their latencies overlap on a GPU
 
-typedef struct // data that rules out most leaves
+typedef struct // data of a leaf by which most leaves are excluded
 {
 	int index, kind, body;
 	Filter filter;
@@ -133,9 +129,8 @@ INLINE ContinuousLeaf continuous_leaf_at(const Pools* p, int place)
 	return leaf;
 }
 
-// m: Returns a bound of the motion of a collidable's points relative to a kinematic body, in its rotating frame. other:
-// a shape of that body. A body that turns with a drum does not move far relative to the drum, so the drum does not
-// obstruct it.
+// m: Returns a bound of the motion of a collidable's points in the rotating frame of a kinematic body, so that a drum
+// does not obstruct a body that turns with it. other: a shape of the kinematic body.
 INLINE float continuous_far_from(const Pools* p, const ContinuousPath* g, WorldShape other)
 {
 	Advance went = continuous_went(p, other.body);
@@ -164,8 +159,7 @@ INLINE int continuous_meets(const Pools* p, const ContinuousPath* g, const Conti
 	return continuous_far(vec_sub(g->way.path, went.path), swing) > CONTINUOUS_CROSS * g->thickness;
 }
 
-// leaves: mask of leaves, of which bit 0 is the leaf at place first. Returns the mask of those that may stop a
-// collidable.
+// Returns the leaves of a mask that may stop a collidable. Bit 0 of the mask is the leaf at place first.
 INLINE Word64 continuous_meeting(const Pools* p, const ContinuousPath* g, int first, Word64 leaves)
 {
 	Word64 meeting = 0;
@@ -203,9 +197,8 @@ INLINE ContinuousDepth continuous_depth(const ContinuousPath* g, int kind)
 	return deep;
 }
 
-// Returns the end of a collidable's path at obstacle j if that precedes least, otherwise least. Of two ends at the same
-// fraction, the one with the lower obstacle index is returned, because the order of leaves is not the same on all
-// devices.
+// Returns the end of a collidable's path at obstacle j if it precedes least, otherwise least. Of two ends at one
+// fraction, returns that of the lower obstacle index, because the order of leaves depends on the device.
 RARE ContinuousStop continuous_leaf(const Pools* p, const ContinuousPath* g, int j, ContinuousStop least)
 {
 	int i = g->index, kind = p->collidable_kind[j], moves = kind != KIND_STATIC;

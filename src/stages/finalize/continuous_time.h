@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// continuous_time.h -- computes the time at which two collidables get too deep into each other, from their motions in
-// the step.
+// continuous_time.h -- computes when two collidables get too deep into each other, from their motions in the step.
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Here each
-// corner has its own speed, and all share a bound of their acceleration. With one bound of all speeds, bodies that spin
-// close to a wall took more than 20 rounds, and bodies that slide along a rotating side counted as moving apart.
+// corner has its own speed, and all share a bound of their acceleration (docs/continuous.md).
 #ifndef CONTINUOUS_TIME_H
 #define CONTINUOUS_TIME_H
 #include "stages/geometry/sweep.h"
@@ -19,16 +17,14 @@ typedef struct // first time at which two collidables a and b are too deep
 	Vec point;  // deepest point at that time, from the origin of b, m
 } ContinuousMeeting;
 
-// Returns the acceleration of the smaller of two collidables at a time, in the rotating frame of the larger one, m per
-// step^2.
+// m per step^2: Returns the acceleration of the smaller collidable at a time, in the rotating frame of the larger one.
 INLINE Vec continuous_bend(Closing c, float time)
 {
 	float frame = c.b.reach < c.a.reach ? c.a.turn : c.b.turn;
 	return vec_sub(c.bend, vec_spin(frame, vec_add(c.near, vec_scale(time, c.bend))));
 }
 
-// Returns the separation up to which points count in the rest of the step, in the frame of a. Points may move on curved
-// paths. time: start of the rest.
+// Returns the separation up to which points count after a time, in the frame of a. Points may move on curved paths.
 INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 {
 	Reach reach = sweep_reach(c, axes, time);
@@ -38,9 +34,8 @@ INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 	return reach;
 }
 
-// Returns a duration, as a fraction of the step, in which each point of the smaller collidable approaches the larger
-// one along a normal by at most its gap. left, m: gap of the deepest point; the gaps of other points are larger. c:
-// closing of the pair (a, b). time: start of the duration.
+// Returns a fraction of the step, from time on, in which each point of the smaller collidable approaches the larger one
+// along a normal by at most its gap. left, m: gap of the deepest point, the smallest gap. c: closing of a and b.
 INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Closing c, Vec normal, float time,
                                 float left)
 {

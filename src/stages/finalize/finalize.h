@@ -24,7 +24,7 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 }
 
 // Limits the speed of a body that is pressed between two others, or was so recently. The limit is the speed of the
-// presser or, if that is larger, about the speed of the body at the start of the step; the speed of a fall in a step is
+// press or, if that is larger, about the speed of the body at the start of the step; the speed of a fall in a step is
 // added. Returns whether the body may get too deep into something static.
 INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, float da)
 {
@@ -98,11 +98,10 @@ KERNEL(finalize)
 	}
 }
 
-// Item: a part of a body that moves far. The body moves until something obstructs it. In a world with joints, or if it
-// is pressed, it then slides along the obstacle as far as that path is free: otherwise a chain would press a stopped
-// link harder and harder. A pressed body also keeps rotating, unless that is obstructed, and is one item for all of its
-// collidables. All searches share one call. With two calls, clang for PTX inlines neither of them and keeps the pools
-// on the stack of every work-item, and all kernels were slower on an H200.
+// Item: a part of a body that moves far, or a pressed body. It moves until something obstructs it. If it is pressed or
+// the world has joints, it then slides along the obstacle as far as possible; otherwise a chain would press a stopped
+// link harder and harder. A pressed body also rotates on, unless obstructed. All searches share one call: with two,
+// clang for PTX inlines neither and keeps the pools on each work-item's stack: all kernels were slower on an H200.
 KERNEL(continuous)
 {
 	Int2 item = p->continuous_list[i];

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// convex.h -- computes the exact distance of a point from a rounded convex core, and the first contact of a moving
-// point with it.
+// convex.h -- computes the exact distance of a point from a rounded convex core, and a moving point's first contact.
 //
-// A core is the convex hull of its corners; a shape consists of all points within a radius of its core. The core
-// belongs to a shape, or is the Minkowski sum of one shape and the mirror image of another (convex_sum.h): the
-// distance of two shapes is the distance of the second shape's origin from this sum. So these functions answer all
-// queries.
+// A shape consists of all points within a radius of its core, the convex hull of its corners. A core may also be the
+// Minkowski sum of one shape and the mirror image of another (convex_sum.h), because the distance of two shapes is the
+// distance of the second shape's origin from this sum. So these functions answer all queries.
 //
 // This work is based on:
 // Mike Cyrus, Jay Beck, Generalized Two- and Three-dimensional Clipping, 1978: a line against half-planes.
@@ -145,9 +143,8 @@ INLINE ConvexHit convex_miss(void)
 	return hit;
 }
 
-// Returns the first contact with the circle around a corner, for a point that begins outside of the circle. The nearest
-// point of the line is computed first: a discriminant of the whole path would miss a small circle at the end of a long
-// path.
+// Returns the first contact of a point outside with the circle around a corner. The nearest point of the line is
+// computed first: a discriminant of the whole path would miss a small circle at the end of a long path.
 INLINE ConvexHit convex_hit_corner(const Convex* c, int edge, int corner, Vec q, Vec path)
 {
 	ConvexHit hit = convex_miss();
@@ -183,10 +180,9 @@ INLINE ConvexHit convex_inside(int edge, int corner)
 	return hit;
 }
 
-// Returns the fraction of the path at which its point reaches edge k. The line of the path passes between the
-// corners of the edge. With an edge that is nearly parallel to the path, rounding may give any fraction, so the
-// fraction is clamped to the range between the two corners. For a path of squared length 0 this range is NaN and clamps
-// nothing.
+// Returns the fraction of the path at which its point reaches edge k, whose corners are on both sides of the path's
+// line. If edge and path are nearly parallel, rounding may give any fraction, so the fraction is clamped to the range
+// between the two corners. For a path of squared length 0 this range is NaN and clamps nothing.
 INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 {
 	Vec normal = convex_normal(c, k), from = vec_sub(convex_corner(c, k), q),
@@ -196,9 +192,8 @@ INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 	return minimum(share, maximum(first, last));
 }
 
-// Returns the first contact with a sharp core. The line of the path enters and leaves through the edges whose corners
-// are on different sides of it. The side of a corner is computed once for both of its edges, so that rounding cannot
-// let a line pass between two edges.
+// Returns the first contact with a sharp core. The path enters and leaves through the edges whose corners are on both
+// sides of its line. A corner has one side for both of its edges, so rounding lets no path pass between them.
 INLINE ConvexHit convex_hit_sharp(const Convex* c, Vec q, Vec path)
 {
 	ConvexHit hit = convex_miss();

@@ -42,8 +42,7 @@ INLINE int sum_first(const GLOBAL Attribute* shape, Vec turn, float sign)
 	return first;
 }
 
-// Returns the source of the next edge of a sum: the core whose next edge has the smaller angle, or both cores. a, b:
-// their next edges.
+// Returns the source of a sum's next edge: the core whose next edge, a or b, has the smaller angle, or both cores.
 INLINE Word sum_turn(Vec a, Vec b)
 {
 	Real cross = vec_cross(a, b), dot = vec_dot(a, b);

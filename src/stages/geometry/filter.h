@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// filter.h -- tests by filters and kinds whether two collidables may touch, at any poses.
+// filter.h -- tests whether the filters and kinds of two collidables let them touch, at any poses.
 #ifndef FILTER_H
 #define FILTER_H
 #include "pools/pools.h"

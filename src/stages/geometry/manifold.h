@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
 // manifold.h -- computes the manifold of two convex shapes: a normal and at most two points.
 //
-// A shape is a core, the hull of its vertices, and a radius around it. A core of two vertices is treated as a
-// polygon of two edges back to back. The reference edge is the one along whose normal the cores are furthest apart. The
-// incident edge, the edge of the other core that faces it most, is clipped to the length of the reference edge (I.
-// Sutherland and G. Hodgman, Reentrant Polygon Clipping, 1974), which leaves two points. If a corner faces a corner,
-// the normal of the reference edge is not the direction of the nearest points; then the nearest points make a
-// manifold of one point.
+// A shape is a core, the hull of its vertices, and a radius around it; a core of two vertices has two edges back to
+// back. The cores are furthest apart along the normal of the reference edge. The incident edge, the edge of the other
+// core that faces it most, is clipped to the reference edge (I. Sutherland and G. Hodgman, Reentrant Polygon Clipping,
+// 1974), which leaves two points. If a corner faces a corner, the nearest points make a manifold of one point.
 #ifndef MANIFOLD_H
 #define MANIFOLD_H
 #include "stages/geometry/manifold_axis.h"
 #include "stages/geometry/manifold_nearest.h"
 
-// m: if two edges face each other, the edge of a is the reference edge only if its separation is larger by this.
-// Otherwise the choice between nearly parallel edges would alternate. The edge of b is preferred, because b does not
-// move or is larger. If the edges do not face each other, the edge with the larger separation is used, because the
-// other edge may not be at the nearest points.
+// m: if two edges face each other, the edge of a is the reference edge only if its separation is larger by this, so
+// that the choice between nearly parallel edges does not alternate. b is preferred, because it does not move or is
+// larger. Of other edges, the one with the larger separation is used: the other may not be at the nearest points.
 #define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
 // m: if the distance of clipped points exceeds the separation of the cores by less, a manifold on an edge is used;
 // vectors that are shorter than this have no direction
@@ -24,9 +21,8 @@
 // normals of bodies near one place fit their positions.
 #define CENTERS_APART (0.0002f * LINEAR_SLOP)
 
-// cosine: edges face each other if the product of their normals is below -FACING. The feature of a point of such edges
-// is two corners, so that boxes of a stack keep their features while a box slides over a corner. Otherwise the feature
-// is a corner and an edge.
+// cosine: edges face each other if the product of their normals is below -FACING. Then a point's feature is two
+// corners, so that boxes of a stack keep their features while one slides over a corner; else a corner and an edge.
 #define FACING       0.9f
 #define FEATURE_EDGE MAX_CORNERS // feature index of a shape's first edge; smaller indices are corners
 
@@ -192,8 +188,7 @@ INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	return m;
 }
 
-// Returns the manifold of a, which has the reference edge, and b. separation, m: largest separation along the
-// normals of all edges of both shapes.
+// Returns the manifold of b and a, which has the reference edge. separation, m: largest one along any edge's normal.
 INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f,
                               Reach reach)
 {
@@ -252,8 +247,7 @@ INLINE Manifold manifold_swap(Manifold m, Frame f)
 	return m;
 }
 
-// Returns the manifold of two shapes in the frame of a: it has the points whose separation is within reach. f: pose of
-// b in the frame of a.
+// Returns the manifold of two shapes in the frame of a, with the points within reach. f: pose of b in that frame.
 INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f, Reach reach)
 {
 	if (a->count == 1 && b->count == 1)

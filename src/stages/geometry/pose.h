@@ -4,10 +4,8 @@
 // This work is based on:
 // Donald E. Knuth, The Art of Computer Programming, volume 2, 1969, 4.2.2: the rounding error of a sum.
 //
-// At 24 m from the origin a coordinate is rounded to 2 um. A body that should move by less in each step would never
-// move, and a body that should move by a little more would move too far: heaps at rest would creep by some mm per
-// minute, and a body that drifts at 1 mm/s would stop at a kilometer from the origin. So the rounding error of each
-// step is stored and added in the next one.
+// Coordinates are rounded, to 2 um at 24 m from the origin. Without the stored errors slow bodies would stop, and heaps
+// at rest would creep (docs/manifolds.md, Rounding residuals).
 #ifndef POSE_H
 #define POSE_H
 #include "dialect/finite.h"

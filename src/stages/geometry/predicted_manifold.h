@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// predicted_manifold.h -- computes manifolds at future poses: of fast bodies that will meet, of pairs that pass a
-// corner, and of belts.
+// predicted_manifold.h -- computes manifolds at future poses: of fast pairs, of pairs that pass a corner, of belts.
 #ifndef PREDICTED_MANIFOLD_H
 #define PREDICTED_MANIFOLD_H
 #include "stages/geometry/sweep.h"
@@ -30,7 +29,7 @@ typedef struct // manifold, and the poses for which it was computed
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
 // Returns the manifold at a later time if its separation exceeds the prediction by at least PAST_ERROR; else returns
-// now. said, m: separation that now predicts for that time.
+// now. said, m: separation at that time according to the manifold now.
 RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now, Real time,
                               Real said)
 {
@@ -61,8 +60,7 @@ INLINE Prediction predict_past(const Pools* p, WorldShape a, WorldShape b, Closi
 	return said > -PAST_ERROR ? now : predict_later(p, a, b, closing, now, time, said);
 }
 
-// Returns whether a pair is too far apart to meet in the step. Tests circles around the shapes, which are enlarged for
-// rounding.
+// Returns whether a pair is too far apart to meet in the step, by circles around the shapes, enlarged for rounding.
 INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Closing closing, Vec apart)
 {
 	Real most = closing.within + closing.swing + root(vec_dot(closing.near, closing.near));
@@ -74,10 +72,8 @@ INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Cl
 #define OVER_SAME  0.9999f // cosine of normals that differ by rounding only
 
 // Returns whether a is a round shape and b a segment that cannot move, so that predict_end may replace the manifold of
-// a corner. A loaded wheel on a row of segments is slightly below their ends, and the next end would throw it up like a
-// step. If the wheel will roll over the corner no deeper than OVER_DEPTH, the later manifold is used. A low step looks
-// like a seam, so it pushes softly too. If the segment could move, arms other than those at the impact would change the
-// angular momentum.
+// a corner: the end of the next segment would throw up a loaded wheel like a step (docs/manifolds.md, Seams). If the
+// segment could move, arms other than those at the impact would change the angular momentum.
 INLINE int predict_rolls(const Pools* p, WorldShape a, WorldShape b)
 {
 	const GLOBAL Attribute* attribute = p->attribute + b.attribute;
@@ -98,10 +94,9 @@ INLINE int predict_rolled(const Pools* p, WorldShape a, const Closing* closing, 
 }
 
 // Returns the manifold at a later time, or now. has_rolling 1: a round shape meets a corner; returns the manifold after
-// the last relax pass if the shape will then roll over the corner, else now. has_rolling 0: a surface is a belt;
-// returns the manifold at the end of the step. A body on two belts is driven by the difference of the loads on the
-// belts, which depends on its arms; arms that lag behind its motion would add energy, as in rolling.h. Both cases share
-// one call of collide, because each call uses registers of a GPU.
+// the last relax pass, if the shape will then roll over the corner. has_rolling 0: a surface is a belt; returns the
+// manifold at the end of the step, because arms that lag behind the motion of a body on two belts would add energy
+// (docs/hubs.md, Belts). Both cases share one call of collide, because each call uses registers of a GPU.
 RARE Prediction predict_end(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now,
                             int has_rolling)
 {
@@ -135,8 +130,7 @@ INLINE Prediction predict_meeting(const Pools* p, WorldShape a, WorldShape b, Cl
 			then.ahead = PREDICT_MEETS;
 			return then;
 		}
-		// keeps the manifold of a pair that forces may bring together; otherwise nothing could roll or slide fast on a
-		// floor
+		// keeps the manifold of a pair that forces may bring together, so that bodies can roll or slide fast on floors
 		if (round == 0 && gap <= LINEAR_SLOP * closing.grain)
 			now.m = then.m;
 		Real speed = sweep_speed(closing, vec_turn(then.axes, then.m.normal), time);

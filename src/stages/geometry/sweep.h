@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// sweep.h -- computes poses of collidables within the step, from their velocities, and bounds for the time at which two
-// meet.
+// sweep.h -- computes poses of collidables within the step from their velocities, and bounds of meeting times.
 //
 // This work is based on:
-// Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement. Two shapes at
-// some distance along a direction cannot meet before the speed along it has closed that distance.
+// Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement.
 // Paul Firth, Speculative Contacts, 2011: a contact before bodies meet removes the speed that exceeds the gap.
 // Erin Catto, Continuous Collision, GDC 2013: ghost collisions of speculative points, a target inside the surface.
 //
@@ -14,9 +12,8 @@
 #include "constraints/sweep_closing.h"
 #include "stages/geometry/manifold.h"
 
-// Limit of iterations of conservative advancement per pair. Of the fast pairs of the scene tumbler, 90 % need one
-// iteration and 1 % more than five. A pair that spins by more than a radian per step may need fifteen; with a limit of
-// twelve, some pairs went through a wall.
+// Limit of iterations of conservative advancement. Of the fast pairs of the scene tumbler, 90 % need one, 1 % more than
+// five. A pair that spins by over a radian per step may need 15; with a limit of 12, some went through a wall.
 #define SWEEP_ROUNDS 20
 
 // m: overlap at which a pair counts as meeting. With 0, a body that slides over a seam between two floors would meet

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // manifold_reuse.h -- selects the contacts that keep their manifold, and marks the others for narrow_phase.
 //
-// If the collidables of a pair have hardly moved relative to each other, the points keep their places on both, and
-// nothing is written (contact_points.h computes the points). In a settled pile, this applies to nearly all contacts. A
-// pair that rotates together, as in a drum, also keeps its points, but the normal and the arms rotate with the pair:
-// only the rotation is written.
+// If the collidables of a pair have hardly moved relative to each other, as nearly all in a settled pile, the points
+// keep their places on both, and nothing is written (contact_points.h computes the points). If the pair rotates
+// together, as in a drum, normal and arms rotate with the pair: only the rotation is written.
 #ifndef MANIFOLD_REUSE_H
 #define MANIFOLD_REUSE_H
 #include "constraints/constraint_kinds.h"

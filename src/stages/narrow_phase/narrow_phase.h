@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// narrow_phase.h -- computes manifolds of contacts, transfers impulses to new points, releases contacts whose boxes
-// parted.
+// narrow_phase.h -- computes manifolds of contacts, transfers impulses to new points, releases parted contacts.
 #ifndef NARROW_PHASE_H
 #define NARROW_PHASE_H
 #include "constraints/contact_one.h"
@@ -11,15 +10,13 @@
 
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE) // m: maximum distance of an old point with another feature
 
-// m: a pair without points is tested again when a point has moved by more than this, plus the distance by which the
-// pair was beyond the speculative distance. It is a quarter of the speculative distance, so that no contact can be
-// missed.
+// m: a pair without points is tested again when a point has moved by more than this plus the distance of the pair
+// beyond the speculative distance. It is a quarter of the speculative distance, so that no contact is missed.
 #define STAY_DISTANCE LINEAR_SLOP
 
-// Limits of the motion of a point relative to the other collidable, up to which a manifold is kept. HOLD_DISTANCE: m.
-// HOLD_SHARE: fraction of the reach of the smaller collidable. A manifold with one sharp point is kept for half of
-// HOLD_DISTANCE, so that a second point cannot be missed. With smaller limits heaps shake: where one small body carries
-// many, each new manifold pushes it in another direction.
+// Limits of the motion of a point up to which a manifold is kept. HOLD_DISTANCE, m; half of it for a manifold with one
+// sharp point, so that no second point is missed. HOLD_SHARE: fraction of the smaller collidable's reach. With smaller
+// limits heaps shake: each new manifold pushes a small body that carries many in another direction.
 #define HOLD_DISTANCE (2.0f * SPECULATIVE_DISTANCE)
 #define HOLD_SHARE    0.1f
 
@@ -89,9 +86,8 @@ INLINE Vec narrow_phase_place(int body)
 	return vec(scale * (float)((int)(x & 65535u) - 32768), scale * (float)((int)(x >> 16) - 32768));
 }
 
-// Returns b, displaced if both bodies can move and are at one place. With one direction for all such pairs, hundreds of
-// bodies that are created at a point would leave it in a row: each pair parts at contact_push_speed, and the first of
-// 500 circles left at 205 m/s.
+// Returns b, displaced if both bodies can move and are at one place. With one direction for all such pairs, bodies
+// created at a point would leave it in a row, each pair at contact_push_speed: the first of 500 circles at 205 m/s.
 INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 {
 	float x = (b.x + b.center_x) - (a.x + a.center_x), y = (b.y + b.center_y) - (a.y + a.center_y);
@@ -104,10 +100,9 @@ INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 	return b;
 }
 
-// Returns the manifold of a pair and the poses for which it holds. answers: 1 if the contact gets impulses, 0 for
-// detection only. far: 1 if the pair may approach by more than the speculative distance. belt: not 0 if a surface has a
-// tangent speed. within, m: the pair has points if its separation is smaller. *has_rolling: MANIFOLD_* bits of a
-// rolling manifold.
+// Returns the manifold of a pair and the poses for which it holds. answers: 0 for detection only. far: 1 if the pair
+// may approach by more than the speculative distance. belt: not 0 if a surface has a tangent speed. within, m: largest
+// separation of points. *has_rolling: MANIFOLD_* bits of a rolling manifold.
 INLINE Prediction narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt,
                                     int moved, float within, Word* has_rolling)
 {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contact_report.h -- writes reports of contacts for the host: of the contacts of one body, or of events. No step reads
-// them.
+// contact_report.h -- writes reports of the contacts of one body, or of events, for the host. No step reads them.
 #ifndef CONTACT_REPORT_H
 #define CONTACT_REPORT_H
 #include "constraints/constraint_kinds.h"
@@ -35,8 +34,7 @@ INLINE void contact_report_write(const Pools* p, int i, int row)
 	p->contact_report[row] = listed;
 }
 
-// Item: a contact slot, or the end of the scan. Marks the touching contacts of a body, for the scan. argument: the
-// body.
+// Item: a contact slot, or the end of the scan. Marks the touching contacts of the body in argument, for the scan.
 KERNEL(contact_mark)
 {
 	int wanted = 0;
@@ -49,8 +47,7 @@ KERNEL(contact_mark)
 	p->scan[i] = wanted;
 }
 
-// Writes the report of contact slot i if the slot is marked, that is, if the scan increases after it. argument: maximum
-// number of reports.
+// Writes the report of slot i if it is marked: the scan increases after it. argument: maximum number of reports.
 KERNEL(contact_list)
 {
 	int row = p->scan[i];

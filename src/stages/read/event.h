@@ -4,8 +4,7 @@
 #define EVENT_H
 #include "stages/read/contact_report.h"
 
-// Writes the sort key of event i of a list: the slot of its contact, or the pair that parted. argument: EVENT_* of the
-// list.
+// Writes the sort key of event i: the slot of its contact, or the pair that parted. argument: EVENT_* of the list.
 KERNEL(event_key)
 {
 	p->key[i] = p->argument == EVENT_TOUCH_ENDED   ? p->touch_ended[i]

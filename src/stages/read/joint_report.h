@@ -5,8 +5,7 @@
 #include "constraints/constraint_kinds.h"
 #include "constraints/joint_one.h"
 
-// Returns the place of a joint; -1 if the joint was in no step yet, because its slot may still have the place of an
-// older joint.
+// Returns the place of a joint; -1 before its first step, because its slot may still have an older joint's place.
 INLINE int joint_report_place(const Pools* p, int i)
 {
 	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];
@@ -37,8 +36,7 @@ INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec o
 	state->torque = rate * (coupling_turns(&u) ? sum[0] : sum[2]);
 }
 
-// Computes the speed of the measure of one side of a coupling. Returns the direction of a force on the body of this
-// side.
+// Computes the speed of the measure of a coupling's side. Returns the direction of a force on the body of this side.
 INLINE Vec joint_report_side(const Pools* p, int i, int side, const CouplingMeasure* m, float* speed)
 {
 	BodyState now = p->body[side ? p->joint_data[i].body_b : p->joint_data[i].body_a];

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // moved_bodies.h -- lists the bodies whose poses differ from those last reported to the user. No step reads this list.
 //
-// Poses are those of origins, as the user reads them, and are compared as numbers. So a new center of mass, or a new
-// rounding error of a pose, does not count as a motion.
+// Poses are those of origins, so a new center of mass is no motion, nor is a new rounding error (pool pose_low).
 #ifndef MOVED_BODIES_H
 #define MOVED_BODIES_H
 #include "dialect/vec.h"

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// query.h -- executes the user's queries: rays, moving or resting shapes, and the nearest collidable; one item per
-// query.
+// query.h -- executes the user's queries, one per item: rays, moving or resting shapes, and the nearest collidable.
 //
-// docs/queries.md defines the results. Of two results at the same fraction or distance, the result with the lower index
-// is returned, in any order of search.
+// docs/queries.md defines the results. Of two equal results, the one with the lower index is returned.
 #ifndef QUERY_H
 #define QUERY_H
 #include "stages/geometry/convex_sum.h"
@@ -26,8 +24,7 @@ typedef struct // query in world coordinates
 
 INLINE float query_inverse(float path) { return absolute(path) < QUERY_STILL ? QUERY_INVERSE : 1.0f / path; }
 
-// Returns the body that a query ignores, 0 for none. If the body was destroyed, returns 0, even if another body has its
-// slot.
+// Returns the body that a query ignores, 0 for none or for a destroyed body whose slot another body may have.
 INLINE int query_ignored(const Pools* p, const Query* query)
 {
 	int body = query->ignored, there = body > 0 && body < p->query_plan->bodies;
@@ -89,9 +86,8 @@ INLINE void query_place(QueryResult* found, QueryLeaf seen, Vec point, Vec norma
 	found->normal_y = normal.y;
 }
 
-// Tests a query against a leaf, as a point against a rounded core. c: core of the leaf, or the sum of both shapes. q,
-// path: point and its path in the frame of the leaf. Finds the first contact or, with form QUERY_NEAREST, the nearest
-// point. Returns whether there is a result.
+// Tests point q with a path against core c, that of the leaf or the sum of both shapes, in the frame of the leaf. Finds
+// the first contact or, with form QUERY_NEAREST, the nearest point. Returns whether there is a result.
 INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 {
 	if (form != QUERY_NEAREST)
@@ -197,8 +193,8 @@ INLINE int query_before(QueryResult a, QueryResult b)
 // times as long, because workers wait for each other at the counter. A GPU combines the additions of neighbors.
 #define QUERY_HELD (FETCHES ? 16 : 1)
 
-// Adds count results of query i to the list. If this exceeds QUERY_MOST, returns 0 and adds nothing: the list is
-// useless then, and the counter must not overflow.
+// Adds results of query i to the list. If the list exceeds QUERY_MOST, returns 0 and adds nothing: the list is useless
+// then, and the counter must not overflow.
 INLINE int query_append(const Pools* p, int i, const QueryResult* held, int count)
 {
 	GLOBAL QueryPlan* plan = p->query_plan;

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // query_tree.h -- builds trees with tight boxes at the current poses, and searches them for the nearest leaves.
 //
-// The boxes of the broad phase are those from the start of a step. Queries have their own boxes over the same leaves,
-// which are computed on request. The step never reads these boxes, so no query changes a step.
-//
-// A search visits near nodes first, and skips nodes that are farther than the best result so far. A result is never
-// nearer than the box of its leaf, so a skipped leaf cannot have a better result, in any order of the leaves.
+// Queries have their own boxes over the leaves of the broad phase, computed on request and never read by a step. A
+// search visits near nodes first, and skips nodes that are farther than the best result so far (docs/queries.md).
 #ifndef QUERY_TREE_H
 #define QUERY_TREE_H
 #include "stages/broad_phase/transform.h"

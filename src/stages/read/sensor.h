@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // sensor.h -- finds the collidables that overlapped a sensor at some time of the step.
 //
-// A visit is computed from the motions of sensor and collidable from the start of the step to its end, at constant
-// speed. Velocities are not used, so a body that bounces off a wall in front of a sensor is not found behind the wall.
-// An overlap at the end is tested at the poses of the end.
+// A visit is computed for a motion at constant speed between the poses at the start and the end of the step. Velocities
+// would also find a body behind a wall that it bounces off (docs/events.md).
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement.
@@ -16,8 +15,8 @@
 #include "stages/rules/apart.h"
 
 #define SENSOR_DEPTH (0.05f * LINEAR_SLOP) // m: shapes that overlap by less, and only within the step, have not met
-// rounds of conservative advancement. In the second half each round advances by at least an equal part of the rest of
-// the step: where something rotates fast close to a sensor, a visit that is shorter than this part may be missed
+// rounds of conservative advancement. In the second half each advances by at least an equal part of the rest of the
+// step; beside something that rotates fast, a visit that is shorter than this part may be missed
 #define SENSOR_ROUNDS   64
 #define SENSOR_HALVINGS 10    // rounds that halve the interval in which a visit began
 #define SENSOR_ROUNDING 1e-6f // fraction of the sizes of two shapes that exceeds rounding errors of positions
@@ -137,8 +136,7 @@ RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closi
 	return met;
 }
 
-// Computes the visit of a leaf to a sensor. a: pose of the sensor at the end of the step. Returns whether there is a
-// visit.
+// Returns whether a leaf visits a sensor, and computes the visit. a: pose of the sensor at the end of the step.
 INLINE int sensor_visit(const Pools* p, int sensor, WorldShape a, QueryLeaf seen, QueryResult* visit)
 {
 	WorldShape b = collidable_place(p, seen.collidable), start_a = p->world_shape[sensor],

@@ -2,10 +2,9 @@
 // apart.h -- checks the reasons why two collidables do not collide. Each stage checks some of the reasons.
 //
 // The broad phase checks the reasons that no step changes, and creates no contact for such a pair. Other reasons may
-// end while a contact lasts. So the contact is created, its flags store the result (CONTACT_DETECTED, CONTACT_APART),
-// and all code that works with contacts uses the flags: manifolds, sweeps of fast pairs, events. Continuous collision
-// also tests pairs without a contact, so it checks all reasons. A sensor touches nothing, so joints and rules do not
-// matter for its overlaps: only bodies and filters are checked (docs/events.md).
+// end while a contact lasts, so the contact's flags store the result (CONTACT_DETECTED, CONTACT_APART) for all code
+// that works with contacts. Continuous collision also tests pairs without a contact, so it checks all reasons. For
+// overlaps with sensors only bodies and filters are checked (docs/rules.md).
 #ifndef APART_H
 #define APART_H
 #include "stages/geometry/filter.h"
@@ -24,10 +23,9 @@
 #define APART_ALL      (APART_LASTING | APART_JOINED | APART_MATERIAL | APART_REFUSED) // all reasons
 #define APART_SEEN     (APART_BODY | APART_FILTER)                                     // no sensor overlap
 
-// Returns a pair in order: a dynamic collidable comes before one that is not; else the smaller one comes first, and of
-// equal ones that with the lower index. The manifold is computed in the frame of the first collidable, and the solver's
-// arms begin at its center, where manifold and arms are precise: far from the center of a floor, a circle's arms would
-// be off by 1e-7 of the distance, and it would roll.
+// Returns a pair in order: a dynamic collidable before one that is not, else the smaller one first; of equal ones that
+// with the lower index. Manifolds and arms are precise at the center of the first collidable: far from the center of a
+// floor, a circle's arms would be off by 1e-7 of the distance, and it would roll.
 INLINE Int2 apart_pair(const Pools* p, int i, int j)
 {
 	int a = i < j ? i : j, b = i < j ? j : i;
@@ -64,13 +62,11 @@ INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 	return 0;
 }
 
-// Returns the key of a contact that a one-way platform lets through. In the list of refused contacts it is a pair in
-// reverse order.
+// Returns the key of a contact that a one-way platform lets through: in the list refused, its pair in reverse order.
 INLINE Word64 apart_passes_key(const Pools* p, Int2 pair) { return apart_key(p, make_int2(pair.y, pair.x)); }
 
-// Returns whether platform a lets b through, for continuous collision. If their boxes overlap, and the platform does
-// not let their contact through, it holds b. Otherwise it holds b if b is above the platform, or gets there in the
-// step. way, m: displacement of b relative to a in the step. swing, m: largest additional displacement of a point of b.
+// Returns whether platform a lets b through, for continuous collision. It holds b if it holds their contact, or if b is
+// above the platform or gets there in the step. way, swing: as in one_way_place.
 RARE int apart_lets(const Pools* p, int a, int b, Vec way, float swing)
 {
 	if (!rule_platform(p, a, b))

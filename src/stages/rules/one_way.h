@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // one_way.h -- one-way platforms: tests whether a visitor is on the side from which a platform is solid.
 //
-// A platform has a direction, up. A visitor becomes held when it is above the platform. This means that none of its
-// points is below an upper side of the platform by more than a small slop, and that it is over this side or gets there
-// in the step. So a visitor that comes from below or from beside, or starts halfway through, passes at any speed. A
-// visitor that comes from above is held in the step in which it meets the platform. It stays held while it touches the
-// platform, and also while it is neither below nor beside the platform: a tilted plank may reach below the platform
-// before the two touch.
+// docs/rules.md, One-way platforms, has the reasons. A visitor becomes held when it is above the platform: none of its
+// points is below an upper side by more than a small slop, and it is over this side or gets there in the step. It stays
+// held while it touches the platform, and while it is neither below nor beside it: a tilted plank may reach below the
+// platform before the two touch.
 //
 // This work is based on:
 // Erin Catto, Box2D's sample Platform; Rapier's update_as_oneway_platform: a state for each contact.
@@ -14,11 +12,10 @@
 #define ONE_WAY_H
 #include "stages/geometry/sweep.h"
 
-// ONE_WAY_SLOP, m: depth up to which a visitor counts as above. It is more than bodies fall in a step of 1/30 s, and
-// more than the depth to which loads press them into a platform. ONE_WAY_SHARE: limit of the slop as a fraction of the
-// visitor's thickness, so that a thin visitor that comes from below is not above when it touches. ONE_WAY_FRESH:
-// slop of a pair that was far apart in the last step, as a fraction of the thickness, because continuous collision
-// stops a visitor at CONTINUOUS_DEPTH.
+// ONE_WAY_SLOP, m: depth up to which a visitor counts as above. It exceeds a fall in a step of 1/30 s, and the depth to
+// which loads press bodies into a platform. Fractions of the visitor's thickness: ONE_WAY_SHARE: limit of the slop, so
+// that a thin visitor from below is not above when it touches. ONE_WAY_FRESH: slop of a pair that was far apart in the
+// last step, because continuous collision stops a visitor at CONTINUOUS_DEPTH.
 #define ONE_WAY_SLOP  SPECULATIVE_DISTANCE
 #define ONE_WAY_SHARE 0.5f
 #define ONE_WAY_FRESH 0.3f
@@ -78,7 +75,7 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	float gap = visitor.low - side.high, closes = -vec_dot(n, way), slides = vec_cross(n, way), from = 0.0f, to = 1.0f;
 	if (!(gap >= -depth.slop))
 		return ONE_WAY_LOW;
-	// tests a visitor that is still higher than the side at the place where it comes down to the side
+	// a visitor that is still higher is tested at the place where it comes down to the side
 	if (gap > depth.slop && closes > gap)
 	{
 		from = gap / closes;
@@ -89,8 +86,7 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	return one_way_meet(side, visitor) ? ONE_WAY_ABOVE : ONE_WAY_HIGH;
 }
 
-// Returns whether n is the normal of an upper side other than up. The side with the normal up is covered by the test of
-// the whole width.
+// Returns whether n belongs to an upper side whose normal is not up; the test of the whole width covers that side.
 INLINE int one_way_upper(Vec n, Vec up) { return vec_dot(n, up) > ONE_WAY_UPPER && !(n.x == up.x && n.y == up.y); }
 
 typedef struct // extents of a platform and a visitor along up, in the frame of the platform
@@ -218,8 +214,7 @@ INLINE int one_way_through(const Pools* p, WorldShape a, int b, Vec way, float s
 
 INLINE int one_way_is(const Pools* p, int a) { return p->rule[p->collidable_attribute[a]].one_way; }
 
-// Returns ONE_WAY_HELD if platform a holds b in the step, else the next state of the contact. known: current state of
-// the contact.
+// Returns ONE_WAY_HELD if platform a holds b in the step, else the next state of the contact. known: current state.
 INLINE int one_way_finds(const Pools* p, int a, int b, Vec way, float swing, int known)
 {
 	WorldShape platform = p->world_shape[a];

@@ -92,16 +92,14 @@ INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 		atomic_max_int(&p->sunk[p->collidable_body[visitor]], float_bits(depth));
 }
 
-// Raises the depth of visitor b if a is a platform. slot: slot of their contact. found: 1 if the depth at the current
-// poses was already added.
+// Raises the depth of visitor b if a is a platform. found: 1 if the depth at the current poses was already added.
 RARE void sunk_by(const Pools* p, int slot, int a, int b, int found)
 {
 	if (rule_platform(p, a, b))
 		sunk_to(p, slot, b, found ? 0.0f : one_way_sunk(p, p->world_shape[a], p->world_shape[b]));
 }
 
-// Raises the depth of each collidable of contact i for which the other collidable is a platform. flags: flags of the
-// contact; found: as in sunk_by.
+// Raises the depth of each collidable of contact i for which the other one is a platform. found: as in sunk_by.
 INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 {
 	Int2 pair = p->pair[i];

@@ -15,11 +15,10 @@ INLINE Int hilbert_spread(Int x)
 	return (x | x << 1) & 0x55555555;
 }
 
-// Returns the distance of cell x, y along the Hilbert curve that fills a square of 65,536 cells per side: two bits per
-// level, from the largest quadrant down. The curve of a quadrant is rotated relative to that of its parent, so the
-// orientation of a level is the product of the rotations of all levels above. a, b, c, d hold that product over 1, 2,
-// 4, 8 and 16 levels, one bit per level, so four rounds replace a loop over levels. rawrunprotected, 2D Hilbert Curves
-// in O(1), 2011.
+// Returns the distance of cell x, y along the Hilbert curve through 65,536 x 65,536 cells: two bits per level, from the
+// largest quadrant down. The curve of a quadrant is rotated relative to that of its parent, so the orientation of a
+// level is the product of all rotations above. a, b, c, d hold that product over 1, 2, 4, 8 and 16 levels, one bit per
+// level, so four rounds replace a loop over levels. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
 INLINE Int hilbert_distance(Int x, Int y)
 {
 	const int all = 65535;

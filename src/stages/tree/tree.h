@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-// tree.h -- builds and traverses packed trees of boxes: leaves in the order of a Hilbert curve, ARITY children per
-// node, no pointers.
+// tree.h -- builds and traverses trees of boxes: leaves in the order of a Hilbert curve, ARITY children per node.
 //
 // This work is based on:
 // Ibrahim Kamel, Christos Faloutsos, On Packing R-trees, 1993.
 //
-// The children of node n of a level are ARITY nodes of the level below, beginning at ARITY * n. So a level is built by
-// one pass over the level below, the eight boxes of a node are one cache line of a GPU, and a traversal needs a
-// stack of 8 bits per level. A binary radix tree (Karras, Maximizing Parallelism in the Construction of BVHs, 2012) has
-// tighter nodes, but needs pointers, atomics between compute units to refit, and 20 levels instead of 7.
-//
-// The order of the leaves affects speed only: the set of pairs is defined by the boxes.
+// The children of node n of a level are ARITY nodes of the level below, from ARITY * n on, so no pointers are needed. A
+// level is built by one pass over the level below, the eight boxes of a node are one cache line of a GPU, and a
+// traversal needs a stack of 8 bits per level. The order of leaves affects only speed. A binary radix tree (Karras,
+// Maximizing Parallelism in the Construction of BVHs, 2012) has tighter nodes, but needs pointers, atomics between
+// compute units to refit, and 20 levels instead of 7.
 #ifndef TREE_H
 #define TREE_H
 #include "stages/geometry/box.h"
@@ -51,9 +49,8 @@ INLINE void tree_join(GLOBAL Float4* boxes, const GLOBAL Tree* tree, int level, 
 	box_pack(boxes, tree->begin[level] + i, box);
 }
 
-// Returns a mask of the children of node i of a level: bit k is set if something below child k can touch a kinematic
-// collidable. Traversals for kinematic collidables skip the other children; otherwise each of 40,000 shapes of a
-// kinematic body would visit its neighbors.
+// Returns a mask for node i: bit k is set if a leaf below child k can touch a kinematic collidable. Traversals for
+// kinematic collidables skip other children; else 40,000 shapes of a body would visit their neighbors.
 INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int i)
 {
 	Word movers = 0;

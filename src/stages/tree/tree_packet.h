@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tree_packet.h -- runs traversals of a CPU worker in packets, which descend a tree together, level by level.
+// tree_packet.h -- performs traversals of a CPU worker in packets, which descend a tree together, level by level.
 //
 // A single traversal stalls on memory at each node, and its branches cannot be predicted. In a packet, the nodes of the
 // next level are prefetched while others are tested, and each level is one loop over the remaining nodes. Traversals of
@@ -9,7 +9,7 @@
 #include "stages/tree/tree.h"
 
 #define PACKET_TRAVERSALS 32  // traversals per packet; CHUNK_ITEMS is a multiple of it
-#define PACKET_SHARE      16  // limit of nodes of a level per traversal; with more, it is removed from the packet
+#define PACKET_SHARE      16  // limit of nodes of a level per traversal; a traversal with more leaves the packet
 #define PACKET_LEAVES     128 // number of overlapping leaves that are collected before they are processed
 
 typedef struct // remaining nodes of a level, by traversal; node: 4 times the first of eight siblings, plus traversal
@@ -22,9 +22,8 @@ INLINE int packet_traverse(int node) { return node & (PACKET_TRAVERSALS - 1); }
 INLINE int packet_first(int node) { return node >> 2 & ~(ARITY - 1); }
 INLINE int packet_node(int traversal, int first) { return first << 2 | traversal; }
 
-// Tests the nodes of one level and collects the children that overlap. kinematic, alone: masks of the traversals of
-// kinematic collidables, and of those that were removed from the packet. Returns the new value of alone, which includes
-// the traversals that now have too many nodes.
+// Tests the nodes of a level and collects the children of nodes that overlap. kinematic, alone: masks of the traversals
+// for kinematic collidables and of those outside the packet. Returns alone plus the traversals with too many nodes.
 INLINE Word packet_descend(const Pools* p, const GLOBAL Tree* tree, int level, const Float4* boxes, Word kinematic,
                            Word alone, const PacketFront* from, PacketFront* to)
 {
