@@ -5,7 +5,7 @@
 #include <limits.h>
 
 #define ALWAYS_SHARED 2048 // a solve with more items per run is always shared
-// number of solves until the slower method is measured again, times the square of (slower time / faster time)
+// REST times the square of (slower time / faster time): number of solves until the slower method is measured again
 #define REST        64
 #define MOST_SLOWER 4.0 // limit of (slower time / faster time): a busy machine can make one method seem slow
 // Solves in a measurement. The time of the fastest counts, because any solve may be interrupted; the first solve, which

@@ -8,11 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
-// TRAVERSAL_NODES: nodes of a traversal, about 5 us, after which its rest is split. TRAVERSAL_ITEMS: number of parts of
-// this rest per worker.
-#define TRAVERSAL_NODES 128
-#define TRAVERSAL_ITEMS 4
-#define CHAIN_ITEM      8 // a joint of a chain takes as long as this many colored constraints
+#define TRAVERSAL_NODES 128 // nodes of a traversal, about 5 us, after which its rest is split
+#define TRAVERSAL_ITEMS 4   // number of parts of this rest per worker
+#define CHAIN_ITEM      8   // a joint of a chain takes as long as this many colored constraints
 
 static void set_step(Cpu* cpu, const Step* step)
 {
@@ -67,8 +65,7 @@ static scree_status cpu_timings(Backend* b, double milliseconds[STAGE_COUNT])
 	return SCREE_OK;
 }
 
-// Frees a core (core is true) by using one worker fewer, or takes it back: a worker whose core is busy delays the
-// others if it has claimed a block.
+// Frees a core (core: true) by using one worker fewer, or takes it back: a worker whose core is busy delays others.
 static void cpu_spare(Backend* b, bool core)
 {
 	Cpu* cpu = b->state;

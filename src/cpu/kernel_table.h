@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// kernel_table.h -- defines the table of the kernels that lanesN.c or scalar_avx2.c has compiled; included at the
-// end of these files.
+// kernel_table.h -- defines the table of the kernels of lanesN.c or scalar_avx2.c; included at the end of these files.
 #include "cpu/lanes.h"
 
 #ifndef TABLE

@@ -4,13 +4,11 @@
 #define LANES_H
 #include "backend/backend.h"
 
-// Executes items begin to end - 1 of a kernel. For a wide kernel with LANES lanes, begin and end must be multiples of
-// LANES.
+// Executes items begin to end - 1 of a kernel. For a wide kernel, both must be multiples of the number of lanes.
 typedef void (*KernelFunction)(const Pools* p, int begin, int end);
 
-// In the tables of 4, 8 and 16 lanes, entries of kernels that are not wide are null, except those of group kernels;
-// lanes1 and scalar_avx2 have all kernels. scalar_avx2 is lanes1 compiled for AVX2, with which scalar code of gcc takes
-// half as long in the narrow phase.
+// Tables of 4, 8 and 16 lanes contain only wide kernels and group kernels, and null for all others. scalar_avx2 is
+// lanes1 compiled for AVX2, with which scalar code of gcc takes half as long in the narrow phase.
 extern const KernelFunction kernels_lanes1[KERNEL_COUNT];
 extern const KernelFunction kernels_scalar_avx2[KERNEL_COUNT];
 extern const KernelFunction kernels_lanes4[KERNEL_COUNT];

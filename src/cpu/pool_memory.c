@@ -10,8 +10,7 @@ static const size_t pool_offsets[POOL_COUNT] = {
 #undef X
 };
 
-// Returns the number of items to allocate for a pool: a multiple of MAX_LANES, because wide kernels process whole
-// blocks.
+// Returns the number of items to allocate: a multiple of MAX_LANES, because wide kernels process whole blocks.
 static size_t padded(int capacity) { return ((size_t)capacity + MAX_LANES - 1) / MAX_LANES * MAX_LANES; }
 
 static char* pool_memory(const Cpu* cpu, PoolId pool)

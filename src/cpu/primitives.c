@@ -12,9 +12,8 @@ static void count_digits(int counts[RADIX], const uint64_t* keys, int begin, int
 		++counts[keys[i] >> shift & mask];
 }
 
-// Computes the place of a block's first key of each digit: behind all smaller digits, and behind equal digits of the
-// blocks before it, so that the sort is stable. Returns false if the digits of all keys are equal, so that no key
-// moves.
+// Computes the place of a block's first key of each digit: behind all smaller digits, and behind equal digits of
+// earlier blocks, so that the sort is stable. Returns false if the digits of all keys are equal, so that no key moves.
 static bool place_digits(int place[RADIX], const Shared* shared, int block, int blocks, int count)
 {
 	int sum = 0;

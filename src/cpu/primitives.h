@@ -17,8 +17,7 @@ typedef struct // data that the blocks of a sort or a scan share
 	bool moves; // the digits of the keys are not all equal, so the keys move
 } Shared;
 
-// Sorts the first `count` keys, stably, by bits low to high - 1, in `blocks` blocks, at most one per worker. other:
-// scratch memory for as many keys.
+// Sorts `count` keys stably by bits low to high - 1. blocks: at most one per worker. other: memory for `count` keys.
 void sort_keys(Shared* shared, Threads* threads, int blocks, uint64_t* keys, uint64_t* other, int count, int low,
                int high);
 

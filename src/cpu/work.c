@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: MIT
 // work.c -- executes lists of runs on the CPU: each run is executed in blocks by several workers, or by one worker.
 //
-// Worker 0 processes the list: it reads the bound of a run, executes a small run alone, and shares larger runs with the
-// other workers, in blocks. Thus only one worker reads a bound, at a time when no worker writes it, and a small world
-// never wakes a thread.
+// Worker 0 reads the bound of each run, executes a small run alone, and shares larger runs with the other workers. Thus
+// only one worker reads a bound, at a time when no worker writes it, and a small world never wakes a thread.
 #include "cpu/cpu.h"
 #include "platform/processor.h"
 #include <limits.h>
 
-#define CHUNK_ITEM     8    // an item of a kernel with chunks counts as this many: few long items are shared
+#define CHUNK_ITEM     8 // an item of a kernel with chunks counts as this many, so that few long items are shared too
 #define DEALT          (-1) // in place of a number of items: the function dealt distributes the items
 #define SORT_GRAIN     8192 // a sort of fewer items is executed by one worker
 #define SCAN_GRAIN     16384
 #define BLOCKS_A_GRAIN 2 // number of blocks of the smallest run that is shared
 
-// Items per chunk. Chunks are for kernels whose items take long, and unequal times: each free worker claims the next
-// chunk. Runs of other kernels are split evenly and in order, so that a worker has the same bodies and constraints in
-// every pass.
+// Items per chunk. Chunks are for kernels whose items take long, and unequal times: free workers claim the next chunk.
+// Other runs are split evenly and in order, so that a worker has the same bodies and constraints in every pass.
 static const int chunks[KERNEL_COUNT] = {
     [KERNEL_broad_phase] = CHUNK_ITEMS,
     [KERNEL_broad_phase_rest] = 1,

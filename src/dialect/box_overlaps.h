@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// box_overlaps.h -- tests one box, at rest or moving, against eight boxes, with AVX2 or in WebAssembly; a part of
-// dialect.h.
+// box_overlaps.h -- tests a box, at rest or moving, against eight boxes with AVX2 or WebAssembly; a part of dialect.h.
 #ifndef BOX_OVERLAPS_H
 #define BOX_OVERLAPS_H
 #ifdef __wasm_simd128__

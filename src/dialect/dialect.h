@@ -1,42 +1,38 @@
 // SPDX-License-Identifier: MIT
 // dialect.h -- hides the differences between C and OpenCL C; no other file of the kernels tests the compiler.
 //
-// A wide kernel computes with the types Real and Int. On a GPU these are float and int; on a CPU each is a vector of
-// LANES numbers, so that one call computes LANES items. A kernel that branches on an item is compiled with LANES 1,
-// because a branch on a vector does not compile. docs/dialect.md has the table of all names.
+// Wide kernels compute with Real and Int: float and int on a GPU, vectors of LANES numbers on a CPU. Kernels that
+// branch on an item are compiled with LANES 1, because a branch on a vector does not compile. Names: docs/dialect.md.
 #ifndef DIALECT_H
 #define DIALECT_H
 
 // INLINE functions of wide passes are always inlined: calls that clang left in these passes cost 18 to 36 % at 8 and 16
-// lanes. With one lane, always inlining made the code of gcc slower, by half, because registers ran out. On a GPU, a
-// single call keeps the pools on the stack of every work-item: a step of 93,000 bodies of ragdolls took 0.08 ms longer
-// on an H200. CALLS is defined for OpenCL on a CPU, where PoCL takes over 40 % longer to build functions that are
-// always inlined.
+// lanes. With one lane, always inlining slowed code of gcc by half, because registers ran out. On a GPU, a single call
+// keeps the pools on the stack of every work-item, and costs 0.08 ms per step of 93,000 bodies of ragdolls (H200).
+// CALLS is defined for OpenCL on a CPU, because PoCL takes over 40 % longer to build always inlined functions.
 #if (defined(LANES) && LANES > 1) || (defined(__OPENCL_C_VERSION__) && !defined(CALLS))
 #define INLINE static inline __attribute__((always_inline))
 #else
 #define INLINE static inline
 #endif
 
-// Inlines long parts of hot kernels with one lane, which gcc would not inline; a call would return its result through
-// memory.
+// Inlines long parts of hot kernels with one lane; gcc would call them, and return their results through memory.
 #ifdef CALLS
 #define INLINE_LONG INLINE
 #else
 #define INLINE_LONG static inline __attribute__((always_inline))
 #endif
 
-// Marks large parts, without barriers, of large kernels. With CALLS they are not inlined, because PoCL copies the
-// code of a kernel: three times, and again three times between barriers that not all work-items reach. In WebAssembly
-// they are not inlined, so that pages are smaller.
+// Marks large parts, without barriers, of large kernels. With CALLS they are not inlined, because PoCL copies inlined
+// code three times, and nine times between barriers that not all work-items reach. In WebAssembly they are not
+// inlined, so that pages are smaller.
 #if defined(CALLS) || defined(__EMSCRIPTEN__)
 #define OUT_OF_LINE static __attribute__((noinline))
 #else
 #define OUT_OF_LINE INLINE
 #endif
 
-// Marks code that few items need. On a CPU it is not inlined, because it would take registers from all items. On a GPU
-// a call takes registers as well.
+// Marks code that few items need. Inlined on a CPU, it would take registers from all items; on a GPU, so would a call.
 #ifdef __OPENCL_C_VERSION__
 #define RARE INLINE
 #else
@@ -53,8 +49,7 @@
 #define UNROLL
 #endif
 
-// Enclose kernels that most worlds do not run; in WebAssembly their code is compiled for size, which saves 1.5 kB of
-// compressed code.
+// Enclose kernels that few worlds run: WebAssembly compiles them for size, which saves 1.5 kB of compressed code.
 #ifdef __EMSCRIPTEN__
 #define SMALL_BEGIN _Pragma("clang attribute push(__attribute__((minsize)), apply_to = function)")
 #define SMALL_END   _Pragma("clang attribute pop")
@@ -63,17 +58,15 @@
 #define SMALL_END
 #endif
 
-// Macros that define kernels, in opencl_words.h and c_words.h: KERNEL(name) { ... }: the code for item i of the pools
-// p. WIDE_KERNEL(name): the code for items i to i + LANES - 1.
-//
+// Macros that define kernels, in opencl_words.h and c_words.h.
+// KERNEL(name) { ... }: the code for item i of the pools p. WIDE_KERNEL(name): the code for items i to i + LANES - 1.
 // LIST_KERNEL(name, list, length) { ... }: a kernel that appends the items for which it returns 1 to a list of the
 // pools, in any order. A CPU worker advances the length once per CHUNK_ITEMS items: with 16 workers, an atomic addition
 // per item took half of a step.
-//
 // GROUP_KERNEL(name) { ... }: the code that a work-group executes together for item i, with GROUP_FLOATS floats of
-// local memory, bench. The parts of the item are split among the work-items: a work-item processes every
-// group_width()-th part from part group_lane() on. On a CPU one worker is the whole group, and processes LANES parts at
-// a time; part_lane() and part_width() are for code in which it processes one part at a time.
+// local memory, bench. A work-item processes every group_width()-th part of the item from part group_lane() on. On a
+// CPU one worker is the whole group, and processes LANES parts at a time; part_lane() and part_width() are for code in
+// which it processes one part at a time.
 #define GROUP_FLOATS 3072
 
 #ifdef __OPENCL_C_VERSION__
@@ -85,8 +78,7 @@
 #endif
 #endif
 
-// Raises the number at place to at least x, atomically. A plain read comes first, because for most items the number is
-// already high enough.
+// Raises the number at place to at least x, atomically. A plain read first avoids most of the atomic operations.
 INLINE void raise_int(GLOBAL int* place, int x)
 {
 	if (read_shared(place) < x)
@@ -114,15 +106,13 @@ INLINE Int blend_int(Int a, Int b, Int c) { return c ? b : a; }
 #define store_keys(array, i, high, low) ((array)[i] = (Word64)(Word)(high) << 32 | (Word64)(Word)(low))
 #define root(x)                         square_root(x)
 
-// following(a, b): the values after those of a, if b comes next. preceding(a, b): the values before those of b, if a
-// comes before. wide.h has the versions for several lanes.
+// following(a, b), preceding(a, b): see transpose.h, which has the versions for several lanes.
 #define following(a, b)     (b)
 #define preceding(a, b)     (a)
 #define following_int(a, b) (b)
 #define preceding_int(a, b) (a)
 
-// indices: numbers i to i + LANES - 1. gather: items of an array by index, one per lane. load_int2: both members of
-// LANES consecutive pairs of integers.
+// indices: i to i + LANES - 1. gather: items of an array by index, one per lane. load_int2: members of LANES pairs.
 #define indices(i)                  (i)
 #define gather(array, index)        ((array)[index])
 #define gather_int(array, index)    ((array)[index])

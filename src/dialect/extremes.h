@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// extremes.h -- computes minimum and maximum of vectors by one instruction, with the dialect's results; a part of
-// wide.h.
-//
+// extremes.h -- computes minimum and maximum of vectors by one instruction, with the dialect's results; part of wide.h.
 // The instruction of x86 returns its first operand if that is larger (or smaller), and otherwise its second operand,
 // also for NaN and for two zeros.
 #ifndef EXTREMES_H

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 // finite.h -- keeps state finite: NaN is never stored, and sums of values of the user end at the largest finite number.
-//
-// Devices agree on which results are NaN, but not on the sign and the payload of a NaN, so no NaN is stored:
-// docs/determinism.md.
+// Devices agree on which results are NaN, but not on the sign and the payload of a NaN (docs/determinism.md).
 #ifndef FINITE_H
 #define FINITE_H
 #include "dialect/vec.h"
 
-#define MOST_FLOAT 3.40282347e38f
-// N s: the momentum of the heaviest body (1e30 kg) at the highest max_speed
-#define MOST_IMPULSE 1.0e35f
-// Maximum friction of two surfaces; its product with MOST_IMPULSE is still finite.
-#define MOST_FRICTION 1.0e3f
+#define MOST_FLOAT    3.40282347e38f
+#define MOST_IMPULSE  1.0e35f // N s: the momentum of the heaviest body (1e30 kg) at the highest max_speed
+#define MOST_FRICTION 1.0e3f  // maximum friction of two surfaces; its product with MOST_IMPULSE is still finite
 
 // Clamps x to -most .. most; NaN stays NaN.
 INLINE Real within(Real x, Real most) { return maximum(minimum(x, most), -most); }

@@ -4,8 +4,7 @@
 #define HASH_WORD_H
 #include "dialect/dialect.h"
 
-// Mixes bits with the finalizer of MurmurHash3 (Austin Appleby, 2011): each input bit changes half of the output bits
-// on average.
+// Finalizer of MurmurHash3 (Austin Appleby, 2011): each input bit changes half of the output bits on average.
 INLINE Word64 hash_mix(Word64 h)
 {
 	h ^= h >> 33;

@@ -30,16 +30,14 @@ typedef int2 Int2;
 #define atomic_and_word64(place, x)                                 \
 	((void)atomic_and((volatile __global uint*)(place), (uint)(x)), \
 	 (void)atomic_and((volatile __global uint*)(place) + 1, (uint)((x) >> 32)))
-// Orders memory accesses for all work-groups of the device, not only for one, and invalidates the first-level cache.
-// OpenCL C 1.2 has no such fence. Compilers other than that of NVIDIA use mem_fence, and persistent.cl tests whether it
-// suffices.
+// Orders memory accesses for all work-groups, and invalidates the first-level cache, which no fence of OpenCL C 1.2
+// does. Compilers other than that of NVIDIA use mem_fence; persistent.cl tests whether it suffices.
 #ifdef __NV_CL_C_VERSION
 #define DEVICE_FENCE() asm volatile("membar.gl;" ::: "memory")
 #else
 #define DEVICE_FENCE() mem_fence(CLK_GLOBAL_MEM_FENCE | CLK_LOCAL_MEM_FENCE)
 #endif
-// Increments a counter atomically, and returns the old value. The last item to arrive can read all that the other items
-// wrote before they arrived.
+// Increments a counter atomically; returns the old value. The last item to arrive can read all writes of the others.
 INLINE int arrive_int(GLOBAL int* place)
 {
 	DEVICE_FENCE();

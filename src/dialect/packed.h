@@ -3,9 +3,8 @@
 #ifndef PACKED_H
 #define PACKED_H
 
-// Eight boxes are packed bound by bound: all lower x, all lower y, all upper x, all upper y
-// (src/stages/geometry/box.h). Thus a vector of eight floats contains one bound of all boxes without a transposition,
-// and a GPU reads four bounds at a time.
+// Eight boxes are packed bound by bound: all lower x, all lower y, all upper x, all upper y. Thus a vector of eight
+// floats contains one bound of all boxes without a transposition, and a GPU reads four bounds at a time.
 
 // Returns a bit mask of the packed boxes that overlap a box: bit k for packed box k.
 #ifndef OVERLAPS8
@@ -25,11 +24,10 @@ INLINE Word overlaps8(const GLOBAL Float4* boxes, Float4 box)
 }
 #endif
 
-// Returns a bit mask of the packed boxes that a moving box meets: bit k for packed box k. sides: x and y of the
-// sides of the moving box that enter other boxes first, then of the sides that leave them last. inverse: 1 / x and 1 /
-// y of its path. enter: fraction of the path at which the moving box enters each packed box, at least 0; boxes entered
-// at a fraction above most do not count. All operations are monotonic: a box that encloses other boxes is entered no
-// later than these.
+// Returns a bit mask of the packed boxes that a moving box meets (bit k: packed box k) at a fraction of its path up to
+// `most`. sides: x and y of the sides that enter other boxes first, then of the sides that leave last. inverse: 1 / x
+// and 1 / y of the path. enter: fractions at which the packed boxes are entered, at least 0. All operations are
+// monotonic: a box that encloses other boxes is entered no later than these.
 #ifndef BEAM8
 INLINE Word beam8(const GLOBAL Float4* boxes, Float4 sides, Float2 inverse, float most, float enter[8])
 {
@@ -53,8 +51,8 @@ INLINE Word beam8(const GLOBAL Float4* boxes, Float4 sides, Float2 inverse, floa
 	return hits;
 }
 
-// Returns a bit mask of the packed boxes near a box. square: squares of the distances to all packed boxes; a box is
-// near if its square is at most most.
+// Returns a bit mask of the packed boxes near a box, at a squared distance of at most `most`. square: squared distances
+// to all packed boxes.
 INLINE Word apart8(const GLOBAL Float4* boxes, Float4 box, float most, float square[8])
 {
 	Word hits = 0;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // transpose.h -- loads and stores LANES items of 4 or 8 floats, as one Real per component; a part of wide.h.
 //
-// Items are moved in quads of 16 bytes, four floats. Each of four Reals is loaded with quads side by side: Real j gets
-// the quads of items j, j + 4, j + 8, ... Then a 4 by 4 transposition inside each quad puts component j of all items
-// into Real j. A gather of eight floats on AVX2 takes 8 loads, 8 inserts and 16 shuffles. With whole rows it would take
-// 24 shuffles, and the shuffle port is the bottleneck.
+// Four Reals are loaded with quads (four floats) side by side: Real j gets the quads of items j, j + 4, j + 8, ... Then
+// 4 by 4 transpositions put component j of all items into Real j. A gather of eight floats on AVX2 takes 8 loads, 8
+// inserts and 16 shuffles; with whole rows it would take 24 shuffles, and the shuffle port is the bottleneck.
 #ifndef TRANSPOSE_H
 #define TRANSPOSE_H
 #define ALL_LANES ((1u << LANES) - 1)
@@ -143,8 +142,7 @@ WIDE_INLINE void quads_gather(const float* base, Words at, Real out[4])
 	transpose(quads_load(base, at, 0), quads_load(base, at, 1), quads_load(base, at, 2), quads_load(base, at, 3), out);
 }
 
-// Stores the quads of r at base + at[j], base + at[j + 4], ...; a quad is stored only if the mask has its bit: j, j +
-// 4, ...
+// Stores the quads of r at base + at[j], base + at[j + 4], ... if bit j, j + 4, ... of `wanted` is set.
 WIDE_INLINE void quads_store(float* base, Words at, int j, Real r, Word wanted)
 {
 	if (wanted >> j & 1)
@@ -242,8 +240,7 @@ WIDE_INLINE Real root(Real x)
 #endif
 }
 
-// Writes the first four of the eight floats of item index[k], for each lane k in which `wanted` is set; these items
-// must differ.
+// Writes the first four of the eight floats of item index[k] for lanes k with `wanted` set; these items must differ.
 WIDE_INLINE void scatter_rows4of8(float* base, Int index, const Real in[4], Int wanted)
 {
 	Words at = (Words)index * 8u;

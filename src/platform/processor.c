@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// processor.c -- returns cores, memory, time and vector instructions of the processor, and sets its floating-point
-// mode.
+// processor.c -- returns cores, memory, time and vector instructions of the processor; sets its floating-point mode.
 #define _GNU_SOURCE // declares sched_getaffinity and clock_gettime; ignored on other systems
 #include "platform/processor.h"
 #include <float.h>
@@ -68,11 +67,8 @@ double processor_milliseconds(void)
 #endif
 }
 
-bool processor_lanes_compiled(int lanes)
-{
-	// SCREE_LANES is the sum of the numbers of lanes in this build, which are powers of two
-	return (SCREE_LANES & lanes) != 0;
-}
+// SCREE_LANES is the sum of the numbers of lanes in this build, which are powers of two.
+bool processor_lanes_compiled(int lanes) { return (SCREE_LANES & lanes) != 0; }
 
 bool processor_has_lanes(int lanes)
 {

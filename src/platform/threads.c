@@ -8,9 +8,8 @@
 // Erin Catto, SIMD Matters, box2d.org, 2024.
 //
 // A waiting worker spins first, because a step has hundreds of jobs of about 1 us. Then it yields its core, because
-// another worker may need the core on a busy machine. If yielding helps repeatedly, spins get shorter; they get longer
-// again when every worker has a core. After its yields a worker sleeps, but never between threads_begin and
-// threads_end; threads_begin wakes it.
+// another worker may need the core on a busy machine; adapt_spins adapts the number of spins. After its yields a worker
+// sleeps, but never between threads_begin and threads_end; threads_begin wakes it.
 #include "platform/threads.h"
 #include "platform/error.h"
 #include "platform/processor.h"

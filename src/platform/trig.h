@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// trig.h -- computes sine, cosine and arc tangent on the host, only with + - * /, so that every machine gets the same
-// bits.
+// trig.h -- computes sine, cosine and arc tangent on the host, only with + - * /, for equal bits on every machine.
 #ifndef TRIG_H
 #define TRIG_H
 

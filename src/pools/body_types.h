@@ -8,16 +8,13 @@
 #define CONTINUOUS_CROSS  1.0f    // the same if only moving shapes are near: to tunnel, a body must pass their middle
 #define KINEMATIC_FEW     8       // with more kinematic bodies, continuous collision searches the tree for nearby ones
 #define PRESS_FROM        2.0e-5f // m: a contact starts a press if it overlaps a kinematic or static body by more
-// m: in the search for bodies that may be pressed, a contact counts if it overlaps a static body by more
-#define PRESS_START 0.0001f
-#define PRESS_GAP   0.01f // m: a joint drags a body that cannot follow if the gap of the joint is larger
-// m: greatest depth to which a press moves a body into a static body; with less, contacts lose the small overlap at
-// which they carry a load
-#define PRESS_MOST       0.015f
-#define PRESS_MAY_WAIT   1  // bit of the argument of the press kernels: the constraint layout may have changed
-#define PRESS_AGAIN      2  // bit of the same argument: this is not the first round
-#define CONTINUOUS_SHARE 2  // least number of collidables of a body per work-item of the kernel continuous
-#define CONTINUOUS_PARTS 64 // largest number of work-items per body
+#define PRESS_START       0.0001f // m: a step searches for presses if a contact overlaps a static body by more
+#define PRESS_GAP         0.01f   // m: a joint drags a body that cannot follow if the gap of the joint is larger
+#define PRESS_MOST        0.015f  // m: greatest depth of a press in a static body; with less, loaded contacts part
+#define PRESS_MAY_WAIT    1       // bit of the argument of the press kernels: the constraint layout may have changed
+#define PRESS_AGAIN       2       // bit of the same argument: this is not the first round
+#define CONTINUOUS_SHARE  2       // least number of collidables of a body per work-item of the kernel continuous
+#define CONTINUOUS_PARTS  64      // largest number of work-items per body
 
 typedef struct // 16 bytes: data of a dynamic body for continuous collision
 {
@@ -72,9 +69,7 @@ typedef struct // 32 bytes: a body that moved, as listed for the user
 	int body;
 } MovedBody;
 
-// Indices of the kinematic bodies. They are in a pool, because a variable index into an array in Step would put Step on
-// the stack of a GPU.
-typedef struct
+typedef struct // indices of kinematic bodies; not in Step, as a variable index would put Step on the stack of a GPU
 {
 	int body[KINEMATIC_FEW];
 } Kinematics;

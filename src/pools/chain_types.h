@@ -4,12 +4,11 @@
 #define CHAIN_TYPES_H
 #include "pools/limits.h"
 
-// A spot is the index of a joint in the pool chain_joints. The joints of a chain are distributed over R rows, where R
-// is a power of two and joint k is in row k mod R. The even rows come first, then the odd rows. Joints of the even rows
-// have no bodies in common, nor have joints of the odd rows, so a wide pass processes a block of joints at once. The
-// neighbors of a block form a block too, except at the ends of a row.
+// A spot is the index of a joint in the pool chain_joints. Joint k of a chain is in row k mod R; R is a power of two.
+// The even rows come first. Joints of even rows have no bodies in common, nor have joints of odd rows, so a wide pass
+// solves a block of joints at once. The neighbors of a block form a block too, except at the ends of a row.
 // Alternatively, chains of similar lengths are interleaved: the joints k of LANES chains are a block or a part of a
-// block. Then R is 2, and joint k + 2 is MAX_LANES spots behind joint k.
+// block, R is 2, and joint k + 2 is MAX_LANES spots behind joint k.
 typedef struct // 32 bytes: a chain, several interleaved chains, or a branch
 {
 	int first;  // spot of joint 0
@@ -18,7 +17,7 @@ typedef struct // 32 bytes: a chain, several interleaved chains, or a branch
 	int stride; // distance of neighbors in a row, in spots: 1, or MAX_LANES
 	int length; // number of joints in a row, including inert joints at its end
 	int bits;   // binary logarithm of the number of rows, at least 1
-	int parts;  // number of ranges, from this one on, in one item of a pass; 0 if an earlier range counts it
+	int parts;  // number of ranges, this one first, that an item of a pass solves; 0 if it starts at an earlier range
 	int item;   // in entry i of the pool: index of the first range that item i of a pass processes
 } ChainRange;
 

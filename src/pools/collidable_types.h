@@ -25,8 +25,7 @@
 // a contact are halved for each bit that one of the two collidables has; otherwise they would exceed the smaller body.
 #define COLLIDABLE_GRAIN 8 // bit 0
 #define GRAIN_LEVELS     5
-// First of similar bits for the reach, which scales the distance below which a pair has points: long thin bodies need
-// points at both ends.
+// First of similar bits for the reach, which scales the largest gap of points: long bodies need points at both ends.
 #define COLLIDABLE_REACH  (COLLIDABLE_GRAIN << GRAIN_LEVELS)
 #define COLLIDABLE_GRAINS (COLLIDABLE_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
 

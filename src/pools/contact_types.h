@@ -4,8 +4,7 @@
 #define CONTACT_TYPES_H
 #include "pools/collidable_types.h"
 
-// Weight of a contact with a kinematic collidable in the pool fixed_contacts. A contact with a static collidable counts
-// as 1.
+// Weight of a contact with a kinematic collidable in the pool fixed_contacts; one with a static collidable counts 1.
 #define KINEMATIC_CONTACT         65536
 #define STATIC_CONTACTS(fixed)    ((fixed) & (KINEMATIC_CONTACT - 1))
 #define KINEMATIC_CONTACTS(fixed) ((Word)(fixed) / KINEMATIC_CONTACT)

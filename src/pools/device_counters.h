@@ -45,7 +45,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int needed;        // contact slots that the step needs
 	int stalled;       // 1 if the limit or a capacity is exceeded: the host ends the step, or enlarges the pools
 	int live;          // contact slots that the narrow phase covers
-	int look;          // live if some contact is marked for processing, else 0
+	int look;          // the value of live if some contact is marked for processing, else 0
 	int released;      // contacts whose boxes parted
 	int began, ended;  // contacts that began and stopped touching
 	int gathered;      // contact slots to search for contacts of new hubs, or 0

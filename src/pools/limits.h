@@ -17,20 +17,16 @@
 // most 31 other contacts.
 #define HUB_CONTACTS 32
 
-// Weight of a backward belt in the pool belts, which counts belts of both directions. Counts of static bodies may
-// exceed this weight, but no kernel reads them.
+// Weight of a backward belt in the pool belts. Static bodies may have more belts, but no kernel reads their counts.
 #define BELT_BACK 65536
 
-// Number of hub colors, which a pass solves one after the other. The color of a hub follows from its index, and
-// neighboring hubs mostly have different colors.
+// Number of hub colors. The color of a hub follows from its index; neighboring hubs mostly have different colors.
 #define HUB_COLORS 4
 
-// First bit of the hub color in the sort key of neighbors. The body is in the bits from 32 on, the number of the spoke
-// in the bits below the color.
+// First bit of the hub color in the sort key of neighbors. Body: from bit 32 on; number of the spoke: below the color.
 #define HUB_KEY_COLOR 30
 
-// number of coloring rounds before the host checks for uncolored contacts; even, because rounds alternate between two
-// lists
+// coloring rounds before the host checks for uncolored contacts; even, because rounds alternate between two lists
 #define MAX_ROUNDS 64
 
 #define ARITY      8 // boxes of 8 children are 128 bytes, a cache line of a GPU

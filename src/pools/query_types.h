@@ -14,8 +14,7 @@
 #define QUERY_ANY     1 // at most one result, which may be any
 #define QUERY_ALL     2
 
-// Largest number of query results in a list. It is far below the largest int, because work-items increase the counter
-// before they compare it with this limit.
+// Maximum number of results in a list; far below INT_MAX, as work-items increase the counter before they compare it.
 #define QUERY_MOST 1000000000
 
 #define QUERY_BY_COLLIDABLE 0

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// roles.h -- lists the kinds of items that pools have, and the roles of pools: the lifetime of an item between two
-// steps.
+// roles.h -- lists the kinds of items of pools, and the roles of pools: the lifetime of an item between two steps.
 #ifndef ROLES_H
 #define ROLES_H
 

@@ -4,8 +4,7 @@
 #define STEP_TYPES_H
 #include "pools/body_types.h"
 
-// Kinds of constraints. An edge is a constraint of any kind, identified by the kind in the upper bits and the slot
-// below.
+// Kinds of constraints. The number of an edge has the kind of the constraint in its upper bits, and the slot below.
 enum
 {
 #define CONSTRAINT_KIND(kind, Kind, KIND) CONSTRAINT_##KIND,
@@ -15,9 +14,8 @@ enum
 };
 #define EDGE_KIND 27 // number of bits of an edge that hold the slot: any slot below MAX_CONTACTS
 
-// Rows of constraints, which src/constraints/ lists. They are stored in blocks of MAX_LANES constraints, with one row
-// per component. A wide pass reads one contiguous block, and a GPU addresses all components of a constraint from one
-// base address instead of one per component.
+// Rows of constraints, listed in src/constraints/. A block of MAX_LANES constraints has one row per component, so a
+// wide pass reads contiguous memory, and a GPU addresses all components of a constraint from one base address.
 #define CONSTRAINT_KIND(kind, Kind, KIND)         \
 	typedef struct Kind##Rows Kind##Rows;         \
 	typedef struct Kind##RareRows Kind##RareRows; \

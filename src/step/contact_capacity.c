@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 // contact_capacity.c -- computes the contact limit, and reports the error for a place with too many contacts.
 //
-// The number of pairs at one point grows with the square of the number of bodies: 22,000 boxes created at one point
-// have 242 million pairs, and a contact takes 300 bytes.
+// Pairs at one point grow with the square of the number of bodies: 22,000 boxes have 242 million, 300 bytes each.
 #include "step/contact_capacity.h"
 #include "platform/error.h"
 #include <stdio.h>
 #include <stdlib.h>
 
-// The default limit is this number of contacts per collidable, but at least LEAST_LIMIT. Heaps have 3 contacts per
-// collidable, dense heaps of long bodies have 20. LEAST_LIMIT contacts take 600 MB, and are enough for 2,000 bodies
-// that begin at one point.
-#define CONTACTS_A_COLLIDABLE 32
-#define LEAST_LIMIT           2000000
+#define CONTACTS_A_COLLIDABLE 32      // default limit per collidable; heaps have 3, dense heaps of long bodies have 20
+#define LEAST_LIMIT           2000000 // smallest default limit: 600 MB, enough for 2,000 bodies that begin at one point
 
 int contact_limit(const StepRequest* request)
 {
@@ -51,8 +47,7 @@ static float usual_size(const Float4* boxes, int count, uint64_t* words)
 	{
 		float size = boxes[k].z - boxes[k].x + (boxes[k].w - boxes[k].y);
 		if (!is_empty(boxes[k]) && size < 1e30f)
-			words[found++] =
-			    float_word(size); // the bits of floats that are not negative, read as integers, have the same order
+			words[found++] = float_word(size); // floats that are not negative have the order of their bits
 	}
 	qsort(words, (size_t)found, sizeof *words, compare_words);
 	return found > 0 ? bits_float((int)words[found / 2]) : 1.0f;

@@ -6,8 +6,7 @@
 
 int contact_limit(const StepRequest* request);
 
-// Fails with SCREE_ERROR_CONTACT_LIMIT. The message names the most crowded place, found from counters and boxes of the
-// search for pairs that just ended.
+// Fails with SCREE_ERROR_CONTACT_LIMIT. The message names the most crowded place of the last search for pairs.
 scree_status contact_limit_fail(Pipeline* pipeline, const Step* step);
 
 #endif

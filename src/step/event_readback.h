@@ -7,16 +7,14 @@
 // Reserves memory for the events of the next step if some collidable reports events, and uploads approved pairs.
 scree_status events_reserve(Pipeline* pipeline, const StepRequest* request);
 
-// Lists the events of a step. The ends of touches whose contacts were released are listed earlier, before the narrow
-// phase.
+// Lists the events of a step. Ends of touches whose contacts were released are already listed before the narrow phase.
 scree_status events_list(Pipeline* pipeline, const Step* step);
 scree_status events_count(Pipeline* pipeline, int counts[EVENT_LISTS]);
 
 // Reads the contacts of all events in a list, sorted by slot. count: number of events in the list.
 scree_status events_contacts(Pipeline* pipeline, int which, int count, ContactReport* rows);
 
-// Reads the pairs of collidables of all touches that ended, in ascending order. The first collidable is in the upper
-// half. count: number of these touches.
+// Reads the pairs of collidables of all `count` touches that ended, in ascending order, the first in the upper half.
 scree_status events_pairs(Pipeline* pipeline, int count, Word64* pairs);
 
 #endif

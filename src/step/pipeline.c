@@ -33,7 +33,7 @@ scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int
 	return pipeline_reserve(pipeline, PER_COMMAND, LEAST_CAPACITY);
 }
 
-// Executes the listed runs and reads the counters. Nowhere else in a step does the host wait for the device.
+// Executes the listed runs and reads the counters. In a step, the host waits for the device only to read counters.
 static scree_status read_back(Pipeline* pipeline, const Step* step)
 {
 	TRY(pipeline_run(pipeline, step));
@@ -41,9 +41,8 @@ static scree_status read_back(Pipeline* pipeline, const Step* step)
 	return b->f->read(b, POOL_counters, 0, 1, &pipeline->counters);
 }
 
-// Executes the listed runs, and starts the solve before the host has read the counters. Called if the layout of the
-// constraints will probably not change. If it changes, the device clears the counter that bounds the solve, which then
-// does nothing.
+// Executes the listed runs, and starts the solve before the host has read the counters. If the layout of the
+// constraints changes against expectation, the device clears the counter that bounds the solve, so nothing is solved.
 static scree_status solve_early(Pipeline* pipeline, const Step* step, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
@@ -53,8 +52,7 @@ static scree_status solve_early(Pipeline* pipeline, const Step* step, const Step
 	return b->f->read_end(b, &pipeline->counters);
 }
 
-// Ends a step whose search for pairs cannot be completed. Restores the boxes, so that the world is in the state before
-// the step. Returns why, or the error of the device.
+// Ends a step whose search for pairs cannot be completed; restores the boxes. Returns why, or the error of the device.
 static scree_status abandon(Pipeline* pipeline, const Step* step, scree_status why)
 {
 	runs_add(&pipeline->list, KERNEL_transform_undo, 0, step->collidables, NO_COUNT, 0);
@@ -137,8 +135,7 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 {
 	const Counters* c = &pipeline->counters;
 	int bodies = request->bodies, rounds = pipeline->rounds + SPARE_ROUNDS;
-	bool alone = step->dt == 0.0f ||
-	             pipeline->surfaces_changed; // other runs precede the solve or replace it, so it cannot start early
+	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // other runs replace or precede the solve
 	bool early = pipeline->backend->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split), solved;
 	TRY(apply_commands(pipeline, step, &request->commands, request->commands.begin));
 	TRY(list_transform(pipeline, step));
@@ -169,8 +166,7 @@ static scree_status count_trees(Pipeline* pipeline)
 	return SCREE_OK;
 }
 
-// Reserves memory for the step, so that lack of memory cannot interrupt the step. Uploads the data that the stages
-// read.
+// Reserves memory first, so that no lack of memory interrupts the step; then uploads the data that the stages read.
 static scree_status prepare(Pipeline* pipeline, const StepRequest* request)
 {
 	int solve_most = solve_runs_most(request->substeps), pairs = pipeline->counters.joints + pipeline->excluded;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// reserve.h -- sets the capacities of the pools: enlarges pools when a stage needs more, and shrinks them after long
-// disuse.
+// reserve.h -- sets the capacities of the pools: enlarges them for a stage, and shrinks them after long disuse.
 #ifndef RESERVE_H
 #define RESERVE_H
 #include "step/pipeline_state.h"
 
 #define LEAST_CAPACITY 64 // number of items; the capacity of each pool is a multiple of this
 
-// Enlarges the pools of a kind to at least capacity items, and by at least half, and all pools that depend on them.
-// Does nothing if they are large enough.
+// Ensures space for capacity items in the pools of a kind and in all that depend on them; growth is by half or more.
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);
 
 // Shrinks pools that have been much too large for a long time. Must be called after each step.

@@ -7,8 +7,7 @@
 #include "step/reserve.h"
 #include "step/stage_lists.h"
 
-// Finds the bodies that are neighbors of several hubs, once per layout. The host must already have the counters of the
-// layout.
+// Finds the bodies that are neighbors of several hubs, once per layout; the host must already have its counters.
 static scree_status split_spokes(Pipeline* pipeline, const Step* step, int bodies)
 {
 	if (pipeline->counters.hubs == 0 || pipeline->split)

@@ -77,8 +77,7 @@ static bool pairs_may_change(const Pipeline* pipeline)
 	return pipeline->counters.joints + pipeline->excluded > 0 && (pipeline->dirty || pipeline->can_break);
 }
 
-// Lists the runs that collect the pairs of bodies that joints or the user keep apart. The pairs are sorted by two
-// indices of bodies.
+// Lists the runs that collect the pairs of bodies that joints or the user keep apart, sorted by the bodies' indices.
 static void list_joined(RunList* list, int joints, int excluded, int bodies)
 {
 	int bits = index_bits(bodies), count = COUNT(joints_dirty), pairs = joints + excluded;
@@ -109,8 +108,7 @@ void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, KERNEL_contact_join, 0, contacts, COUNT(joints_dirty), 0);
 }
 
-// Lists the runs that find contacts that need approval. They also sort the pairs that were refused or let through, for
-// continuous collision.
+// Lists runs that find contacts that need approval, and sort pairs refused or let through, for continuous collision.
 static void list_approvals(RunList* list, const Step* step, int bodies, bool platforms)
 {
 	int contacts = step->contact_capacity;
@@ -145,8 +143,7 @@ static void list_joint_constraints(RunList* list, int joints)
 	runs_add(list, KERNEL_joint_updated, 0, 1, COUNT(joints_dirty), 0);
 }
 
-// Returns the number of bits of the sort key of contacts. A key contains the color and, if there are hubs, the index of
-// a body.
+// Returns the number of bits of a sort key of contacts: the color and, if there are hubs, the index of a body.
 static int color_bits(const Pipeline* pipeline, int bodies)
 {
 	int bits = COLOR_BITS;
@@ -156,8 +153,7 @@ static int color_bits(const Pipeline* pipeline, int bodies)
 	return bits;
 }
 
-// Lists the runs that lay out the constraints of a kind by color; the device executes them if a constraint of the kind
-// began or ended. bits: size of the sort keys.
+// Lists the runs that lay out constraints of a kind by color, if any began or ended. bits: size of the sort keys.
 static void lay_out(RunList* list, const Backend* b, int kind, int bits)
 {
 	const KindInfo* info = &kind_info[kind];
@@ -203,8 +199,7 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to)
 		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);
 }
 
-// Number of contacts by which a press spreads per step. With 1, a press of 1 m/s moves 5 capsules in a row 2.01 cm into
-// a wall.
+// Contacts by which a press spreads per step. With 1, a press of 1 m/s moves 5 capsules in a row 2.01 cm into a wall.
 #define PRESS_ROUNDS 2
 
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait)

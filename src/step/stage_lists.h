@@ -6,13 +6,11 @@
 
 #define STAGE_RUNS_MOST (4 * MAX_ROUNDS + 8 * CONSTRAINT_KINDS + 128) // largest number of runs listed before the solve
 
-// Lists the runs that compute world boxes from the bodies, and the trees from the boxes. Executes the list if the host
-// decides to sort a tree.
+// Lists the runs that compute boxes and trees; executes the list if the host decides to sort a tree.
 scree_status list_transform(Pipeline* pipeline, const Step* step);
 void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies);
 void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies);
-// Lists coloring rounds from to to - 1, and the layout of the constraints, which the device executes if all have
-// colors.
+// Lists coloring rounds `from` to `to` - 1, and the layout of constraints, which is skipped if some have no color.
 void list_color(Pipeline* pipeline, int bodies, int from, int to);
 
 // Lists the runs that sort the leaves of a tree, if the counter is not 0. boxes: 0 to sort by the boxes of the step,
@@ -21,8 +19,7 @@ void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int coun
 
 // Lists the runs that find the bodies pressed against bodies that cannot move. may_wait: the layout may be out of date.
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait);
-// Lists the runs that compute the forces of fields from poses and velocities at the start of the step. bound: as for
-// solve_start.
+// Lists the runs that compute the forces of fields at the start of the step. bound: as for solve_start.
 void list_fields(Pipeline* pipeline, const StepRequest* request, int bound);
 
 #endif

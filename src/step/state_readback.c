@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// state_readback.c -- computes the world hash, rows for drawing, and reports of joints and contacts, on request between
-// steps.
+// state_readback.c -- computes the world hash, render rows, and reports of joints and contacts, between steps.
 #include "step/state_readback.h"
 #include "platform/error.h"
 #include "step/dispatch.h"
@@ -17,11 +16,8 @@ scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint
 	for (int kind = 0; kind < CONSTRAINT_KINDS; ++kind)
 		runs[2 + kind] = (Run){.kernel_id = kind_info[kind].hash, .end = HASH_SUMS, .count = NO_COUNT};
 	uint64_t sums[HASH_SUMS];
-	scree_status status = b->f->run(b, &step, runs, 2 + CONSTRAINT_KINDS);
-	if (!status)
-		status = b->f->read(b, POOL_hash, 0, HASH_SUMS, sums);
-	if (status)
-		return status;
+	TRY(b->f->run(b, &step, runs, 2 + CONSTRAINT_KINDS));
+	TRY(b->f->read(b, POOL_hash, 0, HASH_SUMS, sums));
 	*hash = 0;
 	for (int i = 0; i < HASH_SUMS; ++i)
 		*hash += sums[i];

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
-// state_readback.h -- computes the world hash, rows for drawing, and reports of joints and contacts, on request between
-// steps.
+// state_readback.h -- computes the world hash, render rows, and reports of joints and contacts, between steps.
 #ifndef STATE_READBACK_H
 #define STATE_READBACK_H
 #include "step/pipeline_state.h"
 
 scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint64_t* hash);
 
-// Updates the pool render_row. collidables: number of collidable slots. With shared, writes to the memory that OpenGL
-// reads instead.
+// Updates the pool render_row, or with shared the memory that OpenGL reads. collidables: number of collidable slots.
 scree_status pipeline_render(Pipeline* pipeline, int collidables, bool shared);
 
 // Updates the pool joint_state for slots first to first + count - 1. The user's changes must already be uploaded.
 scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count);
 
-// Lists the touching contacts of a body in the pool contact_report, and sets *count to their number. The user's changes
-// must already be uploaded.
+// Lists the touching contacts of a body in the pool contact_report; sets *count. The user's changes must be uploaded.
 scree_status pipeline_list_contacts(Pipeline* pipeline, int body, bool details, int* count);
 
 #endif

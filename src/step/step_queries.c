@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// step_queries.c -- executes queries on the current world: computes trees of the current poses, searches them, and
-// sorts the results.
+// step_queries.c -- executes queries: computes trees of the current poses, searches them, and sorts the results.
 #include "step/step_queries.h"
 #include "platform/error.h"
 #include "step/dispatch.h"
@@ -11,8 +10,7 @@
 #define FIRST_ANSWERS  256 // initial capacity of a list of results
 #define APPENDED_SHARE 8   // leaves are sorted if more than 1 / APPENDED_SHARE of them were appended
 
-// largest number of runs of a refit: the levels of both trees twice, and two sorts
-#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4))
+#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4)) // maximum number of runs: the levels of both trees twice, and two sorts
 
 // Lists the runs that compute the boxes of tree t. ways: true for boxes around the paths of the last step.
 static void list_refit(Pipeline* pipeline, int t, bool ways)

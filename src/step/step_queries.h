@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// step_queries.h -- executes queries on the current world: computes trees of the current poses, searches them, and
-// sorts the results.
+// step_queries.h -- executes queries: computes trees of the current poses, searches them, and sorts the results.
 #ifndef STEP_QUERIES_H
 #define STEP_QUERIES_H
 #include "step/pipeline_state.h"
@@ -22,29 +21,24 @@ typedef struct // a call of queries
 	int count;
 	Names collidables, bodies;
 	bool timings;
-	// Checks queries begin to end - 1, in any thread. Results are read only if all queries are valid; searches end even
-	// if they are not.
+	// Checks queries begin to end - 1, in any thread. If one is invalid, all searches still end, but no result is read.
 	scree_status (*check)(const void* context, int begin, int end);
 	const void* context; // argument of check
 } QueryRequest;
 
-// Computes the result of each query. The user's changes must already be uploaded. found: null for queries in shared
-// memory.
+// Computes the result of each query. The user's changes must be uploaded. found: null for queries in shared memory.
 scree_status queries_answer(Pipeline* pipeline, const QueryRequest* questions, QueryResult* found);
 
 // Computes all results, and sets *count to their number. Up to FEW_ANSWERS results are in the pools found and
-// found_query, unordered. More results are in the pools found_row and found_row_query, sorted by query, then fraction,
-// then collidable.
+// found_query, unordered; more are in found_row and found_row_query, sorted by query, then fraction, then collidable.
 #define FEW_ANSWERS 64
 scree_status queries_list(Pipeline* pipeline, const QueryRequest* questions, int* count);
 scree_status queries_read(Pipeline* pipeline, int count, QueryResult* found, int* queries);
 
-// Sets *count to the number of bodies whose pose differs from the pose that the user read last. bodies: number of
-// slots.
+// Sets *count to the number of bodies whose pose differs from the pose last read by the user. bodies: number of slots.
 scree_status moved_count(Pipeline* pipeline, int bodies, int* count);
 
-// Lists the bodies that moved_count just counted in the pool moved_row, sorted by index. Their poses then count as
-// read.
+// Lists the bodies of the last moved_count in the pool moved_row, sorted by index. Their poses then count as read.
 scree_status moved_list(Pipeline* pipeline, int bodies, int count);
 
 #endif

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // traffic.c -- computes the number of bytes that the solve stage moves, from its algorithm.
 //
-// Bytes are counted as the passes request them, from a cache or from memory: a component of a constraint once per read
-// and once per write, the bodies of a constraint once per pass for read and write, and a row of a body once in each
-// pass over bodies. So the count depends neither on the device nor on its caches. It leaves out padding, counters, and
-// the sorting and summing of spokes. A static body counts as written, although no pass writes it.
+// Bytes are counted as the passes request them (docs/performance.md), so the count does not depend on the device.
 #include "step/traffic.h"
 #include "constraints/constraint_kinds.h"
 #include <stddef.h>
@@ -12,8 +9,7 @@
 #define ROW_BYTES  sizeof(float)
 #define ENDS_BYTES (2 * sizeof(int)) // indices of the two bodies of a constraint
 
-// Bytes of a row of the pool body. VELOCITY: part that a constraint writes. DISPLACEMENT: part cleared at the start of
-// a step.
+// Bytes of a row of the pool body. VELOCITY: written by a constraint. DISPLACEMENT: cleared at the start of a step.
 #define VELOCITY     (offsetof(BodyState, dx))
 #define DISPLACEMENT (offsetof(BodyState, inv_inertia) - offsetof(BodyState, dx))
 
@@ -44,7 +40,7 @@ typedef struct // bytes that one constraint moves in a step
 	}                                                                                      \
 	static Bytes kind##_bytes(int substeps, const Step* step)                              \
 	{                                                                                      \
-		/* its slot, once more for rare rows; data that setup gathers */                   \
+		/* slot of the constraint, twice with rare rows; data that setup gathers */        \
 		Bytes count = {(KIND##_RARE(step) ? 2 : 1) * sizeof(int), 0};                      \
 		count.rows += KIND##_GATHERS(step);                                                \
 		count.rows += kind##_pass_bytes(PREPARE, step);                                    \

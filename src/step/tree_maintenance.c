@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tree_maintenance.c -- keeps the trees of the broad phase on the host: lists their leaves, and decides when to sort
-// them.
+// tree_maintenance.c -- maintains the trees of the broad phase on the host: lists leaves, and decides when to sort.
 #include "step/tree_maintenance.h"
 #include "platform/error.h"
 #include <string.h>
@@ -11,8 +10,7 @@
 
 #define LEFT_SOON 24 // distance, in collidables, between the prefetch of an entry of member and its use
 
-// Bits of Pipeline.member. HAS_LEAF: tree t has a leaf of the collidable. BELONGS: the collidable exists, and belongs
-// to tree t.
+// Bits of Pipeline.member: tree t has a leaf of the collidable; the collidable exists, and belongs to tree t.
 #define HAS_LEAF(t) (1 << (t))
 #define BELONGS(t)  (4 << (t))
 
@@ -143,29 +141,23 @@ scree_status tree_upload(Pipeline* pipeline)
 		if (state->added_count > 0)
 		{
 			int first = t * b->capacity[PER_COLLIDABLE] + state->tree.leaves;
-			scree_status status = b->f->write(b, POOL_leaf, first, state->added_count, state->added);
-			if (status)
-				return status;
+			TRY(b->f->write(b, POOL_leaf, first, state->added_count, state->added));
 			state->tree.leaves += state->added_count;
 			state->unsorted += state->added_count;
 			state->appended += state->added_count;
 			state->added_count = 0;
 			touch(state);
 		}
-		scree_status status = tree_layout(pipeline, t);
-		if (status)
-			return status;
+		TRY(tree_layout(pipeline, t));
 	}
 	return SCREE_OK;
 }
 
-// Returns whether the leaves must be sorted. Sorting pays when the wasted node visits have reached its cost, about
-// ORDER_VISITS visits per leaf, which is one visit of every box; so the total cost stays within twice the minimum.
-// A box changes when its collidable has moved by the margin of the box, an eighth of its size, and disorder grows
-// evenly. After c changes of every box, a traversal visits about 2 c more nodes, which add up to c * c per leaf.
-// Without jumps, the leaves are sorted after four changes of every box; then neighbors on the curve are still near each
-// other. Sorting after eight changes made the broad phase 3 % faster in scenes that tumble, but would lose more in
-// scenes where bodies fly.
+// Returns whether the wasted node visits have reached the cost of sorting the leaves, about ORDER_VISITS per leaf, so
+// that the total cost stays within twice the minimum. A box changes when its collidable has moved by the margin, an
+// eighth of its size. After c changes of every box, a traversal visits about 2 c more nodes, in sum c * c per leaf.
+// Without jumps, the leaves are sorted after four changes of every box, when neighbors on the curve are still near each
+// other. Sorting after eight made the broad phase 3 % faster in scenes that tumble, but would lose more if bodies fly.
 bool tree_wants_order(const TreeState* state)
 {
 	double leaves = state->tree.leaves, changes = (double)state->unsorted / leaves;
@@ -225,10 +217,8 @@ scree_status tree_save(Pipeline* pipeline, int** leaves)
 	for (int t = 0; t < 2; ++t)
 	{
 		int count = trees[t].tree.leaves;
-		scree_status status =
-		    count > 0 ? b->f->read(b, POOL_leaf, t * b->capacity[PER_COLLIDABLE], count, to) : SCREE_OK;
-		if (status)
-			return status;
+		if (count > 0)
+			TRY(b->f->read(b, POOL_leaf, t * b->capacity[PER_COLLIDABLE], count, to));
 		to += count;
 	}
 	return SCREE_OK;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// tree_maintenance.h -- keeps the trees of the broad phase on the host: lists their leaves, and decides when to sort
-// them.
+// tree_maintenance.h -- maintains the trees of the broad phase on the host: lists leaves, and decides when to sort.
 #ifndef TREE_MAINTENANCE_H
 #define TREE_MAINTENANCE_H
 #include "step/pipeline_state.h"
@@ -9,8 +8,7 @@
 int tree_padded(int count);
 int tree_nodes(int leaves);
 
-// Inserts a leaf into tree t (0: moving, 1: static), unless the tree has a leaf of the collidable. The row of the
-// collidable must be written before the next step.
+// Inserts a collidable, whose row must be written before the next step, into tree t (0: moving, 1: static).
 scree_status tree_insert(Pipeline* pipeline, int t, int collidable);
 // Reverts the last tree_insert, of a collidable whose slot is freed again.
 void tree_withdraw(Pipeline* pipeline, int collidable);
@@ -29,8 +27,7 @@ void tree_count(TreeState* state, const Counters* counters, int t);
 // Removes dead leaves from the count. They are the last leaves after the device has sorted.
 scree_status tree_ordered(Pipeline* pipeline, int t);
 
-// Keep the leaves while pools grow: tree_save reads them into memory from scree_allocate, and tree_restore writes them
-// back.
+// Keep the leaves while pools grow: tree_save reads them into memory of scree_allocate; tree_restore writes them.
 scree_status tree_save(Pipeline* pipeline, int** leaves);
 scree_status tree_restore(Pipeline* pipeline, int* leaves);
 
