@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // constraint.h -- declares macros that generate the code for the rows of a kind of constraint from a list of its rows.
-//
-// A kind lists its rows as X(name, gate, life, inert, read, written):
+// A kind lists its rows as X(name, gate, life, inert, read, written), and has two more rows, body_a and body_b.
 //
 //     gate           flag of Step without which the row is not used; always: in every step
 //     life           PLACED: valid as long as the layout; PREPARED: within a step; KEPT: from step to step, an impulse
 //     inert          value of the row where there is no constraint
 //     read, written  IN_* bits of the passes that read and write it
-//
-// Every kind has two more rows, body_a and body_b.
 #ifndef CONSTRAINT_H
 #define CONSTRAINT_H
 #include "constraints/schedule.h"

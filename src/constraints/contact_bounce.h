@@ -32,8 +32,7 @@ INLINE Approach prepare_velocities(const Pools* p, int i, const Contact* u)
 	return at;
 }
 
-// m/s^2: Returns the acceleration of a body by gravity and forces. Returns 0 if the body is slow and has more than one
-// constraint, because others support it then.
+// m/s^2: Returns a body's acceleration by gravity and forces; 0 if it is slow and another constraint supports it.
 INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 {
 	Real row[8], zero = splat(0.0f);
@@ -71,8 +70,7 @@ INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Re
 
 #define MOST_FALL 1.0e18f // m/s^2: with the largest gap and step, the square of a speed is still finite
 
-// Computes the rebound speeds of the points that may bounce within the step. The speed is 0 for points that hardly
-// approach.
+// Computes the rebound speeds of the points that may bounce within the step; 0 for points that hardly approach.
 INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)
 {
 	Real e = load(&contact_rare(p, restitution, i), 0), zero = splat(0.0f), fall = zero, rebound1 = zero,

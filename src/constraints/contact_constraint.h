@@ -72,8 +72,7 @@
 	PAIR(2, IN_PASSES, IN_GAPS, u->normal_impulse1, u->normal_impulse2) \
 	PAIR(3, IN_TANGENTS | IN_BOUNCE, IN_RELAX, u->tangent_impulse1, u->tangent_impulse2)
 
-// Bytes that prepare gathers. CONTACT_GATHERS: for a contact, including flags if some shapes are round.
-// CONTACT_BOUNCE_GATHERS: for the bodies of a contact, in worlds with restitution.
+// Bytes that prepare gathers: for a contact, with flags if some shapes are round; for its bodies, with restitution.
 #define CONTACT_GATHERS(step) \
 	(sizeof(Int2) + 2 * sizeof(WorldShape) + sizeof(LocalManifold) + ((step)->round ? sizeof(Word) : 0))
 #define CONTACT_BOUNCE_GATHERS (2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64)))
@@ -157,10 +156,9 @@ typedef struct // the goal of a point's impulse: a velocity bias, m/s, and softn
 	Real bias, mass_scale, impulse_scale;
 } PairGoal;
 
-// Returns the goal of a point with separation s, m. soft: 1 in the bias pass. The relax pass (0) ignores the overlap,
-// and so removes the velocity by which the bias pass pushed the bodies apart. fixed: lanes with an immovable body;
-// their contacts are firmer, so that nothing sinks into the ground. exact: 1 if other constraints of the bodies are
-// solved together with this contact, which is then firm at any depth.
+// Returns the goal of a point with separation s, m. soft: 1 in bias; relax (0) ignores the overlap, and so removes the
+// velocity of the push. fixed: lanes with an immovable body, which are firmer, so that nothing sinks into the ground.
+// exact: 1 if other constraints of the bodies are solved together with this contact, which is then firm at any depth.
 INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exact)
 {
 	Int apart = s > splat(0.0f);
@@ -206,11 +204,10 @@ INLINE Real pair_cross(const ContactArms* c)
 	       c->b.inv_inertia * vec_cross(c->rb[0], c->n) * vec_cross(c->rb[1], c->n);
 }
 
-// Solves the normal impulses of both points together; they are never negative: a linear complementarity problem with
-// two unknowns. If the points were solved one after the other, each pass would turn a box, and a part of a push that is
-// taken back would remain. gap: separations, m; mass: effective masses, kg. In the relax pass, a point that will bounce
-// (rebound > 0) and has not touched in this substep gets no impulse; otherwise it would bounce too early, or not at
-// all.
+// Solves the normal impulses of both points together: a linear complementarity problem, because no impulse is negative.
+// Points solved one after the other would turn a box in each pass, and a part of a push that is taken back would
+// remain. gap: separations, m; mass: effective masses, kg. In relax, a point that will bounce (rebound > 0) and has not
+// touched in this substep gets no impulse; otherwise it would bounce too early, or not at all.
 INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], const Step* step, int soft,
                          const Real rebound[2], Real impulse[2])
 {
@@ -237,8 +234,7 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 	Real cross = pair_cross(c);
 	Real by1 = yield[0] * cross, by0 = yield[1] * cross, own = 1.0f - by0 * by1;
 
-	// both points push, unless the second would pull. Then the first is solved without the second, and the second again
-	// after the first
+	// both points push; if the second would pull, the first is solved without it, and then the second again
 	Real second = blend(zero, (change[1] - by0 * change[0]) / own, own > splat(PAIR_OWN));
 	Real first = push_of(impulse[0] + (change[0] - by1 * maximum(second, -impulse[1]))) - impulse[0];
 	second = push_of(impulse[1] + (change[1] - by0 * first)) - impulse[1];
@@ -291,8 +287,7 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 	}
 }
 
-// Computes impulses that add lack1 and lack2 (m/s) to the normal speeds of the points. If the points nearly coincide,
-// point 1 gets the whole impulse.
+// Computes impulses that add lack1 and lack2 (m/s) to the points' speeds; if both nearly coincide, point 1 gets all.
 INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1,
                        Real* impulse2)
 {
@@ -354,8 +349,7 @@ INLINE Real pair_gained(const ContactArms* c, Real more1, Real more2)
 }
 
 // Returns the largest fraction of two bounces with which the energy of the bodies does not exceed most, J, the energy
-// before they met. Contacts of a body that bounce in one step are solved one after the other, so a later contact may
-// push harder than the body approached.
+// before they met. Contacts are solved one after the other, so a later one may push harder than the body approached.
 INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], const Real mass[2], Real impulse1,
                        Real impulse2)
 {
@@ -371,8 +365,7 @@ INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], con
 	return blend(one, minimum(maximum(part, zero), one), more);
 }
 
-// Applies restitution to points with an impulse. These points separate, so their impulses must not warm start the next
-// step.
+// Applies restitution to points with an impulse. They separate, so these impulses must not warm start the next step.
 INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
                         Real* normal1, Real* normal2)
 {
@@ -406,10 +399,9 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	*normal2 = blend(*normal2, zero, hit2);
 }
 
-// Bound of the velocity that a warm starting impulse gives a point, as a share of max_speed. In a jam between immovable
-// bodies impulses add up from step to step, and a body that gets free would leave with all of them. In 20 trials with
-// 300 bodies at one point and max_speed 400 m/s, the fastest body leaves with 104, 92 and 95 m/s for shares of 0.25,
-// 0.2 and 0.15.
+// Bound of a point's velocity by warm start, as a share of max_speed. In a jam between immovable bodies impulses add up
+// from step to step, and a body that gets free would leave with all of them: in 20 trials with 300 bodies at one point
+// and max_speed 400 m/s, the fastest leaves with 104, 92 and 95 m/s for shares of 0.25, 0.2 and 0.15.
 #define START_SHARE 0.2f
 
 INLINE Real pair_start(const Step* step, Real impulse, Real mass)
@@ -428,8 +420,7 @@ INLINE void pair_bias(const Pools* p, int i, const ContactReady* ready, ContactA
 	u->normal_impulse2 = impulse[1];
 }
 
-// Runs the relax pass of a contact. Without held, gaps and masses are derived just before use, because all of them at
-// once would exceed the registers of a CPU and take 5 % longer.
+// Without held, gaps and masses are derived just before use: all at once exceed a CPU's registers, and take 5 % longer.
 INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactArms* c, Contact* u)
 {
 	Real speed = splat(0.0f), rebound[2] = {splat(0.0f), splat(0.0f)};

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// contact_points.h -- computes normal, arms and gaps of a contact for the step from a held manifold, which does not
-// change.
+// contact_points.h -- computes normal, arms and gaps of a contact for the step from a manifold that is held.
 //
-// A held manifold keeps its normal and its arms in the world while bodies turn and shift; only the gap follows the
-// bodies. Therefore the forces of a leaning column still act straight down through it, and it does not buckle. A
-// contact yields like a spring: with arms that follow the bodies, a column of more than 28 boxes would buckle (A. G.
-// Greenhill, Determination of the greatest height consistent with stability that a vertical pole or mast can be made,
-// 1881).
+// A held manifold keeps its normal and its arms in the world while bodies turn and shift; only the gap follows them. So
+// the forces of a leaning column still act straight down through it. A contact yields like a spring: with arms that
+// follow the bodies, a column of more than 28 boxes would buckle (A. G. Greenhill, Determination of the greatest height
+// consistent with stability that a vertical pole or mast can be made, 1881).
 #ifndef CONTACT_POINTS_H
 #define CONTACT_POINTS_H
 #include "constraints/angle.h"
@@ -35,17 +33,15 @@ INLINE ContactPoints contact_points_blend(ContactPoints a, ContactPoints b, Int 
 	return a;
 }
 
-// Returns the motion of the end of an arm in the solver (body_shift) minus its real motion. arm: the arm after the
-// motion.
+// Returns the motion of the end of an arm in the solver (body_shift) minus the real one. arm: after the motion.
 INLINE Vec contact_points_predicted(Vec turn, Real angle, Vec arm)
 {
 	return vec_sub(vec_spin(angle, arm), vec_sub(arm, vec_turn_back(turn, arm)));
 }
 
-// Computes the points from rows of the pools world_shape and contact_manifold; manifold contains both rows of the
-// contact, one after the other. When a point was computed, its places on a and on b coincided. The distance of the two
-// places along the normal is added to the separation. The solver turns arms with the bodies within the step. For a
-// predicted manifold, whose poses are in the future, this motion is subtracted from the separation.
+// Computes the points from rows of world_shape and from both rows of contact_manifold. The places of a point on a and b
+// coincided at first; their distance now, along the normal, is added to the separation. For a predicted manifold, whose
+// poses are in the future, the motion of arms that the solver turns within the step is subtracted.
 INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const Real manifold[16])
 {
 	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), from_a = vec(b[0] - a[0], b[1] - a[1]);

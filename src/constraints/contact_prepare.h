@@ -11,8 +11,7 @@ INLINE void prepare_depth(const Pools* p, Real separation)
 	raise_lanes(&p->counters->penetration, -separation, deeper);
 }
 
-// Counts a press if a contact is deep in a static or a kinematic collidable, which is the second collidable of its
-// pair.
+// Counts a press if a contact is deep in a static or kinematic collidable, which is the second one of its pair.
 INLINE void prepare_press(const Pools* p, int i, Real separation)
 {
 	Word deep = p->step.presses ? lane_bits(separation < splat(-PRESS_FROM)) : 0;

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// coupling.h -- computes the one coordinate of a gear or a pulley: a sum of measures of the two bodies in the world.
+// coupling.h -- computes the one coordinate of a gear or a pulley: along = measure of b + ratio * measure of a.
 //
-//     along = measure of b + ratio * measure of a
-//
-// A side measures a frame of its body in its base, a frame of the world that does not move: the angle over all turns,
-// the translation of the anchor along the base's x axis, or the distance of the anchor from the base. Locks, limits,
-// springs and motors act on this coordinate as on the coordinates of other joints.
+// The measure of a body is that of its frame in its base, a frame of the world that does not move: the angle over all
+// turns, the translation of the anchor along the base's x axis, or the distance of the anchor from the base. Locks,
+// limits, springs and motors act on this coordinate as on those of other joints.
 //
 // This work is based on:
 // Erin Catto, Iterative Dynamics with Temporal Coherence, GDC 2005: constraints as Jacobians, one body at a time.

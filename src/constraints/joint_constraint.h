@@ -4,13 +4,12 @@
 //     d = anchor of b - anchor of a      u = axis      w = left of u
 //     along = u . d      across = w . d      angle = angle of b - angle of a
 //
-// The coordinates that are locked are solved together, as a symmetric 3 x 3 system. Limits, springs and motors
-// (joint_drive.h) are solved before the locks, because locks have priority.
+// Locked coordinates are solved together, as a symmetric 3 x 3 system, after limits, springs and motors
+// (joint_drive.h), because locks have priority.
 //
-// Warm starting. Arms turn within a step, so the same impulses do not change velocities by the same amount in each
-// substep, as integrate.h assumes. Therefore a joint stores the impulses that it applied to its two bodies. In the bias
-// pass it first applies the difference between these stored impulses and the effect of its impulses at the current
-// arms.
+// Arms turn within a step, so the same impulses do not change velocities by the same amount in each substep, as
+// integrate.h assumes. Therefore a joint stores the impulses applied to its bodies. The bias pass first applies the
+// difference between these and the effect of the joint's impulses at the current arms.
 //
 // This work is based on:
 // Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024: a bias pass and a relax pass per substep.
@@ -251,10 +250,9 @@ INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real valu
 	return blend(zero, value - minimum(maximum(value, lower), upper), limited);
 }
 
-// Shortens the arm of body a. It ends at the anchor of b, so that no impulse of the joint changes the angular momentum.
-// If rigid locks, or a pair of soft ones, are so far off that impulses on the arm would turn a rather than pull b back,
-// the arm ends nearer to a's own anchor. Otherwise the impulses would turn a with a force that other joints of a cannot
-// hold.
+// Shortens the arm of body a. It ends at the anchor of b, so that no impulse of the joint changes the angular momentum;
+// but if locks are so far off that impulses on the arm would turn a rather than pull b back, the arm ends nearer to a's
+// own anchor. Otherwise the impulses would turn a with a force that other joints of a cannot hold.
 INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), off[2], square = zero;

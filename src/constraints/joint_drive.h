@@ -60,8 +60,7 @@ INLINE Real joint_spring(const JointDrive* d, Real yield, Real speed, Real error
 	return bounded_impulse(d->spring_impulse + change);
 }
 
-// Returns the impulse of a spring in the relax pass. A spring at its bound stays there, because its excess over the
-// bound is known only in the bias pass.
+// Returns the impulse of a spring in relax; at its bound it stays unchanged, because only bias computes the excess.
 INLINE Real joint_spring_relaxed(const JointDrive* d, Real yield, Real speed, Int full)
 {
 	Real old = d->spring_impulse;
@@ -74,8 +73,7 @@ INLINE Real joint_spring_bounded(const JointDrive* d, Real impulse)
 	return minimum(d->spring_most, maximum(d->spring_least, impulse));
 }
 
-// Returns the part of a spring's impulse that the motor and the limit of the same coordinate do not cancel with
-// opposite impulses.
+// Returns the part of a spring's impulse that motor and limit of the same coordinate do not cancel.
 INLINE Real joint_spring_left(const JointDrive* d)
 {
 	Real zero = splat(0.0f), whole = d->spring_impulse, left = joint_drive_sum(d);
@@ -97,8 +95,7 @@ INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, int k, Real a
 	return blend(soft ? maximum(d->limit_rate * ahead, -most) : zero, p->step.inv_h * ahead, ahead > zero);
 }
 
-// Returns the impulse of the nearer limit. The limit ends an approach exactly at its position (s > 0); beyond this
-// position it is as soft as a lock.
+// Returns the nearer limit's impulse: it stops an approach at its position (s > 0); beyond, it is as soft as a lock.
 INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, Real speed, Real value, int soft)
 {
 	Real zero = splat(0.0f), below = value - d->lower, above = d->upper - value;
@@ -111,8 +108,7 @@ INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, 
 }
 
 // Returns the target speed of a motor: the user's speed, reduced so that it does not lead through the nearer limit.
-// Otherwise, opposite impulses of motor and limit would both grow to the motor's maximum, and the limit would give way:
-// a slider of 1 kg moves 29 m at 1e8 N.
+// Otherwise motor and limit would push with the motor's maximum, and the limit would yield: 1 kg moves 29 m at 1e8 N.
 INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, int k, Real value, Int limit, int soft)
 {
 	Real below = value - d->lower, above = d->upper - value;
@@ -213,8 +209,7 @@ OUT_OF_LINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, Join
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
-		// bounds along and across before the angle is solved; otherwise the motor of the angle would hold against
-		// impulses that are taken back later
+		// bounds along and across first: otherwise the angle's motor would hold against impulses taken back later
 		if (k == JOINT_ANGLE && p->step.has_drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 			joint_drive_together(p, i, u, c);
 		if (joint_drives(p, u, k))

@@ -4,7 +4,7 @@
 #define JOINT_LOCKS_H
 #include "constraints/joint_drive.h"
 
-#define JOINT_LEAST_YIELD 1.0e-6f // minimum of d2 below, as a share of the angle's yield: less is rounding
+#define JOINT_LEAST_YIELD 1.0e-6f // minimum of JointFactors.d2, as a share of the angle's yield; less is rounding
 
 // m/s, rad/s: maximum speed at which errors are corrected in a chain. Frames that are far apart, because a body was
 // teleported or a contact held it back, then come together without a blow. Other joints correct distances at up to
@@ -32,8 +32,7 @@ INLINE Real joint_softer(Real softness, Real own)
 }
 
 // Returns the softness of element ij of the matrix, as a share of the rigid element; 0 if a lock is soft. Two rigid
-// locks share one softness, independent of the directions of their axes. With separate softnesses, two locks that pull
-// at a long arm oblique to both axes would give way along the arm by the yield of the lever.
+// locks share one softness; otherwise both together would give way along a long arm that is oblique to their axes.
 INLINE Real joint_soft_pair(const Joint* u, const Real softness[3], int i, int j)
 {
 	return blend(minimum(softness[i], softness[j]), splat(0.0f), joint_has(u, JOINT_SOFT(i) | JOINT_SOFT(j)));
@@ -58,12 +57,9 @@ INLINE Int joint_springs_alone(const Pools* p, int i)
 	return load(&joint_rare(p, springs_alone, i), 0) > splat(0.0f);
 }
 
-// Replaces the equations of the rigid locks of joints that also have springs. The pull of the springs on the locks is
-// already computed, so the locks hold against this pull without yielding. Otherwise a spring on an arm would swing more
-// slowly, and the locks would damp the arm. Only the rest of the locks' impulses is soft:
-//
+// Replaces the equations of rigid locks of joints with springs. The pull of the springs is already computed, so the
+// locks do not yield to it; otherwise springs would swing more slowly and arms be damped. Only the rest is soft:
 //     K x = -(s + b C) / (1 + g) - g / (1 + g) K P      P: impulses of locks and springs
-//
 // This holds only if no other constraint holds the bodies: two such joints of a body would alternately add energy.
 INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const JointPose* c, const Real speed[3],
                                JointSystem* s)
@@ -98,8 +94,7 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 }
 
 // Returns the equations of the locks without goals, which depend on velocities. Free coordinates have rows of the
-// identity matrix. Springs pull with their full force, not at a bounded speed. chained: the joint is solved together
-// with a chain.
+// identity matrix. Springs pull with their full force, at any speed. chained: 1 for a joint of a chain.
 OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chained, float fastest, const Joint* u,
                                      const JointPose* c)
 {
@@ -163,8 +158,7 @@ typedef struct // the equations as L D L^T
 	Real first, l01, l02, d1, l12, d2;
 } JointFactors;
 
-// Factors the equations. mass, 1/kg: in exact arithmetic, the yield of two locked translations is at least this, the
-// sum of the inverse masses.
+// mass, 1/kg: sum of the inverse masses; in exact arithmetic, two locked translations yield at least as much.
 INLINE JointFactors joint_factor(const JointSystem* s, Real mass)
 {
 	JointFactors f;

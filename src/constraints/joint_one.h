@@ -5,8 +5,7 @@
 #include "constraints/coupling_one.h"
 #include "constraints/path_one.h"
 
-// Returns the last angle of a joint over all turns: from the place of the joint, or from its slot if the joint rests
-// and has no place.
+// Returns the last angle of a joint over all turns, from its place, or from its slot if it rests and has no place.
 INLINE float joint_turned_last(const Pools* p, int slot)
 {
 	int place = p->joint_place[slot];

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// joint_pass.h -- executes a pass over a joint: a part that depends on positions only, then a part that depends on
-// velocities.
+// joint_pass.h -- executes a pass over a joint: a part that depends on positions only, then one that needs velocities.
 #ifndef JOINT_PASS_H
 #define JOINT_PASS_H
 #include "constraints/contact_constraint.h"
@@ -15,8 +14,7 @@
 // hand by more than a fifth of max_spin. With a lower limit, a joint opens again after the impact.
 #define JOINT_BLOW 5.0f
 
-// Adds solution x to the impulses of the locks; clears those of coordinates without a lock. turns: lanes in which the
-// angle has a lock.
+// Adds x to the impulses of the locks; clears impulses without a lock. turns: lanes in which the angle has a lock.
 INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
 {
 	Real zero = splat(0.0f), old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
@@ -43,8 +41,7 @@ INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, 
 	return pull;
 }
 
-// Share of a body's inertia. If the pull of one joint is larger, taut.h sums the pulls of all joints of each body in
-// the next step.
+// Share of a body's inertia: if a joint's pull is larger, taut.h sums all pulls at each body in the next step.
 #define JOINT_TAUT 0.25f
 
 INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Vec push)
@@ -55,10 +52,9 @@ INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Ve
 		raise_int(&p->counters->taut, 1);
 }
 
-// Applies the impulses of the last step, as a share if they would change the velocities by more than an allowed
-// share of max_speed and max_spin, because an impact must not be repeated. The allowed share grows while a joint
-// carries an impulse from step to step: such an impulse is a load that the other joints of the bodies hold too, as in
-// the corner of a net, which carries the weight of all knots.
+// Applies the impulses of the last step, reduced if they would change the velocities by more than an allowed share of
+// max_speed and max_spin: an impact must not be repeated. The allowed share grows while a joint carries an impulse from
+// step to step, because this is a load, as in the corner of a net, which carries the weight of all knots.
 INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
@@ -91,8 +87,7 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_give(u, c, j);
 }
 
-// Returns the impulse to apply because the arms of a joint have turned since the last substep: the effect of the
-// joint's impulses now, minus their effect then.
+// Returns the impulse for the turn of a joint's arms since the last substep: the effect of its impulses now minus then.
 INLINE JointImpulse joint_turn_impulse(const Pools* p, int i, Joint* u, const JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
@@ -155,9 +150,8 @@ INLINE void joint_start(const Step* step, Joint* u)
 // requires in a substep. Larger corrections pull back a body that was placed away from the path.
 #define JOINT_BENDS 8.0f
 
-// Keeps the speed along of a bead that is pulled back to its path from afar. The bead turns around the center of the
-// path's circle, and would get faster as its distance shrinks: the axis along turns by (bend h along) in the substep,
-// and would turn this share of the speed across into speed along. The impulse is applied once, and is not warm started.
+// Keeps the speed along of a bead that is pulled back to its path from afar: the axis along turns by (bend h along) in
+// the substep, which would add this share of the speed across. The impulse is applied once, and is not warm started.
 INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), along = joint_speed_linear(c, JOINT_ALONG), across = joint_speed_linear(c, JOINT_ACROSS);
@@ -191,8 +185,7 @@ INLINE void joint_ready_locks(const Pools* p, int pass, int i, const Joint* u, c
 	ready->factors = joint_factor(&ready->system, c->mass);
 }
 
-// Computes the part of a pass that depends on positions. This is most of the work of a pass; on a GPU it runs while
-// other constraints compute the velocities.
+// Computes JointReady, most of the work of a pass; on a GPU, while other constraints compute the velocities.
 INLINE void joint_ready(const Pools* p, int pass, int i, const Body* a, const Body* b, Joint* u, JointReady* ready)
 {
 	if (pass == PASS_BOUNCE)
@@ -218,8 +211,7 @@ INLINE void joint_locks(const Pools* p, int pass, int i, JointReady* ready, Join
 	joint_hold(u, c, x, joint_has(u, JOINT_LOCKED(JOINT_ANGLE)));
 }
 
-// Executes a pass of joint i. held: result of joint_ready; null: the pass computes these values just before their use,
-// which takes fewer registers.
+// Executes a pass. held: result of joint_ready; null: computed just before its use, which takes fewer registers.
 INLINE void joint_pass(const Pools* p, int pass, int i, const JointReady* held, Joint* u, Body* a, Body* b)
 {
 	if (pass == PASS_BOUNCE)

@@ -19,8 +19,7 @@ INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(125829
 // at which errors are corrected is that of other joints: at a higher rate a chain whips when its end is suddenly moved.
 #define JOINT_CHAIN_STIFFER 4.0f
 
-// Computes the softness of a rigid lock or a limit (Catto, Soft Constraints, GDC 2011), and the rate at which its error
-// is corrected. hertz: Hz; rate: 1/s.
+// Computes softness and rate of correction, 1/s, of a rigid lock or a limit (Catto, Soft Constraints, GDC 2011).
 INLINE void joint_softness(const Pools* p, Real hertz, Real ratio, Real stiffer, Real* rate, Real* soft)
 {
 	Real omega = splat(TURN) * (stiffer * minimum(hertz, splat(JOINT_STIFFEST * p->step.inv_h)));
@@ -39,8 +38,7 @@ INLINE void joint_lock(const Pools* p, const Real joint[4], int k, Int chained, 
 	joint_softness(p, joint[0], joint[1], splat(JOINT_CHAIN_STIFFER), &chain_rate, &chain_soft);
 	*soft = blend(*soft, chain_soft, chained);
 
-	// Angles of a chain need not yield: a welded beam does not sag. Translations must yield, because otherwise the
-	// pull of a bridge of planks without slack has no limit.
+	// in a chain, angles do not yield: a welded beam does not sag. Translations do, to limit the pull of a tight bridge
 	if (k == JOINT_ANGLE)
 		*soft = blend(*soft, splat(0.0f), chained);
 }
@@ -83,8 +81,7 @@ INLINE Real joint_turned(const JointFrame* a, const JointFrame* b, Real last)
 	return angle + splat(TURN) * joint_round((last - angle) * splat(1.0f / TURN));
 }
 
-// Returns frame A. In lanes on a path (railed), the frame lies at the point that joint_follow found, along the tangent,
-// and offset is not used.
+// Returns frame A; on a path (railed) it lies at the point that joint_follow found, along the tangent, without offset.
 INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, Vec offset, Int railed)
 {
 	Vec foot = vec(load(&joint_rare(p, foot_x, i), 0), load(&joint_rare(p, foot_y, i), 0));

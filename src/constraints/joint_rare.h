@@ -34,9 +34,8 @@ INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 	return blend(zero, load(&joint_rare(p, foot_along, i), 0), railed);
 }
 
-// Keeps the impulse of a drive, or clears it if the user has removed the drive. A pass processes a coordinate without
-// drives only if another joint in its lanes has one, so an impulse that is left would make the result depend on the
-// other joints.
+// Keeps the impulse of a drive, or clears it if the user removed the drive. Passes skip coordinates without drives,
+// unless another joint in its lanes has one: the result would depend on the other joints if an impulse were left.
 #define JOINT_DRIVE_KEPT(k, name, mode)       \
 	store(&joint_drive_row(p, k, name, i), 0, \
 	      blend(splat(0.0f), load(&joint_drive_row(p, k, name, i), 0), joint_has(u, mode)))
@@ -68,10 +67,9 @@ INLINE Real joint_aim(const Joint* u, const JointPose* c, int k, Real target)
 	return blend(aim, splat(0.0f), joint_has(u, JOINT_LOCKED(k)));
 }
 
-// Returns the factor of the frequency and the damping ratio of a spring of coordinate k, so that its stiffness is
-// computed with the arms at which locks and springs are at their targets: the root of the yield with the current arms
-// divided by the yield with those arms. The current arm of body a ends at the anchor of b: a spring whose stiffness
-// followed this arm would pull less the longer it is, and lose its load.
+// Returns the factor of frequency and damping ratio of spring k that gives the stiffness at the targets of locks and
+// springs: root of the yield with the current arms divided by that with the arms there. The current arm of a ends at
+// the anchor of b: with this arm, a spring would pull less the longer it is, and lose its load.
 INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const JointPose* c, int k)
 {
 	Real one = splat(1.0f), zero = splat(0.0f), lock[4];
@@ -87,9 +85,8 @@ INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const Join
 	return root(blend(one, ratio, sound));
 }
 
-// Writes the rows of the spring of coordinate k, or of its soft lock, if some lane has a spring or a soft lock; a
-// coordinate has at most one of them. Frequency and ratio are defined for the stiffness at the target. rate, hold: rate
-// and softness of the lock, changed only in lanes with a soft lock.
+// Writes the rows of the spring or of the soft lock of coordinate k, if a lane has one; a coordinate has at most one.
+// Frequency and ratio hold at the target. rate, hold: rate and softness of the lock, changed only for soft locks.
 INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joint* u, const JointPose* c, Real beside,
                                Real alone, Real* rate, Real* hold)
 {
@@ -112,8 +109,7 @@ INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joi
 	*hold = blend(*hold, share * (one - answer) / answer, softens);
 }
 
-// Returns the number of constraints, including contacts, of the body of joint i that has more of them; bodies that
-// cannot move do not count. At least 1.
+// Returns the largest number of constraints of a body of joint i that can move, contacts included; at least 1.
 INLINE Real joint_most_beside(const Pools* p, int i, const JointPose* c)
 {
 	Real zero = splat(0.0f);

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-// joint_spring.h -- computes springs and soft locks of a joint, whose substeps follow the differential equation
-// exactly.
+// joint_spring.h -- computes springs and soft locks of a joint; substeps solve the differential equation exactly.
 //
 // A coordinate C with the speed v, a frequency o (rad/s) and a damping ratio z obeys C" + 2 z o C' + o^2 C = 0. Within
 // h it changes by the eigenvalues e^(h l), l^2 + 2 z o l + o^2 = 0, whose product D and sum T are known. A substep is
 //
-//     biased pass     v2 = keeps v - A C / h
-//     motion          C := C + h v2
-//     relaxing pass   v := (1 - relaxes) v2
+//     bias       v2 = keeps v - A C / h
+//     motion     C := C + h v2
+//     relax      v := (1 - relaxes) v2
 //
-// The eigenvalues of this substep are those of the equation if A = 1 - T + D and keeps (1 - relaxes) = D. With keeps =
-// A / (h o)^2, a load F rests at F / (m o^2), as on the spring itself. Thus an undamped spring swings for ever, and an
-// overdamped one creeps correctly.
+// It has the eigenvalues of the equation if A = 1 - T + D and keeps (1 - relaxes) = D. With keeps = A / (h o)^2, a load
+// F rests at F / (m o^2), as on the spring. So undamped springs swing for ever, and overdamped ones creep correctly.
 #ifndef JOINT_SPRING_H
 #define JOINT_SPRING_H
 #include "constraints/joint_constraint.h"
@@ -19,19 +17,17 @@
 #define TURN 6.28318531f
 
 #define JOINT_STIFFEST 0.25f // maximum frequency of a spring, as a share of the substep rate: stiffer springs shake
-// Bounds of (o h)^2, the square of the angle per substep, up to which a spring has exactly the given damping.
-// SPRING_FREE is the square at a twelfth of the substep rate; SPRING_SHARED divided by the number of constraints is
-// used if it is less. If all constraints of a body were such springs, the sum of their squares would then stay below
-// 2^2, the limit of stability of a body's motion in substeps. Stiffer springs are damped by at least SPRING_CALMS times
-// the excess. Without this damping, 2 springs at a quarter of the substep rate between the same bodies would add
-// energy, or 15 at a twelfth.
+// Bounds of (o h)^2, the square of the angle per substep, up to which a spring has exactly the given damping: the
+// lesser of SPRING_FREE, the square at a twelfth of the substep rate, and SPRING_SHARED divided by the number of
+// constraints, which keeps the sum over a body's springs below 2^2, the limit of stability. Stiffer springs are damped
+// by at least SPRING_CALMS times the excess; otherwise 2 springs at a quarter of the substep rate between the same
+// bodies would add energy, or 15 at a twelfth.
 #define SPRING_FREE   0.274155678f
 #define SPRING_SHARED 3.2f
 #define SPRING_CALMS  0.75f
-// Minimum damping ratio of springs of a joint whose bodies have other constraints, as a factor of the cube of the angle
-// per substep: 0.06 at 20 Hz and 4 substeps, 0.0009 at 5 Hz. The rigid locks of the other joints answer these springs
-// only in the next pass, which adds energy: without this damping, arms in a row, welded with 20 Hz, gained 17 % in a
-// second.
+// Minimum damping ratio of springs between bodies with other constraints, divided by the cube of the angle per substep:
+// 0.06 at 20 Hz and 4 substeps, 0.0009 at 5 Hz. Rigid locks of other joints answer springs only in the next pass, which
+// adds energy: without damping, arms in a row, welded with 20 Hz, gained 17 % in a second.
 #define SPRING_AMONG        0.4f
 #define SPRING_LEAST        1.0e-20f // square of the angle per substep below which a spring counts as absent
 #define SPRING_LEAST_YIELD  1.0e-6f // least share of its yield that rigid locks leave to a coordinate; less is rounding
@@ -64,10 +60,9 @@ typedef struct
 	Real keeps, pull, relaxes; // coefficients; pull: A
 } JointSpring;
 
-// Returns the coefficients of a spring with a frequency in hertz and a damping ratio, both defined for the coordinate's
-// yield without other locks. share: the yield while the rigid locks of the joint hold, as a share of that yield.
-// beside: largest number of constraints of a body of the joint, times the springs of the joint; alone: above 0 in
-// lanes whose bodies have no other constraints.
+// Returns the coefficients of a spring. hertz, ratio: for the coordinate's yield without other locks. share: the yield
+// while the rigid locks of the joint hold, as a share of that yield. beside: largest number of constraints of a body of
+// the joint, times its springs; alone: above 0 in lanes whose bodies have no other constraints.
 INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real share, Real beside, Real alone)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
@@ -84,8 +79,7 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 	// underdamped: e^-decay, and a circular angle
 	Real lost = spring_lost(decay), left = one - lost;
 	Real circular = lost * lost + left * spring_versine(blend(rest, zero, over));
-	// overdamped: two decays; the slow one is not computed as a difference, because it would be lost beside the fast
-	// one
+	// overdamped: two decays; the slow one is a quotient, because a difference would be lost beside the fast one
 	Real fast = decay + root(blend(zero, -rest, over));
 	Real slow = square / blend(one, fast, over);
 	Real pull = blend(circular, spring_lost(slow) * spring_lost(fast), over);
@@ -98,8 +92,7 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 	return s;
 }
 
-// 1/kg, 1/(kg m), 1/(kg m^2): Computes the change of speed of one coordinate by a unit impulse along another: 01, 02,
-// 12.
+// 1/kg for 01; 1/(kg m) for 02, 12: Computes the speed of one coordinate by a unit impulse along another.
 INLINE void joint_crosses(const JointPose* c, Real cross[3])
 {
 	Real ia = c->a.inv_inertia, ib = c->b.inv_inertia;
@@ -117,8 +110,7 @@ INLINE Int joint_rigid(const Joint* u, const JointPose* c, int k)
 	return joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k)) == 0) & (joint_yield(c, k) > splat(0.0f));
 }
 
-// Returns the yield of coordinate k while the rigid locks of its joint hold, as a share of its yield without them: a
-// Schur complement.
+// Returns the yield of coordinate k while rigid locks hold, as a share of its yield without: a Schur complement.
 INLINE Real joint_share_free(const Joint* u, const JointPose* c, int k)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), cross[3];

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// path_constraint.h -- computes the axes of joints on a path: within a step, a path is a circle whose curvature
-// changes.
+// path_constraint.h -- computes the axes of joints on a path: within a step, a circle whose curvature changes.
 //
 //     d = (x, y) in tangent and normal of the foot, the point of the path at the start of the step
 //     k = curvature there, l = change of curvature along the path, 1/m^2
 //     c = 1 - k y      s = k x      r = sqrt(c^2 + s^2)      cos = c / r      sin = s / r
 //     along = x / r * asin(sin) / sin      across = (1 - r) / k = (2 y - k (x^2 + y^2)) / (1 + r)      turn = k along
 //
-// The change of curvature adds l along^2 / 2 to the turn of the tangent, and subtracts l along^3 / 6 from across.
-//
-// With these formulas the axes follow the path in each substep, so that bodies lose no energy because of an outdated
-// tangent. The angle is measured from the tangent, which turns with the speed along: the row of the angle is that of a
-// free angle minus k times the row of along.
+// The change of curvature adds l along^2 / 2 to the turn of the tangent, and subtracts l along^3 / 6 from across. The
+// axes follow the path in each substep, because an outdated tangent would cost energy. The angle is measured from the
+// tangent, which turns with the speed along: its row is that of a free angle minus k times the row of along.
 #ifndef PATH_CONSTRAINT_H
 #define PATH_CONSTRAINT_H
 #include "constraints/angle.h"
@@ -59,7 +56,6 @@ OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	Vec turn = vec_turn(arc.turn, vec(one - q * (0.5f - q * (1.0f / 24.0f)), more * (one - q * (1.0f / 6.0f))));
 	Real angle = c->value[JOINT_ANGLE] - (bend * arc.along + more);
 	across = across - (more * arc.along * (1.0f / 3.0f) + load(&joint_rare(p, beside, i), 0));
-
 	// lanes that are not finite keep their axes, so that the other body of the joint is not affected
 	Int sound = c->railed & (absolute((across + arc.along) + (angle + (turn.x + turn.y))) <= splat(MOST_FLOAT));
 	turn = vec_blend(vec(one, zero), turn, sound);
@@ -67,7 +63,6 @@ OUT_OF_LINE void path_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	c->value[JOINT_ALONG] = blend(c->value[JOINT_ALONG], arc.along, sound);
 	c->value[JOINT_ACROSS] = blend(c->value[JOINT_ACROSS], across, sound);
 	c->value[JOINT_ANGLE] = blend(c->value[JOINT_ANGLE], angle, sound);
-
 	// both axes and their levers turn by the same angle
 	Vec axis = c->axis[0], levers_a = vec(c->lever_a[0], c->lever_a[1]), levers_b = vec(c->lever_b[0], c->lever_b[1]);
 	axis = vec_blend(axis, vec_turn(turn, axis), sound);

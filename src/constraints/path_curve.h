@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// path_curve.h -- computes points and tangents of a curve of samples, and finds the nearest point, on the device and
-// the host.
+// path_curve.h -- computes points, tangents and the nearest point of a curve of samples, on the device and the host.
 //
 // Between two samples, the curve is the cubic Hermite curve of their points and tangents. The samples are so dense that
 // the speed of the curve is nearly constant, so its parameter is a share of the arc length.
@@ -36,15 +35,13 @@ INLINE PathCurve path_curve(const GLOBAL PathSample* samples, int segments)
 INLINE Vec path_point(const PathCurve* c, int k) { return vec(c->samples[k].x, c->samples[k].y); }
 INLINE Vec path_tangent(const PathCurve* c, int k) { return vec(c->samples[k].tangent_x, c->samples[k].tangent_y); }
 
-// m: Returns the distance of a point ahead of sample k, along the tangent there; above 0, the point is nearer to the
-// segment behind sample k.
+// m: Returns the distance of a point ahead of sample k along its tangent; above 0, segment k is nearer to the point.
 INLINE float path_ahead(const PathCurve* c, int k, Vec point)
 {
 	return vec_dot(vec_sub(point, path_point(c, k)), path_tangent(c, k));
 }
 
-// Follows the curve from a segment while the distance to a point decreases. Returns the segment reached, and adds the
-// laps of a closed curve to *laps.
+// Follows the curve from a segment while the distance to a point decreases. Returns the last segment; adds to *laps.
 INLINE int path_descend(const PathCurve* c, Vec point, int segment, float* laps)
 {
 	int last = c->segments - 1, forward = path_ahead(c, segment + 1, point) > 0.0f;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // path_one.h -- finds the position of a joint on its path at the start of a step, for one joint at a time.
 //
-// Each search begins at the position of the last step, and follows the path while the distance to anchor b decreases.
-// Thus a joint stays on its branch of a path that crosses itself. The whole path is searched only for a new joint, or
-// after the user placed a body or a frame.
+// A search begins at the position of the last step and follows the path while the distance to anchor b decreases, so a
+// joint stays on its branch of a path that crosses itself. Only new and placed joints search the whole path.
 #ifndef PATH_ONE_H
 #define PATH_ONE_H
 #include "constraints/joint_prepare.h"
@@ -13,8 +12,7 @@
 #define PATH_SEEKS   1.0f // the next search starts at the last position, but another part of the path may be nearer
 #define PATH_NEW     2.0f // the next search starts at JointData.near
 
-// Factor by which another part of the path must be nearer, so that the joint changes to it. With less, joints would
-// change branches near a crossing.
+// Factor by which another part of the path must be nearer to get a joint; with less, joints change branch at crossings.
 #define PATH_NEARER 2.0f
 
 // Tolerance of the seam of a closed path, as a share of the spacing of samples: if the arc length of a new joint

@@ -4,19 +4,17 @@
 // A contact point lies at a corner of one core, and on an edge or at a corner of the other. Corner, edge and the
 // poses of the bodies are the complete state, so no stored point of a surface lags behind a roller.
 //
-// The forces of a step act along the normal while the bodies move on. Consider a roller whose geometry has the
-// stiffness k, which is load divided by mass and radius. A step of N substeps has the determinant 1 + ((N - 1) / (2 N)
-// - s) k dt^2 if the normal is computed for the time s of the step, from 0 to 1: at s = 0 the roller gains energy, at s
-// = 1 the roller loses some. Therefore the poses at the end of the step are used. If k dt^2 is too large, as for a
-// small body under a heap, the contact points are a mean of points that follow the bodies and points that are held
-// (contact_points.h).
+// The forces of a step act along the normal while the bodies move on. Let k, the stiffness of a roller, be its load
+// divided by mass and radius. If the normal is computed for the time s of the step, from 0 to 1, a step of N substeps
+// has the determinant 1 + ((N - 1) / (2 N) - s) k dt^2: at s = 0 the roller gains energy, at s = 1 it loses some.
+// Therefore the poses at the end of the step are used. If k dt^2 is too large, as for a small body under a heap, the
+// contact points are a mean of points that follow the bodies and held points (contact_points.h).
 #ifndef ROLLING_H
 #define ROLLING_H
 #include "constraints/contact_points.h"
 #include "constraints/sweep_closing.h"
 
-// Maximum of k dt^2 with which a contact follows fully; small, because bodies and their neighbors have several
-// contacts.
+// Maximum of k dt^2 with which a contact follows fully; small, because bodies and neighbors have several contacts.
 #define ROLLING_STIFFNESS 0.3f
 
 // Rolling resistance: maximum distance of the load ahead of the center, in units of the reach. It is a coefficient of
@@ -26,8 +24,7 @@
 #define ROLLING_TURN  0.3f
 #define ROLLING_LIGHT 0.003f // minimum k dt^2 for the resistance: it brakes bodies with less load no harder
 
-// Added to ROLLING_LEVER for a contact that is fully held. A stiff contact is partly held and sometimes recomputed,
-// which keeps it swinging.
+// Added to ROLLING_LEVER for a fully held contact: a stiff contact is sometimes recomputed, which keeps it swinging.
 #define ROLLING_STIFF_LEVER 0.05f
 
 typedef struct // motion of a body until the end of the step; positions are relative to the origin of collidable a
@@ -60,8 +57,7 @@ INLINE Vec rolling_arm(Rolling r, Vec place)
 // Returns the displacement that the solver computes for the point at an arm.
 INLINE Vec rolling_moves(Rolling r, Vec arm) { return vec_add(vec_sub(r.then, r.center), vec_spin(r.angle, arm)); }
 
-// Returns the corner that a feature names, which is more exact than the stored point. Returns point in other lanes:
-// those where `wanted` is 0, and those whose feature is not a corner.
+// Returns the corner that a feature names, more exact than point; point if it names no corner or `wanted` is 0.
 INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, Vec point, Int wanted)
 {
 	Int vertex = shape * (int)(sizeof(Attribute) / sizeof(float)) + 2 * (name & (MAX_CORNERS - 1));
@@ -107,8 +103,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 		}
 		Real gap = vec_dot(points.normal, between) - radius_a - radius_b;
 
-		// anchors start at the center of the body that has the corner: the other body may be large, with its center far
-		// away
+		// anchors start at the center of the body that has the corner: the center of the other may be far away
 		Vec from_a = vec_add(arm_a, vec_scale(radius_a + 0.5f * gap, points.normal));
 		Vec from_b = vec_sub(vec_sub(arm_b, vec_scale(radius_b + 0.5f * gap, points.normal)), points.offset);
 		arm_a = vec_blend(from_b, from_a, by_a);
@@ -150,8 +145,7 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	Real follows = ROLLING_STIFFNESS / stiffness;
 	share = blend(share, share * follows, stiff);
 
-	// shift of the points along the tangent, so that the load opposes the relative rotation; limited so that it does
-	// not reverse this rotation
+	// shift of the points along the tangent: the load opposes the relative rotation, but does not reverse it
 	Real rate = ROLLING_TURN / maximum(stiffness, splat(ROLLING_LIGHT));
 	Real turn = (advance_b.turn - advance_a.turn) * rate;
 	Real most = blend(splat(ROLLING_LEVER), ROLLING_LEVER + ROLLING_STIFF_LEVER * (1.0f - follows), stiff);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// schedule.h -- the order of a solve: its passes over the constraints, and the motion of bodies between them.
-//
+// schedule.h -- defines the order of a solve: its passes over the constraints, and the motion of bodies between them.
 //     warm start; in each substep accelerate, bias, move, relax; then the restitution pass, if something can bounce
-//
 // Passes are numbered from 0. The CPU, all forms of OpenCL and the estimate of memory traffic use this file.
 #ifndef SCHEDULE_H
 #define SCHEDULE_H
@@ -26,7 +24,6 @@ INLINE int schedule_pass(int substeps, int q)
 	return q == 0 ? PASS_WARM_START : q > 2 * substeps ? PASS_BOUNCE : q & 1 ? PASS_BIAS : PASS_RELAX;
 }
 
-// Returns the motion of a body before pass q.
 INLINE int schedule_before(int substeps, int q)
 {
 	return q == 0 || q > 2 * substeps ? BODY_STAYS : q & 1 ? BODY_ACCELERATES : BODY_MOVES;

@@ -14,8 +14,7 @@ typedef struct
 	Real sine, versine; // sine of da, and cosine minus 1
 } Body;
 
-// Computes sine and cosine - 1 of the angle da by series. Error: 2e-4 at 1 rad, 0.53 at pi, the maximum that max_spin
-// allows.
+// Computes sine and cosine - 1 of da by series. Error: 2e-4 at 1 rad; 0.53 at pi, the maximum that max_spin allows.
 INLINE void body_turn(Body* b)
 {
 	Real square = b->da * b->da;
@@ -55,9 +54,8 @@ INLINE Vec body_displacement(Body b, Vec r)
 	return vec(b.d.x + (b.versine * r.x - b.sine * r.y), b.d.y + (b.sine * r.x + b.versine * r.y));
 }
 
-// Returns the displacement of the point at arm r, to first order of the turn, for contacts: a wheel that turns does not
-// leave the ground, although the point that touched does. Rows of contacts are prepared so that gaps are exact at the
-// end of the step.
+// Returns the displacement of the point at arm r to first order, for contacts: a wheel that turns does not leave the
+// ground, although the point that touched does. Prepared rows make gaps exact at the end of the step.
 INLINE Vec body_shift(Body b, Vec r) { return vec_add(b.d, vec_spin(b.da, r)); }
 
 INLINE Vec body_velocity_at(Body b, Vec r) { return vec_add(b.v, vec_spin(b.w, r)); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sweep_closing.h -- computes the approach of two collidables within the step, from their velocities.
-//
-// Time is a share of the step, from 0 to 1, so velocities are in metres and radians per step.
+// Time is a share of the step, from 0 to 1, so velocities are in meters and radians per step.
 #ifndef SWEEP_CLOSING_H
 #define SWEEP_CLOSING_H
 #include "dialect/finite.h"
@@ -88,8 +87,7 @@ INLINE Advance sweep_advance_of(const Step* step, Vec v, Real w)
 	return advance;
 }
 
-// Returns the motion of a collidable. core: distance of the farthest point of the core from the origin of the
-// collidable, m.
+// Returns the motion of a collidable. core, m: distance of the farthest point of the core from the origin.
 INLINE Sweep sweep_with(Advance advance, Vec center, Real core)
 {
 	Sweep s;
@@ -118,9 +116,8 @@ INLINE Closing sweep_apart(Vec between, Sweep sa, Sweep sb)
 	return c;
 }
 
-// Sets the tolerances of a closing to those of its pair. If one of two fast bodies is stopped within the step, the two
-// may meet although they do not approach. Therefore the pair has points up to the distance that either of the two
-// moves, but at most SPECULATIVE_DISTANCE.
+// Sets the tolerances of a pair. If one of two fast bodies is stopped within the step, they may meet although they do
+// not approach. So the pair has points up to the distance that either body moves, but at most SPECULATIVE_DISTANCE.
 INLINE void sweep_fine(const Step* step, Closing* c, Int moved)
 {
 	if (!step->small)

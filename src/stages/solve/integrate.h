@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 // integrate.h -- accelerates or moves bodies between two passes of the solve.
 //
-// Warm starting needs no pass over the contacts. Anchors and normals are constant within a step, so the contacts'
-// impulses of one substep would change a body's velocity by the same amount in the next substep. This amount is the
-// velocity after the relax pass minus the velocity before any impulse (the pool base); integrate_velocity adds it.
+// Warm starting needs no pass over contacts. Anchors and normals are constant within a step, so the impulses of a
+// substep change a velocity equally in the next one: by the velocity after relax minus that before any impulse (base).
 #ifndef INTEGRATE_H
 #define INTEGRATE_H
 #include "constraints/solver_body.h"
 #include "dialect/finite.h"
 
-// Adds the acceleration and, as warm start, the change of velocity by the contacts in the last substep. b, m, base:
-// pool rows. In the first substep, base is the velocity without the warm start, which the velocity in b already
-// contains.
+// Adds the acceleration and, as warm start, the change of velocity by contacts in the last substep. b, m, base: rows of
+// pools. In the first substep, base is the velocity without the warm start, which b already contains.
 INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base, int first)
 {
 	Vec v = vec(b[0], b[1]), contacts = vec_sub(v, vec(base[0], base[1]));
@@ -29,8 +27,7 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	v.y = m[7] * finite_of(linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
 	w = number_of(angular * w + h * (b[7] * m[2])); // the limit below makes it finite
 
-	// limits only the velocity without the change by contacts. This change must match the impulses of the contacts;
-	// otherwise they would take back more
+	// limits the velocity without the change by contacts, which must match their impulses; else contacts take back more
 	v = vec_scale(vec_shrink(v, step->max_speed), v);
 	w = within(w, splat(step->max_spin));
 	base[0] = v.x;
@@ -46,7 +43,7 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 
 INLINE void body_move(const Step* step, Real* b, const Real* m)
 {
-	// limits the motion: a larger rotation would look like one in the other direction, and the body would jump
+	// limits the motion: a larger rotation would count as one in the other direction, and the body would jump
 	float h = step->h;
 	b[4] = b[4] + h * (m[6] * within(b[0], splat(step->max_speed)));
 	b[5] = b[5] + h * (m[7] * within(b[1], splat(step->max_speed)));

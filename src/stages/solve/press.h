@@ -14,16 +14,14 @@
 #include "constraints/joint_prepare.h"
 #include "stages/geometry/sweep.h"
 
-// cosine between a normal and a way: if it is larger, the way continues along the normal. With a smaller limit, carts
-// press the floor.
+// cosine between normal and way above which the way continues along the normal; with less, carts press the floor
 #define PRESS_ALONG 0.15f
 
 #define PRESS_HOPS   63   // largest number of hops of a way, and so of bodies in a row through which a press acts
 #define PRESS_STEPS  32   // steps after a press in which a body leaves no faster than it was pressed
-#define PRESS_SLOWER 0.9f // fraction of its speed per step that a body between presser and static body keeps, if faster
+#define PRESS_SLOWER 0.9f // fraction of its speed that a pressed body keeps per step if it is faster than the presser
 
-// Way of a contact in the pool contact_press, of kind 0 (static) or 1 (kinematic): 6 bits of hops, and PRESS_BACK if it
-// goes from b to a.
+// Way in the pool contact_press, of kind 0 (static) or 1 (kinematic): 6 bits of hops; PRESS_BACK: from b to a.
 #define PRESS_WAY(bits, kind) ((int)((bits) >> (kind)*7 & 127u))
 #define PRESS_BACK            64
 
@@ -54,8 +52,7 @@ INLINE int press_left(int code, Vec normal)
 	return along && code >> 16 > 1 ? (code >> 16) - 1 : 0;
 }
 
-// Returns whether the press kernels do nothing: they were started before the host read the counters, and the layout has
-// changed since.
+// Returns whether kernels that were started before the host read the counters do nothing: the layout has changed.
 INLINE int press_waits(const Pools* p) { return (p->argument & PRESS_MAY_WAIT) && !p->counters->kept; }
 
 // Returns the slot of the contact at place i, -1 for none.
@@ -80,8 +77,7 @@ typedef struct // data of a contact that all rounds use
 
 #define PRESS_NONE 2.0f // value of normal_x for a contact whose data is not computed yet
 
-// Stores the data of the contact at place i in its rows, which are free until the solve prepares them. Returns the
-// data.
+// Stores data of the contact at place i in rows that are free until the solve prepares them. Returns the data.
 INLINE PressContact press_keep(const Pools* p, int i, const ContactPoints* at)
 {
 	PressContact facts;
@@ -107,7 +103,7 @@ INLINE PressContact press_facts(const Pools* p, int i, int slot)
 	return facts;
 }
 
-// m/s: largest speed of the kinematic body at the points of contact i that overlap and approach
+// m/s: Returns the largest speed of the kinematic body at the points of contact i that overlap and approach
 INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
 {
 	WorldShape a = p->world_shape[p->pair[i].x], b = p->world_shape[p->pair[i].y];
@@ -161,8 +157,7 @@ RARE void press_start(const Pools* p, int i, int slot, int lasts)
 		raise_int(&p->press[body].speed, float_bits(press_pushes(p, slot, at)));
 }
 
-// Item: a place of contacts. Gives its bodies the ways that the contact has stored, and those that start at the
-// contact.
+// Item: a place of contacts. Gives its bodies the ways that the contact stored, and ways that start there.
 KERNEL(press_gather)
 {
 	int slot = press_slot(p, i);
@@ -208,8 +203,7 @@ KERNEL(press_gather)
 
 #define PRESS_HOLDS(k) (JOINT_LOCKED(k) | JOINT_SPRING(k)) // modes that hold the anchors together along coordinate k
 
-// Item: a joint to a body that cannot move. If the anchors are far apart, the joint drags the other body: starts a way,
-// as of a presser with max_speed.
+// Item: a joint. If one body cannot move and the anchors are far apart, starts a way, as of a presser with max_speed.
 KERNEL(press_joint)
 {
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// taut.h -- computes the inertia that the pull of joints requires, summed over all colored joints of a body, as in a
-// loaded net.
+// taut.h -- computes the inertia that the pull of all colored joints of a body requires, as in a loaded net.
 //
 // A short body between two joints that pull at it is like a piece of a string: it swings faster than substeps can
 // resolve, and the corner of a net opens. As in a chain (chain_stiff.h), its inertia for the step is that of an
-// implicit integration of the pull, the sum of h (arm . pull), if this exceeds its own inertia. These kernels run only
-// after a step in which the pull of some joint was near this limit (joint_tautens).
+// implicit integration of the pull, the sum of h (arm . pull), if that is larger. These kernels run only after a step
+// with a pull near this limit (joint_tautens).
 #ifndef TAUT_H
 #define TAUT_H
 #include "constraints/constraint_kinds.h"

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
-// branch.h -- runs a pass over a branch: joints whose bodies form a tree are solved exactly, from its ends to its root
-// and back.
+// branch.h -- runs a pass over a branch: solves joints of a tree of bodies exactly, from its ends to its root and back.
 //
 // A pass from joint to joint over a light body that carries heavy ones leaves an error that travels around the light
-// body, in the order of the joints. The warm start extrapolates this error, and the bias integrates it: wheels with
-// heavy spokes shook themselves apart. So the host finds such trees (src/world/chain/chains.c). Like the joints of
-// chains, the joints of branches have no color and are solved after the colors of a pass.
+// body, in the order of the joints. Warm start extrapolates this error, and bias integrates it: wheels with heavy
+// spokes shook themselves apart. So the host finds such trees (src/world/chain/chains.c). Like chains, they have no
+// color and are solved after the colors.
 //
 // Each node is a body with its joint toward the root. Let u be the change of the velocity of the parent body, and w
 // that of the node's own body. The impulses x of the joint satisfy (softness) x = goal - J u - K w. Together with all
 // bodies below it, the node has the inertia A and gets the push f: A w = f + K^T x. Elimination of w gives
 //
-// x = B (goal - K A^-1 f - J u),     B = (softness + K A^-1 K^T)^-1
+//     x = B (goal - K A^-1 f - J u),     B = (softness + K A^-1 K^T)^-1
 //
 // so the node acts on its parent like the inertia J^T B J and the push J^T B (goal - K A^-1 f). These inertias and
-// pushes are summed from the ends to the root; then the changes are computed from the root to the ends, in as many
-// steps as joints.
+// pushes are summed from the ends to the root; then the changes are computed from the root to the ends.
 //
 // This work is based on:
 // Roy Featherstone, The Calculation of Robot Dynamics Using Articulated-Body Inertias, 1983.
@@ -24,8 +22,7 @@
 #define BRANCH_H
 #include "stages/solve/chain/branch_drive.h"
 
-// Fraction of the upper body's yield that is added if the lower body cannot rotate. It multiplies changes of impulses
-// only, so the joint gets no softer.
+// Fraction of the upper body's yield added if the lower body cannot rotate; it multiplies changes of impulses only.
 #define BRANCH_GIVE   1.0e-3f
 #define BRANCH_TRIALS 4 // maximum of repeated solutions in a pass, after motors or limits reached their bounds
 
@@ -50,17 +47,13 @@ INLINE Branch branch_number(const Pools* p, int i)
 
 #define BRANCH_BELOW(c, node) for (int c = (node).first; c < (node).first + (node).count; ++c)
 
-// Impulses of joints on their bodies.
-
-// Loads the joint of a node with its bodies. The joint is inert if the node is a root without a joint, or if the joint
-// broke.
+// Loads the joint of a node with its bodies; it is inert for a root without a joint, or if the joint broke.
 INLINE void branch_load(const Pools* p, const Branch* branch, int k, ChainLink* link)
 {
 	chain_load_posed(p, branch->chain.begin + branch->chain.at.first + k, link);
 }
 
-// Stores the impulses of a joint, and the changes of its bodies' velocities. Other joints change the same bodies at the
-// same time, so branch_gather adds the changes afterwards.
+// Stores impulses of a joint and changes of its bodies' velocities; branch_gather adds these, as joints share bodies.
 INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const ChainLink* link)
 {
 	int b = BRANCH_NODE(p, branch, k).side;
@@ -75,8 +68,7 @@ INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const Chain
 	}
 }
 
-// Adds to each body the stored changes of its joints: first that of its joint toward the root, then those of the other
-// joints in their order.
+// Adds to each body the stored changes of its joints: first of its joint toward the root, then of the others in order.
 INLINE void branch_gather(const Pools* p, const Branch* branch)
 {
 	group_meet();
@@ -130,10 +122,7 @@ INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
 	group_meet();
 }
 
-// Elimination from the ends to the root, and substitution back.
-
-// Inverts a symmetric 3 x 3 block by L D L^T; its elements are 00, 01, 02, 11, 12, 22. least1, least2: lower limits of
-// the pivots.
+// Inverts a symmetric 3 x 3 block (00, 01, 02, 11, 12, 22) by L D L^T. least1, least2: lower limits of the pivots.
 INLINE void branch_invert(const float m[6], float least1, float least2, float b[6])
 {
 	float d0 = 1.0f / m[0], l1 = m[1] * d0, l2 = m[2] * d0, pivot1 = m[3] - l1 * m[1];
@@ -155,8 +144,7 @@ INLINE void branch_times(const float b[6], const float x[3], float y[3])
 	y[2] = b[2] * x[0] + b[4] * x[1] + b[5] * x[2];
 }
 
-// Computes the rows of a joint for one of its bodies: row[k] maps x, y, angular velocity to speed k. b: 1 for the body
-// at side b, 0 for the body at side a.
+// Computes the rows of a joint for body b (b: 1) or a (0): row[k] maps x, y, angular velocity to speed k.
 INLINE void branch_rows(const JointPose* c, int b, const int locked[3], float row[3][3])
 {
 	float sign = b ? 1.0f : -1.0f;
@@ -335,8 +323,7 @@ INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int has
 	}
 }
 
-// Sets each drive that the solution takes beyond its bound to the bound, and applies nothing else of the solution.
-// Returns whether there is such a drive.
+// Sets each drive that the solution takes beyond its bound to the bound, and nothing else. Returns whether one was set.
 INLINE int branch_bound(const Pools* p, const Branch* branch)
 {
 	int found = 0;
@@ -390,8 +377,7 @@ GROUP_KERNEL(branch)
 		branch_locks(p, &branch, p->argument);
 }
 
-// Sets the inertias of bodies for the step, as for chains: the inertia that the tension of a body's joints requires, if
-// it exceeds the body's own inertia.
+// Sets the inertias for the step as for chains: that required by the tension of a body's joints, or its own if larger.
 GROUP_KERNEL(branch_begin)
 {
 	(void)bench;

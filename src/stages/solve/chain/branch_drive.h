@@ -22,8 +22,7 @@ INLINE int branch_holder(const JointDrive* d, int modes, int k)
 	return modes & JOINT_MOTOR(k) && absolute(d->motor_impulse) < d->motor_most ? HELD_BY_MOTOR : HELD_BY_NONE;
 }
 
-// Adds the equations of motors and limits to those of the locks. Returns the drives that hold coordinates, two bits per
-// coordinate.
+// Adds the equations of motors and limits to those of the locks. Returns the holding drives, 2 bits per coordinate.
 INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* link, JointSystem* s)
 {
 	int modes = (int)link->u.modes, held = 0;
@@ -75,8 +74,7 @@ INLINE void branch_set(const Pools* p, int place, int holder, int k, float now, 
 	                         k == JOINT_ANGLE ? change : 0.0f));
 }
 
-// Sets each drive of a joint that a solution takes beyond its bound to the bound. Returns whether there is such a
-// drive.
+// Sets each drive of a joint that a solution takes beyond its bound to the bound. Returns whether one was set.
 INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], ChainLink* link)
 {
 	int found = 0;
@@ -95,8 +93,7 @@ INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], 
 	return found;
 }
 
-// Adds a solution to the impulses of the drives that hold coordinates. Clears the components of these drives in x; the
-// remaining components are for the locks.
+// Adds a solution to the impulses of holding drives, and clears their components in x; the rest is for the locks.
 INLINE void branch_drive(const Pools* p, int place, int held, float x[3], ChainLink* link)
 {
 	for (int k = 0; k < JOINT_COORDINATES; ++k)

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // chain.h -- runs a pass over a chain: the locks of joints in a row are solved together, exactly (chain_solve.h).
 //
-// A rope that carries a hundred times the mass of a link needs hundreds of passes from joint to joint until all links
-// carry the load. The host finds such rows of joints (src/world/chain/chains.c); they have no color, and are solved
-// after the colors of a pass.
+// A rope with a hundred times the mass of a link needs hundreds of passes from joint to joint until all links carry it.
+// The host finds such rows of joints (src/world/chain/chains.c); they have no color, and are solved after the colors.
 //
-// Joints 0, 2, 4, ... of a chain have no bodies in common, nor have joints 1, 3, 5, ...: a pass with several lanes
-// processes a block of one half at a time.
+// Even joints of a chain have no bodies in common, nor have odd ones: lanes process a block of one half at a time.
 #ifndef CHAIN_H
 #define CHAIN_H
 #include "stages/solve/chain/chain_stiff.h"
@@ -32,9 +30,8 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 		joint_drive_all(p, place, pass == PASS_BIAS, &link->u, &link->c);
 }
 
-// Factor of the diagonal. If joints hold a body more than once, as in a welded bridge, many solutions exist; a slightly
-// larger diagonal selects the smallest one. The factor multiplies changes of impulses only, so the chain gets no
-// softer.
+// Factor of the diagonal: slightly above 1, it selects the smallest of many solutions, which exist if joints hold a
+// body more than once, as in a welded bridge. It multiplies changes of impulses only, so the chain gets no softer.
 #define CHAIN_GIVE 1.00001f
 
 // Returns whether the angle of a joint, which is not locked, gets a separate damping impulse in bias and relax.
@@ -82,8 +79,7 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 	CHAIN_PUT(p, holds, spot, holds);
 }
 
-// Computes the coupling of a joint with the joint before it: the velocities along the joint's coordinates that unit
-// impulses of the joint before cause.
+// Computes the velocities along the coordinates of a joint that unit impulses of the joint before it cause.
 INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 {
 	int spot = place.spot;
@@ -136,8 +132,7 @@ INLINE void chain_give(const Pools* p, const Chain* chain, int spot, int pass)
 	chain_store(p, chain, spot, &link);
 }
 
-// Processes one half of a chain: its even or its odd joints. owns: 1 to run chain_own for each joint. builds: 1 to
-// compute the equations of each joint afterwards.
+// Processes the even or odd joints of a chain. owns: 1 to run chain_own; builds: 1 to compute equations afterwards.
 INLINE void chain_half(const Pools* p, const Chain* chain, int odd, int pass, int owns, int builds)
 {
 	if (!owns && !builds)
@@ -203,8 +198,7 @@ GROUP_KERNEL(chain)
 		Chain chain = chain_number(p, first + k);
 		if (LANES > 1 && chain_side(&chain))
 		{
-			// separate call in which stride and bits are constants; otherwise a tenth of the instructions would compute
-			// spots
+			// separate call with constant stride and bits; otherwise a tenth of the instructions would compute spots
 			chain.at.stride = MAX_LANES;
 			chain.at.bits = 1;
 			chain_pass(p, chain, p->argument);
@@ -217,9 +211,8 @@ GROUP_KERNEL(chain)
 	}
 }
 
-// Sets the inertias of the links before any constraint starts the step. Otherwise a constraint would rotate a link with
-// the link's own inertia, and the chain would take back a different angle with the inertia of the step. The difference
-// was a kick in every step, and ropes were torn through their pegs.
+// Sets the inertias of the links before any constraint acts; otherwise constraints would rotate a link with its own
+// inertia, and the chain would take back another angle with that of the step: a kick that tore ropes through pegs.
 GROUP_KERNEL(chain_begin)
 {
 	(void)bench;

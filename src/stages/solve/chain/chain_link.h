@@ -78,8 +78,7 @@ INLINE void chain_keep_pose(const Pools* p, int spot, const JointPose* c)
 	}
 }
 
-// Loads a joint with its stored pose and the inertias of the step, so that only half of the state of its bodies is
-// gathered.
+// Loads a joint with its stored pose and the step's inertias: only half of the state of its bodies is gathered.
 INLINE void chain_load_kept(const Pools* p, const Chain* chain, int spot, ChainLink* link)
 {
 	JointPose* c = &link->c;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// chain_solve.h -- solves the linear system of a chain by cyclic reduction: in each step, a work-group eliminates every
-// second joint.
+// chain_solve.h -- solves the linear system of a chain by cyclic reduction: each step eliminates every second joint.
 //
 // The system is symmetric and block tridiagonal, with one row of 3 x 3 blocks per joint. Its solution is exact, so a
 // load at one end acts on the other end within a pass, for any masses between them. A CPU processes LANES joints at
-// once: joints of the rows of one chain, until one row is left, or joints of several chains that are stored side by
-// side. Inert joints at the ends change no bit of the result.
+// once: joints of the rows of one chain, until one row is left, or of chains side by side. Inert joints at the ends
+// change no bit.
 //
 // This work is based on:
 // Bill Buzbee, Gene Golub, Clair Nielson, On Direct Methods for Solving Poisson's Equations, 1970: cyclic reduction.
@@ -25,7 +24,7 @@ typedef struct
 typedef struct // position of LANES joints
 {
 	int here, next; // offsets in the pool, in floats; -1 for none
-	int shift;      // 1 or -1: joints are one place further on or back in their row, which continues at next
+	int shift;      // 1 or -1: joints are shifted by one lane to the next or previous place; one lane is at next
 } ChainNear;
 
 // Number of rows of a ChainBlock. chain_offset returns the offset of a spot in such a row, in floats.
@@ -111,8 +110,7 @@ INLINE int chain_row_spot(const Chain* chain, int row, int n)
 	return at->first + (row & 1) * at->odds + (row >> 1) * at->length + n * at->stride;
 }
 
-// Returns the position of the joint that is far joints behind joint n of a row, or before it if far is negative. |far|
-// <= chain_rows.
+// Returns the position of the joint far joints behind joint n of a row; before it if far < 0. |far| <= chain_rows.
 INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 {
 	ChainNear near;
@@ -136,8 +134,7 @@ INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 	for (int row = (from); row < chain_rows(chain); row += (by)) \
 		for (int n = 0; n < (chain)->at.length; n += LANES)
 
-// Among the joints at every top-th place, eliminates every second one, row by row. chain_reduce_joints does the same
-// joint by joint.
+// Eliminates every second joint among those at every top-th place, row by row; chain_reduce_joints: joint by joint.
 INLINE void chain_reduce_rows(const Pools* p, const Chain* chain, int top)
 {
 	CHAIN_BLOCKS(row, n, chain, top, 2 * top)

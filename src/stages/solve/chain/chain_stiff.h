@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// chain_stiff.h -- starts a step of a chain: computes the inertias that the tension requires, and the bodies that
-// neighbors share.
+// chain_stiff.h -- starts a step of a chain: computes inertias that tension requires, and bodies that joints share.
 //
 // A link under tension is like a string: its sideways vibration may be faster than substeps can resolve, and the rope
 // whips apart. So for the step a link's inertia is enlarged to that of an implicit integration of the tension, if this
@@ -12,13 +11,11 @@
 #define CHAIN_STIFF_H
 #include "stages/solve/chain/chain_link.h"
 
-// A free angle is damped only if the damping exceeds the inertia divided by this value; otherwise the softness, which
-// is the inverse of the damping, could overflow sums.
+// Maximum of inertia / damping of a damped free angle; a larger softness, 1 / damping, could overflow sums.
 #define CHAIN_SLACKEST 1.0e12f
 #define CHAIN_SLOW     0.02f // factor in chain_slack
 
-// Computes the tension of a joint, kg m^2: the inertia that its pull adds to each of its bodies. Also stores the bodies
-// and their own inertias.
+// Computes the tension of a joint, kg m^2: inertia that its pull adds to each body. Stores bodies and own inertias.
 INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 {
 	ChainLink link;
@@ -46,8 +43,7 @@ typedef struct // masks: sides (of the joint, of the neighbor) at which a joint 
 	Int here_a, here_b, there_a;
 } ChainShared;
 
-// Returns the sides of the bodies that joints share with the neighbors at a position. Adds the neighbors' tension to
-// the tension of these bodies.
+// Returns the sides at which joints share bodies with neighbors. Adds the neighbors' tension at these bodies.
 INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* bodies)
 {
 	Int a = chain_near_int(p->chain_joints->body_a, neighbor), b = chain_near_int(p->chain_joints->body_b, neighbor);
@@ -72,9 +68,8 @@ INLINE Real chain_inertia(Real inverse, Real tension)
 
 // Returns the softness that damps a free angle between two links, 0 for no damping. An implicit integration of the
 // tension damps rotations by its inertia t in a substep. Only the fraction t / (CHAIN_SLOW I + t) of t is used, similar
-// to the fraction by which t enlarges the inertia I. The fraction is small for a pendulum, which loses nothing, and
-// large for neighbors that swing against each other. The impulse acts between the two links, so a whirled rope keeps
-// its momentum.
+// to that by which t enlarges the inertia I: small for a pendulum, which loses nothing, and large for neighbors that
+// swing against each other. The impulse acts between the two links, so a whirled rope keeps its momentum.
 INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
 {
 	Real zero = splat(0.0f), inverse = CHAIN_AT(p, own_a, spot) + CHAIN_AT(p, own_b, spot);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// hub.h -- solves each hub, a body with many contacts, exactly and together with all of its contacts.
+// hub.h -- solves each hub, a body with many contacts, exactly and together with all of these contacts, its spokes.
 //
 // This work is based on:
 // Richard Tonge, Feodor Benevolenski, Andrey Voroshilov, Mass Splitting for Jitter-Free Parallel Rigid Body Simulation,
 // 2012: mass splitting. A body that several hubs push at once is split into parts.
 //
-// A contact of a hub is a spoke; the body at its other end is the neighbor. For a given velocity of the hub each spoke
-// has its own response (spoke_answer.h). The sums of the responses and of their derivatives with respect to the hub's
-// velocity give three equations for the hub, which Newton's method solves. docs/hubs.md has the formulas.
+// Each spoke responds to the hub's velocity (spoke_answer.h). The sums of the responses and of their derivatives give
+// three equations for the hub, which Newton's method solves. docs/hubs.md has the formulas.
 #ifndef HUB_H
 #define HUB_H
 #include "constraints/schedule.h"
@@ -27,8 +26,7 @@
 #define HUB_EACH_COLUMN(c, h) for (int c = group_lane(); c < HUB_COLUMNS && c < (h)->count; c += group_width())
 #define HUB_EACH_OF(k, c, h)  for (int k = (h)->first + c; k < (h)->first + (h)->count; k += HUB_COLUMNS)
 
-// Returns the sum of 16 numbers with a stride, added by halves. used: number of the numbers that are read; the rest
-// count as 0.
+// Returns the sum of 16 numbers with a stride, added by halves; those from number `used` on count as 0.
 INLINE float hub_halve(const LOCAL float* x, int stride, int used)
 {
 	float sum[16];
@@ -59,9 +57,8 @@ INLINE void hub_add_columns(int used, int sums, LOCAL float* bench)
 	}
 }
 
-// Adds up the columns in local memory by halves, for each of several sums. A work-group does so in two rounds, each
-// over 16 numbers. There are few barriers, and no barrier depends on a condition; otherwise an OpenCL compiler for CPUs
-// would take many minutes.
+// Adds up the columns in local memory by halves, for each sum; a work-group in two rounds over 16 numbers each.
+// Barriers are few and depend on no condition; otherwise an OpenCL compiler for CPUs would take many minutes.
 INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB_SUMS])
 {
 	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, wide = group_width() > LANES;
@@ -89,8 +86,7 @@ INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB
 		sum[q] = q < sums ? total[q * stride] + 0.0f : 0.0f;
 }
 
-// Prepares the problems of all spokes; if warm is set, warm starts the spokes instead. Stores the sums of the impulses
-// on the hub, by columns.
+// Prepares all spokes or, if warm is set, warm starts them. Stores the sums of the impulses on the hub, by columns.
 INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, LOCAL float* bench)
 {
 	HUB_EACH_COLUMN(c, h)
@@ -138,7 +134,7 @@ INLINE int hub_gains(const Hub* h, const float* sum, float gain[3])
 	return hub_bears(gain);
 }
 
-// (m/s)^2: twice the kinetic energy of a velocity, per kilogram
+// (m/s)^2: Returns twice the kinetic energy of a velocity, per kilogram
 INLINE float hub_energy(const Hub* h, const float v[3])
 {
 	return v[0] * v[0] + v[1] * v[1] + h->gyration * v[2] * v[2];
@@ -164,8 +160,7 @@ INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 	d[0] = x / xx - yx * d[1] - wx * d[2];
 }
 
-// Returns whether the step d of Newton's method is small compared with the velocity, or with the effect of gravity in a
-// substep. Also returns 1 if d is not finite.
+// Returns whether Newton's step d is not finite, or small against the velocity or the effect of gravity in a substep.
 INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 {
 	float x = step->h * step->gravity_x, y = step->h * step->gravity_y, most = step->max_speed;
@@ -173,8 +168,7 @@ INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 	return !hub_bears(d) || hub_energy(h, d) <= HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
 }
 
-// Applies a fraction of the responses, the same for all spokes: the fraction that leads to the least energy. It is 1 if
-// the method has converged. If not, it is so small that no energy is added.
+// Applies the fraction of the responses with the least energy: 1 after convergence; otherwise it adds no energy.
 INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 {
 	float gain[3], part = 0.0f, down = -sum[9];
@@ -294,8 +288,7 @@ INLINE Hub hub_begin(const Pools* p, int n, const float row[8])
 	return h;
 }
 
-// Writes the velocity of the neighbor back to its pool, unless the neighbor is split into parts: hub_merge adds the
-// changes of the parts.
+// Writes the neighbor's velocity back to its pool, unless it is split: hub_merge adds the changes of the parts.
 INLINE void spoke_end(const Pools* p, const Hub* h, int i)
 {
 	int m = spoke_of(p, i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hub_one.h -- kernels over single items of hubs: contacts become spokes; neighbors are split into parts and merged.
+// hub_one.h -- turns contacts into spokes, splits neighbors into parts and merges them: kernels over single items.
 #ifndef HUB_ONE_H
 #define HUB_ONE_H
 #include "constraints/solver_body.h"
@@ -54,8 +54,7 @@ INLINE int spoke_neighbor_of(const Pools* p, int k)
 
 INLINE int hub_key_spoke(Word64 key) { return (int)(key & (((Word64)1 << HUB_KEY_COLOR) - (Word64)1)); }
 
-// Writes the key of spoke i: its neighbor, the hub color (turn) of its hub, and i. Padding and immovable neighbors are
-// sorted last.
+// Writes the key of spoke i: neighbor, hub color (turn) of the hub, and i. Padding and immovable neighbors come last.
 KERNEL(hub_key)
 {
 	Word64 name = (Word64)0xffffffffu, turn = 0;
@@ -76,9 +75,8 @@ KERNEL(hub_key)
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
 
-// Item: a sorted key. Computes the number of parts into which the neighbor of the spoke is split: equal parts for all
-// hubs of one hub color, each split equally among the spokes that the neighbor shares with the hub. argument: number of
-// spokes. Keys are sorted by neighbor, then by hub color, then by hub.
+// Item: a key, sorted by neighbor, hub color and hub. Computes the number of parts of the neighbor: equal parts for all
+// hubs of one hub color, each split equally among its spokes with the neighbor. argument: number of spokes.
 KERNEL(hub_order)
 {
 	Word64 body = p->key[i] >> 32, group = p->key[i] >> HUB_KEY_COLOR;
@@ -119,8 +117,7 @@ KERNEL(hub_order)
 		spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, own).first)) = (float)hubs;
 }
 
-// Returns the spoke of sorted key i if its neighbor is split in a hub color (turn) and i is the first of the neighbor's
-// keys there, else -1.
+// Returns the spoke of key i if its neighbor is split in hub color `turn` and i is the first such key; else -1.
 INLINE int hub_merged(const Pools* p, int i, int turn)
 {
 	int order = p->spoke_order[i], spoke = order / HUB_COLORS;
@@ -137,8 +134,7 @@ INLINE int hub_within(const Pools* p, int body, int turn)
 }
 
 // Merges a split body: adds the changes of its parts, each times its fraction of the mass. The item of the body's first
-// key adds the changes, in a fixed order: first the change of the body as a hub, if the body is a hub, then the
-// changes of the spokes. argument: the hub color.
+// key adds them in a fixed order: first that of a hub, if the body is one, then those of spokes. argument: hub color.
 KERNEL(hub_merge)
 {
 	int spoke = hub_merged(p, i, p->argument);

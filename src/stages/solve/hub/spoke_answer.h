@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spoke_answer.h -- computes the response of a spoke: impulses that solve it for a fixed velocity of its hub
-// (docs/hubs.md).
+// spoke_answer.h -- computes the response of a spoke: impulses that solve it for a fixed hub velocity (docs/hubs.md).
 #ifndef SPOKE_ANSWER_H
 #define SPOKE_ANSWER_H
 #include "stages/solve/hub/spoke_pose.h"
@@ -14,9 +13,8 @@ typedef struct // response: impulses, and minus their derivatives with respect t
 	Real impulse[2], own[2], cross;
 } SpokeAnswer;
 
-// Returns impulses at the two points, which push and never pull. If both impulses are positive, they solve both
-// equations. If only one is positive, it solves the equation of its point. want1, want2: velocities of the points
-// without any impulse.
+// Returns impulses at the two points, which never pull: if both are positive, they solve both equations; if only one is
+// positive, it solves the equation of its point. want1, want2: velocities of the points without any impulse.
 INLINE SpokeAnswer spoke_push_apart(const Pools* p, int m, Real want1, Real want2)
 {
 	SpokeAnswer r;
@@ -52,8 +50,7 @@ INLINE SpokeAnswer spoke_hold(const Pools* p, int m, const Real slope[2], const 
 	return r;
 }
 
-// Computes the response of a spoke to the current velocity of the hub. Adds the response to sum, and stores the
-// impulses.
+// Computes the response of a spoke to the hub's velocity, adds it to sum, and stores the impulses.
 INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum[HUB_SUMS])
 {
 	int m = spoke_of(p, i);

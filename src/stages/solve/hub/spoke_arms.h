@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spoke_arms.h -- computes the effects of impulses at the points of a spoke on hub and neighbor; loads and stores the
-// impulses.
+// spoke_arms.h -- computes effects of impulses at the points of a spoke on hub and neighbor; loads and stores impulses.
 #ifndef SPOKE_ARMS_H
 #define SPOKE_ARMS_H
 #include "constraints/constraint_kinds.h"
@@ -23,7 +22,7 @@ typedef struct // hub while it is solved
 	float from[3];               // velocity at the start of the block
 	float free[3];               // velocity at the start of the block, without impulses beyond their limits
 	float now[3];
-	Body whole; // the whole body of the hub, which is not split into parts
+	Body whole; // body of the hub, not split into parts
 } Hub;
 
 typedef struct // effects of unit impulses at the points of a spoke
@@ -118,8 +117,7 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 // Returns whether a spoke may add x to a sum; 0 for a NaN.
 INLINE Int spoke_adds(const Hub* h, Real x) { return (x >= splat(-h->most)) & (x <= splat(h->most)); }
 
-// Computes the contribution of a spoke's impulses to the hub's sums: push. Returns whether the contribution and the
-// velocity of the neighbor stay finite.
+// Computes the part of a spoke in the hub's sums: push. Returns whether it and the neighbor's velocity stay finite.
 INLINE Int spoke_sum(const Hub* h, const SpokeArms* s, const Real impulse[2], Real push[3])
 {
 	Real both = impulse[0] + impulse[1];

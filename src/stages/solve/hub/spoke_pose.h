@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// spoke_pose.h -- prepares the problem of a spoke for one kind of impulse (docs/hubs.md): limits, targets, masses, warm
-// start.
+// spoke_pose.h -- prepares a spoke for one kind of impulse (docs/hubs.md): limits, targets, masses, warm start.
 #ifndef SPOKE_POSE_H
 #define SPOKE_POSE_H
 #include "stages/solve/hub/spoke_arms.h"
 
-// Fraction of the hub's inverse mass that is added to the inverse mass of a neighbor. Without this term a neighbor that
-// cannot move would be infinitely stiff. The solution stays the same, because the term multiplies changes of impulses
-// only.
+// Fraction of the hub's inverse mass that is added to that of a neighbor; otherwise an immovable neighbor would be
+// infinitely stiff. The solution stays the same, because the term multiplies changes of impulses only.
 #define HUB_YIELD 0.1f
 
-// The same fraction for restitution. It is smaller, because restitution is solved once: no later pass corrects the
-// impulse that this term removes.
+// The same for restitution; smaller, because no later pass corrects the impulse that this term removes.
 #define BOUNCE_YIELD 0.001f
 
 #define LEAST_RESISTS 1.0e-37f // 1/kg: a smaller inverse mass counts as immovable; the inverse of this limit is finite
@@ -50,7 +47,7 @@ INLINE Real spoke_rebound(const Pools* p, int i, int k)
 	return k ? load(&contact_rare(p, rebound2, i), 0) : load(&contact_rare(p, rebound1, i), 0);
 }
 
-// 1/kg: relative velocity at point k that a unit impulse gives the two bodies, not split into parts
+// 1/kg: Returns the relative velocity at point k that a unit impulse gives the bodies, not split into parts
 INLINE Real spoke_resists(const Hub* h, const SpokeArms* s, int k)
 {
 	return h->whole.inv_mass + s->whole_mass + h->whole.inv_inertia * s->hub[k] * s->hub[k] +
@@ -78,8 +75,7 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 	*soft = spoke_resists(h, s, k) * goal.impulse_scale / goal.mass_scale;
 }
 
-// Returns whether the block of a kind solves only some points. Restitution solves the points that were pushed. In
-// relax, points that have yet to bounce are not solved.
+// Returns whether some points are not solved: in restitution, points without push; in relax, points yet to bounce.
 INLINE int spoke_chooses(const Pools* p, int what)
 {
 	return what == HUB_BOUNCE || (what == HUB_NORMAL && p->step.bounces);
@@ -95,7 +91,7 @@ INLINE Real spoke_takes_part(const Pools* p, int i, int what, int k, Real old)
 	return blend(zero, one, (rebound > zero) & (total > zero));
 }
 
-// m/s: separation velocities of the points of a spoke
+// m/s: Computes the separation velocities of the points of a spoke
 INLINE void spoke_speeds(const Hub* h, const SpokeArms* s, Real speed[2])
 {
 	for (int k = 0; k < 2; ++k)
@@ -111,9 +107,8 @@ typedef struct // problem of a spoke for one kind of impulse
 	Int well;                  // mask: velocities and masses are finite
 } SpokeProblem;
 
-// Removes impulses beyond their limits, because no solution may keep them. Removes all impulses of a spoke whose
-// velocity is not finite or exceeds HUB_SPEED. Adds the effect on the hub to taken, and updates the velocity of the
-// neighbor.
+// Removes impulses beyond their limits, because no solution may keep them, and all impulses of a spoke whose velocity
+// is not finite or exceeds HUB_SPEED. Adds the effect on the hub to taken; updates the velocity of the neighbor.
 INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, SpokeArms* s, SpokeProblem* r, Real taken[3])
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), held[2], beyond[2], push[3], speed[2];
