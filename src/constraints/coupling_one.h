@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// coupling_one.h -- measures the bodies of single gears and pulleys.
+// coupling_one.h -- computes the coordinate of a gear or a pulley, for one joint at a time.
 //
-// Angles are counted over all turns. A sum of two large angles would be coarse, so the change in a step is added to the
-// sum. Therefore the ratio of a gear can change while the gear turns, and the coordinate does not jump.
+// Angles include all full turns, so floats of large angles are coarse. Each step therefore adds the change of the angles
+// to the stored coordinate. So the ratio of a gear can change while the gear turns, and the coordinate does not jump.
 #ifndef COUPLING_ONE_H
 #define COUPLING_ONE_H
 #include "constraints/joint_prepare.h"

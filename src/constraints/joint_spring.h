@@ -57,7 +57,7 @@ INLINE Real spring_versine(Real q)
 
 typedef struct
 {
-	Real keeps, pull, relaxes; // coefficients; pull: A
+	Real keeps, pull, relaxes; // coefficients of the formulas above; pull is A there
 } JointSpring;
 
 // Returns the coefficients of a spring. hertz, ratio: for the coordinate's yield without other locks. share: the yield

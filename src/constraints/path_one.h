@@ -53,8 +53,8 @@ INLINE float path_lap(const PathCurve* curve, float along)
 
 INLINE float path_spacing(const PathCurve* curve) { return curve->length / (float)curve->segments; }
 
-// Returns the lap in which a new joint begins: the lap of near, or a neighboring lap if the seam is between near and
-// the joint. along: arc length of the joint within a lap.
+// Returns the lap in which a new joint begins. near: arc length near the joint, over all laps. The lap is that of near,
+// or a neighboring lap if the seam is between near and the joint. along: arc length of the joint within a lap.
 INLINE float path_first_lap(const PathCurve* curve, float near, float along)
 {
 	float laps = path_lap(curve, near), ahead = (along + laps * curve->length) - near;

@@ -32,7 +32,7 @@ INLINE int schedule_before(int substeps, int q)
 // Returns whether bodies accelerate for the first time before pass q.
 INLINE int schedule_first(int q) { return q == 1; }
 
-// Returns the last pass, at most q, before which bodies moved; 0 if they did not move yet.
+// Returns the latest pass up to q that follows directly after a motion of the bodies; 0 if there was no motion yet.
 INLINE int schedule_moved(int q) { return q & ~1; }
 
 #endif

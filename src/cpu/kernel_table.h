@@ -6,8 +6,8 @@
 #define TABLE KERNEL_JOIN(kernels, LANES)
 #endif
 
-// With SCREE_SMALL, for WebAssembly, each kernel is compiled once: wide kernels with the only number of lanes of the
-// build, and group kernels, which are the longest, with one lane.
+// With SCREE_SMALL, for WebAssembly, each kernel is compiled once: wide kernels with the number of lanes of the build,
+// and group kernels, which have the most code, with one lane.
 #if LANES == 1
 #define ENTRY_ONE(name) KERNEL_JOIN(name, LANES)
 #else

@@ -8,7 +8,7 @@
 typedef void (*KernelFunction)(const Pools* p, int begin, int end);
 
 // Tables of 4, 8 and 16 lanes contain only wide kernels and group kernels, and null for all others. scalar_avx2 is
-// lanes1 compiled for AVX2, with which scalar code of gcc takes half as long in the narrow phase.
+// lanes1 compiled for AVX2; with gcc its narrow phase takes half the time.
 extern const KernelFunction kernels_lanes1[KERNEL_COUNT];
 extern const KernelFunction kernels_scalar_avx2[KERNEL_COUNT];
 extern const KernelFunction kernels_lanes4[KERNEL_COUNT];

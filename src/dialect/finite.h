@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// finite.h -- keeps state finite: NaN is never stored, and sums of values of the user end at the largest finite number.
+// finite.h -- keeps state finite: NaN is never stored, and sums of the user's values are clamped to the finite numbers.
 // Devices agree on which results are NaN, but not on the sign and the payload of a NaN (docs/determinism.md).
 #ifndef FINITE_H
 #define FINITE_H

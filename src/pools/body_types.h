@@ -10,11 +10,12 @@
 #define PRESS_FROM        2.0e-5f // m: a contact starts a press if it overlaps a kinematic or static body by more
 #define PRESS_START       0.0001f // m: a step searches for presses if a contact overlaps a static body by more
 #define PRESS_GAP         0.01f   // m: a joint drags a body that cannot follow if the gap of the joint is larger
-#define PRESS_MOST        0.015f  // m: greatest depth of a press in a static body; with less, loaded contacts part
-#define PRESS_MAY_WAIT    1       // bit of the argument of the press kernels: the constraint layout may have changed
-#define PRESS_AGAIN       2       // bit of the same argument: this is not the first round
-#define CONTINUOUS_SHARE  2       // least number of collidables of a body per work-item of the kernel continuous
-#define CONTINUOUS_PARTS  64      // largest number of work-items per body
+#define PRESS_MOST \
+	0.015f // m: greatest depth of a press in a static body; a lower limit would remove the overlap at which contacts carry a load
+#define PRESS_MAY_WAIT   1  // bit of the argument of the press kernels: the constraint layout may have changed
+#define PRESS_AGAIN      2  // bit of the same argument: this is not the first round
+#define CONTINUOUS_SHARE 2  // least number of collidables of a body per work-item of the kernel continuous
+#define CONTINUOUS_PARTS 64 // largest number of work-items per body
 
 typedef struct // 16 bytes: data of a dynamic body for continuous collision
 {

@@ -125,7 +125,7 @@ static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int ite
 	return launch(d, kernel, groups_of(items, group) * group, group);
 }
 
-// Launches a kernel that takes all pools. values: its arguments after the step.
+// Launches a kernel that takes all pools and the step. values: its further arguments.
 static scree_status tile_run(OpenCl* d, int k, int items, const Value* values, int count)
 {
 	Kernel* kernel = &d->tiles.kernels[k];

@@ -47,8 +47,8 @@ typedef struct
 	int body, first, count; // first place and number of the hub's spokes among the constraints, padding included
 } HubSpan;
 
-// Returns the first place of the spokes of hub n, where a block begins. key: index of the sorted key of the first
-// spoke. With a spare block for each hub, the place does not depend on the sizes of the blocks of other hubs.
+// Returns the first place of the spokes of hub n, at the start of a block. Each hub before n counts one spare block, so
+// the place does not depend on the padding of other hubs. key: index of the sorted key of the first spoke.
 INLINE int hub_first(const Pools* p, int n, int key)
 {
 	const GLOBAL Counters* c = p->counters;

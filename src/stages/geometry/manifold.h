@@ -14,8 +14,8 @@
 // that the choice between nearly parallel edges does not alternate. b is preferred, because it does not move or is
 // larger. Of other edges, the one with the larger separation is used: the other may not be at the nearest points.
 #define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
-// m: if the distance of clipped points exceeds the separation of the cores by less, a manifold on an edge is used;
-// vectors that are shorter than this have no direction
+// m: tolerance. The manifold is on an edge if the distance of the clipped points exceeds the separation of the cores by
+// at most this value. Vectors that are shorter have no direction.
 #define NEAREST_TOLERANCE (0.01f * LINEAR_SLOP)
 // m: if the centers of two circles are closer, there is no direction between them. The limit is small, so that the
 // normals of bodies near one place fit their positions.

@@ -169,7 +169,8 @@ INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, 
 }
 
 // Returns the measure of a result for comparison with boxes: the fraction or, with QUERY_NEAREST, the square of the
-// distance. It is never less than that of the leaf's box. apart: measure of the box.
+// distance. A result is never nearer than the box of its leaf, so a fraction is raised to that of the box. apart: measure
+// of the box.
 INLINE float query_measure(QueryResult* found, int form, float apart)
 {
 	if (form != QUERY_NEAREST)

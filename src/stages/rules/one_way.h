@@ -22,7 +22,8 @@
 #define ONE_WAY_TOUCH 1.0e-9f // m: least depth of a visitor that touches a platform
 
 // states of a contact before the test
-#define ONE_WAY_NEW  0 // boxes did not overlap in the last step, or the visitor was higher, but not over the platform
+#define ONE_WAY_NEW \
+	0 // boxes did not overlap in the last step, or the visitor was above the upper side, but beside the platform
 #define ONE_WAY_PAST 1 // the platform let the visitor through
 #define ONE_WAY_HELD 2 // the platform held the visitor, but the two do not touch
 // cosine: a side is an upper side if the product of its normal and up is larger; rounding must not make the walls of a

@@ -15,8 +15,8 @@
 #include "stages/geometry/filter.h"
 #include "stages/tree/hilbert.h"
 
-// A node is wide if the ratio of its area to the mean area of its leaves is larger than this: twice the ratio for a
-// row of eight boxes with one bend.
+// A node is an outlier if the ratio of its area to the mean area of its leaves is larger. Eight equal boxes in a row,
+// corner to corner, have this ratio.
 #define OUTLIER_BOXES 64.0f
 
 INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC; }

@@ -8,9 +8,10 @@
 #include "world/objects/joints.h"
 #include <string.h>
 
-// A hub has at least HUB_JOINTS joints; the bodies at their other ends have HUB_WEIGHT times its mass and inertia (both
-// ratios added). Solved joint by joint, hubs were unstable with welded bodies of 4 to 7 times their inertia, or hinged
-// bodies of 28 to 56 times. A hinged body yields except along its arm: HUB_HINGE of its mass counts, at the hinge.
+// The hub of a branch has at least HUB_JOINTS joints. weight_of adds two ratios: mass and inertia of the body at the
+// other end of a joint, divided by those of the hub. The sum over all joints is at least HUB_WEIGHT. If the joints were
+// solved one by one, hubs became unstable with welded bodies of 4 to 7 times the hub's inertia, and with hinged bodies
+// of 28 to 56 times. A hinged body yields except along its arm, so HUB_HINGE of its mass counts, at the hinge.
 #define HUB_JOINTS 3
 #define HUB_WEIGHT 3.0f
 #define HUB_HINGE  0.18f
@@ -149,7 +150,8 @@ static void forget(Branching* b, int count)
 		b->place[b->list[k]] = 0;
 }
 
-// Returns whether some body of a tree is light compared with the ends of its joints, or with all bodies of the tree.
+// Returns whether a tree has a hub: a body that is light compared with the bodies at the other ends of its joints, or
+// with all bodies of the tree.
 static bool worth(Branching* b, int count)
 {
 	const scree_world* world = b->s->world;

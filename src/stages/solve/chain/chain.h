@@ -79,7 +79,8 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 	CHAIN_PUT(p, holds, spot, holds);
 }
 
-// Computes the velocities along the coordinates of a joint that unit impulses of the joint before it cause.
+// Computes the effect of the joint before a joint: the velocities along the joint's coordinates that result from unit
+// impulses of the joint before.
 INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 {
 	int spot = place.spot;

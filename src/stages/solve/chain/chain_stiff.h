@@ -59,7 +59,8 @@ INLINE ChainShared chain_share(const Pools* p, ChainNear neighbor, ChainBodies* 
 	return shared;
 }
 
-// Returns the inverse of a body's inertia, or of the tension of its joints if that is larger.
+// Returns 1 / inertia for the step. The inertia is that of the body, or the tension of its joints if the tension is
+// larger and finite.
 INLINE Real chain_inertia(Real inverse, Real tension)
 {
 	Real zero = splat(0.0f), more = blend(zero, tension - 1.0f / inverse, inverse > zero);

@@ -155,7 +155,8 @@ INLINE void spoke_impulses(const Pools* p, int i, int what, Real old[2])
 	                              : load(&contact_row(p, normal_impulse2, i), 0);
 }
 
-// Stores the impulses of a bounce. A point that bounces separates, so its impulse must not warm start the next step.
+// Adds the impulses of a bounce to the total impulses. A point that bounces separates, so its normal impulse is cleared
+// and does not warm start the next step.
 INLINE void spoke_keep_bounce(const Pools* p, int i, Real impulse1, Real impulse2)
 {
 	int m = spoke_of(p, i);
