@@ -1,4 +1,5 @@
-# curves.gp -- draws the curves for bench/plot.sh: data has one block for each curve (title; bodies, ms per step), count is the number of blocks.
+# curves.gp -- draws the curves for bench/plot.sh. `data` names a file with one block for each curve: its title, then lines with
+# bodies and ms per step. `count` is the number of blocks.
 set output out
 set logscale xy
 set xtics ("100" 100, "1,000" 1e3, "10,000" 1e4, "100,000" 1e5, "1 million" 1e6, "10 million" 1e7) rotate by 30 right

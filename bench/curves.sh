@@ -39,8 +39,8 @@ settings_of()
 	esac
 }
 
-# Prints the options for a size. The storm begins within 30 steps. The large sizes are not repeated, because their times vary little
-# and building them takes longer than running them.
+# Prints the options for a size. The storm begins within 30 steps. Larger sizes have fewer steps and repeats, because their times
+# vary little and building them takes longer than running them.
 steps_of()
 {
 	case $1 in

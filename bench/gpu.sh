@@ -45,7 +45,7 @@ grep -q avx512vl /proc/cpuinfo && lanes=16
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export SCREE_CACHE=$work/cache # an empty cache, so that programs are built again
-# keep NAME SCENE COMMAND...: writes the hash that a command prints, or the error, to $work/SCENE.NAME
+# keep NAME SCENE COMMAND...: writes the hash that COMMAND prints, or its error message, to $work/SCENE.NAME
 keep()
 {
 	local file=$work/$2.$1
@@ -56,7 +56,7 @@ hash_of() { keep "$1" "$2" $scree hash "$2" --steps "${@:3}"; }
 export -f keep hash_of
 export work scree limit
 
-# compute the references on the CPU in several processes, while the GPU runs the scenes
+# computes the reference hashes on the CPU in several processes, while the GPU runs the scenes
 jobs=$work/jobs
 for scene in $($scree scenes --names); do
 	count=$steps
@@ -128,7 +128,7 @@ if [ "$rays" != none ]; then
 	for where in "opencl:$device" cpu; do
 		timeout "$limit" $scree bench "$rays" --steps 60 --device "$where" || differ=1
 	done | awk 'NR == 1 || !/^scene,/' | tee "$folder/rays.csv"
-	# hash_rays, penetration and hash are the columns before the last one
+	# hash_rays, penetration and hash are the three columns before the last one
 	hashes=$(sed 1d "$folder/rays.csv" | rev | cut -d, -f 2-4 | sort | uniq -c | grep -c '^ *2 ')
 	[ "$hashes" = 1 ] || { echo "rays.csv: results differ, or are missing"; differ=1; }
 fi
@@ -139,7 +139,7 @@ if [ "$frames" != none ]; then
 			timeout "$limit" $scree bench frames "$scene" --device "$where" --steps 150
 		done
 	done | awk 'NR == 1 || !/^scene,/' | tee "$folder/frames.csv" || differ=1
-	# shared rows and copied rows, each with a world on the CPU and on the GPU: all four must have the same picture and hash
+	# each scene has four runs, with shared and with copied rows, on the CPU and on the GPU: all must have the same picture and hash
 	pictures=$(sed 1d "$folder/frames.csv" | cut -d, -f 1,11,12 | sort | uniq -c | grep -c '^ *4 ')
 	[ "$pictures" = "$(echo $frames | wc -w)" ] || { echo "frames.csv: pictures differ, or are missing"; differ=1; }
 fi

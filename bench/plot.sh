@@ -10,7 +10,7 @@ folder=${1:?is the folder with curves.csv}
 command -v gnuplot >/dev/null || { echo "plot.sh: draws no curves, because gnuplot was not found (Debian: gnuplot-nox)" >&2; exit 0; }
 data=$(mktemp)
 trap 'rm -f "$data"' EXIT
-# the short name of the processor, "Intel Xeon" for the line "processor: Intel(R) Xeon(R) Processor, 16 cores"
+# the short name of the processor, for example "Intel Xeon" for the line "processor: Intel(R) Xeon(R) Processor, 16 cores"
 processor=CPU
 [ -e "$folder/machine.txt" ] && processor=$(sed -n 's/^processor: //p' "$folder/machine.txt" | sed 's/(R)\|(TM)\| Processor\| CPU//g; s/ *[,(@].*//')
 awk -F, -v processor="${processor:-CPU}" 'NR == 1 { for (k = 1; k <= NF; ++k) column[$k] = k; next }

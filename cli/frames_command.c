@@ -60,7 +60,8 @@ static scree_status draw_run(ScenePlayer* player, const Offscreen* offscreen, Sh
 	return SCREE_OK;
 }
 
-// Runs the scene once in a new world. Writes times, medians and hashes to *frames. Returns an exit code.
+// Runs the scene once in a new world. Writes the times of the steps to `times`, medians and hashes to *frames, and
+// prints a row. Returns an exit code.
 static int measure(const Options* options, const Scene* scene, const Offscreen* offscreen, bool copy, int steps,
                    double* times[4], Frames* frames)
 {

@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MANY   1000000 // number of queries without --queries
+#define MANY   1000000 // default of --queries
 #define LENGTH 20.0f   // m: length of a ray
 #define RADIUS 0.5f    // m: radius of a circle
 

@@ -13,7 +13,7 @@ typedef struct
 {
 	b2WorldId world;
 	b2BodyId ground;  // body to which joints with the world are attached; null before the first one
-	b2BodyId* bodies; // by EngineBody.index
+	b2BodyId* bodies; // bodies of Box2D, by EngineBody.index
 	int room;         // number of entries allocated in bodies
 } State;
 
@@ -78,12 +78,13 @@ static bool create_one(State* state, const EngineBody* body)
 			return false;
 	}
 	b2Body_ApplyMassFromShapes(created);
-	// def.linearVelocity is that of the center of mass, which Box2D has computed only now
+	// sets the velocity of the center of mass again, because Box2D computes that center only in
+	// b2Body_ApplyMassFromShapes
 	b2Body_SetLinearVelocity(created, def.linearVelocity);
 	return true;
 }
 
-// Allocates memory for bodies with indices up to this one. Returns false after printing a sentence.
+// Allocates memory for bodies with indices from 0 to index. Returns false after printing a sentence.
 static bool grow(State* state, int index)
 {
 	if (index < state->room)

@@ -23,7 +23,7 @@ typedef struct // a world that is being built
 typedef struct
 {
 	const char* name;
-	int steps; // steps of a trial
+	int steps; // number of steps of a trial
 	FixtureParameter parameters[FIXTURE_PARAMETERS];
 	void (*build)(FixtureBuild* build);
 	void (*change)(FixtureBuild* build, int64_t step); // changes the bodies before a step; null: they stay the same
@@ -43,7 +43,8 @@ scree_body_def fixture_body(scree_body_type type, float x, float y);
 
 // Adds a body and returns its handle.
 scree_body fixture_add(FixtureBuild* build, const scree_body_def* def);
-// Adds a body with one collidable at its origin, with the filter of the definition, and returns its handle.
+// Adds a body with one collidable at its origin, and returns the handle of the body. The collidable gets the filter of
+// def.
 scree_body fixture_put(FixtureBuild* build, scree_body_def def, const scree_attribute_def* surface);
 // Adds a collidable to a body. at: position in the body's frame, m.
 void fixture_attach(FixtureBuild* build, scree_body body, const scree_attribute_def* surface, scree_vec at,

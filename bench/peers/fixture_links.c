@@ -46,7 +46,7 @@ enum
 
 #define LINK 0.25f // m: half the length of a link; its mass is 1 kg
 
-// Adds a rope with a load at its end, which begins at the fixed point (x, 0) and hangs down or lies level.
+// Adds a rope that begins at the fixed point (x, 0), hangs down or lies level, and has a load at its other end.
 static void add_rope(FixtureBuild* build, float x)
 {
 	int links = (int)build->values[LINKS];
@@ -88,8 +88,8 @@ enum
 	MASS
 };
 
-// Adds a bridge of planks of 1 m between two points of the world, and boxes on the planks. The parameter mass is the
-// mass of a box in units of a plank's mass.
+// Adds a bridge of planks, each 1 m long, between two points of the world, and boxes on the planks. The parameter mass
+// is the mass of a box in units of a plank's mass.
 static void add_bridge(FixtureBuild* build, float y)
 {
 	int planks = (int)build->values[PLANKS], loads = (int)build->values[LOADS];

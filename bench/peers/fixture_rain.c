@@ -9,7 +9,7 @@
 #define ROWS       5
 #define ROW_HEIGHT 45.0f // m: distance from floor to floor
 #define DROP       40.0f // m: initial height of ragdolls above their floor
-#define GROUP      5     // number of ragdolls that are created together in a column and row
+#define GROUP      5     // number of ragdolls that are created at the same time above each floor, in one column
 #define LIFE       320   // number of steps after which a ragdoll is destroyed
 #define TILE       0.5f  // m: side of the square tiles of the floors
 #define COLUMN     6.25f // m: width of a column

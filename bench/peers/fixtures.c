@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fixtures.c -- finds scenes made by code by their names.
+// fixtures.c -- finds fixtures, the scenes made by code, by name.
 #include "fixtures.h"
 #include <string.h>
 

@@ -20,21 +20,22 @@ typedef struct
 
 	int measured;      // number of measurements
 	float penetration; // deepest overlap of all measurements, m
-	double depths;     // sum of the deepest overlaps of each measurement, m
-	double contacts;   // sum of the numbers of touching contacts of each measurement
+	double depths;     // sum over all measurements of the deepest overlap, m
+	double contacts;   // sum over all measurements of the number of touching contacts
 	float* height;     // height of each body at the first measurement, m
 	int heights;       // number of entries of height
 	float sunk;        // largest descent of a body from the first measurement to the last, m
 
 	scree_joint* joints;
-	scree_joint_state* states; // at the last measurement
+	scree_joint_state* states; // states of the joints at the last measurement
 	MeasureLock* locks;
 	int joint_count;
 	float separation;    // largest distance of an anchor from its locked place in all measurements, m
 	double gaps, gauged; // sum of these distances over all joints and measurements, m; number of distances
 } Measure;
 
-// Functions that return a bool return false after printing a sentence; the caller must call measure_close also then.
+// Functions that return a bool return false after printing a sentence; the caller must call measure_close also after a
+// failure.
 bool measure_open(Measure* measure, const Setup* setup);
 bool measure_change(Measure* measure, const Setup* setup, int64_t step); // makes the scene's changes before a step
 bool measure_take(Measure* measure);                                     // measures the poses and adds the results

@@ -2,7 +2,7 @@
 // mirror.c -- builds a setup in an engine. Engines other than Scree get the bodies and joints of a Scree world.
 //
 // So all engines get the same numbers. The engine gets all changes in the order in which the setup makes them, because
-// the results depend on it.
+// the results depend on that order.
 #include "mirror.h"
 #include "scene/churn.h"
 #include "validate/scree_world.h"
@@ -21,8 +21,8 @@ static bool destroy_body(const Mirror* mirror, int index) { return mirror->engin
 
 static int index_of(scree_body body) { return scree_body_is_null(body) ? ENGINE_WORLD : (int)body.index; }
 
-// Adds the new joints of the model to the engine. Joints that the model lost are gone in the engine, because their
-// bodies were destroyed.
+// Adds the new joints of the model to the engine. Joints that the model has lost need no call: the engine destroyed
+// them with their bodies.
 static bool add_joints(Mirror* mirror)
 {
 	int count, old = 0;

@@ -19,7 +19,8 @@ typedef struct
 	int count, joint_count;
 } Mirror;
 
-// Functions that return a bool return false after printing a sentence; the caller must call mirror_close also then.
+// Functions that return a bool return false after printing a sentence; the caller must call mirror_close also after a
+// failure.
 bool mirror_open(Mirror* mirror, const Setup* setup, const Engine* engine, const EngineOptions* options);
 bool mirror_change(Mirror* mirror, int64_t step); // changes the bodies as the setup does before a step
 bool mirror_step(const Mirror* mirror);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // peer_queries.c -- scree_peers queries: measures rays, moving shapes and overlaps in both engines, on equal worlds.
 //
-// Bodies of five kinds of shapes lie in a square without touching, one in five of them static. Both worlds make one
-// step without gravity, so that their trees are in the state that they have in a game. Then the engines take turns.
-// Scree gets all queries in one call, then each query in a separate call.
+// Bodies of five kinds of shapes lie in a square without touching; one in five is static. Both worlds make one step
+// without gravity, so that their trees are in the state that they have in a game. Then the engines take turns. Scree
+// gets all queries in one call, then each query in a separate call.
 #include "peer_queries.h"
 #include "engine_box2d.h"
 #include "tools/common/clock.h"

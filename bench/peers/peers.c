@@ -31,7 +31,7 @@ typedef struct
 	bool measured;
 	EngineOptions options;
 	int threads[MAX_THREADS], thread_count;
-	int steps, repeats; // steps 0: the number in the scene
+	int steps, repeats; // steps: 0 stands for the number of steps in the scene
 	const char* settings[MAX_SETTINGS];
 	int setting_count;
 } Options;
@@ -278,7 +278,7 @@ int main(int count, char** arguments)
 		options.options.threads = options.threads[0];
 		return try_engine(&options, names[0]);
 	}
-	// load all scenes before the first trial, so that an error in any of them is found at once
+	// loads all scenes before the first trial, so that an error in any of them is found at once
 	int steps[MAX_SCENES];
 	for (int k = 0; k < name_count; ++k)
 	{

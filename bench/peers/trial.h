@@ -17,24 +17,25 @@ typedef struct
 
 typedef struct
 {
-	// in a timed trial, ms per step, without the first steps; else 0
+	// results of a timed trial; 0 in a measured trial; ms per step, without the first steps
 	double mean, median;
 	double first; // mean up to step FIRST_STEPS, while bodies still fall
-	// in a measured trial; else 0
+	// results of a measured trial; 0 in a timed trial
 	float penetration; // deepest overlap of all steps, m
-	float depth;       // mean of the deepest overlaps of each step, m
+	float depth;       // mean over all steps of the deepest overlap, m
 	float contacts;    // number of touching contacts, mean of all steps
 	float sunk;        // largest descent of a body from the start to the last step, m
 	float separation;  // largest distance of the anchor of a joint from its locked place over all steps, m
 	float gap;         // mean of this distance over all joints and steps, m
-	// in both
+	// result of both kinds of trials
 	uint64_t hash; // hash of the final state, computed by the engine
 } Result;
 
 // Runs a trial in this process and fills result. Returns false after printing a sentence.
 bool trial_run(const Engine* engine, const Trial* trial, Result* result);
 
-// Print a result as one line of text, and read such a line. Returns false if the line is not complete.
+// Print a result as one line of text (result_print), and read such a line (result_scan, which returns false if the line
+// is not complete).
 void result_print(const Result* result);
 bool result_scan(const char* line, Result* result);
 

@@ -4,8 +4,9 @@
 //
 // Steps 100 to 300 of each scene are measured without drawing. The CPU time of the page's worker, which hardly depends on other
 // programs, is compared with that of the command line with one thread and 4 lanes. The table also has the wall-clock time, as the
-// page shows it. All values are medians of the rounds. Then each scene is drawn for three seconds in 320 x 200 pixels with bodies
-// as points, because a Chromium without a graphics card draws on the same cores. Linux only: CPU times are read from /proc.
+// page shows it. All values are medians of the rounds. Then each scene is drawn for three seconds, in only 320 x 200 pixels and
+// with bodies as points, because a Chromium without a graphics card draws on the cores that also run the steps. Linux only: CPU
+// times are read from /proc.
 import './usage.mjs';
 import { spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
@@ -61,7 +62,8 @@ async function inPage(browser, name) {
 	return { cpu: (workerTime(browser) - begin) / (LAST - FIRST), clock: median(state.times), bodies: state.bodies };
 }
 
-// Draws the scene from step FIRST on for three seconds. Returns frames and steps per second, and the median ms of drawing in the worker.
+// Draws the scene from step FIRST on for three seconds. Returns frames and steps per second, and the median time in which the
+// worker draws a frame, ms.
 async function drawn(browser) {
 	const now = () => browser.run(`await scree.host.ask({ type: 'pause', paused: scree.state.paused }); return { step: scree.state.step, time: performance.now() }`);
 	await browser.run(`scree.say({ type: 'resize', width: 320, height: 200, density: 1 });

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // scenes.mjs -- makes three scenes as lists of bodies, the same for each engine. Units: m, rad, rad/s.
 //
-// A body of boxes is {x, y, type, boxes: [{w, h, x, y, a}]}, with half sides w and h; a circle is {x, y, type, radius}.
+// A body of boxes is {x, y, type, boxes: [{w, h, x, y, a}]}, with half sides w and h, position (x, y) and angle a of each box; a
+// circle is {x, y, type, radius}.
 
 const still = (x, y, w, h) => ({x, y, type: "static", boxes: [{w, h, x: 0, y: 0, a: 0}]});
 

@@ -9,8 +9,8 @@
 // on failure. Returns an exit code.
 typedef int RunScene(const Options* options, bool timings, Measurement* m);
 
-// Measures the scenes of a list with run, and prints one row per scene. stages: names of the columns of Record.stages.
-// Returns an exit code.
+// Measures the scenes of a list with the function `run`, and prints one row per scene. stages: names of the columns of
+// Record.stages. Returns an exit code.
 int bench_scenes(const Options* options, const SceneList* list, const char* const* stages, RunScene* run);
 
 #endif

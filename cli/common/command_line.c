@@ -26,7 +26,7 @@ static void print_help(FILE* file, const CommandLine* line)
 
 static void print_command_help(FILE* file, const CommandLine* line, const Command* command)
 {
-	// print also the commands of two words that begin with this name, such as "bench frames" for bench
+	// prints also the commands of two words that begin with this name, such as "bench frames" for bench
 	size_t length = strlen(command->name);
 	for (const Command* c = line->commands; c < line->commands + line->command_count; ++c)
 		if (strncmp(c->name, command->name, length) == 0 && (c->name[length] == ' ' || !c->name[length]))
@@ -44,7 +44,7 @@ static void print_command_help(FILE* file, const CommandLine* line, const Comman
 		command->print_more(file);
 }
 
-// Returns the path of this program, because scenes may be in a folder next to it.
+// Returns the path of this program, so that scenes can be found in a folder next to it.
 static const char* executable_path(const char* first_word, char* text, size_t size)
 {
 	ssize_t length = readlink("/proc/self/exe", text, size - 1);
@@ -54,7 +54,7 @@ static const char* executable_path(const char* first_word, char* text, size_t si
 	return text;
 }
 
-// Returns 1 if words[1] is the name of a command, 2 if words[1] and words[2] are that name, else 0. count: size of
+// Returns 1 if the name of a command is words[1], 2 if it is words[1] and words[2], otherwise 0. count: number of
 // words.
 static int match(const char* name, int count, char** words)
 {
@@ -66,8 +66,8 @@ static int match(const char* name, int count, char** words)
 	return count > 2 && strcmp(words[2], name + first + 1) == 0 ? 2 : 0;
 }
 
-// Returns the command with the longest name that begins at words[1], or null if there is none. *named: number of
-// words of the name.
+// Returns the command whose name is words[1], or words[1] and words[2]; the longer name wins. Returns null if there is
+// no such command. *named: number of words of the name.
 static const Command* find_command(const CommandLine* line, int count, char** words, int* named)
 {
 	const Command* found = NULL;

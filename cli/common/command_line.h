@@ -9,7 +9,7 @@ typedef struct
 	int bit;          // bit in OptionRow.commands
 	const char* name; // one word, or two, such as "bench frames"; bench may also be a command
 	const char *usage, *help;
-	int least, most;                    // least and largest number of arguments
+	int least, most;                    // minimum and maximum number of arguments
 	int (*run)(const Options* options); // returns an exit code
 	void (*print_more)(FILE* file);     // prints more help after the options; may be null
 } Command;
@@ -22,8 +22,8 @@ typedef struct
 	OptionTable options;
 } CommandLine;
 
-// Runs the command that words name. *options: contains the defaults; its type is that to which the rows of the option
-// table write. Returns the exit code.
+// Runs the command that the words name. *options: contains the defaults; its type is Options, or the struct beginning
+// with Options whose members the rows of the option table set. Returns the exit code.
 int command_line_run(const CommandLine* line, Options* options, int count, char** words);
 
 #endif

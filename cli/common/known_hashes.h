@@ -17,8 +17,8 @@ typedef struct
 	int count;
 } Known;
 
-// Reads the columns scene, settings, steps and hash of a CSV file of bench. path null: there are no known hashes. On
-// failure it prints an error message. Returns an exit code.
+// Reads the columns scene, settings, steps and hash of a CSV file of bench. If path is null, there are no known hashes.
+// On failure the function prints an error message. Returns an exit code.
 int known_open(const char* path, Known* known);
 void known_close(Known* known);
 

@@ -5,7 +5,8 @@
 #include "csv.h"
 #include <inttypes.h>
 
-// Number of steps at the start of each run that are not measured: kernels are built, buffers grow, threads start.
+// Number of steps at the start of each run that are not measured, because kernels are built, buffers grow and threads
+// start. A run of at most this number of steps is measured in full.
 #define WARM_UP 2
 
 void measurement_add(Measurement* m, const Record* record, int step)

@@ -16,7 +16,7 @@ typedef struct
 	int staged;                      // number of records with milliseconds by stage, which are the last records
 	double least, most;              // ms: median step of the fastest and of the slowest run without stage times
 	float penetration;               // m: deepest overlap of all steps
-	uint64_t hash, other;            // the same for the results of the scene's rays
+	uint64_t hash, other;            // hash of the first run; a different hash of a later run, or the same value
 	uint64_t answers, other_answers; // likewise: hashes of the results of the scene's rays
 	int nonfinite;                   // number of steps that froze a body
 	double bandwidth;                // copy bandwidth of the device, bytes/s; 0 until it has been measured
@@ -24,11 +24,11 @@ typedef struct
 	int threads, lanes;
 } Measurement;
 
-// Adds a step of a run; the first step is number 0. The first steps of a run are not recorded.
+// Adds a step of a run; the first step is number 0. The first steps of a run are checked, but not recorded.
 void measurement_add(Measurement* m, const Record* record, int step);
 
-// Ends a run. world: supplies the name of the device; timings: true if the steps have milliseconds by stage; answers:
-// the hash of the results of the rays.
+// Ends a run. world: supplies the name of the device; timings: true if the steps have milliseconds by stage; hash:
+// that of the final state; answers: that of the results of the rays.
 void measurement_end_run(Measurement* m, const scree_world* world, bool timings, uint64_t hash, uint64_t answers);
 
 // Returns true if the results are valid; if not, prints all reasons.

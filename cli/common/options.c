@@ -32,8 +32,8 @@ static const OptionRow* find_row(const OptionTable* table, const Options* option
 	return NULL;
 }
 
-// Reads the options, at most up to --help. Sets bit k of *given if the option of row k was read. Returns false after it
-// has printed an error message.
+// Reads the options, up to the first --help. Sets bit k of *given if the option of row k was read. Returns false after
+// it has printed an error message.
 static bool read_all(const OptionTable* table, Options* options, int count, char** words, const char* shorts,
                      const struct option* longs, unsigned* given)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// options.h -- the values of all options of a command, and the reader of options by a table.
+// options.h -- holds the values of all options of a command, and reads them with a table of options.
 #ifndef OPTIONS_H
 #define OPTIONS_H
 #include "scene/scene.h"
@@ -25,13 +25,13 @@ typedef struct
 	int threads, lanes; // 0: as many as available
 	bool allow_unequal_bits;
 	const scree_opengl* opengl;            // context that draws the world; null if there is none
-	const char *picture, *video, *csv;     // paths; null: no such file
+	const char *picture, *video, *csv;     // paths; null: no such file is written
 	const char *renderer, *paint, *layers; // names; null: the default value
 	bool dark;                             // dark theme
 	float scale;                           // scale of the panel; 0: that of the display
-	const char* script;                    // path of user actions; null: none
+	const char* script;                    // path of a file with actions of the user; null: none
 	int width, height;                     // px
-	bool has_view, has_zoom;               // true if view and zoom were given; default: the scene's view, unchanged
+	bool has_view, has_zoom;               // true if the option was given; otherwise pictures show the scene's view, without zoom
 	scree_box view, zoom;                  // m: part of the world in pictures at the start, and at the end
 	int repeats;
 	int queries;       // 0: 1,000,000 queries

@@ -38,8 +38,8 @@ int outputs_due(const Outputs* outputs, const ScenePlayer* player);
 // Draws the world, and adds the picture to the video once for each frame that is due. Returns an exit code.
 int outputs_frames(Outputs* outputs, const ScenePlayer* player, const Snapshot* snapshot);
 
-// Writes the picture if code, the exit code so far, is EXIT_GOOD, and closes all files and the renderer. Returns the
-// first exit code that is not EXIT_GOOD.
+// Writes the picture, unless the run has failed, and closes all files and the renderer. code: exit code so far. Returns
+// the first exit code that is not EXIT_GOOD; EXIT_GOOD if there is none.
 int outputs_close(Outputs* outputs, const ScenePlayer* player, const Snapshot* snapshot, int code);
 
 #endif

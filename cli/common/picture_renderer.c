@@ -149,7 +149,7 @@ scree_status picture_renderer_draw(PictureRenderer* renderer, const ScenePlayer*
 	if (!poses)
 	{
 		// reads the bodies again, because churn of the scene may have replaced bodies; each new body has the index of
-		// the old body
+		// the body that it replaces
 		int count;
 		picture_bodies(renderer->picture, &count);
 		status = scree_world_get_bodies(player->world, renderer->bodies, count, &count);

@@ -22,7 +22,7 @@ bool picture_renderer_set_world(PictureRenderer* renderer, const ScenePlayer* pl
 // Adds the events of a step that the picture shows. Call it after every step.
 scree_status picture_renderer_step(PictureRenderer* renderer, const ScenePlayer* player);
 
-// Shows this box of the world, in place of the view of the scene and of its detail.
+// Shows this box of the world, in place of the scene's view and of the magnified detail beside it.
 void picture_renderer_aim(PictureRenderer* renderer, scree_box view);
 
 // Draws the current state of the world. poses: poses of all bodies, in the order of scree_world_get_bodies; null:

@@ -4,7 +4,7 @@
 #define RUN_REPORT_H
 #include "step_record.h"
 
-typedef struct // sums over all steps
+typedef struct // sums over all steps; penetration and joint_gap are maxima
 {
 	Record last;
 	double seconds; // s: time of the steps
@@ -18,7 +18,7 @@ void totals_add(Totals* totals, const Record* record);
 
 typedef struct
 {
-	bool visible; // true if standard output and error are terminals
+	bool visible; // true if standard output and standard error are terminals
 	double shown; // s, by seconds_now: time of the last print of the bar
 } ProgressBar;
 

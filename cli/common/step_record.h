@@ -8,9 +8,9 @@
 typedef struct
 {
 	scree_counters counters;
-	float stages[STAGE_TIMES]; // ms: in the order of stage_names, or of the stages of another pipeline
-	float milliseconds;        // ms: duration of the step by the clock of the host
-	float scan;                // ms by the clock of the host: rays of the scene after the step
+	float stages[STAGE_TIMES]; // ms: times of the stages, in the order of stage_names or of another pipeline
+	float milliseconds;        // ms: duration of the step, by the clock of the host
+	float scan;                // ms: duration of the scene's rays after the step, by the clock of the host
 	int rays;                  // number of rays of this step
 	int64_t hits;
 	scree_traffic traffic;
@@ -26,7 +26,7 @@ float deepest(const Record* records, int count);
 // Returns the median of value(record, argument) over all records; 0 if there are no records.
 double median(const Record* records, int count, double (*value)(const Record* record, int argument), int argument);
 
-// Return a value of a record; to be passed to median.
+// Functions for median: each returns one value of a record.
 double step_of(const Record* record, int unused);
 double stage_of(const Record* record, int stage);
 double scan_of(const Record* record, int unused);
