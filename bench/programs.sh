@@ -4,7 +4,7 @@
 # usage: bench/programs.sh [DEVICE [FOLDER]]
 #   DEVICE  part of the name of an OpenCL device, as in --device opencl:DEVICE; default NVIDIA
 #   FOLDER  gets programs.txt, and a shortened copy of each program that fails; default bench/results/DEVICE
-# PROGRAMS (1000) programs run with each form, for at most SECONDS_EACH (120) seconds. Exit 1 when bits differ from those of the
+# Each form runs PROGRAMS (1000) programs, for at most SECONDS_EACH (120) seconds. Exit 1 when bits differ from those of the
 # CPU. build/tests/programs must have been built.
 set -euo pipefail
 . "$(dirname "$0")/../tools/usage.sh"

@@ -3,7 +3,7 @@ set(SCREE_JANSSON_SOURCE ${PROJECT_SOURCE_DIR}/build/sources/jansson CACHE PATH
 	"Folder of Jansson's sources; tools/source.sh jansson FOLDER fetches them")
 file(GLOB jansson_sources ${SCREE_JANSSON_SOURCE}/src/*.c)
 if(jansson_sources)
-	# android/ has the configuration for a system without locales; the definitions below replace Jansson's private
+	# Jansson's folder android/ has the configuration for a system without locales; the definitions below replace Jansson's private
 	# configuration
 	set(made ${PROJECT_BINARY_DIR}/jansson)
 	file(CONFIGURE OUTPUT ${made}/jansson_private_config.h CONTENT "")

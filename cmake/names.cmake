@@ -1,5 +1,5 @@
-# names.cmake -- scree_names(objects out): links a library of objects into one object, in which only scree_* is a global
-# name.
+# names.cmake -- scree_names(objects out): links a library of objects into one object, in which only names that begin with scree_
+# are global.
 #
 # The static library holds this object instead of the library's objects, because otherwise a program that has a function
 # named `launch` would not link. The object is machine code even if the program is compiled with -flto: in the

@@ -1,5 +1,5 @@
-# paper.cmake -- builds the pipeline of the paper that Scree started from, as a library for tests too, and scree_paper,
-# the command line of this pipeline.
+# paper.cmake -- builds the pipeline of the paper that Scree started from, as a library that tests use too, and its command line,
+# scree_paper.
 file(GLOB paper_sources CONFIGURE_DEPENDS tools/paper/*.c)
 set(pipeline_sources ${paper_sources})
 list(FILTER pipeline_sources INCLUDE REGEX "/(all_pairs|import|paper|paper_cpu|paper_opencl|paper_state|resolve)\\.c$")

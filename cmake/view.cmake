@@ -25,7 +25,7 @@ elseif(view_sources)
 	endif()
 endif()
 
-# window with GLFW; its panel uses Dear ImGui, in C++
+# the window uses GLFW, and its panel uses Dear ImGui, which is C++
 file(GLOB window_sources CONFIGURE_DEPENDS view/window/*.c view/window/*.cpp)
 include(CheckLanguage)
 if(NOT CMAKE_CXX_COMPILER)

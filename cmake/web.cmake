@@ -5,7 +5,7 @@
 # modules
 set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
 
-# makes the package: scree.js and its types, from the header; the engine has no JavaScript of Emscripten, so it has no
+# makes the package: scree.js and its types are generated from the header; the engine has no JavaScript of Emscripten, so it has no
 # threads
 if(NOT CMAKE_C_FLAGS MATCHES "-pthread")
 	find_program(SCREE_NODE NAMES node nodejs REQUIRED)

@@ -55,7 +55,7 @@ int main(void)
 	scree_world* world;
 	check(scree_world_create(&world_def, &world));
 
-	// ground with its top at y = 0, a bump of 0.2 m at x = 5, and a body of 2.4 m on wheels of 0.4 m radius
+	// ground with its top at y = 0, a bump 0.2 m high at x = 5, and a car 2.4 m long on wheels of 0.4 m radius
 	scree_shape ground, bump, box;
 	check(scree_shape_make_box(50.0f, 0.5f, &ground));
 	check(scree_shape_make_capsule((scree_vec){-0.5f, 0.0f}, (scree_vec){0.5f, 0.0f}, 0.2f, &bump));

@@ -8,7 +8,7 @@ typedef struct
 {
 	const double* indices; // values of the loop indices
 	uint64_t seed;         // seed of the scene
-	uint64_t number;       // number of the item within its block, or of a change of churn; random() depends on it
+	uint64_t number;       // number of the item in its block, or number of a change of churn; random() depends on it
 } Item;
 
 #endif

@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-// Maximum number of iterations of the outer loops. The limit of items is not enough, because inner loops may be empty.
+// Maximum number of iterations of the outer loops. The limit of the number of items is not enough, because inner loops
+// may be empty.
 #define MAX_ROUNDS 50000000
 
 typedef struct

@@ -16,8 +16,8 @@ typedef struct
 	scree_path* paths;                 // handles in the order of Scene.paths
 	scree_body* bodies;                // handles of the bodies of one batch
 	scree_body* named;                 // handles of the bodies of all named blocks, block by block
-	scree_body** of_block;             // first handle of each block in named; null: the block has no name
-	scree_body* next;                  // place in named for the next bodies of the current block; null: it has no name
+	scree_body** of_block;             // first handle of each block, in `named`; null: the block has no name
+	scree_body* next;                  // place in `named` for the next bodies of the block; null: no name
 	scree_status status;
 } Build;
 

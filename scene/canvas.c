@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// canvas.c -- the pixels of a picture; draws caption and legend, and writes the file, with Cairo.
+// canvas.c -- holds the pixels of a picture, draws caption and legend, and writes the file, with Cairo.
 #include "scene/canvas.h"
 #include "scene/viewport.h"
 
@@ -116,7 +116,7 @@ static double put_caption(cairo_t* cairo, const char* caption, bool show, double
 	return x - begin;
 }
 
-// Removes fields from the end of a caption until it fits into room, px. Keeps the first field.
+// Removes fields from the end of a caption until it is at most `room` wide, px. Keeps the first field.
 static void drop_fields(cairo_t* cairo, char* caption, double room)
 {
 	for (char* last = caption; last && put_caption(cairo, caption, false, 0, 0) > room;)
@@ -129,10 +129,11 @@ static void drop_fields(cairo_t* cairo, char* caption, double room)
 	}
 }
 
-// Returns the font size of a line that fits into room, px. width: width of the line at SMALL_FONT.
+// Returns the font size at which a line is at most `room` wide, px. width: width of the line at SMALL_FONT.
 static double line_font(double width, double room) { return width > room ? SMALL_FONT * room / width : SMALL_FONT; }
 
-// Draws title and caption in two lines with a smaller font. A line that is still too long gets an even smaller font.
+// Draws title and caption in two lines, with a smaller font than in one line. A line that is still too long gets an
+// even smaller font.
 static void show_lines(cairo_t* cairo, const char* title, const char* caption, double room, double top)
 {
 	char fields[256];

@@ -14,7 +14,7 @@ typedef struct
 	b2WorldId world;
 	b2BodyId ground;  // body to which joints with the world are attached; null before the first one
 	b2BodyId* bodies; // bodies of Box2D, by EngineBody.index
-	int room;         // number of entries allocated in bodies
+	int room;         // number of allocated entries of `bodies`
 } State;
 
 static b2Vec2 vec(scree_vec v) { return (b2Vec2){v.x, v.y}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fixture.c -- functions with which fixtures, scenes made by code, set parameters and add bodies and joints.
+// fixture.c -- sets parameters of fixtures, the scenes made by code, and adds their bodies and joints.
 #include "fixture.h"
 #include "validate/scree_world.h"
 #include <stdio.h>

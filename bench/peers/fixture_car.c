@@ -67,7 +67,7 @@ static void build_car(FixtureBuild* build)
 	body.density = 4.0f;
 	scree_body_def def = fixture_body(SCREE_BODY_DYNAMIC, 0.0f, 1.0f);
 	def.velocity.linear.x = speed;
-	def.locks = SCREE_LOCK_ROTATION; // locked, because at this speed the car would overturn sooner or later, in both engines
+	def.locks = SCREE_LOCK_ROTATION; // at this speed a car that can rotate overturns sooner or later, in both engines
 	scree_body chassis = fixture_put(build, def, &body);
 	add_wheel(build, chassis, -1.0f, speed);
 	add_wheel(build, chassis, 1.0f, speed);

@@ -50,7 +50,7 @@ typedef struct
 	SceneSetting settings[SETTINGS]; // the list ends at a null name
 	Quantity quantity;
 	float length;      // m: original length, for STRETCH
-	float from, until; // s: the part of the scene that counts
+	float from, until; // s: begin and end of the part of the scene that counts
 } Row;
 
 #define ROPE(name, load, level)                                                                        \

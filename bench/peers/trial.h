@@ -17,7 +17,7 @@ typedef struct
 
 typedef struct
 {
-	// results of a timed trial; 0 in a measured trial; ms per step, without the first steps
+	// results of a timed trial, ms per step without the first steps; 0 in a measured trial
 	double mean, median;
 	double first; // mean up to step FIRST_STEPS, while bodies still fall
 	// results of a measured trial; 0 in a timed trial

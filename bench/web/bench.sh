@@ -3,9 +3,9 @@
 #
 # usage: bench/web/bench.sh [ENGINE...]
 #   ENGINE  scree, scree-scalar, native, native-4, box2d3-wasm, rapier2d-simd, matter-js or planck; default all
-# Run make web before. The other engines are installed in build/web-bench; Scree does not depend on them. Every engine runs each
-# scene three times, in turns with the others; the file gets the run with the median time. native is build/scree with one thread,
-# native-4 the same with four lanes. Their time per step is the mean processor time of steps 101 to 300.
+# make web must have run before. The other engines are installed in build/web-bench; Scree does not depend on them. Every engine
+# runs each scene three times, in turns with the others; the file gets the run with the median time. native is build/scree with one
+# thread, native-4 the same with four lanes. The time per step of these two is the mean processor time of steps 101 to 300.
 set -euo pipefail
 . "$(dirname "$0")/../../tools/usage.sh"
 cd "$(dirname "$0")/../.."

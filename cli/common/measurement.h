@@ -16,7 +16,7 @@ typedef struct
 	int staged;                      // number of records with milliseconds by stage, which are the last records
 	double least, most;              // ms: median step of the fastest and of the slowest run without stage times
 	float penetration;               // m: deepest overlap of all steps
-	uint64_t hash, other;            // hash of the first run; a different hash of a later run, or the same value
+	uint64_t hash, other;            // hash of the first run; a different hash of a later run, or the same
 	uint64_t answers, other_answers; // likewise: hashes of the results of the scene's rays
 	int nonfinite;                   // number of steps that froze a body
 	double bandwidth;                // copy bandwidth of the device, bytes/s; 0 until it has been measured

@@ -31,7 +31,7 @@ typedef struct
 	float scale;                           // scale of the panel; 0: that of the display
 	const char* script;                    // path of a file with actions of the user; null: none
 	int width, height;                     // px
-	bool has_view, has_zoom;               // true if the option was given; otherwise pictures show the scene's view, without zoom
+	bool has_view, has_zoom;               // true if the option was given; otherwise the scene's view is shown
 	scree_box view, zoom;                  // m: part of the world in pictures at the start, and at the end
 	int repeats;
 	int queries;       // 0: 1,000,000 queries
@@ -65,8 +65,7 @@ typedef struct OptionTable // options of a program
 {
 	const OptionRow* rows;
 	int count;
-	// Checks that each given option has an effect; given: bit k for row k. If an option has no effect, it prints the
-	// reason and returns false.
+	// Returns whether each given option has an effect; if one has none, prints the reason. given: bit k for row k.
 	bool (*have_effect)(const struct OptionTable* table, const Options* options, unsigned given);
 } OptionTable;
 
@@ -80,8 +79,8 @@ static inline int options_steps(const Options* options, const Scene* scene)
 // prints an error message and returns false.
 bool options_read(const OptionTable* table, Options* options, int count, char** words);
 
-// Returns true if an option with one of these letters was given; then it prints that this option has no effect, and the
-// reason.
+// If an option with one of these letters was given, prints that it has no effect, with the reason `because`, and
+// returns true. Otherwise returns false.
 bool options_no_effect(const OptionTable* table, const Options* options, unsigned given, const char* letters,
                        const char* because);
 

@@ -110,10 +110,10 @@ typedef enum scree_log_level
 // the background thread that opens a GPU for a world with device "auto".
 typedef struct scree_hooks
 {
-	void* (*allocate)(size_t bytes, size_t alignment, void* context); // alignment is a power of two; may return null
+	void* (*allocate)(size_t bytes, size_t alignment, void* context); // alignment: power of two; result may be null
 	void (*release)(void* memory, void* context);
 	void (*log)(scree_log_level level, const char* sentence, void* context); // default: warnings to stderr
-	void (*assert_failed)(const char* expression, const char* file, int line, void* context); // default: print, abort
+	void (*assert_failed)(const char* expression, const char* file, int line, void* context); // default: prints, aborts
 	void* context;
 } scree_hooks;
 
@@ -167,7 +167,7 @@ SCREE_API float scree_rot_get_angle(scree_rot rotation);
 // Devices
 // ---------------------------------------------------------------------------------------------------------------
 
-typedef enum scree_sharing // transfer of render rows to an OpenGL buffer, from the slowest kind to the fastest
+typedef enum scree_sharing // transfer of render rows to an OpenGL buffer, the slowest kind first
 {
 	SCREE_SHARING_COPIED, // through host memory: scree_world_get_render_rows, then an upload to the buffer by the user
 	SCREE_SHARING_MEMORY, // cl_khr_external_memory with file descriptors: scree_world_share_memory
@@ -423,8 +423,8 @@ typedef struct scree_shape
 {
 	scree_shape_kind kind;
 	int count;                              // number of vertices: circle 1, capsule and segment 2, polygon 3 to 8
-	float radius;                           // m; polygon: rounding radius; segment: 0
-	scree_vec vertices[SCREE_MAX_VERTICES]; // m; polygon: convex, counter-clockwise
+	float radius;                           // m; rounding radius of a polygon, 0 for a segment
+	scree_vec vertices[SCREE_MAX_VERTICES]; // m; those of a polygon are convex and counter-clockwise
 	scree_vec normals[SCREE_MAX_VERTICES];  // outward unit normal of the edge from vertex i to i + 1
 	scree_vec centroid;                     // m
 	float area;                             // m^2; 0 for a segment
@@ -432,10 +432,10 @@ typedef struct scree_shape
 	float reach;                            // m: largest distance from the origin to a point of the shape
 } scree_shape;
 
-// Functions that make a shape. Lengths are in m. They fail with SCREE_ERROR_INVALID if a value is not finite, a size is
-// below 1 mm, or a coordinate exceeds SCREE_MAX_COORDINATE. Bodies of 4 cm and more suit the solver best. Smaller
-// bodies, down to 2 mm, also come to rest, but heaps of them need at least 4 substeps (docs/manifolds.md, "Small
-// bodies").
+// Functions that make a shape. Lengths are in m. The functions fail with SCREE_ERROR_INVALID if a value is not finite,
+// a size is below 1 mm, or a coordinate exceeds SCREE_MAX_COORDINATE. Bodies of 4 cm and more suit the solver best.
+// Smaller bodies, down to 2 mm, also come to rest, but heaps of them need at least 4 substeps (docs/manifolds.md,
+// "Small bodies").
 
 // Makes a box around the origin, a polygon of 4 corners; half sizes in m.
 SCREE_API scree_status scree_shape_make_box(float half_width, float half_height, scree_shape* shape);
@@ -443,10 +443,10 @@ SCREE_API scree_status scree_shape_make_box(float half_width, float half_height,
 // Makes a circle; center and radius in m.
 SCREE_API scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape* shape);
 
-// Makes a capsule: all points within radius of the line from a to b, in m. a and b are at least 1 mm apart.
+// Makes a capsule: all points within radius of the line from point a to point b, in m, which are at least 1 mm apart.
 SCREE_API scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape);
 
-// Makes a line from a to b, in m, without area. a and b are at least 1 mm apart.
+// Makes a line without area from point a to point b, in m, which are at least 1 mm apart.
 SCREE_API scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* shape);
 
 // Makes a convex polygon of 3 to 8 corners in clockwise or counter-clockwise order, rounded by radius (m; 0: sharp).
@@ -472,7 +472,7 @@ typedef struct scree_attribute_def
 	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1; scree_body_get_mass describes bodies without mass
 	float friction;           // 0 to 1e6, default 0.6; a pair uses the geometric mean, at most 1000
 	float restitution;        // 0 to 100, default 0; above 1 it adds speed; a pair uses the larger value
-	float rolling_resistance; // 0 to 1e6, default 0; times the pair's larger radius: lever arm of the resistance, m
+	float rolling_resistance; // lever arm of the resistance / larger radius of the pair, 0 to 1e6, default 0
 	float tangent_speed; // speed of a conveyor belt along the surface, m/s, within SCREE_MAX_COORDINATE, default 0;
 	                     // clockwise around the shape if positive, so that a body on top moves to the right
 	// A vector other than 0 makes the shape a one-way platform: it is solid only for bodies that come from the side to
@@ -505,7 +505,7 @@ static inline scree_status scree_attribute_get_def(const scree_world* world, scr
 typedef struct scree_material_pair // surface values of a pair of materials, which replace those of their attributes
 {
 	uint32_t size;     // set by scree_material_pair_default
-	float friction;    // 0 to 1e6, at most 1000 is used; NaN (default): the attributes' mixing rule
+	float friction;    // 0 to 1e6; values above 1000 act as 1000; NaN (default): the attributes' mixing rule
 	float restitution; // 0 to 100; NaN (default): the attributes' mixing rule
 	bool ignored;      // true: collidables of the two materials pass through each other; default false
 	// Relative speed of the two surfaces, m/s, within SCREE_MAX_COORDINATE, clockwise around each of the two shapes if
@@ -796,8 +796,8 @@ SCREE_API bool scree_body_is_enabled(const scree_world* world, scree_body body);
 
 // Adds (true) or removes (false) excluded pairs: two different bodies that never touch each other, regardless of their
 // filters; the order of the two makes no difference. If an excluded pair touches now, the touch ends in the next step,
-// with its event. When a pair is removed, its contacts begin again. Bodies that a joint keeps from touching still do
-// not touch then. Destroying a body removes its pairs. A world holds up to 16,777,216 pairs. On failure no pair of the
+// with its event. When a pair is removed, its contacts begin again. Bodies that a joint keeps from touching do not
+// touch even then. Destroying a body removes its pairs. A world holds up to 16,777,216 pairs. On failure no pair of the
 // batch changes.
 SCREE_API scree_status scree_bodies_set_excluded(scree_world* world, const scree_body* a, const scree_body* b,
                                                  const bool* excluded, int count);
@@ -826,7 +826,7 @@ SCREE_API scree_status scree_body_get_mass(const scree_world* world, scree_body 
 // Overrides the computed mass of a dynamic body until a collidable is added or removed, or gets an attribute with
 // another shape or density. The override is kept, but has no effect, while the body is static or kinematic. When the
 // center of mass changes, each point of the body keeps its velocity: the velocity of the new center is v + w x (new -
-// old).
+// old), where v is the velocity of the old center and w the angular velocity.
 //
 // Range: mass 1e-15 to 1e30 kg; inertia 1e-20 to 1e30 kg m^2, or 0 for a body that cannot rotate; center within
 // SCREE_MAX_COORDINATE. A step uses at least m r^2 / 1000 for the inertia, because with less, floats have too few
@@ -952,8 +952,8 @@ SCREE_API scree_status scree_collidables_set_poses(scree_world* world, const scr
 // first point, in metres.
 //
 // The curve is the cubic spline through the points, whose parameter is the sum of the distances between successive
-// points. Its curvature is continuous. More points make the curve more exact: with 12 points on a full circle it is
-// within 1e-3 of the radius, with 24 points within 1e-4.
+// points. Its curvature is continuous. More points make the curve more exact: with 12 points on a full circle the error
+// is at most 1e-3 of the radius, with 24 points 1e-4.
 
 typedef struct scree_path
 {
@@ -1017,18 +1017,16 @@ SCREE_API scree_status scree_path_set_user(scree_world* world, scree_path path, 
 // Joints
 //
 // A joint holds two frames together: frame A in body A, frame B in body B. It measures three coordinates of frame B in
-// frame A: the translation along the x axis of frame A, the translation across it (along its y axis), and the angle.
-// Each coordinate can be locked, and can have limits, a spring and a motor. A type of joint presets these values
-// (scree_joint_def_make), and each of them can be changed.
+// frame A: `along` is the translation along the x axis of frame A, `across` the translation along its y axis, `angle`
+// the rotation. Each coordinate can be locked, and can have limits, a spring and a motor. A type of joint presets these
+// values (scree_joint_def_make), and each of them can be changed.
 //
-// A joint of type DISTANCE measures along the line from anchor A to anchor B instead: its translation along is the
-// distance. Joints of types GEAR and PULLEY measure each body in the world and couple the two measures
-// (scree_joint_side).
+// A joint of type DISTANCE measures along the line from anchor A to anchor B instead: `along` is the distance.
+// Joints of types GEAR and PULLEY measure each body in the world and couple the two measures (scree_joint_side).
 //
-// A joint of type PATH holds anchor B on a path, which lies in frame A. Its translation along is an arc length of the
-// path, with all full laps on a closed path. Its translation across is the distance from the path, positive to the
-// left of the path's direction. Its angle is that of frame B relative to the direction of the path. The ends of an open
-// path act as limits.
+// A joint of type PATH holds anchor B on a path, which lies in frame A. `along` is an arc length of the path, with all
+// full laps on a closed path. `across` is the distance from the path, positive to the left of the path's direction.
+// `angle` is the rotation of frame B relative to the direction of the path. The ends of an open path act as limits.
 //
 // Either body can be null: its frame is then in the world. Joints with a static or kinematic body are usual. A joint
 // between two bodies that cannot move, or with a disabled body, has no effect.
@@ -1056,7 +1054,7 @@ typedef enum scree_joint_type // each comment: locked coordinates, then other va
 	SCREE_JOINT_REVOLUTE,  // along and across: a hinge
 	SCREE_JOINT_PRISMATIC, // across and angle: a slider along the x axis of frame A
 	SCREE_JOINT_SLOT,      // across: a pin in a slot along the x axis of frame A
-	SCREE_JOINT_WELD,      // all; lock_hertz makes it soft
+	SCREE_JOINT_WELD,      // all coordinates: the bodies move as one; lock_hertz makes the joint soft
 	SCREE_JOINT_WHEEL,     // across; a spring along the x axis of frame A, 1 Hz, damping ratio 0.7
 	SCREE_JOINT_MOTOR,  // no coordinate; motors on all three, speed 0 and maximum 0, to be set for friction or a drive
 	SCREE_JOINT_TARGET, // no coordinate; springs along and across, 5 Hz, damping ratio 1: pull a body to frame A
@@ -1087,10 +1085,10 @@ typedef struct scree_joint_coordinate
 	bool limited; // limits the coordinate to the range from lower to upper; the angle counts all turns
 	bool spring;
 	bool motor;
-	float lock_hertz;           // stiffness of a soft lock, Hz, 0 to 1e6; 0 (default): that of the joint
+	float lock_hertz;           // stiffness of a soft lock, Hz, 0 to 1e6; 0 (default): the stiffness of the joint
 	float lock_damping_ratio;   // damping ratio of a soft lock, 0 to 1e6, default 0
 	float lower, upper;         // lower <= upper, within SCREE_MAX_COORDINATE; default 0
-	float spring_hertz;         // 0 to 1e6, default 0: the spring is off, with any damping ratio
+	float spring_hertz;         // Hz, 0 to 1e6; 0 (default): no spring, with any damping ratio
 	float spring_damping_ratio; // 0 to 1e6, default 0
 	float spring_max;           // largest force or torque of the spring, >= 0, default FLT_MAX
 	// Largest force or torque of the spring that increases (push) and that decreases (pull) the coordinate, >= 0,
@@ -1109,9 +1107,9 @@ typedef enum scree_measure // measure of a frame relative to a base, which is a 
 	SCREE_MEASURE_DISTANCE,    // m: distance of the anchor from the position of the base
 } scree_measure;
 
-// One side of a coupling. In joints of types GEAR and PULLEY, the coordinate along is the measure of frame B in its
+// One side of a coupling. In joints of types GEAR and PULLEY, the coordinate `along` is the measure of frame B in its
 // base, plus ratio times the measure of frame A in its base. This coordinate can have a lock, limits, a spring and a
-// motor like any other. Its unit of force is N m if the measure of b is an angle. Bases do not move: couple two
+// motor like any other. Its unit of force is N m if the measure of frame B is an angle. Bases do not move: couple two
 // wheels of one vehicle through their angles only if the vehicle does not rotate.
 typedef struct scree_joint_side
 {
@@ -1125,7 +1123,7 @@ typedef struct scree_joint_def
 {
 	uint32_t size; // set by scree_joint_def_make
 	scree_joint_type type;
-	scree_body body_a, body_b;   // null: the world; not the same body
+	scree_body body_a, body_b;   // null: the world; the two must differ
 	scree_pose frame_a, frame_b; // poses in the bodies' frames; default: the bodies' origins
 	// The coordinates, by scree_coordinate. Limits, spring and motor have no effect while the coordinate is locked. A
 	// definition is refused if a locked coordinate has a motor with a speed or a maximum. scree_joint_set_coordinate
@@ -1139,15 +1137,15 @@ typedef struct scree_joint_def
 	bool collide_connected; // true: the two bodies may touch each other; default false
 	bool can_break;         // true: the joint breaks when a threshold is exceeded; default false
 	bool disabled;          // true: the joint starts disabled (scree_joint_set_enabled); default false
-	// If true, spring_max and motor_max of along and across are the half axes of an ellipse that bounds the force:
+	// If true, spring_max and motor_max of `along` and `across` are the half axes of an ellipse that bounds the force:
 	// equal half axes give the same bound in all directions. Otherwise each value bounds only its own coordinate.
 	// Default true for MOTOR and TARGET.
 	bool elliptic;
 	float force_threshold;     // N, >= 0, default FLT_MAX; a joint above it is listed by scree_world_get_joint_events
 	float torque_threshold;    // N m, >= 0, default FLT_MAX; the same for the torque
 	uint64_t user;             // user data, not simulated; default 0
-	float ratio;               // GEAR, PULLEY: factor of a's measure, -1e6 to 1e6, default 1
-	scree_joint_side sides[2]; // GEAR, PULLEY: a, b; default: angles of a GEAR, distances of a PULLEY
+	float ratio;               // GEAR, PULLEY: factor of the measure of frame A, -1e6 to 1e6, default 1
+	scree_joint_side sides[2]; // GEAR, PULLEY: sides of A and B; default: angles of a GEAR, distances of a PULLEY
 	scree_path path;           // PATH: the path on which anchor B is held
 	// PATH: the arc length, laps included, at which the search for the point nearest to anchor B begins; m, within
 	// SCREE_MAX_COORDINATE, default 0. Another part of the path is used only if it is less than half as far from anchor
@@ -1155,8 +1153,8 @@ typedef struct scree_joint_def
 	float initial_along;
 } scree_joint_def;
 
-// Returns a definition with the defaults of a type and null bodies: set bodies and frames. With an unknown type,
-// scree_joint_create refuses the definition.
+// Returns a definition with the defaults of a type and null bodies; the caller sets bodies and frames. With an unknown
+// type, scree_joint_create refuses the definition.
 static inline scree_joint_def scree_joint_def_make(scree_joint_type type);
 
 // Sets frame_a and frame_b of a definition so that both lie at a pose in the world (m), for the current poses of the
@@ -1164,9 +1162,9 @@ static inline scree_joint_def scree_joint_def_make(scree_joint_type type);
 // current poses. For type PATH the function sets only frame_b, because frame_a is the place of the path.
 SCREE_API scree_status scree_joint_def_place(scree_world* world, scree_joint_def* def, scree_pose pose);
 
-// Sets the target of the coordinate along of a GEAR or PULLEY to its current value, so that two wheels keep their
-// current angles and a rope its current length. The definition must already have bodies, frames, sides and ratio. Also
-// sets sides[].initial_angle to the current angles. Fails with SCREE_ERROR_INVALID for other types.
+// Sets the target of the coordinate `along` of a GEAR or PULLEY to the coordinate's current value, so that two wheels
+// keep their current angles and a rope its current length. The definition must already have bodies, frames, sides and
+// ratio. Also sets sides[].initial_angle to the current angles. Fails with SCREE_ERROR_INVALID for other types.
 SCREE_API scree_status scree_joint_def_couple(scree_world* world, scree_joint_def* def);
 
 // Sets frame_b of a PATH joint so that it lies on the path at an arc length (m, within SCREE_MAX_COORDINATE), in the
@@ -1263,7 +1261,7 @@ SCREE_API scree_status scree_joint_set_ratio(scree_world* world, scree_joint joi
 // on, the measures are relative to the new bases.
 SCREE_API scree_status scree_joint_set_bases(scree_world* world, scree_joint joint, scree_pose base_a,
                                              scree_pose base_b);
-// Selects whether the maxima of along and across are the half axes of an ellipse; see scree_joint_def.elliptic.
+// Selects whether the maxima of `along` and `across` are the half axes of an ellipse; see scree_joint_def.elliptic.
 SCREE_API scree_status scree_joint_set_elliptic(scree_world* world, scree_joint joint, bool elliptic);
 // Selects whether the two bodies may touch each other.
 SCREE_API scree_status scree_joint_set_collide_connected(scree_world* world, scree_joint joint, bool collides);
@@ -1273,7 +1271,7 @@ SCREE_API scree_status scree_joint_set_user(scree_world* world, scree_joint join
 typedef struct scree_joint_state
 {
 	// The coordinates, by scree_coordinate: m, m, rad; the angle counts all turns. For a GEAR or PULLEY: the coordinate
-	// along, the measure of a, the measure of b.
+	// `along`, the measure of frame A, the measure of frame B.
 	float values[3];
 	float speeds[3]; // rates of change of values: m/s, m/s, rad/s
 	scree_vec force; // N: force on body b in the last substep, in the world; its opposite acts on body a
@@ -1324,14 +1322,14 @@ typedef struct scree_contact_detail // data of a point in the last step with dt 
 typedef struct scree_contact
 {
 	scree_collidable a, b;
-	scree_vec normal; // unit vector from a to b
+	scree_vec normal; // unit vector from collidable a to collidable b
 	// Color in the constraint graph of the solver, 0 to 62: constraints of one color share no body that can move. 63:
 	// contact of a hub (a body with more than 32 contacts, or on belts that run against each other). -1: overlap.
 	int color;
 	int count; // number of points, 1 or 2
 	scree_contact_point points[2];
-	scree_body body_a, body_b;       // bodies of a and b; null for a collidable without a body
-	uint64_t user_a, user_b;         // user data of a and b
+	scree_body body_a, body_b;       // bodies of the two collidables; null for a collidable without a body
+	uint64_t user_a, user_b;         // user data of the two collidables
 	scree_contact_detail details[2]; // zero unless scree_world_def.contact_details is set, or in an event
 	int destroyed_a, destroyed_b;    // 1 in an event whose collidable has been destroyed; its handles are stale
 } scree_contact;
@@ -1363,9 +1361,9 @@ typedef struct scree_hit // a contact whose surfaces met fast
 {
 	scree_collidable a, b;
 	scree_body body_a, body_b;    // null for a collidable without a body
-	uint64_t user_a, user_b;      // user data of a and b
-	scree_vec point;              // m, in the world: the point with the larger impulse
-	scree_vec normal;             // unit vector from a to b
+	uint64_t user_a, user_b;      // user data of the two collidables
+	scree_vec point;              // m, in the world: the contact point with the larger impulse
+	scree_vec normal;             // unit vector from collidable a to collidable b
 	float approach_speed;         // m/s, at the start of the step: the larger value of the contact's points
 	float impulse;                // N s: normal impulse of all points and substeps, restitution included
 	int destroyed_a, destroyed_b; // as in scree_contact
@@ -1375,7 +1373,7 @@ typedef struct scree_visit // the overlap of a collidable, the visitor, with a s
 {
 	scree_collidable sensor, visitor;
 	scree_body body_sensor, body_visitor; // null for a collidable without a body
-	uint64_t user_sensor, user_visitor;   // user data
+	uint64_t user_sensor, user_visitor;   // user data of the sensor and of the visitor
 	float time;                           // time at which the visit began or ended, as a fraction of the step, 0 to 1
 	int destroyed_sensor, destroyed_visitor; // as in scree_contact
 } scree_visit;
@@ -1391,8 +1389,8 @@ typedef struct scree_events
 	// step, ends come before beginnings.
 	//
 	// Both lists have the same order on all devices. touches_began is in the order of scree_world_get_contacts, with
-	// points, impulses and details. touches_ended is in ascending index order of a, then of b, with handles, bodies and
-	// user data only.
+	// points, impulses and details. touches_ended is in ascending index order of collidable a, then of collidable b,
+	// with handles, bodies and user data only.
 	const scree_contact* touches_began;
 	const scree_contact* touches_ended;
 
@@ -1430,9 +1428,9 @@ static inline scree_status scree_world_get_events(scree_world* world, scree_even
 // Approves (true) or refuses (false) the contacts in scree_events.approvals of the last step. approved[k] belongs to
 // approvals[k]. Fails with SCREE_ERROR_INVALID if count is not approval_count.
 //
-// An approved contact acts from the next step on, until the two are farther apart than 0.02 m. A contact that is
-// refused, or neither approved nor refused before the next step, has no effect: the two pass through each other until
-// they are farther apart than 0.02 m. The next contact of the two is pending again.
+// An approved contact acts from the next step on, until its two collidables are farther apart than 0.02 m. A contact
+// that is refused, or neither approved nor refused before the next step, has no effect: the two pass through each other
+// until they are farther apart than 0.02 m. The next contact of the two is pending again.
 //
 // In the step in which a contact becomes pending, its bodies move at most to the poses at which they meet, and keep
 // their velocities. A step of dt 0, or one that fails, refuses nothing: a contact that is still pending is listed again
@@ -1532,7 +1530,7 @@ typedef struct scree_probe // 32 bytes: pose and motion of the shape in one quer
 typedef struct scree_query_result // 32 bytes: the result of a query
 {
 	scree_collidable collidable; // null if nothing was found
-	scree_vec point;             // m: met or nearest point of the collidable's surface; if inside, the query's start
+	scree_vec point;             // m: met or nearest point of the collidable's surface; if inside, start of the query
 	scree_vec normal;            // unit vector from the collidable to the query; 0 if inside
 	float fraction;              // fraction of the translation, 0 to 1; for scree_world_find_nearest the distance, m,
 	                             // negative if the shapes overlap
@@ -1593,7 +1591,7 @@ SCREE_API scree_status scree_world_cast_shared_shapes(scree_world* world, const 
                                                       size_t found_offset);
 
 // Finds all collidables that each ray meets; a ray with translation 0 finds all that overlap its origin. The arrays of
-// list belong to the world; they are valid until the next call that fills a list, or until the world is destroyed. def
+// *list belong to the world; they are valid until the next call that fills a list, or until the world is destroyed. def
 // may be null for the default; def->any must be false.
 static inline scree_status scree_world_list_rays(scree_world* world, const scree_query_def* def, const scree_ray* rays,
                                                  int count, scree_query_results* list);
@@ -1604,7 +1602,7 @@ static inline scree_status scree_world_list_shapes(scree_world* world, const scr
                                                    scree_query_results* list);
 
 // Finds all collidables that overlap a box (m), at least 2 mm wide and high, with the default definition. The arrays of
-// list belong to the world, as above.
+// *list belong to the world, as above.
 static inline scree_status scree_world_overlap_box(scree_world* world, scree_box box, scree_query_results* list);
 // Finds all collidables that overlap a shape at a pose, as above; a null shape is a point.
 static inline scree_status scree_world_overlap_shape(scree_world* world, const scree_shape* shape, scree_pose pose,
@@ -1659,7 +1657,7 @@ static inline scree_mover_def scree_mover_def_default(void);
 typedef struct scree_mover
 {
 	scree_vec position;        // m: center of the capsule
-	scree_vec velocity;        // m/s, in addition to that of the ground; in: desired velocity, out: after collisions
+	scree_vec velocity;        // m/s, relative to the ground; before a call as desired, after it as collisions left it
 	scree_body ignored;        // body that does not stop the mover, such as a body that follows it; as in scree_ray
 	scree_collidable ground;   // the collidable on which the mover stands, null in the air
 	scree_vec normal;          // normal of the ground, 0 in the air
@@ -1738,7 +1736,7 @@ typedef struct scree_field_def
 	bool disabled;     // true: the field has no effect; default false
 	// The field acts on a collidable if category has a common bit with the mask of its filter, and mask with the
 	// category of its filter. Types that act on bodies act on bodies with such a collidable. With all bits in both
-	// (default) the field acts on all, regardless of filters.
+	// (default) the field acts on all collidables, regardless of filters.
 	uint64_t category, mask;
 	scree_vec acceleration;      // UNIFORM: m/s^2, in the field's frame; default 0
 	scree_vec force;             // UNIFORM: N, in the field's frame; default 0
@@ -1795,16 +1793,16 @@ typedef struct scree_distance
 	// m: the nearest points of the surfaces, in the world. If the shapes overlap, point_b - point_a is distance times
 	// normal.
 	scree_vec point_a, point_b;
-	scree_vec normal; // unit vector from a to b
+	scree_vec normal; // unit vector from shape a to shape b
 	float distance;   // m: distance of the surfaces; negative: minus the depth of the overlap
 } scree_distance;
 
-// Returns the distance of two shapes; a null shape is a point. Method: exact: the distance of a point from the
+// Returns the distance of two shapes; a null shape is a point. Method: exact, as the distance of a point from the
 // Minkowski sum of the two.
 SCREE_API scree_status scree_shapes_get_distance(const scree_shape* a, scree_pose pose_a, const scree_shape* b,
                                                  scree_pose pose_b, scree_distance* distance);
 
-// Finds the point at which a ray from origin by a translation (m) meets a shape. found->collidable is null.
+// Finds the point at which a ray meets a shape; translation: from origin to the end, m. found->collidable is null.
 SCREE_API scree_status scree_shape_cast_ray(const scree_shape* shape, scree_pose pose, scree_vec origin,
                                             scree_vec translation, scree_query_result* found);
 // Finds the point at which shape b, moving by a translation (m) without rotation, meets shape a. A null shape is a
