@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// fixture_car.c -- builds a scene: a car on rough ground, whose two wheels have springs and motors.
+// fixture_car.c -- builds a scene: a car with springs and motors at its two wheels drives on rough ground.
 #include "fixtures.h"
 
 #define PI     3.14159265f

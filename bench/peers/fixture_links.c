@@ -88,8 +88,8 @@ enum
 	MASS
 };
 
-// Adds a bridge of planks, each 1 m long, between two points of the world, and boxes on the planks. The parameter mass
-// is the mass of a box in units of a plank's mass.
+// Adds a bridge of planks, each 1 m long, between two points of the world, and boxes on the planks. The parameter
+// `mass` is that of a box in units of a plank's mass.
 static void add_bridge(FixtureBuild* build, float y)
 {
 	int planks = (int)build->values[PLANKS], loads = (int)build->values[LOADS];

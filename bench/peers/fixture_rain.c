@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// fixture_rain.c -- builds two scenes: rain, ragdolls that fall on five floors and are replaced after some steps; and
-// humans, ragdolls that come to rest on a floor.
+// fixture_rain.c -- builds two scenes. In rain, ragdolls fall on five floors and are replaced after some steps. In
+// humans, ragdolls come to rest on a floor.
 #include "fixtures.h"
 #include "ragdoll.h"
 #include "validate/scree_world.h"

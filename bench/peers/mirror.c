@@ -96,7 +96,7 @@ static bool place_body(const Mirror* mirror, scree_body body)
 	       mirror->engine->set_velocity(mirror->state, index, velocity);
 }
 
-// Copies the changes of a scene in a file to the engine. Bodies that the scene replaces keep their places in the list,
+// Makes in the engine the changes of a scene from a file. Bodies that the scene replaces keep their places in the list,
 // and their indices.
 static bool follow_scene(Mirror* mirror, int64_t step)
 {

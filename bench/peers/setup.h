@@ -25,8 +25,8 @@ scree_world_def setup_world(const Setup* setup);
 // Adds the bodies and joints of the scene to a new world. Returns false after printing a sentence.
 bool setup_fill(const Setup* setup, scree_world* world);
 
-// Creates a world on the CPU with the scene's bodies and joints. threads 0: one thread per core. Returns null after
-// printing a sentence.
+// Creates a world on the CPU with the scene's bodies and joints. threads: number of threads, 0 for one per core.
+// Returns null after printing a sentence.
 scree_world* setup_open(const Setup* setup, int threads);
 
 // Returns whether the scene changes bodies between steps.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// engines.mjs -- wraps each engine: make(bodies) returns step(), which takes a step, and read(), which returns the poses of all bodies.
+// engines.mjs -- wraps each engine in a function that returns make(bodies). make returns step(), which takes a step, and read(),
+// which returns the poses of all bodies.
 //
 // All engines have gravity 10 m/s^2, friction 0.6, density 1, no sleep and steps of 1/60 s; engines with substeps make 4.
 const DT = 1 / 60, SUBSTEPS = 4, FRICTION = 0.6;

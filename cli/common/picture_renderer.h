@@ -19,7 +19,7 @@ const scree_opengl* picture_renderer_opengl(const PictureRenderer* renderer);
 // Selects the world to draw. On failure it prints an error message and returns false.
 bool picture_renderer_set_world(PictureRenderer* renderer, const ScenePlayer* player);
 
-// Adds the events of a step that the picture shows. Call it after every step.
+// Adds the events of a step that the picture shows. The caller calls it after every step.
 scree_status picture_renderer_step(PictureRenderer* renderer, const ScenePlayer* player);
 
 // Shows this box of the world, in place of the scene's view and of the magnified detail beside it.

@@ -4,12 +4,12 @@
 #define RUN_REPORT_H
 #include "step_record.h"
 
-typedef struct // sums over all steps; penetration and joint_gap are maxima
+typedef struct // sums over all steps; penetration and joint_gap are maxima, `last` is the last step
 {
 	Record last;
 	double seconds; // s: time of the steps
 	double stages[STAGE_TIMES];
-	double scans; // s: time of the scene's rays
+	double scans; // s: total duration of the scene's rays
 	float penetration, joint_gap;
 	int nonfinite;
 } Totals;

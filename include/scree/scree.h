@@ -518,8 +518,8 @@ static inline scree_material_pair scree_material_pair_default(void);
 
 // Sets the surface values for contacts between two materials (0 to 255; they may be equal); the order of the two makes
 // no difference. A null pair restores the values of the attributes. The change takes effect in the next step, also for
-// existing contacts: a contact that becomes ignored ends with its event, and a new contact begins when the pair is no
-// longer ignored.
+// existing contacts: the end of a contact that becomes ignored is an event, and a new contact begins when the pair is
+// no longer ignored.
 SCREE_API scree_status scree_world_set_material_pair(scree_world* world, int material_a, int material_b,
                                                      const scree_material_pair* pair);
 
