@@ -79,7 +79,7 @@ typedef struct // MAX_LANES spokes; only the first two rows outlive a pass
 	float push_x[MAX_LANES], push_y[MAX_LANES], arm1[MAX_LANES], arm2[MAX_LANES]; // effect of a unit impulse on the hub
 	float slope1[MAX_LANES], slope2[MAX_LANES];                                   // m/s: slopes of the energy
 	float mass1[MAX_LANES], mass2[MAX_LANES], cross[MAX_LANES];               // 1/kg: velocity changes by unit impulses
-	float inverse1[MAX_LANES], inverse2[MAX_LANES], inverse[MAX_LANES];       // inverses of mass1, mass2, mass determinant
+	float inverse1[MAX_LANES], inverse2[MAX_LANES], inverse[MAX_LANES];       // inverses of mass1, mass2, determinant
 	float old1[MAX_LANES], old2[MAX_LANES], new1[MAX_LANES], new2[MAX_LANES]; // N s
 	float limit1[MAX_LANES], limit2[MAX_LANES];
 } Spokes;

@@ -145,7 +145,7 @@ INLINE int tile_padded(int count, int row, int rows)
 	return row < rows ? count : (count + RELAY_GROUP - 1) / RELAY_GROUP * RELAY_GROUP;
 }
 
-// Sums the places in each row of the table; the last row is the border.
+// Adds up the numbers of places in each row of the table; the last row is the border.
 __kernel void tile_total(__global const int* table, __global int* total, int rows)
 {
 	int row = (int)get_global_id(0), sum = 0;
