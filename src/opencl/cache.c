@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cache.c -- stores compiled programs on disk: a file per key, with a digest, written under another name and renamed.
+// cache.c -- stores compiled programs on disk: one file per key, written under a temporary name and then renamed.
 #include "opencl/cache.h"
 #include "platform/error.h"
 #include <errno.h>
@@ -26,7 +26,7 @@
 #define PATH_BYTES 1024
 #define MAX_BYTES  ((uint64_t)1 << 28) // a file that states a larger size is damaged
 
-typedef struct // the first bytes of a file
+typedef struct // header of a file; content is the digest of the program that follows
 {
 	char magic[8];
 	Digest key, content;
@@ -36,7 +36,7 @@ static const char magic[8] = "scree-1";
 
 Digest digest_begin(void) { return (Digest){0xcbf29ce484222325u, 0x9e3779b97f4a7c15u}; }
 
-// a: FNV-1a (Fowler, Noll, Vo, 1991). b: the same with another factor and a rotation, so that it differs from a.
+// Adds bytes to both halves of a digest: `a` is FNV-1a (Fowler, Noll, Vo, 1991); `b` has another factor and a rotation.
 void digest_add(Digest* digest, const void* bytes, size_t count)
 {
 	const unsigned char* byte = bytes;

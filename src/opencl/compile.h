@@ -5,10 +5,10 @@
 #include "opencl/cache.h"
 #include "opencl/device.h"
 
-#define PROGRAM_OPTIONS 64 // maximum bytes of the argument options
+#define PROGRAM_OPTIONS 64 // maximum length of the argument `options`, bytes, with the final zero
 
-// Builds the program `text`, which cmake/embed.cmake generated, with the given options and those that equal bits
-// require. The caller releases *program. If the build fails, the compiler's messages are logged.
+// Builds the program `text`, which cmake/embed.cmake generated, with the given options, and with the options that equal
+// bits require. The caller releases *program. If the build fails, the compiler's messages are logged.
 scree_status program_build(cl_context context, const Device* device, const char* options, const char* text,
                            size_t length, cl_program* program);
 

@@ -11,8 +11,8 @@ typedef struct
 	cl_device_id id;
 	cl_device_type type;
 	bool correct_division;             // supports -cl-fp32-correctly-rounded-divide-sqrt
-	bool shares_opengl, shares_memory; // OpenGL: has cl_khr_gl_sharing; memory: imports file descriptors
-	bool compiles_at_launch; // PoCL: binaries lack kernels for most sizes of launches; it has a separate cache
+	bool shares_opengl, shares_memory; // has cl_khr_gl_sharing; imports memory by file descriptor
+	bool compiles_at_launch; // true for PoCL, which has its own cache: programs are not stored in that of cache.c
 	bool usable;             // false: Scree cannot use the device with any option; about.reason states the reason
 	char platform_name[128];
 	char identity[768]; // platform, device and driver with all versions; part of the key of the program cache
@@ -22,8 +22,8 @@ typedef struct
 // Writes at most `capacity` devices. Returns the total number of devices.
 int device_list(Device* devices, int capacity);
 
-// Chooses a device whose name or platform name contains options->device (case ignored). Best are devices that the
-// options allow, of these GPUs, and of these devices with equal bits. Fails with SCREE_ERROR_NO_DEVICE.
+// Chooses a device whose name or platform name contains options->device (case ignored). Prefers devices that the
+// options allow, then GPUs, then devices with equal bits. Fails with SCREE_ERROR_NO_DEVICE.
 scree_status device_choose(const BackendOptions* options, Device* device);
 
 #endif

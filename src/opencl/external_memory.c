@@ -16,7 +16,7 @@ typedef cl_ulong MemoryProperty;
 typedef cl_mem(CL_API_CALL* CreateFromFile)(cl_context, const MemoryProperty*, cl_mem_flags, size_t, void*, cl_int*);
 typedef cl_mem(CL_API_CALL* CreateFromOpenGl)(cl_context, cl_mem_flags, cl_uint, cl_int*);
 
-typedef struct // names of three functions of an extension
+typedef struct // names of the functions that create, acquire and release shared memory
 {
 	const char *create, *acquire, *release;
 } Extension;
@@ -124,7 +124,7 @@ scree_status share_open_context(OpenCl* d, const scree_opengl* opengl)
 	cl_context_properties plain[] = {CL_CONTEXT_PLATFORM, (cl_context_properties)d->device.platform, 0};
 	if (opengl && d->device.shares_opengl)
 	{
-		// keys of cl_khr_gl_sharing: CL_GL_CONTEXT_KHR, 0x2008, and CL_EGL_, CL_GLX_ or CL_WGL_HDC_KHR for the display
+		// keys of cl_khr_gl_sharing: CL_GL_CONTEXT_KHR is 0x2008; the display has a key for each window system
 		static const cl_context_properties displays[] = {
 		    [SCREE_WINDOW_EGL] = 0x2009, [SCREE_WINDOW_GLX] = 0x200a, [SCREE_WINDOW_WGL] = 0x200b};
 		cl_context_properties shared[] = {0x2008,

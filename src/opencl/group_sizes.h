@@ -4,28 +4,29 @@
 #define GROUP_SIZES_H
 
 #define KERNEL_GROUP     128 // work-items per work-group; few, so that a color of a small scene uses many compute units
-#define CONTINUOUS_GROUP 32  // the same for continuous, whose many registers would be partly idle in larger groups
+#define CONTINUOUS_GROUP 32  // the same for the kernel continuous; larger groups would leave registers idle
 #define HUB_GROUP        256 // work-items of the group that solves a hub: one per column of its sums (HUB_COLUMNS)
 
-// Nodes above leaves that a traversal visits, about 3 us each, before its rest is split; most bodies visit 4 to 8.
+// Number of nodes above leaves, each about 3 us, that a traversal visits before its rest is split among work-items.
+// Most traversals visit 4 to 8.
 #define TRAVERSAL_NODES 12
 
 // Work-items per group of sort and scan, one per digit; all GPUs support 256. Some tests define other values.
 #ifndef PRIMITIVE_GROUP
 #define PRIMITIVE_GROUP 256
 #define SORT_DIGIT_BITS 8    // bits per pass; 9 would exceed 32 KiB, the local memory that OpenCL 1.2 guarantees
-#define SORT_GRAIN      512  // minimum keys per work-group; with fewer keys, another work-group would take longer
-#define SORT_FEW        2048 // maximum keys that the persistent kernel sorts in one pass; they fit in local memory
+#define SORT_GRAIN      512  // minimum number of keys per work-group; more work-groups would take longer
+#define SORT_FEW        2048 // maximum number of keys in sort_few; they fit in local memory
 #define SORT_TEAM       32   // work-items that together compute the rank of a key
 #endif
 #define SORT_DIGITS (1 << SORT_DIGIT_BITS)
-#define SORT_BLOCKS 256 // maximum groups of a pass; each group reads 1 KiB for every group
+#define SORT_BLOCKS 256 // maximum number of groups of a pass; each group reads counts of 1 KiB from every group
 
 #define SCAN_BLOCKS 512
 #define SCAN_ITEMS  4 // number of consecutive items that a work-item processes at a time
 #define SCAN_GRAIN  (PRIMITIVE_GROUP * SCAN_ITEMS)
 
-#define PERSISTENT_GROUP  PRIMITIVE_GROUP // work-items per group, as many as in a sort; maximum runs in a list
+#define PERSISTENT_GROUP  PRIMITIVE_GROUP // work-items per group, as in a sort; also the maximum runs in a list
 #define PERSISTENT_HEADER 32              // number of ints before the runs in the list; the first counts arrivals
 #define PERSISTENT_PROBE  (-1)            // run that tests whether groups are resident at once and exchange writes
 
@@ -39,7 +40,7 @@
 #define STREAM_FLOAT4S (STREAM_QUADS + (STREAM_PAIRS + 1) / 2)
 
 #ifndef TILE_BODIES      // tests with small worlds define other values
-#define TILE_BODIES 1024 // in local memory, 32 bytes each; with more, fewer border constraints but lower occupancy
+#define TILE_BODIES 1024 // bodies per tile, 32 bytes each; a larger tile lowers occupancy, but has a smaller border
 #define TILE_GROUP  256  // work-items per tile
 #endif
 // Columns of the table of tiles: beginnings of the constraints of each color and kind of a tile, and their end.

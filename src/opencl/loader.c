@@ -18,8 +18,8 @@ static void* find(void* library, const char* name) { return (void*)GetProcAddres
 #include <stdlib.h>
 #include <unistd.h>
 
-// Describes the machine to hwloc in HWLOC_SYNTHETIC, with the numbers of sysconf. PoCL gets the memory size from hwloc,
-// and ends the process if hwloc finds no memory, as in containers without sysfs.
+// Describes the machine to hwloc in the environment variable HWLOC_SYNTHETIC, with the numbers of sysconf. PoCL gets
+// the memory size from hwloc, and ends the process if hwloc finds no memory, as in containers without sysfs.
 static void describe_machine(void)
 {
 	char text[96];

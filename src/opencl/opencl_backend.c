@@ -73,7 +73,7 @@ typedef struct // new layout of a buffer: the beginning of each of its kinds, an
 	int room[PER_COUNT];
 } Plan;
 
-// Copies the items of a pool to the same pool in another buffer, which has the layout plan.
+// Copies the items of a pool to the same pool in the buffer `copied`, whose layout is `plan`.
 static scree_status pool_copy(OpenCl* d, PoolId pool, const Plan* plan, cl_mem copied)
 {
 	Per per = pool_info[pool].per;
@@ -218,7 +218,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
-// Returns the work-items per group: one for branches on a CPU, as PoCL would compile their barriers for two minutes.
+// Returns the work-items per group: 1 for branches on a CPU, because PoCL compiles their barriers for two minutes.
 static size_t kernel_group(const OpenCl* d, int stage)
 {
 	if (kernel_widths[stage] == WIDTH_TEAM && d->device.type & CL_DEVICE_TYPE_CPU)

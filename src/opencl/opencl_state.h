@@ -157,7 +157,7 @@ typedef struct
 	cl_kernel total, begin, range;
 	Scratch buffers[TILE_BUFFERS];
 	bool stale;                 // constraints or motion constants may have changed since the tiles were built
-	bool pushed, pushed_before; // fields changed forces since the last solve; the same at the last build
+	bool pushed, pushed_before; // fields changed forces since the last solve; value of pushed at the last build
 	int rows;                   // number of tiles at the last build
 	cl_event edges_event;       // event of a read of edges; null if none is in flight
 	cl_int edges[2];            // begin and end of the border at the last build, valid when the event is complete
@@ -191,7 +191,7 @@ typedef struct
 	size_t begin[PER_COUNT];   // offset of the pools of a kind in their buffer, bytes
 	int place[PER_COUNT];      // position of a kind in pools.def
 	int room[PER_COUNT];       // capacity in items, rounded up
-	int argument[PER_COUNT];   // index of the buffer's argument; for a kind without a buffer, position among such kinds
+	int argument[PER_COUNT];   // argument index of a kind's buffer; for a kind without one, position among such kinds
 	size_t before[POOL_COUNT]; // bytes per item of all pools of the same kind before this pool
 
 	Kernel kernels[KERNEL_COUNT], plain[PLAIN_KERNELS];

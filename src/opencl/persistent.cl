@@ -64,8 +64,8 @@ INLINE bool device_barrier_await(const DeviceBarrier* b)
 	return *b->healthy;
 }
 
-// Executes run k of the probe: writes k for a work-item of another work-group, and checks that a third wrote k-1 for
-// this work-item. The reads are not volatile and repeat the same addresses, so that a stale cache is detected.
+// Executes run k of the probe: writes k for a work-item of another group, and checks that a third group wrote k - 1 for
+// this one. The reads are not volatile and repeat the same addresses, so that a stale cache is detected.
 INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0), group = (int)get_local_size(0);
@@ -76,7 +76,7 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 	now[(i + 2 * group) % n] = k;
 }
 
-// Waits at the barrier of the device, or of this work-group if alone. Returns false if a spin-wait reached its limit.
+// Waits at the device-wide barrier or, if `alone`, at this group's. Returns false if a spin-wait reached its limit.
 INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 {
 	if (!alone)
@@ -85,7 +85,7 @@ INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 	return true;
 }
 
-// Sorts as primitives.c does, the parts shared among work-groups. Returns false if a spin-wait reached its limit.
+// Sorts like primitives.c; the work-groups share the parts. Returns false if a spin-wait reached its limit.
 INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL SortMemory* bench, DeviceBarrier* b,
                             bool alone)
 {
@@ -201,9 +201,9 @@ INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __globa
 
 // Executes the runs of a list: PERSISTENT_HEADER ints (arrivals at the barrier, arrivals at the end of the last launch,
 // next run of the first work-group), then `count` runs, at most one per work-item of a group. A run may change the
-// bounds of later runs, so each work-item holds one run and reads its bound after every barrier; all bounds together
-// take one memory access, and runs without items no time. The first group executes consecutive short runs alone, after
-// the others have arrived at the next device-wide barrier, because its runs change bounds that they read.
+// bounds of later runs, so each work-item holds one run and reads its bound after every barrier. All bounds are read in
+// one memory access, and runs without items take no time. The first group executes consecutive short runs alone, after
+// the others have arrived at the next device-wide barrier, because its runs change bounds that the others read.
 __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global uint* table,
                          __global int* probes, int spins)
 {

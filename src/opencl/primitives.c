@@ -72,7 +72,7 @@ void primitives_close(OpenCl* d)
 		opencl.ReleaseMemObject(d->primitives.table);
 }
 
-// Launches a pass of the sort, by bits shift to shift + bits - 1. from, to: offsets of keys before and after it, bytes.
+// Launches a pass of the sort, by bits shift to shift + bits - 1. `from`, `to`: byte offsets of source and destination.
 static scree_status sort_pass(OpenCl* d, const Run* run, cl_ulong from, cl_ulong to, cl_int shift, int bits)
 {
 	cl_uint mask = (1u << bits) - 1;

@@ -65,7 +65,8 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 }
 
 // Writes the keys of a part to their places, stably, by one digit. A bit mask per digit gives the rank of a key among
-// PRIMITIVE_GROUP keys: each work-item sets a bit and counts lower bits. Work-item t has the next place of digit t.
+// PRIMITIVE_GROUP keys: each work-item sets its bit in the mask of its digit, and counts the lower bits. Work-item t
+// has the next place of digit t.
 INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
                             uint block, int shift, uint mask, LOCAL SortMemory* bench)
 {
@@ -115,7 +116,7 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 }
 
 // Sorts up to SORT_FEW keys, stably, by bits `from` to end - 1: the place of a key is the number of smaller keys and of
-// equal keys before it. Each work-group has all keys in local memory; SORT_TEAM work-items compare one with all.
+// equal keys before it. Each work-group has all keys in local memory; SORT_TEAM work-items compare a key with all.
 INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
                      LOCAL SortMemory* bench)
 {

@@ -50,7 +50,7 @@ scree_status opencl_read_end(Backend* b, void* items)
 	TRY(CALL(WaitForEvents, 1, &d->read.event));
 	opencl.ReleaseEvent(d->read.event);
 	d->read.event = NULL;
-	// if no upload followed the read, all uploads are done
+	// if no upload was enqueued after this read, all uploads are done
 	if (d->staging.used == d->read.staged)
 		d->staging.used = 0;
 	memcpy(items, d->read.pinned.memory, d->read.bytes);

@@ -14,17 +14,17 @@ bool transfer_wanted(const OpenCl* d, size_t count);
 scree_status transfer_up(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);
 scree_status transfer_down(OpenCl* d, cl_mem buffer, size_t offset, void* bytes, size_t count);
 
-// Parts of a transfer, which batches use too. transfer_open allocates blocks and threads at its first call.
+// Steps of a transfer, which batches call too. transfer_open allocates blocks and threads at its first call.
 scree_status transfer_open(OpenCl* d);
 unsigned char* transfer_block(const OpenCl* d, int block);
 // Waits for the last command that uses a block.
 scree_status transfer_settle(OpenCl* d, int block);
-// Enqueue a transfer between an unused block (transfer_settle) and a buffer. wait: event that precedes it, or null.
+// Enqueue a transfer between an unused block (transfer_settle) and a buffer. wait: event to wait for, or null.
 scree_status transfer_send(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                            size_t bytes);
 scree_status transfer_fetch(OpenCl* d, cl_command_queue queue, cl_event wait, int block, cl_mem buffer, size_t offset,
                             size_t bytes);
-typedef struct // a copy within host memory; transfer_copy divides copies among all threads
+typedef struct // a copy within host memory; transfer_copy divides its copies among all threads
 {
 	void* to;
 	const void* from;

@@ -32,7 +32,7 @@ void scree_release(void* memory); // memory may be null
 void assert_failed(const char* expression, const char* file, int line);
 #define ASSERT(x) ((x) ? (void)0 : assert_failed(#x, __FILE__, __LINE__))
 
-// Adds to the number of worlds; hooks cannot change while a world exists.
+// Adds `change` to the number of worlds; hooks cannot change while a world exists.
 void worlds_add(int change);
 
 #endif

@@ -11,9 +11,9 @@ uint64_t processor_memory(void); // physical memory, bytes; 0 if unknown
 double processor_milliseconds(void); // time by a monotonic clock, ms
 
 bool processor_lanes_compiled(int lanes); // true: this build has kernels for a number of lanes: 1, 4, 8 or 16
-bool processor_has_lanes(int lanes);      // true: the processor can also run them
+bool processor_has_lanes(int lanes);      // true: this build has these kernels, and the processor can run them
 int processor_widest_lanes(void);
-const char* processor_instructions(int lanes); // name of the instruction set for a number of lanes: "AVX2"
+const char* processor_instructions(int lanes); // name of the instruction set for a number of lanes, such as "AVX2"
 
 // The floating-point mode that equal bits require: rounding to nearest, denormals, no traps. Other libraries may set
 // another mode, and a thread inherits the mode of its creator. So a call of the library enters this mode, and restores

@@ -25,7 +25,7 @@
 #define FEWEST_SPINS 16
 #define YIELDS       20 // number of yields after the spin, before the worker sleeps; to wake it takes about 50 us
 #define HELP_SPINS   40 // number of pause instructions before an idle worker claims blocks of late workers
-#define WAKES        2  // number of workers that a worker wakes; each of them wakes as many more
+#define WAKES        2  // number of workers that a waking worker wakes; each of these wakes as many others
 #define BLOCK_BITS   8  // number of bits of a turn for the number of blocks
 
 typedef struct

@@ -4,18 +4,18 @@
 #define BODY_TYPES_H
 #include "pools/limits.h"
 
-#define CONTINUOUS_TRAVEL 0.2f    // share of a body's thickness that it may travel in a step before its path is tested
+#define CONTINUOUS_TRAVEL 0.2f    // fraction of its thickness that a body may move in a step before its path is tested
 #define CONTINUOUS_CROSS  1.0f    // the same if only moving shapes are near: to tunnel, a body must pass their middle
 #define KINEMATIC_FEW     8       // with more kinematic bodies, continuous collision searches the tree for nearby ones
-#define PRESS_FROM        2.0e-5f // m: a contact starts a press if it overlaps a kinematic or static body by more
-#define PRESS_START       0.0001f // m: a step searches for presses if a contact overlaps a static body by more
-#define PRESS_GAP         0.01f   // m: a joint drags a body that cannot follow if the gap of the joint is larger
+#define PRESS_FROM        2.0e-5f // m: overlap with a kinematic or static body above which a contact starts a press
+#define PRESS_START       0.0001f // m: overlap with a static body above which a step searches for presses
+#define PRESS_GAP         0.01f   // m: gap above which a joint drags a body that cannot follow
 #define PRESS_MOST \
-	0.015f // m: greatest depth of a press in a static body; a lower limit would remove the overlap at which contacts carry a load
+	0.015f // m: maximum depth of a pressed body in a static one; less would remove overlap that carries loads
 #define PRESS_MAY_WAIT   1  // bit of the argument of the press kernels: the constraint layout may have changed
 #define PRESS_AGAIN      2  // bit of the same argument: this is not the first round
 #define CONTINUOUS_SHARE 2  // least number of collidables of a body per work-item of the kernel continuous
-#define CONTINUOUS_PARTS 64 // largest number of work-items per body
+#define CONTINUOUS_PARTS 64 // maximum number of work-items per body in the kernel continuous
 
 typedef struct // 16 bytes: data of a dynamic body for continuous collision
 {
@@ -30,8 +30,8 @@ typedef struct // 32 bytes: presses on a body
 	int way[2];         // codes of the presses by static and by kinematic bodies: hops left and direction, 0 for none
 	int depth;          // float bits of the body's depth in a static body into which it is pressed, m
 	int speed;          // float bits of the speed of the latest press, m/s
-	int left;           // number of steps in which the body still may not get faster than its latest press
-	int tight;          // 1 if the body is still deep in another body
+	int left;           // number of further steps in which the latest press limits the speed of the body
+	int tight;          // 1 if the body is deep in another body
 	float before, spun; // speed and spin of the body at the start of the step, m/s, rad/s
 } Press;
 

@@ -44,10 +44,10 @@ typedef struct // MAX_LANES joints in the linear systems of their chains: workin
 	float x[3][MAX_LANES];                       // solution
 	float pose[6][MAX_LANES];                    // first axis; levers of both axes on a, and on b
 	int body_a[MAX_LANES], body_b[MAX_LANES];    // indices of the bodies of a joint
-	float locks[MAX_LANES], holds[MAX_LANES];    // bits of coordinates: locked; locked and able to move
-	float side[MAX_LANES], other[MAX_LANES];     // shared body, 0 for a, 1 for b: in a joint; in the previous one
-	float inv_mass[MAX_LANES], turns[MAX_LANES]; // 1/kg, 1/(kg m^2): inverses of the shared body; 0 for none
-	float tension[2][MAX_LANES];                 // kg m^2: inertia that the pull adds to bodies a and b
+	float locks[MAX_LANES], holds[MAX_LANES];    // bits: locked coordinates; locked coordinates that can move
+	float side[MAX_LANES], other[MAX_LANES];     // side of the shared body, 0: a, 1: b, in a joint; in the one before
+	float inv_mass[MAX_LANES], turns[MAX_LANES]; // 1/kg, 1/(kg m^2): inverse mass and inertia of the shared body, or 0
+	float tension[2][MAX_LANES];                 // kg m^2: inertia that the pull of joints adds to bodies a and b
 	float own_a[MAX_LANES], own_b[MAX_LANES];    // 1/(kg m^2): inverse inertias of bodies a and b
 	float step_a[MAX_LANES], step_b[MAX_LANES];  // 1/(kg m^2): the same in the step, with the inertia of tension
 	float slack[MAX_LANES];                      // 1/(kg m^2): softness of the damping of a free angle, or 0

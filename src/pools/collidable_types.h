@@ -22,10 +22,12 @@
 #define COLLIDABLE_MOVING  4                             // the collidable is not at rest in this step
 #define GRAIN_SIZE         (2.0f * SPECULATIVE_DISTANCE) // m: thinner dynamic collidables have finer tolerances
 // Bit k of the following bits is set for a dynamic collidable that is thinner than GRAIN_SIZE / 2^k. The tolerances of
-// a contact are halved for each bit that one of the two collidables has; otherwise they would exceed the smaller body.
+// a contact are halved for each bit that one of the two collidables has; otherwise they could be larger than the
+// smaller body.
 #define COLLIDABLE_GRAIN 8 // bit 0
 #define GRAIN_LEVELS     5
-// First of similar bits for the reach, which scales the largest gap of points: long bodies need points at both ends.
+// First bit of the same kind for the reach, not the thickness. These bits scale the largest gap of contact points,
+// because a long body needs points at both ends.
 #define COLLIDABLE_REACH  (COLLIDABLE_GRAIN << GRAIN_LEVELS)
 #define COLLIDABLE_GRAINS (COLLIDABLE_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
 

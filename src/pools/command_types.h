@@ -26,11 +26,11 @@ typedef struct // 32 bytes: a change that the user made between steps
 #define COMMAND_MOTION          9  // gravity scale, linear damping, angular damping; whole[0]: locks
 #define COMMAND_LINEAR_VELOCITY 10 // x, y: m/s; the spin does not change
 #define COMMAND_SPIN            11 // x: rad/s; the linear velocity does not change
-#define COMMAND_BODY            12 // new row without mass: center of mass x, y, cos, sin; whole: bits of local center
+#define COMMAND_BODY            12 // new body without mass: pose of its center of mass; whole: bits of its local center
 #define COMMAND_CONTINUOUS      13 // ContinuousBody: first and parts in whole; way in x, reach in y
 #define COMMAND_ENABLED         14 // whole[0]: 1, or 0 to disable the body
 #define COMMAND_TARGET          15 // pose of the body's origin at the end of the step: x, y, cos, sin; whole[0]: locks
-#define COMMAND_ARRIVE          16 // the same pose, after that step: moves the body there and stops it
+#define COMMAND_ARRIVE          16 // pose as in COMMAND_TARGET, after that step: moves the body there and stops it
 #define COMMAND_PLACE           17 // collidable without a body: x, y, cos, sin
 #define COMMAND_COLLIDABLE      18 // local pose x, y, cos, sin; whole: attribute, body; creates all its contacts again
 #define COMMAND_ATTRIBUTE       19 // whole[0]: another attribute of the same shape

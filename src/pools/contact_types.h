@@ -26,7 +26,7 @@
 #define CONTACT_REFUSED   2097152u // refused by the user, or left without a decision
 #define CONTACT_APPROVED  4194304u // acts until the two collidables part
 #define CONTACT_APPROVALS (CONTACT_PENDING | CONTACT_WAITED | CONTACT_REFUSED | CONTACT_APPROVED)
-#define CONTACT_HIGH      8388608u  // passes, but was above its platform, and may later be stopped like a new contact
+#define CONTACT_HIGH      8388608u  // passes: the visitor was above, but beside the platform; may later be stopped
 #define CONTACT_STATIC    16777216u // one side was static when the contact was created
 #define CONTACT_KINEMATIC 33554432u // one side was kinematic when the contact was created
 #define CONTACT_FIXED     (CONTACT_STATIC | CONTACT_KINEMATIC)
@@ -39,18 +39,19 @@
 #define CONTACT_ANEW 4096u // narrow_phase must compute a new manifold
 // More bits of contact_flags: they define how the manifold follows the bodies.
 #define MANIFOLD_ROLLS    32   // the points follow the corners of the shapes; otherwise they stay where they were found
-#define MANIFOLD_CORNER1  64   // point 1 is at a corner of a; otherwise at a corner of b
-#define MANIFOLD_CORNER2  128  // point 2 is at a corner of a; otherwise at a corner of b
-#define MANIFOLD_TURNS_B  256  // the normal turns with b, otherwise with a
+#define MANIFOLD_CORNER1  64   // point 1 is at a corner of shape a; otherwise at a corner of shape b
+#define MANIFOLD_CORNER2  128  // point 2 is at a corner of shape a; otherwise at a corner of shape b
+#define MANIFOLD_TURNS_B  256  // the normal turns with shape b; otherwise with shape a
 #define MANIFOLD_CORNERS  512  // the normal points from a corner of a shape to a corner of the other
 #define MANIFOLD_OVERLAPS 1024 // some point overlapped when the manifold was computed
 
 typedef struct // 64 bytes: the points of a contact at the time when they were found
 {
-	Float4 normal;   // x, y from a to b in the frame of a; separations of the points, m, NO_POINT for a missing one
+	Float4 normal;   // x, y from shape a to b, in the frame of a; separations of points, m, NO_POINT if missing
 	Float4 on_a;     // points 1 and 2 in the frame of a, m
 	Float4 relative; // pose of b in the frame of a at that time: x, y (m), cos, sin
-	// rotation of a at that time: cos, sin; reach of a, m; shift up to which it is kept, m, negative if predicted
+	// cos, sin of the rotation of shape a at that time; reach of shape a, m; displacement of the shapes up to which the
+	// manifold is kept, m, negative if predicted
 	Float4 then;
 } LocalManifold;
 
@@ -59,9 +60,9 @@ typedef struct // 96 bytes: a contact as reported to the user
 	Int2 pair, feature;
 	Word flags;
 	int color;
-	float normal_x, normal_y;       // unit normal from a to b
+	float normal_x, normal_y;       // unit normal from collidable a to b
 	Float4 point;                   // points 1 and 2: x, y, m
-	Float4 impulse;                 // normal 1, 2, tangent 1, 2, N s
+	Float4 impulse;                 // N s: normal impulses of points 1 and 2, tangent impulses of both
 	Float4 detail;                  // normal impulses of all substeps, N s, and approach speeds, m/s, of points 1 and 2
 	float separation1, separation2; // m, of points 1 and 2
 	float unused[2];
@@ -69,11 +70,11 @@ typedef struct // 96 bytes: a contact as reported to the user
 
 typedef struct // MAX_LANES spokes; only the first two rows outlive a pass
 {
-	float parts[MAX_LANES];     // parts of the neighbor: one per spoke, and one more if the neighbor is a hub
-	float hub_parts[MAX_LANES]; // parts of the hub, at its first spoke
+	float parts[MAX_LANES];     // number of parts into which the neighbor is split (hub_order)
+	float hub_parts[MAX_LANES]; // number of parts of the hub, at its first spoke
 	float hub_x[MAX_LANES], hub_y[MAX_LANES], hub_w[MAX_LANES]; // velocity of the hub's part, at its first spoke
 	float vx[MAX_LANES], vy[MAX_LANES], w[MAX_LANES];           // velocity of the neighbor's part
-	float inv_mass[MAX_LANES], inv_inertia[MAX_LANES];          // masses of the whole neighbor
+	float inv_mass[MAX_LANES], inv_inertia[MAX_LANES];          // 1/kg, 1/(kg m^2): inverses of the undivided neighbor
 	float gap1[MAX_LANES], gap2[MAX_LANES];                     // m, of points 1 and 2
 	float push_x[MAX_LANES], push_y[MAX_LANES], arm1[MAX_LANES], arm2[MAX_LANES]; // effect of a unit impulse on the hub
 	float slope1[MAX_LANES], slope2[MAX_LANES];                                   // m/s: slopes of the energy

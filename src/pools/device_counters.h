@@ -26,7 +26,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	KindLayout layout[CONSTRAINT_KINDS]; // places of the constraints of each kind
 	int hubs;                            // number of hubs
 	int split;                           // number of spokes if some body is split into parts, else 0
-	int outliers[2]; // node visits per traversal wasted on outliers, for each tree, times OUTLIER_UNIT
+	int outliers[2]; // for each tree: node visits per traversal that outliers cost, times OUTLIER_UNIT
 	// Values of this step.
 	int updated_boxes; // collidables whose enlarged box changed
 	int changed;       // 1 if a constraint began or ended, so the constraints need a new layout
@@ -39,7 +39,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int pairs;         // new pairs found, including pairs beyond the capacity; too few if the contact limit is exceeded
 	int over_limit;    // 1 if there are more contacts than the limit allows: the step is then abandoned
 	int sort_pairs;    // new pairs, or 0 if the capacity is too small
-	int search;        // contact slots to search for free ones, plus one; 0 without new pairs
+	int search;        // number of contact slots to search for free slots, plus 1; 0 without new pairs
 	int dead;          // free slots found
 	int created;       // new contacts
 	int needed;        // contact slots that the step needs
@@ -56,7 +56,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int arranged;                  // 1 if all changed kinds were laid out
 	int penetration;               // float bits of the deepest overlap, m
 	int joint_gap;                 // float bits of the widest gap of a joint, m
-	int taut;             // 1 if the pull of some joint was large for the inertia of a body; body_taut clears this
+	int taut;             // 1 if the pull of some joint was too large for a body's inertia; body_taut clears this
 	int nonfinite;        // bodies frozen because their state was not finite
 	int first_nonfinite;  // lowest index of a body whose state was not finite
 	int press[2];         // 1 if some body is deep in a static body; 1 if some body is deep in a kinematic body
@@ -64,7 +64,7 @@ typedef struct // all members are ints, so Run.count can identify a counter by i
 	int held;             // bodies that continuous collision stopped
 	int joint_moved;      // 1 if some joint got another spot; joint_updated clears it
 	int joints_dirty;     // INT_MAX if some joint was created, was changed or broke since the last step, else 0
-	int overflow_first, overflow; // joints without a color and a chain: first of them among the sorted keys; number
+	int overflow_first, overflow; // joints with neither color nor chain: index of the first in the sorted keys; number
 	int joined;                   // pairs of bodies that joints or the user keep from touching
 	int joint_events;             // joints whose force or torque exceeded a threshold in the step
 	int touches_began, touches_ended, hits; // numbers of events in the step

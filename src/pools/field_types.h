@@ -36,7 +36,7 @@ typedef struct // 288 bytes
 	float radius, softening;              // m
 	float density;                        // kg/m^2: density of the medium
 	float drag, lift;                     // coefficients of a shape in the medium
-	float linear_drag, quadratic_drag;    // kg/s, kg/m; linear_drag of a buoyancy field is per 1 m^2
+	float linear_drag, quadratic_drag;    // kg/s, kg/m; linear_drag of a buoyancy field: kg/s per m^2
 	float spin_drag, spin_drag_quadratic; // N m s, N m s^2
 	float unused[4];
 } Field;

@@ -44,7 +44,7 @@
 typedef struct // 16 bytes: the lock of a coordinate, in m or rad
 {
 	float target;       // value at which a lock holds the coordinate, or to which a spring pulls the coordinate
-	float hertz, ratio; // frequency and damping ratio of a soft lock; with 0 Hz, those of the joint
+	float hertz, ratio; // frequency and damping ratio of a soft lock; if 0 Hz, those of the joint are used
 	float unused;
 } JointLock;
 
@@ -70,14 +70,14 @@ typedef struct // 256 bytes; most joints need only the first half
 	float modes;                   // JOINT_* bits, as a float
 	float gear_ratio;              // ratio of a coupling
 	Float4 frame[2];               // joint frames in the frames of the bodies: x, y (m), cos, sin
-	float hertz, ratio;            // stiffness of rigid locks and limits
+	float hertz, ratio;            // frequency and damping ratio of rigid locks and of limits
 	float most_force, most_torque; // thresholds, N, N m
 	JointLock lock[JOINT_COORDINATES];
-	Float4 base[2]; // bases of a coupling, in the world
+	Float4 base[2]; // poses in the world, relative to which a coupling measures its two frames
 	JointDriveData drive[JOINT_COORDINATES];
 	// Start values: a coupling takes the angles nearest to these, rad; a path is searched from this arc length on, m.
 	float near[2];
-	float path_first, path_segments; // first sample of its path, and number of its samples minus 1
+	float path_first, path_segments; // index of the path's first sample; number of its samples minus 1
 } JointData;
 
 typedef struct // 32 bytes: a sample of a path, in its frame; the last sample of a closed path equals the first one
@@ -107,7 +107,7 @@ typedef struct // 48 bytes: the state of a joint that the user reads
 typedef struct // 16 bytes
 {
 	int slot;
-	float force, torque; // N, N m: largest of the step
+	float force, torque; // N, N m: maximum in the step
 	int broken;
 } JointEvent;
 

@@ -13,8 +13,8 @@
 #define COLOR_MASK 0x7fffffffffffffffUL // mask of a body with all colors taken
 #define COLOR_BITS 7 // bits of a color in a sort key; if there are hubs, keys of contacts also contain the hub
 
-// A body with more contacts is a hub. Two bodies that are not hubs always have a common free color, because each has at
-// most 31 other contacts.
+// A body with more contacts than this is a hub. Two bodies that are not hubs always have a common free color, because
+// each has at most 31 other contacts.
 #define HUB_CONTACTS 32
 
 // Weight of a backward belt in the pool belts. Static bodies may have more belts, but no kernel reads their counts.
@@ -23,7 +23,8 @@
 // Number of hub colors. The color of a hub follows from its index; neighboring hubs mostly have different colors.
 #define HUB_COLORS 4
 
-// First bit of the hub color in the sort key of neighbors. Body: from bit 32 on; number of the spoke: below the color.
+// First bit of the hub color in the sort key of neighbors. The body is in the bits from 32 on; the spoke's number is
+// below the color.
 #define HUB_KEY_COLOR 30
 
 // coloring rounds before the host checks for uncolored contacts; even, because rounds alternate between two lists
@@ -36,7 +37,7 @@
 #define ORDER_VISITS      16 // approximate cost of sorting the leaves of a tree, in node visits per leaf
 #define OUTLIER_UNIT      64 // scale of Counters.outliers: 16.7 million leaves cannot overflow it
 #define HASH_SUMS         1024
-#define FETCH_COLLIDABLES 8192 // rows of fewer collidables fit into the second-level cache of a CPU, so no prefetch
+#define FETCH_COLLIDABLES 8192 // with fewer collidables, rows fit into the second-level cache of a CPU: no prefetch
 #define CHUNK_ITEMS       64   // items of broad and narrow phase in a chunk of a CPU worker
 #define MAX_CORNERS       8    // largest number of corners in the core of a shape
 

@@ -11,7 +11,7 @@
 #define QUERY_SENSORS 3 // collidables that overlap sensors
 
 #define QUERY_CLOSEST 0
-#define QUERY_ANY     1 // at most one result, which may be any
+#define QUERY_ANY     1 // at most one result, not always the nearest
 #define QUERY_ALL     2
 
 // Maximum number of results in a list; far below INT_MAX, as work-items increase the counter before they compare it.
@@ -25,7 +25,7 @@ typedef struct // 32 bytes: a collidable as a leaf of the trees for queries
 {
 	float x, y, c, s; // world pose
 	int attribute, body, collidable;
-	Word kinds; // bit for the kind (KIND_STATIC: bit 0) or LEAF_SENSOR for a sensor; and LEAF_LISTENS
+	Word kinds; // bit of the kind (bit 0 for KIND_STATIC), or LEAF_SENSOR for a sensor; LEAF_LISTENS
 } QueryLeaf;
 // Bits of the argument of tree kernels. Bit 0 is the index of the tree.
 #define TREE_QUERIES 2 // boxes for queries, not boxes of the step
@@ -60,7 +60,7 @@ typedef struct // settings that all queries of a call share
 	int room;        // capacity of the list of results
 	int found;       // number of results found, including results beyond the capacity
 	float most;      // m: greatest distance at which a nearest collidable is found
-	int skips;       // 1 to skip a collidable if the query begins inside
+	int skips;       // 1 to skip each collidable inside which the query begins
 	int rules;       // 1 to find one-way platforms from above only
 	int bodies;      // number of used slots in the pool body_generation
 	Attribute shape; // shape of the queries; a point for rays

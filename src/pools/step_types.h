@@ -36,7 +36,7 @@ typedef struct // one tree of the broad phase, as the host uploads it
 typedef struct // stiffness of a contact. Source: Erin Catto, Soft Constraints, GDC 2011
 {
 	float bias_rate, mass_scale, impulse_scale;
-	float firm, depth; // bias_rate is multiplied by 1 + firm for the part of an overlap up to depth, m
+	float firm, depth; // bias_rate is multiplied by 1 + firm for the part of an overlap up to `depth`, m
 } Softness;
 
 typedef struct // constants of one step, passed by value to every kernel
@@ -47,7 +47,7 @@ typedef struct // constants of one step, passed by value to every kernel
 	float push_speed;          // m/s
 	float restitution_threshold;
 	float fall;             // m: motion of a resting body by gravity in a step, with a margin
-	Softness pair, fixed;   // softness of contacts between two bodies that can move; with one that cannot
+	Softness pair, fixed;   // softness of contacts whose two bodies can both move; of other contacts
 	float h_ratio;          // h divided by the h of the last step with dt above 0
 	int has_rolling;        // some attribute has restitution, rolling resistance or tangent speed
 	int belts;              // some attribute or some pair of materials has a tangent speed

@@ -10,7 +10,7 @@
 
 #define RELAY_CONSTRAINTS 1000000 // maximum number of constraints for which a relay is faster than tiles
 
-// Maximum work-groups of continuous per compute unit; a group per item, because items in a group delay each other.
+// Maximum number of groups of the kernel continuous per compute unit. Items of one group would delay each other.
 #define CONTINUOUS_GROUPS 12
 
 // arguments of the kernel solve_end that follow the step

@@ -58,9 +58,9 @@ INLINE bool all_zero(const float* values, int count)
 	return bits == 0;
 }
 
-// Computes the state of a body without constraints before pass q, in each work-item that needs it: in memory it could
-// be replaced only after the last read. A body at rest takes one substep: if body_accelerate leaves it at rest, its
-// arguments have the same bits in later substeps, and body_move adds nothing.
+// Computes the state before pass q of a body on which no constraint acts. Each work-item that needs this state computes
+// it: a stored state could be replaced only after all work-items have read it. A body at rest takes one substep: if
+// body_accelerate leaves it at rest, its arguments have the same bits in later substeps, and body_move adds nothing.
 INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[8])
 {
 	float m[8], base[4];
@@ -86,13 +86,13 @@ INLINE void body_alone(const Pools* p, int substeps, int body, int q, float row[
 	}
 }
 
-typedef struct // one body of a constraint
+typedef struct // one body of a constraint; moves: constraints can change its velocity
 {
 	int body, before; // before: number of constraints of the body that precede this one in a pass
 	bool moves, last; // last: no other constraint of the body follows in a pass
 } Side;
 
-// Returns the side of a constraint with a color. hubs: the world has hubs, which precede colors in a pass.
+// Returns one side of a constraint of the given color. hubs: the world has hubs, which a pass solves before the colors.
 INLINE Side side_of(const Pools* p, int body, int color, bool hubs)
 {
 	Side side;
@@ -221,7 +221,8 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 	return (__global float2*)(stream + STREAM_QUADS * n) + i;
 }
 
-// quads and pairs: addresses of the first float4 and the first float2 of constraint j. n: length of a column.
+// Access to column k. `quads`, `pairs`: addresses of a constraint in the first float4 and float2 column; n: column
+// length.
 #define STREAM_SKIP_QUAD(k, c0, c1, c2, c3)
 #define STREAM_STORE_QUAD(k, c0, c1, c2, c3)        quads[k * n] = make_float4(c0, c1, c2, c3);
 #define STREAM_STORE_PAIR(k, read, written, c0, c1) pairs[k * n] = make_float2(c0, c1);
@@ -269,7 +270,7 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// Store constraint j of the stream: registers_store all columns, registers_update only the columns that a pass writes.
+// Writes constraint j to the stream: registers_store writes all columns, registers_update those that a pass changes.
 OUT_OF_LINE void registers_store(const Registers* u, __global float4* stream, int n, int j)
 {
 	if (u->inert)

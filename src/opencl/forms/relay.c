@@ -11,7 +11,7 @@
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
-// Maximum work-items per constraint: a warp waits for all its constraints, so fewer constraints per warp wait less.
+// Maximum work-items per constraint: a warp waits for all of its constraints, so a warp with fewer of them waits less.
 // H200, solve of scene washer, 4,600 constraints: 0.335, 0.315, 0.294, 0.287, 0.288, 0.290 ms with 1, 2, 4, 8, 16, 32.
 #define MAX_SPREAD 8
 
@@ -84,7 +84,7 @@ static size_t other_most(OpenCl* d, const Solve* solve)
 	return (size_t)hubs_kernel(d)->groups - hub_groups(d, solve);
 }
 
-// Returns the work-items per constraint, a power of two, for which `places` work-items suffice; only one computes.
+// Returns the number of work-items per constraint, a power of two, that `places` allow; only one of them computes.
 static int spread_of(int constraints, size_t places)
 {
 	int spread = 1;
@@ -162,7 +162,7 @@ scree_status relay_bind(OpenCl* d, Per per)
 
 scree_status relay_open(OpenCl* d)
 {
-	// the probe of the persistent kernel, which a CPU does not have, found that work-groups are not resident at once
+	// the probe of the persistent kernel (not on a CPU) found that work-groups are not resident at once
 	if (d->persistent.kernel.kernel && d->persistent.groups == 0)
 		return SCREE_OK;
 	for (int k = 0; k < RELAY_KERNELS; ++k)
@@ -202,7 +202,7 @@ void relay_close(OpenCl* d)
 	scratch_release(&d->relay.parts);
 }
 
-// Sets the arguments that both kernels have. substeps: index of the first of five consecutive arguments.
+// Sets the arguments that both kernels have. substeps: index of that argument; four others follow it.
 static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel kernel, cl_uint substeps, cl_int spread)
 {
 	cl_int spins = SPINS;

@@ -38,7 +38,7 @@ typedef struct // values that are constant in all tasks
 // Returns the ticket of a constraint in pass q. before: number of constraints of the body that precede it in the pass.
 INLINE uint relay_ticket(int q, int before) { return RELAY_TICKETS * (uint)q + (uint)before + 1u; }
 
-// Unpacks three 32-bit components from two words with a 16-bit ticket each. Returns whether both have this ticket.
+// Unpacks three 32-bit components from two words. Returns whether the 16-bit tickets of both words equal `ticket`.
 INLINE bool mailbox_unpack(ulong2 words, uint ticket, float* x, float* y, float* z)
 {
 	*x = as_float((uint)(words.x >> 32));
@@ -68,7 +68,8 @@ INLINE void relay_send_next(const Relay* r, Side side, int q, Body body)
 		              body.v.y, body.w);
 }
 
-// Finishes pass q of a body at its last side: integrates it and sends it to the next pass, or stores it at the end.
+// Finishes pass q of a body after its last constraint in the pass: integrates the body and sends it to the next pass,
+// or stores it at the end of the step.
 INLINE void relay_finish_pass(const Pools* p, const Relay* r, Side side, int q, Body body, float m[8], float base[4])
 {
 	if (!side.moves || !side.last)
@@ -95,7 +96,7 @@ INLINE void relay_finish_pass(const Pools* p, const Relay* r, Side side, int q, 
 		p->base[side.body] = make_float4(base[0], base[1], base[2], 0.0f);
 }
 
-// Loads the values with which relay_finish_pass integrates the body at its last side.
+// Loads the values with which relay_finish_pass integrates a body after its last constraint in pass q.
 INLINE void relay_load_motion(const Pools* p, const Relay* r, Side side, int q, float m[8], float base[4])
 {
 	if (!side.moves || !side.last)
@@ -117,7 +118,8 @@ INLINE void relay_load_motion(const Pools* p, const Relay* r, Side side, int q, 
 	}
 }
 
-// Loads the constants for integration, and the body if it needs no ticket: it cannot move, or the step begins.
+// Loads the constants for integration, and the body itself if it cannot move or the step begins, when it needs no
+// ticket.
 INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body* body, float m[8], float base[4])
 {
 	if (!side.moves || (q == 0 && side.before == 0))
@@ -132,7 +134,8 @@ INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body
 	relay_load_motion(p, r, side, q, m, base);
 }
 
-// Waits for tickets in two mailboxes and reads three components of each. Returns false if any spin-wait was too long.
+// Waits for tickets in two mailboxes and reads three components of each. Returns false if this or another spin-wait
+// reached its limit.
 INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __global ulong* mailbox_a, uint ticket_a,
                        Vec* a, float* wa, bool wait_b, volatile __global ulong* mailbox_b, uint ticket_b, Vec* b,
                        float* wb)
@@ -152,7 +155,7 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 }
 
 // Executes pass q of a constraint. Returns false if a ticket did not arrive. in_step: all work-items of the group make
-// this call, and fail, together; no two constraints of the group share a body.
+// this call together, and if one fails, all do; no two of their constraints share a body.
 INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool in_step, volatile LOCAL int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];

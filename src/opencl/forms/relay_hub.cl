@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // relay_hub.cl -- executes a solve as a relay in a world with hubs: some work-groups solve hubs, the others colors.
 //
-// In each pass the hubs of a body precede its colors. The work-group of a hub waits for the mailboxes of the hub and
-// its neighbors, solves all spokes together (hub.h), and sends each body to its next hub or first color. If a body is
-// split into parts, one work-item collects them and sends the body on.
+// In each pass, a body is solved in its hubs first, and then in its colors. The work-group of a hub waits for the
+// mailboxes of the hub and its neighbors, solves all spokes together (hub.h), and sends each body to its next hub or
+// first color. If a body is split into parts, one work-item collects them and sends the body on.
 //
 // Order of tasks: by pass; in a pass, hub colors before colors; in a hub color, hubs before split bodies. The first
 // unfinished task in this order never waits.
 #include "opencl/forms/relay.cl"
 
-// Returns the side of a body for hub color `turn`.
+// Returns the side of a body in hub color `turn`; side.before: number of the body's hub colors before it.
 INLINE Side relay_side(const Pools* p, int body, int turn)
 {
 	Side side;
@@ -68,8 +68,8 @@ OUT_OF_LINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, 
 	relay_finish_pass(p, r, side, q, b, m, base);
 }
 
-// Sends the velocity of a part to the work-item that collects the parts of a body. Old parts need no clearing: tickets
-// rise from pass to pass, and the first ticket of a step is lower than the last one of the previous step.
+// Sends the velocity of a part to the work-item that collects the parts of a body. Parts are never cleared: no old part
+// has the ticket of a later pass, because tickets rise within a step, and begin at 1 in the next step.
 INLINE void relay_send_part(volatile __global ulong* parts, int k, int q, float vx, float vy, float w)
 {
 	mailbox_write(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
@@ -83,8 +83,8 @@ INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global
 	return relay_wait(p, r, true, parts + 2 * (ulong)k, (uint)q + 1u, v, w, false, parts, 0u, &none, &no);
 }
 
-// Executes pass q of hub n in a work-group. If a ticket did not arrive, sets *fault and solves nothing. parts: a part
-// per spoke, of its neighbor, followed by a part per hub.
+// Executes pass q of hub n in a work-group. If a ticket did not arrive, sets *fault and solves nothing. parts: for each
+// spoke a part of its neighbor, followed by a part of each hub.
 INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* parts, int n, int q,
                       LOCAL float* bench, volatile LOCAL int* fault)
 {

@@ -7,9 +7,9 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-#define BORDER_SHARE 0.1 // maximum share of border constraints at the last build for which stale tiles are rebuilt
-#define BORDER_AGE   64  // solves without tiles after which they are rebuilt in any case, to measure this share again
-#define BORDER_GRAIN 64  // border constraints per work-group of the relay if there are few; more groups take longer
+#define BORDER_SHARE 0.1 // stale tiles are rebuilt if at most this share of constraints was in the last border
+#define BORDER_AGE   64  // number of solves without tiles after which they are built, to measure that share
+#define BORDER_GRAIN 64  // border constraints per work-group, for a small border; with fewer, it takes longer
 
 // names of kernels, and maximum work-items per work-group
 static const struct

@@ -5,15 +5,16 @@
 // Hilbert curve of the broad phase's tree. In one launch per pass, a work-group loads a tile once, integrates its
 // bodies, and solves the constraints inside it color by color.
 //
-// A constraint between two tiles is a border constraint. Every later constraint of either body is one too, to keep the
-// order by color. A second launch solves the border as a relay (relay.cl). The result does not depend on the tiles.
+// A constraint between two tiles is a border constraint. Constraints of its bodies with later colors are border
+// constraints too, to keep the order. A second launch solves the border as a relay (relay.cl). The result does not
+// depend on the tiles.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-#define TILE_RESTS TILE_BODIES // place in local memory that stands for all bodies that rest and cannot move
+#define TILE_RESTS TILE_BODIES // place in local memory that all bodies share which rest and cannot move
 #define TILE_PLAIN 0x40000000  // added to the index of a body for which tile_plain is true
 
-// Returns false if the counter `bound` is 0: the layout of constraints has changed, and kernels of tiles do nothing.
+// Returns false if the counter `bound` is 0: then the layout of constraints has changed, and the kernels do nothing.
 INLINE bool tile_wanted(const Pools* p, int bound)
 {
 	return bound < 0 || ((__global const int*)p->counters)[bound] != 0;
@@ -51,7 +52,8 @@ __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __globa
 	border[body] = COLORS + 1;
 }
 
-// Lists the bodies by place; resident is -1 at other places. pushed: 1 if fields change forces, so no body is plain.
+// Lists the bodies by place; resident is -1 at places without a body. pushed: 1 if fields change forces, so none is
+// plain.
 __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places,
                         int bound, int pushed)
 {
@@ -66,8 +68,8 @@ INLINE bool tile_still(const float row[8])
 	return all_zero(row, 3) && all_zero(row + 4, 4);
 }
 
-// Returns the table row for a body that cannot move: -1 for any row; the border's for a moving kinematic body, because
-// its position differs from pass to pass.
+// Returns the table row for constraints of a body that cannot be pushed: -1 (any row) if it rests; the border's row if
+// it moves, because then its position differs from pass to pass.
 INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 {
 	float first[8], second[8];
@@ -96,12 +98,12 @@ INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int*
 	return row == -1 ? rows : row;
 }
 
-// Counts the constraints of one color, in a launch per color, because the border depends on earlier colors. rank: count
-// before the constraint was added, which may differ between executions.
+// Counts the constraints of one color, in a launch per color, because the border depends on earlier colors. rank: for
+// each constraint, the count before it was added, which may differ between executions.
 __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
                          __global int* rank, int rows, int bound, int begin, int end)
 {
-	// counts of the border, per kind: a work-group adds each with one atomic operation
+	// border constraints of the work-group, by kind, which it adds to the table with one atomic operation each
 	__local int border_count[CONSTRAINT_KINDS], first[CONSTRAINT_KINDS], found;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
@@ -143,7 +145,7 @@ INLINE int tile_padded(int count, int row, int rows)
 	return row < rows ? count : (count + RELAY_GROUP - 1) / RELAY_GROUP * RELAY_GROUP;
 }
 
-// Sums the places in each row of the table; the last row is the border.
+// Adds up the numbers of places in each row of the table; the last row is the border.
 __kernel void tile_total(__global const int* table, __global int* total, int rows)
 {
 	int row = (int)get_global_id(0), sum = 0;
@@ -170,7 +172,7 @@ __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_
 	}
 }
 
-// Replaces the counts of the table by beginnings. The row after the border gets the end of the last place.
+// Replaces each count of the table by the first place of its constraints, and stores the border's end in the last row.
 __kernel void tile_range(__global int* table, __global const int* total, int rows)
 {
 	int row = (int)get_global_id(0);

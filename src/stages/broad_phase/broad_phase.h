@@ -11,7 +11,7 @@
 #include "stages/tree/tree_packet.h"
 
 // Removes from a mask of eight leaves those whose old boxes overlap the old box of collidable i, because these pairs
-// are known. Bit 0 is the leaf at place first. A GPU loads the eight boxes together, to hide the latency of memory; a
+// are known. Bit 0 is the leaf at place `first`. A GPU loads the eight boxes together, to hide the latency of memory; a
 // CPU returns the mask unchanged, and broad_phase_leaf tests the old boxes.
 INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 {
@@ -44,8 +44,8 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 	return place < p->step.contact_limit;
 }
 
-// Visits the leaves of tree t that overlap the box of collidable i. from, end, nodes: as in TreeTraversal. Returns the
-// leaf at which the search must continue, 0 if the search is complete.
+// Visits the leaves of tree t that overlap the box of collidable i. `from`, `end`, `nodes`: as in TreeTraversal.
+// Returns the leaf at which the search must continue, 0 if the search is complete.
 INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end, int nodes)
 {
 	const GLOBAL Tree* tree = p->tree + t;
@@ -68,7 +68,7 @@ INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end,
 	}
 }
 
-// Clears the counters before a search for pairs. The search is repeated after a buffer has grown.
+// Clears the counters before a search for pairs, which is repeated after a buffer has grown.
 KERNEL(broad_phase_begin)
 {
 	p->counters->pairs = 0;
@@ -96,8 +96,8 @@ INLINE void broad_phase_alone(const Pools* p, int k, int t)
 	raise_int(&p->counters->rest, 0x7fffffff);
 }
 
-// Processes the leaves that overlap the boxes of a packet, except for traversals whose bit is set in alone. kinematic,
-// alone: one bit per traversal. Returns 0 if the search must stop, because the limit of contacts is reached.
+// Processes the leaves that overlap the boxes of a packet. kinematic: mask of the traversals of kinematic collidables;
+// `alone`: mask of traversals that are skipped here. Returns 0 if the limit of contacts is reached.
 INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* collidables, const Float4* boxes,
                               Word kinematic, Word alone, const PacketFront* front)
 {

@@ -40,7 +40,7 @@ KERNEL(contact_reserve)
 	c->dead = c->search > 0 ? p->scan[c->search - 1] : 0;
 	int beyond = c->sort_pairs > c->dead ? c->sort_pairs - c->dead : 0;
 	c->needed = c->contacts + beyond;
-	// + 1: a free slot for the end of the scan
+	// one more slot than needed, for the end of the scan
 	if (c->needed + 1 > p->step.contact_capacity)
 	{
 		c->stalled = 1;

@@ -6,7 +6,7 @@
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
 
-#define REACH_SHARE 0.125f // this fraction of the reach is compared with half of GRAIN_SIZE, as the thickness is
+#define REACH_SHARE 0.125f // fraction of the reach that is compared with GRAIN_SIZE / 2, like the thickness
 
 KERNEL(step_begin)
 {
@@ -99,7 +99,7 @@ INLINE Vec world_vertex(WorldShape world_shape, const GLOBAL Attribute* attribut
 	return vec_add(vec(world_shape.x, world_shape.y), vec_turn(vec(world_shape.c, world_shape.s), vertex));
 }
 
-// Returns the box of a shape, enlarged by extra, m.
+// Returns the box of a shape, enlarged by `extra`, m.
 INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribute, float extra)
 {
 	Float4 box = box_empty();
@@ -111,7 +111,7 @@ INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribut
 	return box_grow(box, attribute->radius + extra);
 }
 
-// Returns a mask with a bit for each level at which length (half a size, m) times 2^level is below GRAIN_SIZE / 2.
+// Returns a mask with a bit for each level at which 2^level times `length`, half a size in m, is below GRAIN_SIZE / 2.
 // first: the bit of level 0.
 INLINE int transform_bits(float length, int first)
 {
@@ -167,7 +167,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 			how |= COLLIDABLE_MOVING;
 		if (travel > 0.5f * within)
 		{
-			// covers the pose at the end of the step; if a collidable leaves its box in every step, it needs no margin
+			// box at the end of the step; a collidable that leaves its box in every step needs no margin
 			Float4 then = make_float4(tight.x + path.x, tight.y + path.y, tight.z + path.x, tight.w + path.y);
 			tight = box_grow(box_union(tight, then), swing);
 			margin = travel < margin ? margin : 0.0f;

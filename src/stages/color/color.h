@@ -68,7 +68,7 @@ INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 // colors are enough for a body in a corner where four collidables of a level meet.
 #define STATIC_COLORS 8
 
-// Returns whether an edge is a contact with something static, which is the second collidable of a pair.
+// Returns whether an edge is a contact with something static, which is always the second collidable of a pair.
 INLINE int color_holds(const Pools* p, int edge)
 {
 	return edge_kind(edge) == CONSTRAINT_CONTACT && p->collidable_kind[p->pair[edge_slot(edge)].y] == KIND_STATIC;
@@ -78,7 +78,7 @@ KERNEL(color_claim)
 {
 	int edge = color_source(p, i);
 	Int2 bodies = edge_bodies(p, edge);
-	// tested here, because this kernel changes no mask
+	// this kernel changes no mask, so all of its items find the same free colors
 	if (color_overflows(p, edge, bodies))
 	{
 		edge_set_color(p, edge, COLORS);
@@ -165,8 +165,8 @@ INLINE int color_of_key(Word64 key, int bits)
 	return name == color_none(bits) ? COLORS + 1 : name < (Word64)COLORS ? (int)name : COLORS;
 }
 
-// Selects the kinds to lay out, if all constraints have a color and, with hubs, the keys have bits for these. argument:
-// index in uncolored of the edges left after the last round, and number of bits in the keys of contacts.
+// Selects the kinds to lay out, if all constraints have a color and, with hubs, the keys have bits for hubs. argument:
+// index in uncolored of the number of edges left after the last round; number of bits in the keys of contacts.
 KERNEL(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;

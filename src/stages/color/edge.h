@@ -135,7 +135,7 @@ INLINE Int2 edge_bodies_at(const Pools* p, int kind, int place)
 	return make_int2(0, 0);
 }
 
-// Tasks: the places of all kinds in the order of a pass, by color, then by kind.
+// Place of a constraint or of padding. Tasks are numbered in the order of a pass: by color, then by kind.
 typedef struct
 {
 	int kind, place;

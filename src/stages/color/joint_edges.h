@@ -174,8 +174,8 @@ KERNEL(joint_finalize)
 	}
 	JointEvent event;
 	event.slot = slot;
-	// a joint without a threshold has the largest float, which no value may exceed: these values are computed only in
-	// worlds with thresholds, and a step must not depend on the thresholds of other joints
+	// a joint without a threshold has the largest float, which no value may exceed: force and torque are computed only
+	// in worlds with thresholds, and a step must not depend on the thresholds of other joints
 	event.force = finite_or_most(joint_rare(p, peak_force, i) * p->step.inv_h);
 	event.torque = finite_or_most(joint_rare(p, peak_torque, i) * p->step.inv_h);
 	event.broken = (p->joint_flags[slot] & JOINT_CAN_BREAK) != 0;

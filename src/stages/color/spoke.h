@@ -27,8 +27,8 @@ INLINE int hub_crowded(const Pools* p, int body)
 // Returns whether a contact without a color becomes a spoke.
 INLINE int hub_wants(const Pools* p, Int2 bodies) { return hub_crowded(p, bodies.x) || hub_crowded(p, bodies.y); }
 
-// Returns the hub of a spoke: the body with more contacts. If both bodies have more than HUB_CONTACTS, returns the
-// lighter one, because heavy bodies on both sides may crush it, and a hub is solved exactly.
+// Returns the hub of a spoke: the body with more contacts, or the one that can move. If both bodies are hubs, returns
+// the lighter one, because heavy bodies on both sides may crush it, and a hub is solved exactly.
 INLINE int hub_owner(const Pools* p, Int2 bodies)
 {
 	int a = bodies.x, b = bodies.y, touching_a = hub_load(p, a), touching_b = hub_load(p, b);

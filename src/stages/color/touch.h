@@ -24,8 +24,8 @@ INLINE void touch_end(const Pools* p, Int2 pair, Word flags)
 		p->touch_ended[atomic_add_int(&p->counters->touches_ended, 1)] = (Word64)pair.x << 32 | (Word64)pair.y;
 }
 
-// Ends contact i and restarts it as if its boxes met for the first time. flags: old flags of the contact; kept: flags
-// that it gets beside CONTACT_FRESH.
+// Ends contact i and restarts it as if its boxes met for the first time. flags: old flags of the contact; `kept`: new
+// flags of the contact beside CONTACT_FRESH.
 RARE void contact_anew(const Pools* p, int i, Word flags, Word kept)
 {
 	contact_end(p, i);

@@ -33,8 +33,8 @@ INLINE void command_push(const Pools* p, int body, Vec impulse)
 	command_velocity(p, body, vec_add(vec(state.vx, state.vy), vec_scale(state.inv_mass, impulse)));
 }
 
-// Returns the moment about the center of mass of a force or impulse at a world point. If both products overflow, their
-// difference is NaN; then the moment is computed from a force 2^64 times smaller and scaled back.
+// Returns the moment of a force or impulse, which acts at a world point, about the center of mass. If both products of
+// the cross product overflow, it is NaN; then it is computed from a force 2^64 times smaller.
 OUT_OF_LINE float command_moment(const Pools* p, int body, Vec force, float x, float y)
 {
 	Float4 pose = p->pose[body];
@@ -92,7 +92,7 @@ INLINE void command_rest(const Pools* p, int i)
 	motion->gravity_scale = 0.0f;
 }
 
-// Restores the velocity of a disabled body, to apply a command or to enable the body.
+// Restores the velocity of a disabled body, for a command that changes or enables the body.
 INLINE void command_wake(const Pools* p, int i)
 {
 	StoredVelocity stored = p->stored_velocity[i];

@@ -27,7 +27,7 @@ typedef struct // edge of a region; points in the fluid have a negative distance
 	float offset; // m: signed distance of the shape's origin from the edge
 } FieldEdge;
 
-// Adds the part of the edge from a to b that is below y = 0.
+// Adds the integrals along the part below y = 0 of the edge from point a to point b.
 INLINE void field_area_edge(FieldArea* sum, Vec a, Vec b)
 {
 	if (a.y > 0.0f && b.y > 0.0f)
@@ -46,7 +46,7 @@ INLINE void field_area_edge(FieldArea* sum, Vec a, Vec b)
 	sum->y = sum->y + (a.x * (2.0f * a.y + b.y) + b.x * (a.y + 2.0f * b.y)) * (1.0f / 6.0f) * rise;
 }
 
-// Adds an arc of up to half a turn around a center, from direction a to direction b.
+// Adds the integrals along an arc of up to half a turn around a center, from direction a to direction b.
 INLINE void field_area_piece(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 {
 	float angle = vec_angle(vec_turn_back(a, b)), rise = b.y - a.y;
@@ -60,7 +60,7 @@ INLINE void field_area_piece(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 	sum->y = sum->y + r * (center.y * width + r * (center.x * mixed + r * mixed2));
 }
 
-// Adds the part of an arc below y = 0. An arc with both ends below may still leave the fluid at the top of its circle.
+// Adds the integrals along the part of an arc below y = 0. Even if both ends are below it, the arc may rise above it.
 INLINE void field_area_arc(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 {
 	float sine = -center.y / r; // sine of the directions in which the circle crosses the surface
@@ -87,7 +87,7 @@ INLINE void field_area_arc(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 		field_area_piece(sum, center, r, enter, leave);
 }
 
-// Returns the part of a rotated shape that is below an edge. x and y are relative to the shape's origin, in world axes.
+// Returns area and moments of the part of a rotated shape below an edge, about the shape's origin, in world axes.
 INLINE FieldArea field_area_below(const GLOBAL Attribute* shape, Vec turn, FieldEdge edge)
 {
 	FieldArea sum = {0.0f, 0.0f, 0.0f};
@@ -172,7 +172,7 @@ INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 	return count;
 }
 
-// Returns the part of a shape that is below all edges whose bits are set in cuts.
+// Returns area and moments of the part of a shape that is below all edges with a bit in `cuts`.
 RARE FieldArea field_area_clipped(const GLOBAL Attribute* shape, Vec turn, const FieldEdge* edges, int cuts)
 {
 	Vec corners[FIELD_CORNERS], next[FIELD_CORNERS];

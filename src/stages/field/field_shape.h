@@ -13,7 +13,7 @@ typedef struct // shape on which fields act
 {
 	const GLOBAL Attribute* shape;
 	Vec at, turn, arm; // world position and rotation of the shape's origin; arm from the center of mass to the origin
-	Vec v;             // velocity of the center of mass
+	Vec v;             // velocity of the body's center of mass, m/s
 	float w;
 } FieldTarget;
 
@@ -80,7 +80,7 @@ INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSample* spot, 
 	return edge;
 }
 
-// Returns the height of a shape's highest point above an edge; with sign -1, the depth of its lowest point below it.
+// Returns the height, m, of a shape's highest point above an edge; with sign -1, the depth of its lowest point.
 INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 {
 	Vec normal = vec_turn_back(t->turn, vec_scale(sign, edge.normal));
@@ -90,7 +90,8 @@ INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 	return sign * edge.offset + most + t->shape->radius;
 }
 
-// Returns the immersed part of a shape. *depth, m: shortest translation that takes the whole shape out of the fluid.
+// Returns area and moments of a shape's immersed part. *depth, m: shortest translation that takes it all out of the
+// fluid.
 INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, float* depth)
 {
 	FieldArea none = {0.0f, 0.0f, 0.0f};
@@ -118,8 +119,8 @@ INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* sp
 }
 
 // N: Returns the limit of the force of a fluid at a point, without which a much lighter body would be thrown out. In a
-// step the point gains at most the speed that takes the shape out of it within a step, and at most 2 sqrt(g width),
-// about the speed of a ball that is released under water. A body can still carry dozens of times its weight.
+// step the point gains at most the speed that takes the shape out of the fluid within a step, and at most 2 sqrt(g
+// width), about that of a ball released under water. A body can carry dozens of times its weight.
 INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, float weight, float depth, float width)
 {
 	BodyState state = p->body[body];

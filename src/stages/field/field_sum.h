@@ -70,7 +70,7 @@ INLINE int field_holds(const GLOBAL Field* field, const FieldSample* spot, Vec a
 	const GLOBAL Attribute* shape = &field->shape;
 	Vec q = vec_turn_back(vec(spot->pose.z, spot->pose.w), vec(at.x - spot->pose.x, at.y - spot->pose.y));
 	int inside = shape->count > 2;
-	float nearest = MOST_FLOAT; // square of the distance from the edges
+	float nearest = MOST_FLOAT; // square of the distance to the nearest edge, m^2
 	for (int k = 0; k < shape->count; ++k)
 	{
 		Float2 a = shape->vertices[k], b = shape->vertices[k + 1 < shape->count ? k + 1 : 0],
@@ -142,7 +142,7 @@ INLINE FieldForce field_nothing(void)
 	return sum;
 }
 
-// Adds a force at a point; arm: from the center of mass to the point.
+// Adds a force at a point, and its torque; arm: from the center of mass to the point.
 INLINE void field_push(FieldForce* sum, Vec arm, Vec force)
 {
 	sum->fx = sum->fx + force.x;

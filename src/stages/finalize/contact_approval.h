@@ -71,7 +71,7 @@ INLINE Sweep approval_sweep(const Pools* p, WorldShape s)
 	return sweep_with(approval_advance(p, s.body), vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
-// Item: a pending contact. Computes the fraction of the motion after which its bodies meet.
+// Item: a pending contact. Computes the fraction of the step's motion after which its two bodies meet.
 KERNEL(approval_find)
 {
 	int slot = p->waiting[i];

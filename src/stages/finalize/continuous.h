@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // continuous.h -- continuous collision: stops a body that the solver would move through something.
 //
-// A body that moved further than a fraction of its thickness is swept against the collidables along its path, and stops
+// A body that moved more than a fraction of its thickness is swept against the collidables along its path, and stops
 // slightly inside the surface of one of them (docs/continuous.md). The order of bodies does not matter, because this
 // stage reads only data that it does not write. Such bodies are few, and the work per body is long, so finalize lists
-// them for a separate kernel: as a part of finalize the code used registers for all bodies of a GPU, and 1M bodies in
+// them for a separate kernel: inside finalize, this code took registers from all work-items of a GPU, and 1M bodies in
 // motion took 0.159 ms instead of 0.043 ms on an H200.
 //
 // This work is based on:
@@ -13,8 +13,8 @@
 #define CONTINUOUS_H
 #include "stages/finalize/continuous_search.h"
 
-// fraction of the thickness: a path that leaves the box of the step by more is also swept against moving collidables
-// without a contact; with less, neither of the two gets past the other's middle, because their boxes are apart
+// fraction of the thickness. If a path leaves the box of the step by more than this, it is also swept against moving
+// collidables without a contact. Otherwise boxes without a contact keep the two from passing each other's middle.
 #define CONTINUOUS_OUTLIER 0.5f
 
 // Returns the path of collidable i, which moves with its body. path, turn: displacement and rotation of the body.
@@ -56,8 +56,9 @@ RARE int continuous_far_from_some(const Pools* p, const ContinuousPath* g)
 }
 
 // Returns a mask of the kinds that may obstruct a collidable, one bit per kind. A collidable whose path stays in the
-// step's box has contacts with everything near it. lists 0: also sets the box of the path if the mask is not 0. lists
-// 1: only tests whether the mask is 0; a GPU leaves kinematic bodies to the kernel continuous, to save registers.
+// step's box has contacts with everything near it. `lists` 0: also sets the box of the path if the mask is not 0.
+// `lists` 1: only tests whether the mask is 0; a GPU leaves kinematic bodies to the kernel continuous, to save
+// registers.
 INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 {
 	float far = continuous_far(g->way.path, g->swing);
@@ -98,7 +99,7 @@ RARE int continuous_passes_only(const Pools* p, int body, Vec path, float turn)
 	int k = p->continuous_body[body].first - 1, c = p->static_contact[body];
 	if (k < 0 || p->next_collidable[k] != 0 || c < 0 || c >= p->counters->live)
 		return 0;
-	// the slot may hold another contact by now; if that is a contact of k with something static, it is the right one
+	// the slot may contain another contact by now; a contact of collidable k with something static is the right one
 	Int2 pair = p->pair[c];
 	if (pair.x != k || p->collidable_kind[pair.y] != KIND_STATIC)
 		return 0;
@@ -136,7 +137,7 @@ INLINE ContinuousStop continuous_collidable(const Pools* p, int i, int pressed, 
 	return continuous_search(p, &g);
 }
 
-// Returns the collidable that is count places after k in the list of a body. Both are 1 + index; 0 is the end.
+// Returns the collidable that is `count` places after collidable k in a body's list. Both are 1 + index; 0 is the end.
 INLINE int continuous_skip(const Pools* p, int k, int count)
 {
 	for (; k > 0 && count > 0; --count)
@@ -160,8 +161,8 @@ INLINE ContinuousStop continuous_part(const Pools* p, ContinuousBody continuous_
 	return least;
 }
 
-// Returns whether something static may be near a body's path. A GPU returns whether the static tree has leaves, and
-// tests the path later. reach: as in ContinuousBody.
+// Returns whether something static may be near a body's path. On a GPU, returns only whether the static tree has
+// leaves; the path is tested later. reach: as in ContinuousBody.
 INLINE int continuous_near_statics(const Pools* p, int body, Vec path, float reach)
 {
 	const GLOBAL Tree* tree = p->tree + 1;
@@ -187,7 +188,7 @@ INLINE int continuous_wanted(const Pools* p, int body, Vec path, float turn)
 	       (p->step.kinematic || continuous_near_statics(p, body, path, continuous_body.reach));
 }
 
-// Returns whether a body may get deeper than PRESS_MOST into something static. depth, m: its depth there at the start.
+// Returns whether a body may get deeper than PRESS_MOST into something static. depth, m: before the step.
 INLINE int continuous_presses(const Pools* p, int body, float depth, Vec path, float turn)
 {
 	return depth + continuous_far(path, absolute(turn) * p->continuous_body[body].reach) > PRESS_MOST;
@@ -210,7 +211,7 @@ INLINE void continuous_enlist(const Pools* p, int body)
 	p->continuous_parts[body] = 0;
 }
 
-// Returns whether a part of a body finishes last; if so, sets *share, its share, to the least share of all parts.
+// Returns whether a part of a body finishes last; if so, *share, the part's share, becomes the least of all.
 INLINE int continuous_all(const Pools* p, ContinuousBody continuous_body, int body, float* share)
 {
 	if (continuous_body.parts == 1)

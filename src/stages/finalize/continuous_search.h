@@ -7,12 +7,12 @@
 #include "stages/rules/apart.h"
 #include "stages/tree/tree.h"
 
-// Limits of the depth of a collidable in an obstacle, as fractions of the thickness of the collidable.
-#define CONTINUOUS_DEPTH   0.25f  // increase in a step
-#define CONTINUOUS_DEEPEST 0.75f  // total depth; the middle of the collidable stays outside
-#define CONTINUOUS_PRESSED 0.5f   // total depth if it is pressed into something static, at most PRESS_MOST
+// Limits of the depth of a collidable in an obstacle, as fractions of its thickness, unless the unit is m.
+#define CONTINUOUS_DEPTH   0.25f  // maximum increase of the depth in a step
+#define CONTINUOUS_DEEPEST 0.75f  // maximum depth; the middle of the collidable stays outside
+#define CONTINUOUS_PRESSED 0.5f   // maximum depth if pressed into something static; also limited to PRESS_MOST
 #define CONTINUOUS_SLACK   0.15f  // increase that a dynamic obstacle always allows, so that squeezed bodies slide
-#define CONTINUOUS_MOST    0.015f // m: increase in something static; a smaller limit makes piles overlap more
+#define CONTINUOUS_MOST    0.015f // m: maximum increase for static and kinematic ones; with less, piles overlap more
 
 typedef struct // end of a path
 {
@@ -30,7 +30,7 @@ INLINE ContinuousStop continuous_stop(float share, Vec normal, int index)
 	return stop;
 }
 
-// Returns a bound of the distance, m, that the points of a shape move. swing: the part of it that is due to rotation.
+// Returns an upper bound of the distance, m, that the points of a shape move. swing: the part due to rotation.
 INLINE float continuous_far(Vec path, float swing) { return absolute(path.x) + absolute(path.y) + swing; }
 
 INLINE Advance continuous_went(const Pools* p, int body)
@@ -92,7 +92,7 @@ INLINE int continuous_yields(Sweep way, ContinuousMeeting met) { return continuo
 typedef struct // collidable and its path
 {
 	int index, pressed;     // pressed: 1 if pressed into something static, so that the depth is limited to PRESS_MOST
-	int seeks;              // bit k: a collidable of the kind k may obstruct it
+	int seeks;              // bit k: collidables of kind k may obstruct this one
 	float thickness, swing; // m
 	WorldShape from;
 	Sweep way;
@@ -100,7 +100,7 @@ typedef struct // collidable and its path
 	Filter filter;
 } ContinuousPath;
 
-// Returns the fraction of its path that a collidable moves if it follows a kinematic collidable after they met.
+// Returns the fraction of its path that a collidable moves if it follows a kinematic collidable after their meeting.
 INLINE float continuous_follows(const ContinuousPath* g, WorldShape other, Sweep goes, ContinuousMeeting met)
 {
 	Vec center = vec_add(vec(g->from.x - other.x, g->from.y - other.y), vec_sub(g->way.center, goes.center));
@@ -113,7 +113,7 @@ INLINE float continuous_follows(const ContinuousPath* g, WorldShape other, Sweep
 
 #define CONTINUOUS_LEAVES (FETCHES ? 1 : 4) // leaves that are read together, because their latencies overlap on a GPU
 
-typedef struct // data of a leaf by which most leaves are excluded
+typedef struct // data of a leaf that suffice to exclude most leaves
 {
 	int index, kind, body;
 	Filter filter;
@@ -129,8 +129,8 @@ INLINE ContinuousLeaf continuous_leaf_at(const Pools* p, int place)
 	return leaf;
 }
 
-// m: Returns a bound of the motion of a collidable's points in the rotating frame of a kinematic body, so that a drum
-// does not obstruct a body that turns with it. other: a shape of the kinematic body.
+// m: Returns an upper bound of the motion of a collidable's points in the rotating frame of a kinematic body, so that a
+// drum does not obstruct a body that turns with it. other: a shape of the kinematic body.
 INLINE float continuous_far_from(const Pools* p, const ContinuousPath* g, WorldShape other)
 {
 	Advance went = continuous_went(p, other.body);
@@ -159,7 +159,7 @@ INLINE int continuous_meets(const Pools* p, const ContinuousPath* g, const Conti
 	return continuous_far(vec_sub(g->way.path, went.path), swing) > CONTINUOUS_CROSS * g->thickness;
 }
 
-// Returns the leaves of a mask that may stop a collidable. Bit 0 of the mask is the leaf at place first.
+// Returns the leaves of a mask that may stop a collidable. Bit 0 of the mask is the leaf at place `first`.
 INLINE Word64 continuous_meeting(const Pools* p, const ContinuousPath* g, int first, Word64 leaves)
 {
 	Word64 meeting = 0;
@@ -197,8 +197,8 @@ INLINE ContinuousDepth continuous_depth(const ContinuousPath* g, int kind)
 	return deep;
 }
 
-// Returns the end of a collidable's path at obstacle j if it precedes least, otherwise least. Of two ends at one
-// fraction, returns that of the lower obstacle index, because the order of leaves depends on the device.
+// Returns the end of a collidable's path at obstacle j if it precedes the end `least`, otherwise `least`. Of two ends
+// at one fraction, returns that of the lower obstacle index, because the order of leaves depends on the device.
 RARE ContinuousStop continuous_leaf(const Pools* p, const ContinuousPath* g, int j, ContinuousStop least)
 {
 	int i = g->index, kind = p->collidable_kind[j], moves = kind != KIND_STATIC;

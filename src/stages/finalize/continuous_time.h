@@ -24,7 +24,7 @@ INLINE Vec continuous_bend(Closing c, float time)
 	return vec_sub(c.bend, vec_spin(frame, vec_add(c.near, vec_scale(time, c.bend))));
 }
 
-// Returns the separation up to which points count after a time, in the frame of a. Points may move on curved paths.
+// Returns the separation up to which points count after a time, in the frame of shape a; their paths may be curved.
 INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 {
 	Reach reach = sweep_reach(c, axes, time);
@@ -39,7 +39,7 @@ INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Closing c, Vec normal, float time,
                                 float left)
 {
-	int first = c.a.reach < c.b.reach || c.a.reach == c.b.reach; // 1 if a is the smaller one
+	int first = c.a.reach < c.b.reach || c.a.reach == c.b.reach; // 1 if shape a is the smaller one
 	WorldShape shape = first ? a : b;
 	Sweep way = first ? c.a : c.b;
 	const GLOBAL Attribute* attribute = p->attribute + shape.attribute;
@@ -64,9 +64,9 @@ INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Clos
 	return soon;
 }
 
-#define CONTINUOUS_SLIDES 1.0e-5f // fraction of a path: a point that approaches by less slides
+#define CONTINUOUS_SLIDES 1.0e-5f // fraction of the motion: a point that approaches by less than this slides
 
-// Returns whether a point of a manifold that is at least as deep as deep, m, gets deeper at once.
+// Returns whether a point of a manifold whose depth is at least `deep`, m, begins to get deeper.
 INLINE int continuous_sinks(Closing c, Manifold m, Vec axes, Vec position, float deep)
 {
 	Vec normal = vec_turn(axes, m.normal);
@@ -82,15 +82,15 @@ INLINE int continuous_sinks(Closing c, Manifold m, Vec axes, Vec position, float
 	return 0;
 }
 
-typedef struct // limits of the depth of b in a, m
+typedef struct // limits of the depth of shape b in shape a, m
 {
 	float deeper;  // limit of the increase since the start of the step
 	float deepest; // limit of the total depth
 	float slack;   // increase that is always allowed
-	float pressed; // if b is pressed into a resting a: total depth above which it must not increase; else 0
+	float pressed; // if b is pressed into a resting shape a: depth above which it must not increase; else 0
 } ContinuousDepth;
 
-// Returns a bound of the distance, m, by which the path of a point of b, in the rotating frame of a, leaves the
+// Returns an upper bound of the distance, m, by which the path of a point of b, in the rotating frame of a, leaves the
 // straight line from its start to its end: an eighth of the largest change of its velocity.
 INLINE float continuous_bow(Closing c, Vec between)
 {
@@ -137,8 +137,8 @@ INLINE ContinuousSide continuous_side(const GLOBAL Attribute* shape, Vec point)
 	return side;
 }
 
-// Returns whether the depth of b in a along one normal stays below deep, m, on the whole path. For nearly all pairs it
-// does. A corner is never lower than at the lower end of its path, except by its bow (continuous_bow).
+// Returns whether the depth of shape b in shape a along one normal stays below `deep`, m, on the whole path. For most
+// pairs it does. A corner is never lower than at the lower end of its path, except by its bow (continuous_bow).
 RARE int continuous_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;

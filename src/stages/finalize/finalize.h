@@ -23,9 +23,9 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 	pose_move(p, i, d, turn);
 }
 
-// Limits the speed of a body that is pressed between two others, or was so recently. The limit is the speed of the
-// press or, if that is larger, about the speed of the body at the start of the step; the speed of a fall in a step is
-// added. Returns whether the body may get too deep into something static.
+// Limits the speed of a body that is pressed between two others, or was so recently. The limit is the larger of two
+// speeds, of the press and (about) of the body at the start of the step, plus the speed of a fall in one step. Returns
+// whether the body may get too deep into something static.
 INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, float da)
 {
 	Press press = p->press[i];

@@ -28,8 +28,8 @@ INLINE Float4 box_union(Float4 a, Float4 b)
 	return make_float4(b.x < a.x ? b.x : a.x, b.y < a.y ? b.y : a.y, b.z > a.z ? b.z : a.z, b.w > a.w ? b.w : a.w);
 }
 
-// Returns the index of a bound of box i among boxes that are packed by eight (dialect.h). which: 0 lower x, 1 lower y,
-// 2 upper x, 3 upper y.
+// Returns the index of a bound of box i among boxes that are packed by eight (dialect.h). `which`: 0 lower x, 1 lower
+// y, 2 upper x, 3 upper y.
 INLINE int box_bound(int i, int which) { return (i & ~7) * 4 + 8 * which + (i & 7); }
 
 INLINE Float4 box_unpack(const GLOBAL Float4* boxes, int i)

@@ -18,7 +18,7 @@ typedef struct
 	const Vec* corners;            // corners of a sum, counter-clockwise
 	const Vec* normals;            // outward normals of the sum's edges, from corner k to k + 1
 	int count;                     // number of corners
-	int thin;                      // 1 if the core has no area: two edges back to back
+	int thin;                      // 1 if the core has no area: it has two edges, back to back
 	Real radius;                   // m
 } Convex;
 
@@ -54,7 +54,7 @@ INLINE Vec convex_normal(const Convex* c, int k) { return c->shape ? shape_norma
 INLINE int convex_next(const Convex* c, int k) { return k + 1 < c->count ? k + 1 : 0; }
 INLINE int convex_before(const Convex* c, int k) { return k > 0 ? k - 1 : c->count - 1; }
 
-// Returns the position of point q along edge k, m, relative to the corner with the index from.
+// Returns the position of point q along edge k, m, relative to the corner with the index `from`.
 INLINE Real convex_along(const Convex* c, int k, int from, Vec q)
 {
 	Vec up = convex_normal(c, k);
@@ -62,8 +62,8 @@ INLINE Real convex_along(const Convex* c, int k, int from, Vec q)
 }
 
 // Finds the Voronoi region in which a point outside the core is. Returns the edge of the region; *corner: its corner,
-// or -1. edge: an edge that the point is above, where the search begins. Two nearly parallel edges may each assign the
-// point to the other one, so the search ends after as many edges as the core has.
+// or -1. `edge`: an edge with the point on its outer side, where the search begins. Two nearly parallel edges may each
+// assign the point to the other one, so the search ends after as many edges as the core has.
 INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
 {
 	*corner = -1;

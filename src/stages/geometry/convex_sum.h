@@ -9,18 +9,18 @@
 
 #define SUM_CORNERS (2 * MAX_CORNERS)
 
-#define SUM_PARALLEL 2e-7f // sine of the angle between two edges: with a smaller one, the edges are merged
-#define SUM_FLAT     1e-4f // sine of the angle between two segments: with a smaller one, their sum has no area
+#define SUM_PARALLEL 2e-7f // sine of the angle between two edges, up to which they are merged
+#define SUM_FLAT     1e-4f // sine of the angle between two segments, below which their sum has no area
 
 // source of an edge of a sum: the shape that has the edge
 #define SUM_OF_A    1
 #define SUM_OF_B    2
 #define SUM_OF_BOTH 3
 
-typedef struct // Minkowski sum, in the frame of a
+typedef struct // Minkowski sum, in the frame of shape a
 {
 	Vec corners[SUM_CORNERS], normals[SUM_CORNERS];
-	Word parts[SUM_CORNERS]; // corner of a; corner of b from bit 8 on; SUM_OF_* of the next edge from bit 16 on
+	Word parts[SUM_CORNERS]; // bits 0-7: corner of shape a; 8-15: of shape b; from 16 on: SUM_OF_* of the next edge
 	int count, thin;
 } Sum;
 
@@ -42,7 +42,7 @@ INLINE int sum_first(const GLOBAL Attribute* shape, Vec turn, float sign)
 	return first;
 }
 
-// Returns the source of a sum's next edge: the core whose next edge, a or b, has the smaller angle, or both cores.
+// Returns the source of a sum's next edge: the core whose next edge, `a` or `b`, has the smaller angle, or both.
 INLINE Word sum_turn(Vec a, Vec b)
 {
 	Real cross = vec_cross(a, b), dot = vec_dot(a, b);
@@ -112,8 +112,8 @@ INLINE Convex sum_convex(const Sum* sum, Real radius)
 	return c;
 }
 
-// Returns the point of a's surface that is nearest to b. The shapes do not overlap. edge, corner, normal: nearest
-// edge of the sum, nearest corner or -1, and normal there. q: origin of b.
+// Returns the point of shape a's surface that is nearest to shape b. The shapes do not overlap. edge, corner, normal:
+// nearest edge of the sum, nearest corner or -1, and normal there. q: origin of b.
 INLINE Vec sum_point(const Sum* sum, const GLOBAL Attribute* a, const GLOBAL Attribute* b, Vec turn, Vec q, int edge,
                      int corner, Vec normal)
 {

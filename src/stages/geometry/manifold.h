@@ -2,23 +2,24 @@
 // manifold.h -- computes the manifold of two convex shapes: a normal and at most two points.
 //
 // A shape is a core, the hull of its vertices, and a radius around it; a core of two vertices has two edges back to
-// back. The cores are furthest apart along the normal of the reference edge. The incident edge, the edge of the other
-// core that faces it most, is clipped to the reference edge (I. Sutherland and G. Hodgman, Reentrant Polygon Clipping,
-// 1974), which leaves two points. If a corner faces a corner, the nearest points make a manifold of one point.
+// back. The reference edge is that along whose normal the separation of the cores is largest. The incident edge, the
+// edge of the other core that faces it most, is clipped to the reference edge (I. Sutherland and G. Hodgman, Reentrant
+// Polygon Clipping, 1974), which leaves two points. If a corner faces a corner, the nearest points make a manifold of
+// one point.
 #ifndef MANIFOLD_H
 #define MANIFOLD_H
 #include "stages/geometry/manifold_axis.h"
 #include "stages/geometry/manifold_nearest.h"
 
-// m: if two edges face each other, the edge of a is the reference edge only if its separation is larger by this, so
-// that the choice between nearly parallel edges does not alternate. b is preferred, because it does not move or is
-// larger. Of other edges, the one with the larger separation is used: the other may not be at the nearest points.
+// m: the edge of shape a is the reference edge only if its separation is larger than that of a facing edge of shape b
+// by this, so that the choice does not alternate. Shape b is preferred, because it does not move or is larger. Of edges
+// that do not face each other, the one with the larger separation is used: the other may not be at the nearest points.
 #define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
-// m: tolerance. The manifold is on an edge if the distance of the clipped points exceeds the separation of the cores by
-// at most this value. Vectors that are shorter have no direction.
+// m: tolerance. The manifold is on an edge if the nearer clipped point is at most this much farther from the edge than
+// the cores are apart. Vectors that are shorter than this have no direction.
 #define NEAREST_TOLERANCE (0.01f * LINEAR_SLOP)
-// m: if the centers of two circles are closer, there is no direction between them. The limit is small, so that the
-// normals of bodies near one place fit their positions.
+// m: if the centers of two circles are closer than this, there is no direction between them. The limit is small, so
+// that the normals of bodies near one place fit their positions.
 #define CENTERS_APART (0.0002f * LINEAR_SLOP)
 
 // cosine: edges face each other if the product of their normals is below -FACING. Then a point's feature is two
@@ -26,22 +27,22 @@
 #define FACING       0.9f
 #define FEATURE_EDGE MAX_CORNERS // feature index of a shape's first edge; smaller indices are corners
 
-typedef struct // manifold in the frame of a
+typedef struct // manifold in the frame of shape a
 {
-	Vec normal;         // unit vector from a to b
-	Vec point[2];       // halfway between the two surfaces, m
+	Vec normal;         // unit vector from shape a to shape b
+	Vec point[2];       // points in the middle between the two surfaces, m
 	Real separation[2]; // separation of the surfaces, negative if they overlap, m; NO_POINT for a missing point
-	int feature[2];     // feature of a << 8 | feature of b; different for the two points
-	int count;          // number of points; 0: no normal
+	int feature[2];     // feature of shape a << 8 | feature of shape b; different for the two points
+	int count;          // number of points; if it is 0, there is no normal either
 	int made;           // MANIFOLD_* bits: shape that has the corner of each point, shape with which the normal rotates
 	Real gap;           // lower bound of the distance of the surfaces, m, if there are no points
 } Manifold;
 
-typedef struct // separation up to which points count, in the frame of a
+typedef struct // separation up to which points count, in the frame of shape a
 {
 	Real within; // m
-	Vec near;    // m: displacement of b relative to a in the rest of the step
-	Real swing;  // m: largest additional displacement of a point of b
+	Vec near;    // m: displacement of shape b relative to shape a in the rest of the step
+	Real swing;  // m: largest additional displacement of a point of shape b
 } Reach;
 
 INLINE Reach reach_of(Real within)
@@ -53,7 +54,7 @@ INLINE Reach reach_of(Real within)
 	return r;
 }
 
-// Returns the separation up to which points count along a normal from a to b: within, plus the largest possible
+// Returns the separation up to which points count along a normal from shape a to b: r.within, plus the largest possible
 // approach in the rest of the step.
 INLINE Real reach_along(Reach r, Vec normal) { return r.within + maximum(r.swing - vec_dot(normal, r.near), 0.0f); }
 
@@ -69,8 +70,8 @@ INLINE Manifold no_manifold(void)
 	return m;
 }
 
-// Adds the point halfway between the surfaces at a point of the core of a (from) and a point of the core of b at a
-// height, m, above it. Does not add a point whose separation is larger than within.
+// Adds the point in the middle between the two surfaces. `from`: point of the core of shape a; height, m: distance of
+// the point of the other core along the normal. Adds no point whose separation is larger than `within`.
 INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real radius_b, int feature, Real within)
 {
 	Real separation = height - radius_a - radius_b;
@@ -109,7 +110,7 @@ INLINE Manifold circles_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 
 INLINE int feature_pair(int a, int b) { return a << 8 | b; }
 
-typedef struct // reference edge of a, from the corner with index edge to the corner with index next
+typedef struct // reference edge of shape a, from the corner with index `edge` to that with index `next`
 {
 	Vec origin, right, up; // first corner; unit vectors along the edge and along its normal
 	Real length;           // m
@@ -153,7 +154,7 @@ INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference
 	return incident;
 }
 
-// Returns a manifold of one point, halfway between the nearest points of the two edges.
+// Returns a manifold of one point, in the middle between the surfaces at the nearest points of the two edges.
 INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, const Reference* r,
                                  Edge incident, Real separation, Reach reach)
 {
@@ -188,7 +189,7 @@ INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribu
 	return m;
 }
 
-// Returns the manifold of b and a, which has the reference edge. separation, m: largest one along any edge's normal.
+// Returns the manifold of shape b and shape a, which has the reference edge. separation, m: the largest of all edges.
 INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Axis axis, Real separation, Frame f,
                               Reach reach)
 {
@@ -206,8 +207,7 @@ INLINE Manifold edge_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute*
 	if (cut_low)
 		low = vec(0.0f, low.y + low.x / along.x * -along.y);
 
-	// clipped points are at least as far apart as the cores, and the cores by at least separation; if the clipped
-	// points are farther apart than that, a corner faces a corner
+	// no clipped point is nearer to the edge than `separation`; if both are farther, a corner faces a corner
 	if (!overlap || minimum(high.y, low.y) > separation + NEAREST_TOLERANCE)
 		return nearest_manifold(a, b, &r, incident, separation, reach);
 
@@ -247,7 +247,7 @@ INLINE Manifold manifold_swap(Manifold m, Frame f)
 	return m;
 }
 
-// Returns the manifold of two shapes in the frame of a, with the points within reach. f: pose of b in that frame.
+// Returns the manifold of two shapes in the frame of shape a, with the points within `reach`. f: pose of shape b in it.
 INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f, Reach reach)
 {
 	if (a->count == 1 && b->count == 1)

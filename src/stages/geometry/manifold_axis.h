@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// manifold_axis.h -- separating axis test: finds the edge along whose normal one convex core is furthest from another.
+// manifold_axis.h -- separating axis test: finds the edge along whose normal two convex cores are farthest apart.
 //
 // S. Gottschalk, Separating Axis Theorem, 1996: cores overlap if they overlap along the normals of all edges of both.
 #ifndef MANIFOLD_AXIS_H
@@ -53,8 +53,8 @@ INLINE Frame frame_inverse(Frame f)
 	return back;
 }
 
-// Returns the edge of a along whose normal b is furthest. The normals are rotated into the frame of b, so no rotated
-// vertices are stored.
+// Returns the edge of shape a along whose normal the separation of shape b is largest. The normals are rotated into the
+// frame of b, so no rotated vertices are stored.
 INLINE Axis best_axis(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
 {
 	Axis best = {NO_AXIS, 0, 0};

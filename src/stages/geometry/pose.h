@@ -11,7 +11,7 @@
 #include "dialect/finite.h"
 #include "pools/pools.h"
 
-#define POSE_EDGE 1.0e8f // m: edge of the world, where bodies stop; every product of two lengths within it is finite
+#define POSE_EDGE 1.0e8f // m: largest coordinate, at which bodies stop; every product of two lengths up to it is finite
 
 // Returns a + b, clamped to the world. *lack: rounding error of the sum.
 INLINE float pose_sum(float a, float b, float* lack)
