@@ -3,8 +3,8 @@
 // every number of lanes and threads.
 //
 // Formula: status(device) = status(cpu, 1 thread, 1 lane) after each call, and the same for results and hashes.
-// bench/programs.sh runs thousands of programs on a GPU; build/tests/programs --help lists the options for other
-// programs, and to run one again.
+// bench/programs.sh runs thousands of programs on a GPU. build/tests/programs --help lists the options with which a
+// program is run again, or other programs are run.
 #include "programs/program.h"
 #include "support/variants.h"
 #include <stdio.h>

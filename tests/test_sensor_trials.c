@@ -94,7 +94,7 @@ static Rider add_rider(scree_world* world, uint64_t* seed, uint32_t sensor, floa
 typedef struct
 {
 	int met, missed, invented, late;
-	double error; // largest error of a time, in steps
+	double error; // largest error of the time of an event, as a fraction of a step
 } Score;
 
 #define SAMPLES 2048
