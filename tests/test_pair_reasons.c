@@ -28,8 +28,8 @@ typedef enum
 	REFUSED,
 } Reason;
 
-// true if ball and wall collide: touches: when the ball lies in the wall; sweeps: when it is thrown; stops: when a
-// force pushes it. sees: true if the ball as a sensor reports the wall
+// touches, sweeps, stops: true if ball and wall collide when the ball lies in the wall, is thrown at the wall, or is
+// pushed by a force. sees: true if the ball as a sensor reports the wall
 static const struct
 {
 	const char* name;

@@ -62,8 +62,8 @@ static void locks_stay_on_the_path(void** state)
 	}
 }
 
-// The coordinate SCREE_ALONG increases or decreases by the length of the path in each lap. On a circle it changes by v
-// t. A limit at 2.5 laps holds the bead there.
+// The coordinate SCREE_ALONG includes complete laps, in both directions: on a circle it changes by v t. A limit at 2.5
+// laps holds the bead there.
 static void laps_count(void** state)
 {
 	(void)state;

@@ -342,8 +342,7 @@ static void spinning_circles(void** state)
 // ---------------------------------------------------------------------------------------------------------------
 
 // A ball dropped from the height h rises to e^2 h. Restitution reverses the velocity at the start of the step, which
-// lasts 1/240 s here. This velocity is too low by up to g dt, so the height is too low by a fraction of up to 2 g dt /
-// v.
+// lasts 1/240 s here. This velocity is too low by up to g dt, so the height lacks a fraction of up to 2 g dt / v.
 static void restitution_height(void** state)
 {
 	(void)state;

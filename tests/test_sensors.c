@@ -160,7 +160,7 @@ static void kinds_and_filters(void** state)
 	OK(scree_collidable_set_filter(world, all, filter));
 	run_steps(world, 1);
 	assert_int_equal(visits_of(world, all), 0);
-	assert_int_equal(events_of(world).visits_ended_count, 7 + 1); // visits to `all`; visit of `all` to `own`
+	assert_int_equal(events_of(world).visits_ended_count, 7 + 1); // 7 visits to `all`; 1 visit of `all` to `own`
 	// queries find sensors only with SCREE_QUERY_SENSORS
 	scree_query_result found;
 	scree_query_def query = scree_query_def_default();

@@ -287,7 +287,7 @@ static void impulses_carry_the_weight(void** state)
 // ---------------------------------------------------------------------------------------------------------------
 
 // Drops one turned shape on another in a trough. height: difference of their heights at the start, m; at the given
-// values they overlap, nearly touch or are apart. After 8 s both must rest in the trough, and no overlap may exceed 1
+// values they overlap, nearly touch or are apart. After 8 s both must rest in the trough, with overlaps of at most 1
 // cm.
 static void check_rest(int a, int b, int turn, float height)
 {

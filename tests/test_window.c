@@ -21,8 +21,8 @@ static void add_letter(Events* events, unsigned letter)
 	events_add(events, (WindowEvent){.kind = EVENT_LETTER, .letter = letter});
 }
 
-// Checks the events of the next frames. The text `expected` has a letter for each event and a space between frames. k:
-// key, l: letter, m: cursor, b: button, w: wheel.
+// Checks the events of the next frames. The text `expected` has a letter for each event (k key, l letter, m cursor, b
+// button, w wheel) and a space between frames.
 static void assert_frames(Events* events, const char* expected)
 {
 	char given[128];
