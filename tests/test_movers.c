@@ -54,7 +54,7 @@ static void walks_on_a_floor(void** state)
 	} while (scree_collidable_is_null(m.ground) && ++frames < 200);
 	NEAR(frames, 60.0, 2.0);
 
-	// a mover at rest keeps every bit for two minutes
+	// a mover at rest keeps its position, bit for bit, for two minutes
 	walk_frames(world, NULL, &m, 0.0f, 10);
 	scree_mover before = m;
 	walk_frames(world, NULL, &m, 0.0f, 7200);
@@ -89,7 +89,7 @@ static void stops_at_walls(void** state)
 	scree_world_destroy(world);
 }
 
-// Lets a mover walk to a step. height: of the step, m. Returns the height of the ground below the mover at the end, m.
+// Lets a mover walk to a step of this height, m. Returns the height of the ground below the mover at the end, m.
 static float up_a_step(float height, float speed)
 {
 	scree_world* world = open_world(0.0f);
@@ -117,7 +117,7 @@ static float along_a_slope(float degrees, float speed, int frames, scree_mover* 
 	float radians = degrees * (float)PI / 180.0f;
 	scree_rot r = scree_rot_make(radians);
 	scree_shape shape = box_shape(50.0f, 1.0f);
-	add_shape(world, SCREE_BODY_STATIC, shape, r.s, -r.c, radians); // its surface contains the origin
+	add_shape(world, SCREE_BODY_STATIC, shape, r.s, -r.c, radians); // the origin is on its upper side
 	*m = mover_at(0.0f, 0.31f / r.c + 0.3f);
 	walk_frames(world, NULL, m, 0.0f, 60);
 	scree_vec from = m->position;
@@ -292,7 +292,7 @@ static void hostile_movers(void** state)
 				    (scree_vec){random_between(&seed, -speed, speed), random_between(&seed, -speed, speed)};
 			}
 			most += 2.0f * 3000.0f * STEP +
-			        8.0f * (def.radius + def.length + def.skin + 10.0f); // distance to leave an overlap
+			        8.0f * (def.radius + def.length + def.skin + 10.0f); // m: maximum distance out of an overlap
 			OK(scree_movers_move(world, &def, movers, 20, random_below(&seed, 20) ? STEP : 0.0f));
 			for (int k = 0; k < 20; ++k)
 			{
@@ -381,7 +381,7 @@ static void jumps_through_platforms(void** state)
 	OK(scree_movers_move(world, NULL, &m, 1, STEP));
 	NEAR(m.position.y, HALF + 0.01 + 50.0, 1e-2);
 
-	// rays with one_way hit platforms only from above, other rays from all sides
+	// queries with one_way find platforms only from above, other queries from all sides
 	scree_query_def from_above = scree_query_def_default();
 	from_above.one_way = true;
 	scree_ray rays[2] = {{.origin = {0.0f, 9.0f}, .translation = {0.0f, -5.0f}},
@@ -394,7 +394,7 @@ static void jumps_through_platforms(void** state)
 	scree_world_destroy(world);
 }
 
-// A step lies in the last centimetre of the world. Queries of a mover that walks to it stay within the world.
+// A step lies in the last centimetre of the world. Queries of a mover that walks to the step stay within the world.
 static void at_the_end_of_the_world(void** state)
 {
 	(void)state;

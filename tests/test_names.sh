@@ -31,7 +31,7 @@ int main(void)
 }
 C
 
-# check NAME COMPILER FLAGS OPTION...: builds the library with one number of lanes, which is fast and has all names;
+# check NAME COMPILER FLAGS OPTION...: builds the library with one number of lanes, which saves time and leaves out no name;
 # checks its names
 check()
 {

@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 export CC=${CC:-cc}
 
 cmake --install "$SCREE_BUILD" --prefix "$scratch/first" >"$scratch/log"
-# moves the installed tree, which must still work
+# moves the installed tree, which must work in any folder
 mv "$scratch/first" "$scratch/prefix"
 prefix=$scratch/prefix
 libdir=$(dirname "$(find "$prefix" -name pkgconfig -type d)")
@@ -28,7 +28,7 @@ done
 export PKG_CONFIG_PATH=$libdir/pkgconfig
 [ "$(pkg-config --modversion scree)" = "$(sed -n 's/^#define SCREE_VERSION_[A-Z]* //p' "$SCREE_SOURCE/include/scree/scree.h" | paste -sd .)" ]
 hello=$SCREE_SOURCE/examples/hello.c
-# the output of pkg-config is several words
+# the output of pkg-config must be split into words
 $CC -std=c17 -Wall -Wextra -Werror "$hello" -o "$scratch/hello_shared" $(pkg-config --cflags --libs scree)
 $CC -std=c17 -Wall -Wextra -Werror "$hello" -o "$scratch/hello_static" $(pkg-config --cflags scree) "$libdir/libscree.a" \
 	$(pkg-config --static --libs scree | sed 's/-lscree//')

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # test_page.sh -- checks the page in Chromium: hashes of all scenes in three builds, pictures, mouse and fingers, links,
-# the comparison.
+# and the comparison of hashes.
 set -uo pipefail
 scree=${SCREE_BINARY:?is the path of the command line}
 build=${SCREE_BUILD:?is the build folder}

@@ -28,8 +28,8 @@ typedef enum
 	REFUSED,
 } Reason;
 
-// touches, sweeps, stops: true if ball and wall collide in a contact, in the sweep of a thrown ball, in continuous
-// collision; sees: true if the ball as a sensor reports the wall
+// touches, sweeps, stops: true if ball and wall collide when the ball lies in the wall, is thrown at the wall, or is
+// pushed by a force. sees: true if the ball as a sensor reports the wall
 static const struct
 {
 	const char* name;
@@ -107,7 +107,7 @@ static void keep_apart(const Pair* pair, Reason reason)
 {
 	if (reason == JOINT || reason == FILTER_JOINT)
 	{
-		// a joint without locks moves nothing
+		// a joint without locks applies no forces
 		scree_joint_def def = scree_joint_def_make(reason == JOINT ? SCREE_JOINT_FREE : SCREE_JOINT_FILTER);
 		def.body_a = pair->ball;
 		def.body_b = pair->wall;
@@ -182,7 +182,7 @@ static uint64_t sweep(Reason reason, scree_body_type type)
 }
 
 // The force moves the ball by 10 a h^2 = 0.6 m in four substeps of h = 1/240 s. The ball starts at rest, so there is no
-// speculative contact before.
+// speculative contact before the step.
 static uint64_t continuous(Reason reason, scree_body_type type)
 {
 	Pair pair = begin(reason, type, -0.3f, false);

@@ -82,7 +82,7 @@ else
 	crossover='(no crossover of OpenCL and [12] threads? of the CPU|OpenCL is faster than [12] threads? of the CPU from [0-9]+ bodies on)'
 	[ "$(grep -cE ": $crossover\$" out)" = 6 ] || fail "figure5: not a crossover of each curve, or none"
 fi
-# measurements begin after one second; the hash is that of a run with the steps of this second and of the measurement
+# the hash is that of a run of 63 steps: one second, two steps before the measured ones, and the first measured step
 hash=$("$scree" hash drift --set boxes=46 --steps 63 --device cpu)
 [ "$(grep -cE "^drift,boxes=46,scree,.*,$hash\$" figure5.csv)" = $((devices + 1)) ] ||
 	fail "figure5: not the hash after a second and three steps"
@@ -106,8 +106,8 @@ mkdir empty
 env PATH="$scratch/empty" "$program" figure6 --draw figure6.csv >out 2>err || fail "--draw without gnuplot: a failure"
 grep -q 'figure6.csv is not drawn.*gnuplot-nox' err || fail "--draw without gnuplot: no remedy"
 
-# a figure drawn from given rows: lines of 1 and 4 ms at 100 bodies, 4 and 1 ms at 400 cross at 200 on a logarithmic
-# axis; so do lines of 2 and 4 ms, 2 and 1 ms
+# draws a figure from given rows: with 100 and 400 bodies one thread takes 1 and 4 ms, eight threads take 2 and 2 ms, OpenCL
+# takes 4 and 1 ms. On logarithmic axes both curves of the CPU cross the curve of OpenCL at 200 bodies
 {
 	echo "$columns,penetration,hash"
 	for row in cpu,1,100,3,0.03,9,1,1 cpu,8,100,3,0.03,9,1,2 'opencl:A_GPU,0,100,3,0.03,9,1,4' \

@@ -62,7 +62,7 @@ static void locks_stay_on_the_path(void** state)
 	}
 }
 
-// The coordinate along counts laps in both directions. On a circle of circumference 2 pi R it is v t. A limit at 2.5
+// The coordinate SCREE_ALONG includes complete laps, in both directions: on a circle it changes by v t. A limit at 2.5
 // laps holds the bead there.
 static void laps_count(void** state)
 {
@@ -103,7 +103,7 @@ static void joints_begin_near(void** state)
 		NEAR(def.frame_b.position.x, 0.0, 1e-5);
 		NEAR(def.frame_b.rotation.s, 0.0, 1e-5);
 		scree_joint joint = add_joint(world, &def);
-		NEAR(along_of(world, joint), begins[k], 1e-4); // also before the first step
+		NEAR(along_of(world, joint), begins[k], 1e-4); // true even before the first step
 		run_steps(world, 1);
 		NEAR(along_of(world, joint), begins[k], 1e-4);
 
@@ -156,7 +156,7 @@ static void crossings_keep_the_branch(void** state)
 }
 
 // A body that the user places is held at the part of the path nearest to it, in the lap that changes the coordinate
-// least. A body that the user displaces a little at the crossing stays on its branch.
+// least. If the user displaces a body a little at the crossing, it stays on the same branch of the path.
 static void placed_bodies_look_around(void** state)
 {
 	(void)state;
@@ -191,8 +191,8 @@ static void placed_bodies_look_around(void** state)
 		run_steps(world, 1);
 		NEAR(along_of(world, joint), on - 0.04f * lap * (float)k / 19.0f, 2e-3);
 	}
-	// the path is moved instead of the body; the joint may select a part of the path that is up to twice as far away as
-	// the nearest part
+	// the path is moved instead of the body; the joint may select a part of the path that is up to twice as far from
+	// the body as the nearest part
 	scree_vec at = position_of(world, bead);
 	float nearest;
 	OK(scree_joint_set_frames(world, joint, (scree_pose){{-1.0f, 0.5f}, {1.0f, 0.0f}},
@@ -285,8 +285,7 @@ static void paths_come_and_go(void** state)
 	scree_world_destroy(world);
 }
 
-// Joints on paths can be disabled, enabled and broken, and their bodies can change their type, like those of other
-// joints.
+// Joints on paths can be disabled, enabled and broken, and their bodies can change their type, as with other joints.
 static void joints_rest_and_break(void** state)
 {
 	(void)state;
@@ -295,7 +294,7 @@ static void joints_rest_and_break(void** state)
 	float lap = length_of(world, path);
 	scree_body bead = add_wagon(world, path, 0.0f, 0.1f, 5.0f);
 	scree_joint joint = ride(world, path, bead, false);
-	run_steps(world, 170); // takes the bead more than a lap
+	run_steps(world, 170); // moves the bead through more than one lap
 	float along = along_of(world, joint);
 	assert_true(along > lap);
 	OK(scree_joint_set_enabled(world, joint, false));
@@ -303,7 +302,7 @@ static void joints_rest_and_break(void** state)
 	run_steps(world, 10);
 	OK(scree_joint_set_enabled(world, joint, true));
 	run_steps(world, 2);
-	NEAR(along_of(world, joint), along, 0.05); // also counts the lap
+	NEAR(along_of(world, joint), along, 0.05); // the complete lap is included
 	OK(scree_body_set_enabled(world, bead, false));
 	run_steps(world, 2);
 	OK(scree_body_set_enabled(world, bead, true));
@@ -316,11 +315,11 @@ static void joints_rest_and_break(void** state)
 	OK(scree_joint_set_thresholds(world, joint, (float)(m * 15.0), 1e30f, true));
 	OK(scree_body_set_velocity(world, bead, velocity_of(world, bead)));
 	OK(scree_body_set_pose(world, bead, pose_on_path(world, path, 0.0f)));
-	throw_body(world, bead, 5.0f, 0.0f, 0.0f); // m v^2 / R is m * 12.5 m/s^2
+	throw_body(world, bead, 5.0f, 0.0f, 0.0f); // m v^2 / R is m * 12.5 m/s^2, below the threshold
 	run_steps(world, 30);
 	assert_false(joint_state_of(world, joint).broken);
 	OK(scree_body_set_pose(world, bead, pose_on_path(world, path, 0.0f)));
-	throw_body(world, bead, 7.0f, 0.0f, 0.0f); // m v^2 / R is m * 24.5 m/s^2
+	throw_body(world, bead, 7.0f, 0.0f, 0.0f); // m v^2 / R is m * 24.5 m/s^2, above the threshold
 	run_steps(world, 30);
 	assert_true(joint_state_of(world, joint).broken);
 	OK(scree_joint_destroy(world, joint));
@@ -343,7 +342,7 @@ static void placing_moves_frame_b(void** state)
 	NEAR(def.frame_b.position.y, -1.0, 1e-6);
 	scree_joint joint = add_joint(world, &def);
 	NEAR(along_of(world, joint), 3.0, 1e-6);
-	OK(scree_joint_def_mount(world, &def, 2.5f)); // mounts at (3.5, 0) in the world
+	OK(scree_joint_def_mount(world, &def, 2.5f)); // mounts the joint at (3.5, 0) in the world
 	NEAR(def.frame_b.position.x, -0.5, 1e-6);
 	NEAR(def.frame_b.position.y, -1.0, 1e-6);
 	NEAR(def.initial_along, 2.5, 0.0);

@@ -180,8 +180,8 @@ static void loops_keep_energy(void** state)
 	}
 }
 
-// A motor that pulls a bead of mass m up a slope of 30 degrees applies m g / 2. A motor with a lower maximum lets the
-// bead slide back.
+// A motor that pulls a bead of mass m up a slope of 30 degrees applies the force m g / 2. A motor with a lower maximum
+// force lets the bead slide back.
 static void motors_drive(void** state)
 {
 	(void)state;
@@ -206,8 +206,8 @@ static void motors_drive(void** state)
 	scree_world_destroy(world);
 }
 
-// A spring of f Hz across a path is a suspension: on a straight rail a load m sinks by g / (2 pi f)^2. Locks along and
-// across the path hold their targets. A spring along the path pulls to its target.
+// A spring of f Hz across a path is a suspension: on a straight rail a load sinks by g / (2 pi f)^2. Locks along and
+// across the path hold their targets. A spring along the path pulls the bead to its target.
 static void springs_act(void** state)
 {
 	(void)state;

@@ -341,8 +341,8 @@ static void spinning_circles(void** state)
 // impacts
 // ---------------------------------------------------------------------------------------------------------------
 
-// A ball dropped from the height h rises to e^2 h. Restitution reverses the velocity before the step, here a step of
-// 1/240 s. This velocity is too low by up to g dt, so the height is too low by up to 2 g dt / v of its value.
+// A ball dropped from the height h rises to e^2 h. Restitution reverses the velocity at the start of the step, which
+// lasts 1/240 s here. This velocity is too low by up to g dt, so the height lacks a fraction of up to 2 g dt / v.
 static void restitution_height(void** state)
 {
 	(void)state;
@@ -421,7 +421,8 @@ static void momentum(void** state)
 		Momentum now = momentum_of(world, bodies, 49);
 		NEAR(now.x, before.x, 1e-5 * before.size);
 		NEAR(now.y, before.y, 1e-5 * before.size);
-		// contact points are fixed in space within a step while bodies move on, here by up to 2 cm
+		// contact points are fixed in space within a step while bodies move by up to 2 cm, so angular momentum is less
+		// exact
 		NEAR(now.spin, before.spin, 1e-3 * before.size);
 	}
 	assert_true(counters_of(world).touching > 0);

@@ -9,8 +9,8 @@
 #define SCRATCH "test_pictures_scratch.json"
 
 // The scene has bodies 1 to 11: one single body, five bodies with one attribute, and five bodies that choose between
-// two attributes. The single body has the middle shade, 31. Shades of the first five go from 0 to 62. Shades of the
-// bodies with a choice go from 62 / 4 to 3 * 62 / 4, rounded.
+// two attributes. The single body has the middle shade, 31. The five bodies with one attribute have shades from 0 to
+// 62, the bodies with a choice from 62 / 4 to 3 * 62 / 4, rounded.
 static void bodies_run_through_their_shades(void** state)
 {
 	(void)state;
@@ -22,15 +22,15 @@ static void bodies_run_through_their_shades(void** state)
 	ShadeWalk walk = {.scene = scene};
 	for (uint32_t k = 0; k < 11; ++k)
 		assert_int_equal(shade_next(&walk, k + 1), expected[k]);
-	// shades of a body that is not from the scene, and without a scene
+	// shades of a body that does not come from the scene, and of a body without a scene
 	assert_int_equal(shade_next(&walk, 12), SHADE_MIDDLE);
 	ShadeWalk none = {0};
 	assert_int_equal(shade_next(&none, 3), SHADE_MIDDLE);
 	scene_free(scene);
 }
 
-// Shades 0, 31 and 62 have the three colors of a palette, times a factor from 0.92 to 1.08. Palettes repeat: number 8
-// equals number 0.
+// Shades 0, 31 and 62 have the three colors of a palette, times a factor from 0.92 to 1.08. Palettes repeat: palette 8
+// equals palette 0.
 static void shades_have_three_colors(void** state)
 {
 	(void)state;
@@ -70,7 +70,7 @@ static void cameras_magnify_steadily(void** state)
 }
 
 // A square view of 10 m is 840 px wide in a picture of 1600x900. The detail of 2 m by 1 m gets the rest of the width,
-// 1600 - 2 * 12 - 840 - 24 = 712 px. It lies in the middle of the height.
+// 1600 - 2 * 12 - 840 - 24 = 712 px. It is centered vertically.
 static void details_fill_wide_pictures(void** state)
 {
 	(void)state;

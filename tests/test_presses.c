@@ -49,7 +49,7 @@ static Press add_press(scree_world* world, Place place, scree_shape shape, float
 	return p;
 }
 
-// Returns the depth of a body of 1 m in the wall or in the floor, m, the larger of both.
+// Returns the depth of a body of 1 m in the wall or in the floor, m; in a corner, the larger of the two depths.
 static float depth_of(scree_world* world, scree_body body, Place place, bool round)
 {
 	scree_pose pose = pose_of(world, body);
@@ -61,7 +61,7 @@ static float depth_of(scree_world* world, scree_body body, Place place, bool rou
 
 // A body between a press and static bodies is at most 2 cm deep in a static body and no faster than the press. This
 // holds for any order of contacts and of creation, any density, and presses moved by velocity or by target. It holds
-// while the press comes, stays and goes back.
+// while the press approaches, stays and goes back.
 static void static_side_wins(void** state)
 {
 	(void)state;
@@ -157,8 +157,8 @@ static void types_are_exchanged(void** state)
 	}
 }
 
-// A hinge to a kinematic body drags a ball against a ring of segments, or a stiff spring to a point of the world does.
-// The ball stays within the ring.
+// A hinge to a kinematic body, or a stiff spring to a point of the world, drags a ball against a ring of segments. The
+// ball stays within the ring.
 static void joints_yield_to_what_is_static(void** state)
 {
 	(void)state;
@@ -211,7 +211,7 @@ static void loads_are_no_presses(void** state)
 	cart.density = 1000.0f;
 	wheel.density = 1.6f / (float)(PI * 0.16);
 	add_floor(world);
-	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // is in the floor, so the search for presses runs
+	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // it is in the floor, so presses are searched for
 	add_crate(world, SCREE_BODY_DYNAMIC, -20.0f, 2.4f);
 	def.body_a = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &cart), 0.0f, 0.7f, 0.0f);
 	for (int k = 0; k < 2; ++k)

@@ -90,7 +90,7 @@ static void check_sort(Input input, int end, int bound, bool use_bound, int firs
 {
 	static uint64_t keys[CAPACITY], expected[CAPACITY], got[CAPACITY];
 	int count = use_bound && bound < end ? bound : end;
-	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY; // with later keys, which must not change
+	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY; // includes keys after these, which must not change
 	for (int i = 0; i < whole; ++i)
 		keys[i] = make_key(input, i, end, &seed);
 	memcpy(expected, keys, (size_t)whole * sizeof *keys);
@@ -156,7 +156,7 @@ static void test_sort_inputs(void** state)
 			check_sort((Input)input, sizes[i], 0, false, 0, 64, 7);
 }
 
-// Checks that the result is in the pool key for each range of bits, and so for each number of passes of the sort.
+// Checks that the result is in the pool `key` for each range of bits, and so for each number of passes of the sort.
 static void test_sort_bits(void** state)
 {
 	(void)state;
@@ -205,7 +205,8 @@ static void test_scan_counts_from_device(void** state)
 		check_scan(900000, bounds[i], true, 2, 29 + i);
 }
 
-// Data as long as the counters is read from another pool. Its bytes must not count as faults of the device.
+// Reads blocks from a pool, one as long as the counters. The bytes of this block must not count as faults of the
+// device.
 static void reads_have_any_size(void** state)
 {
 	(void)state;

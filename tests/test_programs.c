@@ -3,8 +3,8 @@
 // every number of lanes and threads.
 //
 // Formula: status(device) = status(cpu, 1 thread, 1 lane) after each call, and the same for results and hashes.
-// bench/programs.sh runs thousands of programs on a GPU; build/tests/programs --help lists the options for other
-// programs, and to run one again.
+// bench/programs.sh runs thousands of programs on a GPU. build/tests/programs --help lists the options with which a
+// program is run again, or other programs are run.
 #include "programs/program.h"
 #include "support/variants.h"
 #include <stdio.h>
@@ -20,7 +20,7 @@ static int hide_log(void** state)
 	return pair_hide_log() != SCREE_OK;
 }
 
-// Shortens a failed program, and prints the shorter program and a description of its failure.
+// Shortens a failed program, and prints the shorter program with a description of its failure.
 static void print_failure(Pair* pair, Program* program, const Variant* variant, uint64_t seed)
 {
 	program_shrink(program, pair, 20.0);
@@ -129,7 +129,7 @@ static void text_is_the_program(void** state)
 	{
 		assert_int_equal(read.calls[k].kind, made.calls[k].kind);
 		for (int i = 0; i < call_info(made.calls[k].kind)->count; ++i)
-			if (made.calls[k].value[i] == made.calls[k].value[i]) // no NaN, whose text lacks some bits
+			if (made.calls[k].value[i] == made.calls[k].value[i]) // skips NaN, whose text lacks some bits
 				assert_memory_equal(&read.calls[k].value[i], &made.calls[k].value[i], sizeof(float));
 	}
 	program_close(&made);

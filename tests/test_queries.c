@@ -17,7 +17,7 @@ typedef struct // copy of a collidable, for the reference
 	scree_filter filter;
 	uint32_t kind; // kind of the collidable: SCREE_QUERY_*
 	Exact exact;
-	double reach; // m: largest distance of a point from the first corner
+	double reach; // m: largest distance of a point of the shape from its first corner
 } Item;
 
 typedef struct
@@ -121,7 +121,8 @@ static const Item* item_of(const Place* place, scree_collidable handle)
 	return NULL;
 }
 
-// Returns whether a collidable is so far from the path of a shape that they cannot meet. reach: that of the shape.
+// Returns whether a collidable is so far from the path of a shape that they cannot meet. reach: that of the shape, as
+// in Item.
 static bool is_away(const Item* item, const Exact* from, double reach, double x, double y)
 {
 	double px = item->exact.x[0] - from->x[0], py = item->exact.y[0] - from->y[0], square = x * x + y * y;
@@ -171,7 +172,8 @@ static void check_cast(const Place* place, const scree_query_def* def, const Exa
 		if (least > slack)
 			fail_msg("item %d of %d corners is %g m away, and was found at %g", k, item->exact.count, least,
 			         (double)found->fraction);
-		// on a path nearly parallel to an edge, fractions of hits are inexact; so the distance at the hit is checked
+		// on a path nearly parallel to an edge, fractions of hits are inexact; so the distance at the fraction is
+		// checked
 		Exact there = exact_moved(*from, (double)found->fraction * x, (double)found->fraction * y);
 		double apart = exact_distance(&item->exact, &there);
 		if (found->inside)
@@ -181,7 +183,7 @@ static void check_cast(const Place* place, const scree_query_def* def, const Exa
 			         item->exact.count, apart, (double)found->fraction, length);
 		else
 		{
-			// the point is on the surface, and the normal points away from it
+			// the point is on the surface, and the normal points away from the surface
 			Exact point = {.count = 1, .x = {(double)found->point.x}, .y = {(double)found->point.y}};
 			NEAR(exact_distance(&item->exact, &point), 0.0, 2.0 * slack);
 			NEAR(hypot((double)found->normal.x, (double)found->normal.y), 1.0, 1e-4);

@@ -221,7 +221,7 @@ static void ignores_what_is_gone(void** state)
 		rays[1].ignored = SCREE_NULL_BODY;
 		for (int round = 0; round < 3; ++round)
 		{
-			// index of the nearest collidable that is not ignored: 1 only after a new body took the slot
+			// index of the nearest collidable if body `gone` is ignored: 1 only after a new body took the slot
 			unsigned nearer = round < 2 ? 2 : 1;
 			OK(scree_world_cast_rays(world, &def, rays, 2, found));
 			assert_int_equal(found[0].collidable.index, nearer);

@@ -36,7 +36,7 @@ static void states_of_all(void** state)
 	scree_world_destroy(world);
 }
 
-// The definition of a body is read and used in another world. The new body moves with the same bits.
+// The definition of a body is read and used in another world. The new body moves like the first one, bit for bit.
 static void definition_of_a_body(void** state)
 {
 	(void)state;
@@ -77,8 +77,8 @@ static void definition_of_a_body(void** state)
 	scree_world_destroy(world);
 }
 
-// A rotating box, turned by 90 degrees: the world position of its corner, the conversion back to local coordinates, and
-// the velocity of that point.
+// Checks a corner of a rotating box, turned by 90 degrees: its position in the world, the conversion of this position
+// back to local coordinates, and its velocity.
 static void points_of_a_body(void** state)
 {
 	(void)state;

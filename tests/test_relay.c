@@ -13,8 +13,8 @@
 // ---------------------------------------------------------------------------------------------------------------
 
 // Emulated variants of the relay. Registers: all constraints fit into registers; streamed: they do not. Late words and
-// pieces: writes arrive later and in parts. Ahead: the solve is listed before its constraints are certain. Spread:
-// work-items without a constraint end before the barriers of the others.
+// pieces: writes arrive later and in parts. Ahead: the solve is listed before the host has read the number of its
+// constraints. Spread: work-items without a constraint end before the barriers of the others.
 static const Form plain_forms[] = {
     {.name = "registers", .groups = 16},
     {.name = "streamed", .groups = 3, .schedule = {.late = true, .pieces = 8}},
@@ -107,7 +107,8 @@ static void lost_words_are_found(void** state)
 // ---------------------------------------------------------------------------------------------------------------
 
 // The third pass of a step is the first that reads displacements. If two words of a mailbox already carry the ticket of
-// that pass, they are read as a displacement: so mailboxes must be cleared. A single word with this ticket is not read.
+// that pass, they are read as a displacement, so mailboxes must be cleared between steps. A single word with this
+// ticket is not read.
 static void mailboxes_must_be_cleared(void** state)
 {
 	(void)state;

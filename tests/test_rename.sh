@@ -25,7 +25,7 @@ expect()
 	grep -qF -- "$text" out || { fail "rename.sh $*: does not say \"$text\", but"; cat out; }
 }
 
-# checks the table of names: scree.h has each new name, in the struct of its row, and no old name
+# checks docs/names.md: scree.h has each new name, members in the struct of their row, and no old name
 struct_of()
 {
 	sed -n "/^typedef struct $1\b/,/^} $1;/p" "$header" | sed 's://.*::'
@@ -121,7 +121,7 @@ expect 0 'usage: tools/rename.sh FILE...' -h
 expect 0 'usage: tools/rename.sh FILE...' --help
 cmp game.c old.c || fail "rename.sh: changes a file in spite of an error"
 
-# names that are certain are changed; the others are reported
+# names with exactly one meaning are changed; ambiguous names are reported
 expect 0 'rename.sh: changed 2 of 2 files; 8 names are left to you' game.c game.mjs
 cat >wanted <<'TEXT'
 game.c:43: held may be stopped_bodies instead

@@ -20,7 +20,8 @@ static scree_body add_platform(scree_world* world, scree_body_type type, scree_s
 	return add_body(world, type, surface, x, y, radians);
 }
 
-// Returns the shape of a platform 8 m wide. Writes to *y the height of its body at which its top is at y = 0.
+// Returns the shape of a platform 8 m wide. Writes to *y the height of the body at which the top of the platform is at
+// y = 0.
 static scree_shape platform_shape(int kind, float* y)
 {
 	*y = kind == 0 ? -0.5f : kind == 1 ? -0.01f : kind == 2 ? 0.0f : -0.1f;
@@ -39,7 +40,7 @@ static scree_shape visitor_shape(int kind, float size)
 static float visitor_half(int kind, float size) { return kind == 2 ? 0.5f * size : size; }
 
 // Bodies jump through a platform from below, fall back and come to rest on its top. The test tries all kinds of
-// platforms and visitors, from 2 cm to 4 m.
+// platforms and visitors, with sizes of visitors from 2 cm to 4 m.
 static void jumps_up_and_lands(void** state)
 {
 	(void)state;
@@ -99,7 +100,7 @@ static void fast_bodies(void** state)
 	}
 }
 
-// Bodies that are created halfway through a platform fall through it. Bodies that come from the side pass.
+// Bodies that are created halfway through a platform fall through it. Bodies that come from the side pass through it.
 static void half_through(void** state)
 {
 	(void)state;
@@ -254,7 +255,8 @@ static void compounds(void** state)
 	}
 	OK(scree_body_set_linear_velocity(world, bodies[1], (scree_vec){0.0f, 12.0f}));
 	run_steps(world, 240);
-	assert_true(pose_of(world, bodies[0]).position.y < -10.0f); // only the upper box began above the top
+	// only the upper box of this body began above the top of the platform
+	assert_true(pose_of(world, bodies[0]).position.y < -10.0f);
 	NEAR(pose_of(world, bodies[1]).position.y, 0.3, 0.01);
 	scree_world_destroy(world);
 }
@@ -360,8 +362,8 @@ static void rest(void** state)
 	}
 }
 
-// A platform is destroyed and created again before each step. It still holds the bodies that lie on it, and lets rising
-// bodies pass.
+// A platform is destroyed and created again before each step. Each new platform holds the bodies that lie on the last
+// one, and lets rising bodies pass.
 static void made_anew(void** state)
 {
 	(void)state;
@@ -394,7 +396,7 @@ static void fast_platforms(void** state)
 		OK(scree_body_set_linear_velocity(world, platform, (scree_vec){0.0f, -side * speed}));
 		run_steps(world, (int)(6.0f / speed / STEP) + 4);
 		scree_velocity velocity = velocity_of(world, body);
-		// a rising platform pushes with its top; a sinking one does not touch the body
+		// a rising platform pushes the body with its top; a sinking platform does not touch the body
 		if (side < 0.0f)
 			assert_true(pose_of(world, body).position.y > pose_of(world, platform).position.y + 0.28f);
 		else
@@ -462,8 +464,8 @@ static void rings_under_pressure(void** state)
 	}
 }
 
-// Two platforms of one body: a body slides along the lower platform, which holds it. The other platform begins higher,
-// and lets the body pass from the side.
+// A static body has two platforms. A box slides along the lower platform, passes through the higher one from the side,
+// and keeps its speed and its height.
 static void stairs_from_beside(void** state)
 {
 	(void)state;

@@ -88,8 +88,8 @@ static void fans_see_what_they_say(void** state)
 	close_text(&s);
 }
 
-// 20 circles in a row, 10 m apart, cast 64 rays of 4 m each. A picture contains only rays in its view. If their number
-// exceeds the limit of the picture, it contains rays at equal intervals.
+// 20 circles in a row, 10 m apart, each cast 64 rays of 4 m. A picture contains only rays in its view. If the view has
+// more rays than the limit of the picture, the picture contains only every n-th of them.
 static void pictures_take_some_in_view(void** state)
 {
 	(void)state;
@@ -116,7 +116,7 @@ static void pictures_take_some_in_view(void** state)
 	close_text(&s);
 }
 
-// A body outside the space of queries casts no rays; other bodies still cast rays.
+// A body outside the space of queries casts no rays; the other bodies do.
 static void far_bodies_cast_none(void** state)
 {
 	(void)state;
@@ -132,7 +132,7 @@ static void far_bodies_cast_none(void** state)
 	close_text(&s);
 }
 
-// Bodies that a scene replaces before each step cast rays like their predecessors.
+// A scene replaces bodies before each step. The new bodies cast as many rays as the bodies that they replace.
 static void new_bodies_cast(void** state)
 {
 	(void)state;

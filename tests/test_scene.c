@@ -175,8 +175,8 @@ static void test_build(void** state)
 	close_text(&player);
 }
 
-// The end of a range is random(). Its number of bodies must equal the count of the loaded scene: between 12 and 36 for
-// 12 rounds.
+// The end of the inner range is random, from 1 to 3, in each of 12 rounds. The world must have as many bodies as the
+// loaded scene counts, between 12 and 36.
 static void test_random_ranges(void** state)
 {
 	(void)state;
@@ -282,7 +282,7 @@ static Bodies read_bodies(scree_world* world)
 	return all;
 }
 
-// Checks that a changed body has a pose and velocity of its churn, and the locks of its block.
+// Checks that a changed body has a pose and a velocity within the ranges of its churn, and the locks of its block.
 static void check_changed(const scree_world* world, const Bodies* after, int k)
 {
 	uint32_t locks;
@@ -295,7 +295,7 @@ static void check_changed(const scree_world* world, const Bodies* after, int k)
 }
 
 // Applies and checks the churn of one step: two bodies move, three are replaced, and each keeps its attribute. Adds 1
-// to turns for each changed body.
+// to the element of `turns` of each changed body.
 static void check_step(const Scene* scene, scree_world* world, int step, int turns[12])
 {
 	Bodies before = read_bodies(world);
@@ -324,9 +324,9 @@ static void check_step(const Scene* scene, scree_world* world, int step, int tur
 	assert_int_equal(replaced, 3);
 }
 
-// Ten bodies with churn have attribute a or b in turn; the first and last of the 12 bodies have no churn. Before each
-// step two of the ten are moved and three replaced. Each of the ten is changed equally often, keeps its index in the
-// list and its attribute, and gets a pose of the churn.
+// Ten bodies with churn have attributes `a` and `b` in turn; the first and last of the 12 bodies have no churn. Before
+// each step two of the ten are moved and three replaced. Each of the ten is changed equally often, keeps its index in
+// the list and its attribute, and gets a pose within the ranges of the churn.
 static void test_churn(void** state)
 {
 	(void)state;
@@ -459,7 +459,7 @@ static void test_keys(void** state)
 		OK(scree_world_step(world, 0.1f, 4));
 	}
 	OK(scree_bodies_get_velocities(world, bodies, v, 3));
-	// mass pi, inertia pi / 2
+	// bodies are circles of radius 1 m: mass pi kg, inertia pi / 2 kg m^2
 	assert_true(v[0].linear.x == 0 && v[0].linear.y == 0 && v[0].angular == 0);
 	assert_true(v[1].linear.x == 0 && v[1].linear.y == 0);
 	assert_true(fabsf(v[2].linear.y - 0.6f / 3.14159f) < 1e-4f && fabsf(v[2].linear.x) < 1e-4f);

@@ -23,7 +23,7 @@ typedef struct // a scene that contains an object of one kind
 	FormatObject object;
 	const char* only;  // name of the only key for which this scene is used; null: used for all other keys
 	const char* place; // path of the object in the file
-	const char* text;  // %s: members of the object
+	const char* text;  // text of the file; %s stands for the members of the object
 	const char* needs; // members that the object must have, separated by ;
 } Place;
 
@@ -75,8 +75,8 @@ static const Place* place_of(FormatObject object, const char* key)
 	return place;
 }
 
-// Loads a scene whose object has the key with the value. part null: the scene must be accepted. Otherwise it must be
-// refused, with a message that contains both part and must.
+// Loads a scene whose object has the key with the value. If `part` is null, the scene must be accepted. Otherwise it
+// must be refused, with a message that contains both texts, `part` and `must`.
 static void load(const Place* place, const char* key, const char* value, const char* part, const char* must)
 {
 	char text[2048] = "", quoted[64], sentence[SCENE_SENTENCE] = "";
@@ -98,7 +98,7 @@ static void load(const Place* place, const char* key, const char* value, const c
 		fail_msg("%s\nsays \"%s\"\nnot  \"%s\" and \"%s\"", text, sentence, part ? part : "", part ? must : "");
 }
 
-// Checks that a value is refused. The message must name the key and element, which is an index such as [0], or empty.
+// Checks that a value is refused. The message must name the key and `element`, which is an index such as [0], or empty.
 static void refuse(const FormatKey* key, const char* value, const char* element, const char* must)
 {
 	char part[200];

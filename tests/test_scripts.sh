@@ -48,7 +48,7 @@ if command -v node >/dev/null; then
 	done < <(grep -lE 'process\.argv' "$source"/bench/web/*.mjs | grep -v '/usage\.mjs$')
 fi
 
-# makes releases of a small tree, whose make web only creates the files
+# makes releases of a small tree, in which "make web" only creates small files with the right names
 command -v git >/dev/null || { echo "skipped: there is no git"; exit 77; }
 export GIT_CONFIG_GLOBAL=/dev/null GIT_AUTHOR_NAME=test GIT_COMMITTER_NAME=test GIT_AUTHOR_EMAIL=test GIT_COMMITTER_EMAIL=test
 mkdir -p tree/tools tree/include/scree

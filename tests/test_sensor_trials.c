@@ -53,7 +53,7 @@ static double apart_at(const Rider* a, const Rider* b, double time)
 	return exact_distance(&at, &bt);
 }
 
-// Adds a collidable at a random pose. Its body moves and turns at random; with rests, the body is static, or the
+// Adds a collidable at a random pose. Its body moves and turns at random; if `rests` is set, the body is static, or the
 // collidable has no body.
 static Rider add_rider(scree_world* world, uint64_t* seed, uint32_t sensor, float size, float speed, float spin,
                        scree_vec origin, bool rests, scree_collidable* collidable)
@@ -94,7 +94,7 @@ static Rider add_rider(scree_world* world, uint64_t* seed, uint32_t sensor, floa
 typedef struct
 {
 	int met, missed, invented, late;
-	double error; // largest error of a time, in steps
+	double error; // largest error of the time of an event, as a fraction of a step
 } Score;
 
 #define SAMPLES 2048
@@ -134,7 +134,7 @@ static void judge(scree_world* world, Rider* a, Rider* b, scree_collidable senso
 	if (fabs(end) > 1e-5 + tolerance)
 		assert_int_equal(count, end < 0.0);
 	if (was)
-		return; // The visit began in an earlier step: only the number of visits after the step was checked.
+		return; // a visit that began in an earlier step: only the number of visits after this step is checked
 	score->met += deep_first >= 0.0;
 	if (least > tolerance && events.visits_began_count)
 		++score->invented;
@@ -156,7 +156,7 @@ static void judge(scree_world* world, Rider* a, Rider* b, scree_collidable senso
 }
 
 // Tries all shapes on bodies of all types, with centers of mass away from their origins. Paths are several meters long,
-// and rotations up to 180 degrees. tolerance, m: error of distances. Returns the sum of all differences.
+// and rotations up to 180 degrees. tolerance: maximum error of distances, m. Returns the sum of all differences.
 static Score try_ways(int trials, float size, float speed, float spin, scree_vec origin, double tolerance)
 {
 	Score score = {0};

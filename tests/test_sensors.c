@@ -154,13 +154,13 @@ static void kinds_and_filters(void** state)
 	assert_int_equal(visits_of(world, moving), 2);
 	assert_int_equal(visits_of(world, still), 2);
 	assert_int_equal(visits_of(world, all), 4 + 3); // 4 collidables and 3 sensors
-	assert_int_equal(visits_of(world, own), 3);     // the three large sensors; own overlaps nothing else
+	assert_int_equal(visits_of(world, own), 3);     // three large sensors; `own` overlaps nothing else
 	scree_filter filter = scree_filter_default();
 	filter.mask = 2;
 	OK(scree_collidable_set_filter(world, all, filter));
 	run_steps(world, 1);
 	assert_int_equal(visits_of(world, all), 0);
-	assert_int_equal(events_of(world).visits_ended_count, 7 + 1); // 7 visits to all, and the visit of all to own
+	assert_int_equal(events_of(world).visits_ended_count, 7 + 1); // 7 visits to `all`; 1 visit of `all` to `own`
 	// queries find sensors only with SCREE_QUERY_SENSORS
 	scree_query_result found;
 	scree_query_def query = scree_query_def_default();
@@ -211,7 +211,7 @@ static void one_end_for_each_beginning(void** state)
 	assert_true(scree_collidable_equals(events.visits_ended[0].visitor, visit.visitor));
 	assert_true(scree_body_equals(events.visits_began[0].body_visitor, crate));
 
-	// the crate becomes a sensor, then solid again; then the sensor is destroyed
+	// the crate becomes a sensor, then solid again; then the first sensor is destroyed
 	scree_collidable own = events.visits_began[0].visitor;
 	OK(scree_collidable_set_sensor(world, own, SCREE_SENSOR_STATIC));
 	run_steps(world, 1);

@@ -89,8 +89,8 @@ static scree_vec support(const scree_shape* shape, float turn, double side)
 // contacts
 // ---------------------------------------------------------------------------------------------------------------
 
-// Places two turned shapes side by side, in a world of their own, and checks their contact. The rightmost point of a
-// and the leftmost point of b have the same height, so the distance of the shapes is the gap along x.
+// Places two turned shapes side by side, in a world of their own, and checks their contact. The rightmost point of
+// shape a and the leftmost point of shape b have the same height, so the distance of the shapes is the gap along x.
 static void check_gap(int a, int b, int turn, double gap)
 {
 	char what[128];
@@ -120,7 +120,7 @@ static void check_gap(int a, int b, int turn, double gap)
 		int one;
 		OK(scree_body_get_collidables(world, first, &of_first, 1, &one));
 		OK(scree_body_get_collidables(world, second, &of_second, 1, &one));
-		// each of the two bodies can be a in the contact; the normal points from a to b
+		// each of the two bodies can be body a of the contact; the normal points from body a to body b
 		bool turned = c->a.index == of_second.index;
 		assert_true(turned ? c->b.index == of_first.index
 		                   : c->a.index == of_first.index && c->b.index == of_second.index);
@@ -128,7 +128,7 @@ static void check_gap(int a, int b, int turn, double gap)
 		assert_in_range(c->count, 1, 2);
 		NEAR(hypot(c->normal.x, c->normal.y), 1.0, 1e-5);
 
-		// gap is the separation of the nearer point; both points lie between the shapes
+		// `gap` is the separation of the nearer contact point; both points lie between the shapes
 		double nearest = c->points[0].separation;
 		if (c->count == 2 && c->points[1].separation < nearest)
 			nearest = c->points[1].separation;
@@ -164,14 +164,14 @@ static void pairs_are_found(void** state)
 typedef struct
 {
 	int a, b;
-	float x, y, turn; // pose of b
+	float x, y, turn; // pose of shape b; shape a is at the origin
 	int points;
 	double separation;
 	scree_vec normal;
 } Placement;
 
-// Checks placements whose results were calculated by hand: the number of points, the separation, and the normal from a
-// to b.
+// Checks placements whose results were calculated by hand: the number of points, the separation, and the normal from
+// shape a to shape b.
 static void points_are_counted(void** state)
 {
 	(void)state;
@@ -286,8 +286,9 @@ static void impulses_carry_the_weight(void** state)
 // rest
 // ---------------------------------------------------------------------------------------------------------------
 
-// Drops one turned shape on another in a trough. height: difference of their start heights, for which they overlap,
-// nearly touch or are apart. After 8 s both must rest in the trough, and no overlap may exceed 1 cm.
+// Drops one turned shape on another in a trough. height: difference of their heights at the start, m; at the given
+// values they overlap, nearly touch or are apart. After 8 s both must rest in the trough, with overlaps of at most 1
+// cm.
 static void check_rest(int a, int b, int turn, float height)
 {
 	scree_world* world = open_world(-10.0f);

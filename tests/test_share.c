@@ -197,7 +197,7 @@ static cl_int hand(cl_command_queue queue, cl_uint count, const cl_mem* memory, 
 	assert_true(count == 1 && memory[0] == imported && over != handed_over);
 	handed_over = over;
 	++handovers;
-	// only a mapping copies data that a kernel wrote to the memory of the host
+	// data that a kernel wrote gets to the memory of the host only when the buffer is mapped
 	cl_int error;
 	size_t bytes = 32;
 	void* at = real.EnqueueMapBuffer(queue, memory[0], CL_TRUE, CL_MAP_READ, 0, bytes, 0, NULL, NULL, &error);
@@ -358,8 +358,8 @@ static void test_shared_memory(void** state)
 
 #define RAYS 100
 
-// Rays and probes in shared memory get the same results as rays and probes of the host. Results replace them or are
-// written behind them.
+// Rays and probes in shared memory get the same results as rays and probes of the host. Results replace the rays and
+// probes, or are written behind them.
 static void test_shared_queries(void** state)
 {
 	(void)state;

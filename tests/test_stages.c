@@ -14,8 +14,8 @@
 // ---------------------------------------------------------------------------------------------------------------
 
 // Computes the Hilbert codes of 256 by 256 cells, which begin at the corner and have this spacing. The tree spans
-// 65,536 by 65,536 cells. Checks that each cell occurs once, and that successive codes belong to adjacent cells; dense:
-// successive codes differ by 1. Returns the lowest code.
+// 65,536 by 65,536 cells. Checks that each cell occurs once, and that successive codes belong to adjacent cells, and
+// differ by 1 if `dense` is set. Returns the lowest code.
 static Word check_curve(Backend* b, float corner_x, float corner_y, float spacing, bool dense)
 {
 	const int side = 256, count = side * side;
@@ -118,7 +118,7 @@ static void slots_are_lowest_first(void** state)
 			get_items(b, POOL_counters, 1, &counters);
 			get_items(b, POOL_pair, 9, pairs);
 
-			// Nine slots are needed. With room for ten, one stays free; with less room only counters.needed changes.
+			// Nine slots are needed. With room for ten, one slot stays free; with less room, no contact is created.
 			bool enough = room == 10;
 			assert_int_equal(counters.stalled, !enough);
 			assert_int_equal(counters.needed, 9);
@@ -137,13 +137,13 @@ static void slots_are_lowest_first(void** state)
 
 #define SLOTS 10000
 
-// Returns whether each step writes the contents of a pool again, so that contact_pack need not move them.
+// Returns whether each step writes the whole pool, so that contact_pack need not move its items.
 static bool is_scratch(int pool)
 {
 	return pool == POOL_scan || pool == POOL_free_slot || pool == POOL_began || pool == POOL_uncolored;
 }
 
-// Returns byte k of the item of a pool in a slot: a test value.
+// Returns the test value for byte k of the item in a slot of a pool.
 static unsigned char byte_of(int pool, int slot, size_t k)
 {
 	return (unsigned char)(slot * 31 + pool * 7 + (int)k * 13 + slot / 256);
@@ -160,7 +160,7 @@ typedef struct
 } Slots;
 
 // Makes slots of which a third is in use. Contacts whose slots are not below the number of contacts move to free slots
-// below it, in order.
+// below this number, in order.
 static Slots make_slots(void)
 {
 	Slots s = {calloc(SLOTS + 1, sizeof *s.pairs), calloc(SLOTS, sizeof *s.constraints), calloc(SLOTS, sizeof *s.from),
@@ -220,7 +220,7 @@ static void check_pools(Backend* b, const Slots* s, unsigned char* bytes)
 	}
 }
 
-// Checks that contacts and their constraints still refer to each other.
+// Checks that contacts and their constraints refer to each other after contact_pack.
 static void check_links(Backend* b, const Slots* s, unsigned char* bytes)
 {
 	int* back = calloc(SLOTS, sizeof *back);

@@ -54,8 +54,8 @@ static void passes_by(void** state)
 				}
 				if (variant == 2)
 				{
-					// the lower left corner of a box passes the corner (0.5, 0) of the stack at 7 mm; other shapes pass
-					// farther away
+					// the lower left corner of a box passes the corner (0.5, 0) of the stack at a distance of 7 mm;
+					// other shapes pass farther away
 					from = (scree_vec){0.51f + side - back, 0.5f + back};
 					v = (scree_vec){40.0f, -40.0f};
 				}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_threads.c -- checks workers: each block of a job runs once, and the next job reads the values that a job wrote.
+// test_threads.c -- checks workers: each block of a job runs once, and reads the values that the previous job wrote.
 #include "platform/threads.h"
 #include "support/checks.h"
 #include <string.h>

@@ -29,13 +29,14 @@ static void a_box_on_the_floor(void** state)
 	// Bytes of a constraint in each pass:
 	// prepare 180: slot 4, pair 8, two places 64, points 64, normal 8, arms 24, gaps 8;
 	// warm start 64: indices 8, normal and arms 32, impulses 24;
-	// bias 64: 48 with gaps, normal impulses twice, 16; relax 84: 48, friction 4, all impulses twice, 32.
+	// bias 64: indices, normal, arms and gaps 48, normal impulses (read and written) 16;
+	// relax 84: the same 48, friction 4, all impulses (read and written) 32.
 	scree_traffic traffic = traffic_of(world);
 	assert_int_equal(traffic.constraints, 1);
 	assert_int_equal(traffic.passes, 1 + 2 * 4);
 	assert_int_equal(traffic.constraint_bytes, 180 + 64 + 4 * (64 + 84));
 	// A pass reads 32 bytes of each body and writes 16. A row costs 44 once; each substep adds 128 for its velocity
-	// (state twice, 64; motion 32; base twice, 32) and 96 for its position.
+	// (state, read and written, 64; motion 32; base, read and written, 32) and 96 for its position.
 	assert_int_equal(traffic.body_bytes, 9 * 2 * (32 + 16) + 3 * (44 + 4 * (128 + 96)));
 
 	// restitution adds one pass, and bytes to each constraint
@@ -51,7 +52,7 @@ static void a_box_on_the_floor(void** state)
 	// Bytes added by restitution:
 	// prepare 80: slot 4, normal and arms 32, gaps 8, totals 8, indices 8, restitution 4, fall 4, energy 4, rebounds 8;
 	// warm start 4, bias 8, relax 40;
-	// bounce 96: 48 with gaps, fall 4, energy 4, rebounds 8, totals twice, 16, impulses 16.
+	// bounce 96: indices, normal, arms and gaps 48, fall 4, energy 4, rebounds 8, totals (read and written) 16, impulses 16.
 	assert_int_equal(traffic.constraint_bytes, 260 + 68 + 2 * (72 + 124) + 96);
 	// prepare reads state, motion and colors of each body
 	assert_int_equal(traffic.body_bytes, (6 * 48 + 72) * 2 + 3 * (44 + 2 * 224));

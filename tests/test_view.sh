@@ -113,8 +113,8 @@ if [ -x "$build/tests/difference" ]; then
 	within layers.png window.png 0.1 0 && fail "layers do not show"
 fi
 
-# the body under the cursor: a click selects it, a drag does not. Escape ends the selection; a second Escape ends the viewer. No bit
-# changes
+# the body under the cursor: a click selects it, a drag does not. Escape ends the selection; a second Escape ends the viewer. None
+# of this changes the hash
 view 0 "${small[@]}" <<'END'
 key tab
 frames 1
@@ -352,7 +352,7 @@ END
 	says 'says there is no other device than cpu'
 fi
 
-# paints: pictures of scree run have the paint of the window, in both themes; paints of a theme differ
+# paints: pictures of scree run have the paint of the window, in both themes; the paints of one theme differ from each other
 paints=(attribute speed graph force start type)
 for k in "${!paints[@]}"; do
 	theme=light
@@ -365,7 +365,7 @@ for k in "${!paints[@]}"; do
 	view 0 tumbler --set side=12 --theme $theme <keys
 	says "painted by ${paints[k]}"
 	says ", $theme,"
-	# view: that of the scene, 1.5 * (0.36 * 12 + 0.5), without the detail of the scene
+	# --view shows the view of the scene, 1.5 * (0.36 * 12 + 0.5) m to each side, but leaves out the detail of the scene
 	"$scree" run tumbler --set side=12 --device cpu --steps 60 --view -7.23,-7.23,7.23,7.23 --size 800x600 --renderer gl --theme $theme \
 		--paint "${paints[k]}" --picture "paint$k.png" >out 2>err || fail "run --paint ${paints[k]}"
 	[ -x "$build/tests/difference" ] || continue
@@ -388,7 +388,7 @@ frames 2
 END
 says 'dark, panel at 2.00'
 
-# a scene is shown beside the panel, and a few bodies that fly away do not shrink it
+# a scene is shown beside the panel, and a few bodies that fly away do not change its scale
 view 0 "${small[@]}" <<'END'
 frames 2
 print
@@ -421,8 +421,8 @@ print
 END
 awk -v scale="$(nth scale 1)" 'BEGIN {exit !(scale > 10)}' || fail "fit: a body that flew away makes all others tiny"
 
-# full screen: the window fills the screen and returns to its size. This fails with twm and works on a display without a window
-# manager
+# full screen: the window fills the screen and returns to its size. The display has no window manager, because full screen
+# fails with twm
 Xvfb -displayfd 4 -screen 0 1280x900x24 4>bare 2>>xvfb.log &
 bare=$!
 for _ in $(seq 100); do
@@ -653,7 +653,7 @@ END
 	[ "$(nth scale 1)" = 60.000 ] || fail "a tiny window spoils the camera"
 fi
 
-# sets other sizes, also zero
+# minimizes the window, restores it and changes its size
 kill -0 $manager || { cat twm.log; failures=$((failures + 1)); }
 view 0 "${small[@]}" <<'END'
 frames 2

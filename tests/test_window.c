@@ -21,8 +21,8 @@ static void add_letter(Events* events, unsigned letter)
 	events_add(events, (WindowEvent){.kind = EVENT_LETTER, .letter = letter});
 }
 
-// Checks the events of the next frames. expected has a letter for each event and a space between frames. k: key, l:
-// letter, m: cursor, b: button, w: wheel.
+// Checks the events of the next frames. The text `expected` has a letter for each event (k key, l letter, m cursor, b
+// button, w wheel) and a space between frames.
 static void assert_frames(Events* events, const char* expected)
 {
 	char given[128];
@@ -44,7 +44,7 @@ static void typing_keeps_its_order(void** state)
 {
 	(void)state;
 	Events events = {0};
-	// letters and their keys come in one frame; a key for editing, ENTER, may follow in it
+	// letters and their keys come in one frame; a key for editing, ENTER, may follow in the same frame
 	add_key(&events, 'A', 1);
 	add_letter(&events, 'a');
 	add_key(&events, 'A', 0);

@@ -85,7 +85,8 @@ static void batches_survive_churn(void** state)
 	OK(scree_bodies_create(world, defs, COUNT_OF, bodies));
 	run_steps(world, 1);
 
-	// every third body is destroyed and created elsewhere, six times; the device steps in between in every second round
+	// every third body is destroyed and created elsewhere, six times; every second time the world takes a step in
+	// between
 	for (int round = 0; round < 6; ++round)
 	{
 		for (int k = 0; k < COUNT_OF; k += 3)
@@ -379,7 +380,7 @@ static void changes_keep_their_order(void** state)
 	scree_world_destroy(world);
 }
 
-typedef enum // action of a Caller after each call
+typedef enum // action of after_call
 {
 	NOTHING,
 	FLUSH, // uploads all edits
@@ -391,7 +392,7 @@ typedef struct
 	scree_world* world;
 	After after;
 	scree_body bodies[60], compound;
-	scree_collidable parts[3]; // collidables of compound
+	scree_collidable parts[3]; // collidables of the body `compound`
 } Caller;
 
 static void after_call(const Caller* c, scree_status status)

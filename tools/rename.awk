@@ -1,4 +1,4 @@
-# rename.awk -- ports one file to the new names: prints the changed file, and writes uncertain names to the file `report`.
+# rename.awk -- ports one file to the new names: prints the changed file, and writes ambiguous names to the file `report`.
 #
 # usage: awk -v language=c|js -v file=NAME -v report=FILE -v open_end=0|1 -f rename.awk docs/names.md FILE
 #
@@ -64,7 +64,7 @@ input == 1 && /^## / { section = substr($0, 4) }
 input == 1 && /^\| `/ { split($0, cell, "|"); read_row(cell) }
 
 # ---------------------------------------------------------------------------------------------------------------
-# the tokens: text[k], kind[k] and line[k]; code[c] is the k of the c-th token that is not space, comment or string
+# the tokens: text[k], kind[k] and line[k]; code[c] is the index k of the c-th token that is not space, comment or string
 # ---------------------------------------------------------------------------------------------------------------
 
 function add(token, k)
@@ -199,7 +199,7 @@ function declares(name, type)
 	declared[name] = type
 }
 
-# Skips an initializer. Returns the index of the comma or the end behind the declarator whose name is before token c.
+# Skips an initializer. Returns the index of the sign that ends the declarator whose name is before token c: , ; or a bracket.
 function past_initializer(c, depth)
 {
 	for (; c <= codes; ++c)

@@ -4,10 +4,10 @@
 #
 # usage: tools/rename.sh FILE...
 #
-# Names of functions, types and constants are changed as whole words, and names of members if the struct is certain. Other members
-# with such names are not changed, but reported as
+# Names of functions, types and constants are changed as whole words, and names of members if the struct is known. Other members
+# with such names are not changed. For each of them the script prints
 #   FILE:LINE: NAME may be NEW instead.
-# If a file cannot be read or written, no file is changed. Exit 2 then, and on wrong arguments.
+# If a file cannot be read or written, no file is changed. In this case, and if an argument is wrong, the exit code is 2.
 set -euo pipefail
 . "$(dirname "$0")/usage.sh"
 tools=$(cd "$(dirname "$0")" && pwd)

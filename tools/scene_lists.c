@@ -12,8 +12,8 @@
 
 #define VISIBLE 1e5 // the tables do not show bounds of this size or larger
 
-// Initializer of a type: its members in a JSON schema, and its words in a table. Null for types that format_read can
-// read itself.
+// Initializer of a type: its members in a JSON schema, and its words in a table. Both are null except for TYPE_OTHER,
+// because FormatKey.type determines them.
 #define GENERIC          NULL, NULL
 #define NUMBER(...)      GENERIC
 #define WHOLE(...)       GENERIC

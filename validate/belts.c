@@ -2,7 +2,7 @@
 // belts.c -- checks bodies on two belts, or on two wheels, that run towards each other.
 //
 // The difference of the two loads drives a body. At the place with equal loads the body lies still. If it begins beside
-// this place, it swings around it without end, but the swing must not grow.
+// this place, it swings around the place without end, but the swing must not grow.
 #include "props.h"
 #include <math.h>
 
@@ -10,8 +10,8 @@
 #define SPEED 1.0  // m/s
 #define SPACE 0.1  // m: gap between boxes
 
-// Adds two belts whose ends meet at x = 0, and a train of boxes 1 m wide on them, with its middle at x. Returns the
-// first box.
+// Adds two belts whose ends meet at the origin, and a train of boxes 1 m wide on them, with its middle at `x`. Returns
+// the first box.
 static int lay(Lab* lab, int boxes, bool hinged, double height, double x)
 {
 	for (int side = -1; side <= 1; side += 2)
@@ -57,7 +57,7 @@ static void ride(Validation* v, int boxes, bool hinged, double height)
 	lab_close(lab);
 }
 
-#define ASIDE 0.1 // m: distance from the place with equal loads at the start
+#define ASIDE 0.1 // m: initial distance from the place with equal loads
 
 // Motion of a body in 20 s. share: largest distance from the middle in the last 5 s, divided by the distance at the
 // start. period: duration of one swing.

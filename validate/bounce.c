@@ -2,8 +2,8 @@
 // bounce.c -- balls of restitution 1 keep their energy, others rise to the right height, and gases gain no energy.
 //
 // With a restitution above 1 balls rise higher than before. Both engines integrate with v += g h, y += v h in
-// substeps of h seconds. So y + v^2 / 2g - v h / 2 is constant in free flight: it is the height of the apex, which can
-// be computed after any step.
+// substeps of h seconds. So y + v^2 / (2 g) - v h / 2 is constant in free flight: it is the height of the apex, which
+// can be computed after any step.
 #include "props.h"
 #include <math.h>
 
@@ -64,7 +64,7 @@ static void bounce(Balls* balls, int bounces, double height)
 			bool down = balls->lab->velocities[balls->first + k].linear.y < 0.0f;
 			if (balls->down[k] && !down && n < BOUNCES)
 				n = ++balls->bounces[k];
-			if (!down && n > 0) // the largest value is the apex, because the floor may still push the ball up
+			if (!down && n > 0) // the maximum counts: the floor may push the ball up after the bounce
 				balls->apex[k][n] = fmax(balls->apex[k][n], apex_of(balls->lab, balls->first + k));
 			balls->down[k] = down;
 			done = done && (n > bounces || (n == bounces && down));
@@ -72,7 +72,7 @@ static void bounce(Balls* balls, int bounces, double height)
 	}
 }
 
-// Prints the mean and the largest share of the initial energy after this number of bounces.
+// Prints the mean and the largest share of the initial energy that balls have after this number of bounces.
 static void print_energy(Validation* v, const Balls* balls, int bounces, double wanted)
 {
 	double sum = 0.0, least = INFINITY, most = 0.0;

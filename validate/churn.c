@@ -177,7 +177,8 @@ void churn_experiment(Validation* v)
 	}
 	crowd_moves(v, 50000, 1000, 4000, 20);
 	burst(v, 1200);
-	// only if the first call was refused, because 22,000 boxes have 242 million pairs, which need 24 GB or more
+	// the second call runs only if the step of the first was refused, because 22,000 boxes have 242 million pairs,
+	// which need 24 GB or more
 	if (crowd(v, 2500))
 		crowd(v, 22000);
 }

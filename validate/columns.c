@@ -89,8 +89,8 @@ static void mixed(Validation* v, int count)
 	print_fall(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.014, 0.01);
 }
 
-// Adds the card house of Box2D v3's sample CardHouse (Erin Catto) from x = left on: pairs of leaning cards, with flat
-// cards on them. Each card is displaced at random by up to jitter, m. Returns the last card.
+// Adds the card house of Box2D v3's sample CardHouse (Erin Catto), with its first card at x = `left`: pairs of leaning
+// cards, with flat cards on them. Each card is displaced at random by up to `jitter`, m. Returns the last card.
 static int add_card_house(Lab* lab, int levels, double left, double jitter, uint64_t* seed)
 {
 	const double half = 0.2, thick = 0.001, pitch = 0.175;
@@ -125,8 +125,8 @@ static void card_house(Validation* v, int levels)
 	print_fall(v, lab, first, v->quick ? MINUTE / 3 : MINUTE, AT_MOST, 0.033, 0.0075);
 }
 
-// Card houses whose cards are displaced at random. Chance decides which houses fall, but hardly their number, which is
-// limited.
+// Card houses whose cards are displaced at random. Chance decides which houses fall, but hardly changes the number of
+// houses that fall, which is limited.
 static void card_houses(Validation* v, int levels, double jitter, int most)
 {
 	enum

@@ -17,8 +17,8 @@ typedef struct
 	// definition of Scree's world; device, threads and lanes come from EngineOptions, and other engines use only
 	// gravity
 	scree_world_def world;
-	float max_speed;     // m/s; 0: that of world in Scree, the default in other engines
-	float contact_hertz; // stiffness of contacts, Hz; 0: as for max_speed
+	float max_speed;     // m/s; 0: world.max_speed in Scree, the engine's default in others
+	float contact_hertz; // stiffness of contacts, Hz; 0: world.contact_hertz, or the default
 } EngineDef;
 
 typedef struct // a collidable of a body
@@ -29,14 +29,14 @@ typedef struct // a collidable of a body
 
 typedef struct
 {
-	int index; // index of the body in calls of other functions; chosen by the caller, near 0
+	int index; // index by which other functions refer to the body; the caller chooses small indices
 	scree_body_def def;
 	EnginePart* parts;
 	int count;
 	bool bullet; // true: the body is a bullet, in engines that have bullets
 } EngineBody;
 
-#define ENGINE_WORLD -1 // index for EngineJoint.a and b: the world
+#define ENGINE_WORLD -1 // value of EngineJoint.a or b that means the world
 
 typedef struct
 {
@@ -58,7 +58,7 @@ typedef struct // functions that return bool print a message and return false on
 	bool (*step)(void* state, float dt, int substeps);
 	bool (*wait)(void* state);                // waits until all work is done
 	bool (*frozen)(void* state, int* frozen); // adds to *frozen the number of bodies that the last step froze
-	// reads `count` bodies; bodies null: the bodies from index 0 on; velocities may be null
+	// reads `count` bodies, or the first `count` indices if `bodies` is null; `velocities` may be null
 	bool (*read)(void* state, const int* bodies, int count, scree_pose* poses, scree_velocity* velocities);
 	bool (*hash)(void* state, uint64_t* hash); // hash of all simulated state, as the engine defines it
 	double (*bytes)(void* state);              // memory of the world, bytes

@@ -30,8 +30,8 @@ static void add_crates(Lab* lab, int count, double y)
 		lab_put(lab, SCREE_BODY_DYNAMIC, &crate, (float)(PITCH * (k - 0.5 * (count - 1))), (float)y, 0.0f);
 }
 
-// Measures overlaps every ten steps for 5 s (quick: 2 s). Prints the deepest overlap of all measurements and that at
-// the end.
+// Measures overlaps every ten steps for 5 s (quick: 2 s). Prints the deepest overlap of all measurements, and the
+// deepest overlap at the end.
 static void watch(Validation* v, Lab* lab, double limit)
 {
 	double deepest = 0.0, last = 0.0;

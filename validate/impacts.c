@@ -14,7 +14,7 @@ static Lab* open_empty(Validation* v)
 	return lab_open(v, &def);
 }
 
-// Boxes and rods hit a floor at all angles. Prints the largest energy of a body as a percentage of its energy before.
+// Boxes and rods hit a floor at all angles. Prints the largest energy of a body as a percentage of its initial energy.
 static void against_floor(Validation* v, double friction)
 {
 	int runs = v->quick ? 200 : 1000;
@@ -59,9 +59,8 @@ static void against_floor(Validation* v, double friction)
 static void isolate(Lab* lab, int run) { lab->bodies[lab->count - 1].parts[0].filter = (scree_filter){1, 0, run + 1}; }
 
 // A heavy circle hits a light circle at rest, without friction. Afterwards the light circle must not be faster than the
-// heavy one was before. Runs must not affect each other: a light circle that flies to the side with 0.5 of the speed
-// would meet the heavy circle of the next run. Their relative speed is 1.12 of the speed, so this impact may give the
-// light circle 1.12 of it.
+// heavy one was before. Runs must not affect each other: a light circle that flies to the side with half of the initial
+// speed v would meet the heavy circle of the next run at a relative speed of 1.12 v, and could get the speed 1.12 v.
 static void struck(Validation* v, double ratio)
 {
 	int runs = v->quick ? 100 : 400;
@@ -108,7 +107,7 @@ static scree_attribute_def any_of(uint64_t* seed, int kind, double density, doub
 }
 
 // Two bodies of random shape, spin and ratio of masses collide. Prints the largest energy of a pair as a percentage of
-// its energy before.
+// its initial energy.
 static void pairs(Validation* v, double friction)
 {
 	int runs = v->quick ? 300 : 3000;
@@ -203,8 +202,8 @@ static Lab* rush_of(Validation* v, int across, double rush, double restitution, 
 	return lab;
 }
 
-// Prints the results of several random pile-ups: the mean drift of angular momentum, and the largest values of all
-// else.
+// Prints the results of several random pile-ups: the mean drift of angular momentum, and the largest of each other
+// value.
 static void pile_up(Validation* v, int across, double rush, double restitution, int rate, double drift)
 {
 	begin(v, "pile-up of %d at up to %.0f m/s of restitution %g at %d Hz", across * across, rush * 0.8 * across,

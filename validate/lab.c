@@ -83,7 +83,7 @@ static void grow(Lab* lab)
 	lab->capacity = (int)capacity;
 }
 
-// Returns mass, inertia and center of a body, by the parallel axes theorem; 0 unless the body is dynamic.
+// Returns mass, inertia and center of a body, by the parallel axis theorem; 0 unless the body is dynamic.
 static LabMass mass_of(const EngineBody* body)
 {
 	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
@@ -229,7 +229,7 @@ double lab_fastest(const Lab* lab, int* body)
 	for (int k = 0; k < lab->count; ++k)
 	{
 		double speed = lab->bodies[k].def.type == SCREE_BODY_DYNAMIC ? lab_speed(lab, k) : 0.0;
-		if (speed <= most) // false for NaN, which then counts as the fastest
+		if (speed <= most) // false for NaN, which then counts as faster than earlier bodies
 			continue;
 		most = speed;
 		if (body)

@@ -34,9 +34,10 @@ uint64_t lab_hash(Lab* lab);
 double lab_kinetic(const Lab* lab, int body); // J; 0 unless the body is dynamic
 double lab_speed(const Lab* lab, int body);   // m/s
 scree_vec lab_center(const Lab* lab, int body);
-double lab_fastest(const Lab* lab, int* body); // m/s: speed of the fastest dynamic body; body: its index, or null
+// Returns the speed of the fastest dynamic body, m/s. Writes the index of this body to *body, unless `body` is null.
+double lab_fastest(const Lab* lab, int* body);
 
-// Returns a hash of the end states of all labs of the case; of the open lab it takes the present state.
+// Returns a hash of the end states of all labs of the case; for the open lab, the present state counts.
 uint64_t lab_case_hash(Validation* validation);
 
 #endif

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // overlaps.c -- measures the depth of overlaps and the sinking of stacks in the six scenes of the benchmarks.
 //
-// The limit of a mean is at most 0.8 of Box2D's mean (617d32a, sleep off): pyramid 21.3 mm, pyramids 1.93, pile 109,
-// tumbler 89.0, smash 86.6, washer 59.7, 7 piles 119, 7 drums 86.8. In scenes whose bodies hardly move, the limit is
-// the result of this version and a margin of 1/20. In smash Box2D does better than in other scenes; there the limit of
-// the deepest overlap is Box2D's result.
+// The limit of a mean is at most 0.8 of Box2D's mean (617d32a, sleep off), which is in mm: pyramid 21.3, pyramids 1.93,
+// pile 109, tumbler 89.0, smash 86.6, washer 59.7, 7 piles 119, 7 drums 86.8. In scenes whose bodies hardly move, the
+// limit is the result of this version plus a margin of 1/20. In smash Box2D does better than in other scenes; there the
+// limit of the deepest overlap is Box2D's result.
 #include "lab_scene.h"
 #include "validate.h"
 #include <math.h>
@@ -15,7 +15,7 @@
 typedef struct
 {
 	const char* name;
-	int every; // steps between measurements; a measurement takes as long as some steps
+	int every; // steps between measurements, which take as long as several steps
 	// limits, mm: deepest overlap of all measurements (0: no limit), mean of the deepest overlaps of each measurement
 	double deepest, mean;
 	double sank; // limit, mm: sinking of the body that sank the most; 0: the scene has no stack

@@ -13,7 +13,7 @@
 typedef struct
 {
 	const char* name;
-	bool thick, apart, moves; // platforms are boxes, not segments; each has its own body; the ring is kinematic
+	bool thick, apart, moves; // true if platforms are boxes; if each has its own body; if the ring is kinematic
 	int sides;
 	double spin, sways; // rad/s of the bar; factor for the swaying velocity of ring and bar
 } Ring;
@@ -39,7 +39,7 @@ static scree_vec on_circle(double radius, double angle)
 	return (scree_vec){(float)(radius * cos(angle)), (float)(radius * sin(angle))};
 }
 
-// Returns the platform of a ring from one angle to another. It is solid from inside.
+// Returns the platform of a ring between two angles, rad. The platform is solid from inside.
 static EnginePart part_of(const Ring* ring, double from, double to)
 {
 	scree_vec corners[4] = {on_circle(RADIUS, from), on_circle(RADIUS, to), on_circle(RADIUS + THICK, to),

@@ -27,7 +27,7 @@ typedef enum // body that touches the pressed bodies first
 static const char* const orders[ORDERS] = {"both at once", "the press first", "the wall first"};
 
 #define DEPTH 0.02 // m: limit of the depth in static bodies, for presses of up to 1 m/s
-#define FAST  0.1  // m: limit for faster presses, where bodies get deep before it is certain that they are pressed
+#define FAST  0.1  // m: limit for faster presses, which push bodies deeper before the search finds the press
 
 typedef struct
 {
@@ -63,8 +63,8 @@ static double reach(Lab* lab, int body, double x, double y)
 	return most + (double)shape->radius;
 }
 
-// Moves the press to the right until its front, which begins at x, is at `end`. Then waits for two seconds. Updates
-// *result.
+// Moves the press to the right until its front, which begins at `x`, is at `end`. Then takes steps for two seconds.
+// Updates *result with the bodies from `first` on.
 static void press(Lab* lab, int presser, int first, int count, double x, double end, double speed, Result* result)
 {
 	for (int wait = 0; wait < 120 && !lab->validation->broken; wait += x >= end)

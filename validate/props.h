@@ -6,9 +6,9 @@
 
 // These return surfaces with Scree's defaults: density 1 kg/m^2, friction 0.6, restitution 0.
 scree_attribute_def box_of(double half_width, double half_height);
-scree_attribute_def rounded_of(double half_width, double half_height, double radius); // sizes include the rounding
+scree_attribute_def rounded_of(double half_width, double half_height, double radius); // half sizes include the rounding
 scree_attribute_def circle_of(double radius);
-scree_attribute_def capsule_of(double half_length, double radius); // horizontal; half_length without the round ends
+scree_attribute_def capsule_of(double half_length, double radius); // horizontal; half_length excludes the round ends
 scree_attribute_def polygon_of(const scree_vec* corners, int count);
 scree_attribute_def wall_of(double height); // vertical segment through the origin
 

@@ -56,7 +56,7 @@ const other = scree.createWorld();
 assert.throws(() => other.bodies.destroy([b]), /must be a body of the same world/);
 other.destroy();
 
-// calls every method, which are all made from the header: it returns a result or throws an error with a message
+// calls every method of the header: each returns a result or throws an error with a message
 let methods = 0;
 for (const target of [scree, world, ...["bodies", "joints", "collidables", "movers"].map((name) => world[name]), b, joint, field, path, b.getCollidables()[0], box(world)])
 	for (let type = Object.getPrototypeOf(target); type !== Object.prototype; type = Object.getPrototypeOf(type))

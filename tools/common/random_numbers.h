@@ -13,8 +13,8 @@
 // These return a random number and change the seed, which may begin with any value.
 uint64_t random_word(uint64_t* seed);
 int random_below(uint64_t* seed, int count);                 // from 0 to count - 1
-float random_between(uint64_t* seed, float low, float high); // multiples of 2^-24 of the range, above low
-double random_real(uint64_t* seed, double low, double high); // multiples of 2^-53 of the range, above low
+float random_between(uint64_t* seed, float low, float high); // low + (high - low) n / 2^24, with a whole number n
+double random_real(uint64_t* seed, double low, double high); // low + (high - low) n / 2^53, with a whole number n
 
 // Returns numbers of another generator, only for benchmarks of queries: hits and hashes in docs/queries.md depend on
 // them.

@@ -11,7 +11,7 @@ typedef struct
 } PaperPair;
 
 // Tests every box against every other; boxes whose edges touch overlap. Writes at most `capacity` overlapping pairs, in
-// ascending order of a, then b. Writes the number of all overlapping pairs to *count.
+// ascending order of their index `a`, then `b`. Writes the number of all overlapping pairs to *count.
 scree_status paper_pairs(const scree_box* boxes, int box_count, PaperPair* pairs, int capacity, int* count);
 
 #endif

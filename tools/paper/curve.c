@@ -11,9 +11,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-// s of simulated time before a measurement; then the contacts per body in the scene drift are steady (docs/paper.md)
+// s of simulated time before a measurement; after it, the number of contacts per body in the scene drift is steady
+// (docs/paper.md)
 #define WARM_UP 1.0
-// s: if the CPU would need more for the warm-up, the GPU simulates it and the world migrates to the CPU
+// s: maximum duration of a warm-up on the CPU; a longer one runs on the GPU, and the world then migrates to the CPU
 #define WARM_LIMIT 1.0
 #define SETTLE     2   // steps of the pipeline before the measured steps: kernels are compiled, buffers grow
 #define STEPS      40  // measured steps of a repeat, unless a time limit ends it
@@ -140,11 +141,11 @@ static scree_status hash_run(const PaperPlayer* run, uint64_t* hash)
 	return SCREE_OK;
 }
 
-// Takes the steps of one repeat, at most `most` measured ones, and adds the measured steps to rows.
+// Takes the steps of one repeat, with at most `most` measured steps, and adds the measured steps to rows.
 static scree_status take_steps(PaperPlayer* run, int most, Rows* rows)
 {
 	int before = rows->count;
-	double all = 0, measured = 0; // s of all steps; s of measured steps
+	double all = 0, measured = 0; // s: time of all steps, and of measured steps
 	scree_status status = SCREE_OK;
 	for (int step = 0; step < SETTLE + most && status == SCREE_OK; ++step)
 	{

@@ -10,9 +10,10 @@
 // that many contacts, as in stacks, move the bottleneck to resolution. So there are two scenes: drifting boxes with few
 // contacts, and pyramids of ten boxes.
 //
-// Every run begins with one second of simulated time that is not measured, because drifting bodies have not met before.
-// This is the same for all sizes, pipelines and devices. Scree simulates this second, because the paper's pipeline
-// would need minutes if a step takes seconds. All devices of a pipeline must have the same hash after the same steps.
+// Every run begins with one second of simulated time that is not measured, because at first the drifting bodies have
+// not met. This is the same for all sizes, pipelines and devices. Scree simulates this second, because the paper's
+// pipeline would need minutes if a step takes seconds. All devices of a pipeline must have the same hash after the same
+// steps.
 #include "cli/common/csv.h"
 #include "tools/common/clock.h"
 #include "tools/paper/curve.h"

@@ -4,7 +4,8 @@
 #define PAPER_OPENCL_H
 #include "tools/paper/paper_state.h"
 
-// Opens a device whose name contains part; null: any device. The caller closes the device, also after a failure.
+// Opens a device whose name contains the text `part`; null: any device. The caller closes the device, also after a
+// failure.
 scree_status paper_opencl_open(Paper* paper, const char* part, bool allow_unequal_bits);
 void paper_opencl_close(Paper* paper);
 

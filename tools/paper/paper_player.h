@@ -13,11 +13,11 @@ bool paper_takes(const Scene* scene);
 
 typedef struct
 {
-	ScenePlayer player; // its world is in the state from which the pipeline started
+	ScenePlayer player; // player whose world is in the state from which the pipeline started
 	Paper* paper;       // null: steps are taken by Scree (only in figures)
 } PaperPlayer;
 
-// Opens a player on the device of the options; device null: CPU. Returns an exit code; prints a message if it failed.
+// Opens a player on options->device, or on the CPU if it is null. Returns an exit code; prints a message if it failed.
 int paper_player_open(const Options* options, const Scene* scene, PaperPlayer* paper);
 void paper_player_close(PaperPlayer* paper);
 

@@ -34,7 +34,7 @@ typedef struct // 64 bytes without padding, because the hash covers all bytes
 	int a, b;            // indices of the collidables, a < b
 	int body_a, body_b;  // indices of their bodies; -1: no body
 	Float2 normal;       // unit vector from a to b
-	Float2 point[2];     // m, in the world
+	Float2 point[2];     // m: contact points, in world coordinates
 	float separation[2]; // m; negative: the collidables overlap
 	float friction, restitution;
 	int count; // number of points, 1 or 2

@@ -4,7 +4,7 @@
 #define PLOT_H
 
 // Draws the CSV of figure 5 or 6 (number) as SVG and PNG files beside it. Prints the crossovers of figure 5. Without
-// gnuplot nothing is drawn: the function prints that and does not fail. Returns an exit code.
+// gnuplot the function draws nothing, prints a message and does not fail. Returns an exit code.
 int plot_figure(const char* csv, int number);
 
 #endif

@@ -9,7 +9,7 @@
 	"array color[11] = ['#d9d9d9', '#636363', '#e3c59a', '#4d8a1c', '#f0a35e', '#8c1d5a', '#f2c84b', '#5a4fa0', " \
 	"'#a9d3f0', '#1b7f5f', '#fccde5']\n"
 
-// Writes the data of a bar for a row: the edges of its stages, %.
+// Writes the data of a bar for a row: its position x, 0, and the upper edge of each stage in the bar, %.
 static void put_bar(FILE* to, const Row* row, double x)
 {
 	double sum = 0, edge = 0;
@@ -62,7 +62,7 @@ static void put_scene(FILE* to, const Table* table, int scene)
 	fprintf(to, "set xrange [0:%g]\n", x + 1);
 }
 
-// Writes a plot command for all stages: the bars of a scene or, with legend, only their legend in an empty plot.
+// Writes a plot command for all stages: the bars of a scene or, if `legend` is set, only their legend in an empty plot.
 static void put_stages(FILE* to, bool legend)
 {
 	fputs("plot NaN notitle", to);

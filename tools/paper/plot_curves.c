@@ -4,7 +4,7 @@
 #include "tools/paper/plot_text.h"
 #include <math.h>
 
-#define AXIS 560 // end of the axis in left plots: bodies; a little more than the paper's 500
+#define AXIS 560 // number of bodies at the end of the axis in left plots; a little more than the paper's 500
 
 #define CURVES 5
 static const struct
@@ -91,7 +91,8 @@ static const Row* last_of(const Table* table, int scene, int curve)
 	return last;
 }
 
-// Labels the end of each curve whose last row is an estimate, but not if its value is close to the label before.
+// Labels the end of each curve whose last row is an estimate, but not if its value is within a factor of 3 of the
+// previous label.
 static void put_estimates(FILE* to, const Table* table, int scene)
 {
 	double top = 0, before = 0;
@@ -110,7 +111,7 @@ static void put_estimates(FILE* to, const Table* table, int scene)
 	fprintf(to, "set yrange [*:%g]\n", 100 * top);
 }
 
-// Writes the legend of all plots, an empty plot below them: the names of curves and marks.
+// Writes the legend of all plots: an empty plot below the others, which shows the names of curves and marks.
 static void put_legend(FILE* to, const Table* table)
 {
 	fputs("set origin 0, 0\nset size 1, 0.13\nset lmargin at screen 0.02\nset rmargin at screen 0.98\n"

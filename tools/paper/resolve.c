@@ -34,7 +34,7 @@ typedef struct // a contact between two bodies while it is resolved
 	int count;
 	Vec normal;
 	Vec arm_a[2], arm_b[2]; // m, from the centers of mass to the points
-	float depth;            // m: depth of the deepest point when it was detected
+	float depth;            // m: depth of the deepest point at detection
 	float target[2];        // m/s: relative velocity along the normal after the impact; positive: the points separate
 	float friction;
 	float severity;
@@ -52,8 +52,8 @@ static float overlap_severity(const Resolution* r, const ActiveContact* c)
 	return c->depth - vec_dot(c->normal, vec_sub(r->bodies[c->b].d, r->bodies[c->a].d));
 }
 
-// Removes an overlap: moves both bodies along the normal, in inverse proportion to their masses. The bodies are not
-// rotated.
+// Reduces an overlap to DEPTH_LEFT: moves both bodies along the normal, in inverse proportion to their masses. The
+// bodies are not rotated.
 static void overlap_resolve(Resolution* r, ActiveContact* c)
 {
 	Body *a = r->bodies + c->a, *b = r->bodies + c->b;
@@ -78,8 +78,8 @@ static float speed_severity(const Resolution* r, const ActiveContact* c)
 	return c->count < 2 ? severity : maximum(severity, point_severity(r, c, 1));
 }
 
-// Applies an impulse at the more severe point, which gives it the target velocity. Also applies Coulomb friction,
-// limited by this impulse.
+// Applies an impulse that gives the more severe point its target velocity. Also applies Coulomb friction at this point,
+// at most the friction coefficient times the impulse.
 static void speed_resolve(Resolution* r, ActiveContact* c)
 {
 	Body *a = r->bodies + c->a, *b = r->bodies + c->b;
@@ -157,8 +157,8 @@ static ActiveContact active_contact(const PaperBody* bodies, const PaperContact*
 	return c;
 }
 
-// Sets the target velocities. For points that overlap they follow from Newton's law of restitution; a point above the
-// other surface may close its gap within the step.
+// Sets the target velocities. Newton's law of restitution gives those of points that overlap; the target of any other
+// point is the velocity that closes its gap within the step.
 static void set_targets(const Resolution* r, ActiveContact* c, const PaperContact* contact, float dt)
 {
 	for (int k = 0; k < c->count; ++k)

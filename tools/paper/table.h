@@ -36,8 +36,8 @@ const Row* table_next(const Table* table, const Row* after, int scene, int pipel
 
 bool table_has_scene(const Table* table, int scene);
 
-// Returns the number of bodies above which OpenCL is always faster than the CPU with the threads of place, and writes
-// the ms of a step there. Returns 0 if OpenCL is never faster, or faster at all sizes.
+// Returns the number of bodies above which OpenCL is always faster than the CPU with the threads of `place`, and writes
+// the ms of a step with this number of bodies. Returns 0 if OpenCL is never faster, or faster at all sizes.
 double table_crossover(const Table* table, int scene, int pipeline, FigurePlace place, double* ms);
 void table_print_crossovers(const Table* table);
 
