@@ -49,8 +49,8 @@ static void ride(Validation* v, int boxes, bool hinged, double height)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		fastest = k < 540 ? 0.0 : fmax(fastest, lab_fastest(lab, NULL));
-		gap = fmax(gap, lab_gap(lab));
+		fastest = k < 540 ? 0.0 : larger(fastest, lab_fastest(lab, NULL));
+		gap = larger(gap, lab_gap(lab));
 	}
 	row(v, "fastest in the last second", 1e3 * fastest, "mm/s", AT_MOST, boxes & 1 ? 40.0 : 5.0);
 	row(v, "widest gap", 1e3 * gap, "mm", AT_MOST, 1.0);
@@ -82,7 +82,7 @@ static Swing swing(Lab* lab, int body)
 			first = passages++ ? first : last;
 		}
 		if (k >= 900)
-			swing.share = fmax(swing.share, fabs(x) / ASIDE);
+			swing.share = larger(swing.share, fabs(x) / ASIDE);
 		before = x;
 	}
 	swing.period = passages > 1 ? (last - first) / (passages - 1) : 0.0;

@@ -65,7 +65,7 @@ static void bounce(Balls* balls, int bounces, double height)
 			if (balls->down[k] && !down && n < BOUNCES)
 				n = ++balls->bounces[k];
 			if (!down && n > 0) // the maximum counts: the floor may push the ball up after the bounce
-				balls->apex[k][n] = fmax(balls->apex[k][n], apex_of(balls->lab, balls->first + k));
+				balls->apex[k][n] = larger(balls->apex[k][n], apex_of(balls->lab, balls->first + k));
 			balls->down[k] = down;
 			done = done && (n > bounces || (n == bounces && down));
 		}
@@ -82,7 +82,7 @@ static void print_energy(Validation* v, const Balls* balls, int bounces, double 
 		double share = 100.0 * balls->apex[k][bounces] / balls->high[k];
 		sum += share / BALLS;
 		least = fmin(least, share);
-		most = fmax(most, share);
+		most = larger(most, share);
 	}
 	snprintf(name, sizeof name, "energy after %d bounces", bounces);
 	where(v, "%.2f to %.2f", least, most);
@@ -120,7 +120,7 @@ static void rebound(Validation* v, double restitution)
 			least = fmin(least, share);
 			if (share > most)
 				highest = balls.high[k];
-			most = fmax(most, share);
+			most = larger(most, share);
 		}
 		lab_close(balls.lab);
 	}
@@ -168,7 +168,7 @@ static void gas(Validation* v, int count, double wide)
 		now = 0.0;
 		for (int k = 0; k < count; ++k)
 			now += lab_kinetic(lab, 4 + k);
-		most = fmax(most, now);
+		most = larger(most, now);
 	}
 	row(v, "most energy", 100.0 * most / before, "%", AT_MOST, 102.0);
 	row(v, "energy at the end", 100.0 * now / before, "%", SHOWN, 0.0);

@@ -141,7 +141,7 @@ static void burst(Validation* v, int count)
 	for (int step = 0; step < 3; ++step)
 	{
 		lab_step(c.lab, 1);
-		most = fmax(most, lab_bytes(c.lab));
+		most = larger(most, lab_bytes(c.lab));
 	}
 	disperse(&c);
 	lab_step(c.lab, 300);

@@ -23,7 +23,7 @@ static Fall stand(Lab* lab, int first, int steps)
 	{
 		scree_vec start = lab->bodies[k].def.pose.position, end = lab->poses[k].position;
 		double leaned = fabs((double)(end.x - start.x));
-		fall.sank = fmax(fall.sank, (double)(start.y - end.y));
+		fall.sank = larger(fall.sank, (double)(start.y - end.y));
 		if (leaned > fall.leaned)
 		{
 			fall.leaned = leaned;

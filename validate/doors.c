@@ -47,7 +47,7 @@ static void turn(Validation* v, const Door* door, double spin)
 		lab_read(lab);
 		scree_rot now = lab->poses[body].rotation;
 		turned += atan2((double)(before.c * now.s - before.s * now.c), (double)(before.c * now.c + before.s * now.s));
-		gap = fmax(gap, lab_gap(lab));
+		gap = larger(gap, lab_gap(lab));
 	}
 	row(v, "turned in 0.5 s of what is free", turned / (0.5 * spin), "", AT_LEAST, 0.95);
 	row(v, "gap of the hinge", 1000.0 * gap, "mm", SHOWN, 0.0);

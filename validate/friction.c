@@ -42,7 +42,7 @@ static void slide(Validation* v, const Slider* s, double speed, double depth, in
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		rises = fmax(rises, (double)lab->velocities[body].linear.y);
+		rises = larger(rises, (double)lab->velocities[body].linear.y);
 	}
 	double off =
 	    100.0 * fabs((speed - (double)lab->velocities[body].linear.x) / (BRAKE * steps * (double)LAB_DT) - 1.0);
@@ -81,7 +81,7 @@ static void roll(Validation* v, double speed)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		deepest = fmax(deepest, 0.5 - (double)lab->poses[body].position.y);
+		deepest = larger(deepest, 0.5 - (double)lab->poses[body].position.y);
 	}
 	row(v, "sinks", 1e3 * deepest, "mm", AT_MOST, 5.0);
 	row(v, "speed lost", speed - (double)lab->velocities[body].linear.x, "m/s", AT_MOST, 0.01 * speed);

@@ -40,7 +40,7 @@ static void watch(Validation* v, Lab* lab, double limit)
 	{
 		lab_step(lab, 10);
 		last = lab_overlap(lab, NULL);
-		deepest = fmax(deepest, last);
+		deepest = larger(deepest, last);
 	}
 	row(v, "deepest overlap", 1e3 * deepest, "mm", AT_MOST, limit);
 	row(v, "deepest overlap at the end", 1e3 * last, "mm", AT_MOST, limit);
@@ -83,15 +83,15 @@ static void strike(Validation* v, int crates, double speed)
 	for (int step = 0; step < 60; ++step)
 	{
 		lab_step(lab, 1);
-		deepest = fmax(deepest, lab_overlap(lab, NULL));
+		deepest = larger(deepest, lab_overlap(lab, NULL));
 		double energy = 0.0, momentum = 0.0;
 		for (int k = 0; k < lab->count; ++k)
 		{
 			energy += lab_kinetic(lab, k);
 			momentum += (double)lab->masses[k].mass * (double)lab->velocities[k].linear.y;
 		}
-		most = fmax(most, energy / before);
-		drift = fmax(drift, fabs(momentum / start - 1.0));
+		most = larger(most, energy / before);
+		drift = larger(drift, fabs(momentum / start - 1.0));
 	}
 	row(v, "most energy of what it had", 100.0 * most, "%", AT_MOST, 100.1);
 	row(v, "drift of momentum", 100.0 * drift, "%", AT_MOST, 0.01);

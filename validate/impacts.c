@@ -48,7 +48,7 @@ static void against_floor(Validation* v, double friction)
 			double share = 100.0 * lab_kinetic(lab, k) / before;
 			if (!(share <= most))
 				where(v, "run %d at %.1f m/s", k - first, -vy);
-			most = share <= most ? most : share;
+			most = larger(most, share);
 		}
 	}
 	row(v, "most energy of what it had", most, "%", AT_MOST, 100.1);
@@ -84,7 +84,7 @@ static void struck(Validation* v, double ratio)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		most = fmax(most, lab_fastest(lab, NULL));
+		most = larger(most, lab_fastest(lab, NULL));
 	}
 	row(v, "fastest", most, "m/s", AT_MOST, 40.4);
 	lab_close(lab);
@@ -143,7 +143,7 @@ static void pairs(Validation* v, double friction)
 			double share = 100.0 * (lab_kinetic(lab, 2 * k) + lab_kinetic(lab, 2 * k + 1)) / before[k];
 			if (!(share <= most))
 				where(v, "run %d in step %d", k, step);
-			most = share <= most ? most : share;
+			most = larger(most, share);
 		}
 	}
 	row(v, "most energy of what it was", most, "%", AT_MOST, 100.1);
@@ -218,9 +218,9 @@ static void pile_up(Validation* v, int across, double rush, double restitution, 
 		{
 			lab_step(lab, 1);
 			Momentum now = momentum_of(lab);
-			linear = fmax(linear, hypot(now.x - before.x, now.y - before.y) / before.size);
-			turn = fmax(turn, fabs(now.spin - before.spin) / before.size);
-			energy = fmax(energy, now.energy / before.energy);
+			linear = larger(linear, hypot(now.x - before.x, now.y - before.y) / before.size);
+			turn = larger(turn, fabs(now.spin - before.spin) / before.size);
+			energy = larger(energy, now.energy / before.energy);
 		}
 		angular += turn / RUSHES;
 		lab_close(lab);

@@ -40,4 +40,7 @@ double lab_fastest(const Lab* lab, int* body);
 // Returns a hash of the end states of all labs of the case; for the open lab, the present state counts.
 uint64_t lab_case_hash(Validation* validation);
 
+// Returns the larger number, or NaN if one of them is NaN. fmax would drop the NaN, and the check of a maximum would pass.
+static inline double larger(double a, double b) { return a >= b || a != a ? a : b; }
+
 #endif

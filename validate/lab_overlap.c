@@ -27,7 +27,7 @@ double lab_gap(const Lab* lab)
 		double a[2], b[2];
 		anchor_of(lab, lab->joints[k].a, lab->joints[k].def.frame_a.position, a);
 		anchor_of(lab, lab->joints[k].b, lab->joints[k].def.frame_b.position, b);
-		most = fmax(most, hypot(b[0] - a[0], b[1] - a[1]));
+		most = larger(most, hypot(b[0] - a[0], b[1] - a[1]));
 	}
 	return most;
 }

@@ -55,7 +55,7 @@ static void spinner(Validation* v, scree_body_type type, double spin, int runs)
 		{
 			lab_step(lab, 1);
 			lab_read(lab);
-			most = fmax(most, lab_fastest(lab, NULL));
+			most = larger(most, lab_fastest(lab, NULL));
 		}
 		frozen += lab->frozen;
 		lab_close(lab);
@@ -101,14 +101,14 @@ static void burst(Validation* v, int count, double width, int movers, double max
 		}
 		lab_step(lab, 1);
 		lab_read(lab);
-		most = fmax(most, lab_fastest(lab, NULL));
+		most = larger(most, lab_fastest(lab, NULL));
 		for (int k = first + movers; k < lab->count; ++k)
-			extremes->turn = fmax(extremes->turn, fabs((double)lab->velocities[k].angular) * (double)lab->def.dt);
+			extremes->turn = larger(extremes->turn, fabs((double)lab->velocities[k].angular) * (double)lab->def.dt);
 	}
 	if (most > extremes->speed)
 		extremes->run = run;
-	extremes->next = fmax(extremes->next, fmin(most, extremes->speed));
-	extremes->speed = fmax(extremes->speed, most);
+	extremes->next = larger(extremes->next, fmin(most, extremes->speed));
+	extremes->speed = larger(extremes->speed, most);
 	extremes->frozen += lab->frozen;
 	lab_close(lab);
 }
@@ -150,7 +150,7 @@ static void crowd(Validation* v, int count, bool boxes, double width)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		fastest = fmax(fastest, lab_fastest(lab, NULL));
+		fastest = larger(fastest, lab_fastest(lab, NULL));
 	}
 	overlap = lab_overlap(lab, NULL);
 	row(v, "fastest", fastest, "m/s", AT_MOST, 40.0);

@@ -45,10 +45,7 @@ static double settle(Lab* lab)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		double speed = lab_fastest(lab, NULL);
-		// true also for NaN
-		if (!(speed <= fastest))
-			fastest = speed;
+		fastest = larger(fastest, lab_fastest(lab, NULL));
 	}
 	return fastest;
 }
@@ -121,7 +118,7 @@ static void falling_cart(Validation* v, const Setting* setting)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		high = fmax(high, (double)lab->poses[chassis].position.y);
+		high = larger(high, (double)lab->poses[chassis].position.y);
 	}
 	double fastest = settle(lab);
 	row(v, "highest after the first second", high, "m", AT_MOST, 0.6);

@@ -27,9 +27,9 @@ static void free_flight(Validation* v)
 	for (int k = 0; k < 6; ++k)
 	{
 		scree_vec end = lab_center(lab, k);
-		spin = fmax(spin, fabs((double)lab->velocities[k].angular / spins[k / 2] - 1.0));
-		speed = fmax(speed, fabs(lab_speed(lab, k) / hypot(1.0, 0.5) - 1.0));
-		place = fmax(place, hypot((double)(end.x - start[k].x) - 60.0, (double)(end.y - start[k].y) - 30.0));
+		spin = larger(spin, fabs((double)lab->velocities[k].angular / spins[k / 2] - 1.0));
+		speed = larger(speed, fabs(lab_speed(lab, k) / hypot(1.0, 0.5) - 1.0));
+		place = larger(place, hypot((double)(end.x - start[k].x) - 60.0, (double)(end.y - start[k].y) - 30.0));
 	}
 	row(v, "change of spin", 100.0 * spin, "%", AT_MOST, 0.001);
 	row(v, "change of speed", 100.0 * speed, "%", AT_MOST, 0.001);
@@ -130,7 +130,7 @@ static void dominoes(Validation* v)
 	lab_read(lab);
 	double moved = 0.0;
 	for (int k = first; k < lab->count; ++k)
-		moved = fmax(moved, fabs((double)lab->poses[k].rotation.s));
+		moved = larger(moved, fabs((double)lab->poses[k].rotation.s));
 	row(v, "lean before the push", moved, "rad", AT_MOST, 1e-3);
 	lab_set_velocity(lab, first, (scree_velocity){{1.0f, 0.0f}, -3.0f});
 	for (int step = 0; step < 900 && last < 0; ++step)

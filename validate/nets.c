@@ -34,7 +34,7 @@ static void hang(Validation* v, int size, int steps, double most)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		gap = fmax(gap, lab_gap(lab));
+		gap = larger(gap, lab_gap(lab));
 	}
 	row(v, "widest gap", 1e3 * gap, "mm", AT_MOST, most);
 	lab_close(lab);

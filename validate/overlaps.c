@@ -41,7 +41,7 @@ static Depths depths_of(Lab* lab, int steps, int every)
 		double overlap = lab_overlap(lab, NULL);
 		if (overlap > depths.deepest)
 			depths.step = step;
-		depths.deepest = fmax(depths.deepest, overlap);
+		depths.deepest = larger(depths.deepest, overlap);
 		depths.mean += overlap * every / steps;
 	}
 	return depths;
@@ -54,7 +54,7 @@ static void watch(Validation* v, const Known* known, int steps)
 	Depths depths = depths_of(lab, steps, known->every);
 	double sank = 0.0;
 	for (int k = 0; k < lab->count; ++k)
-		sank = fmax(sank, (double)(lab->bodies[k].def.pose.position.y - lab->poses[k].position.y));
+		sank = larger(sank, (double)(lab->bodies[k].def.pose.position.y - lab->poses[k].position.y));
 	bool judged = !v->quick;
 	where(v, "step %d", depths.step);
 	row(v, "deepest overlap", 1e3 * depths.deepest, "mm", judged && known->deepest > 0.0 ? AT_MOST : SHOWN,

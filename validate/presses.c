@@ -57,7 +57,7 @@ static double reach(Lab* lab, int body, double x, double y)
 	{
 		double vx = (double)shape->vertices[k].x, vy = (double)shape->vertices[k].y;
 		double c = (double)pose.rotation.c, s = (double)pose.rotation.s;
-		most = fmax(most,
+		most = larger(most,
 		            x * ((double)pose.position.x + c * vx - s * vy) + y * ((double)pose.position.y + s * vx + c * vy));
 	}
 	return most + (double)shape->radius;
@@ -83,7 +83,7 @@ static void press(Lab* lab, int presser, int first, int count, double x, double 
 				where(lab->validation, "press at %.2f m", x);
 			}
 			if (most == 0.0)
-				result->speed = fmax(result->speed, lab_speed(lab, k));
+				result->speed = larger(result->speed, lab_speed(lab, k));
 		}
 	}
 }
@@ -159,7 +159,7 @@ static void corner(Validation* v, Kind kind, double speed)
 		lab_set_velocity(lab, presser, (scree_velocity){{(float)(0.95 * speed), (float)(-0.31 * speed)}, 0.0f});
 		lab_step(lab, 1);
 		lab_read(lab);
-		deep = fmax(deep, fmax(reach(lab, pushed, 1.0, 0.0), reach(lab, pushed, 0.0, -1.0) - 0.5));
+		deep = larger(deep, fmax(reach(lab, pushed, 1.0, 0.0), reach(lab, pushed, 0.0, -1.0) - 0.5));
 	}
 	press(lab, presser, pushed, 1, 0.0, 0.0, speed, &result);
 	row(v, "deepest in the walls", deep, "m", AT_MOST, DEPTH);

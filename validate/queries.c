@@ -163,7 +163,7 @@ static void ask_nearest(const Scenery* s, const Asked* asked, Count* count)
 		{
 			Difference d = difference_of(&s->shapes[k], s->poses[k], &asked->shape, probes[q].pose);
 			double apart = difference_distance(&d, 0.0, 0.0);
-			slack = fmax(slack, slack_of(s, k, asked));
+			slack = larger(slack, slack_of(s, k, asked));
 			nearest = apart < least ? k : nearest;
 			least = fmin(least, apart);
 		}

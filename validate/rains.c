@@ -76,7 +76,7 @@ static void rain(Validation* v, int columns, int rows, double spread)
 		lab_step(lab, 1);
 		lab_read(lab);
 		double gap = lab_gap(lab);
-		widest = fmax(widest, gap);
+		widest = larger(widest, gap);
 		if (step >= LANDING)
 			gaps[step - LANDING] = gap;
 	}

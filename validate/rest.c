@@ -51,7 +51,7 @@ static void lie(Validation* v, int kind, int start, int steps, Worst* worst)
 			double moved = 1e3 * fabs((double)lab->poses[first + k].position.x -
 			                          (double)lab->bodies[first + k].def.pose.position.x);
 			double speed = done + 60 >= steps ? 1e3 * lab_speed(lab, first + k) : 0.0;
-			worst->speed = fmax(worst->speed, speed);
+			worst->speed = larger(worst->speed, speed);
 			if (!(moved <= worst->moved))
 			{
 				worst->moved = moved;
@@ -90,12 +90,12 @@ static Calm calm_of(Lab* lab, int first)
 		double energy = 0.0;
 		for (int n = first; n < lab->count; ++n)
 			energy += lab_kinetic(lab, n);
-		calm.energy = fmax(calm.energy, energy / (lab->count - first));
+		calm.energy = larger(calm.energy, energy / (lab->count - first));
 		int body = first;
 		double speed = lab_fastest(lab, &body);
 		if (speed > calm.speed)
 			calm.fastest = body;
-		calm.speed = fmax(calm.speed, speed);
+		calm.speed = larger(calm.speed, speed);
 	}
 	return calm;
 }

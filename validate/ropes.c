@@ -140,9 +140,9 @@ static void hang(Validation* v, Pegs pegs, int count, double load)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		gap = fmax(gap, lab_gap(lab));
+		gap = larger(gap, lab_gap(lab));
 		if (k >= steps - 60)
-			fast = fmax(fast, lab_fastest(lab, NULL));
+			fast = larger(fast, lab_fastest(lab, NULL));
 	}
 	for (int k = first; k < lab->count; ++k)
 		lowest = fmin(lowest, (double)lab->poses[k].position.y);

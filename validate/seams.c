@@ -54,8 +54,8 @@ static void watch(Lab* lab, const int* bodies, double half, double speed, double
 				snprintf(texts[n], 64, "%g m/s tiles %g m phase %d %s", speed, tile, k % PHASES,
 				         k < PHASES ? "settled" : "set down");
 		}
-		slide->lost = fmax(slide->lost, lost);
-		slide->rise = fmax(slide->rise, rise);
+		slide->lost = larger(slide->lost, lost);
+		slide->rise = larger(slide->rise, rise);
 		// a body that falls through the floor also counts as disturbed
 		bad[k] = bad[k] || !(lost < 0.01 && rise < 0.001 && rise > -0.02);
 	}
@@ -130,7 +130,7 @@ static void ledge(Validation* v, double height)
 	for (int k = 0; k < 120; ++k)
 	{
 		lab_step(lab, 1);
-		deepest = fmax(deepest, lab_overlap(lab, NULL));
+		deepest = larger(deepest, lab_overlap(lab, NULL));
 		least = fmin(least, (double)lab->velocities[body].linear.x);
 	}
 	if (height > 0.0)
@@ -175,7 +175,7 @@ static void drive(Validation* v, double hertz, double speed)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		bounce = fmax(bounce, fabs((double)lab->velocities[car].linear.y));
+		bounce = larger(bounce, fabs((double)lab->velocities[car].linear.y));
 		slowest = fmin(slowest, (double)lab->velocities[car].linear.x);
 	}
 	row(v, "fastest up or down", bounce, "m/s", AT_MOST, 0.5);
@@ -201,7 +201,7 @@ static void stack(Validation* v)
 	lab_read(lab);
 	double moved = 0.0;
 	for (int k = first; k < lab->count; ++k)
-		moved = fmax(moved, fabs((double)(lab->poses[k].position.x - lab->bodies[k].def.pose.position.x)));
+		moved = larger(moved, fabs((double)(lab->poses[k].position.x - lab->bodies[k].def.pose.position.x)));
 	row(v, "moved sideways", 1e3 * moved, "mm", AT_MOST, 1.0);
 	lab_close(lab);
 }

@@ -85,16 +85,16 @@ static void fall(Validation* v, bool segment, Kind kind, double size, int parts,
 			scree_pose pose = lab->poses[first + k];
 			double now = kind == CIRCLE || kind == CAPSULE ? fabs((double)lab->velocities[first + k].linear.y)
 			                                               : lab_speed(lab, first + k);
-			speed[k] = fmax(speed[k], now);
-			overlap[k] = fmax(overlap[k], reach_down(kind, size, pose.rotation) - (double)pose.position.y);
+			speed[k] = larger(speed[k], now);
+			overlap[k] = larger(overlap[k], reach_down(kind, size, pose.rotation) - (double)pose.position.y);
 		}
 	}
 	for (int k = 0; k < TRACKS; ++k)
 	{
 		bool through = !((double)lab->poses[first + k].position.y > 0.0);
 		worst->through += through;
-		worst->speed = fmax(worst->speed, through ? 0.0 : speed[k]);
-		worst->overlap = fmax(worst->overlap, through ? 0.0 : overlap[k] / size);
+		worst->speed = larger(worst->speed, through ? 0.0 : speed[k]);
+		worst->overlap = larger(worst->overlap, through ? 0.0 : overlap[k] / size);
 		if (through)
 			where(v, "%g mm from %g m, %d substeps", 1e3 * size, drops[k / 2], parts);
 	}
@@ -136,7 +136,7 @@ static void heap(Validation* v, bool circles, double size)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		fastest = fmax(fastest, lab_fastest(lab, NULL));
+		fastest = larger(fastest, lab_fastest(lab, NULL));
 	}
 	int out = 0;
 	for (int k = first; k < lab->count; ++k)

@@ -75,10 +75,10 @@ static void watch(Validation* v, Lab* lab, double most_gap, double most_spin)
 	{
 		lab_step(lab, 1);
 		lab_read(lab);
-		gap = fmax(gap, lab_gap(lab));
+		gap = larger(gap, lab_gap(lab));
 		spin = 0.0;
 		for (int n = 0; n < lab->count; ++n)
-			spin = fmax(spin, fabs((double)lab->velocities[n].angular));
+			spin = larger(spin, fabs((double)lab->velocities[n].angular));
 	}
 	row(v, "widest gap", 1e3 * gap, "mm", most_gap > 0.0 ? AT_MOST : SHOWN, most_gap);
 	row(v, "fastest spin at the end", spin, "rad/s", AT_MOST, most_spin);

@@ -185,7 +185,7 @@ static void block(Validation* v, double hertz, double ratio)
 	lab_read(lab);
 	double high = 0.0;
 	for (int k = 0; k < WIDE * HIGH; ++k)
-		high = fmax(high, (double)lab_center(lab, first + k).y);
+		high = larger(high, (double)lab_center(lab, first + k).y);
 	row(v, "height left", 100.0 * (high - 0.25) / (0.6 * (HIGH - 1)), "%", AT_LEAST, 90.0);
 	row(v, "fastest", lab_fastest(lab, NULL), "m/s", AT_MOST, 0.02);
 	lab_close(lab);
@@ -221,7 +221,7 @@ static void tear(Validation* v, int count, double hertz)
 		lab_push(lab, count, (scree_vec){0.0f, 10000.0f});
 		lab_step(lab, 1);
 		lab_read(lab);
-		far = fmax(far, lab_gap(lab));
+		far = larger(far, lab_gap(lab));
 	}
 	row(v, "widest gap", far, "m", SHOWN, 0.0);
 	lab_step(lab, 1200);

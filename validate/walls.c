@@ -170,7 +170,7 @@ static void wedge(Validation* v, bool thick, double speed, int runs)
 			double y = fabs((double)p.y - APART * (k - runs / 2)), x = -(double)p.x, half = opening(k, runs);
 			if (lab_speed(lab, bodies[k]) > fastest)
 				fastest_run = k;
-			fastest = fmax(fastest, lab_speed(lab, bodies[k]));
+			fastest = larger(fastest, lab_speed(lab, bodies[k]));
 			// in front of the wedge the box may be anywhere; in the wedge it must be between the walls
 			crossed_once[k] = crossed_once[k] || (x < 4.0 * cos(half) - 0.3 && y > x * tan(half) + 0.01);
 		}
