@@ -4,8 +4,8 @@
 //
 // The test runs a world with sensors, reports, rules and a field once without a fault. Then it repeats the run with one
 // failing allocation: in run k, allocation k fails. The call that fails returns an error and is repeated. At the end
-// all results are equal to those of the first run, with one exception: a world that has no memory for the visits of a
-// step is broken.
+// all results are equal to those of the run without a fault. There is one exception: a world that lacks memory for the
+// visits of a step is broken.
 #include "support/allocations.h"
 #include "support/make_bodies.h"
 #include "tools/common/byte_hash.h"
@@ -23,11 +23,11 @@ typedef struct
 	scree_body last;
 	scree_mover movers[MOVERS];
 	int round, asked;
-	uint64_t answers; // hash of all results that were read so far
+	uint64_t answers; // hash of all results that have been read
 } Log;
 
-// Adds rows to the hash of all results. size: distance between two rows, bytes. bytes: number of bytes of a row that
-// are hashed; the rest is padding.
+// Adds rows of results to the hash of all results. size: distance between two rows, bytes. bytes: number of bytes of a
+// row that are hashed; the rest of a row is padding.
 static void log_rows(Log* log, const void* rows, int count, size_t size, size_t bytes)
 {
 	for (int k = 0; k < count; ++k)

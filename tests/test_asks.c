@@ -13,7 +13,8 @@ static scree_body put(scree_world* world, scree_body_type type, float x, float y
 	return create_body(world, &def);
 }
 
-// Takes steps. Approves or refuses all contacts that become pending. Returns the number of these contacts.
+// Takes steps. answer: true approves all contacts that become pending, false refuses them. Returns the number of these
+// contacts.
 static int step_answering(scree_world* world, int steps, bool answer)
 {
 	int asked = 0;
@@ -31,8 +32,8 @@ static int step_answering(scree_world* world, int steps, bool answer)
 	return asked;
 }
 
-// A box falls on a floor with contact approval. If the contact is approved, the box lies there and its touch begins
-// once; if it is refused, the box falls through and keeps its speed.
+// A box falls on a floor with contact approval. If its contact is approved, the box lies on the floor and the touch
+// begins once. If it is refused, the box falls through the floor and keeps its speed.
 static void yes_and_no(void** state)
 {
 	(void)state;
@@ -65,8 +66,8 @@ static void yes_and_no(void** state)
 	}
 }
 
-// A contact without an answer counts as refused until its two bodies have parted; then it is pending again. An approval
-// also lasts until the bodies part.
+// A contact without an answer counts as refused until its two bodies have parted; after they meet again, it is pending
+// again. An approval also lasts until the bodies part.
 static void asked_again(void** state)
 {
 	(void)state;
@@ -91,8 +92,8 @@ static void asked_again(void** state)
 	scree_world_destroy(world);
 }
 
-// A body hits a static, kinematic or dynamic body at 5 to 400 m/s. It does not pass while the contact is pending. After
-// an approval it is stopped; after a refusal it continues at the same speed.
+// A body hits a static, kinematic or dynamic body at 5 to 400 m/s. It does not pass that body while the contact is
+// pending. After an approval it is stopped; after a refusal it continues at the same speed.
 static void fast(void** state)
 {
 	(void)state;
@@ -152,8 +153,8 @@ static void marked_in_mid_run(void** state)
 	scree_world_destroy(world);
 }
 
-// Checks changes while a contact is pending. First the body is destroyed and another body takes its slot; then the
-// world moves to another device. The first contact begins in a step of 0 s.
+// Checks changes while a contact is pending. First the approved body is destroyed and another body takes its slot; then
+// the world moves to another device. The first contact begins in a step of 0 s.
 static void between(void** state)
 {
 	(void)state;
@@ -188,8 +189,8 @@ static void answer_one(scree_world* world, bool yes)
 	OK(scree_world_approve_contacts(world, &yes, 1));
 }
 
-// Each step of 0 s reports a contact that is still pending. After the contact is approved or refused, a step of 0 s
-// keeps it so.
+// A contact that is pending is reported by each step of 0 s. Once the contact is approved or refused, a step of 0 s
+// does not change this answer.
 static void steps_of_no_time(void** state)
 {
 	(void)state;
@@ -220,8 +221,8 @@ static void steps_of_no_time(void** state)
 	}
 }
 
-// After a step that fails, no contact is listed as pending. The next step lists the contacts again, and no body has
-// passed another.
+// After a step that fails, no contact is listed as pending. The next step lists the contact that was pending, and no
+// body has passed another.
 static void a_step_that_fails(void** state)
 {
 	(void)state;

@@ -36,7 +36,7 @@ static void surfaces_change_under_contacts(void** state)
 	assert_int_equal(counters_of(world).new_contacts, made);
 	assert_int_equal(contacts_with(world, crate), 1);
 
-	// the old friction stops the crate again
+	// a friction of 0.6 stops the crate again
 	OK(scree_collidable_set_attribute(world, collidable_of(world, crate), surface(world, 0.6f, 1.0f)));
 	run_steps(world, 150);
 	NEAR(velocity_of(world, crate).linear.x, 0.0, 1e-2);
@@ -92,7 +92,7 @@ static void attributes_are_destroyed(void** state)
 	scree_body_def def = scree_body_def_default();
 	def.attribute = first;
 	scree_body body = create_body(world, &def);
-	OK(scree_attribute_destroy(world, first)); // created twice, so one destruction leaves it valid
+	OK(scree_attribute_destroy(world, first)); // created twice: one destruction leaves the attribute valid
 	assert_int_equal(scree_attribute_destroy(world, first), SCREE_ERROR_INVALID);
 	assert_non_null(
 	    strstr(scree_error(), "scree_attribute_destroy: attribute (index 0) is still used by 1 collidable"));

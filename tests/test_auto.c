@@ -29,8 +29,8 @@ static int run_to_trial(scree_world* world)
 	return steps;
 }
 
-// A trial keeps the device with the shorter measured step. The test overwrites the measured times: first the CPU is
-// slower, then the other device.
+// A trial keeps the device with the shorter measured step. The test overwrites the measured times: in the first case
+// the CPU is slower, then the other device.
 static void trial_decides(void** state)
 {
 	(void)state;
@@ -44,7 +44,7 @@ static void trial_decides(void** state)
 	assert_false(world->auto_device.trial);
 	assert_true(was_logged("the world moves to opencl:") && was_logged("ms a step, and 1000000.0000 ms on cpu"));
 
-	// the CPU is tried again when the world has spent enough time in steps since the last trial
+	// the CPU is tried again once the steps since the last trial have taken long enough
 	world->auto_device.spent = 1e9;
 	run_steps(world, 1);
 	assert_string_equal(scree_world_get_device(world), "cpu");
@@ -77,8 +77,8 @@ static void world_goes_back(void** state)
 	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(was_logged("the world does not stay on opencl:"));
 
-	// the cost of the trial and its failure are kept: the next trial starts after steps that together took many times as
-	// long as this trial
+	// the failure and the cost of the trial are recorded: the next trial begins only after the world has worked many
+	// times as long as this trial took
 	assert_true(world->auto_device.cost > 0.0);
 	assert_true(world->auto_device.failures == 1);
 	assert_false(world->auto_device.trial);

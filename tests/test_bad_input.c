@@ -253,8 +253,8 @@ static void body_functions(void** state)
 	assert_false(scree_body_is_valid(NULL, body));
 }
 
-// Checks that a function for many bodies and its variant for one body refuse bad arguments: plural(world, bodies,
-// values, count) and single(world, body, value).
+// Checks that two functions refuse bad arguments: plural(world, bodies, values, count), which is for many bodies, and
+// single(world, body, value), which is for one body.
 #define BATCH(plural, single, type, good, wrong, values, value, component)       \
 	do                                                                           \
 	{                                                                            \
@@ -334,7 +334,7 @@ static void batch_functions(void** state)
 	STALE(scree_body_get_velocity, (world, SCREE_NULL_BODY, velocity), "body is null");
 }
 
-// The last of the tests, because it makes a body kinematic: the world of set_up has no kinematic body.
+// Last test of the list, because it makes a body kinematic, and the world of set_up has no kinematic body.
 static void target_functions(void** state)
 {
 	(void)state;
@@ -440,7 +440,7 @@ static void nearly_normal_rotations_are_taken(void** state)
 	pose = pose_of(other, made);
 	assert_true(fabsf(pose.rotation.c - 0.8f) < 1e-6f && fabsf(pose.rotation.s - 0.6f) < 1e-6f);
 
-	// a pose that was read can be set again without a change
+	// a pose that was read is accepted unchanged when it is set
 	OK(scree_body_set_pose(other, made, pose));
 	scree_pose again = pose_of(other, made);
 	assert_memory_equal(&pose, &again, sizeof pose);

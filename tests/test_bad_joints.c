@@ -39,7 +39,7 @@ static int set_up(void** state)
 	def = good_gear();
 	gear = add_joint(world, &def);
 
-	// a joint of another world, in a slot that this world does not have
+	// a joint of another world, in a slot that does not exist in this world
 	scree_body_def body_def = scree_body_def_default();
 	scree_joint_def alien_def = scree_joint_def_make(SCREE_JOINT_WELD);
 	alien_def.body_b = create_body(other, &body_def);
@@ -101,7 +101,7 @@ static void coordinates(void** state)
 	{
 		const char* name;
 		size_t offset;
-		float low, high; // values below and above the valid range
+		float low, high; // one value below the valid range, and one above it
 	} numbers[] = {
 #define NUMBER(name, low, high) {#name, offsetof(scree_joint_coordinate, name), low, high}
 	    NUMBER(target, -2e5f, 2e5f),
@@ -287,7 +287,8 @@ static void measures(void** state)
 
 #undef DEF
 
-	// a definition that is refused, because its coordinate is 1,000 km, stays unchanged; its bases are not normalized
+	// a definition that is refused, because its coordinate is 1,000 km, stays unchanged; in particular, its bases are
+	// not normalized
 	for (int k = 0; k < 2; ++k)
 	{
 		def.sides[k].measure = SCREE_MEASURE_DISTANCE;
@@ -298,7 +299,7 @@ static void measures(void** state)
 	INVALID(scree_joint_def_couple, (world, &def), "def.coordinates[SCREE_ALONG].target is ");
 	assert_memory_equal(&def, &same, sizeof def);
 
-	// members that an older definition lacks are read as 0, so the rotation of a base is (0, 0)
+	// members that an older definition does not have are read as 0, so the rotation of a base is (0, 0)
 	def.size = older;
 	INVALID(scree_joint_create, (world, &def, NULL), "def.sides[0].base.rotation is (0, 0)");
 }
@@ -451,7 +452,7 @@ static void readings(void** state)
 	INVALID(scree_world_get_joint_events, (world, events, 2, NULL), "count is null");
 }
 
-// A definition may be longer than that of this version. It is refused unless the additional members are 0.
+// A definition may be longer than that of this version. It is refused unless the members beyond this version are 0.
 static void unknown_members(void** state)
 {
 	(void)state;

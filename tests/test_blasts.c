@@ -19,8 +19,8 @@ static int blast(scree_world* world, float x, float y, float radius, float fallo
 	return count;
 }
 
-// A crate of 2 m by 1 m and 2 kg gets the impulse of the blast times its width as seen from the blast. The impulse acts
-// at the point of the crate that is nearest to the blast.
+// A crate of 2 m by 1 m and 2 kg gets the impulse of the blast times the width of the crate as seen from the blast. The
+// impulse acts at the point of the crate that is nearest to the blast.
 static void impulses_follow_the_width(void** state)
 {
 	(void)state;
@@ -39,7 +39,8 @@ static void impulses_follow_the_width(void** state)
 	NEAR(v.linear.x, -4.0 * 1.0 / 2.0, 1e-5);
 	NEAR(v.angular, 0.3 * 4.0 * 1.0 / (2.0 * (4.0 + 1.0) / 12.0), 1e-4);
 
-	// in the middle of the falloff the impulse is half as large, beyond the falloff it is 0; a negative impulse pulls
+	// in the middle of the falloff the impulse is half of the full impulse, and beyond the falloff it is 0; a negative
+	// impulse pulls
 	throw_body(world, wide, 0.0f, 0.0f, 0.0f);
 	assert_int_equal(blast(world, 0.0f, 0.0f, 1.5f, 2.0f, -4.0f), 1);
 	NEAR(velocity_of(world, wide).linear.y, -2.0, 1e-5);
@@ -78,7 +79,7 @@ static void who_is_pushed(void** state)
 	scree_world_destroy(world);
 }
 
-// Applies several blasts to a heap, 70 km from the origin. Returns the hash.
+// Applies several blasts to a heap, 70 km from the origin. Returns the hash of the world.
 static uint64_t blown_heap(const Variant* variant)
 {
 	scree_world* world = open_default_variant(variant);
@@ -108,8 +109,8 @@ static void all_devices_agree(void** state)
 	check_equal(blown_heap);
 }
 
-// Several explosions use positions from the list of a query. The list stays valid, although each explosion runs a
-// query.
+// Several explosions use positions from the results of a query. The list of results stays valid, although each
+// explosion runs a query.
 static void lists_stay(void** state)
 {
 	(void)state;
@@ -129,7 +130,7 @@ static void lists_stay(void** state)
 	scree_world_destroy(world);
 }
 
-// Bodies that have left the world are not pushed; their neighbors inside are.
+// Bodies that have left the world are not pushed; their neighbors inside the world are pushed.
 static void beyond_the_world(void** state)
 {
 	(void)state;

@@ -16,7 +16,7 @@ static scree_world* open_rig(double gravity)
 	return open_world((float)-gravity);
 }
 
-// Adds a body to the world and to the list parts. Bodies of this list do not touch each other.
+// Adds a body to the world and to the list `parts`. Bodies of this list do not touch each other.
 static scree_body put(scree_world* world, scree_shape shape, float density, double x, double y, double angle)
 {
 	scree_attribute_def surface = surface_of(shape);
@@ -29,7 +29,7 @@ static scree_body put(scree_world* world, scree_shape shape, float density, doub
 	return parts[part_count++];
 }
 
-// Joins two bodies at a point, and adds the joint to the list joints. rubs: friction of a hinge, N m; 0: none.
+// Joins two bodies at a point, and adds the joint to the list `joints`. rubs: friction of a hinge, N m; 0: no friction.
 static void link_at(scree_world* world, scree_joint_type type, scree_body a, scree_body b, double x, double y,
                     double rubs)
 {
@@ -54,8 +54,8 @@ static double gap_now(scree_world* world, double* spin)
 	return gap;
 }
 
-// Runs the world for 5 s and returns the largest gap in that time, m. Checks that the counter joint_gap has the gap at
-// the end of the step before. *spin: largest angular speed at the end, rad/s.
+// Runs the world for 5 s and returns the largest gap in that time, m. Checks that after each step, the counter
+// joint_gap is the gap at the end of the previous step. *spin: largest angular speed at the end, rad/s.
 static double watch(scree_world* world, double* spin)
 {
 	double widest = 0.0, last = 0.0;
@@ -93,7 +93,7 @@ static scree_body add_arms(scree_world* world, scree_joint_type type, int count,
 }
 
 // Returns the inertia of all arms about the center of their hub, kg m^2. count: number of arms. length: number of boxes
-// per arm. A box of 1 m x 0.1 m has 0.1 kg, and the inertia 0.1 (1 + 0.01) / 12 about its own center.
+// per arm. A box of 1 m x 0.1 m has a mass of 0.1 kg, and an inertia of 0.1 (1 + 0.01) / 12 about its own center.
 static double arms_inertia(int count, int length, double radius)
 {
 	double sum = 0.0;
@@ -102,7 +102,8 @@ static double arms_inertia(int count, int length, double radius)
 	return count * sum;
 }
 
-// Returns the density of a hub with 1 / ratio of the inertia of its arms. The inertia of the hub is density pi r^4 / 2.
+// Returns the density of a hub whose inertia is 1 / ratio of the inertia of its arms. The inertia of the hub is density
+// pi r^4 / 2.
 static float density_of(int count, int length, double radius, double ratio)
 {
 	return (float)(arms_inertia(count, length, radius) / ratio / (0.5 * PI * pow(radius, 4.0)));

@@ -2,9 +2,10 @@
 // test_broad_phase.c -- checks that after every step the contacts are exactly the pairs found by a comparison of all
 // pairs.
 //
-// Formula: {pairs of the contact pool} = {a < b alive: enlarged boxes overlap, filters agree, kinds can touch, not on
-// one body}. Boxes are read from the device; lifetime, filter, kind and body come from the public interface. The test
-// also checks that each box contains the whole shape at the pose that transform computed.
+// Formula: {pairs of the contact pool} = {pairs of collidables that exist and are not on one body, with enlarged boxes
+// that overlap, filters that agree and kinds that can touch}. Boxes are read from the device; lifetime, filter, kind
+// and body come from the public interface. The test also checks that each box contains the whole shape at the pose that
+// transform computed.
 #include "support/different_pools.h"
 #include "support/make_bodies.h"
 #include "support/variants.h"
@@ -14,9 +15,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct // state of a collidable from the public interface; box: enlarged box from the device
+typedef struct // state of a collidable from the public interface, and its enlarged box from the device
 {
-	bool alive, has_body, moves, fixed; // moves: its body is dynamic; fixed: static
+	bool alive, has_body, moves, fixed; // moves: the body is dynamic; fixed: the body is static
 	scree_body body;
 	scree_filter filter;
 	Float4 box;
@@ -43,8 +44,8 @@ static bool filters_agree(scree_filter a, scree_filter b)
 	return (a.category & b.mask) && (b.category & a.mask);
 }
 
-// Returns whether two collidables must be a pair. One of them must be dynamic, or have no body and only report
-// overlaps.
+// Returns whether two collidables must be a pair. At least one of them must be dynamic or have no body; a collidable
+// without a body only reports overlaps.
 static bool is_pair(const Item* a, const Item* b)
 {
 	bool same_body = a->has_body && b->has_body && a->body.index == b->body.index;
@@ -52,7 +53,8 @@ static bool is_pair(const Item* a, const Item* b)
 	return a->alive && b->alive && !same_body && meet && overlap(a->box, b->box) && filters_agree(a->filter, b->filter);
 }
 
-// Checks in double precision that the box of a collidable contains each corner of its shape with the radius.
+// Checks in double precision that the box of a collidable contains each corner of its shape, with a margin of the
+// radius.
 static void check_box(scree_world* world, const Item* item, const WorldShape* placed, int index)
 {
 	scree_attribute attribute;
@@ -130,7 +132,8 @@ static int check_pairs(scree_world* world, const char* name, int step)
 	for (int k = 0; k < slots; ++k)
 		if (pairs[k].x >= 0)
 		{
-			// x of a pair is its dynamic collidable or its smaller index; a key always begins with the smaller index
+			// pairs[k].x is the dynamic collidable of a pair, or the smaller index; the key made here begins with the
+			// smaller index
 			int a = pairs[k].x < pairs[k].y ? pairs[k].x : pairs[k].y, b = pairs[k].x ^ pairs[k].y ^ a;
 			have[found++] = (uint64_t)a << 32 | (uint64_t)b;
 		}
@@ -391,7 +394,7 @@ static void change_body(scree_world* world, const Layout* layout, scree_body bod
 	case 2:
 		OK(scree_body_set_pose(world, body, pose));
 		break;
-	case 3: // away and back
+	case 3: // moves the body away and back
 		back = pose_of(world, body);
 		OK(scree_body_set_pose(world, body, pose));
 		OK(scree_body_set_pose(world, body, back));
@@ -460,7 +463,7 @@ static void change(scree_world* world, const Layout* layout, uint64_t* seed)
 		else
 			change_body(world, layout, bodies[random_below(seed, count)], seed);
 
-		// hash_of uploads all changes so far, so there may be several uploads before a step
+		// hash_of uploads all pending changes, so there may be several uploads before a step
 		if (random_below(seed, 6) == 0)
 			hash_of(world);
 	}
@@ -511,7 +514,7 @@ static void run_layout(const Layout* layout, const Variant* variant)
 	int steps = quick() ? layout->steps / 2 : layout->steps, most = 0, traversals = 0;
 	for (int step = 0; step < steps; ++step)
 	{
-		// no changes before the first four steps, so that they show faults without any change
+		// no changes before the first four steps, so that a fault that shows in them is not caused by a change
 		if (step >= 4)
 			change(world, layout, &seed);
 		burst(world, layout, step, &seed);

@@ -67,11 +67,12 @@ static double dragged(int count, float drag, double* fastest)
 	return most;
 }
 
-// Number of drags of a chain, at speeds that differ by 1 %. Long chains whip, and the drags differ by a factor of ten.
+// Number of drags of a chain, at speeds 1 % apart. Long chains whip, and the gaps of these drags differ by a factor of
+// ten.
 #define DRAGS 9
 
-// Links slide over the corner, and continuous collision does not stop them there. In Box2D, gaps are at most 0.2 m,
-// with 40 links 12 m, and speeds are at most 405 m/s.
+// Links slide over the corner, and continuous collision does not stop them there. In Box2D, speeds are at most 405 m/s,
+// and gaps at most 0.2 m, or 12 m with 40 links.
 static void chains_slide_over_corners(void** state)
 {
 	(void)state;
@@ -87,7 +88,7 @@ static void chains_slide_over_corners(void** state)
 			gaps[m] = dragged(count, speeds[k % 3] * (0.96f + 0.01f * (float)m), &speed);
 			fastest = fmax(fastest, speed);
 		}
-		double median = upper_median_of(gaps, DRAGS), most = gaps[DRAGS - 1]; // upper_median_of has sorted gaps
+		double median = upper_median_of(gaps, DRAGS), most = gaps[DRAGS - 1]; // gaps is sorted by upper_median_of
 		print_message(
 		    "chain of %d links over a corner at %g m/s: median of the gaps %.3f m, widest %.3f m, fastest %.0f m/s\n",
 		    count, (double)speeds[k % 3], median, most, fastest);
@@ -123,7 +124,7 @@ static void ends_are_moved_at_once(void** state)
 		}
 		print_message("pin of %d links moved by %g m: fastest %.1f m/s, gap after 2 s %.4f m\n", count, (double)far,
 		              fastest, gap);
-		assert_true(fastest < (count < 8 ? 40.0 : 15.0) && gap < 0.01); // 7 joints are no chain; Box2D: 36 m/s
+		assert_true(fastest < (count < 8 ? 40.0 : 15.0) && gap < 0.01); // 7 joints are not a chain; Box2D: 36 m/s
 		scree_world_destroy(world);
 	}
 }
@@ -154,7 +155,7 @@ static void steps_of_other_lengths(void** state)
 		}
 		print_message("steps of %.4f and %.4f s in turn: fastest %.4f m/s\n", (double)lengths[k][0],
 		              (double)lengths[k][1], fastest);
-		assert_true(fastest < (k == 1 ? 4.0 : 0.2)); // 240 m/s in an earlier version
+		assert_true(fastest < (k == 1 ? 4.0 : 0.2)); // an earlier version: 240 m/s
 		scree_world_destroy(world);
 	}
 }

@@ -42,7 +42,7 @@ static void keys_move_it(void** state)
 	NEAR(at.y, 0.61, 1e-3);
 	at = after(&town, 60, KEY_BIT(right));
 	NEAR(at.x, 4.0, 0.3);
-	assert_int_equal(town.characters.taken, 2); // coins at 2 m and 4 m
+	assert_int_equal(town.characters.taken, 2); // the coins at 2 m and 4 m
 	at = after(&town, 60, KEY_BIT(right));
 	NEAR(at.x, 8.0, 0.3);
 	assert_int_equal(town.characters.taken, 3);

@@ -50,7 +50,7 @@ static scree_pose at(scree_vec place) { return (scree_pose){place, {1.0f, 0.0f}}
 // trees
 // ---------------------------------------------------------------------------------------------------------------
 
-// Returns the mean number of nodes of level 1 that contain a point of the field: the sum of the areas of all nodes,
+// Returns the mean number of nodes of level 1 that contain a point of the field: the sum of the areas of these nodes,
 // divided by the area of the field.
 static double nodes_met(scree_world* world)
 {
@@ -76,7 +76,7 @@ typedef struct
 	bool shuffled;       // bodies are created in random order
 } Mix;
 
-// Takes 12 steps with these changes. Returns the largest result of nodes_met after a step.
+// Takes 12 steps with the changes of `mix`. Returns the largest result of nodes_met in these steps.
 static double churned(const Variant* variant, Mix mix)
 {
 	scree_world* world = open_with_limits(variant, 0, 0);
@@ -152,9 +152,9 @@ static void jumps_do_not_widen_nodes(void** state)
 
 #define CROWD 300
 
-// CROWD boxes at one point are CROWD * (CROWD - 1) / 2 pairs. The contact limit is one below this number, so the step
-// fails, changes nothing, and reports the place. When the boxes have moved apart, the world continues like a world that
-// was never crowded.
+// CROWD boxes at one point are CROWD * (CROWD - 1) / 2 pairs. The contact limit is this number minus one, so the step
+// fails, changes nothing, and reports the place. After the boxes have been moved apart, the world continues like a
+// world that was never crowded.
 static void check_crowd(const Variant* variant)
 {
 	const int pairs = CROWD * (CROWD - 1) / 2;
@@ -228,7 +228,7 @@ static void default_limit(void** state)
 // ---------------------------------------------------------------------------------------------------------------
 
 #define HEAP  130 // number of boxes at one place; they are 8,385 pairs
-#define CALM  700 // number of steps; unused memory is released in fewer steps
+#define CALM  700 // number of steps; memory that is unused is released after fewer steps
 #define AMPLE 60000
 
 static void build_row(scree_world* world, const void* context)
@@ -239,8 +239,8 @@ static void build_row(scree_world* world, const void* context)
 		add_crate(world, SCREE_BODY_DYNAMIC, -50.0f + 1.1f * (float)k, 0.5f);
 }
 
-// Adds a heap before step 10, and destroys it before step 20. Between these steps boxes fall onto the row, so that
-// contacts in high slots outlive the heap.
+// Adds a heap before step 10, and destroys it before step 20. In step 12, boxes are placed above the row, and fall onto
+// it, so contacts with slots after those of the heap outlive the heap.
 static void heap_comes(scree_world* world, int step, const void* context)
 {
 	(void)context;
@@ -264,7 +264,7 @@ static Scenario heap_scenario(int contacts)
 }
 
 // Pools that grow and shrink give the same bits as pools that have enough room from the start. At the end, the memory
-// and the slots of the 8,000 contacts of the heap are released.
+// and the slots of the heap's 8,385 contacts are released.
 static void check_room(const Variant* variant)
 {
 	uint64_t* hashes[2] = {calloc(CALM, sizeof(uint64_t)), calloc(CALM, sizeof(uint64_t))};

@@ -88,7 +88,8 @@ sed -n '/^```json$/,/^```$/p' "$SCREE_SOURCE/docs/scenes.md" | sed '1d;$d' >wall
 expect 0 'bodies         82' run wall.json --steps 2 --device cpu
 expect 0 'bodies         10' run wall.json --steps 2 --device cpu --set rows=1
 
-# frames: shared and copied rows give the same picture of the same world; without a renderer a message says so
+# frames: rows that are shared and rows that are copied give the same picture; without a renderer, a message names what
+# is missing
 if "$scree" bench frames pyramid "${small[@]}" --size 320x200 >out 2>err; then
 	[ "$(sed 1d out | wc -l)" = 2 ] || fail "bench frames: not two rows"
 	[ "$(sed 1d out | cut -d, -f 11,12 | sort -u | wc -l)" = 1 ] || fail "bench frames: two pictures"
@@ -97,14 +98,14 @@ else
 fi
 refuse 2 'no scene is called "nothing"' bench frames nothing
 
-# queries: five kinds; two threads give the same results as one
+# queries: five rows, one per kind; two threads give the same results as one thread
 "$scree" bench queries pyramid --steps 5 --queries 500 --repeats 1 --device cpu --threads 1 >one || fail "bench queries: failed"
 "$scree" bench queries pyramid --steps 5 --queries 500 --repeats 1 --device cpu --threads 2 --lanes 1 >two
 [ "$(sed 1d one | wc -l)" = 5 ] || fail "bench queries: not five rows"
 cmp -s <(cut -d, -f 4-6,9 one) <(cut -d, -f 4-6,9 two) || fail "bench queries: other answers on two threads"
 refuse 2 'no scene is called "nothing"' bench queries nothing
 
-# rays of a scene: two threads give the same results as one; the hash of the world is the same without rays
+# rays of a scene: two threads give the same results as one thread; the rays do not change the hash of the world
 few=(lidar --set robots=8 --set rays=20 --steps 10 --device cpu)
 expect 0 'rays           180 a step, ' run "${few[@]}" --threads 1 --lanes 1 --csv rows.csv
 head -n 1 rows.csv | grep -q ',rays,ray_hits,ms_rays$' || fail "run --csv: no columns of rays"
@@ -138,7 +139,7 @@ refuse 1 'cannot write nowhere/rows.csv' run pyramid "${small[@]}" --csv nowhere
 if "$scree" run pyramid "${small[@]}" --picture picture.png >out 2>err; then
 	[ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "run --picture: not a PNG"
 	expect 0 '' run pyramid "${small[@]}" --picture picture.png --size 320x200
-	# a zoom ends at its view
+	# the last picture of a zoom equals the picture of its view
 	expect 0 '' run pyramid "${small[@]}" --picture view.png --size 320x200 --view 0,0,4,2
 	expect 0 '' run pyramid "${small[@]}" --picture zoom.png --size 320x200 --zoom 0,0,4,2
 	cmp -s view.png zoom.png || fail "run --zoom: its end is another picture than --view"

@@ -21,7 +21,7 @@ typedef struct
 {
 	int bodies, contacts;
 	bool moves[MOST_BODIES];
-	int kind[MOST_BODIES]; // kinds of bodies that cannot move; other entries are unused
+	int kind[MOST_BODIES]; // kinds of collidables; the host reads only those of bodies that cannot move
 	Word64 mask[MOST_BODIES];
 	int touching[MOST_BODIES];
 	Int2 ends[MOST_ITEMS];
@@ -43,9 +43,10 @@ static bool is_spoke(const Graph* g, Int2 ends)
 	       (g->moves[ends.y] && g->touching[ends.y] > HUB_CONTACTS);
 }
 
-// Colors the contacts one after the other. First, contacts that are now spokes lose their colors and get no other. Then
-// each new contact, in the order of falling priority, takes the lowest color that is free on both bodies. If one of the
-// bodies cannot move, the contact takes the highest free color; the last STATIC_COLORS are reserved for such contacts.
+// Colors the contacts one after the other. First, contacts that are now spokes lose their colors and get no others.
+// Then each new contact, in the order of falling priority, takes the lowest color that is free on both bodies. If a
+// body cannot move, the contact instead takes the highest free color; the last STATIC_COLORS are reserved for such
+// contacts.
 static void color_greedily(Graph* g)
 {
 	for (int k = 0; k < g->contacts; ++k)
@@ -147,8 +148,8 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	free(counters);
 }
 
-// Returns the hub of a spoke: the only body that can move, or else the body with more contacts. If both have equally
-// many, this is the body of smaller index.
+// Returns the hub of a spoke: the body that can move, or, if both can move, the body with more contacts. If both have
+// the same number, the body with the smaller index is the hub.
 static int owner_of(const Graph* g, Int2 ends)
 {
 	if (!g->moves[ends.x] || !g->moves[ends.y])
@@ -157,8 +158,8 @@ static int owner_of(const Graph* g, Int2 ends)
 	return more > 0 || (more == 0 && ends.x < ends.y) ? ends.x : ends.y;
 }
 
-// Checks that spokes are sorted by hub, and hubs by body. Each hub begins at a new block, padded with -1. Adds the
-// number of spokes to *touching.
+// Checks that spokes are sorted by hub, and hubs by body, and that each hub begins at a new block. Unused places of a
+// block must contain -1. Adds the number of spokes to *touching.
 static void check_spokes(const Graph* g, const Counters* counters, const int* constraints, const int* hubs,
                          int* touching)
 {
@@ -228,7 +229,8 @@ static void check_layout(Backend* b, const Graph* g)
 	free(places);
 }
 
-// Colors the new contacts on the host and on every backend, and compares the results. g gets the results of the host.
+// Colors the new contacts on the host and on every backend, and compares the results. Graph g receives the colors from
+// the host.
 static void check_colors(Graph* g)
 {
 	int* color = calloc((size_t)g->contacts, sizeof *color);
@@ -255,8 +257,8 @@ static void check_colors(Graph* g)
 	free(mask);
 }
 
-// Colors random contacts: first those with even indices, then those with odd indices. Every k-th body cannot move, with
-// k = fixed_one_in.
+// Colors random contacts: first those with even indices, then those with odd indices. Every body whose index is a
+// multiple of fixed_one_in cannot move.
 static void check_random_graph(uint64_t* seed, int bodies, int contacts, int fixed_one_in)
 {
 	Graph* g = calloc(1, sizeof *g);
@@ -290,7 +292,7 @@ static void colors_are_those_of_greedy(void** state)
 	(void)state;
 	uint64_t seed = 1;
 	check_random_graph(&seed, 3000, 6000, 10);
-	check_random_graph(&seed, 500, 8000, 4);   // 32 contacts per body: some bodies become hubs with the odd contacts
+	check_random_graph(&seed, 500, 8000, 4);   // 32 contacts per body; the odd contacts make some bodies hubs
 	check_random_graph(&seed, 60, 6000, 1000); // all bodies are hubs
 	check_random_graph(&seed, 2, 40, 2);       // a body that can move and a body that cannot
 }
@@ -327,7 +329,7 @@ static void star_is_a_hub(void** state)
 #define HUBS   9
 #define LIGHTS 40
 
-// The bodies of three hubs, which have spokes. Hubs A and C have the same hub color.
+// The three hubs that have spokes. Hubs A and C have the same hub color.
 enum
 {
 	HUB_A = 1,
@@ -335,7 +337,7 @@ enum
 	HUB_C = 9
 };
 
-typedef struct // bodies: 0 cannot move, 1 to HUBS are hubs with a block of spokes each, then come the lights
+typedef struct // bodies: 0 cannot move, 1 to HUBS are hubs with a block of spokes each, all others are lights
 {
 	Counters counters;
 	BodyState bodies[1 + HUBS + LIGHTS];
@@ -401,8 +403,8 @@ static int hub_of(const Wheel* w, int k) { return w->ends[k].x ^ w->ends[k].y ^ 
 
 static int turn_of(int hub) { return (hub - 1) % HUB_COLORS; }
 
-// The hubs around a body. beside: number of spokes of the body with each hub. hubs: number of such hubs of each hub
-// color; the body is counted too if it is a hub.
+// The hubs that touch a body. beside: number of spokes of the body with each hub. hubs: number of such hubs of each hub
+// color, plus 1 for the color of the body itself if it is a hub.
 typedef struct
 {
 	int beside[1 + HUBS], hubs[HUB_COLORS];
@@ -426,8 +428,9 @@ static float parts_of(const Wheel* w, const Share* shares, int k)
 }
 
 // Computes the velocity of a body after all hubs of one color, from the velocities of its parts. turn: index of the hub
-// color. v += sum of change / (n m) over the spokes of the body with these hubs, by rising place, for n hubs of this
-// color and m spokes with the same hub. If the body is a hub of this color, the sum begins with its own change / n.
+// color. The change of a part is its velocity minus that of the body. The body gets the sum of change / (n m) over its
+// spokes with these hubs, by rising place: n is the number of these hubs, m the number of spokes with the same hub. If
+// the body is a hub of this color, the sum begins with the change of its own part / n.
 static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyState* b)
 {
 	BodyState old = *b;
@@ -457,8 +460,8 @@ static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyS
 	b->w = old.w + spin;
 }
 
-// A body with n hubs of one hub color is split into n parts, one for each hub. Each part is split again among the
-// spokes that the body has with that hub.
+// A body with n hubs of one hub color around it, itself included if it is a hub of this color, is split into n parts,
+// one for each hub. Each part is split again among the spokes that the body has with that hub.
 static void parts_come_together(void** state)
 {
 	(void)state;

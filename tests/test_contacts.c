@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// A box at rest has two contact points on the ground. Together they carry its weight: m g h per substep.
+// A box at rest has two contact points on the ground. Together their impulses carry the weight of the box: m g h per
+// substep of length h.
 static void contacts_carry_weight(void** state)
 {
 	(void)state;
@@ -31,7 +32,7 @@ static void contacts_carry_weight(void** state)
 	NEAR(contact.points[0].point.x + contact.points[1].point.x, 6.0, 0.02);
 	assert_int_not_equal(contact.points[0].feature, contact.points[1].feature);
 
-	// the contact still has the point of the last step, although the box was moved
+	// the contact keeps the point of the last step, although the box has been moved
 	float x = contact.points[0].point.x;
 	OK(scree_body_set_pose(world, box, (scree_pose){{-20.0f, 5.0f}, {1.0f, 0.0f}}));
 	OK(scree_world_get_contacts(world, &contact, 1, &count));
@@ -238,7 +239,7 @@ static void contacts_of_one_body(void** state)
 	}
 	assert_true(hash_of(world) == before);
 
-	// reads into an array that is too small, and again after some crates are destroyed
+	// reads into an array that is too small; counts once more after some crates are destroyed
 	memset(some, 0x5a, 2 * CROWD * sizeof *some);
 	scree_contact kept = some[3];
 	OK(scree_body_get_contacts(world, plate, some, 3, &count));

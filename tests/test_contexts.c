@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_contexts.c -- checks that worlds of a process share the context and the program of an OpenCL device, one after
-// the other, at the same time and in several threads. After a failure, new worlds use a new context.
+// test_contexts.c -- checks that worlds of a process share the context and the program of an OpenCL device: one after
+// the other, at the same time, and in several threads. After a failure, new worlds use a new context.
 #include "opencl/loader.h"
 #include "support/second_device.h"
 #include <pthread.h>
@@ -9,7 +9,7 @@
 #define WORLDS 4
 
 static OpenClFunctions plain;
-static atomic_int contexts, programs; // numbers of created contexts and of built programs
+static atomic_int contexts, programs; // numbers of contexts that were created, and of programs that were built
 static int buffers_left;              // number of buffers that can still be created; -1: no limit
 
 static cl_context count_context(const cl_context_properties* properties, cl_uint count, const cl_device_id* devices,

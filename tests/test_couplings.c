@@ -38,7 +38,8 @@ static scree_joint pulley(scree_world* world, scree_body a, scree_body b, float 
 	return couple(world, &def);
 }
 
-// A gear turns wheels of radii r and s by angles a and b with b = -a r / s, after any number of turns.
+// A gear turns wheels of radii r and s. If the first wheel turns by the angle a, the second wheel turns by b = -a r /
+// s, for any number of turns.
 static void gears_keep_their_ratio(void** state)
 {
 	(void)state;
@@ -79,8 +80,8 @@ static void gears_keep_their_ratio(void** state)
 	scree_world_destroy(world);
 }
 
-// A torque M on wheel a accelerates this wheel by M / (I + r^2 J), and wheel b by -r M / (I + r^2 J). The torque of the
-// gear on b is -r J M / (I + r^2 J).
+// A gear of ratio r joins wheels a and b with the inertias I and J. A torque M on wheel a accelerates wheel a by M / (I
+// + r^2 J), and wheel b by -r M / (I + r^2 J). The torque of the gear on wheel b is -r J M / (I + r^2 J).
 static void gears_carry_torque(void** state)
 {
 	(void)state;
@@ -106,7 +107,7 @@ static void gears_carry_torque(void** state)
 }
 
 // George Atwood, A Treatise on the Rectilinear Motion and Rotation of Bodies, 1784: masses m and n on a rope without
-// mass accelerate by g (n - m) / (n + m), and its tension is 2 g m n / (n + m).
+// mass accelerate by g (n - m) / (n + m). The tension of the rope is 2 g m n / (n + m).
 static void atwood(void** state)
 {
 	(void)state;
@@ -119,7 +120,7 @@ static void atwood(void** state)
 		OK(scree_body_set_mass(world, b, (scree_mass){(float)n, (float)n / 6.0f, {0.0f, 0.0f}}));
 		scree_joint joint = pulley(world, a, b, 1.0f, 20.0f);
 		run_steps(world, 60);
-		// a substep moves bodies by the velocity at its end, so t^2 / 2 becomes t (t + h) / 2
+		// a substep moves bodies by the velocity at its end, so the distance has t (t + h) / 2 in place of t^2 / 2
 		double acceleration = G * (n - m) / (n + m), fallen = 0.5 * acceleration * (1.0 + h),
 		       tension = 2.0 * G * m * n / (n + m);
 		print_message("masses 1 : %.1f: fell %.4f m, theory %.4f m; tension %.3f N, theory %.3f N\n", n / m,
@@ -132,7 +133,7 @@ static void atwood(void** state)
 	}
 }
 
-// A tackle of ratio r balances a load of r times the mass of the other load for one minute.
+// A tackle of ratio r balances a load and another load of r times its mass for one minute.
 static void tackles_balance(void** state)
 {
 	(void)state;
@@ -185,7 +186,8 @@ static void ropes_hang_slack(void** state)
 	scree_world_destroy(world);
 }
 
-// A pinion of radius r moves a rack by r times its angle; a winch of radius r lifts a load by r times its angle.
+// A pinion of radius r moves a rack by r times the angle of the pinion. A winch of radius r lifts a load by r times the
+// angle of the winch.
 static void racks_and_winches(void** state)
 {
 	(void)state;
@@ -275,7 +277,7 @@ static void swinging_loads(void** state)
 	scree_world_destroy(world);
 }
 
-// A gear counts turns while one of its bodies is disabled, and keeps its angles when a body becomes kinematic and
+// A gear counts turns while one of its bodies is disabled, and keeps its angles when a body becomes kinematic and then
 // dynamic again. A body that is placed at another angle counts as turned by the smaller rotation. A broken gear stays
 // broken.
 static void turns_are_counted(void** state)
@@ -323,7 +325,7 @@ static void turns_are_counted(void** state)
 }
 
 // Joints of other types do not read the members of couplings. The hash is the same if a program sets these members, or
-// if its definition ends before them.
+// if the definition ends before these members.
 static void other_types_have_none(void** state)
 {
 	(void)state;

@@ -12,11 +12,11 @@
 // Management).
 typedef struct
 {
-	int type, id; // type 1: a device; id: its number
+	int type, id; // type 1: a device; id: number of the device
 } Location;
 typedef struct
 {
-	int type, handles; // type 1: pinned memory; handles 1: exported as file descriptors
+	int type, handles; // type 1: pinned memory; handles 1: memory can be exported as file descriptors
 	Location location;
 	void* windows;
 	unsigned char flags[8];
@@ -116,7 +116,7 @@ static void rays_of_cuda(void** state)
 	assert_memory_equal(shared, found, RAYS * sizeof *found);
 	print_message("%d of %d rays of CUDA hit\n", hits, RAYS);
 
-	// rays of random bits change nothing, and their search ends
+	// rays with random bits do not change the world, and their search ends
 	uint64_t hash = hash_of(world);
 	for (int k = 0; k < RAYS; ++k)
 		for (size_t i = 0; i < sizeof *rays / 4; ++i)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# test_docs.sh -- checks paths, kernels, words of the dialect and the first program in documents, and first words and
-# paths in comments.
+# test_docs.sh -- checks documents: paths, kernels, words of the dialect and the first program. Also checks comments:
+# their first words, and their paths.
 set -euo pipefail
 cd "$SCREE_SOURCE"
 failed=0
@@ -10,7 +10,7 @@ complain()
 	failed=1
 }
 
-# text in back quotes that looks like a path of this repository is a path that exists; it may contain a *
+# every text in back quotes that looks like a path of this repository is an existing path; it may contain a *
 for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md CONTRIBUTING.md SECURITY.md .github/*.md docs/*.md; do
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
@@ -49,7 +49,7 @@ for folder in bench cli scene tests view web src/*/; do
 		grep -E '\.(awk|c|cl|cmake|cpp|def|frag|glsl|h|html|js|json|md|mjs|sh|txt|vert)$|/$' | sort -u)
 done
 
-# docs/step.md has a line for every kernel, and for a kernel of constraints one line per kind of constraint
+# docs/step.md has a line for every kernel; a kernel of constraints has a line for each kind of constraint
 steps=$(<docs/step.md)
 while read -r kernel; do
 	[[ $steps = *"\`$kernel\`"* ]] || complain "docs/step.md: kernel $kernel is missing"
@@ -65,7 +65,7 @@ done < <(sed -nE -e 's/^#define ([A-Za-z_0-9]+).*/\1/p' -e 's/^INLINE [A-Za-z0-9
 	-e 's/^typedef .*[ }]([A-Z][A-Za-z0-9]*)( __attribute__.*)?;.*/\1/p' src/dialect/{dialect,opencl_words,c_words,wide}.h |
 	grep -vxE '(DIALECT|OPENCL_WORDS|C_WORDS|WIDE)_H|ROW|KERNEL_JOIN_?' | sort -u)
 
-# Comments are plain English, see STYLE.md. The check covers first words and some phrases.
+# Comments are plain English (STYLE.md). The check finds bad first words and some bad phrases.
 sources=(-name '*.c' -o -name '*.h' -o -name '*.cl' -o -name '*.cpp' -o -name '*.def' -o -name '*.js' -o -name '*.mjs'
 	-o -name '*.vert' -o -name '*.frag' -o -name '*.glsl')
 scripts=(-name '*.sh' -o -name '*.awk' -o -name '*.cmake' -o -name CMakeLists.txt)

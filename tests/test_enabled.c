@@ -54,7 +54,7 @@ static void disabled_bodies_take_no_part(void** state)
 	scree_world_destroy(world);
 }
 
-// A body that is disabled and enabled between two steps starts new contacts. Its other state does not change.
+// A body that is disabled and enabled between two steps starts new contacts. The rest of its state does not change.
 static void switching_twice_starts_contacts_anew(void** state)
 {
 	(void)state;
@@ -89,7 +89,7 @@ static void switching_twice_starts_contacts_anew(void** state)
 	scree_world_destroy(world);
 }
 
-// Changes made while a body is disabled apply when it is enabled: collidables, filters, types, masses, gravity.
+// Changes to a disabled body apply when it is enabled: changes of collidables, filters, types, masses and gravity.
 static void disabled_bodies_change(void** state)
 {
 	(void)state;

@@ -78,8 +78,8 @@ static void a_ball_lands(void** state)
 	scree_world_destroy(world);
 }
 
-// Events contain the old handle of a destroyed collidable and mark it as destroyed, although a new collidable has taken
-// its slot.
+// Events contain the handle of a destroyed collidable and mark it as destroyed, although a new collidable has taken its
+// slot.
 static void the_destroyed_are_named(void** state)
 {
 	(void)state;
@@ -106,8 +106,8 @@ static void the_destroyed_are_named(void** state)
 	assert_true(scree_collidable_equals(events.touches_began[0].a, own) && events.touches_began[0].user_a == 5);
 	assert_true(scree_body_equals(events.touches_began[0].body_a, ball) && !events.touches_began[0].destroyed_b);
 
-	// events of the next steps: the touch of the ball ends, and the touch of the new body begins; the new body is
-	// destroyed after the first of these steps
+	// events of the next steps: the touch of the destroyed ball ends, and the touch of the new body begins; the new
+	// body is destroyed after the first of these steps
 	int heirs = 0;
 	for (int k = 0; k < 5; ++k)
 	{
@@ -126,7 +126,7 @@ static void the_destroyed_are_named(void** state)
 	scree_world_destroy(world);
 }
 
-// Events also name a destroyed collidable whose shape was changed just before, so that its contacts had started again.
+// Events also name a destroyed collidable whose shape was changed just before, which restarted its contacts.
 static void the_changed_and_destroyed_are_named(void** state)
 {
 	(void)state;
@@ -224,7 +224,7 @@ static void reports_change(void** state)
 	run_steps(world, 1);
 	assert_int_equal(events_of(world).touches_began_count, 1);
 
-	// reports are off, but the end of the open touch is still reported
+	// reports are off, but the end of a touch that has been reported is still reported
 	OK(scree_collidable_set_reports(world, own, 0));
 	run_steps(world, 30);
 	assert_int_equal(events_of(world).touches_ended_count, 0);
@@ -295,7 +295,7 @@ static void note(Ledger* ledger, const scree_events* events)
 }
 
 // Checks that each open touch is in the list of contacts. Also checks that a contact is an open touch if it has an
-// impulse and one of its collidables reports touches.
+// impulse and at least one of its collidables reports touches.
 static void compare(scree_world* world, const Ledger* ledger)
 {
 	static scree_contact contacts[MOST_OPEN];
@@ -391,7 +391,7 @@ static Ledger record_heap(const Variant* variant, int steps)
 			churn(world, bodies, k, &seed);
 		if (variant->other[0] && k % 7 == 3)
 			OK(scree_world_move(world, k % 2 ? variant->other : variant->device));
-		if (!early) // reads after changes; only marks of destroyed collidables differ
+		if (!early) // reads the events again after changes; only the marks of destroyed collidables may differ
 		{
 			velocity_of(world, bodies[0]);
 			scree_events events = events_of(world);
@@ -408,8 +408,8 @@ static Ledger record_heap(const Variant* variant, int steps)
 	return ledger;
 }
 
-// The list of moved bodies contains each body once that was moved by a step or by the user, and each new body, also in
-// a reused slot.
+// The list of moved bodies contains, exactly once, each body that was moved by a step or by the user, and each new
+// body, also in a reused slot.
 static void moved_bodies_are_listed(void** state)
 {
 	(void)state;
@@ -444,8 +444,8 @@ static void moved_bodies_are_listed(void** state)
 	}
 }
 
-// The user word in the definition of a body is also given to its collidable, and appears in events and contacts.
-// Afterwards the user words of body and collidable can be set separately.
+// The user word in the definition of a body is also given to the body's collidable, and appears in events and contacts.
+// Later the user words of the body and the collidable can be set separately.
 static void a_body_gives_its_word(void** state)
 {
 	(void)state;
@@ -474,8 +474,9 @@ static void a_body_gives_its_word(void** state)
 	scree_world_destroy(world);
 }
 
-// The list of moved bodies contains no body that kept its pose: after another center of mass, locks, the same pose
-// again, zeros of the other sign, or a step at rest. A disabled body is listed when the user sets its pose.
+// The list of moved bodies contains no body that kept its pose. The test sets another center of mass, locks, the same
+// pose, and the same pose with zeros of the other sign, and takes steps at rest. But a disabled body whose pose is set
+// is listed.
 static void bodies_at_rest_are_not_listed(void** state)
 {
 	(void)state;
@@ -509,7 +510,7 @@ static void bodies_at_rest_are_not_listed(void** state)
 	}
 }
 
-// A joint whose force exceeds its threshold is among the events.
+// A joint whose force exceeds its threshold is listed in the events of the step.
 static void joints_are_listed(void** state)
 {
 	(void)state;
@@ -517,7 +518,7 @@ static void joints_are_listed(void** state)
 	scree_body load = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
 	def.body_b = load;
-	def.force_threshold = 5.0f; // half of the weight of the load
+	def.force_threshold = 5.0f; // half of the weight that the joint carries
 	def.user = 77;
 	scree_joint joint = add_joint(world, &def);
 	run_steps(world, 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_exclusions.c -- checks exclusions, pairs of bodies that never touch: set and read, beside joints, after a
+// test_exclusions.c -- checks exclusions, pairs of bodies that never touch: setting and reading, beside joints, after a
 // destruction, and in reused slots.
 #include "support/make_joints.h"
 #include <math.h>
@@ -115,8 +115,8 @@ static void fast(void** state)
 	}
 }
 
-// Each of 60 bodies excludes all others. The test sets exclusions in batches, reads them as lists, moves the world to
-// another device, and ends some.
+// Each of 60 bodies excludes all others. The test sets the exclusions in batches, reads them as lists, moves the world
+// to another device, and ends some of the exclusions.
 static void crowd(void** state)
 {
 	(void)state;
@@ -135,7 +135,7 @@ static void crowd(void** state)
 		for (int j = 0; j < i; ++j, ++pairs)
 			a[pairs] = bodies[i], b[pairs] = bodies[j], all[pairs] = true;
 	OK(scree_bodies_set_excluded(world, a, b, all, pairs));
-	OK(scree_bodies_set_excluded(world, b, a, all, pairs)); // a repeated exclusion counts once
+	OK(scree_bodies_set_excluded(world, b, a, all, pairs)); // an exclusion that is set twice counts once
 	run_steps(world, 120);
 	assert_int_equal(contacts_of(world), BODIES);
 	for (int k = 0; k < BODIES; ++k)

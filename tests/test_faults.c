@@ -3,8 +3,8 @@
 //
 // A scenario is a list of acts. It runs once without a fault, which gives the expected hash after every act. Then it
 // runs many times with one fault, each time at a later call. The act with the fault must return a status and a message.
-// Then there are two cases. If the world is unchanged, the act is repeated, and the hash at the end is the expected
-// one. Otherwise the world is broken and can only be destroyed.
+// There are two cases. If the world is unchanged, the act is repeated, and the hash at the end is the expected one.
+// Otherwise the world is broken and can only be destroyed.
 #include "support/allocations.h"
 #include "support/faulty_device.h"
 #include "support/make_bodies.h"
@@ -69,7 +69,7 @@ static scree_status act_more_attributes(FaultRun* s)
 	return SCREE_OK;
 }
 
-// Creates a slab that can move, with 100 circles on it, so the slab has more contacts than there are colors.
+// Creates a slab that can move, with 100 circles on it. The slab has more contacts than there are colors.
 static scree_status act_slab(FaultRun* s)
 {
 	scree_body_def defs[101];
@@ -209,7 +209,7 @@ static scree_status act_target(FaultRun* s)
 	return scree_body_set_target(s->world, s->slab_body, (scree_pose){{0.5f, -50.0f}, {1.0f, 0.0f}});
 }
 
-// Gives one collidable without a body another surface, and a second collidable another shape.
+// Gives another surface to one collidable without a body, and another shape to a second one.
 static scree_status act_dress(FaultRun* s)
 {
 	scree_attribute made;
@@ -305,7 +305,8 @@ static void expect(bool timings)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// Checks that every call on a broken world returns the status of the fault, and a message with the same words.
+// Checks that calls on a broken world return the status of the fault, and that their messages contain: the world can
+// only be destroyed.
 static void check_broken(FaultRun* s, scree_status status)
 {
 	static const Act refused[] = {act_more_attributes, act_slab,         act_forces, act_step,    act_contacts,
@@ -322,7 +323,7 @@ static void check_broken(FaultRun* s, scree_status status)
 	assert_int_equal(scree_world_wait(s->world), status);
 	assert_int_equal(scree_world_set_gravity(s->world, (scree_vec){0.0f, 0.0f}), status);
 
-	// data that only the host has can still be read
+	// data that lie only on the host can still be read
 	assert_true(scree_body_is_valid(s->world, s->slab_body) || s->slab_body.index == 0);
 	assert_true(scree_world_get_device(s->world)[0] != 0);
 }
@@ -331,9 +332,9 @@ static void check_broken(FaultRun* s, scree_status status)
 // memory runs out
 // ---------------------------------------------------------------------------------------------------------------
 
-// Runs the scenario with one failing allocation. allocations: number of allocations before it. again: true repeats the
-// failed act, false takes a few steps instead and ends. Returns whether an allocation failed. *broken: incremented if
-// the world broke.
+// Runs the scenario with one failing allocation. allocations: number of allocations that succeed before it. again: true
+// repeats the failed act; false takes a few steps in place of the remaining acts. Returns whether an allocation failed.
+// *broken: incremented if the world broke.
 static bool run_with_little_memory(int allocations, bool again, int* broken)
 {
 	FaultRun s = {0};
@@ -364,7 +365,7 @@ static bool run_with_little_memory(int allocations, bool again, int* broken)
 			break;
 		}
 
-		// these acts consist of several calls, so a failed act may have changed the hash
+		// these acts consist of several calls, so they may have changed the hash although they failed
 		if (acts[k] != act_attributes && acts[k] != act_more_attributes && acts[k] != act_dress)
 			assert_true(hash_of(s.world) == expected[k - 1]);
 		--k;
@@ -377,7 +378,7 @@ static bool run_with_little_memory(int allocations, bool again, int* broken)
 	return failed;
 }
 
-// Returns the distance between the failing calls of two successive runs of the scenario: 1, or 3 in quick builds.
+// Returns the difference of the numbers of the failing calls in two successive runs: 1, or 3 in quick builds.
 static int stride(void) { return quick() ? 3 : 1; }
 
 static void memory_runs_out(void** state)

@@ -15,8 +15,8 @@ static scree_field_def water_def(float density)
 	return def;
 }
 
-// A body of half the density of the fluid floats half immersed, within 1 %, and stays at rest for minutes. A denser
-// body sinks.
+// A body with half of the density of the fluid floats half immersed, within 1 %, and stays at rest for minutes. A body
+// denser than the fluid sinks.
 static void bodies_float_and_sink(void** state)
 {
 	(void)state;
@@ -36,7 +36,7 @@ static void bodies_float_and_sink(void** state)
 	assert_true(position_of(world, stone).y < -10.0f);
 	scree_world_destroy(world);
 
-	// the body does not move for minutes, at the origin and far away
+	// a floating body does not move for minutes, at the origin and 50 km away
 	for (int far = 0; far < 2; ++far)
 	{
 		world = open_world((float)-G);
@@ -55,8 +55,8 @@ static void bodies_float_and_sink(void** state)
 }
 
 // Bodies with 1/50 to 1/1,000,000 of the density of the fluid dive and come up again. They are not thrown out of the
-// fluid, and lie on its surface. The default density of bodies is 1/1,000 of the density of water. A raft with 1/20 of
-// the density of the fluid carries fifteen times its own weight, at the depth given by Archimedes.
+// fluid, and come to rest on its surface. The default density of bodies is 1/1,000 of the density of water. A raft with
+// 1/20 of the density of the fluid carries fifteen times its own weight, at the depth given by Archimedes.
 static void light_bodies_stay(void** state)
 {
 	(void)state;
@@ -93,7 +93,7 @@ static void light_bodies_stay(void** state)
 	scree_world_destroy(world);
 }
 
-// Buoyancy acts on each part of a compound. A narrow boat with a heavy keel rights itself after it lay on its side or
+// Buoyancy acts on each collidable of a body. A narrow boat with a heavy keel rights itself after it lay on its side or
 // almost upside down.
 static void boats_right_themselves(void** state)
 {
@@ -114,7 +114,7 @@ static void boats_right_themselves(void** state)
 		OK(scree_collidable_create(world, &part, NULL));
 		run_steps(world, 1800);
 		NEAR(angle_of(world, boat), 0.0, 0.01);
-		// weight of hull and keel 0.2 * 0.8 + 6 * 0.06 = displaced fluid: keel 0.06 + hull 1 * draft
+		// mass of hull and keel = mass of the displaced fluid: 0.2 * 0.8 + 6 * 0.06 = 1 * draft + 0.06
 		double draft = 0.2 * 0.8 + 6.0 * 0.06 - 0.06;
 		NEAR(position_of(world, boat).y, 0.4 - draft, 0.01);
 		scree_world_destroy(world);
@@ -193,7 +193,7 @@ static void who_is_pushed(void** state)
 	scree_world_destroy(world);
 }
 
-// Drag on a body at rest is 0, for any coefficient.
+// A body at rest has no drag, for any coefficient.
 static void drag_leaves_weights_alone(void** state)
 {
 	(void)state;
@@ -265,7 +265,7 @@ static void wrong_arguments_are_refused(void** state)
 	scree_world_destroy(world);
 }
 
-// Each allocation of a field and of its first step fails in turn. The call returns a status and changes nothing.
+// Makes each allocation of a field and of its first step fail in turn. The call returns a status and changes nothing.
 static void memory_runs_out(void** state)
 {
 	(void)state;
@@ -339,7 +339,8 @@ static void refused_steps_push_nothing(void** state)
 
 #define FIELDS 200
 
-// Returns a random definition of a field of any type, on a body or in the world. extreme: some numbers are up to 1e12.
+// Returns a random definition of a field of any type, on a body or in the world. extreme: true allows numbers of up to
+// 1e12.
 static scree_field_def any_def(scree_world* world, uint64_t* seed, bool extreme)
 {
 	scree_field_def def = scree_field_def_default((scree_field_type)random_below(seed, 6));
@@ -394,7 +395,7 @@ static void build_crowd(scree_world* world, const void* context)
 	}
 }
 
-// Destroys, creates and changes fields in each step. In some steps destroys, disables or enables a body, which may
+// Destroys, creates and changes fields in each step. In some steps also destroys, disables or enables a body, which may
 // carry a field.
 static void change_crowd(scree_world* world, int step, const void* context)
 {

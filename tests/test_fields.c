@@ -4,7 +4,7 @@
 #include <math.h>
 
 // A uniform field accelerates bodies in its region: v = (acceleration + force / mass) t, along the axes of the field. A
-// body outside of the region stays at rest.
+// body outside the region stays at rest.
 static void uniform_fields_push(void** state)
 {
 	(void)state;
@@ -41,8 +41,8 @@ static void fields_cancel_gravity(void** state)
 	scree_world_destroy(world);
 }
 
-// With attraction by 1 / r^2, a body with v^2 = strength radius^2 / r moves on a circle and keeps its distance r for
-// two minutes. With attraction by 1 / r, v^2 = strength radius at every distance.
+// With attraction by 1 / r^2, a body with v^2 = strength radius^2 / r moves on a circle and keeps its distance r from
+// the center for two minutes. With attraction by 1 / r, the condition is v^2 = strength radius at every distance.
 static void orbits_keep_their_radius(void** state)
 {
 	(void)state;
@@ -105,7 +105,7 @@ static void ellipses_keep_energy(void** state)
 	scree_world_destroy(world);
 }
 
-// A body that starts near the center of a strong attraction is not thrown out.
+// A body that starts near the center of a strong attraction is not thrown out of the field.
 static void centers_throw_nothing_out(void** state)
 {
 	(void)state;
@@ -155,8 +155,8 @@ static void vortices_turn(void** state)
 	scree_world_destroy(world);
 }
 
-// Drag balances the weight of a body at the speed m g / k (linear) or sqrt(m g / c) (quadratic). Drag balances a torque
-// T at the spin T / k. These final speeds are exact for any length of step.
+// Drag balances the weight of a body at the speed m g / k for linear drag, or sqrt(m g / c) for quadratic drag. Drag
+// balances a torque T at the spin T / k. These final speeds are exact for steps of any length.
 static void falling_bodies_reach_their_speed(void** state)
 {
 	(void)state;
@@ -183,7 +183,8 @@ static void falling_bodies_reach_their_speed(void** state)
 	scree_world_destroy(world);
 }
 
-// v = v0 e^(-k t / m). The exponent has a relative error of h k / (2 m), which is k / (120 m) at 60 steps per second.
+// Linear drag slows a body down to the medium: v = v0 e^(-k t / m). The exponent has a relative error of h k / (2 m),
+// which is k / (120 m) at 60 steps per second.
 static void drag_slows_down(void** state)
 {
 	(void)state;
@@ -199,7 +200,7 @@ static void drag_slows_down(void** state)
 	scree_world_destroy(world);
 }
 
-// A body takes on the velocity and spin of the medium without overshooting, for drag of any strength.
+// A body reaches the velocity and spin of the medium without going past them, for drag of any strength.
 static void stiff_drag_never_reverses(void** state)
 {
 	(void)state;
@@ -226,8 +227,8 @@ static void stiff_drag_never_reverses(void** state)
 	}
 }
 
-// Drag on a box is c density / 2 w v^2, with w the width of the box across the wind. It acts at the middle of the side
-// that faces the wind.
+// Drag on a box is (c density / 2) w v^2, with the width w of the box across the wind. The force acts at the middle of
+// the side that faces the wind.
 static void wind_blows(void** state)
 {
 	(void)state;
@@ -263,8 +264,8 @@ static void wind_blows(void** state)
 	scree_world_destroy(world);
 }
 
-// The buoyancy is the weight of the displaced fluid, m a = density area g, at the centroid of the part below the
-// surface.
+// Buoyancy is the weight of the displaced fluid: m a = density area g. It acts at the centroid of the part of the shape
+// below the surface.
 static void force_is_the_displaced_weight(void** state)
 {
 	(void)state;
@@ -285,7 +286,7 @@ static void force_is_the_displaced_weight(void** state)
 					def.pose.rotation = scree_rot_make(0.3f);
 					float c = cosf(0.3f), n = sinf(0.3f);
 					// variants 1 and 2: the region is a box whose upper edge is the surface; in variant 2 a corner of
-					// it lies in the shape
+					// the region lies in the shape
 					if (variant > 0)
 					{
 						float wide = variant == 1 ? 20.0f : 10.0f, right = variant == 1 ? 0.0f : -9.8f;
@@ -320,7 +321,7 @@ static void force_is_the_displaced_weight(void** state)
 					scree_velocity v = velocity_of(world, body);
 					double found = ((double)v.linear.y * 60.0 + G) * mass / (2.0 * G);
 					double moment = (double)v.angular * 60.0 * inertia / (2.0 * G);
-					// error of the grid, and of arcs that are approximated by corners
+					// tolerance for the grid, and for arcs that are approximated by corners
 					double error = variant == 2 && shapes[s].radius > 0.0f ? 0.05 : 0.03;
 					NEAR(found, area, error);
 					NEAR(moment, x_sum, error);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_finite.c -- checks that extreme finite values move bodies within the limits, and that a value that is not finite
-// freezes one body and no other.
+// freezes only the body that has it.
 #include "support/log_lines.h"
 #include "support/make_bodies.h"
 #include <float.h>
@@ -15,7 +15,7 @@ static scree_world* open_lonely(scree_body* body)
 	return world;
 }
 
-// Finite forces lead to the speed min(h f / m, max_speed) in the direction of f, without a warning.
+// Finite forces f lead to the speed min(h f / m, max_speed) in the direction of the force, without a warning.
 static void forces_lead_to_the_limit(void** state)
 {
 	(void)state;
@@ -40,7 +40,7 @@ static void forces_lead_to_the_limit(void** state)
 	assert_int_equal(warning_count, 0);
 }
 
-// Gravity whose square is beyond a float leads to max_speed, without a warning.
+// Gravity with a square beyond a float leads to max_speed, without a warning.
 static void gravity_leads_to_the_limit(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_flashes.c -- checks marks of events in pictures: touches, hits, sensors and broken joints; how marks fade, and
-// their maximum number.
+// test_flashes.c -- checks marks of events in pictures: touches, hits, sensors and broken joints. Also checks that
+// marks fade, and their maximum number.
 #include "support/make_joints.h"
 #include "view/flashes.h"
 #include "view/outline.h"
@@ -67,7 +67,7 @@ static void touches_and_hits_flash(void** state)
 	scree_world_destroy(world);
 }
 
-// 2,500 boxes touch the floor in one step: at most 1,000 flash, and the others are counted.
+// 2,500 boxes touch the floor in one step. At most 1,000 flashes are stored, and the others are counted.
 static void too_many_are_counted(void** state)
 {
 	(void)state;
@@ -163,7 +163,7 @@ static void sensors_have_marks(void** state)
 	scree_world_destroy(world);
 }
 
-// Outlines lie on the surfaces of shapes: the ends of all strokes have a distance of 0 from the shape.
+// Outlines lie on the surfaces of shapes. The ends of all strokes have a distance of 0 from the shape.
 static void outlines_follow_shapes(void** state)
 {
 	(void)state;

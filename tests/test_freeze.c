@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_freeze.c -- checks that bodies with numbers that are not finite stop for a step and are logged, and that other
-// bodies continue. Also checks that no valid call makes such a body.
+// test_freeze.c -- checks that bodies with numbers that are not finite stop for a step and are logged, and that all
+// other bodies continue. Also checks that no valid call makes such a body.
 #include "support/log_lines.h"
 #include "support/make_joints.h"
 #include "world/upload/upload.h"
@@ -22,9 +22,9 @@ static void poke_velocity(scree_world* world, scree_body body, float vx, float w
 	OK(b->f->write(b, POOL_body, (int)body.index, 1, &row));
 }
 
-// Makes the state of one body not finite by the function hurt. amid: true for a body among the others, false for a body
-// far away. Bodies that touch this body may freeze with it for one step. Other bodies do not change, and after that
-// step all bodies move.
+// Makes the state of one body not finite by the function `hurt`. amid: true for a body among others, false for a body
+// far from all others. Bodies that touch this body may freeze with it for one step. Other bodies do not change, and
+// after that step all bodies move.
 static void check_frozen(bool amid, void (*hurt)(scree_world* world, scree_body body))
 {
 	scree_world* world = open_world(-10.0f);
@@ -86,7 +86,7 @@ static void bodies_freeze(void** state)
 	}
 }
 
-// The functions push_by_... apply valid forces, torques or impulses whose sum is beyond a float.
+// The functions push_by_... apply several valid forces, torques or impulses. Their sum is beyond a float.
 static void push_by_force(scree_world* world, scree_body body)
 {
 	OK(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, 0.0f}));
@@ -108,8 +108,8 @@ static void push_by_impulse(scree_world* world, scree_body body)
 	                               (scree_vec){SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE}));
 }
 
-// Pushes a body, which may be disabled. Checks that velocities that are read are finite, and that the body, when
-// enabled, moves at the speed limit.
+// Pushes a body, which may be disabled. Checks that the velocity that is read is finite, and that the enabled body
+// moves at the speed limit.
 static void check_most(void (*push)(scree_world* world, scree_body body), bool disabled)
 {
 	scree_world* world = open_world(0.0f);
@@ -148,8 +148,8 @@ static void sums_end_at_the_most(void** state)
 	}
 }
 
-// Beads of 2 mm are welded or hinged at arms of 0.5 m. The inertia of a bead is 1/100,000 of its mass times the
-// square of the arm. The beads fall, and stay in a row.
+// Beads of 2 mm are welded or hinged at arms of 0.5 m. The inertia of a bead is 1/125,000 of m L^2, with the mass m of
+// the bead and the arm L. The beads fall, and stay in a row.
 static void beads_at_long_arms(scree_joint_type type)
 {
 	scree_world* world = open_world(-10.0f);
@@ -255,8 +255,8 @@ static void unequal_masses_do_not_freeze(void** state)
 	assert_int_equal(warning_count, 0);
 }
 
-// A box of 1 kg with the smallest valid inertia hits a floor with a corner. So does a box that was a sensor before. No
-// body freezes.
+// A box of 1 kg with the smallest valid inertia hits a floor with a corner. A second such box, which was a sensor
+// before, also hits the floor. No body freezes.
 static void contacts_without_inertia_do_not_freeze(void** state)
 {
 	(void)state;
@@ -283,7 +283,7 @@ static void contacts_without_inertia_do_not_freeze(void** state)
 	{
 		read = mass_of(world, boxes[k]);
 		assert_true(read.inertia == mass.inertia);
-		NEAR(position_of(world, boxes[k]).y, 0.06, 0.04); // the box overlaps a little, and does not sink further
+		NEAR(position_of(world, boxes[k]).y, 0.06, 0.04); // the box overlaps the floor, and does not sink further
 	}
 	assert_int_equal(warning_count, 0);
 	scree_world_destroy(world);

@@ -92,8 +92,8 @@ static void circle_follows_its_formula(void** state)
 	NEAR(s.reach, sqrt(10.0) + 0.5, 1e-6);
 }
 
-// A capsule is a rectangle 2 r by L and two half discs. The centroid of a half disc lies 4 r / (3 pi) beyond the end of
-// the rectangle.
+// A capsule is a rectangle 2 r by L with two half discs of radius r. The centroid of a half disc lies 4 r / (3 pi)
+// beyond the end of the rectangle.
 static void capsule_follows_its_formula(void** state)
 {
 	(void)state;
@@ -118,7 +118,7 @@ static void segment_has_no_mass(void** state)
 	assert_true(s.centroid.x == 1.0f && s.centroid.y == 1.0f);
 }
 
-// A right triangle of legs b and h: A = b h / 2, I about the centroid = A (b^2 + h^2) / 18.
+// A right triangle with legs b and h has A = b h / 2 and, about its centroid, I = A (b^2 + h^2) / 18.
 static void triangle_follows_its_formula(void** state)
 {
 	(void)state;
@@ -135,7 +135,7 @@ static void triangle_follows_its_formula(void** state)
 	assert_memory_equal(&s, &t, sizeof s);
 }
 
-// Steiner's formula: rounding adds a border, perimeter times radius, and a disc to the area.
+// Steiner's formula: rounding adds a border, perimeter times radius, and a disc of that radius to the area.
 static void rounded_polygons_follow_steiner(void** state)
 {
 	(void)state;
@@ -177,8 +177,8 @@ static void hulls_hold_all_points(void** state)
 			continue;
 		++made;
 
-		// points may lie outside of the hull by up to this distance, because close corners are merged and flat corners
-		// are dropped
+		// points may lie outside the hull by up to this distance, because corners close to each other are merged and
+		// flat corners are dropped
 		for (int i = 0; i < count; ++i)
 		{
 			for (int k = 0; k < s.count; ++k)
@@ -243,10 +243,10 @@ static void hull_drops_what_polygon_refuses(void** state)
 	NEAR(s.area, 4.0, 0.01);
 }
 
-// Corners that are closer than the weld distance are merged. This distance is 1/20 of the size of a polygon, but at
-// least 0.5 mm and at most 5 mm. A tenth of it is the tolerance for corners on a line. Polygons of the same form from 2
-// mm to 20 m are accepted if their shortest edge is longer than the weld distance, and stay valid when they are
-// rotated. Hulls merge the corners of shorter edges.
+// Corners closer to each other than the weld distance are merged. The weld distance is 1/20 of the size of a polygon,
+// but at least 0.5 mm and at most 5 mm. A tenth of it is the tolerance for corners on a line. Polygons of one form,
+// from 2 mm to 20 m, are accepted if their shortest edge is longer than the weld distance, and stay valid when they are
+// rotated. Hulls merge the ends of shorter edges.
 static void small_corners_are_kept(void** state)
 {
 	(void)state;
@@ -305,7 +305,7 @@ static void a_moved_shape_keeps_its_mass(void** state)
 		OK(scree_shape_transform(&moved, inverse, &back));
 	}
 
-	// the shape is so far from the origin that floats cannot separate its corners
+	// the shape would be so far from the origin that floats cannot separate its corners
 	scree_pose far = {{99999.0f, 0.0f}, {1.0f, 0.0f}};
 	assert_refused(scree_shape_transform(&shapes[0], far, &moved), "transformed.vertices");
 	scree_pose beyond = {{100001.0f, 0.0f}, {1.0f, 0.0f}};

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_golden.c -- checks the hash of every scene against tests/golden.txt, which is the same for every compiler and
-// machine.
+// test_golden.c -- checks the hash of every scene against tests/golden.txt, which holds for every compiler and machine.
 //
 // After an intended change of bits, SCREE_GOLDEN=write ctest -R test_golden writes tests/golden.txt again, and
-// CHANGELOG.md gives the reason. The smaller set of tests takes a quarter of the steps; the file also has the hashes at
-// these steps.
+// CHANGELOG.md gives the reason. The smaller set of tests takes a quarter of the steps; the file also has the hashes
+// after these steps.
 #include "support/small_scenes.h"
 #include <inttypes.h>
 #include <stdio.h>
@@ -23,8 +22,8 @@ typedef struct
 static Golden computed[64], committed[64];
 static int computed_count, committed_count;
 
-// Adds two hashes of a scene to computed: after a quarter of its steps, and at the end. The smaller set of tests takes
-// only the first quarter, so it adds one hash.
+// Adds two hashes of a scene to `computed`: after a quarter of its steps, and at the end. The smaller set of tests
+// takes only the first quarter, so it adds one hash.
 static void compute(const Scenario* scenario)
 {
 	Variant variant = {.name = "cpu", .device = "cpu"};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// test_growth.c -- checks that pools that begin with room for one item give the same hashes as pools with room for all
-// items.
+// test_growth.c -- checks that pools with room for one item at the start give the same hashes as pools with room for
+// all items.
 //
-// Formula: hash(capacity 1, step) = hash(ample capacity, step) for each step. Growth only shows in
+// Formula: hash(capacity 1, step) = hash(ample capacity, step) for each step. Growth shows only in
 // scree_counters.reallocations.
 #include "support/make_bodies.h"
 #include "support/scenarios.h"
@@ -17,7 +17,7 @@ typedef struct
 {
 	const char* name;
 	int columns, rows; // columns and rows of the grid of bodies
-	int steps, burst;  // burst: the bodies are added before this step
+	int steps, burst;  // burst: step before which the bodies are added
 	bool plate;        // true: the bodies fall on a plate, which gets more contacts than there are colors
 } Case;
 
@@ -52,7 +52,7 @@ static void come(scree_world* world, int step, const void* context)
 	if (step == c->burst)
 		add_grid(world, c);
 
-	// one command per body, which is more than the pool of commands has room for at first
+	// gives one command to each body, more commands than their pool has room for at first
 	scree_body bodies[4096];
 	int count;
 	OK(scree_world_get_bodies(world, bodies, 4096, &count));

@@ -27,7 +27,7 @@ static scree_attribute surface(scree_world* world, scree_shape shape, float dens
 	return add_attribute(world, &def);
 }
 
-// Adds crates side by side and writes their handles to bodies. y: height of their lower sides, m.
+// Adds crates side by side, and writes their handles to bodies. y: height of the lower sides of the crates, m.
 static void add_crates(scree_world* world, const Stack* s, float y, scree_body* bodies)
 {
 	scree_attribute crate = surface(world, box_shape(CRATE, CRATE), 1.0f, s);
@@ -36,8 +36,8 @@ static void add_crates(scree_world* world, const Stack* s, float y, scree_body* 
 		                     y + CRATE, 0.0f);
 }
 
-// Adds a stack on a floor: a plate, a row of crates on it, the next plate, and so on, all in contact. bodies: the
-// plates, then the crates.
+// Adds a stack on a floor: a plate, a row of crates on the plate, the next plate, and so on, all in contact. bodies:
+// handles of the plates, then of the crates.
 static void add_stack(scree_world* world, const Stack* s, scree_body* bodies)
 {
 	float half = 0.5f * PITCH * (float)s->crates + 1.0f, y = 0.0f;
@@ -91,7 +91,7 @@ static void plates_carry_crates(void** state)
 }
 
 // Adds a stack of combs around x. A comb is a body with many boxes, its teeth, so it is a hub that touches other hubs
-// in many places. other_density: density of every second comb.
+// in many places. other_density: density of every second comb; the other combs have the density 1.
 static void add_combs(scree_world* world, int teeth, int combs, float other_density, float x)
 {
 	Stack floor = {.friction = 0.6f};
@@ -248,7 +248,7 @@ static void hubs_bounce(void** state)
 }
 
 // Rolling resistance with a lever c slows down rollers on a plate: v = v0 - 2 c g t / (3 r), because the inertia of a
-// disc is m r^2 / 2. Without resistance the rollers keep rolling.
+// disc is m r^2 / 2. Rollers without resistance keep rolling.
 static void hubs_resist_rolling(void** state)
 {
 	(void)state;
@@ -294,8 +294,8 @@ static void locked_hubs_carry(void** state)
 // joints, changes and parity
 // ---------------------------------------------------------------------------------------------------------------
 
-// Joints count like contacts. With one joint more than 32 contacts, a plate becomes a hub, and all of its contacts
-// become spokes in the same step. They stay spokes when the joint is destroyed.
+// Joints count like contacts. With 32 contacts and one joint, a plate becomes a hub, and all of its contacts become
+// spokes in the same step. They stay spokes when the joint is destroyed.
 static void joints_make_hubs(void** state)
 {
 	(void)state;
@@ -395,8 +395,8 @@ static scree_attribute belt_of(scree_world* world, float speed)
 	return add_attribute(world, &def);
 }
 
-// Opens a world with a box on the ends of two belts of 1 m/s. back: the second belt runs in the opposite direction.
-// Writes the handles of the box and of the second belt.
+// Opens a world with a box on the ends of two belts. The first belt moves boxes by 1 m/s; so does the second, in the
+// opposite direction if back is true. Writes the handles of the box and of the second belt.
 static scree_world* lay_on_belts(bool back, scree_body* box, scree_body* second)
 {
 	scree_world* world = open_world(-(float)G);
@@ -407,7 +407,7 @@ static scree_world* lay_on_belts(bool back, scree_body* box, scree_body* second)
 	return world;
 }
 
-// A box in the middle of two belts that run towards each other is a hub and rests there, because both belts carry the
+// A box in the middle of two belts that run towards each other is a hub and stays at rest, because both belts carry the
 // same load. A box on belts that run in the same direction is no hub until one belt is reversed.
 static void belts_make_hubs(void** state)
 {

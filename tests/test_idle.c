@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_idle.c -- checks that a CPU may skip blocks of static bodies: after changes of all kinds, the bits are the same
-// as without skipping.
+// as in a world that skips no block.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 #include "world/device/idle.h"
@@ -64,7 +64,7 @@ static void advance(Level* level, int steps)
 	}
 }
 
-// Makes a change of one kind, of static body k or of a collidable without a body, in world w.
+// Makes a change of a given kind in world w: of static body k, or of a collidable without a body.
 static void change(Level* level, int w, int kind, int k)
 {
 	scree_world* world = level->worlds[w];
@@ -114,8 +114,7 @@ static void change(Level* level, int w, int kind, int k)
 	}
 }
 
-// Makes each kind of change in a level at rest, and then again. The second time, types are reset and disabled bodies
-// are enabled.
+// Makes each kind of change twice in a level at rest. The second time, types are reset and disabled bodies are enabled.
 static void changes_are_seen(void** state)
 {
 	(void)state;

@@ -15,8 +15,8 @@ static scree_body add(scree_world* world, scree_body_type type, scree_shape shap
 	return add_body(world, type, add_attribute(world, &def), at.x, at.y, radians);
 }
 
-// Adds a rim, a body of many boxes on a circle and one in its middle. Several work-items of continuous collision share
-// such a body.
+// Adds a rim, a body of many boxes on a circle and one box in the middle. Several work-items of continuous collision
+// share such a body.
 static scree_body add_rim(scree_world* world, int boxes, float radius, scree_vec at)
 {
 	scree_attribute attribute = shape_attribute(world, box_shape(0.05f, 3.2f * radius / (float)boxes));
@@ -35,7 +35,8 @@ static scree_body add_rim(scree_world* world, int boxes, float radius, scree_vec
 }
 
 // Returns the sum of kinetic and potential energy of a body, divided by mass and gravity, m. resting: height of the
-// body at rest, m. A body that falls in substeps of h is on a parabola; the velocity of this parabola is g h / 2 lower.
+// body at rest, m. The positions of a body that falls in substeps of h lie on a parabola. The velocity on this parabola
+// is lower than that of the body by g h / 2.
 static double energy_of(scree_world* world, scree_body body, double resting, int substeps)
 {
 	scree_velocity v = velocity_of(world, body);
@@ -96,8 +97,8 @@ static void bounces_keep_energy(void** state)
 	}
 }
 
-// One ball hits a row of equal balls. If the balls are apart, it passes its momentum to the last ball. No energy is
-// gained, whether or not the balls touch.
+// One ball hits a row of equal balls. If the balls of the row are apart, the momentum reaches the last ball. No energy
+// is gained, whether or not the balls touch.
 static void rows_of_balls(void** state)
 {
 	(void)state;
@@ -146,8 +147,8 @@ static void slow_impacts_end(void** state)
 	scree_world_destroy(world);
 }
 
-// A heavy body hits a light body, which rests in front of a wall, at 60 m/s. Both bodies stay in front of the wall. Of
-// 2,560 pairs, 6 pass through with Box2D, and 1,800 without continuous collision.
+// A heavy body flies at 60 m/s and hits a light body, which rests in front of a wall. Both bodies stay in front of the
+// wall. With Box2D, 6 of 2,560 pairs pass through the wall; without continuous collision 1,800 do.
 static void strikes_before_a_wall(void** state)
 {
 	(void)state;
@@ -171,8 +172,8 @@ static void strikes_before_a_wall(void** state)
 	}
 }
 
-// No shape crosses a thin wall at 100 to 400 m/s (Box2D: 158 of 5,760; an earlier version of Scree: 191), or leaves the
-// wall faster than it arrived. A body passes through walls that its filter excludes.
+// No shape crosses a thin wall at 100 to 400 m/s (Box2D: 158 of 5,760 shapes; an earlier version of Scree: 191), or
+// leaves the wall at a higher speed than before the impact. A body passes through walls that its filter excludes.
 static void fast_bodies_at_walls(void** state)
 {
 	(void)state;
@@ -352,7 +353,7 @@ static void heaps_do_not_explode(void** state)
 	}
 }
 
-// Builds all cases of this file in one world. act_all creates and destroys collidables of bodies in this world.
+// Builds many cases of this file in one world. act_all creates and destroys collidables of bodies in this world.
 static void build_all(scree_world* world, const void* context)
 {
 	(void)context;
@@ -414,8 +415,7 @@ static double motion_of(scree_world* world, scree_body body)
 	return 0.5 * ((double)mass.mass * square + (double)(mass.inertia * v.angular * v.angular));
 }
 
-// Boxes with restitution 1 in a closed room without gravity gain no energy, even if a box bounces off two others at
-// once.
+// Boxes with restitution 1 in a closed room without gravity gain no energy, even if a box hits two others at once.
 static void gases_gain_nothing(void** state)
 {
 	(void)state;
@@ -480,7 +480,8 @@ static void corners_gain_nothing(void** state)
 		add_body(world, SCREE_BODY_STATIC, add_attribute(world, &def), 0.0f, -0.5f, 0.0f);
 		scree_body body = add_body(world, SCREE_BODY_DYNAMIC, box, 0.0f, 2.5f, 0.0131f * (float)(k - 30));
 		run_steps(world, 60);
-		// half: a body that falls in substeps is on a parabola whose velocity is lower by half a substep of gravity
+		// half: difference of the kinetic energies of the body and of the parabola of its positions, on which the
+		// velocity is lower by g h / 2
 		double half = 0.5 * 10.0 * (double)STEP / SUBSTEPS * (double)velocity_of(world, body).linear.y;
 		NEAR(fmax(motion_of(world, body) - half + 10.0 * (double)position_of(world, body).y, 25.0), 25.0, 0.3);
 		scree_world_destroy(world);

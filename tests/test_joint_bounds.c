@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_joint_bounds.c -- checks maximum forces of springs and motors: separate bounds of push and pull, and common
-// bounds of along and across.
+// test_joint_bounds.c -- checks maximum forces of springs and motors: separate bounds for push and pull, and a common
+// bound for the coordinates along and across.
 #include "support/make_joints.h"
 #include <float.h>
 #include <math.h>
@@ -14,8 +14,8 @@ static scree_body add_puck(scree_world* world, scree_velocity velocity)
 	return body;
 }
 
-// A rubber band only pulls and a bumper only pushes. On one side of its target each is a spring of the same stiffness.
-// On the other side it exerts no force.
+// A rubber band only pulls, and a bumper only pushes. Each is a spring of the same stiffness on one side of its target,
+// and exerts no force on the other side.
 static void springs_push_or_pull(void** state)
 {
 	(void)state;
@@ -53,7 +53,7 @@ static void springs_push_or_pull(void** state)
 		}
 }
 
-// The force of a spring is limited by the smaller of two bounds: the common bound, and that of its side, push or pull.
+// The force of a spring is limited by the smaller of two bounds: the common bound, and the bound for push or for pull.
 static void bounds_of_a_side(void** state)
 {
 	(void)state;
@@ -79,8 +79,8 @@ static void bounds_of_a_side(void** state)
 		}
 }
 
-// Friction of a box on a table, seen from above. With an elliptic bound, the box slows down equally in every direction
-// and moves in a straight line. Otherwise the speeds along and across decrease separately.
+// Friction of a box on a table, seen from above. With an elliptic bound, the box slows down equally in every direction,
+// and moves in a straight line. Otherwise its speeds along and across the joint decrease separately.
 static void friction_in_any_direction(void** state)
 {
 	(void)state;
@@ -111,8 +111,8 @@ static void friction_in_any_direction(void** state)
 		}
 }
 
-// A skate has little friction along and much across. It stays under a constant force inside of the ellipse of its
-// bounds, and moves under a larger force.
+// A skate has little friction along its direction, and much across. The skate stays at rest under a force inside the
+// ellipse of its bounds, and moves under a force outside.
 static void friction_of_a_skate(void** state)
 {
 	(void)state;
@@ -140,8 +140,8 @@ static void friction_of_a_skate(void** state)
 		}
 }
 
-// A target joint drags a body with a force of at most F in any direction. Along a coordinate whose bound is 0, it
-// exerts no force.
+// A target joint drags a body with a force of at most F in any direction. It exerts no force along a coordinate with
+// the bound 0.
 static void targets_in_any_direction(void** state)
 {
 	(void)state;
@@ -165,8 +165,8 @@ static void targets_in_any_direction(void** state)
 }
 
 // A puck on a table, seen from above, has friction at a point 0.4 m beside its center of mass. A force of 15 N moves
-// the puck against a friction of 10 N. The torque of this friction, 4 N m, is below the 10 N m of the friction against
-// spin, so the puck does not turn. In an earlier version the puck turned at 0.005 rad/s.
+// the puck against a friction of 10 N. The torque of this friction, 4 N m, is below the maximum torque of the friction
+// against spin, 10 N m, so the puck does not turn. In an earlier version the puck turned at 0.005 rad/s.
 static void friction_beside_the_center(void** state)
 {
 	(void)state;

@@ -17,8 +17,9 @@ static void add_links(scree_world* world, int count, float x, float y)
 		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, x + 0.25f + 0.5f * (float)k, y);
 }
 
-// The last link of a rope is the load: it is as heavy as up to 10,000 other links. It falls from the horizontal and
-// pulls with a force F of up to three times its weight. Each joint of the rope then opens by 2 F / (m w^2).
+// The last link of a rope is the load, with the mass of up to 10,000 other links. The load falls from the horizontal,
+// and pulls with a force F of at most three times the weight of load and rope. This opens each joint of the rope by 2 F
+// / (m w^2), with the mass m of a link and the angular frequency w of its locks.
 static void ropes_swing_heavy_loads(void** state)
 {
 	(void)state;
@@ -48,7 +49,7 @@ static void ropes_swing_heavy_loads(void** state)
 	}
 }
 
-// A hanging rope of n = 300 links gets longer by n^2 g / w^2.
+// A hanging rope of n = 300 links gets longer by n^2 g / w^2, with the angular frequency w of its locks.
 static void long_ropes_hang(void** state)
 {
 	(void)state;
@@ -68,8 +69,8 @@ static void long_ropes_hang(void** state)
 	scree_world_destroy(world);
 }
 
-// Chains rotate in free flight, open or as rings, at several speeds. Momentum and angular momentum stay, and energy
-// does not grow.
+// Chains, open or as rings, rotate in free flight at several speeds. Momentum and angular momentum stay constant, and
+// energy does not grow.
 static void whirls_keep_momentum(void** state)
 {
 	(void)state;
@@ -130,7 +131,7 @@ static void ropes_tear(void** state)
 		weak = k == 12 ? joint : weak;
 	}
 	run_steps(world, 120);
-	assert_false(joint_state_of(world, weak).broken); // 18 links hang from this joint
+	assert_false(joint_state_of(world, weak).broken); // this joint carries 18 links
 	OK(scree_body_apply_force(world, links[29], (scree_vec){0.0f, -20.0f}));
 	run_steps(world, 1);
 	assert_true(joint_state_of(world, weak).broken);
@@ -143,8 +144,8 @@ static void ropes_tear(void** state)
 	scree_world_destroy(world);
 }
 
-// A row grows link by link while it moves. Then it is cut, links become kinematic and disabled for a time, a link gets
-// a third joint, and a link is destroyed.
+// A row grows link by link while it moves. Then a joint is destroyed, links become kinematic and disabled for a time, a
+// link gets a third joint, and a link is destroyed.
 static void rows_change(void** state)
 {
 	(void)state;
@@ -171,7 +172,7 @@ static void rows_change(void** state)
 	print_message("row that grows to 60 links: gaps up to %.4f m\n", gap);
 	assert_true(gap < 0.05);
 
-	// a cut, a kinematic link, a disabled link, a third joint on a link, and a link that is destroyed
+	// one joint and later one link are destroyed; other links are kinematic, disabled, or get a third joint
 	OK(scree_joint_destroy(world, joints[20]));
 	run_steps(world, 2);
 	OK(scree_body_set_type(world, links[10], SCREE_BODY_KINEMATIC));
@@ -203,8 +204,8 @@ static void damp(scree_world* world, int count, float rate)
 		OK(scree_body_set_damping(world, links[k], rate, rate));
 }
 
-// A bridge is tight between the middle of a box and a point. Its second plank presses on the edge of the box. The
-// bridge comes to rest.
+// A bridge is stretched between the middle of a box and a point. The second plank of the bridge presses on the edge of
+// the box. The bridge comes to rest.
 static void bridges_rest_on_boxes(void** state)
 {
 	(void)state;
@@ -270,7 +271,7 @@ static void ropes_stay_on_pegs(void** state)
 #define ROPES 20
 
 // Adds a rope that starts at x. count: number of links. The last link is heavy, and one of the joints has a motor.
-// Returns the joint that the test cuts later.
+// Returns the joint that the test destroys later.
 static scree_joint hang(scree_world* world, int count, float x)
 {
 	scree_joint cut = SCREE_NULL_JOINT;
@@ -289,8 +290,8 @@ static scree_joint hang(scree_world* world, int count, float x)
 	return cut;
 }
 
-// A rope moves with the same bits in an empty world and among 19 ropes of other lengths, while it hangs and after it is
-// cut.
+// A rope moves with the same bits in a world of its own and in one with 19 ropes of other lengths, both while it hangs
+// and after it is cut.
 static void ropes_side_by_side(void** state)
 {
 	(void)state;
@@ -317,9 +318,9 @@ static void ropes_side_by_side(void** state)
 	}
 }
 
-// A net hangs by the middle of its upper side, as in Box2D's benchmark joint_grid. Its joints open as far as a lock of
-// 60 Hz yields under the load. In an earlier version, bodies rotated back and forth faster than substeps could follow,
-// and the joints opened three times as far.
+// A net hangs by the middle of its upper side, as in Box2D's benchmark joint_grid. Its joints open as far as locks of
+// 60 Hz yield under the load. In an earlier version, bodies rotated back and forth faster than the substeps could
+// follow, and joints opened three times as far.
 static void nets_hold_their_weight(void** state)
 {
 	(void)state;

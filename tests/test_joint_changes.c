@@ -13,7 +13,7 @@ static int joints_with(scree_world* world, scree_body body)
 	return count;
 }
 
-// Two boxes that touch have a contact unless a joint between them prevents it. The contact returns when no joint
+// Two boxes that touch have a contact unless a joint between them prevents it. The contact returns once no joint
 // prevents it.
 static void joints_keep_bodies_apart(void** state)
 {
@@ -40,7 +40,7 @@ static void joints_keep_bodies_apart(void** state)
 	run_steps(world, 1);
 	assert_int_equal(contacts_of(world), 1);
 
-	// one body is moved away, is disabled together with the joint, and comes back
+	// one box is moved away and disabled, so its joint does not act, and then comes back
 	OK(scree_joint_set_collide_connected(world, first, false));
 	OK(scree_body_set_pose(world, b, pose_at(0.0f, 30.0f, 0.0f)));
 	OK(scree_body_set_enabled(world, b, false));
@@ -119,8 +119,8 @@ static void joints_with_the_world_keep_overlaps(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint prevents a contact. Then one of its bodies is destroyed, and a new body takes the slot. The other body has no
-// contact, in the next step and later.
+// A joint prevents a contact of two bodies. Then one of them is destroyed, and a new body takes its slot. The other
+// body has no contact, in the next step and later.
 static void contacts_go_with_their_bodies(void** state)
 {
 	(void)state;
@@ -141,7 +141,8 @@ static void contacts_go_with_their_bodies(void** state)
 	scree_world_destroy(world);
 }
 
-// The joints of a body are destroyed with it, and their handles stay stale when the slots are reused.
+// A joint is destroyed when one of its bodies is destroyed. Its handle stays stale when the slot of the joint is
+// reused.
 static void joints_go_with_their_bodies(void** state)
 {
 	(void)state;
@@ -183,7 +184,7 @@ static void joints_go_with_their_bodies(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint between bodies that cannot move does not act. It acts again when one of its bodies can move, and then starts
+// A joint between bodies that cannot move does not act. It acts again when one of its bodies can move, and starts
 // without impulses.
 static void types_change(void** state)
 {
@@ -214,8 +215,8 @@ static void types_change(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint with a disabled body does not act, so the other body falls freely. When the body is enabled, the joint pulls
-// its two bodies together.
+// A joint with a disabled body does not act, so its other body falls freely. When the disabled body is enabled, the
+// joint pulls the two bodies together.
 static void bodies_are_switched(void** state)
 {
 	(void)state;
@@ -235,14 +236,14 @@ static void bodies_are_switched(void** state)
 	NEAR(pose_of(world, load).position.y, -2.0, 0.01);
 	NEAR(joint_state_of(world, joint).force.y, 10.0, 0.1);
 
-	// a load of twice the mass
+	// the load now has twice its mass
 	OK(scree_body_set_mass(world, load, (scree_mass){2.0f, 0.5f, {0.0f, 0.0f}}));
 	run_steps(world, 60);
 	NEAR(joint_state_of(world, joint).force.y, 20.0, 0.1);
 	scree_world_destroy(world);
 }
 
-// Frames, targets, thresholds and stiffness are read back as they were set, and act from the next step on.
+// Frames, targets, thresholds and stiffness are read back exactly as they were set, and act from the next step on.
 static void settings_are_read_and_act(void** state)
 {
 	(void)state;
@@ -270,7 +271,7 @@ static void settings_are_read_and_act(void** state)
 	assert_int_equal(joint_events_of(world, &event, 1), 1);
 	assert_true(event.user == 9 && !event.broken);
 
-	// events and states move with the world to another device
+	// events and states stay when the world moves to another device
 	scree_joint_state there = joint_state_of(world, joint);
 	OK(scree_world_move(world, "cpu"));
 	scree_joint_state here = joint_state_of(world, joint);
@@ -279,7 +280,7 @@ static void settings_are_read_and_act(void** state)
 	assert_true(event.user == 9 && event.force > 7.0f);
 	OK(scree_world_move(world, test_device));
 
-	// replaces a lock by a motor, then by a spring, and then removes the spring
+	// replaces a lock by a motor, the motor by a spring, and then removes the spring
 	scree_joint_coordinate across, read;
 	OK(scree_joint_get_coordinate(world, joint, SCREE_ACROSS, &across));
 	assert_true(across.locked && !across.limited);
@@ -307,8 +308,8 @@ static void settings_are_read_and_act(void** state)
 	scree_world_destroy(world);
 }
 
-// A disabled joint does not act, and its bodies may touch. When it is enabled, it starts without impulses and keeps its
-// number of turns.
+// A disabled joint does not act, and its bodies may touch. When the joint is enabled, it starts without impulses and
+// has kept its number of turns.
 static void joints_are_disabled(void** state)
 {
 	(void)state;
@@ -346,7 +347,7 @@ static void joints_are_disabled(void** state)
 	run_steps(world, 1);
 	NEAR(joint_state_of(world, joint).values[SCREE_ANGLE], turned + 20.0 / 60.0, 0.05);
 
-	// disabled while it turns: the body flies off, and no threshold is exceeded
+	// disabled while the joint turns: the body flies off, and no threshold is exceeded
 	OK(scree_joint_set_thresholds(world, joint, 0.0f, 0.0f, true));
 	OK(scree_joint_set_enabled(world, joint, false));
 	OK(scree_joint_set_enabled(world, joint, true));
@@ -362,7 +363,7 @@ static void joints_are_disabled(void** state)
 	scree_world_destroy(world);
 }
 
-// A rope becomes two ropes when the joint in its middle is disabled, and one rope again when this joint is enabled.
+// A rope becomes two ropes when the joint in its middle is disabled, and becomes one rope when the joint is enabled.
 static void chains_are_disabled(void** state)
 {
 	(void)state;
@@ -390,7 +391,7 @@ static void chains_are_disabled(void** state)
 	NEAR(pose_of(world, bodies[LINKS - 1]).position.y, -1.5 * (LINKS - 1) - 5.0, 0.2);
 	NEAR(joint_state_of(world, joints[LINKS - 1]).force.y, 0.0, 0.1);
 
-	// the lower half has fallen; the joint pulls both halves together again
+	// the lower half has fallen, and the joint pulls the two halves together
 	OK(scree_joint_set_enabled(world, joints[LINKS / 2], true));
 	run_steps(world, 600);
 	NEAR(joint_state_of(world, joints[0]).force.y, 10.0 * LINKS, 5.0);
@@ -398,7 +399,7 @@ static void chains_are_disabled(void** state)
 	scree_world_destroy(world);
 }
 
-// Each step creates one joint and destroys one, so that slots, colors and places of impulses are reused.
+// Each step creates one joint and destroys one. So slots, colors and places of impulses are reused.
 static void joints_come_and_go(void** state)
 {
 	(void)state;

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-// Adds a row of boxes that are joined by hinges. count: number of boxes. The first hinge joins the row to anchor, or to
-// the world if anchor is null.
+// Adds a row of boxes that are joined by hinges. count: number of boxes. The first hinge joins the row to `anchor`, or
+// to the world if `anchor` is null.
 static void add_chain(scree_world* world, scree_body* links, int count, float size, scree_vec from, scree_body anchor)
 {
 	for (int k = 0; k < count; ++k)
@@ -182,8 +182,8 @@ static void joints_rest(void** state)
 	scree_world_destroy(world);
 }
 
-// Floats 5 km from the origin are 0.5 mm apart. A chain there comes to rest, as it does at the origin. It hangs from a
-// static body, or from a point of the world.
+// Floats 5 km from the origin are 0.5 mm apart. A chain there comes to rest like a chain at the origin. The chain hangs
+// from a static body, or from a point of the world.
 static void far_away(void** state)
 {
 	(void)state;
@@ -205,8 +205,9 @@ static void far_away(void** state)
 	}
 }
 
-// Chains of ten links of 1 cm to 100 m come to rest. The second joint opens by 2 F / (m w^2) with F = 9 m g. The second
-// and all later joints lower the last link by 90 g / w^2.
+// Chains of ten links, each of 1 cm to 100 m, come to rest. With the mass m of a link and the angular frequency w of
+// its locks, the second joint opens by 2 F / (m w^2) with F = 9 m g. The second and all later joints together lower the
+// last link by 90 g / w^2.
 static void tiny_and_huge(void** state)
 {
 	(void)state;
@@ -236,7 +237,7 @@ static void tiny_and_huge(void** state)
 	}
 }
 
-// A chain with a link of 1,000 times the mass, at its end or in its middle, does not explode.
+// A chain with one link of 1,000 times the mass of the others, at its end or in its middle, does not explode.
 static void unequal_masses(void** state)
 {
 	(void)state;
@@ -308,7 +309,7 @@ static void forces_freeze_nothing(void** state)
 	}
 }
 
-// A net of 75 x 75 boxes hangs from seven static boxes. Each of the seven carries the weight of 800 boxes.
+// A net of 75 x 75 boxes hangs from seven static boxes. Each of these carries the weight of 800 boxes.
 static void a_net_hangs(void** state)
 {
 	(void)state;
@@ -336,11 +337,12 @@ static void a_net_hangs(void** state)
 		gap = fmax(gap, joint_gap_of(world));
 	}
 	print_message("net: largest gap %.3f m\n", gap);
-	assert_true(gap < 0.45); // Box2D with circles: 0.34 m
+	assert_true(gap < 0.45); // Box2D, with circles: 0.34 m
 	scree_world_destroy(world);
 }
 
-// Six sliders in a row are pulled apart by 100 or 1,000 times the weight of a box. Afterwards they come together again.
+// Six sliders in a row are pulled apart by a force of 100 or 1,000 times the weight of a box. After the force ends they
+// come together.
 static void sliders_come_together(void** state)
 {
 	(void)state;
@@ -374,7 +376,7 @@ static void sliders_come_together(void** state)
 			most = fmax(most, fmax(fabs(at.values[SCREE_ACROSS]), fabs(at.values[SCREE_ALONG]) - 6.0));
 		}
 		print_message("sliders torn apart with %g N: gap %.3f m after 6 s\n", force, most);
-		assert_true(most < 10.0); // 945 m in an earlier version; Box2D: 0.4 m
+		assert_true(most < 10.0); // an earlier version: 945 m; Box2D: 0.4 m
 		scree_world_destroy(world);
 	}
 }

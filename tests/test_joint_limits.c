@@ -142,8 +142,8 @@ static void ropes_are_slack(void** state)
 	scree_world_destroy(world);
 }
 
-// Locks follow moving targets and hold them. The targets are in m, m and rad, in frame A, which is rotated in the
-// world.
+// Locks follow moving targets and hold them. The targets are in m, m and rad, in the coordinates of frame A, which is
+// rotated in the world.
 static void targets_are_held(void** state)
 {
 	(void)state;
@@ -171,7 +171,8 @@ static void targets_are_held(void** state)
 	scree_world_destroy(world);
 }
 
-// A lock that is soft along one axis yields only along that axis, by g sin(turn) / w^2, for any rotation of frame A.
+// A lock that is soft along one axis yields only along that axis, by g sin(turn) / w^2, for any rotation `turn` of
+// frame A. w: angular frequency of the lock.
 static void soft_locks_have_a_direction(void** state)
 {
 	(void)state;
@@ -194,8 +195,8 @@ static void soft_locks_have_a_direction(void** state)
 	}
 }
 
-// The force at rest is m g. A joint breaks if its threshold is slightly below m g. It does not break, not even in its
-// first step, if its threshold is slightly above m g. A joint that only reports makes an event in every step.
+// The force at rest is m g. A joint breaks if its threshold is slightly below this force. It does not break, not even
+// in its first step, if the threshold is slightly above. A joint that only reports makes an event in every step.
 static void joints_break_at_their_threshold(void** state)
 {
 	(void)state;
@@ -255,7 +256,8 @@ static void torques_break(void** state)
 	}
 }
 
-// A spring or motor with the bound F cannot hold a heavier load, which falls with (m g - F) / m.
+// A spring or motor with the bound F cannot hold a load whose weight m g is larger than F. The load falls with the
+// acceleration (m g - F) / m.
 static void drives_are_limited(void** state)
 {
 	(void)state;
@@ -325,7 +327,7 @@ static void soft_locks_of_nothing(void** state)
 	}
 }
 
-// Limits hold against motors and springs of the same joint, even very strong ones.
+// Limits hold against motors and springs of the same joint, even if these are very strong.
 static void limits_hold_their_drives(void** state)
 {
 	(void)state;
@@ -356,9 +358,10 @@ static void limits_hold_their_drives(void** state)
 	}
 }
 
-// A hinge at the end of a bar has a spring of 30 Hz whose target is 3 rad beyond its limit. A slider has such a spring
-// with a target 10 m beyond. The limit carries all of the spring, so the hinge and the rail hold as if there were
-// neither spring nor limit. In an earlier version the hinge opened by 1.5 m, and the slider rotated by 0.05 rad.
+// A hinge at the end of a bar has a spring of 10 or 30 Hz, whose target is 3 rad beyond the limit of the hinge. A
+// slider has such a spring, with a target 10 m beyond its limit. The limit carries the whole force of the spring, so
+// the hinge and the rail hold as if there were neither spring nor limit. In an earlier version the hinge opened by 1.5
+// m, and the slider rotated by 0.05 rad.
 static void limits_take_springs_from_locks(void** state)
 {
 	(void)state;
@@ -390,9 +393,9 @@ static void limits_take_springs_from_locks(void** state)
 	}
 }
 
-// A motor turns a bar 32 times. Then the joint gets limits, or a spring, around 0. The bar goes there by the shorter
-// rotation, at most at 31 rad/s, and earlier turns are no longer counted. Limits around the current angle, with all
-// turns counted, keep the bar where it is.
+// A motor turns a bar 32 times. Then the joint gets limits or a spring around the angle 0. The bar turns to this range
+// by the shorter rotation, at less than 31 rad/s, and earlier turns are no longer counted. Limits around the current
+// angle, with all turns counted, keep the bar where it is.
 static void turns_count_from_what_uses_them(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_joint_lines.c -- checks lines of joints in pictures: their ends, their color by load, and that the lines of
-// broken and destroyed joints disappear.
+// test_joint_lines.c -- checks lines of joints in pictures: the ends of the lines, their color by load, and that lines
+// disappear with broken and destroyed joints.
 #include "support/make_joints.h"
 #include "view/joint_lines.h"
 #include <float.h>
@@ -18,7 +18,7 @@ static scree_joint hang(scree_world* world, float x, float half, float above, fl
 	return add_joint(world, &def);
 }
 
-// The joints carry the weights of their boxes, 40, 10 and 10 N. The second joint breaks, and the third is destroyed.
+// The joints carry the weights of their boxes: 40, 10 and 10 N. The second joint breaks, and the third is destroyed.
 static void lines_follow_joints(void** state)
 {
 	scree_world* world = open_world(-10.0f);
@@ -44,8 +44,8 @@ static void lines_follow_joints(void** state)
 	OK(joint_lines_update(&lines, &tables));
 	assert_int_equal(lines.links.count, 1);
 
-	// dots at both anchors, a line between the anchors, and a line to the center of the box, which is red for the
-	// largest load
+	// dots at both anchors, a line between the anchors, and a line to the center of the box; the line to the center is
+	// red because it has the largest load
 	joint_lines_mark(&lines, &strokes, &camera, &(Style){.detail = 1.0f});
 	assert_int_equal(strokes.count, 4);
 	NEAR(strokes.list[1].a.y, 7.0f, 0.01f);

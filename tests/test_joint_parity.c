@@ -50,8 +50,8 @@ static void act_wheel(scree_world* world, int step, const void* context)
 			add_arm(world, bodies[1], 7 * step + k);
 }
 
-// Builds rows of bodies that fall in a heap. All types of joint with limits, springs and motors join them. Some joints
-// break.
+// Builds rows of bodies that fall in a heap. Joints of all types, with limits, springs and motors, join the bodies.
+// Some joints break.
 static void build_chains(scree_world* world, const void* context)
 {
 	(void)context;
@@ -101,7 +101,7 @@ static void act_chains(scree_world* world, int step, const void* context)
 	OK(scree_world_get_joints(world, joints, 150, &count));
 	OK(scree_joints_get_states(world, joints, states, count));
 	OK(scree_world_get_joint_events(world, events, 150, &some));
-	// reads values and uses them for later changes, so the values must be equal too
+	// later changes use values that are read here, so these values must be equal too
 	int k = (step * 7) % count;
 	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ANGLE, -states[k].values[SCREE_ANGLE]));
 	scree_joint_coordinate at;
@@ -111,8 +111,8 @@ static void act_chains(scree_world* world, int step, const void* context)
 	OK(scree_joint_set_coordinate(world, joints[(k + some) % count], SCREE_ANGLE, &at));
 }
 
-// Builds heavy carts that fall on light wheels, and ropes with heavy ends, five short and two long. The chains of the
-// carts have two joints. They are the shortest chains, and so lie side by side after all other chains.
+// Builds heavy carts that fall on light wheels, and ropes with heavy ends: five short and two long ropes. The chains of
+// the carts have two joints. As the shortest chains, they lie side by side after all others.
 static void build_carts(scree_world* world, const void* context)
 {
 	(void)context;
@@ -145,9 +145,9 @@ static void build_carts(scree_world* world, const void* context)
 	}
 }
 
-// Builds light discs with six heavy arms of two parts each. The joints of arms are welds, or hinges with limits and
-// motors; some break. Two discs are welded together, one is free, and one has arms that are joined at their ends. A
-// chain of twelve bodies hangs from the last disc.
+// Builds light discs with six heavy arms of two parts each. The joints of the arms are welds, or hinges with limits and
+// motors; some break. Two discs are welded together, one disc is free, and one has arms that are joined at their ends.
+// A chain of twelve bodies hangs from the last disc.
 static void build_branches(scree_world* world, const void* context)
 {
 	(void)context;
@@ -198,8 +198,8 @@ static void build_branches(scree_world* world, const void* context)
 	}
 }
 
-// Nets that are held at one corner, close to the floor. A heavy ball hangs at the opposite corner, so the bodies are
-// taut in some steps. act_nets destroys joints, until the balls fall.
+// Nets, each held at one corner, close to the floor. A heavy ball hangs at the opposite corner, so bodies are taut in
+// some steps. act_nets destroys joints until the balls fall.
 #define NET 8
 
 static void build_nets(scree_world* world, const void* context)
@@ -261,9 +261,9 @@ static void vary(scree_joint_def* def, int k)
 	def->torque_threshold = k % 3 == 2 ? 2.0f : 3.4e38f;
 }
 
-// Changes one body, moved. Disables this body in steps with step % 6 == first, and enables all bodies in steps with
-// step % 6 == 4. Every eighth step it changes the type of this body; two steps later it makes all bodies but the first
-// dynamic.
+// Changes one body, `moved`: disables it in steps with step % 6 == first, and in every eighth step makes it kinematic
+// or static. Enables all bodies in steps with step % 6 == 4. Two steps after each change of type, makes all bodies but
+// the first dynamic.
 static void disturb(scree_world* world, const scree_body* bodies, int count, scree_body moved, int step, int first)
 {
 	if (step % 6 == first)
@@ -337,7 +337,7 @@ static void act_couplings(scree_world* world, int step, const void* context)
 	OK(scree_world_get_bodies(world, bodies, 64, &some));
 	OK(scree_joints_get_states(world, joints, states, count));
 
-	// uses the values that were read for later changes, so the values must be equal too
+	// later changes use values that are read here, so these values must be equal too
 	int k = step * 7 % count;
 	scree_joint_def def;
 	OK(scree_joint_get_def(world, joints[k], &def));
@@ -359,8 +359,8 @@ static void act_couplings(scree_world* world, int step, const void* context)
 }
 
 // Beads and wagons on paths in the world and on a turning wheel, with all kinds of drives. Paths are created and
-// destroyed. Bodies are placed and disabled, and change their type. If context is not null, wagons form a train, which
-// is a chain. The wheel then has more beads than there are colors, so that a device solves them by launches.
+// destroyed. Bodies are placed and disabled, and change their type. If `context` is not null, the wagons form a train,
+// which is a chain, and the wheel has more beads than there are colors, so that a device solves them by launches.
 #define FEW_BEADS  20
 #define MANY_BEADS 80
 
@@ -383,7 +383,7 @@ static scree_path add_wave(scree_world* world, float x, float y, float reach, bo
 	return path;
 }
 
-// Adds a bead with a joint on a path in body a. Lock, limits, springs, motors and thresholds depend on k.
+// Adds a bead with a joint on a path that is fixed in body a. Lock, limits, springs, motors and thresholds depend on k.
 static void add_bead(scree_world* world, scree_path path, scree_body a, scree_pose place, int k)
 {
 	float length;
@@ -478,7 +478,7 @@ static void act_paths(scree_world* world, int step, const void* context)
 	OK(scree_world_get_bodies(world, bodies, 400, &some));
 	OK(scree_joints_get_states(world, joints, states, count));
 
-	// uses the values that were read for later changes, so the values must be equal too
+	// later changes use values that are read here, so these values must be equal too
 	int k = step * 17 % count;
 	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ALONG, 1.0f - states[k].values[SCREE_ALONG]));
 	scree_body moved = bodies[2 + step * 29 % (some - 2)];

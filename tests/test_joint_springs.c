@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_joint_springs.c -- checks springs and soft locks against their differential equation: C" + 2 z o C' + o^2 C = 0,
-// with o = 2 pi hertz and the damping ratio z.
+// test_joint_springs.c -- checks springs and soft locks against their differential equation, C" + 2 z o C' + o^2 C = 0
+// for a coordinate C, with o = 2 pi hertz and the damping ratio z.
 //
-// A coordinate that starts at 0 with the speed v moves as v e^(-z o t) sin(q t) / q, with q = o sqrt(1 - z^2). For z =
-// 1 it moves as v t e^(-o t), and for z > 1 sin becomes sinh. The method of the engine has the same eigenvalues, so its
+// A coordinate that starts at 0 with the speed v follows v e^(-z o t) sin(q t) / q, with q = o sqrt(1 - z^2). For z = 1
+// it follows v t e^(-o t), and for z > 1 sin becomes sinh. The method of the engine has the same eigenvalues, so its
 // C(t) is this solution times a constant factor, which the first step determines.
 #include "support/make_joints.h"
 #include <math.h>
@@ -14,7 +14,7 @@ typedef struct
 	scree_joint_type type;
 	scree_coordinate coordinate;
 	bool lock;
-	float arm; // m, from the anchor to the center of the body, along x
+	float arm; // m, along x: distance from the anchor to the center of the body
 } Kind;
 
 static const Kind kinds[] = {
@@ -50,7 +50,7 @@ static void set_spring(scree_joint_coordinate* c, bool lock, double hertz, doubl
 	c->spring_damping_ratio = (float)ratio;
 }
 
-// Returns the solution of the equation at the time t, s, for a speed of 1 at the start. rate: o, 1 / s. ratio: z.
+// Returns the solution of the equation at the time t, s, with the speed 1 at the start. rate: o, 1 / s. ratio: z.
 static double solution(double rate, double ratio, double t)
 {
 	double decay = ratio * rate, square = rate * rate - decay * decay;
@@ -60,7 +60,8 @@ static double solution(double rate, double ratio, double t)
 	return exp(-decay * t) * (square > 0.0 ? sin(q * t) : sinh(q * t)) / q;
 }
 
-// Compares a coordinate with the solution in each step. The value after the first step determines the constant factor.
+// Compares a coordinate with the solution in each step. The value after the first step determines the factor between
+// the two.
 static void check_swing(const Kind* kind, double hertz, double ratio, int substeps)
 {
 	scree_world* world = open_world(0.0f);
@@ -129,7 +130,7 @@ static void springs_of_any_substeps(void** state)
 				check_swing(&kinds[k], 5.0 * substeps > 20.0 ? 20.0 : 5.0 * substeps, 0.5 * j, substeps);
 }
 
-// A load F rests at F / (m o^2), so a body sinks by g / o^2, with any damping.
+// A load with the weight F = m g rests at F / (m o^2) = g / o^2 below its target, with any damping.
 static void springs_carry(void** state)
 {
 	(void)state;
@@ -184,15 +185,15 @@ static void springs_together_gain_nothing(void** state)
 				{
 					run_steps(world, 1);
 					scree_velocity v = velocity_of(world, body);
-					// a spin of 1 rad/s is 0.16 m/s at the radius of gyration; all energy may go into the translation
-					// or into the spin
+					// at a spin of 1 rad/s, the speed at the radius of gyration is 0.16 m/s; all energy may go into the
+					// translation or into the spin
 					assert_true(hypotf(v.linear.x, v.linear.y) < 1.5f && fabsf(v.angular) < 7.0f);
 				}
 				scree_world_destroy(world);
 			}
 }
 
-// Arms in a row, joined by springs or by soft locks of the angle, swing for a minute and gain no energy.
+// Arms in a row, joined by springs or by soft locks of the angle, swing for one minute and gain no energy.
 static void arms_in_a_row_gain_nothing(void** state)
 {
 	(void)state;
@@ -236,7 +237,8 @@ static void arms_in_a_row_gain_nothing(void** state)
 			}
 }
 
-// A soft lock pulls back a body that was placed far away. The body gets no faster than with critical damping.
+// A soft lock pulls back a body that was placed far away. The speed of the body stays below the maximum with critical
+// damping.
 static void soft_locks_after_a_jump(void** state)
 {
 	(void)state;
@@ -261,9 +263,9 @@ static void soft_locks_after_a_jump(void** state)
 	scree_world_destroy(world);
 }
 
-// A row of softly welded boxes hangs from its first joint. Joints open by decimeters and turn, but each pulls as if it
-// were closed. The last joint carries the weight of one box, 2 N. Its stiffness along its axis is (2 pi f)^2 times the
-// mass 1 / (1 / 0.2 + 1 / 0.2) kg. Across the axis it is (2 pi f)^2 times the effective mass at arms of 0.5 m.
+// A row of softly welded boxes hangs from its first joint. Joints open by decimeters and turn, but each pulls like a
+// closed joint. The last joint carries the weight of one box, 2 N. With w = 2 pi f, its stiffness along the axis is w^2
+// times 1 / (1 / 0.2 + 1 / 0.2) kg; across the axis it is w^2 times the effective mass at arms of 0.5 m.
 static void soft_rows_carry(void** state)
 {
 	(void)state;

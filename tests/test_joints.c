@@ -9,8 +9,8 @@
 // pendulums
 // ---------------------------------------------------------------------------------------------------------------
 
-// Returns the mean period of a pendulum, s: the time between two crossings of x = 0 to the right, interpolated within
-// steps.
+// Returns the mean period of a pendulum, s: the time between two crossings of x = 0 to the right. The times of the
+// crossings are interpolated within steps.
 static double period_of(scree_world* world, scree_body body, int periods)
 {
 	double first = -1.0, before = position_of(world, body).x;
@@ -32,8 +32,8 @@ static double period_of(scree_world* world, scree_body body, int periods)
 	return 0.0;
 }
 
-// Period T = 2 pi sqrt((I + m L^2) / (m g L)) (1 + a^2 / 16 + 11 a^4 / 3072 + 173 a^6 / 737280) for the amplitude a. A
-// rod of type DISTANCE does not turn its body, so I is 0.
+// A pendulum with the amplitude a has the period T = 2 pi sqrt((I + m L^2) / (m g L)) (1 + a^2 / 16 + 11 a^4 / 3072 +
+// 173 a^6 / 737280). A rod of type DISTANCE does not turn its body, so I is 0.
 static void pendulums_keep_time(void** state)
 {
 	(void)state;
@@ -99,10 +99,10 @@ static void pendulums_keep_energy(void** state)
 // ---------------------------------------------------------------------------------------------------------------
 
 // Returns the sag of a beam of n boxes of length l that are welded to each other and to the world. A lock of f Hz is a
-// spring: a load F opens it by C F / w^2, with w = 2 pi f. C F is the velocity that F adds in a unit of time. Joint k
+// spring: a load F opens it by C F / w^2, with w = 2 pi f. C F is the relative acceleration that F causes. Joint k
 // carries the force (n - k) m g and the torque (n - k)^2 m g l / 2. Between two boxes, C is 2 / I for the angle and 2
-// (1 / m + l^2 / 4 I) for the translation. At the wall C is half as large, and -l / 2 I couples angle and translation.
-// A chain is stiffer and does not bend.
+// (1 / m + l^2 / (4 I)) for the translation. At the wall C is half as large, and -l / (2 I) couples angle and
+// translation. A chain is stiffer and does not bend.
 static double beam_sag(int boxes, double length, double mass, double inertia)
 {
 	bool chain = boxes >= CHAIN_LEAST;
@@ -149,15 +149,16 @@ static void beams_hold(void** state)
 		              0.5 * boxes, sag, theory, most - least);
 		NEAR(sag, theory, 0.02 * theory);
 		assert_true(most - least < 1e-6);
-		NEAR(held.force.y, weight, 0.005 * weight); // force of the last substep
+		NEAR(held.force.y, weight, 0.005 * weight); // the force of the last substep is the weight of all boxes
 		NEAR(held.force.x, 0.0, 0.005 * weight);
 		NEAR(held.torque, torque, 0.02 * torque);
 		scree_world_destroy(world);
 	}
 }
 
-// A rope of 40 links carries a load with the mass of a link, or 100 times that mass. Each joint is a spring, as in
-// beam_sag, and opens by (1 / m + 1 / m') F / w^2, with the masses m and m' of its bodies.
+// A rope of 40 links carries a load with the mass of a link, or 100 times that mass. Each joint is a spring as in
+// beam_sag, and opens by (1 / m + 1 / m') F / w^2, with the masses m and m' of its two bodies and the force F that it
+// carries.
 static void ropes_carry(void** state)
 {
 	(void)state;
@@ -190,7 +191,8 @@ static void ropes_carry(void** state)
 	}
 }
 
-// A load m on a spring of f Hz sinks by x = g / w^2, with w = 2 pi f, because the force of the spring is m w^2 x.
+// A load m on a spring of f Hz sinks by x = g / w^2, with w = 2 pi f, because the force of the spring, m w^2 x, carries
+// the weight m g.
 static void springs_give(void** state)
 {
 	(void)state;
@@ -213,7 +215,7 @@ static void springs_give(void** state)
 	}
 }
 
-// A motor with the maximum torque M holds a lever with m g l < M for long. It cannot hold a lever with m g l > M, but
+// A motor with the maximum torque M holds a lever for long if m g l < M. It cannot hold a lever with m g l > M, but it
 // still applies M.
 static void motors_stall(void** state)
 {
@@ -236,7 +238,7 @@ static void motors_stall(void** state)
 	}
 }
 
-// A motor without a load reaches its speed w. With the torque M this takes I w / M seconds.
+// A motor without a load reaches its speed w. With the torque M this takes the time I w / M, s.
 static void motors_drive(void** state)
 {
 	(void)state;
@@ -263,8 +265,8 @@ static void motors_drive(void** state)
 // joints in flight
 // ---------------------------------------------------------------------------------------------------------------
 
-// Impulses of joints are equal and opposite, along one line. So m v and m r x v + I w are constant, for each type of
-// joint.
+// Impulses of a joint on its two bodies are equal and opposite, along one line. So the sums of m v and of m r x v + I w
+// are constant, for each type of joint.
 static void momentum_stays(void** state)
 {
 	(void)state;

@@ -4,8 +4,8 @@
 set -euo pipefail
 cd "$SCREE_SOURCE"
 
-# Folders in order, the lowest first; ARCHITECTURE.md describes them. Folders of one line do not include each other. A
-# line may name single files of a folder: these files are above the rest of the folder.
+# Folders in order, the lowest first; ARCHITECTURE.md describes them. Folders on one line do not include each other. A
+# line may also name single files of a folder: these files are above the other files of the folder.
 layers='platform dialect
 pools
 constraints
@@ -37,7 +37,7 @@ world/create world/pool_read
 api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover'
 
-# folders beside the library; the test only searches them for circles
+# folders beside the library, which are searched only for circles
 beside='cli scene tools validate view'
 
 # folders of src/ whose headers are not checked for definitions: functions of the stages, the constraints, the pools and the dialect
@@ -81,8 +81,8 @@ check_layers()
 }
 
 # Prints functions that are declared but not defined. A declaration is a line that begins with a type and contains
-# "name(", and is neither inline nor a typedef. A definition is such a line that does not end its statement. Headers are
-# read first.
+# "name("; inline functions and typedefs are left out. A definition is such a line that does not end its statement.
+# Headers are read first.
 check_definitions()
 {
 	local files
@@ -114,8 +114,8 @@ check_rooms()
 	done
 }
 
-# Prints files that have the name of another file. A header and its .c file count as one file. Each program may have a
-# main.
+# Prints files whose names another file also has. A header and its .c file count as one file. Each program may have a
+# file main.
 check_names()
 {
 	find src cli scene view bench/peers tools tests -name '*.[ch]' -o -name '*.cpp' | grep -v '/primitives\.' |
@@ -147,7 +147,8 @@ if [ -n "$found" ]; then
 	exit 1
 fi
 
-# the checks find each kind of error; expect adds a line to a file, and fails unless check prints the complaint
+# tests that the checks find each kind of error; expect adds a line to a file, and fails unless check prints the
+# complaint
 mkdir "$work/tree"
 # shellcheck disable=SC2086
 cp -r --parents src $beside bench/peers tests "$work/tree"

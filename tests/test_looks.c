@@ -63,8 +63,8 @@ static void looking_changes_nothing_else(void** state)
 	assert_int_equal(again, count);
 	assert_memory_equal(before, after, (size_t)count * sizeof *before);
 
-	// impulses are unchanged: together m g of the top crate in one substep; a force acts only in the next step that is
-	// longer than 0 s
+	// impulses are unchanged: together those of the top crate are m g times the length of a substep; a force acts only
+	// in the next step that is longer than 0 s
 	double load = 0.0;
 	OK(scree_body_get_contacts(world, crates[4], after, 8, &again));
 	assert_int_equal(again, 1);
@@ -95,7 +95,7 @@ static void no_time_is_no_error(void** state)
 {
 	(void)state;
 	scree_world* world = open_test_world(-10.0f);
-	update_contacts(world); // there are no contacts yet
+	update_contacts(world); // the world has no contacts yet
 	OK(scree_world_step(world, -0.0f, 1));
 	scree_attribute_def ball = scree_attribute_def_default();
 	ball.shape = circle_shape(0.5f);
@@ -123,8 +123,8 @@ static void no_time_is_no_error(void** state)
 	scree_world_destroy(world);
 }
 
-// A step of length 0 lays out hubs. The solver has this layout in later steps, even if the host lists a solve before it
-// has read the counters. Formula: hash(device) = hash(cpu).
+// A step of length 0 lays out the constraints of hubs. The solver has this layout in later steps, even if the host
+// lists a solve before it has read the counters. Formula: hash(device) = hash(cpu).
 static void looking_lays_out_hubs(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_manifold.c -- checks manifolds against worked examples, and for each pair of shapes against distances in double
-// precision.
+// test_manifold.c -- checks manifolds against worked examples. Also checks them for each pair of shapes, against
+// distances in double precision.
 #include "stages/geometry/manifold.h"
 #include "support/checks.h"
 #include "tools/common/random_numbers.h"
@@ -15,7 +15,7 @@ typedef struct
 	double x, y;
 } Point;
 
-typedef struct // corners of a shape at its pose, without its radius
+typedef struct // corners of a shape, placed at a pose; the radius of the shape is left out
 {
 	int count;
 	Point corner[8];
@@ -152,7 +152,8 @@ static double core_distance(const Core* a, const Core* b)
 	return nearest;
 }
 
-// Returns the distance of the cores. position, rotation: pose of b in the frame of a.
+// Returns the distance between the cores of shapes a and b. position, rotation: pose of shape b in the frame of shape
+// a.
 static double true_distance(const Attribute* a, const Attribute* b, Vec position, Vec rotation)
 {
 	Core core_a = place(a, vec(0.0f, 0.0f), vec(1.0f, 0.0f)), core_b = place(b, position, rotation);
@@ -198,8 +199,8 @@ static const char* pose_name(int a, int b, Vec position, Vec rotation)
 		}                                                             \
 	} while (0)
 
-// Checks properties that hold for every pose, and returns the manifold. a, b: indices of shapes. position, rotation:
-// pose of b in the frame of a.
+// Checks properties that hold for every pose, and returns the manifold. a, b: indices of the two shapes. position,
+// rotation: pose of shape b in the frame of shape a.
 static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 {
 	const Attribute *shape_a = shapes + a, *shape_b = shapes + b;
@@ -208,8 +209,8 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	CHECK(m.count >= 0 && m.count <= 2, "%d points", m.count);
 	CHECK(isfinite(m.normal.x) && isfinite(m.normal.y), "normal is not finite");
 
-	// every point is in the middle between both surfaces, so its distance from each core is limited by radius and
-	// separation
+	// every point is in the middle between the two surfaces, so its distance from each core has a bound, which depends
+	// on the radii and the separation
 	Core core_a = place(shape_a, vec(0.0f, 0.0f), vec(1.0f, 0.0f)), core_b = place(shape_b, position, rotation);
 	for (int k = 0; k < m.count; ++k)
 	{
@@ -234,8 +235,8 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	if (m.count == 0)
 		return m;
 
-	// if the cores are apart, the deepest separation is the gap; if they overlap, moving b out by this separation parts
-	// them
+	// if the cores are apart, the deepest separation is the gap; if they overlap, a motion of shape b out by this
+	// separation parts them
 	if (distance > 1e-4)
 		CHECK(fabs(deepest(&m) - gap) < 1e-4, "gap %g and separation %g", gap, deepest(&m));
 	Vec out = vec_sub(position, vec_scale(deepest(&m), m.normal));
@@ -244,7 +245,7 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	return m;
 }
 
-// Checks that the manifold of b and a has the same depth and the opposite normal.
+// Checks that with the shapes in the other order, the manifold has the same depth and the opposite normal.
 static void check_order(int a, int b, Vec position, Vec rotation, const Manifold* m)
 {
 	Vec back = vec_neg(vec_turn_back(rotation, position));
@@ -259,7 +260,8 @@ static void check_order(int a, int b, Vec position, Vec rotation, const Manifold
 		      m->normal.y, normal.x, normal.y);
 }
 
-// Checks that the manifold is the same if both shapes are moved together, except for rounding of poses: 1e-6 at 20 m.
+// Checks that the manifold stays the same if both shapes are moved together, except for the rounding of poses: 1e-6 at
+// 20 m.
 static void check_elsewhere(int a, int b, Vec position, Vec rotation, const Manifold* m, Vec place_of_a, Vec turn)
 {
 	Vec place_of_b = vec_add(place_of_a, vec_turn(turn, position)), rotation_of_b = vec_turn(turn, rotation);
@@ -293,9 +295,9 @@ static Vec centroid(const Attribute* shape)
 	return vec((float)(x / shape->count), (float)(y / shape->count));
 }
 
-// Returns a position of b in a random direction from the middle of a, at which the cores have a random distance. In 30
-// % of the cases b is closer, so that the cores overlap. *rotation: half of the angles are multiples of 45 degrees, or
-// nearly so. 30 % of the directions are multiples of 45 degrees.
+// Returns a position of shape b in a random direction from the middle of shape a, at which the cores have a random
+// distance. In 30 % of the cases shape b is closer than that, so that the cores overlap. *rotation: half of the angles
+// are multiples of 45 degrees, or nearly so. 30 % of the directions are multiples of 45 degrees.
 static Vec random_pose(const Attribute* a, const Attribute* b, Vec* rotation)
 {
 	bool square = random_real(&seed, 0.0, 1.0) < 0.5;
@@ -341,7 +343,7 @@ static void test_random_poses(void** state)
 				Vec where = random_vec(10.0), turn = rotation_by(random_real(&seed, 0.0, TAU));
 				check_elsewhere(a, b, position, rotation, &m, where, turn);
 
-				// a translation of 1e-7 m seldom changes a feature if the cores overlap by less than 0.01 m
+				// with an overlap of the cores below 0.01 m, a translation by 1e-7 m seldom changes a feature
 				if (m.count == 0 || deepest(&m) + shapes[a].radius + shapes[b].radius < -0.01f)
 					continue;
 				Manifold n = collide(shapes + a, shapes + b, frame_at(vec_add(position, random_vec(1e-7)), rotation),
@@ -370,7 +372,7 @@ static void test_coincidence(void** state)
 				{
 					for (int j = 0; j < shapes[b].count; ++j)
 					{
-						// a corner of b lies on a corner of a
+						// a corner of shape b lies on a corner of shape a
 						Vec corner = vec(shapes[a].vertices[i].x, shapes[a].vertices[i].y);
 						Vec other = vec(shapes[b].vertices[j].x, shapes[b].vertices[j].y);
 						Vec position = vec_sub(corner, vec_turn(rotation, other));
@@ -385,7 +387,7 @@ static void test_coincidence(void** state)
 
 typedef struct
 {
-	int a, b, quarters; // quarters: rotation of b, in quarter turns
+	int a, b, quarters; // quarters: rotation of shape b, in quarter turns
 	float x, y;
 	int count;
 	float normal[2], separation, point[2][2];
@@ -393,13 +395,13 @@ typedef struct
 
 // radii: circle 0.5, capsule 0.25; half sizes: box 0.5, core of capsule 1, ground segment 20
 static const Example examples[] = {
-    // three poses: distance of the centers 0.9, so 0.9 - 0.5 - 0.5; equal centers, with the default normal; a gap above
-    // 0.02
+    // three poses: centers 0.9 apart, so the separation is 0.9 - 0.5 - 0.5; equal centers, with the default normal; a
+    // gap above 0.02
     {CIRCLE, CIRCLE, 0, 0.9f, 0.0f, 1, {1.0f, 0.0f}, -0.1f, {{0.45f, 0.0f}}},
     {CIRCLE, CIRCLE, 0, 0.0f, 0.0f, 1, {0.0f, 1.0f}, -1.0f, {{0.0f, 0.0f}}},
     {CIRCLE, CIRCLE, 0, 0.0f, 1.021f, 0, {0.0f, 0.0f}, 0.0f, {{0.0f, 0.0f}}},
-    // circle over a face: 0.99 - 0.5 - 0.5; circle at a corner: the length of (0.3, 0.4) is 0.5; center of the circle
-    // in the box: the nearest face is 0.1 away
+    // circle over a face: separation 0.99 - 0.5 - 0.5; circle at a corner, separation 0: the length of (0.3, 0.4) is
+    // 0.5; center of the circle in the box: the nearest face is 0.1 away
     {BOX, CIRCLE, 0, 0.2f, 0.99f, 1, {0.0f, 1.0f}, -0.01f, {{0.2f, 0.495f}}},
     {BOX, CIRCLE, 1, 0.8f, 0.9f, 1, {0.6f, 0.8f}, 0.0f, {{0.5f, 0.5f}}},
     {BOX, CIRCLE, 0, 0.4f, 0.0f, 1, {1.0f, 0.0f}, -0.6f, {{0.2f, 0.0f}}},
@@ -407,7 +409,7 @@ static const Example examples[] = {
     // faces overlap by 0.005, for x from -0.25 to 0.5
     {BOX, BOX, 0, 0.25f, 0.995f, 2, {0.0f, 1.0f}, -0.005f, {{-0.25f, 0.4975f}, {0.5f, 0.4975f}}},
     {BOX, BOX, 3, 0.25f, 0.995f, 2, {0.0f, 1.0f}, -0.005f, {{-0.25f, 0.4975f}, {0.5f, 0.4975f}}},
-    // corner opposite a corner: the length of (0.006, 0.008) is 0.01
+    // corner opposite a corner: the gap is the length of (0.006, 0.008), which is 0.01
     {BOX, BOX, 0, 1.006f, 1.008f, 1, {0.6f, 0.8f}, 0.01f, {{0.503f, 0.504f}}},
     {BOX, BOX, 0, 1.015f, 1.015f, 0, {0.0f, 0.0f}, 0.0f, {{0.0f, 0.0f}}},
     {GROUND_SEGMENT, BOX, 0, 3.0f, 0.51f, 2, {0.0f, 1.0f}, 0.01f, {{2.5f, 0.005f}, {3.5f, 0.005f}}},
@@ -479,9 +481,9 @@ static const Rest rests[] = {
     {CIRCLE, GROUND_BOX, 0.0, 0.0f, -0.495f, 1},
 };
 
-// The best edges of a and b differ by less than the bias in favor of b. The bias must not apply here, because these
-// edges do not face each other: short capsules nearly in line, with cores 0.18 mm apart; slivers that stand across each
-// other, 0.5 mm apart.
+// The best edges of shapes a and b differ by less than the bias in favor of shape b. The bias must not apply here,
+// because these edges do not face each other. Cases: short capsules nearly in line, with cores 0.18 mm apart; slivers
+// that stand across each other, 0.5 mm apart.
 static void test_near_ties(void** state)
 {
 	(void)state;
@@ -489,7 +491,7 @@ static void test_near_ties(void** state)
 	check_pose(SLIVER, SLIVER, vec(0.300644159f, 0.724211693f), vec(0.707106769f, -0.707106769f));
 }
 
-// Shapes at rest keep their points and features while their poses vary by a tenth of a millimetre.
+// Shapes at rest keep the points and features of their manifold while their poses vary by a tenth of a millimetre.
 static void test_rest(void** state)
 {
 	(void)state;
@@ -507,7 +509,7 @@ static void test_rest(void** state)
 			CHECK(m.count == r->count, "%d points", m.count);
 			CHECK(same_features(&m, &first), "features %d, %d were %d, %d", m.feature[0], m.feature[1],
 			      first.feature[0], first.feature[1]);
-			// the normal is always that of b; it does not alternate between edges of a and b
+			// the normal is always one of shape b; it does not alternate between edges of the two shapes
 			Vec own = vec_turn_back(rotation, m.normal);
 			if (a == BOX && b == BOX)
 				CHECK(absolute(own.x - first_own.x) < 1e-6f && absolute(own.y - first_own.y) < 1e-6f,
@@ -516,8 +518,8 @@ static void test_rest(void** state)
 	}
 }
 
-// A tilted box slides over another from edge to edge. Its manifold keeps the same two points, which move no faster than
-// the box.
+// A tilted box slides over another box from edge to edge. Its manifold keeps the same two points, which move no faster
+// than the box.
 static void test_slide(void** state)
 {
 	(void)state;

@@ -11,8 +11,8 @@ static void assert_mass(scree_world* world, scree_body body, scree_mass expected
 	assert_true(mass.center.x == expected.center.x && mass.center.y == expected.center.y);
 }
 
-// Checks on the device that an impulse of 1 N s at a point 1 m from the center adds the velocity 1 / m and the spin 1 /
-// I.
+// Checks on the device that an impulse of 1 N s at a point 1 m from the center of mass adds the velocity 1 / m and the
+// spin 1 / I.
 static void assert_pushed(scree_world* world, scree_body body, scree_mass mass)
 {
 	scree_vec center;
@@ -26,7 +26,7 @@ static void assert_pushed(scree_world* world, scree_body body, scree_mass mass)
 	OK(scree_body_set_velocity(world, body, (scree_velocity){0}));
 }
 
-// A mass set by the user applies again when the body is dynamic again after another type. It also applies while the
+// A mass set by the user applies again when a body becomes dynamic after it had another type. It also applies while the
 // body is disabled, after it is enabled, and on another device.
 static void a_set_mass_holds(void** state)
 {
@@ -127,7 +127,7 @@ static void assert_motion(scree_world* world, scree_body body, float center)
 }
 
 // The motion of a body stays the same while boxes of 1 kg are added, removed and made heavier, and while its mass is
-// set. The test does this with and without reads in between, and on an enabled and on a disabled body.
+// set. The test does this with and without reads in between, with an enabled and with a disabled body.
 static void motion_stays(void** state)
 {
 	(void)state;
@@ -166,8 +166,8 @@ static void motion_stays(void** state)
 // bodies that are built box by box
 // ---------------------------------------------------------------------------------------------------------------
 
-// Adds boxes to two bodies by turns, seven at a time. In between applies impulses, and sets locks, masses and types.
-// reads: reads mass, velocity and hash after each box. Returns the hash at the end.
+// Adds boxes to two bodies by turns, seven at a time. Between these additions applies impulses, and sets locks, masses
+// and types. reads: true reads mass, velocity and hash after each box. Returns the hash at the end.
 static uint64_t build(bool reads, scree_mass masses[2])
 {
 	scree_world* world = open_test_world(0.0f);
@@ -191,7 +191,7 @@ static uint64_t build(bool reads, scree_mass masses[2])
 			OK(scree_body_set_type(world, body, SCREE_BODY_KINEMATIC));
 		if (k % 29 == 11)
 			OK(scree_body_set_type(world, body, SCREE_BODY_DYNAMIC));
-		if (k == 60) // a new body takes the slot
+		if (k == 60) // a new body takes the slot of the destroyed one
 		{
 			OK(scree_body_destroy(world, body));
 			bodies[k / 7 % 2] = add_crate(world, SCREE_BODY_DYNAMIC, 80.0f, 0.0f);
@@ -220,7 +220,7 @@ static void reads_change_nothing(void** state)
 }
 
 // 8,000 boxes in a row have the same mass whether they are created one by one or at once. Their inertia is the sum of m
-// (a^2 + b^2) / 12 + m r^2 for boxes at distances r.
+// (a^2 + b^2) / 12 + m r^2 for boxes of a by b at distances r.
 static void many_shapes(void** state)
 {
 	(void)state;

@@ -40,8 +40,8 @@ static void set(scree_world* world, int a, int b, float friction, float restitut
 	OK(scree_world_set_material_pair(world, a, b, &pair));
 }
 
-// A box slides v^2 / (2 mu g) far. Without friction it keeps its speed; this applies from the next step on, even to a
-// box at rest.
+// A box slides for the distance v^2 / (2 mu g). Without friction it keeps its speed. Changes of friction apply from the
+// next step on, even to a box at rest.
 static void friction(void** state)
 {
 	(void)state;
@@ -55,7 +55,7 @@ static void friction(void** state)
 	OK(scree_body_set_linear_velocity(world, box, (scree_vec){5.0f, 0.0f}));
 	run_steps(world, 60);
 	NEAR(velocity_of(world, box).linear.x, 5.0, 1e-5);
-	OK(scree_world_set_material_pair(world, 1, 2, NULL)); // now the friction of the attributes applies, 0.6
+	OK(scree_world_set_material_pair(world, 1, 2, NULL)); // the friction of the attributes, 0.6, applies again
 	run_steps(world, 60);
 	NEAR(velocity_of(world, box).linear.x, 0.0, 1e-3);
 	scree_world_destroy(world);
@@ -98,8 +98,8 @@ static void belts(void** state)
 	}
 }
 
-// Two bodies with materials that ignore each other end their touch. They fall through each other at any speed, because
-// continuous collision also ignores them. The touch begins again when the materials no longer ignore each other.
+// Two bodies with materials that ignore each other end their touch. They pass through each other at any speed, because
+// continuous collision also ignores them. Their touch begins again when the materials no longer ignore each other.
 static void ignored(void** state)
 {
 	(void)state;

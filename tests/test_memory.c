@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// test_memory.c -- checks that memory may run out at each allocation of a world that grows.
+// test_memory.c -- checks that a growing world may run out of memory at any of its allocations.
 #include "support/allocations.h"
 #include <stdlib.h>
 
-// Creates a world, adds 40 boxes in each of 20 rounds, and takes one step. Returns the status of the first call that
-// fails. Adds the number of created boxes to *bodies.
+// Creates a world, adds 40 boxes in each of 20 rounds, and takes one step after the rounds. Returns the status of the
+// first call that fails. Adds the number of created boxes to *bodies.
 static scree_status build(scree_world** world, int* bodies)
 {
 	scree_world_def world_def = scree_world_def_default();
@@ -51,7 +51,7 @@ static void memory_runs_out(void** state)
 			++refused;
 		}
 
-		// there is memory again, so the next step succeeds, unless the failed call was a step that broke the world
+		// memory is available again, so the next step succeeds, unless the failed call was a step that broke the world
 		// (test_faults.c)
 		allocations_left = -1;
 		if (made)

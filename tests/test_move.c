@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_move.c -- checks that moves of a world between devices, which the user requests, do not change its state.
+// test_move.c -- checks that moves of a world between devices, which the user requests, do not change the state of the
+// world.
 //
 // Formula: hash(moved, step) = hash(not moved, step). test_parity.c checks this formula for every scene. This file
 // checks moves at unusual times, and moves that fail.
@@ -83,8 +84,8 @@ static void what_is_read_stays(void** state)
 	scree_world_destroy(world);
 }
 
-// Makes changes of all kinds. The world moves to another device while they are pending. Writes the handles of 40 new
-// bodies to made.
+// Makes changes of all kinds. The world then moves to another device while these changes are pending. Writes the
+// handles of 40 new bodies to `made`.
 static void change(scree_world* world, scree_body* made)
 {
 	scree_body bodies[64];
@@ -194,7 +195,7 @@ static void memory_runs_out(void** state)
 	OK(scree_hooks_set(NULL));
 }
 
-// Each call of the new device fails in turn. The world stays on the old device and continues there.
+// Makes each call of the new device fail in turn. The world stays on the old device and continues there.
 static void new_device_falls(void** state)
 {
 	(void)state;
@@ -227,7 +228,7 @@ static void new_device_falls(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// Each call of the old device fails in turn. The world cannot continue after such a failure.
+// Makes each call of the old device fail in turn. The world cannot continue after such a failure.
 static void old_device_falls(void** state)
 {
 	(void)state;
@@ -265,7 +266,7 @@ static void old_device_falls(void** state)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// A move between two devices that share no memory with the host, such as two GPUs.
+// Moves a world between two devices that share no memory with the host, such as two GPUs.
 static void far_to_far(void** state)
 {
 	(void)state;

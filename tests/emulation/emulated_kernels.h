@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// emulated_kernels.h -- runs all work-items (work_items.h) of the persistent kernel and of the kernels of relay and
-// tiles.
+// emulated_kernels.h -- runs kernels in emulated work-items (work_items.h): the persistent kernel, and the kernels of
+// relay and tiles.
 #ifndef EMULATED_KERNELS_H
 #define EMULATED_KERNELS_H
 #include "emulation/work_items.h"
@@ -57,12 +57,12 @@ typedef enum
 	EMULATED_COUNT
 } EmulatedKernel;
 
-// Runs a kernel in a number of groups with `group` work-items each. Returns false and writes a sentence if it cannot
-// end.
+// Runs a kernel in a number of groups with `group` work-items each. If the kernel cannot end, returns false and writes
+// the reason to sentence.
 bool emulated_run(EmulatedKernel kernel, const Task* task, int groups, int group, const Schedule* schedule,
                   char sentence[ITEMS_SENTENCE]);
 
-// Runs relay_probe and returns its fault: 0, FAULT_TIMEOUT or FAULT_STALE. Returns -1 if it did not end.
+// Runs relay_probe and returns its fault: 0, FAULT_TIMEOUT or FAULT_STALE. Returns -1 if the kernel did not end.
 int probe_run(int groups, int group, int rounds, int spins, const Schedule* schedule);
 
 // sizes of opencl/group_sizes.h that the emulated host uses

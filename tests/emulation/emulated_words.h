@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// emulated_words.h -- defines words of OpenCL C that C17 lacks, by calls of work_items.h. It must be included before
-// the kernels.
+// emulated_words.h -- defines words of OpenCL C that C17 lacks, by calls of work_items.h. Files include it before the
+// kernels.
 //
 // The stages come from stage_items.h. Here their groups have more than one work-item.
 #ifndef EMULATION_EMULATED_WORDS_H
@@ -21,11 +21,12 @@
 	}                                                             \
 	INLINE int name##_listed(const Pools* p, int i)
 
-// so small that a small world has several tiles; a group needs more work-items than there are colors
+// TILE_BODIES is so small that a small world has several tiles. TILE_GROUP is larger than the number of colors, because
+// a group needs more work-items than there are colors.
 #define TILE_BODIES 16
 #define TILE_GROUP  80
 
-// so small that a small sort has several groups and passes
+// PRIMITIVE_GROUP and the sizes of a sort are so small that a small sort has several groups and passes.
 #define PRIMITIVE_GROUP 32
 #define SORT_DIGIT_BITS 5
 #define SORT_GRAIN      64
@@ -33,9 +34,9 @@
 #define SORT_TEAM       8
 
 #if !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wold-style-declaration" // for "volatile static"
+#pragma GCC diagnostic ignored "-Wold-style-declaration" // `volatile static` would give this warning
 #endif
-// for PAUSE and FETCH_AHEAD, which are empty
+// PAUSE and FETCH_AHEAD are empty here, which would give the first of these warnings
 #pragma GCC diagnostic ignored "-Wempty-body"
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #pragma GCC diagnostic ignored "-Wunused-variable"

@@ -61,11 +61,12 @@ static void build_towers(scree_world* world)
 			add_body(world, SCREE_BODY_DYNAMIC, attribute, 6.0f * (float)k, 0.5f + 1.01f * (float)row, 0.0f);
 }
 
-// Makes constraints with all properties: round and flat shapes, restitution, friction, rolling resistance and tangent
-// speed; locks, damping and negative gravity; a kinematic body that pushes all others.
+// Makes constraints with all properties: round and flat shapes; restitution, friction, rolling resistance and tangent
+// speed; locks, damping and negative gravity; contacts with a kinematic body that pushes the other bodies.
 static void build_heap(scree_world* world)
 {
-	// with seed 7, guard_passes_only on a CPU clears a body that other devices list, and Counters.guarded differs
+	// not 7: with this seed guard_passes_only on a CPU clears a body that other devices list, so Counters.guarded
+	// differs
 	uint64_t seed = 1;
 	scree_attribute_def defs[4] = {surface_of(box_shape(0.5f, 0.3f)), surface_of(circle_shape(0.4f)),
 	                               surface_of(box_shape(0.3f, 0.3f)), surface_of(box_shape(0.6f, 0.2f))};
@@ -268,8 +269,8 @@ static void build_paths(scree_world* world)
 	}
 }
 
-// Makes a plate with balls and a wheel. The plate is a hub and hangs on joints. The wheel has more contacts and joints
-// together than there are colors for contacts alone, so its contacts are spokes.
+// Makes a plate with balls and a wheel. The plate is a hub and hangs on joints. The contacts and joints of the wheel
+// together are more than the colors for contacts, so its contacts are spokes.
 static void build_joint_hubs(scree_world* world)
 {
 	add_floor(world);
@@ -325,7 +326,7 @@ static const Counters* counted(const scree_world* world)
 	return world->backend->f->address(world->backend, POOL_counters);
 }
 
-// Returns whether two worlds have equal counters of a solve. The counters compared here are not part of the world hash.
+// Returns whether two worlds have equal results of a solve in Counters. The world hash does not include these members.
 static bool same_counts(const scree_world* one, const scree_world* other)
 {
 	const Counters *a = counted(one), *b = counted(other);
@@ -363,12 +364,14 @@ void check_form(const FormScene* scene, const Form* form)
 	form_close();
 }
 
-// BOUND: maximum number of reads of a mailbox by a waiting work-item. At every 1,024th read, a work-item checks whether
-// another work-item has reached this maximum, and then ends. LEARN: maximum number of reads until it ends.
+// BOUND: maximum number of reads of a mailbox by a waiting work-item. A work-item ends if another work-item has reached
+// this maximum, which it checks at every 1,024th read. LEARN: maximum number of reads by the stopped group until it
+// ends.
 #define BOUND 6000
 #define LEARN 4000
 
-// Makes a world of a scene. Takes 15 steps on the CPU, then one step by a form, and returns the world.
+// Makes a world of a scene. Takes 15 steps on the CPU, then one step by a form. Returns the world, and the status of
+// the last step in *status.
 static scree_world* step_once(const char* name, Form form, scree_status* status)
 {
 	scree_world* world = open_world(-10.0f);

@@ -9,7 +9,7 @@ typedef struct
 {
 	const char* name;
 	int steps;
-	bool hubs; // true: has bodies with many contacts
+	bool hubs; // true: the scene has bodies with many contacts
 	void (*build)(scree_world* world);
 	void (*act)(scree_world* world, int step); // called before each step; may be null
 } FormScene;
@@ -18,15 +18,16 @@ extern const FormScene form_scenes[];
 extern const int form_scene_count;
 const FormScene* form_scene(const char* name);
 
-// Steps two worlds of a scene; in one of them a form executes the solves. Fails at the first step after which the
-// hashes differ, and prints the seed.
+// Steps two worlds of a scene: one on the CPU, and one whose solves are executed by a form. Fails at the first step
+// after which hashes or counters differ, and prints the seed.
 void check_form(const FormScene* scene, const Form* form);
 
-// Solves a scene by a form whose schedule stops a work-item. Fails unless all work-items end and the device reports a
-// timeout.
+// Solves a scene by a form whose schedule stops a group or loses a write to a mailbox. Fails unless all work-items end
+// and the device reports a timeout.
 void check_fault(const char* scene, Form form);
 
-// Calls check_fault with one lost write to a mailbox, for some writes of a launch and for each of its last writes.
+// Calls check_fault several times, each time with one lost write to a mailbox: for some of the earlier writes of a
+// launch, and for each of the last writes.
 void check_lost(const char* scene, Form form);
 
 // Returns the number of seeds to try for a form on a scene: the environment variable SCREE_SEEDS if it is set, else 2.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// work_items.c -- runs fibers in turns, with barriers, and with words that arrive late.
+// work_items.c -- runs fibers in turns, with barriers and with delayed writes to mailboxes.
 #include "emulation/work_items.h"
 #include "tools/common/random_numbers.h"
 #include <stdio.h>
@@ -29,7 +29,7 @@
 #endif
 
 #define MOST_GROUPS   512
-#define MOST_SWITCHES ((int64_t)1 << 24) // maximum per launch: takes some seconds; no launch needs nearly as many
+#define MOST_SWITCHES ((int64_t)1 << 24) // maximum switches per launch, some seconds; no launch needs nearly as many
 #define MOST_LATE     12                 // maximum number of pieces that have been written and have not arrived
 
 typedef struct
@@ -46,7 +46,7 @@ typedef struct
 {
 	Item** ready; // work-items that can continue
 	int ready_count, ended;
-	int met; // number of work-items at the barrier with this file and line:
+	int met; // number of work-items that have reached the barrier at this file and line:
 	const char* file;
 	int line;
 	unsigned char* memory; // __local memory of the group, while another group has the turn
@@ -67,14 +67,14 @@ static void* home_shadow;
 static const void* home_bottom;
 static size_t home_bytes;
 #endif
-static Item** items; // work-items; as many as in the largest launch
+static Item** items; // as many work-items as the largest launch had
 static int item_count;
 static Group groups[MOST_GROUPS];
 static Launch launch;
 static Schedule schedule;
 static Item* now; // work-item that has the turn
 static uint64_t state;
-static unsigned patience; // mean number of possible switches at which a work-item keeps its turn
+static unsigned patience; // a work-item gives up its turn at every patience-th possible switch, on average
 static int64_t switches_left, put_count;
 static Piece pieces[MOST_LATE];
 static int piece_count;
@@ -105,8 +105,8 @@ static int choose_group(int last)
 	return schedule.shunned > 0 && groups[schedule.shunned - 1].ready_count > 0 ? schedule.shunned - 1 : -1;
 }
 
-// Switches from the current fiber to another, or to home if it is null. If ends is true, the current fiber never
-// continues.
+// Switches from the current fiber to the fiber of `to`, or to `home` if `to` is null. If `ends` is true, the current
+// fiber never continues.
 static void go(Item* to, bool ends)
 {
 	Item* from = now;
@@ -212,7 +212,7 @@ int items_group_size(void) { return launch.group; }
 // words
 // ---------------------------------------------------------------------------------------------------------------
 
-// Stores a piece that arrives. It is the oldest piece with the same place.
+// Stores the oldest piece with the same place as piece k, and removes it from the list of pieces.
 static void piece_arrives(int k)
 {
 	for (int older = 0; older < k; ++older)

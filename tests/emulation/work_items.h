@@ -19,8 +19,8 @@ typedef struct
 {
 	uint64_t seed; // selects the order of turns
 	bool late;     // true: words arrive some time after they are written; words of different places arrive in any order
-	int pieces;    // number of bytes of two words that arrive together: 8; 4, which tears words; 0: all bytes
-	bool leavers;  // true: a barrier counts no ended work-items; false: each work-item must reach each barrier
+	int pieces;    // number of bytes that arrive together: 8, a word; 4, half a word, which tears words; 0, both words
+	bool leavers;  // true: a barrier counts ended work-items as arrived; false: each work-item must reach each barrier
 	int shunned;   // number of a group, counted from 1, that gets turns only if no other group can continue; 0: none
 	int lost;      // number of a write to a mailbox, counted from 1, that never arrives; 0: none
 } Schedule;
@@ -36,7 +36,7 @@ typedef struct
 #define ITEMS_SENTENCE 256
 bool items_run(const Launch* launch, const Schedule* schedule, char sentence[ITEMS_SENTENCE]);
 
-// Returns the number of reads of mailboxes by the work-item of a group that read most often in the last launch.
+// Returns the number of reads of mailboxes in the last launch by the work-item of a group that made the most reads.
 int items_looks(int group);
 
 // Returns the number of writes to mailboxes in the last launch.
@@ -59,7 +59,7 @@ int items_group_size(void); // number of work-items in the group
 
 void items_yield(void);                       // lets another work-item continue
 void items_meet(const char* file, int line);  // barrier of a group
-Words items_look(const volatile void* place); // returns both words at a place; words that have not arrived are missing
+Words items_look(const volatile void* place); // returns both words at a place, without pieces that have not arrived
 void items_put(volatile void* place, Words words);
 
 #endif

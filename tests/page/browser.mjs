@@ -40,8 +40,8 @@ export function stop(child) {
 	child.kill();
 }
 
-// Starts chromedriver. It chooses a free port of IPv6, and uses the port with the same number of IPv4. That port may be
-// in use; then the start is repeated.
+// Starts chromedriver. It chooses a free IPv6 port, and also uses the IPv4 port of the same number. If this IPv4 port
+// is in use, the start is repeated.
 async function startDriver(trials = 5) {
 	try {
 		return await start('chromedriver', ['--port=0'], /successfully on port (\d+)/);
@@ -92,7 +92,7 @@ export class Browser {
 			return value;
 		});
 	}
-	// Returns as soon as an expression in the page is true. what: description of the expression for the error.
+	// Returns as soon as an expression in the page is true. what: description of the expression, for the error message.
 	async until(expression, what = expression) {
 		const end = Date.now() + PATIENCE;
 		while (Date.now() < end) {

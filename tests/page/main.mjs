@@ -76,7 +76,7 @@ try {
 			HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return kind === 'webgl2' ? null : get.call(this, kind, ...rest); };
 			OffscreenCanvas.prototype.getContext = () => null;`;
 		const { identifier } = await browser.cdp('Page.addScriptToEvaluateOnNewDocument', { source });
-		await replay(browser, `${common}?apart=0${played.link}`); // without a worker, which the script would not change
+		await replay(browser, `${common}?apart=0${played.link}`); // without a worker, which the script would not reach
 		const { hash } = await browser.run(`return scree.host.ask({ type: 'record' })`);
 		check(hash === played.hash, `a link plays to the same hash without a picture: ${hash}, ${played.hash}`);
 		const told = await browser.run(`return document.querySelector('.note[data-name=picture]')?.textContent ?? ''`);

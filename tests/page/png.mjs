@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { inflateSync } from 'node:zlib';
 
-// predictions of a byte, in the order of the numbers of PNG's filters
+// predictions of a byte, in the order of PNG's filter numbers
 const PREDICTED = [
 	() => 0,
 	(left) => left,

@@ -144,7 +144,7 @@ async function checkLink(browser, address, check) {
 	check(replayed.step === mine.step && replayed.hash === mine.hash, `the link plays to the same hash at step ${mine.step}: ${replayed.hash}, ${mine.hash}`);
 	check(await browser.run(`return document.querySelector('.note[data-name=replayed]').classList.contains('good')`), 'and the page says so');
 
-	// simulates a link of another version, which has another hash
+	// plays a link with a wrong hash, as a link of another version has
 	await replay(browser, address + link.slice(link.indexOf('#')).replace(mine.hash, '0123456789abcdef'));
 	check(await browser.run(`return document.querySelector('.note[data-name=replayed]').classList.contains('bad')`), 'another hash is told');
 
@@ -155,7 +155,7 @@ async function checkLink(browser, address, check) {
 	return { link: link.slice(link.indexOf('#')), ...mine };
 }
 
-// Checks that a blast is larger if its key was down for a longer time.
+// Checks that a blast grows while its key is held down.
 async function checkGrowth(browser, check) {
 	await begin(browser, 'pile', SMALL, 60);
 	const at = await middleOf(browser);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // coloring.c -- checks that colors, counts and hubs of the constraints of a world are consistent after each step.
 //
-// Within a step, constraints begin and end in an order that is arbitrary on a GPU. Meanwhile the number of
-// constraints of a body may exceed the limit for hubs for a short time. The state after a step may depend only on the
-// numbers at its end. This check finds violations without a GPU.
+// Within a step, constraints begin and end in an order that is arbitrary on a GPU. For a short time, a body may have
+// more constraints than the limit for hubs. But the state after a step may depend only on the numbers of constraints at
+// the end of the step. This check finds violations without a GPU.
 #include "constraints/constraint_kinds.h"
 #include "programs/program.h"
 #include "world/world.h"
@@ -26,7 +26,8 @@ typedef struct // constraints of one kind
 	Int2* bodies;
 } Constraints;
 
-// Counts a constraint at one of its bodies. Returns false if the body already has a constraint of this color.
+// Adds a constraint to the count and the colors of one of its bodies. Returns false if the body can move and already
+// has a constraint of this color.
 static bool count_end(Counted* counted, int body, int color)
 {
 	counted->touching[body] += 1;

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST_ITEMS 4 // maximum number of items that are printed for a pool
+#define MOST_ITEMS 4 // maximum number of items printed for each pool
 
 typedef struct
 {
@@ -141,9 +141,10 @@ static void print_impulses(scree_world* const worlds[2], const Counters counters
 	}
 }
 
-#define MOST_KEPT 22 // maximum number of kept rows of a joint
+#define MOST_KEPT 22 // maximum number of rows of a joint that are kept from step to step
 
-// Collects the kept rows of the joint in this lane of a block, with their names. Returns the number of rows.
+// Collects the rows that are kept from step to step, with their names, for the joint in this lane of a block. Returns
+// the number of rows.
 static int joint_kept(const JointRows* rows, const JointRareRows* rare, int lane, const char* names[MOST_KEPT],
                       float values[MOST_KEPT])
 {

@@ -47,7 +47,7 @@ bool farm_shrink(Pair* pair, Program* program, double seconds)
 	program_copy(&whole, program);
 	program_shrink(program, pair, seconds);
 
-	// trials run on reused worlds to save time, so the difference may come from an earlier trial
+	// trials run on reused worlds to save time, so an earlier trial may have caused the difference
 	if (seconds > 0.0 && !differs_anew(pair, program))
 	{
 		program_copy(program, &whole);
@@ -95,8 +95,8 @@ static void report(const Options* o, Pair* pair, Program* program, Program* befo
 	fclose(file);
 }
 
-// Runs programs first to end - 1 on the same worlds; the seed of program k is Options.seed + k. After the time `until`,
-// s, no program is started.
+// Runs programs `first` to `end` - 1 on the same worlds. The seed of program k is Options.seed + k. until: s, time
+// after which no program is started.
 static void live(const Options* o, Pair* pair, int first, int end, double until, Desk* desk, int* reports)
 {
 	Program program = {0}, before = {0};

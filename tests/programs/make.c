@@ -126,8 +126,8 @@ static void put_drop(Maker* m)
 	put(m, call);
 }
 
-// Returns a body for a target. Only kinematic bodies can have a target, and these are few. So the result is mostly a
-// body that was created as kinematic or became kinematic.
+// Returns the body for a target, which only a kinematic body can have. Few bodies are kinematic, so the result is
+// mostly one that was created as kinematic or became kinematic.
 static float any_kinematic(Maker* m)
 {
 	int place = m->kinematics > 0 ? below(m, m->kinematics) : 0;
@@ -200,7 +200,7 @@ static void put_bodies(Maker* m, int count)
 		put_joints(m, count);
 }
 
-// Adds a plate with more contacts than there are colors, which becomes a hub.
+// Adds a plate that becomes a hub, because it has more contacts than there are colors.
 static void put_hub(Maker* m)
 {
 	Call plate = call_make(CALL_box), crate = plate;
@@ -269,7 +269,7 @@ static void put_step(Maker* m)
 	put(m, call);
 }
 
-// Adds a random call of those that move bodies.
+// Adds a random call that moves bodies.
 static void put_motion(Maker* m)
 {
 	Call call = call_make((CallKind)(CALL_force + below(m, CALL_pose - CALL_force + 1)));

@@ -2,7 +2,7 @@
 // make_field.c -- makes calls of fields for random programs.
 #include "programs/make.h"
 
-#define MOST_FIELDS 24 // number of different numbers of fields: so few that calls often redefine an existing field
+#define MOST_FIELDS 24 // number of fields that a program can name: so few that calls often redefine existing fields
 
 static void set_pose(Maker* m, Call* call)
 {

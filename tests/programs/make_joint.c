@@ -21,7 +21,7 @@ static float ratio(Maker* m)
 	return between(m, 0.0f, 3.0f);
 }
 
-// Returns a force or torque: a limit or a threshold.
+// Returns a value for a maximum or a threshold of a force or torque.
 static float most(Maker* m)
 {
 	if (chance(m, m->extreme))
@@ -112,7 +112,7 @@ void put_joint(Maker* m)
 	float a = any_body(m);
 	call_set(&call, "joint", (float)m->joints++);
 	call_set(&call, "type", (float)type);
-	// joins neighbors, or any two bodies
+	// joins neighbors, any two bodies, or a body and the world
 	call_set(&call, "a", chance(m, 0.25) ? -1.0f : a);
 	call_set(&call, "b", chance(m, 0.5) ? a + 1.0f : any_body(m));
 	if (chance(m, 0.1))
@@ -176,7 +176,7 @@ static void put_coordinate(Maker* m)
 	put(m, call);
 }
 
-// Adds a random call of those that change existing joints.
+// Adds a random call that changes existing joints.
 void put_joint_change(Maker* m)
 {
 	if (chance(m, 0.35))

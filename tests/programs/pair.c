@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Returns a pseudo-random word for a call (Donald Knuth, multiplicative hashing). It depends only on the call and on
-// first, and not on other calls, because a program may be shortened.
+// Returns a pseudo-random word for a call (Donald Knuth, multiplicative hashing). It depends only on this call and on
+// `first`. Other calls have no influence, because they may be dropped when the program is shortened.
 static uint32_t any_of(const Call* call, uint32_t first)
 {
 	uint32_t any = first + (uint32_t)call->kind;
@@ -20,8 +20,8 @@ static uint32_t any_of(const Call* call, uint32_t first)
 	return (any ^ any >> 13) * 2654435769u;
 }
 
-// Reads a world between two calls, moves it to its own device, or does nothing. The results of later calls must not
-// change. The list of moved bodies is not read, because each reading begins a new list.
+// Reads a world between two calls, moves it to the device that it is on, or does nothing. The results of later calls
+// must not change. The list of moved bodies is not read, because each reading begins a new list.
 static void read_between(Pair* pair, CallRun run)
 {
 	uint32_t any = any_of(run.call, pair->first_read);
@@ -53,8 +53,8 @@ static void read_between(Pair* pair, CallRun run)
 	}
 }
 
-// Makes a call on world k and returns the outcome. hashes: whether the hash of the world is part of the outcome of a
-// step.
+// Makes a call on world number k of the pair, and returns the outcome. hashes: whether the outcome of a step includes
+// the hash of the world.
 static Left make_call(Pair* pair, int k, const Call* call, bool hashes)
 {
 	Left left = {0};
@@ -227,7 +227,7 @@ void program_add_empty(Program* program)
 	}
 }
 
-// Empties both worlds. Returns whether all calls succeed with equal results.
+// Empties both worlds of a pair. Returns whether all calls for this succeed with equal results.
 static bool pair_empty(Pair* pair)
 {
 	Program program = {0};

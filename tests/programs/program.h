@@ -28,7 +28,7 @@ typedef enum
 typedef struct
 {
 	CallKind kind;
-	float value[MOST_ARGUMENTS]; // in the order of calls.def
+	float value[MOST_ARGUMENTS]; // values of the arguments, in the order of calls.def
 } Call;
 
 typedef struct
@@ -51,7 +51,7 @@ Call call_make(CallKind kind);                            // returns a call with
 float call_value(const Call* call, const char* name);     // returns the value of an argument
 void call_set(Call* call, const char* name, float value); // sets an argument
 void program_add(Program* program, Call call);
-void program_copy(Program* to, const Program* from); // frees the old calls of `to`
+void program_copy(Program* to, const Program* from); // replaces the program `to`
 void program_close(Program* program);
 void program_write(const Program* program, FILE* file); // one line per call; arguments with defaults are left out
 bool program_read(Program* program, FILE* file, char error[256]); // reads the text of program_write
@@ -60,11 +60,11 @@ bool program_read(Program* program, FILE* file, char error[256]); // reads the t
 #define PROGRAM_BLOCK 64
 void program_make(Program* program, uint64_t seed, int calls);
 
-typedef struct // first device of a world, and target of the call "move"; empty: none
+typedef struct // first device of a world, and device to which the call "move" moves it; empty: no such device
 {
 	char device[128], other[128];
 	int threads, lanes;
-	bool reads; // true: the world is read between calls, and moved to its own device
+	bool reads; // true: between calls the world is read, and moved to the device that it is on
 } Place;
 
 // number of values of Pair.first_read; each value selects other reads for the same calls
@@ -75,7 +75,7 @@ typedef struct // two worlds on which programs run one after another
 	Place places[2]; // places[0]: place of the reference
 	scree_world* worlds[2];
 	char homes[2][160]; // devices on which the worlds were created
-	Call made;          // call that created the worlds
+	Call made;          // the call that created the worlds
 	struct Names* names[2];
 	struct Worker* worker; // thread that takes the steps of the reference; null: no such thread
 	bool infinite;         // true: a state that is not finite is not reported
@@ -118,7 +118,7 @@ int state_frozen(scree_world* world);
 // coloring.c: returns whether colors, counts and hubs are consistent. If not, sentence gets the first fault.
 bool state_colored(scree_world* world, char sentence[256]);
 
-// shrink.c: replaces a program by a shorter program that still differs: the shortest that it finds within the time, s.
+// shrink.c: replaces a program by the shortest program found that still differs in both worlds. seconds: limit of time.
 void program_shrink(Program* program, Pair* pair, double seconds);
 
 #endif

@@ -8,7 +8,7 @@
 // Maximum number of names that a program can use for objects of one type.
 #define MOST_NAMES 8192
 
-typedef struct // touches and visits that have begun and not ended: their number, and the sum of their hashes
+typedef struct // number of touches and visits that have begun and not ended, and the sum of their hashes
 {
 	int count;
 	uint64_t sum;
@@ -46,11 +46,11 @@ typedef struct // call on one of the two worlds
 float call_real(const CallRun* run, const char* name);
 int call_whole(const CallRun* run, const char* name); // 0 if the value is NaN or is not between -1e6 and 1e6
 scree_vec call_vec(const CallRun* run, const char* x, const char* y);
-scree_pose call_pose(const CallRun* run); // from the arguments x, y and angle
+scree_pose call_pose(const CallRun* run); // made from the arguments x, y and angle
 scree_body call_body(const CallRun* run, int k);
 scree_attribute call_attribute(const CallRun* run, const char* name);
 scree_filter call_filter(const CallRun* run);
-scree_collidable call_collidable(const CallRun* run); // found by its number, or in the list of a body
+scree_collidable call_collidable(const CallRun* run); // found by its number, or by its position in the list of a body
 
 #define MOST_BATCH 256
 // Returns the number of objects of a batch; first: name of the argument with the first number. Returns 0 if a number is

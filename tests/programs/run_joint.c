@@ -125,7 +125,7 @@ static scree_joint_coordinate coordinate_of(const CallRun* r)
 	                                .motor_max = call_real(r, "motor_max")};
 }
 
-// Sets the same value for one joint, or for each joint of a batch.
+// Changes one joint, or sets the same values for all joints of a batch.
 static scree_status run_change(const CallRun* r)
 {
 	CallKind kind = r->call->kind;
@@ -142,7 +142,7 @@ static scree_status run_change(const CallRun* r)
 		if (kind == CALL_joint_coordinate)
 			coordinates[k] = coordinate_of(r);
 		else if (kind == CALL_joint_enabled)
-			enabled[k] = call_whole(r, "enabled") != (k & 1); // alternates between the joints of a batch
+			enabled[k] = call_whole(r, "enabled") != (k & 1); // disables every second joint of a batch
 		else
 			values[k] = call_real(r, "x");
 	}

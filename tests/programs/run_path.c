@@ -11,7 +11,8 @@ scree_path call_path(const CallRun* r)
 	return k >= 0 && k < MOST_NAMES ? r->names->paths[k] : SCREE_NULL_PATH;
 }
 
-// Creates a path through points on a ring or a line. Each point is shifted at random by up to half of spread.
+// Creates a path through points on a ring or a line. Each point is shifted at random by up to half of the argument
+// spread.
 static scree_status run_new(const CallRun* r)
 {
 	scree_vec points[MOST_POINTS];

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// shrink.c -- shortens a program that differs: drops calls, then sets arguments to their defaults.
+// shrink.c -- shortens a program after which worlds differ: drops calls, then sets arguments to their defaults.
 //
-// This work is based on:
-// Andreas Zeller, Ralf Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002.
+// This work is based on: Andreas Zeller, Ralf Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002.
 #include "programs/program.h"
 #include "tools/common/clock.h"
 #include <math.h>
@@ -18,7 +17,7 @@ typedef struct
 
 static bool over(const Shrink* s) { return seconds_now() > s->end; }
 
-// Keeps the trial if it also differs, without the calls after its first difference. Returns whether it was kept.
+// Runs the trial. If worlds differ after it, keeps it without the calls after the first difference, and returns true.
 static bool keeps(Shrink* s)
 {
 	if (s->trial.count < 2)
@@ -37,7 +36,7 @@ static void drop_calls(Shrink* s)
 	for (int part = s->best->count / 2; part >= 1 && !over(s); part /= 2)
 		for (int first = s->best->count - part; first >= 1 && !over(s); first -= part)
 		{
-			// kept trials may have made the program shorter than the end of this part
+			// earlier trials may have made the program shorter than the end of this part
 			if (first + part > s->best->count)
 				continue;
 			s->trial.count = 0;

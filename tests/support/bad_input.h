@@ -4,8 +4,8 @@
 #define BAD_INPUT_H
 #include "support/make_bodies.h"
 
-// `world` has two crates on the ground; `other` is another world. The handles are valid, foreign (of the other world)
-// or stale.
+// `world` has a static crate, `fixed`, with two dynamic crates above it; `other` is another world. Handles are valid in
+// `world`, except for `foreign`, which belongs to `other`, and for stale handles.
 extern scree_world *world, *other;
 extern scree_attribute crate, foreign;
 extern scree_body body, second, fixed, stale;
@@ -17,8 +17,8 @@ static const scree_pose good_pose = {{1, 2}, {0, 1}};
 int set_up_bad_input(void** state);
 int tear_down_bad_input(void** state);
 
-// Checks that a call returned the expected status, that its message contains both texts, and that the world is
-// unchanged.
+// Checks that a call returned the expected status, that its message contains both texts, `function` and `part_of`, and
+// that `world` is unchanged.
 void assert_refused(scree_status status, scree_status expected, const char* function, const char* part_of);
 
 // REFUSED checks the call function(arguments).

@@ -17,11 +17,11 @@ bool quick(void);
 // Skips a long test in quick builds, which search for memory faults and data races. Release builds run the test.
 void skip_if_quick(void);
 
-// Fails the test with the message of scree_error.
+// Fails the test with the message of scree_error unless the call returns SCREE_OK.
 #define OK(call) check_ok((call), #call, __FILE__, __LINE__)
 void check_ok(scree_status status, const char* call, const char* file, int line);
 
-// Fails unless value is within tolerance of expected; NaN fails.
+// Fails unless value differs from expected by at most tolerance; NaN fails.
 #define NEAR(value, expected, tolerance) check_near((value), (expected), (tolerance), #value, __FILE__, __LINE__)
 void check_near(double value, double expected, double tolerance, const char* what, const char* file, int line);
 

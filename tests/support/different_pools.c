@@ -14,7 +14,7 @@ void* read_pool(scree_world* world, PoolId pool, int count)
 	return items;
 }
 
-// Returns the number of items of a pool that are in use and that are equal on all devices.
+// Returns the number of items in use in each pool of a kind. These items must be equal on all devices.
 static int items_in_use(const scree_world* world, Per per)
 {
 	const Counters* c = &world->pipeline.counters;

@@ -7,17 +7,17 @@
 
 #define MAX_BACKENDS 16
 #define MOST_BODIES  4096
-#define MOST_ITEMS   70000 // capacity of the pools of all other kinds
+#define MOST_ITEMS   70000 // capacity of all pools except those of bodies
 
 extern Backend* backends[MAX_BACKENDS];
 extern int backend_count;
 
-// Opens the CPU with one thread, the CPU with three threads, and the OpenCL devices. room_of returns the capacity of
+// Opens the CPU with one thread, the CPU with three threads, and the OpenCL devices. room_of: returns the capacity of
 // the pools of a kind.
 void open_backends(bool allow_unequal_bits, int (*room_of)(Per per));
 
-// Set-up and tear-down for tests of stages. The set-up opens devices of equal bits, with room for MOST_BODIES and
-// MOST_ITEMS.
+// Set-up and tear-down for tests of stages. The set-up opens the devices whose results have the same bits as those of
+// the CPU, with room for MOST_BODIES and MOST_ITEMS.
 int open_stage_backends(void** state);
 int close_backends(void** state);
 

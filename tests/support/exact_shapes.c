@@ -24,7 +24,7 @@ Exact exact_moved(Exact e, double x, double y)
 	return e;
 }
 
-// Returns the largest distance of b from a along a normal of an edge of a.
+// Returns the largest separation of shape b from shape a along the normals of the edges of shape a.
 static double exact_axes(const Exact* a, const Exact* b)
 {
 	double most = -INFINITY;
@@ -39,7 +39,7 @@ static double exact_axes(const Exact* a, const Exact* b)
 	return most;
 }
 
-// Returns the smallest distance of a corner of b from an edge of a.
+// Returns the smallest distance of a corner of shape b from an edge of shape a.
 static double exact_corners(const Exact* a, const Exact* b)
 {
 	double least = INFINITY;

@@ -13,11 +13,11 @@ typedef struct // a shape: its corners in world coordinates, and its radius
 Exact exact_at(const scree_shape* shape, double x, double y, double c, double s);
 Exact exact_moved(Exact e, double x, double y);
 
-// Returns the distance between the surfaces of two shapes, or minus the depth if their cores overlap.
+// Returns the distance between the surfaces of two shapes. It is negative, minus the depth, if the shapes overlap.
 double exact_distance(const Exact* a, const Exact* b);
 
-// Moves b by (x, y). Returns the fraction of this displacement at which b meets a, or 2 if b does not meet a. *least:
-// smallest distance between both shapes, not above 0 if they meet.
+// Moves shape b by (x, y). Returns the fraction of this displacement at which shape b meets shape a, or 2 if they do
+// not meet. *least: smallest distance between the shapes during the motion, not above 0 if they meet.
 double exact_meeting(const Exact* a, const Exact* b, double x, double y, double* least);
 
 #endif

@@ -21,10 +21,10 @@ typedef struct
 } Fault;
 
 extern Fault device_fault;
-extern const BackendFunctions* real_functions; // functions of the CPU passed last to a function below
+extern const BackendFunctions* real_functions; // functions of the CPU last passed to a function below
 
-// Return functions of a CPU without access to its memory by address. With faulty_functions, calls also fail as set in
-// device_fault.
+// Return functions of a CPU that does not give access to its memory by address. Functions from faulty_functions also
+// fail as set in device_fault.
 BackendFunctions distant_functions(Backend* cpu);
 BackendFunctions faulty_functions(Backend* cpu);
 

@@ -14,7 +14,7 @@ scree_shape capsule_shape(float half, float radius); // the axis is along x
 scree_shape segment_shape(float ax, float ay, float bx, float by);
 scree_shape polygon_shape(const scree_vec* corners, int count, float radius);
 
-// Returns the definition of an attribute with this shape and the default surface, for a test to change.
+// Returns the definition of an attribute with this shape and the default surface. The test may change it.
 scree_attribute_def surface_of(scree_shape shape);
 scree_attribute add_attribute(scree_world* world, const scree_attribute_def* def);
 
@@ -31,11 +31,11 @@ scree_attribute box_attribute(scree_world* world, float half_width, float half_h
 scree_body create_body(scree_world* world, const scree_body_def* def);
 scree_collidable create_collidable(scree_world* world, const scree_collidable_def* def);
 
-// Return definitions for a test to change. A crate is a box of 1 m.
+// Return definitions that the test may change. A crate is a box of 1 m.
 scree_body_def body_def(scree_body_type type, scree_attribute attribute, float x, float y);
 scree_body_def crate_def(scree_world* world, scree_body_type type, float x, float y);
 
-// Add bodies with one collidable at the origin of the body. Discs, thrown bodies and reporters are dynamic.
+// Add bodies with one collidable at the origin of the body. Bodies added as disc, thrown or reporter are dynamic.
 scree_body add_body(scree_world* world, scree_body_type type, scree_attribute attribute, float x, float y,
                     float radians);
 scree_body add_shape(scree_world* world, scree_body_type type, scree_shape shape, float x, float y, float radians);
@@ -46,7 +46,7 @@ scree_body add_thrown(scree_world* world, scree_shape shape, float x, float y, f
 scree_body add_reporter(scree_world* world, scree_shape shape, uint32_t reports, float x, float y);
 scree_body add_floor(scree_world* world); // box of 200 m by 2 m, with its surface at y = 0
 
-void throw_body(scree_world* world, scree_body body, float x, float y, float spin); // sets the velocity
+void throw_body(scree_world* world, scree_body body, float x, float y, float spin); // sets the velocity of a body
 
 // ---------------------------------------------------------------------------------------------------------------
 // poses, velocities, masses
@@ -62,12 +62,13 @@ scree_velocity velocity_of(scree_world* world, scree_body body);
 double speed_of(scree_world* world, scree_body body); // m/s
 scree_mass mass_of(scree_world* world, scree_body body);
 
-// Takes some steps. Returns the mean of v^2 + (reach w)^2 over all bodies and steps, m^2/s^2.
+// Takes some steps. Returns the mean of v^2 + (reach w)^2 over all bodies and steps, m^2/s^2, with the speed v and the
+// spin w of a body.
 double mean_square_speed(scree_world* world, const scree_body* bodies, int count, double reach, int steps);
 
 typedef struct
 {
-	double x, y, spin; // sum of m v; spin: sum of m r x v + I w about the origin
+	double x, y, spin; // x, y: sum of m v; spin: sum of m r x v + I w about the origin
 	double size;       // sum of m |v|
 	double energy;     // kinetic energy, J
 } Momentum;

@@ -9,10 +9,10 @@ static const scree_body NOBODY = {0, 0};
 // CHAIN_LEAST or more joints in a row are a chain, which is solved together. In a chain, the locks along and across are
 // as stiff as locks of CHAIN_STIFFER times their frequency; the locks of angles are rigid.
 #define CHAIN_LEAST   8
-#define CHAIN_STIFFER 2.7173 // sqrt(4 (2 z + 4 h w) / (2 z + h w)), z = 2, h = 1 / 240 s, w = 2 pi 60 / s
+#define CHAIN_STIFFER 2.7173 // sqrt(4 (2 z + 4 h w) / (2 z + h w)), damping ratio z = 2, h = 1 / 240 s, w = 2 pi 60 / s
 
-// Returns the definition of a joint between two bodies. Both of its frames are at the same pose in the world. Each body
-// may be null.
+// Returns the definition of a joint between two bodies. Both frames of the joint are at the same pose in the world.
+// Each body may be null.
 scree_joint_def joint_def_at(scree_world* world, scree_joint_type type, scree_body a, scree_body b, float x, float y,
                              float radians);
 scree_joint add_joint(scree_world* world, const scree_joint_def* def);

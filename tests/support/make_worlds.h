@@ -5,20 +5,20 @@
 #include "platform/trig.h" // for PI
 #include "support/checks.h"
 
-#define STEP     (1.0f / 60.0f) // s
+#define STEP     (1.0f / 60.0f) // length of a step, s
 #define SUBSTEPS 4
 #define H        (1.0 / 60.0 / SUBSTEPS) // length of a substep, s
-#define G        10.0                    // m/s^2
+#define G        10.0                    // gravity, m/s^2
 
 scree_world* create_world(const scree_world_def* def);
 
-// Opens a world. 0 threads means one per core. Other settings have their defaults.
+// Opens a world. Settings that are not parameters have their defaults. threads: 0 means one thread per core.
 scree_world* open_world_on(const char* device, int threads, float gravity_y);
-scree_world* open_world(float gravity_y);      // on the CPU with one thread
-scree_world* open_test_world(float gravity_y); // on test_device with two threads
-extern const char* test_device;                // RUN_ON_DEVICES sets it
+scree_world* open_world(float gravity_y);      // opens a world on the CPU with one thread
+scree_world* open_test_world(float gravity_y); // opens a world on test_device with two threads
+extern const char* test_device;                // device that RUN_ON_DEVICES sets
 
-void run_steps(scree_world* world, int steps);   // steps of length STEP with SUBSTEPS substeps
+void run_steps(scree_world* world, int steps);   // takes steps of length STEP with SUBSTEPS substeps
 void update_contacts(scree_world* world);        // takes a step of 0 s, in which nothing moves
 float deepest_of(scree_world* world, int steps); // takes steps; returns the deepest overlap in any of them, m
 

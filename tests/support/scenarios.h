@@ -20,18 +20,18 @@ typedef struct
 Scenario scenario_of(const char* name, int steps, void (*build)(scree_world* world, const void* context),
                      void (*act)(scree_world* world, int step, const void* context), const void* context);
 
-// Runs a scenario. Writes the hash after each step to hashes, and the final counters to last, which may be null.
+// Runs a scenario. Writes the hash after each step to hashes, and the final counters to `last`, which may be null.
 void record(const Scenario* scenario, const Variant* variant, uint64_t* hashes, scree_counters* last);
 
 // Records a scenario on every variant. Fails unless all variants have equal hashes after every step. The message
-// contains the first step and the pools that differ. Returns the last hash. last may be null, or gets the final
-// counters of the reference, which is variant 0.
+// contains the first step and the pools that differ. Returns the final hash. last: receives the final counters of
+// variant 0, the reference; may be null.
 uint64_t check_parity(const Scenario* scenario, scree_counters* last);
 
 // Fails unless a function returns the same hash on every variant.
 void check_equal(uint64_t (*run)(const Variant* variant));
 
-// Fails unless two scenarios have the same hashes on a variant. The settings of the two scenarios differ, but do not
+// Fails unless two scenarios have the same hashes on a variant. The settings of the scenarios differ, but must not
 // influence results.
 void check_same(const Scenario* a, const Scenario* b, const Variant* variant);
 

@@ -4,8 +4,8 @@
 #define SECOND_DEVICE_H
 #include "support/make_bodies.h"
 
-// Set-up: finds an OpenCL device with equal bits and writes its name to second_device. Without such a device,
-// second_device stays empty.
+// Set-up: finds an OpenCL device whose results have the same bits as those of the CPU, and writes its name to
+// second_device. Without such a device, second_device stays empty.
 int find_second_device(void** state);
 extern char second_device[128];
 
@@ -13,11 +13,11 @@ extern char second_device[128];
 	if (!second_device[0])    \
 	skip()
 
-// Opens a world with a pyramid of boxes and a falling circle. The bodies still move after 20 steps. The world has one
-// thread if alone is true, otherwise two threads.
+// Opens a world with a pyramid of boxes and a falling circle. The bodies still move after 20 steps. alone: true for a
+// world with one thread, false for two threads.
 scree_world* open_pile(const char* device, bool alone);
 
-// Returns the hash of this world after some steps on the CPU with one thread.
+// Returns the hash of the world of open_pile after some steps on the CPU with one thread.
 uint64_t hash_after(int steps);
 
 #endif

@@ -22,7 +22,7 @@ static inline void build_scene(scree_world* world, const void* context)
 	static int turn;
 	turn = !turn;
 	for (int k = 0; k < 2; ++k)
-		if (k == turn || small_players[k].world == world) // a world may have the address of a destroyed one
+		if (k == turn || small_players[k].world == world) // a new world may have the address of a destroyed world
 			player_close(small_players + k);
 	OK(player_fill(small_players + turn, context, world));
 }

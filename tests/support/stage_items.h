@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// stage_items.h -- defines kernels as functions of one item, name_item(p, i). Headers of stages are included after this
-// file.
+// stage_items.h -- defines each kernel as a function of one item, name_item(p, i). Headers of stages are included after
+// this file.
 #ifndef STAGE_ITEMS_H
 #define STAGE_ITEMS_H
 #include "dialect/dialect.h"
