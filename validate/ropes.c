@@ -113,8 +113,8 @@ static int add_rope(Lab* lab, const scree_vec* places, int count, double load)
 	return first;
 }
 
-// Returns the widest gap in the joints of such a rope in Box2D v3, mm: the smallest result with 1 to 4 pegs. load: 5,
-// 20 or 100; other values use the entry of the next of these.
+// Returns the widest gap in the joints of such a rope in Box2D v3, mm: the smallest result with 1 to 4 pegs. load: as
+// for add_rope; the entries are for ratios of at most 5, 20 and 100.
 static double gap_of_box2d(Pegs pegs, double load)
 {
 	static const double gaps[][3] = {{3.4, 6.9, 24.5}, {24.0, 24.0, 48.8}, {13.9, 13.9, 41.9}};

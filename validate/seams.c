@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// seams.c -- bodies that slide over flush tiles neither slow down nor jump; real ledges stop them, and stacks stand on
-// seams.
+// seams.c -- checks that bodies slide over flush tiles without slowing down or jumping, that ledges stop bodies, and
+// that stacks stand on seams.
 #include "props.h"
 #include <math.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exported_memory.c -- allocates device memory through Vulkan, which OpenCL and OpenGL both import.
+// exported_memory.c -- allocates device memory through Vulkan; OpenCL and OpenGL import this memory.
 //
 // OpenCL and OpenGL cannot export memory; Vulkan can. The Vulkan library is opened at run time and used for nothing
 // else.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// texel_array.h -- keeps an array that shaders read in an OpenGL texture.
+// texel_array.h -- keeps an array in an OpenGL texture, for shaders that read the array.
 #ifndef TEXEL_ARRAY_H
 #define TEXEL_ARRAY_H
 

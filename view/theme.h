@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// theme.h -- defines colors other than those of dynamic bodies, for a light or a dark background.
+// theme.h -- defines all colors except those of dynamic bodies, for a light or a dark background.
 #ifndef THEME_H
 #define THEME_H
 #include "scene/sprites.h"

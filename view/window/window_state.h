@@ -63,8 +63,8 @@ typedef struct
 	Place place;            // position and size of the window without full screen
 	bool panel, keys;       // true if the panel is shown; true if the list of keys is shown
 	bool save_window;       // true: saves the window after this frame is drawn
-	double look_time;       // s: time from which the collidable under the cursor may be searched again
-	double read_time;       // s: time from which the numbers of the selected body may be read again
+	double look_time;       // s: earliest time of the next search for the collidable under the cursor
+	double read_time;       // s: earliest time at which the numbers of the selected body are read
 	double cursor_time;     // s: time of the last move of the cursor
 	int still;              // frames since the last move of the cursor
 	int next_device;        // index of the device that the next press of its key selects; -1: the one after the current
