@@ -10,7 +10,7 @@
 
 #define BATCH 100  // number of queries in a call
 #define CALLS 5    // number of calls for a world
-#define SLACK 2e-5 // m: tolerance of distances; it is larger for shapes whose reaches exceed 10 m in sum
+#define SLACK 2e-5 // m: tolerance of distances; grows in proportion to the sum of both reaches if the sum exceeds 10 m
 
 typedef struct // the queries of a call; rays are stored as probes with a circle as shape
 {
@@ -45,7 +45,7 @@ static const scree_query_result* find(const scree_query_result* found, int count
 	return NULL;
 }
 
-// Returns the distance of a shape from a point. Far from the origin the point is rounded to floats.
+// Returns the distance between a shape and a point. Far from the origin the point is rounded to floats.
 static double from_surface(const Scenery* s, int k, scree_vec point)
 {
 	scree_shape dot = {.count = 1};
@@ -53,8 +53,8 @@ static double from_surface(const Scenery* s, int k, scree_vec point)
 	return difference_distance(&d, 0.0, 0.0);
 }
 
-// Checks the result of a query for one shape of the scenery. found is null if the query did not find the shape. Counts
-// a wrong result.
+// Checks the result of a query for shape k of the scenery, and counts the result if it is wrong. `found` is null if the
+// query did not find the shape.
 static void check_cast(const Scenery* s, const Asked* asked, const scree_probe* probe, int k,
                        const scree_query_result* found, Count* count)
 {
@@ -181,8 +181,8 @@ static void ask_nearest(const Scenery* s, const Asked* asked, Count* count)
 	}
 }
 
-// Checks many random queries in random sceneries, and prints the number of wrong results. kind: shape of the probes;
-// SCENERY_KINDS: all kinds. put: makes and checks the queries of a call.
+// Makes many random queries in random sceneries, and prints the number of wrong results. kind: shape of the probes;
+// SCENERY_KINDS: all kinds. `put` executes the queries of a call and checks the results.
 static void ask(Validation* v, const char* name, int kind, bool rays, double place,
                 void (*put)(const Scenery* s, const Asked* asked, Count* count))
 {

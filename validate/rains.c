@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// rains.c -- ragdolls fall 40 m onto floors, many per second: measures the gaps of their joints when they land on each
-// other.
+// rains.c -- many ragdolls per second fall 40 m onto floors: measures the gaps of their joints while ragdolls land on
+// each other.
 #include "bones.h"
 #include "experiment_support.h"
 #include "props.h"
@@ -13,7 +13,7 @@
 #define EVERY      8    // number of steps between columns
 #define COLUMN     6.25 // m: distance between columns
 #define TILE       0.5  // m: size of a tile of a floor
-#define LANDING    171  // number of steps that a fall of 40 m takes
+#define LANDING    171  // number of steps in which a body falls 40 m
 
 static void add_ragdoll(Lab* lab, scree_vec feet, int group)
 {
@@ -48,9 +48,9 @@ static void add_tiles(Lab* lab, double span, double height)
 }
 
 // Simulates the rain of Box2D's benchmarks, without removing ragdolls: columns of ragdolls fall onto each of several
-// floors. If all fall from the same height, 25 ragdolls land in the same part of a step. In Box2D all 25 land alike.
-// Here the constraints of ragdolls have different colors, so the widest gap is that of 25 different landings. Another
-// rain therefore has random heights: spread, m, is about the motion in a step.
+// floors. If all fall from the same height, 25 ragdolls land at the same time. In Box2D all 25 landings are alike. Here
+// the constraints of the ragdolls have different colors, so the widest gap is the maximum of 25 different landings.
+// Another rain therefore adds random heights, at most `spread` m, about the motion in a step.
 static void rain(Validation* v, int columns, int rows, double spread)
 {
 	begin(v, "%d ragdolls that fall onto %d floors from %s", columns * rows * GROUP, rows,

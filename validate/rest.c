@@ -13,10 +13,10 @@
 #define SIZES  7
 #define STARTS 8
 
-// largest values of all bodies so far
+// largest values of all bodies so far, and the body with the largest motion
 typedef struct
 {
-	double moved, speed; // mm; mm/s
+	double moved, speed; // largest displacement, mm; largest speed, mm/s
 	int start, body;
 } Worst;
 
@@ -31,7 +31,8 @@ static scree_attribute_def shape_of(int kind, float size)
 	                   : box_of((double)size, (double)size);
 }
 
-// Seven bodies of one kind and different sizes lie side by side on a floor, from one start position on. Updates *worst.
+// Puts seven bodies of one kind and different sizes side by side on a floor. start: index of the position of the first
+// body in `starts`. Updates *worst.
 static void lie(Validation* v, int kind, int start, int steps, Worst* worst)
 {
 	LabDef def = lab_def();
@@ -76,7 +77,7 @@ static void single(Validation* v, const char* name, int kind)
 
 typedef struct
 {
-	double energy, speed; // largest values in a second: J, mean kinetic energy of a body; m/s, fastest body
+	double energy, speed; // maxima in one second: J, mean kinetic energy of a body; m/s, speed of the fastest body
 	int fastest;
 } Calm;
 
@@ -108,7 +109,7 @@ static void point_at(const Lab* lab, int body)
 	      (double)lab->poses[body].position.x, (double)lab->poses[body].position.y);
 }
 
-// Returns the distance that a disk rolled by its rotation between two poses, m; 0 for other shapes.
+// Returns the arc length that a disk rolled between two poses, by its rotation, m; 0 for other shapes.
 static double rolled(const scree_shape* shape, scree_pose from, scree_pose to)
 {
 	if (shape->kind != SCREE_SHAPE_CIRCLE)
@@ -118,8 +119,8 @@ static double rolled(const scree_shape* shape, scree_pose from, scree_pose to)
 	return (double)shape->radius * fabs(atan2(sine, cosine));
 }
 
-// Prints the largest distance that a body crept, mm per minute. Bodies that moved by more than a quarter of their size
-// are left out. A disk that touches only one body can roll freely, so the distance that it rolled is subtracted.
+// Prints the largest distance that a body crept, mm per minute. Bodies that moved by more than a quarter of their reach
+// are left out. A disk that touches only one body can roll freely, so the distance that the disk rolled is subtracted.
 static void creep(Validation* v, Lab* lab, int first, int steps)
 {
 	scree_pose* before = require_memory(malloc((size_t)lab->count * sizeof *before));
@@ -147,8 +148,8 @@ static void creep(Validation* v, Lab* lab, int first, int steps)
 	row(v, "creep a minute", 1e3 * most * 3600.0 / steps, "mm", AT_MOST, CREEP);
 }
 
-// Prints energy and fastest body in the second before the step `until`. Then takes `behind` steps, and prints the creep
-// in these steps and the deepest overlap.
+// Prints the kinetic energy and the speed of the fastest body in the last second before step `until`. Then takes
+// `behind` steps, and prints the creep in these steps and the deepest overlap.
 static void print_heap(Validation* v, Lab* lab, int first, const char* name, int until, int behind)
 {
 	begin(v, "heap of %d %s after %d steps", lab->count - first, name, until);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// ropes.c -- ropes with heavy ends lie on pegs: they must stay on the pegs, hold together, and come to rest.
+// ropes.c -- ropes with heavy ends hang over pegs: checks that they stay on the pegs, hold together, and come to rest.
 #include "props.h"
 #include <math.h>
 
@@ -9,12 +9,12 @@
 #define SIDE    2.5   // m: distance of the rope's ends below the middle of the pegs
 #define SPACING 3.0   // m: distance between pegs
 #define MOST    200   // maximum number of links
-#define DAMPING 0.5   // 1/s: the free sides are pendulums, which would swing for long without damping
+#define DAMPING 0.5   // 1/s: without damping, the free sides would swing for long, as pendulums do
 
 typedef enum
 {
 	ROUND,   // circles with a radius of 1 m
-	BOXES,   // boxes of 1.4 m x 1.4 m
+	BOXES,   // boxes of 1.4 m x 1.4 m, each standing on a side
 	CORNERS, // the same boxes, each standing on a corner
 } Pegs;
 
@@ -88,8 +88,8 @@ static int add_link(Lab* lab, const scree_attribute_def* surface, double x, doub
 	return body;
 }
 
-// Adds a rope along places, with a box at each end. load: mass of a box divided by that of a link. Returns the first
-// body.
+// Adds a rope through the given places, with a box at each end. load: mass of a box divided by the mass of a link.
+// Returns the first body.
 static int add_rope(Lab* lab, const scree_vec* places, int count, double load)
 {
 	scree_attribute_def link = box_of(0.5 * LINK, THICK), end = box_of(LOAD, LOAD);
@@ -113,14 +113,15 @@ static int add_rope(Lab* lab, const scree_vec* places, int count, double load)
 	return first;
 }
 
-// Returns the widest gap in Box2D v3, mm, for a box of up to 5, 20 or 100 links: the smallest result with 1 to 4 pegs.
+// Returns the widest gap in the joints of such a rope in Box2D v3, mm: the smallest result with 1 to 4 pegs. load: as
+// for add_rope; the entries are for ratios of at most 5, 20 and 100.
 static double gap_of_box2d(Pegs pegs, double load)
 {
 	static const double gaps[][3] = {{3.4, 6.9, 24.5}, {24.0, 24.0, 48.8}, {13.9, 13.9, 41.9}};
 	return gaps[pegs][load <= 5.0 ? 0 : load <= 20.0 ? 1 : 2];
 }
 
-// Hangs a rope over pegs for 10 s. Its free sides swing for some seconds.
+// Hangs a rope over pegs for 10 s. Its free sides swing in the first seconds.
 static void hang(Validation* v, Pegs pegs, int count, double load)
 {
 	static const char* const names[] = {"round pegs", "boxes", "corners of boxes"};

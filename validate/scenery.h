@@ -25,10 +25,10 @@ Scenery scenery_open(Validation* v, uint64_t* seed, double place);
 Scenery scenery_empty(Validation* v, double place); // opens a world without collidables
 void scenery_close(Scenery* s);
 
-// If a call failed, prints its error and ends the validation.
+// Prints the error of a failed call and ends the validation; does nothing if status is SCREE_OK.
 void scenery_ok(const Scenery* s, scree_status status);
 
-// Returns a random shape of a kind, of 2 mm to 20 m. Many shapes are thin.
+// Returns a random shape of a kind, with a size of 2 mm to 20 m. Many shapes are thin.
 scree_shape scenery_shape(uint64_t* seed, int kind);
 
 // Returns a random shape of any kind; all its points are at most 1 m from its origin
@@ -41,7 +41,7 @@ scree_probe scenery_probe(const Scenery* s, uint64_t* seed, const scree_shape* s
 // Returns a definition of queries that find collidables without bodies.
 scree_query_def scenery_query_def(void);
 
-// Returns true if a probe is certain to pass shape k at a distance. reach: that of the probe's shape.
+// Returns true if a probe certainly misses shape k, by their bounding circles. reach: reach of the probe's shape, m.
 bool scenery_is_away(const Scenery* s, int k, float reach, const scree_probe* probe);
 
 #endif

@@ -4,13 +4,14 @@
 #define SCREE_WORLD_H
 #include "engine.h"
 
-// These return the handles of all bodies or joints, and write their number. The caller frees the list. If memory is
-// short, the functions print a message and return null.
+// Both functions return the handles of all bodies or joints, and set `count` to their number. The caller frees the
+// list. If memory is short, they print a message and return null.
 scree_body* list_bodies(const scree_world* world, int* count);
 scree_joint* list_joints(const scree_world* world, int* count);
 
-// Reads the definition of a body; body->index is that of the handle. Shapes are transformed by the local poses of their
-// collidables. Returns false after printing a message. The caller frees body->parts, also after a failure.
+// Reads the definition of a body, and sets body->index to the index of its handle. Shapes are transformed by the local
+// poses of their collidables. Returns false after printing a message. The caller frees body->parts, also after a
+// failure.
 bool read_body(scree_world* world, scree_body handle, EngineBody* body);
 
 // Returns whether the status is SCREE_OK. If it is not, prints scree_error().

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// seams.c -- bodies that slide over flush tiles neither slow down nor jump; real ledges stop them, and stacks stand on
-// seams.
+// seams.c -- checks that bodies slide over flush tiles without slowing down or jumping, that ledges stop bodies, and
+// that stacks stand on seams.
 #include "props.h"
 #include <math.h>
 
 #define PHASES 16
-// two tracks for each phase: the body settles before it slides, or is set down with its speed
+// two tracks for each phase: on one the body settles before it slides, on the other it starts at full speed
 #define TRACKS (2 * PHASES)
 #define APART  8.0 // m: vertical distance between tracks
 #define STEPS  120 // number of steps in which bodies slide
@@ -36,7 +36,7 @@ static const double tiles[] = {1.0, 0.25, 0.5, 2.0, 4.0};                    // 
 typedef struct
 {
 	int runs, disturbed;
-	double lost, rise; // largest share of the speed that was lost; m: largest rise
+	double lost, rise; // largest fraction of the speed that a body lost; m: largest rise of a body
 	char lost_where[64], rise_where[64];
 } Slide;
 
@@ -61,8 +61,8 @@ static void watch(Lab* lab, const int* bodies, double half, double speed, double
 	}
 }
 
-// Slides a body over tiles on each track, for all phases and both starts at the same time. Each body crosses at least
-// one seam. Updates *slide.
+// Slides a body over tiles on each track, for all phases and both kinds of start in one world. Each body crosses at
+// least one seam. Updates *slide.
 static void slide_over(Validation* v, const Slider* slider, double speed, double tile, Slide* slide)
 {
 	LabDef def = lab_def();
@@ -81,7 +81,7 @@ static void slide_over(Validation* v, const Slider* slider, double speed, double
 	for (int k = 0; k < TRACKS; ++k)
 	{
 		double x = -slider->half - reach * (k % PHASES + 0.37) / PHASES, y = APART * (k - TRACKS / 2) + slider->half;
-		if (k == PHASES) // the bodies that settle have settled; now the others are added
+		if (k == PHASES) // lets the first PHASES bodies settle before the moving bodies are added
 			lab_step(lab, SETTLE);
 		bodies[k] = k < PHASES ? lab_put(lab, SCREE_BODY_DYNAMIC, &surface, (float)x, (float)y, 0.0f)
 		                       : lab_throw(lab, &surface, (float)x, (float)y, 0.0f, velocity);
@@ -115,7 +115,8 @@ static void slide_all(Validation* v, const Slider* slider, int speed_count, int 
 	row(v, "most rise", 1e3 * slide.rise, "mm", AT_MOST, 1.0);
 }
 
-// Unlike a seam, a ledge up of 1/10 of its height stops a body. A ledge down does not slow it.
+// Slides a box of 1 m, at 4 m/s, over a ledge of 1/10 of its height. A ledge up must slow the box to at most 1 m/s; a
+// ledge down must not slow it.
 static void ledge(Validation* v, double height)
 {
 	LabDef def = lab_def();

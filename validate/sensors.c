@@ -7,7 +7,7 @@
 #include <math.h>
 
 #define VISITORS 100
-#define SLACK    1e-4 // m: tolerance of the distance from a surface at rest
+#define SLACK    1e-4 // m: tolerance of the distance from the surface of a sensor, which is at rest
 #define DEPTH    1e-3 // m: a visit within a step needs at least this overlap (docs/events.md)
 
 typedef struct
@@ -44,7 +44,7 @@ static void make_visitors(const Scenery* s, uint64_t* seed, Visitors* all)
 	}
 }
 
-// Returns the visit of a body to a sensor in a list, or null.
+// Returns the list's entry for a body that visits a sensor; null if there is none.
 static const scree_visit* find(const scree_visit* visits, int count, scree_collidable sensor, scree_body body)
 {
 	for (int k = 0; k < count; ++k)

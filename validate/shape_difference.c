@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shape_difference.c -- computes the differences of two shapes. Their hull is found by Andrew's monotone chain (Another
-// efficient algorithm for convex hulls, 1979).
+// shape_difference.c -- computes the Minkowski difference of two shapes. Its hull is found by Andrew's monotone chain
+// (Another efficient algorithm for convex hulls, 1979).
 #include "shape_difference.h"
 #include <math.h>
 #include <stdlib.h>
@@ -28,7 +28,8 @@ static Point corner(const scree_shape* shape, scree_rot turn, int k)
 	return (Point){(c * x - s * y) / length, (s * x + c * y) / length};
 }
 
-// Adds the lower half of the hull of sorted points or, with step -1, the upper half. Returns the number of corners.
+// Adds the lower half of the hull of sorted points or, with step -1, the upper half. Returns the number of corners so
+// far.
 static int add_half(Difference* d, int count, const Point* points, int total, int step)
 {
 	int begin = count;
@@ -87,7 +88,7 @@ double difference_distance(const Difference* d, double x, double y)
 
 double difference_least(const Difference* d, double x, double y, double share)
 {
-	double low = 0.0, high = share; // works because the distance is a convex function of the share of the translation
+	double low = 0.0, high = share; // ternary search: the distance is a convex function of the share of the translation
 	for (int k = 0; k < 100; ++k)
 	{
 		double first = low + (high - low) / 3.0, second = high - (high - low) / 3.0;
@@ -102,14 +103,14 @@ double difference_least(const Difference* d, double x, double y, double share)
 
 typedef struct
 {
-	double share; // share of the path; 2: no meeting
+	double share; // share of the path before the meeting; 2: no meeting
 	Point normal; // outward normal of the surface at the meeting
 } Entry;
 
 static const Entry never = {2.0, {0.0, 0.0}};
 
-// Returns the entry of a path into a circle around a corner. The path begins outside of the circle. from: its start
-// relative to the center.
+// Returns the entry of a path into a circle around a corner. The path begins outside of the circle. `from`: start of
+// the path relative to the center.
 static Entry enter_circle(Point from, Point path, double radius)
 {
 	double square = dot(path, path), closing = -dot(from, path) / square;
@@ -123,7 +124,7 @@ static Entry enter_circle(Point from, Point path, double radius)
 }
 
 // Returns the entry of a path through an edge that is shifted outward by a radius. The outside is to the right of the
-// edge.
+// edge. `from`: start of the path relative to the first corner of the edge.
 static Entry enter_edge(Point from, Point path, Point edge, double radius)
 {
 	double length = sqrt(dot(edge, edge)), speed = cross(edge, path) / length, height = cross(edge, from) / length;
@@ -143,7 +144,7 @@ double difference_meeting(const Difference* d, double x, double y, double* margi
 	if (begin <= 0.0)
 		return 0.0;
 	Entry first = never;
-	double left = -INFINITY, right = -INFINITY; // m: distance to the end of the surface on each side of the path
+	double left = -INFINITY, right = -INFINITY; // m: distances from the path to the outermost points at its sides
 	for (int k = 0; k < d->count && length > 0.0; ++k)
 	{
 		Point a = corner_of(d, k), edge = minus(corner_of(d, k + 1), a), from = {d->at_x - a.x, d->at_y - a.y};
@@ -154,7 +155,7 @@ double difference_meeting(const Difference* d, double x, double y, double* margi
 		left = fmax(left, -cross(path, from) / length + d->radius);
 		right = fmax(right, cross(path, from) / length + d->radius);
 	}
-	// m: depth of the path's end behind the surface that it enters
+	// m: depth of the path's end behind the tangent of the surface at the meeting
 	double past = -(1.0 - first.share) * dot(first.normal, path);
 	*margin = fmin(fmin(left, right), fmin(past, begin));
 	return first.share;

@@ -2,19 +2,19 @@
 // small.c -- drops bodies of 2 to 20 mm on segments and boxes, and checks that they do not fall through, and come to
 // rest.
 //
-// In each step at 60 Hz gravity adds 2.8 mm to the displacement of a body: more than the smallest size, 2 mm.
+// In each step at 60 Hz, gravity increases the displacement of a body by 2.8 mm, more than the smallest size of 2 mm.
 #include "props.h"
 #include <math.h>
 
 #define SIZES  6
 #define DROPS  5
-#define TRACKS (2 * DROPS) // each drop height twice: an upright and a tilted body
+#define TRACKS (2 * DROPS) // two tracks for each height: on one the body is upright, on the other tilted
 #define APART  2.0         // m: distance between tracks
 #define HEAP   100
 
 static const double sizes[SIZES] = {0.002, 0.003, 0.005, 0.007, 0.01, 0.02}; // m: sizes of bodies
 static const double drops[DROPS] = {0.0, 0.02, 0.1, 0.5, 2.0};               // m: heights of drops
-static const int substeps[] = {4, 1, 2, 8};                                  // quick: only the first two
+static const int substeps[] = {4, 1, 2, 8};                                  // per step; quick: only the first two
 
 typedef enum
 {
@@ -45,7 +45,7 @@ static double reach_down(Kind kind, double size, scree_rot rotation)
 	                        : half + 0.25 * s;
 }
 
-// Adds a floor whose top is at y = 0: a segment, which has no thickness, or else a box.
+// Adds a floor whose top is at y = 0. segment: true for a segment, which has no thickness; false for a box.
 static void lay_floor(Lab* lab, bool segment)
 {
 	scree_attribute_def surface = segment ? wall_of(60.0) : box_of(30.0, 0.5);
@@ -55,11 +55,11 @@ static void lay_floor(Lab* lab, bool segment)
 typedef struct
 {
 	int through;
-	double speed, overlap; // maxima in the fifth second: m/s; overlap divided by the size
+	double speed, overlap; // maxima in the fifth second: m/s, speed; overlap divided by the size
 } Fall;
 
-// Drops bodies of a kind and size, with parts substeps per step, and adds the results to worst. For circles and
-// capsules, which may roll, only the vertical speed counts.
+// Drops bodies of a kind and size, and updates *worst. parts: number of substeps per step. For circles and capsules,
+// which may roll, only the vertical speed counts.
 static void fall(Validation* v, bool segment, Kind kind, double size, int parts, Fall* worst)
 {
 	LabDef def = lab_def();
@@ -113,7 +113,8 @@ static void fall_all(Validation* v, bool segment, Kind kind)
 	row(v, "deepest overlap of the size", worst.overlap, "", AT_MOST, 1.0);
 }
 
-// Drops 100 bodies into a bin of 16 sizes width, ten rows of ten. Checks that they stay in the bin and come to rest.
+// Drops 100 bodies, ten rows of ten, into a bin whose width is 16 times their size. Checks that they stay in the bin
+// and come to rest.
 static void heap(Validation* v, bool circles, double size)
 {
 	begin(v, "heap of %d %s of %g mm", HEAP, circles ? "circles" : "cubes", 1e3 * size);
@@ -148,7 +149,7 @@ static void heap(Validation* v, bool circles, double size)
 }
 
 // Drops ten plates onto each other, and checks that they keep their order. One pair may change places, because
-// continuous collision can stop the lower plate within the step; with Box2D up to four pairs change places.
+// continuous collision can stop the lower plate of a pair within the step; with Box2D up to four pairs change places.
 static void stack(Validation* v, double size)
 {
 	begin(v, "ten plates of 1 m x %g mm fall onto each other", 1e3 * size);

@@ -17,7 +17,7 @@ typedef struct
 {
 	const char* name;
 	scree_joint_type type;
-	int coordinate; // coordinate that swings, SCREE_ALONG or SCREE_ANGLE
+	int coordinate; // coordinate that oscillates, SCREE_ALONG or SCREE_ANGLE
 	bool lock;      // true: a soft lock; false: a spring
 	float arm;      // m: distance from the anchor to the body's center along x
 	float aside;    // m: distance from the anchor to the body's center along y
@@ -39,9 +39,9 @@ typedef struct
 	double ratio;            // measured damping ratio
 } Swing;
 
-// Computes frequency and decay from T and D; rate and ratio are the expected values. The values e^(l dt) are the
-// roots of r^2 - T r + D. If the roots are almost equal, only their product D is accurate, which is enough for the
-// decay.
+// Computes frequency, decay and damping ratio from T and D. rate, ratio: expected angular frequency (rad/s) and damping
+// ratio. The values e^(l dt) are the roots of r^2 - T r + D. If the roots are almost equal, only their product D is
+// accurate, which is enough for the decay.
 static Swing swing_of(double t, double d, double rate, double ratio)
 {
 	Swing s = {1.0, 1.0, 0.0};
@@ -64,7 +64,7 @@ static void set_spring(scree_joint_def* def, const Kind* kind, double hertz, dou
 {
 	for (int k = 0; kind->lock && k < 3; ++k)
 	{
-		// on an arm, only the angle is soft
+		// if the joint is at a distance from the center, only the coordinate that oscillates is soft
 		if (kind->arm > 0.0f && k != kind->coordinate)
 			continue;
 		def->coordinates[k].lock_hertz = (float)hertz;
@@ -92,7 +92,7 @@ static Swing swing(Validation* v, const Kind* kind, double hertz, double ratio)
 	scree_velocity push = {{turns ? 0.0f : SPEED, turns ? kind->arm * SPEED : 0.0f}, turns ? SPEED : 0.0f};
 	int wall = lab_add(lab, &ground, NULL, 0), body = lab_throw(lab, &bar, x0, -kind->aside, 0.0f, push);
 	double m = (double)lab->masses[body].mass, inertia = (double)lab->masses[body].inertia;
-	// the hertz refer to the mass if the other coordinates were free; here they are locked, which makes the mass larger
+	// hertz is defined by the effective mass with all coordinates free; here the locked ones make the mass larger
 	double share = inertia / (inertia + m * (double)(kind->arm * kind->arm));
 	share *= inertia / (inertia + m * (double)(kind->aside * kind->aside));
 	scree_joint_def joint = scree_joint_def_make(kind->type);
@@ -125,7 +125,7 @@ static Swing swing(Validation* v, const Kind* kind, double hertz, double ratio)
 	return swing_of((py * qq - qy * pq) / det, (pp * qy - pq * py) / det, rate, ratio * sqrt(share));
 }
 
-// Tests a kind at all frequencies and damping ratios, and checks the largest differences from the expected values.
+// Checks one kind of joint at all frequencies and damping ratios: its largest differences from the expected values.
 static void swings(Validation* v, const Kind* kind)
 {
 	static const double hertz[] = {0.5, 1.0, 2.0, 5.0, 10.0, 20.0}, ratios[] = {0.0, 0.1, 0.5, 1.0, 2.0};
@@ -191,8 +191,8 @@ static void block(Validation* v, double hertz, double ratio)
 	lab_close(lab);
 }
 
-// Pulls the last of some boxes in a row sideways with 10,000 N for 2 s. The boxes are welded softly to each other and
-// to a post. Checks that the gaps of the welds have closed 20 s later.
+// Pulls the last box of a row sideways with 10,000 N for 2 s. The boxes are welded softly to each other and to a post.
+// Checks that the gaps of the welds have closed 20 s after the pull.
 static void tear(Validation* v, int count, double hertz)
 {
 	LabDef def = lab_def();

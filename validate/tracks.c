@@ -6,7 +6,7 @@
 #include <math.h>
 
 #define SIDES  200
-#define RADIUS 10.0 // m: mean radius
+#define RADIUS 10.0 // m: mean radius of the track
 #define BATCH  1000
 #define MOVERS 100
 #define STEPS  100
@@ -45,8 +45,8 @@ static Track track_open(Validation* v, uint64_t* seed, double place)
 	return t;
 }
 
-// Returns the distance of a position from the middle of the track, divided by the distance of the track in the same
-// direction: above 1 outside.
+// Returns the distance of a position from the center of the track, divided by the distance of the track from its center
+// in the same direction. The result is above 1 outside of the track.
 static double outward(const Track* t, scree_vec at)
 {
 	double dx = (double)at.x - (double)t->pose.position.x, dy = (double)at.y - (double)t->pose.position.y;
@@ -68,8 +68,8 @@ static scree_vec somewhere(uint64_t* seed, const Track* t, double near, double f
 	return (scree_vec){t->pose.position.x + (float)(r * cos(angle)), t->pose.position.y + (float)(r * sin(angle))};
 }
 
-// Casts rays, or shapes if rays is false, from inside the track to points outside. Returns the number of casts that do
-// not hit the track.
+// Casts rays, or shapes if `rays` is false, from inside the track to points outside. Returns the number of casts that
+// do not hit the track.
 static int cast_out(const Track* t, uint64_t* seed, bool rays)
 {
 	static scree_probe probes[BATCH];
@@ -92,7 +92,8 @@ static int cast_out(const Track* t, uint64_t* seed, bool rays)
 	return through;
 }
 
-// Moves movers at a new random velocity in each step. Returns the number of movers that are outside at the end.
+// Moves movers, each at a new random velocity in each step. Returns the number of movers that are outside of the track
+// at the end.
 static int move_about(const Track* t, uint64_t* seed)
 {
 	static scree_mover movers[MOVERS];

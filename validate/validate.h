@@ -17,13 +17,14 @@ extern const int validate_count;
 // Returns the experiment with this name; null if there is none.
 const Experiment* validate_find(const char* name);
 
-typedef struct // the largest value of several runs, and the name of the run with this value
+typedef struct // largest value of several runs, and the name of the run with this value
 {
 	double value;
 	char at[64];
 } Peak;
 
-// Stores a value if it is larger than the stored value, or NaN, as after the failure of an engine. A stored NaN stays.
+// Replaces the stored value by a larger value, or by NaN, which is the value after an engine failed. A stored NaN
+// stays.
 void peak_take(Peak* peak, double value, const char* at);
 
 void validate_heading(FILE* out);
@@ -31,8 +32,8 @@ void validate_heading(FILE* out);
 // Runs one experiment and prints its rows. Returns false if an engine failed or if a value is beyond its limit.
 bool validate_run(Validation* v, const Experiment* experiment);
 
-// Functions for experiments: begin starts a case; where sets the last column of the next row, the run that gave the
-// value; row prints a row, and counts a failure if the value is beyond bound.
+// Functions for experiments. `begin` starts a case. `where` sets the last column of the next row: the name of the run
+// that gave the value. `row` prints a row, and counts a failure if the value is beyond `bound`.
 void begin(Validation* v, const char* format, ...) __attribute__((format(printf, 2, 3)));
 void where(Validation* v, const char* format, ...) __attribute__((format(printf, 2, 3)));
 void row(Validation* v, const char* quantity, double value, const char* unit, Limit limit, double bound);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// walls.c -- throws bodies at static walls and into wedges: checks that no body crosses a wall or leaves a wedge too
-// fast.
+// walls.c -- throws bodies at static walls and into wedges: checks that no body crosses a wall, or gains speed in a
+// wedge.
 //
-// Each run has its own track in one world without gravity. Walls are segments, which have no thickness, or boxes of 2 cm.
+// Each run has its own track in one world without gravity. A wall is a segment, which has no thickness, or a
+// box of 2 cm.
 #include "props.h"
 #include <math.h>
 
 #define APART  12.0 // m: distance between tracks
-#define HEIGHT 14.0 // m: height of a wall; more than APART, so that there are no gaps
+#define HEIGHT 14.0 // m: height of a wall; more than APART, so that there are no gaps between walls
 
 typedef enum
 {
@@ -56,7 +57,7 @@ static void close_off(Lab* lab, const scree_attribute_def* barrier, int runs)
 	}
 }
 
-// Counts the bodies behind the wall; the next row names the first of these bodies.
+// Returns the number of bodies behind the wall. If there are any, the next row names the first of them.
 static int crossed(Lab* lab, const int* bodies, int count, double speed)
 {
 	int through = 0;
@@ -84,7 +85,7 @@ static void strike(Validation* v, bool thick, double speed, int runs)
 	for (int k = 0; k < runs; ++k)
 	{
 		float y = (float)(APART * (k - runs / 2));
-		double gap = 0.2 + 0.2 * (k + 0.37) / runs; // m: from the center of the light box to the wall
+		double gap = 0.2 + 0.2 * (k + 0.37) / runs; // m: distance from the center of the light box to the wall
 		lab_put(lab, SCREE_BODY_STATIC, &barrier, 0.0f, y, 0.0f);
 		bool plain = k % 2 == 0; // false: the light box is rotated, and the heavy box hits it off center
 		double angle = plain ? 0.0 : random_real(&seed, -1.0, 1.0), off = plain ? 0.0 : random_real(&seed, -0.2, 0.2);
@@ -99,7 +100,7 @@ static void strike(Validation* v, bool thick, double speed, int runs)
 	lab_close(lab);
 }
 
-// Throws bodies at a wall at random angles and spins.
+// Throws bodies at a wall with random angles and angular velocities.
 static void throw_at(Validation* v, Kind kind, double size, bool thick, int runs)
 {
 	static const double speeds[] = {100.0, 200.0, 400.0};
@@ -133,11 +134,11 @@ static void throw_at(Validation* v, Kind kind, double size, bool thick, int runs
 // Returns half of the angle between the walls of a run, rad.
 static double opening(int run, int runs) { return 0.1 + 0.4 * run / runs; }
 
-// Adds two walls of 4 m that meet at x = 0, each at the angle half (rad) to the x axis.
+// Adds two walls of 4 m that meet at x = 0. half: angle between each wall and the x axis, rad.
 static void put_wedge(Lab* lab, bool thick, double y, double half)
 {
 	scree_attribute_def side = thick ? box_of(0.01, 2.0) : wall_of(4.0);
-	// without rotation the walls would be vertical
+	// angle 0 would make a wall vertical
 	for (int s = -1; s <= 1; s += 2)
 		lab_put(lab, SCREE_BODY_STATIC, &side, (float)(-2.0 * cos(half)), (float)(y + s * 2.0 * sin(half)),
 		        (float)(s * (1.57079633 - half)));
@@ -171,7 +172,7 @@ static void wedge(Validation* v, bool thick, double speed, int runs)
 			if (lab_speed(lab, bodies[k]) > fastest)
 				fastest_run = k;
 			fastest = larger(fastest, lab_speed(lab, bodies[k]));
-			// in front of the wedge the box may be anywhere; in the wedge it must be between the walls
+			// in front of the wedge the box may be at any y; in the wedge it must be between the walls
 			crossed_once[k] = crossed_once[k] || (x < 4.0 * cos(half) - 0.3 && y > x * tan(half) + 0.01);
 		}
 	}
@@ -188,7 +189,8 @@ static void wedge(Validation* v, bool thick, double speed, int runs)
 	lab_close(lab);
 }
 
-// Throws disks with friction into the corner of a wedge, and checks the depth to which they stay in the walls.
+// Throws disks with friction into the corner of a wedge, and checks the depth of their overlap with the walls after
+// 2 s.
 static void jam(Validation* v, bool thick, double speed, int runs)
 {
 	begin(v, "disk of 50 cm shot at %g m/s into the corner of a wedge of %s", speed,

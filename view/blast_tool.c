@@ -6,7 +6,7 @@
 #define FIRST   50.0f  // px: initial radius
 #define GROWS   180.0f // px/s: growth of the radius
 #define LARGEST 500.0f // px: maximum radius
-#define WIDE    1.6f   // width of a typical body, in units of its reach
+#define WIDE    1.6f   // width of a typical body, divided by its reach
 
 static const Color flame = {222, 84, 20};
 

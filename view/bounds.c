@@ -8,10 +8,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-// Distance of the fences, in sizes of the middle half. Tukey uses 3; a larger value keeps bodies in view that slide off
-// a heap.
+// Distance of the fences from the middle half, divided by the size of that half. Tukey uses 3; a larger value keeps
+// bodies that slide off a heap in view.
 #define FENCE 5.0f
-#define OTHER 0.1f // minimum size as a share of the size in the other direction, because a column has almost no width
+#define OTHER 0.1f // minimum size in x or y as a fraction of the size in the other direction: a column has no width
 
 typedef struct // sorted coordinates
 {

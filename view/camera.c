@@ -4,10 +4,10 @@
 #include "scene/viewport.h"
 #include <math.h>
 
-#define CATCHES     0.85f   // share of the distance to a followed point that is left after each picture
-#define LEAST_SCALE 1.0e-4f // px per metre: a thumbnail shows all coordinates up to SCREE_MAX_COORDINATE
+#define CATCHES     0.85f   // fraction of the distance to a followed point that is left after each picture
+#define LEAST_SCALE 1.0e-4f // px per metre: minimum; a thumbnail then shows all coordinates up to SCREE_MAX_COORDINATE
 #define LEAST_PART  200.0f  // px: if the free part of the picture is narrower, the whole picture is used
-#define MOST_SCALE  1.0e5f  // px per metre: a picture shows a few millimetres
+#define MOST_SCALE  1.0e5f  // px per metre: maximum; a picture then shows a few millimetres
 
 void camera_fit(Camera* camera, scree_box box, int width, int height)
 {

@@ -11,25 +11,24 @@ typedef struct
 	int width, height; // px: size of the picture
 } Camera;
 
-// Shows a whole box above the caption in a picture of this size, as the pictures of scree run do.
+// Fits a whole box into a picture of this size, above the caption, as the pictures of scree run do.
 void camera_fit(Camera* camera, scree_box box, int width, int height);
 
-// Shows a whole box in a part of the picture: to the right of left and above bottom, px. The size of the picture does
-// not change. If the part is too narrow, shows the box in the whole picture.
+// Fits a whole box into a part of the picture. left, bottom: px that are not used at the left and at the bottom. The
+// size of the picture does not change. If the part is too narrow, uses the whole width.
 void camera_fit_part(Camera* camera, scree_box box, float left, float bottom);
 
-// Changes the size of the picture; its middle keeps showing the same point of the world.
+// Changes the size of the picture. Its middle shows the same point of the world as before.
 void camera_resize(Camera* camera, int width, int height);
 
 // Moves the picture by x and y pixels, as when the user drags it; y grows downwards.
 void camera_pan(Camera* camera, float x, float y);
 
-// Magnifies the picture by a factor; pixel x, y keeps showing the same point of the world.
+// Magnifies the picture by a factor. Pixel (x, y) shows the same point of the world as before.
 void camera_zoom(Camera* camera, float x, float y, float factor);
 
-// Moves the picture so that point, a followed point of the world, comes nearer to the place of the point to in the
-// picture; call it once per picture. behind is the distance that is left, m; the caller initializes it with to minus
-// point.
+// Moves the picture so that `point`, a point of the world that the picture follows, approaches the place at which `to`
+// is displayed. Call it once per picture. behind: remaining vector, m, initially `to` minus `point`; shrinks to 0.
 void camera_follow(Camera* camera, scree_vec point, scree_vec to, scree_vec* behind);
 
 // Returns the point of the world under a pixel.

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#define WITHIN 0.995f // share of the positive forces that are not above the range
-#define IDLE   4.0f   // a range shrinks if it is more than IDLE times as large as needed
-#define BINS   2048   // number of bins, by the upper 11 bits of a positive float: 8 bins for each power of two
+#define WITHIN 0.995f // fraction of the positive forces that the range includes
+#define IDLE   4.0f   // a range becomes smaller if it is more than IDLE times as large as needed
+#define BINS   2048   // number of bins, by the upper 12 bits of a float, whose sign is 0: 8 bins for each power of two
 
 void loads_sum(const scree_contact* contacts, int contact_count, float substep, float* forces, int count)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exported_memory.c -- allocates device memory through Vulkan, which OpenCL and OpenGL both import.
+// exported_memory.c -- allocates device memory through Vulkan; OpenCL and OpenGL import this memory.
 //
 // OpenCL and OpenGL cannot export memory; Vulkan can. The Vulkan library is opened at run time and used for nothing
 // else.
@@ -42,7 +42,7 @@ typedef struct
 
 #define MAX_GPUS 16
 
-// Returns the index of an allowed memory type that is local to the device; -1 if there is none.
+// Returns the index of an allowed memory type that is local to the device; -1 if there is no such type.
 static int own_memory(const VkPhysicalDeviceMemoryProperties* types, uint32_t allowed)
 {
 	for (uint32_t k = 0; k < types->memoryTypeCount; ++k)
@@ -110,7 +110,7 @@ static const char* open_device(Vulkan* v)
 
 static const char* allocate(Vulkan* v, size_t bytes, ExportedMemory* out)
 {
-	// this buffer only supplies the size and the type of the memory, and is destroyed before the allocation
+	// this buffer only supplies the size and the type of the memory, and is destroyed before the memory is allocated
 	const VkExternalMemoryHandleTypeFlags kind = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;
 	VkExternalMemoryBufferCreateInfo external = {.sType = VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_BUFFER_CREATE_INFO,
 	                                             .handleTypes = kind};

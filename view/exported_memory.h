@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// exported_memory.h -- allocates device memory through Vulkan, which OpenCL and OpenGL both import.
+// exported_memory.h -- allocates device memory through Vulkan; OpenCL and OpenGL import this memory.
 #ifndef EXPORTED_MEMORY_H
 #define EXPORTED_MEMORY_H
 #include <stdbool.h>

@@ -45,7 +45,8 @@ static scree_vec placed(scree_pose pose, float x, float y)
 	return (scree_vec){pose.position.x + q.c * x - q.s * y, pose.position.y + q.s * x + q.c * y};
 }
 
-// Adds the arc of a rounded corner; start and angle: direction of the first normal, angle to the next normal, rad.
+// Adds the arc of a rounded corner. start: direction of the first normal, rad; angle: from the first normal to the
+// next, rad.
 static void mark_arc(Strokes* strokes, const scree_shape* shape, scree_pose pose, int corner, float start, float angle,
                      Color color)
 {

@@ -8,7 +8,7 @@
 
 #define MOST        1000 // maximum number of flashes per step and layer, so that a frame has at most some thousands
 #define MOST_AT_ALL 20000
-#define BREAK_LASTS 1.5  // s: duration; longer than that of other flashes, because joints rarely break
+#define BREAK_LASTS 1.5  // s: duration of the mark of a broken joint; long, because joints rarely break
 #define CROSS       7.0f // px: half the diagonal of the cross of a broken joint
 
 static const Color touch_color = {30, 120, 170}, hit_color = {222, 84, 20}, break_color = {160, 20, 30};
@@ -30,7 +30,7 @@ static bool in_view(scree_box box, scree_vec p)
 	return p.x >= box.lower.x && p.x <= box.upper.x && p.y >= box.lower.y && p.y <= box.upper.y;
 }
 
-// Returns the diameter of a ring: 5 px if the surfaces hardly moved, 17 px at 5 m/s, at most 29 px.
+// Returns the diameter of a ring: 5 px if the surfaces met slowly, 17 px at 5 m/s, at most 29 px.
 static float diameter_of(float speed) { return 5.0f + 24.0f * speed / (speed + 5.0f); }
 
 static void add(Flashes* flashes, Layer layer, scree_vec at, float diameter, double now)
@@ -50,7 +50,7 @@ static void add(Flashes* flashes, Layer layer, scree_vec at, float diameter, dou
 	flashes->list[flashes->count++] = (Flash){layer, at, diameter, now};
 }
 
-typedef struct // events of one kind, as points with a speed
+typedef struct // events of one kind, each with a point and a speed
 {
 	const scree_events* events;
 	Layer layer;
@@ -112,7 +112,7 @@ static void add_breaks(Flashes* flashes, scree_world* world, const scree_events*
 		scree_vec at;
 		if (!events->joints[k].broken)
 			continue;
-		bool room = added < MOST; // limits the number of poses, because each pose takes one call
+		bool room = added < MOST; // limits the number of calls of anchor_of, which reads one pose
 		if (room && (!anchor_of(world, events->joints[k].joint, &at) || !in_view(box, at)))
 			continue;
 		++flashes->seen;

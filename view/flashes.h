@@ -18,7 +18,7 @@ typedef struct
 {
 	Flash* list; // the oldest flash first
 	int count, capacity;
-	int seen, left_out; // number of events of the last step in view; number of these that are too many to be drawn
+	int seen, left_out; // number of events of the last step in view; number of those that are not drawn
 } Flashes;
 
 void flashes_close(Flashes* flashes);
@@ -26,8 +26,8 @@ void flashes_close(Flashes* flashes);
 // Returns true if a style shows any layer of events.
 bool flashes_shown(const Style* style);
 
-// Adds the events of the last step that are in view and whose layer is on. If a layer has too many events, adds every
-// second, third, ... of them. now is the time of the world after the step, s.
+// Adds flashes for the events of the last step that are in view and whose layer is on. If a layer has too many events,
+// adds a flash for every second, third, ... event. now: time of the world after the step, s.
 scree_status flashes_step(Flashes* flashes, RenderTables* tables, const Camera* camera, const Style* style, double now);
 
 // Adds strokes for the flashes that have not faded, and removes the flashes that have faded.

@@ -6,7 +6,7 @@
 
 typedef struct // names of OpenGL objects
 {
-	unsigned framebuffer, color; // color: a renderbuffer; both names are 0 if there is no framebuffer
+	unsigned framebuffer, color; // color: a renderbuffer; both names are 0 if no framebuffer was created
 } Framebuffer;
 
 // Creates a framebuffer of 8 bits per channel and binds it. If the size is too large for OpenGL, creates nothing and

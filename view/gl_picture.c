@@ -19,7 +19,7 @@ struct GlPicture
 	scree_opengl opengl;
 	bool has_opengl;
 	char title[160];
-	Detail detail; // enlarged part of the picture; Detail.pixels is null if the scene has none
+	Detail detail; // enlarged part of the picture; Detail.pixels is null if the scene has no detail
 };
 
 // Reverses the order of the rows: in OpenGL the first row is at the bottom, in a canvas at the top.

@@ -6,7 +6,7 @@
 #include "view/offscreen.h"
 #include "view/renderer.h"
 
-// Reads the current framebuffer, which has the size of the canvas, into the canvas.
+// Reads the current framebuffer into the canvas. Both have the same size.
 void gl_picture_read(Canvas* canvas);
 
 // Writes the legend of the paint, the title and the caption over a picture.
@@ -25,10 +25,11 @@ const scree_opengl* gl_picture_opengl(const GlPicture* picture);
 // Selects the world to draw, with the title and the view of its scene. Returns false and writes a sentence on failure.
 bool gl_picture_set_world(GlPicture* picture, const Scene* scene, scree_world* world, char* sentence);
 
-// Shows a box in the following pictures, instead of the view and the detail of the scene.
+// Shows a box in all later pictures, instead of the view and the detail of the scene.
 void gl_picture_aim(GlPicture* picture, scree_box view);
 
-// Adds flashes for the events of a step that a style shows. Call it after every step; now is the time of the world, s.
+// Adds flashes for those events of a step whose layers are on in the style. Call it after every step. now: time of the
+// world, s.
 scree_status gl_picture_step(GlPicture* picture, const Style* style, double now);
 
 // Draws the current state of the world with legend, title and caption into the canvas.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// grab.c -- tools at the cursor: pick and drag a body, throw new bodies in.
+// grab.c -- tools at the cursor: picks and drags a body, throws new bodies into the world.
 #include "view/grab.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define CALM    5.0f   // rad/s^2: maximum angular deceleration of a held body, so that the body swings less
+#define CALM    5.0f   // rad/s^2: maximum angular deceleration of a held body, which damps its swinging
 #define FASTEST 200.0f // m/s: maximum speed of a thrown body
 
 static scree_vec turned(scree_rot q, scree_vec v) { return (scree_vec){q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
@@ -43,7 +43,7 @@ static int compare_index(const void* key, const void* body)
 }
 
 // Returns the dynamic body under the cursor, null if there is none. If several bodies overlap there, returns the body
-// that is drawn on top, whose row is the last.
+// that is drawn over the others: that of the last row.
 static scree_body body_under(const Grab* grab, const RenderTables* tables, const scree_render_row* rows, int count)
 {
 	for (int k = count - 1; k >= 0; --k)
@@ -142,7 +142,7 @@ scree_status grab_pull(Grab* grab)
 	return grab_holds(grab) ? scree_joint_set_frames(grab->world, grab->joint, to, held) : SCREE_OK;
 }
 
-// Creates the attributes of a ball, a box and a capsule; half: half the width of the ball, m.
+// Creates the attributes of a ball, a box and a capsule. half: radius of the ball, m.
 static scree_status make_thrown(Grab* grab, float half, float density)
 {
 	scree_attribute_def defs[3] = {scree_attribute_def_default(), scree_attribute_def_default(),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// grab.h -- tools at the cursor: pick and drag a body, throw new bodies in.
+// grab.h -- tools at the cursor: picks and drags a body, throws new bodies into the world.
 #ifndef GRAB_H
 #define GRAB_H
 #include "view/render_tables.h"
 
-// defaults for members of Grab that are 0; a spring of this strength pulls a body, but does not push it through others
+// defaults for members of Grab that are 0; with these, the spring pulls a body, but does not push it through others
 #define GRAB_HARDEST 1000.0f
 #define GRAB_HERTZ   5.0f
 #define GRAB_DENSITY 1.0f
@@ -17,20 +17,20 @@ typedef struct
 	scree_vec anchor;          // m: point at which the cursor holds the body, in the body's frame
 	scree_vec at;              // position of the cursor, m
 	scree_vec velocity;        // velocity of the cursor, smoothed, m/s
-	int launched;              // number of bodies thrown in so far
+	int launched;              // number of bodies thrown so far
 	scree_attribute thrown[3]; // attributes of ball, box, capsule; created again if size or density changes
-	float thrown_size;         // m: half the width of the attributes in thrown
-	float thrown_density;      // kg/m^2: density of the attributes in thrown
-	float hardest;             // maximum acceleration by the spring between cursor and body, m/s^2, along each axis
+	float thrown_size;         // m: radius of the ball in `thrown`
+	float thrown_density;      // kg/m^2: density of the attributes in `thrown`
+	float hardest;             // m/s^2: maximum acceleration along each axis by the spring between cursor and body
 	float hertz;               // frequency of the spring between cursor and body, Hz
-	float density;             // density of bodies that are thrown in, kg/m^2
+	float density;             // density of thrown bodies, kg/m^2
 } Grab;
 
-// Finds the dynamic body under the cursor; sets body and anchor, but does not create a joint. Returns false if there is
-// no such body.
+// Finds the dynamic body under the cursor; sets Grab.body and Grab.anchor, but does not create a joint. Returns false
+// if there is no such body.
 bool grab_reach(Grab* grab, const RenderTables* tables);
 
-// Picks the dynamic body under the cursor: creates the joint. Returns false if there is no such body.
+// Finds the dynamic body under the cursor, and creates the joint. Returns false if there is no such body.
 bool grab_pick(Grab* grab, const RenderTables* tables);
 void grab_release(Grab* grab);
 bool grab_holds(const Grab* grab);
@@ -41,7 +41,7 @@ void grab_move(Grab* grab, scree_vec to, double seconds);
 // Moves the target of the joint to the cursor. Returns an error if the body was destroyed.
 scree_status grab_pull(Grab* grab);
 
-// Sets anchor to the point of the world at which the body is held, m.
+// Sets *anchor to the current position of the point at which the body is held, m.
 scree_status grab_anchor(Grab* grab, scree_vec* anchor);
 
 // Adds a body of about this size (m) at the cursor, with the velocity of the cursor. Successive calls add a ball, a box

@@ -7,7 +7,7 @@
 #include "view/theme.h"
 #include <stdio.h>
 
-#define CONTACTS 64   // maximum number of contacts of a body whose forces are read
+#define CONTACTS 64   // maximum number of contacts of a body that are read for the sum of their forces
 #define SHAPES   64   // maximum number of shapes of a body that get an outline
 #define WIDTH    3.0f // px: width of the outline
 
@@ -26,7 +26,7 @@ scree_status inspect_find(scree_world* world, scree_vec at, float radius, scree_
 	    SCREE_QUERY_STATIC | SCREE_QUERY_KINEMATIC | SCREE_QUERY_DYNAMIC | SCREE_QUERY_FREE | SCREE_QUERY_SENSORS;
 	const scree_ray here = {.origin = at, .radius = radius};
 	scree_query_results list;
-	bool over = false; // true if found is a sensor
+	bool over = false; // true if *found is a sensor
 	*found = SCREE_NULL_COLLIDABLE;
 	if (!(at.x >= -SCREE_MAX_COORDINATE && at.x <= SCREE_MAX_COORDINATE && at.y >= -SCREE_MAX_COORDINATE &&
 	      at.y <= SCREE_MAX_COORDINATE))
@@ -72,7 +72,8 @@ static const char* attribute_name(const Inspected* inspected, const Scene* scene
 	return "";
 }
 
-// Sets the name. The bodies of a scene have the first indices, in the order of the scene file.
+// Sets the name of the inspected body or collidable. The bodies of a scene file have the first indices, in the order of
+// the file.
 static void find_name(Inspected* inspected, const Scene* scene, const scree_world* world)
 {
 	uint32_t index = inspected->body.index;

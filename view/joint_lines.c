@@ -5,8 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define MOST  200000 // maximum number of joints: reading a joint takes 0.2 us, and a frame must stay short
-#define LEAST 1.2f   // px: an anchor with a smaller radius has no dot
+#define MOST  200000 // maximum number of drawn joints: reading a joint takes 0.2 us, and a frame must stay short
+#define LEAST 1.2f   // px: anchors whose dot would have a smaller radius have no dot
 
 static const Color loaded = {214, 40, 30};
 
@@ -15,7 +15,7 @@ static void find_bodies(JointLines* lines)
 	lines->first = 0;
 	lines->last = -1;
 	for (int k = 0; k < lines->links.count; ++k)
-		for (int end = 0; end < 2; ++end) // a joint on a path has the body of the path at one end
+		for (int end = 0; end < 2; ++end) // for a joint on a path, one end is the body that carries the path
 		{
 			int body = lines->links.list[k].bodies[end];
 			if (body < 0)
@@ -138,7 +138,7 @@ static void mark(Strokes* strokes, const scree_vec* points, int count, const int
 		strokes_add(strokes, points[k - 1], points[k], width, color, 230);
 	for (int end = 0; pin >= LEAST && end < 2; ++end)
 	{
-		// no dot in the middle of a body, because it would only hide the body
+		// the dot is omitted in the center of a body, because it would only hide the body
 		scree_vec at = points[anchors[end]], center = points[end ? count - 1 : 0];
 		bool aside = scale * hypotf(at.x - center.x, at.y - center.y) >= pin;
 		if (aside || anchors[end] == (end ? count - 1 : 0))
@@ -168,10 +168,11 @@ void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* c
 	{
 		scree_vec points[LINK_POINTS];
 		int anchors[2], count = link_points(&lines->links.list[k], lines->poses, points, anchors);
-		// the square root makes small loads visible beside large ones
 		bool small = 0.04f * camera->scale < LEAST && length_of(points, count) * camera->scale < style->detail;
-		if (!small && in_view(points, count, box))
-			mark(strokes, points, count, anchors, camera->scale,
-			     joint_color(sqrtf(force_of(&lines->states[k]) / largest), style->dark));
+		if (small || !in_view(points, count, box))
+			continue;
+		// the square root makes small loads visible beside large ones
+		mark(strokes, points, count, anchors, camera->scale,
+		     joint_color(sqrtf(force_of(&lines->states[k]) / largest), style->dark));
 	}
 }

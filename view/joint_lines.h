@@ -10,26 +10,26 @@
 typedef struct
 {
 	Links links;       // list of the joints that are neither broken nor destroyed
-	scree_pose* poses; // poses of RenderTables.bodies from first to last, by the same index
+	scree_pose* poses; // poses of the bodies in RenderTables.bodies, by the same index; only first to last are read
 	int first, last;   // range of the indices of bodies that have joints
 	scree_joint* joints;
 	scree_joint_state* states;
-	float largest; // N: largest force of a joint
+	float largest; // N: largest force of any joint
 } JointLines;
 
-// Lists the joints of the tables' world; if there are too many to read in each frame, the list is empty. Returns false
-// if memory is short.
+// Lists the joints of the world of `tables`. If there are too many to read in each frame, the list is empty. Returns
+// false if memory is short.
 bool joint_lines_build(JointLines* lines, const RenderTables* tables);
 void joint_lines_close(JointLines* lines);
 
-// Reads poses and forces. Removes joints that broke or were destroyed from the list.
+// Reads poses and forces, and removes joints that broke or were destroyed from the list.
 scree_status joint_lines_update(JointLines* lines, const RenderTables* tables);
 
 // Adds strokes for the joints in view: lines, and dots at their anchors. A joint is omitted if its line is shorter than
-// Style.detail pixels and its dots are too small to be drawn.
+// Style.detail pixels and its dots would be too small.
 void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, const Style* style);
 
-// Returns the color of a joint; share: square root of its force divided by the largest force.
+// Returns the color of a joint. share: square root of (its force / the largest force).
 Color joint_color(float share, bool dark);
 
 #endif

@@ -24,7 +24,7 @@ static void write_force(char text[20], double force)
 		snprintf(text, 20, force >= 100.0 ? "%.0f" : "%.3g", force);
 }
 
-// Adds three ticks. The position in the color bar is the square root of force / largest.
+// Adds three ticks. The position of a force in the color bar is the square root of force / largest, as in the colors.
 static void add_force_ticks(Legend* legend, float largest)
 {
 	for (int k = 0; k < 3; ++k)
@@ -48,7 +48,7 @@ static void add_speeds(Legend* legend)
 	add_tick(legend, 1.0f, "\u221e");
 }
 
-// Adds the graph colors of touching contacts; if there are too many, only the first of these colors.
+// Adds an entry for each graph color of a touching contact, in ascending order, at most LEGEND_COLORS.
 static void add_graph(Legend* legend, const Renderer* r)
 {
 	bool used[GRAPH_COLORS] = {false};

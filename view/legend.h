@@ -5,7 +5,8 @@
 #include "scene/canvas.h"
 #include "view/renderer.h"
 
-// Writes the legend for the colors of bodies at the last renderer_fetch. Returns false for a paint without a legend.
+// Writes the legend of the paint, for the bodies at the last renderer_fetch. Returns false for a paint without a
+// legend.
 bool legend_of_paint(Legend* legend, const Renderer* renderer, const Style* style);
 
 // Writes the legend for the colors of joints. Returns false if no joint is drawn.

@@ -2,8 +2,8 @@
 // lod.c -- level of detail: selects the rows that are drawn as shapes and the rows that are drawn as splats, at a
 // scale.
 //
-// A scene may have a few walls and 100,000 splats. Without ranges of rows, the program for shapes would process every
-// row, four vertices each. Rows are in the order in which bodies were created, so rows of shapes are mostly
+// A scene may have a few walls and 100,000 splats. If all rows were one range, the program for shapes would process
+// each of them, four vertices per row. Rows are in the order in which bodies were created, so rows of shapes are mostly
 // consecutive.
 #include "view/lod.h"
 

@@ -5,11 +5,11 @@
 
 #define DOT     5.0f  // px: diameter of a contact point
 #define NORMAL  14.0f // px: length of a normal
-#define IMPULSE 60.0f // px: maximum length of the largest impulse in view
-#define FEW     4.0f  // px: minimum length of the largest impulse in view
-#define DENSE   20.0f // px: lines have no rim if the largest impulse would be shorter
-#define LONG    1.6f  // length of the largest impulse, in reaches of a typical body, if FEW and IMPULSE allow it
-#define HALO    2.6f  // px: additional width of the rim around impulses
+#define IMPULSE 60.0f // px: maximum length of the line of the largest impulse in view
+#define FEW     4.0f  // px: minimum length of the line of the largest impulse in view
+#define DENSE   20.0f // px: lines have no rims if the line of the largest impulse is shorter than this
+#define LONG    1.6f  // length of the line of the largest impulse, in reaches of a typical body, within FEW and IMPULSE
+#define HALO    2.6f  // px: additional width of the rims of lines
 
 static const Color red = {187, 53, 44}, pale = {232, 150, 140}, slate = {52, 62, 80}, mist = {206, 214, 228};
 
@@ -42,8 +42,8 @@ static scree_vec along(scree_vec from, scree_vec direction, float length)
 	return (scree_vec){from.x + direction.x * length, from.y + direction.y * length};
 }
 
-// Adds strokes for impulses: first the rims of all, then the lines over the rims. If bodies are too small, adds only
-// thin lines.
+// Adds strokes for impulses: first the rims of all lines, then the lines. If the longest line is shorter than DENSE,
+// adds only thin lines.
 static void mark_impulses(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera, float size)
 {
 	scree_box box = camera_box(camera);
@@ -63,7 +63,7 @@ static void mark_impulses(Strokes* strokes, const scree_contact* contacts, int c
 				const scree_contact_point* p = &contacts[k].points[n];
 				if (!is_inside(box, p->point))
 					continue;
-				// the square root makes small impulses visible beside large ones
+				// the square root makes small impulses visible in comparison with the largest
 				float length = whole * sqrtf(fmaxf(p->normal_impulse, 0.0f) / largest);
 				float slip = whole * copysignf(sqrtf(fabsf(p->tangent_impulse) / largest), p->tangent_impulse);
 				strokes_add(strokes, p->point, along(p->point, across, slip), width, color, opacity * 3 / 5);

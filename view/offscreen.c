@@ -9,8 +9,8 @@
 
 #define MAX_EGL_DEVICES 16
 
-// Opens a context on a display, and makes it current. The display is never terminated, because other contexts of the
-// process may use it.
+// Opens a context on a display, and makes the context current. The display is never terminated, because other
+// contexts of the process may use it.
 static EGLContext context_of(EGLDisplay display)
 {
 	if (!eglInitialize(display, NULL, NULL))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// opengl.h -- includes OpenGL 3.3 by libepoxy; in a page OpenGL ES 3.0 by WebGL 2. Macros hide the differences.
+// opengl.h -- includes OpenGL 3.3 (from libepoxy) or, in a page, OpenGL ES 3.0 (from WebGL 2). Macros hide the
+// differences.
 #ifndef OPENGL_H
 #define OPENGL_H
 #include <stdbool.h>
@@ -13,7 +14,7 @@
 	"precision highp int;\n"       \
 	"precision highp sampler2D;\n" \
 	"precision highp usampler2D;\n"
-#define OPENGL_SHADERS_SIZE_POINTS() ((void)0) // nothing to enable: WebGL always has it
+#define OPENGL_SHADERS_SIZE_POINTS() ((void)0) // does nothing: in WebGL, shaders always set the size of points
 #else
 #include <epoxy/gl.h>
 #define GLSL_VERSION                 "#version 330 core\n"

@@ -25,7 +25,7 @@ static void line(const Pen* pen, scree_vec a, scree_vec b)
 	strokes_add(pen->strokes, placed(pen, a), placed(pen, b), pen->width, pen->color, OPAQUE);
 }
 
-// Adds the arc of a rounded corner, counter-clockwise from normal from to normal to.
+// Adds the arc of a rounded corner, counter-clockwise. `from`, `to`: unit normals at the start and the end of the arc.
 static void arc(const Pen* pen, scree_vec corner, float radius, scree_vec from, scree_vec to, float scale)
 {
 	float begin = atan2f(from.y, from.x), turn = atan2f(to.y, to.x) - begin;

@@ -45,7 +45,7 @@ bool paint_tables_fill_graph(RenderTables* tables, const scree_contact* contacts
 			    contacts[k].color < 0)
 				continue;
 			uint8_t *color = &highest[bodies[side].index], own = (uint8_t)contacts[k].color;
-			// the color of hub contacts counts only without any other contact
+			// a body gets the color of hub contacts only if it has no other contact
 			if (*color == none || *color == hub || (own != hub && own > *color))
 				*color = own;
 		}
@@ -74,7 +74,8 @@ bool paint_tables_fill_forces(RenderTables* tables, const scree_contact* contact
 	return good;
 }
 
-// Adds the starting places of new bodies. If a scene replaced bodies, a new body's place is its pose at this call.
+// Stores the positions of bodies that have no starting place. For the new bodies of a scene that replaces bodies, this
+// is the position at the first call after the replacement.
 static scree_status find_new_starts(RenderTables* tables)
 {
 	bool misses = false;

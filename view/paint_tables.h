@@ -4,19 +4,19 @@
 #define PAINT_TABLES_H
 #include "view/render_tables.h"
 
-// Fills the table of velocities with those of all bodies.
+// Fills the table of velocities with the velocities of all bodies.
 scree_status paint_tables_fill_velocities(RenderTables* tables);
 
-// Fills the table of graph colors with the highest color of each body's contacts. The color of hub contacts counts only
-// for bodies without other contacts. Returns false if memory is short.
+// Fills the table of graph colors with the highest color of each body's contacts. A body gets the color of hub contacts
+// only if it has no other contacts. Returns false if memory is short.
 bool paint_tables_fill_graph(RenderTables* tables, const scree_contact* contacts, int count);
 
-// Updates RenderTables.force_range, and fills the table of shares with the square root of force / force_range for each
-// body; force: sum of the normal forces of its contacts. substep: duration of a substep, s. Returns false if memory is
-// short.
+// Updates RenderTables.force_range, and fills the table of shares: for each body, the square root of (force /
+// force_range). The force is the sum of the normal forces of the body's contacts. substep: duration of a substep, s.
+// Returns false if memory is short.
 bool paint_tables_fill_forces(RenderTables* tables, const scree_contact* contacts, int count, float substep);
 
-// Fills the table of shares with the starting places of the bodies, 0 to 1 in x and y.
+// Fills the table of shares with the starting places of the bodies: x and y, each from 0 to 1.
 scree_status paint_tables_fill_starts(RenderTables* tables);
 
 #endif

@@ -7,7 +7,7 @@
 #include "view/shader.h"
 #include "view/theme.h"
 
-#define TABLES 6 // number of textures
+#define TABLES 6 // number of textures with tables
 
 static void write_color(Color color, float channels[3])
 {

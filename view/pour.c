@@ -5,9 +5,9 @@
 #include <stdlib.h>
 
 #define SAMPLES 256       // maximum number of bodies that are examined to find attributes
-#define LARGE   4.0f      // bodies with a larger reach, in units of the typical reach, are not poured
-#define APART   2.05f     // minimum distance of poured bodies, in typical reaches
-#define TURN    2.399963f // rad: angle between successive places, the golden angle, so that places repeat late
+#define LARGE   4.0f      // maximum reach of poured bodies, divided by the reach of a typical body
+#define APART   2.05f     // minimum distance between poured bodies, divided by the reach of a typical body
+#define TURN    2.399963f // rad: golden angle, between successive places; its multiples cover all directions evenly
 #define SHARE   0.618034f // increase of (distance / radius)^2 from place to place, modulo 1; covers the disc evenly
 
 static const Color water = {52, 116, 178};
@@ -18,7 +18,7 @@ typedef struct
 	float reach; // m: reach of the shape
 } Sample;
 
-// Fills a sample, and returns true, if a body can be poured: dynamic, with one shape that is not a sensor.
+// Fills a sample from a body, and returns true, if the body is dynamic and has one shape, which is not a sensor.
 static bool take_sample(const scree_world* world, scree_body body, Sample* sample)
 {
 	scree_body_type type;
@@ -86,7 +86,8 @@ void pour_end(Pour* pour) { pour->on = false; }
 // Returns the radius of the disc in which bodies are poured, m.
 static float radius_of(const Pour* pour) { return APART * pour->size * sqrtf((float)pour->rate); }
 
-// Chooses at most Pour.rate places on the disc, at distances of more than APART reaches. Returns their number.
+// Chooses at most Pour.rate places on the disc, more than APART typical reaches away from each other. Returns their
+// number.
 static int choose_places(const Pour* pour, scree_vec middle, scree_probe* probes)
 {
 	float radius = radius_of(pour);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// pour.h -- pours bodies into a world where there is room. The new bodies have attributes of the scene's bodies. The
-// same calls before the same steps pour the same bodies.
+// pour.h -- pours bodies into a world where there is room. The new bodies have attributes of the scene's bodies. If two
+// worlds get the same calls before the same steps, the same bodies are poured.
 #ifndef POUR_H
 #define POUR_H
 #include "view/stroke.h"
@@ -11,21 +11,21 @@
 
 typedef struct
 {
-	int rate;   // maximum number of bodies per step; at most POUR_MOST
+	int rate;   // maximum number of bodies that are poured per step, at most POUR_MOST
 	bool on;    // true: bodies are poured before each step
 	bool due;   // true: bodies are poured before the next step, even if pour_end is called before
 	float size; // m: reach of a typical body
 	scree_attribute kinds[POUR_KINDS];
 	int kind_count;
-	int poured; // number of places so far, with or without room for a body
+	int poured; // number of places that were chosen so far, with or without room for a body
 } Pour;
 
-// Begins to pour. Finds attributes of the world's bodies: of dynamic bodies with one shape that is not much larger than
-// most. If there are none, kind_count is 0 and nothing is poured.
+// Begins to pour. Chooses the attributes of those dynamic bodies that have one shape, with a reach of at most four
+// times the median. If there are none, kind_count is 0 and nothing is poured.
 scree_status pour_begin(Pour* pour, scree_world* world);
 void pour_end(Pour* pour);
 
-// Pours bodies around a point (m); call it before a step. Sets added to true if it created any bodies.
+// Pours bodies around a point (m); call it before a step. Sets *added to true if it creates any bodies.
 scree_status pour_step(Pour* pour, scree_world* world, scree_vec at, bool* added);
 
 // If pouring is on, adds a circle around the area in which bodies are poured.

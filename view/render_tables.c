@@ -9,7 +9,7 @@
 #define TEXELS 9   // texels per attribute, as in row.glsl and body.frag
 #define SIZES  256 // maximum number of shapes that are examined to find the typical size
 
-// Returns true if a shape is an axis-aligned rectangle, for which the shader computes the distance in less time.
+// Returns true if a shape is an axis-aligned rectangle. For these the shader has a faster computation of the distance.
 static bool is_upright(const scree_shape* shape)
 {
 	if (shape->count != 4)
@@ -78,8 +78,8 @@ static int compare_sizes(const void* a, const void* b)
 	return (x->reach > y->reach) - (x->reach < y->reach);
 }
 
-// Sets size to the median reach of the shapes that move, from at most SIZES of them, and density to that of the same
-// shape.
+// Sets RenderTables.size to the median reach of shapes of dynamic bodies, from a sample of at most SIZES shapes, and
+// RenderTables.density to the density of the shape with this reach.
 static void find_size(RenderTables* tables, const Sprites* sprites)
 {
 	scree_attribute_def* defs = malloc(SIZES * sizeof *defs);
@@ -97,8 +97,8 @@ static void find_size(RenderTables* tables, const Sprites* sprites)
 	free(defs);
 }
 
-// Fills the table of kinds with one byte per body: type plus 4 times shade. Finds the box and the starting places of
-// the bodies. Dynamic bodies are in the list of sprites from first_moving on.
+// Fills the table of kinds with one byte per body: type plus 4 times shade. Computes the box of the dynamic bodies, and
+// the starting places of all bodies. Dynamic bodies begin at index first_moving in the list of sprites.
 static bool fill_kinds(RenderTables* tables, const Sprites* sprites)
 {
 	for (int k = 0; k < tables->body_count; ++k)

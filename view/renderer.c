@@ -3,7 +3,7 @@
 //
 // A body with a reach below Style.detail is drawn as a splat: one vertex, which covers the body's pixels. A larger body
 // is drawn as a rectangle whose fragments compute their signed distance from the shape. The shaders of splats discard
-// the rows of larger bodies; those of shapes discard the rows of splats.
+// the rows of larger bodies; the shaders of shapes discard the rows of splats.
 #include "view/renderer.h"
 #include "view/glsl.h"
 #include "view/marker.h"
@@ -121,7 +121,7 @@ scree_status renderer_step(Renderer* r, const Camera* camera, const Style* style
 	return flashes_step(&r->flashes, &r->tables, camera, style, now);
 }
 
-// Binds the rows from index first on, as vertices (divisor 0) or as instances (divisor 1).
+// Binds the rows, beginning with row `first`, as vertices (divisor 0) or as instances (divisor 1).
 static void bind_rows(unsigned vertices, const Share* share, int first, GLuint divisor)
 {
 	const GLsizei row = sizeof(scree_render_row);

@@ -16,7 +16,7 @@
 typedef struct
 {
 	Pass body, splat, box, velocity, center;
-	unsigned one_each, four_each; // vertex arrays: a row is one vertex; a row is one instance of four vertices
+	unsigned one_each, four_each; // vertex arrays with one vertex per row; with one instance of four vertices per row
 	Strokes strokes, under;       // strokes over the bodies; strokes under the bodies
 	RenderTables tables;
 	Lod lod;
@@ -35,15 +35,16 @@ typedef struct
 bool renderer_open(Renderer* renderer, char* sentence);
 void renderer_close(Renderer* renderer);
 
-// Reads a world. Call it before the first frame and after bodies were added or removed. scene is the scene that created
-// the world, or null; it must exist until the next call. Returns false if memory is short.
+// Reads a world. Call it before the first frame and after bodies were added or removed. `scene` is the scene that
+// created the world, or null; the scene must exist until the next call. Returns false if memory is short.
 bool renderer_update_world(Renderer* renderer, const Scene* scene, scree_world* world);
 
-// Adds flashes for the events of a step that a style shows. Call it after every step; now is the time of the world, s.
+// Adds flashes for those events of a step whose layers are on in the style. Call it after every step. now: time of the
+// world, s.
 scree_status renderer_step(Renderer* renderer, const Camera* camera, const Style* style, double now);
 
-// Reads the data that a style shows besides rows and events: velocities, contacts, joints, fields, sensors, the rays in
-// view.
+// Reads the data that a style shows besides rows and events: velocities, contacts, joints, fields, sensors, and the
+// rays in view.
 scree_status renderer_fetch(Renderer* renderer, const Camera* camera, const Style* style);
 
 // Draws background, bodies and layers into the current framebuffer, and on top the strokes that the caller has added.

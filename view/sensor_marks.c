@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sensor_marks.c -- computes marks of sensors for shaders, one byte per row: whether it is a sensor, whether it has a
-// visit, and the brightness of its flash.
+// sensor_marks.c -- computes marks of sensors for shaders, one byte per row: whether the row is a sensor, whether the
+// sensor has a visit, and the brightness of its flash.
 #include "view/sensor_marks.h"
 #include <float.h>
 #include <stdlib.h>
@@ -26,7 +26,7 @@ bool sensor_marks_list(SensorMarks* sensors, const Sprites* sprites)
 		if (sprites->list[k].sensor)
 			sensors->list[sensors->count++] = (SensorMark){sprites->list[k].collidable, -DBL_MAX};
 	qsort(sensors->list, (size_t)count, sizeof *sensors->list, compare_sensors);
-	sensors->rows = (int)sensors->list[count - 1].collidable.index; // row k is the collidable with index k + 1
+	sensors->rows = (int)sensors->list[count - 1].collidable.index; // row k belongs to the collidable with index k + 1
 	sensors->marks = calloc((size_t)sensors->rows, 1);
 	return sensors->marks;
 }

@@ -6,8 +6,8 @@
 
 #define SENTENCE 512 // size of a buffer for an error message, characters
 
-// Creates a program from a vertex and a fragment shader. head (may be empty) is put before the vertex shader. On
-// failure returns 0 and writes OpenGL's message.
+// Creates a program from a vertex shader and a fragment shader. `head`, which may be empty, is put before the vertex
+// shader. On failure returns 0 and writes OpenGL's message.
 unsigned shader_link(const char* head, const char* vertex, const char* fragment, char* sentence);
 
 #endif

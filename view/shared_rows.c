@@ -16,8 +16,8 @@ bool share_context(scree_opengl* opengl)
 	return true;
 }
 
-// Finds the device of a world in the list of all devices. Returns false if the list does not contain it, or if memory
-// is short.
+// Finds the device of a world in the list of all devices. Returns false if the list does not contain the device, or if
+// memory is short.
 static bool find_device(const scree_world* world, scree_device* device)
 {
 	int count = 0;
@@ -82,7 +82,7 @@ static bool share_memory(Share* share, size_t bytes)
 	}
 	memory->files[0] = -1; // OpenCL now owns the file descriptor
 	while (glGetError() != GL_NO_ERROR)
-		; // discards earlier errors
+		; // removes errors of earlier calls of OpenGL
 	glCreateMemoryObjectsEXT(1, &share->memory);
 	glImportMemoryFdEXT(share->memory, memory->allocated, GL_HANDLE_TYPE_OPAQUE_FD_EXT, memory->files[1]);
 	GLenum error = glGetError();
@@ -107,7 +107,7 @@ static bool share_opengl(Share* share, size_t bytes)
 	return false;
 }
 
-// Creates a buffer with room for more rows than there are. If sharing fails, selects copying.
+// Creates a buffer with room for additional rows. If sharing fails, selects copying.
 static void make_buffer(Share* share)
 {
 	int capacity = share->count + share->count / 2 + 1024;

@@ -12,17 +12,17 @@ typedef struct
 {
 	scree_world* world;
 	bool copy;          // true: the rows are copied even if sharing works
-	char device[160];   // device of the world when sharing or copying was selected
+	char device[160];   // device of the world at the time when sharing or copying was selected
 	scree_sharing how;  // kind of sharing, or copying
 	char sentence[256]; // reason for copying rows instead of sharing them, or empty; the caller may clear it
 	unsigned buffer;    // OpenGL buffer of scree_render_row; replaced when the world grows
 	unsigned memory;    // OpenGL memory object of the buffer; 0: none
 	ExportedMemory exported;
-	int capacity, count;    // number of rows that fit into the buffer; number of rows that are drawn
+	int capacity, count;    // number of rows that fit into the buffer; number of rows in the world, which are drawn
 	scree_render_row* rows; // host copy of the rows, in a page; null if OpenGL maps its buffers
 } Share;
 
-// Sets opengl to the current context, for scree_world_def.opengl. Returns false if this is not an EGL context.
+// Sets *opengl to the current context, for scree_world_def.opengl. Returns false if this is not an EGL context.
 bool share_context(scree_opengl* opengl);
 
 // Initializes the struct and allocates nothing. copy: the rows are copied even if sharing works.

@@ -6,22 +6,23 @@
 
 typedef struct
 {
-	scree_vec* places;     // m: positions by body index
+	scree_vec* places;     // m: starting positions of the bodies, by index
 	uint32_t* generations; // generations of the bodies whose places are stored, by body index; 0: no place
 	int capacity;
-	scree_box box; // box around the places at starts_frame, without the outermost 0.5 %
+	scree_box box; // box around the points given to starts_frame, without the outermost 0.5 %
 } Starts;
 
-// Returns true if no starting place of a body is stored.
+// Returns true if the starting place of a body is not stored.
 bool starts_misses(const Starts* starts, scree_body body);
 
-// Stores the positions of bodies without a stored place. Returns false if memory is short.
+// Stores the positions of those bodies that have no stored place. Returns false if memory is short.
 bool starts_add(Starts* starts, const scree_body* bodies, const scree_pose* poses, int count);
 
-// Sets box to a box around these points, without the outermost 0.5 %. Returns false if memory is short.
+// Sets Starts.box to a box around these points, without the outermost 0.5 %. Returns false if memory is short.
 bool starts_frame(Starts* starts, const scree_vec* points, int count);
 
-// Returns the position of a body's starting place in box: 0 to 1 in x and y. If no place is stored, returns the middle.
+// Returns the position of a body's starting place within Starts.box: 0 to 1 in x and y. If no place is stored, returns
+// the center, 0.5 in x and y.
 scree_vec starts_share(const Starts* starts, scree_body body);
 
 void starts_close(Starts* starts);

@@ -5,12 +5,12 @@
 #include "scene/sprites.h"
 #include "view/camera.h"
 
-typedef struct // 28 bytes; one instance in a draw call
+typedef struct // 28 bytes; drawn as one instance
 {
 	scree_vec a, b; // m: endpoints, which are equal for a dot or a ring
 	float width;    // px: width of a line or dot, diameter of a ring
 	uint8_t color[4];
-	uint8_t end;  // opacity at b, 0 to 255
+	uint8_t end;  // opacity at endpoint b, 0 to 255; color[3] is the opacity at endpoint a
 	uint8_t ring; // line width of a ring in quarters of a pixel; 0: a line or a dot
 	uint8_t unused[2];
 } Stroke;
@@ -29,7 +29,7 @@ void strokes_close(Strokes* strokes);
 // Adds a stroke; adds nothing if memory is short. opacity: 0 to 255.
 void strokes_add(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int opacity);
 
-// Adds a stroke whose opacity changes from begin (at a) to end (at b), both 0 to 255.
+// Adds a stroke whose opacity changes from `begin` at endpoint a to `end` at endpoint b, both 0 to 255.
 void strokes_fade(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int begin, int end);
 
 // Adds a circle around a point; diameter and line width in px.

@@ -19,8 +19,8 @@ int find_name(const char* const* names, int count, const char* text, size_t leng
 
 #define GRAPH_COLORS 64 // number of possible values of scree_contact.color
 
-// Returns the color for a graph color. Hues of consecutive graph colors differ by the golden angle; contacts of hubs
-// are dark.
+// Returns the color in which a graph color is drawn. Hues of consecutive graph colors differ by the golden angle; the
+// graph color of hubs is dark.
 Color graph_color(int color);
 
 typedef enum
@@ -37,8 +37,8 @@ typedef struct
 {
 	Paint paint;
 	bool layers[LAYERS];
-	bool graph;   // true: contact points have the color of their contact in the solver's graph
-	float detail; // px: smaller bodies are drawn as splats, shorter joints are omitted; 1, or 4 for slow renderers
+	bool graph;   // true: contact points are drawn in the graph color of their contact
+	float detail; // px: smaller bodies are drawn as splats, shorter joints are omitted; 1, or 4 if OpenGL is slow
 	int rays;     // maximum number of rays of the scene that are drawn
 	bool dark;    // true: dark background
 } Style;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// texel_array.c -- keeps an array that shaders read in an OpenGL texture.
+// texel_array.c -- keeps an array in an OpenGL texture, for shaders that read the array.
 #include "view/texel_array.h"
 #include "view/opengl.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// texel_array.h -- keeps an array that shaders read in an OpenGL texture.
+// texel_array.h -- keeps an array in an OpenGL texture, for shaders that read the array.
 #ifndef TEXEL_ARRAY_H
 #define TEXEL_ARRAY_H
 
@@ -13,7 +13,7 @@ typedef enum // format of a texel
 typedef struct // texel k is in row k / 2048 of a 2D texture, because WebGL has no buffer textures
 {
 	unsigned texture;
-	int format, rows; // values with which the texture was created
+	int format, rows; // format and number of rows of the texture
 } TexelArray;
 
 // Writes the texels from 0 to count - 1; the contents of the other texels are undefined.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// theme.c -- defines colors other than those of dynamic bodies, for a light or a dark background.
+// theme.c -- defines all colors except those of dynamic bodies, for a light or a dark background.
 #include "view/theme.h"
 
 static const Theme themes[] = {

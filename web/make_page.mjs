@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// make_page.mjs -- make_page.mjs SCREE BUILD OUT: assembles the page: its files, WebAssembly, scenes, and their
+// make_page.mjs -- make_page.mjs SCREE BUILD OUT: assembles the page from its files, WebAssembly, scenes, and their
 // thumbnails.
 //
 // SCREE is the command line program, which draws the thumbnails; BUILD contains wasm-scalar, wasm-simd and
@@ -17,7 +17,7 @@ const { scenes: list } = JSON.parse(readFileSync(join(source, 'web/start.json'),
 
 const readScene = (name) => JSON.parse(readFileSync(join(source, 'scenes', `${name}.json`), 'utf8'));
 
-// Returns the data of a scene that the page needs before it loads the scene file.
+// Returns those data of a scene that the page needs before it loads the scene file.
 function describe({ name, set = {} }) {
 	const scene = readScene(name);
 	const parameters = Object.entries(scene.parameters ?? {}).map(([key, entry]) => {
@@ -41,7 +41,7 @@ function draw({ name, set = {}, picture }) {
 	execFileSync(scree, ['run', name, ...sets, '--steps', String(picture), ...size], { stdio: ['ignore', 'ignore', 'inherit'] });
 }
 
-// Throws an error if a scene of the folder is missing in the list.
+// Throws an error if the folder has a scene that is missing in the list.
 function checkList() {
 	const files = readdirSync(join(source, 'scenes')).filter((file) => file.endsWith('.json') && !file.endsWith('schema.json'));
 	for (const file of files)

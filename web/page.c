@@ -28,7 +28,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_error(void) { return page.sentence; }
 // Lists of names for JavaScript, from the .def files
 // ---------------------------------------------------------------------------------------------------------------
 
-// name, key and help of each action
+// name, key and description of each action
 static const char* const actions[][3] = {
 #define X(name, key, shown, help) {#name, shown, help},
 #define VIEWER(name, key, shown, help)
@@ -75,7 +75,7 @@ static void close_scene(void)
 	*page.told = 0;
 }
 
-// Splits "rows=10\ncolumns=20" in place. Returns the number of settings; -1 if there are too many.
+// Splits a text such as "rows=10\ncolumns=20" in place. Returns the number of settings; -1 if there are too many.
 static int split_settings(char* text, SceneSetting* settings)
 {
 	int count = 0;
@@ -134,11 +134,11 @@ EMSCRIPTEN_KEEPALIVE bool page_load(const char* path, char* lines, int threads)
 	return page_show_world();
 }
 
-// Takes one step. Bit k of down: the key with SceneKey k is down. Returns false on failure.
+// Takes one step. Bit k of `down` is set while the key with SceneKey k is down. Returns false on failure.
 EMSCRIPTEN_KEEPALIVE bool page_step(uint32_t down)
 {
 	if (grab_pull(&page.grab) != SCREE_OK)
-		grab_release(&page.grab); // the body no longer exists
+		grab_release(&page.grab); // the held body no longer exists
 	if (pour_step(&page.pour, page.player.world, page.grab.at, &page.added) != SCREE_OK)
 		snprintf(page.told, sizeof page.told, "%s", scree_error());
 	page.player.down = down;
@@ -147,7 +147,7 @@ EMSCRIPTEN_KEEPALIVE bool page_step(uint32_t down)
 	                                                (double)page.player.steps * (double)page.scene->dt)));
 }
 
-// Returns the last error of a tool in a step since the previous call; empty if there is none.
+// Returns the last error of a tool in the steps since the previous call; empty if there was no error.
 EMSCRIPTEN_KEEPALIVE const char* page_told(void)
 {
 	snprintf(page.text, sizeof page.text, "%s", page.told);
@@ -177,7 +177,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_hash(void)
 // Returns the keys that the scene uses: bit k for SceneKey k.
 EMSCRIPTEN_KEEPALIVE uint32_t page_keys(void) { return player_keys(page.scene); }
 
-// Returns the numbers of the world, in the order of NUMBERS in core.js.
+// Returns the numbers of the world, in the order of NUMBERS in core.js; null on failure.
 EMSCRIPTEN_KEEPALIVE const double* page_numbers(void)
 {
 	scree_counters c;

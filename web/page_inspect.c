@@ -26,7 +26,7 @@ static bool choose(Inspected* inspected, float x, float y, float reach)
 	return good && inspect_any(inspected);
 }
 
-// Returns the few most important numbers of the body within reach (px) of a point; empty if there is no body.
+// Returns the few most important numbers of the body within `reach` (px) of a point; empty if there is no such body.
 EMSCRIPTEN_KEEPALIVE const char* page_hover(float x, float y, float reach)
 {
 	Numbers numbers;
@@ -36,7 +36,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_hover(float x, float y, float reach)
 	return join_lines(&numbers);
 }
 
-// Selects the body within reach (px) of a point. If there is none, clears the selection and returns false.
+// Selects the body within `reach` (px) of a point. If there is no such body, clears the selection and returns false.
 EMSCRIPTEN_KEEPALIVE bool page_select(float x, float y, float reach)
 {
 	page.follows = false;
@@ -49,15 +49,16 @@ EMSCRIPTEN_KEEPALIVE void page_forget(void)
 	page.selected = (Inspected){0};
 }
 
-// Reads the numbers of the selected body. Returns false if no body is selected, or if the body no longer exists. In the
-// second case page_selected reports this.
+// Reads the numbers of the selected body. Returns false on failure, if no body is selected, or if the body no longer
+// exists. In the last case page_selected returns a line that reports this.
 EMSCRIPTEN_KEEPALIVE bool page_read_selected(void)
 {
 	return inspect_any(&page.selected) && page_check(inspect_read(&page.selected, page.scene, page.player.world)) &&
 	       !page.selected.gone;
 }
 
-// Returns the numbers of the selected body at the last page_read_selected. few: only the most important numbers.
+// Returns the numbers of the selected body at the last page_read_selected. few: true for only the most important
+// numbers.
 EMSCRIPTEN_KEEPALIVE const char* page_selected(bool few)
 {
 	Numbers numbers;
@@ -68,7 +69,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_selected(bool few)
 	return join_lines(&numbers);
 }
 
-// Appends to page.text, whose length is given. Returns the new length.
+// Appends to page.text, which has this length. Returns the new length.
 static size_t write(size_t length, const char* format, ...) __attribute__((format(printf, 2, 3)));
 static size_t write(size_t length, const char* format, ...)
 {
@@ -88,7 +89,8 @@ static size_t write_colors(size_t length, const char* name, const Color* colors,
 	return write(length, "]");
 }
 
-// Returns the legend for the colors of joints (joints: true) or of bodies, as JSON; empty if there is none.
+// Returns a legend as JSON, for the colors of joints if `joints` is true, else of bodies; empty if there is no such
+// legend.
 EMSCRIPTEN_KEEPALIVE const char* page_legend(bool joints)
 {
 	Legend legend;

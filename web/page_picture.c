@@ -33,7 +33,7 @@ EMSCRIPTEN_KEEPALIVE void page_close_picture(void)
 
 EMSCRIPTEN_KEEPALIVE void page_resize(int width, int height) { camera_resize(&page.camera, width, height); }
 
-// Shows the whole scene.
+// Shows the whole scene in the picture.
 EMSCRIPTEN_KEEPALIVE void page_fit(void)
 {
 	if (page.scene && page.drawn)
@@ -43,7 +43,7 @@ EMSCRIPTEN_KEEPALIVE void page_fit(void)
 
 EMSCRIPTEN_KEEPALIVE void page_pan(float x, float y) { camera_pan(&page.camera, x, y); }
 EMSCRIPTEN_KEEPALIVE void page_zoom(float x, float y, float factor) { camera_zoom(&page.camera, x, y, factor); }
-EMSCRIPTEN_KEEPALIVE float page_scale(void) { return page.camera.scale; } // px per metre
+EMSCRIPTEN_KEEPALIVE float page_scale(void) { return page.camera.scale; } // px per metre of the world
 
 // Returns the point of the world under a pixel, m.
 EMSCRIPTEN_KEEPALIVE const double* page_point(float x, float y)
@@ -65,7 +65,7 @@ EMSCRIPTEN_KEEPALIVE void page_style(int paint, uint32_t layers, bool slow, bool
 	page.style.rays = slow ? SLOW_RAYS : RAYS_DRAWN;
 }
 
-// Adds a line from the finger to the body that it drags.
+// Adds a line from the pointer to the point at which it holds a body.
 static void draw_grab(void)
 {
 	scree_vec anchor;
@@ -75,7 +75,7 @@ static void draw_grab(void)
 	strokes_add(&page.renderer.strokes, anchor, anchor, 6.0f, THREAD_COLOR, 255);
 }
 
-// Adds an arrow from x, y to to_x, to_y (m) to the next picture.
+// Adds an arrow from (x, y) to (to_x, to_y), m, to the next picture.
 EMSCRIPTEN_KEEPALIVE void page_mark_arrow(float x, float y, float to_x, float to_y)
 {
 	Strokes* strokes = &page.renderer.strokes;
@@ -91,13 +91,13 @@ EMSCRIPTEN_KEEPALIVE void page_mark_arrow(float x, float y, float to_x, float to
 		            THREAD_COLOR, 220);
 }
 
-// Adds a ring with a diameter in m to the next picture; opacity: 0 to 255.
+// Adds a ring at (x, y) to the next picture. diameter: m; opacity: 0 to 255.
 EMSCRIPTEN_KEEPALIVE void page_mark_ring(float x, float y, float diameter, int opacity)
 {
 	strokes_ring(&page.renderer.strokes, (scree_vec){x, y}, diameter * page.camera.scale, 3.0f, THREAD_COLOR, opacity);
 }
 
-// Adds circles at the radius (px) and at twice the radius of an explosion to the next picture.
+// Adds two circles of an explosion at (x, y) to the next picture, with the radius (px) and with twice the radius.
 EMSCRIPTEN_KEEPALIVE void page_mark_blast(float x, float y, float radius)
 {
 	blast_mark(&page.renderer.strokes, (scree_vec){x, y}, radius);
@@ -108,7 +108,7 @@ static scree_vec middle(void)
 	return camera_point(&page.camera, 0.5f * (float)page.camera.width, 0.5f * (float)page.camera.height);
 }
 
-// Starts or stops following the selected body. Returns true if the picture now follows a body.
+// Starts or stops following the selected body. Returns true if the picture follows a body after the call.
 EMSCRIPTEN_KEEPALIVE bool page_follow(bool follows)
 {
 	scree_vec at, now = middle();
@@ -146,7 +146,7 @@ EMSCRIPTEN_KEEPALIVE bool page_draw(void)
 	return true;
 }
 
-// Writes x and y (m) of at most capacity dynamic bodies, and returns the number of these bodies. For tests.
+// Writes x and y (m) of dynamic bodies, at most `capacity`, and returns the number of bodies written. For tests.
 EMSCRIPTEN_KEEPALIVE int page_places(float* places, int capacity)
 {
 	const RenderTables* tables = &page.renderer.tables;

@@ -18,7 +18,7 @@ void share_close(Share* share)
 	*share = (Share){0};
 }
 
-// Allocates memory and a buffer with room for more rows than there are. Returns false if memory is short.
+// Allocates memory and a buffer with room for additional rows. Returns false if memory is short.
 static bool make_room(Share* share)
 {
 	int capacity = share->count + share->count / 2 + 1024;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // page_tools.c -- tools of the page's visitor: drag bodies, throw and pour new bodies, set off explosions.
 //
-// Coordinates are m of the world. So the same calls before the same steps give the same world, and the view of the
-// picture has no effect on it.
+// Coordinates are m of the world. The same calls before the same steps therefore give the same world, and the camera of
+// the picture has no effect on the world.
 #include "view/blast_tool.h"
 #include "web/page.h"
 
-// Returns the tables of the current world. Without a picture, creates tables for this call in own. Returns null on
-// failure.
+// Returns the tables of the current world. If there is no picture, fills `own` with tables for this call. Returns null
+// on failure.
 static const RenderTables* open_tables(RenderTables* own, Sprites* sprites)
 {
 	if (page.drawn && (!page.added || page_show_world()))
@@ -33,13 +33,13 @@ static bool take(Grab* grab, float x, float y, bool (*how)(Grab*, const RenderTa
 	return good;
 }
 
-// Starts to drag the dynamic body at a point. Returns false if there is no such body.
+// Finds the dynamic body at a point and starts to drag it. Returns false if there is no such body.
 EMSCRIPTEN_KEEPALIVE bool page_pick(float x, float y) { return take(&page.grab, x, y, grab_pick); }
 
-// Finds the dynamic body at a point; the body does not change. Returns false if there is no such body.
+// Finds the dynamic body at a point without changing it. Returns false if there is no such body.
 EMSCRIPTEN_KEEPALIVE bool page_reach(float x, float y) { return take(&page.reached, x, y, grab_reach); }
 
-// Returns the current position, m, of the point of the body that page_reach found; null if the body no longer exists.
+// Returns the current position, m, of the point at which page_reach found a body; null if the body no longer exists.
 EMSCRIPTEN_KEEPALIVE const double* page_reached(void)
 {
 	scree_vec at;
@@ -60,8 +60,8 @@ EMSCRIPTEN_KEEPALIVE void page_release(void)
 	pour_end(&page.pour);
 }
 
-// Starts to pour bodies around a point, which page_pull can move. Returns false and stores a sentence if the scene has
-// no bodies that can be poured.
+// Starts to pour bodies around a point; page_pull can move the point. Returns false and stores a sentence if the scene
+// has no bodies that can be poured.
 EMSCRIPTEN_KEEPALIVE bool page_pour(float x, float y)
 {
 	grab_release(&page.grab);
@@ -81,8 +81,8 @@ EMSCRIPTEN_KEEPALIVE bool page_throw(float x, float y, float vx, float vy, float
 	return good;
 }
 
-// Pushes bodies away from a point. Bodies within half the radius get the whole impulse (N s per metre of their width),
-// bodies beyond the radius get no impulse.
+// Pushes bodies away from a point. Bodies within half of `radius` (m) get the whole impulse (N s per metre of width);
+// bodies beyond `radius` get no impulse.
 EMSCRIPTEN_KEEPALIVE bool page_blast(float x, float y, float radius, float impulse)
 {
 	scree_blast_def def = scree_blast_def_default();
@@ -93,7 +93,7 @@ EMSCRIPTEN_KEEPALIVE bool page_blast(float x, float y, float radius, float impul
 	return page_check(scree_world_blast(page.player.world, &def, NULL));
 }
 
-// Return the impulse of an explosion in this world, N s/m, and the radius of an explosion whose key was held for a time
-// in seconds, px.
+// Return the impulse of an explosion in this world, N s/m (page_blast_impulse), and the radius of an explosion, px,
+// after its key was held for a time in seconds (page_blast_radius).
 EMSCRIPTEN_KEEPALIVE float page_blast_impulse(void) { return blast_impulse(&page.renderer.tables, BLAST_SPEED); }
 EMSCRIPTEN_KEEPALIVE float page_blast_radius(float seconds) { return blast_radius((double)seconds); }

@@ -2,14 +2,14 @@
 uniform float least; // px: shapes with a smaller reach are splats
 
 flat out int texel; // first texel of the attribute
-flat out vec4 frame; // px: middle x, y and half width, half height of the rectangle around the shape
+flat out vec4 frame; // px: center x, y and half width, half height of the rectangle around the shape
 flat out vec3 shape; // radius (px), number of vertices, 1 for an axis-aligned rectangle, 2 for a segment
 flat out vec4 ends;  // px: the first two vertices
 flat out vec2 last;  // px: the last vertex
 flat out vec3 color;
 flat out float reach; // px: reach of the shape
 flat out int hollow;
-flat out float tint; // opacity of the inside of a hollow shape
+flat out float tint; // opacity of the interior of a hollow shape
 flat out float bold; // factor of the width of the outline
 out vec2 local; // px, in the frame of the shape
 

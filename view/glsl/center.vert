@@ -1,9 +1,9 @@
 // center.vert -- places a dot at the center of mass of a dynamic body; stroke.frag draws the dot.
-flat out vec2 stroke; // px: half the length (0), half the width
+flat out vec2 stroke; // px: half the length, which is 0; half the width
 flat out float ring;
 flat out vec4 color;
 flat out float fade;
-out vec2 local; // px: position relative to the middle
+out vec2 local; // px: position relative to the center of the dot
 
 void main()
 {

@@ -3,7 +3,7 @@ layout(location = 0) in vec4 pose;   // x, y (m), cosine, sine
 layout(location = 1) in vec2 center; // vector from x, y to the center of mass, m
 layout(location = 2) in ivec2 name;  // index of the attribute, -1: no collidable; index of the body, -1: no body
 
-uniform vec4 view;   // middle of the picture (m), clip units per metre
+uniform vec4 view;   // x, y: middle of the picture (m); z, w: clip units per metre
 uniform float scale; // px per metre
 uniform int paint;   // position of the paint in paints.def, from 0
 uniform vec3 palette[64]; // colors for graph colors
@@ -18,7 +18,7 @@ uniform int marked;       // number of rows in the table marks
 uniform sampler2D table;      // attributes, 9 texels for each (TEXELS of render_tables.c)
 uniform usampler2D kinds;     // per body: type plus 4 times the shade
 uniform usampler2D graph;     // per body: highest graph color of its contacts; 255 for no contact
-uniform sampler2D shares;     // per body: square root of the relative force, or starting place; 0 to 1
+uniform sampler2D shares;     // per body: square root of (force / force_range), or starting place; each from 0 to 1
 uniform sampler2D velocities; // per body: velocity, m/s
 uniform usampler2D marks;     // per row: mark, with the bits of sensor_marks.h
 uniform int sensors;              // 1: sensors are shown
@@ -33,7 +33,7 @@ uint kind() { return texelFetch(kinds, cell(name.y), 0).x & 3u; } // 0 static, 1
 int mark_of(int row) { return row < marked ? int(texelFetch(marks, cell(row), 0).x) : 0; }
 bool hidden(int mark) { return mark != 0 && sensors == 0; }
 
-// Returns true if a shape with this reach (m) is outside the picture.
+// Returns true if a shape with this reach (m) is certainly outside of the picture.
 bool unseen(float reach) { return any(greaterThan(abs(clip_of(pose.xy)), 1.0 + reach * view.zw)); }
 
 vec3 graph_color(uint color) { return color == 255u ? vec3(0.86, 0.85, 0.82) : palette[min(color, 63u)]; }
@@ -53,7 +53,7 @@ vec3 start_color(vec2 place)
 	return mix(hue * 0.55, mix(vec3(1.0), hue, 0.6), place.y);
 }
 
-// Returns a color of the attribute between its first color (place 0), the middle color (1) and its last color (2).
+// Returns a color of the attribute: its first color (place 0), its middle color (1), its last color (2), or a mixture.
 vec3 shade_color(vec3 middle, float place)
 {
 	vec3 end = texelFetch(table, cell(9 * name.x + (place < 1.0 ? 7 : 8)), 0).rgb;

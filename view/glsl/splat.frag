@@ -1,4 +1,4 @@
-// splat.frag -- draws a small square: the opacity of a pixel is the part of the pixel that the square covers.
+// splat.frag -- draws a small square. The opacity of a pixel is the fraction of the pixel that the square covers.
 uniform bool coarse;
 
 flat in vec3 color;

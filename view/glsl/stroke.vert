@@ -4,7 +4,7 @@ layout(location = 1) in float wide; // px: width; for a ring, diameter
 layout(location = 2) in vec4 tint;
 layout(location = 3) in vec2 extra; // x: opacity at the end, 0 to 255; y: line width of a ring in quarters of a pixel
 
-uniform vec4 view;   // middle of the picture (m), clip units per metre
+uniform vec4 view;   // x, y: middle of the picture (m); z, w: clip units per metre
 uniform float scale; // px per metre
 
 flat out vec2 stroke;

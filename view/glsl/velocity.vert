@@ -1,9 +1,10 @@
-// velocity.vert -- places a line from the center of mass to its position after 0.15 s at the current velocity.
+// velocity.vert -- places a line from the center of mass to the position that it reaches in 0.15 s at its current
+// velocity.
 flat out vec2 stroke; // px: half the length, half the width
 flat out float ring;
 flat out vec4 color;
 flat out float fade;
-out vec2 local; // px: position along the line and across it, relative to its middle
+out vec2 local; // px: position along the line and across it, relative to the middle of the line
 
 void main()
 {

@@ -9,7 +9,7 @@
 
 typedef struct
 {
-	Framebuffer framebuffer; // has the size of the canvas
+	Framebuffer framebuffer; // has the same size as the canvas
 	Canvas canvas;
 	Video video;    // Video.pipe is null if no video is recorded
 	double seconds; // s: simulated time since the video began
@@ -30,7 +30,7 @@ void capture_draw(Capture* capture, Renderer* renderer, const Share* share, cons
 // Reads the back buffer of the window into the picture.
 void capture_window(Capture* capture);
 
-// Writes the picture to a file; a null path creates a new file scree-N.png in the current folder. Writes a sentence,
+// Writes the picture to a file; if `path` is null, to a new file scree-N.png in the current folder. Writes a sentence,
 // which names the file or the error, and returns whether the file was written.
 bool capture_save(Capture* capture, const char* path, char* sentence);
 
@@ -38,7 +38,7 @@ bool capture_save(Capture* capture, const char* path, char* sentence);
 bool capture_begin(Capture* capture, char* sentence);
 // Adds the picture to the video for each frame that is due at Capture.seconds: zero, one or several times.
 bool capture_frame(Capture* capture);
-// Ends the video, if one is recorded. Writes a sentence, which names the file or the error.
+// Ends the video, if one is recorded. Writes a sentence, which names the file or the error. Returns false on failure.
 bool capture_end(Capture* capture, char* sentence);
 
 #endif

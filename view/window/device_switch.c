@@ -4,7 +4,7 @@
 #include "view/window/viewer.h"
 #include <string.h>
 
-// Returns the index of the user's choice in the list of devices; for "auto" returns the length of the list.
+// Returns the index of the world's device in the list of devices; if the user selected "auto", the length of the list.
 static int find_chosen(const Session* session)
 {
 	const char* chosen =
@@ -15,7 +15,7 @@ static int find_chosen(const Session* session)
 	return k;
 }
 
-// Returns true if entry k of the list of devices is another device than that of the world.
+// Returns true if entry k of the list of devices exists and is not the device of the world.
 static bool is_elsewhere(const Session* session, int k)
 {
 	return k < session->device_count &&

@@ -10,13 +10,13 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define FEW_RAYS 3000 // value of Style.rays if OpenGL runs on the CPU: it draws 3,000 rays in 25 ms
+#define FEW_RAYS 3000 // value of Style.rays if OpenGL runs on the CPU, which draws 3,000 rays in 25 ms
 #define COARSE   4.0f // px: value of Style.detail if OpenGL runs on the CPU
-#define MANY     5000 // COARSE is used only if there are more rows
+#define MANY     5000 // number of rows up to which Style.detail is 1, even if OpenGL runs on the CPU
 
 static const Color thread = {187, 53, 44};
 
-// Adds a line from the cursor to the body that it drags.
+// Adds a line from the cursor to the point at which it holds a body.
 static void draw_grab(Viewer* v)
 {
 	scree_vec anchor;

@@ -13,18 +13,18 @@ typedef enum
 	EVENT_WHEEL,
 } EventKind;
 
-typedef struct // members as in the callbacks of GLFW
+typedef struct // event with the arguments of a GLFW callback
 {
 	EventKind kind;
 	int key, code, action, modifiers; // members of a key event; a button event uses key, action and modifiers
 	unsigned letter;
-	double x, y;    // position of the cursor, in window units; for the wheel, notches
+	double x, y;    // position of the cursor, in window units; for a wheel event, number of notches
 	double seconds; // s: time since the previous move of the cursor
 } WindowEvent;
 
 typedef struct
 {
-	WindowEvent* list; // events from index first on are pending
+	WindowEvent* list; // events from index Events.first on are pending
 	int first, count, capacity;
 	bool edited, moved, typed, pressed; // kinds of events that were taken in this frame
 } Events;
@@ -33,15 +33,15 @@ typedef struct
 // lost.
 void events_add(Events* events, WindowEvent event);
 
-// Begins a frame: removes events that were taken, so that events_take can take more of them.
+// Begins a frame: removes events that were taken in the last frame, so that events_take can take pending events.
 void events_begin(Events* events);
 
 // Takes the next event of this frame. Returns false if the queue is empty, or if the next event belongs to a later
 // frame.
 //
 // The panel reads the state of keys and mouse once per frame. So a frame has at most one event of a key that edits
-// text, and no letter after this event. A button event is the last event of its frame, and no cursor move precedes it
-// in this frame.
+// text, and no letter after such an event. A button event is the last event of its frame, and no cursor move precedes
+// it in this frame.
 bool events_take(Events* events, WindowEvent* event);
 
 // Returns true if the queue is not empty.

@@ -10,8 +10,8 @@ static bool resize_capture(Viewer* v)
 	return capture_size(&v->capture, v->camera.width, v->camera.height, v->message);
 }
 
-// Returns the camera of a picture. If a box was fitted beside the panel, it is fitted into the whole picture, which has
-// no panel.
+// Returns the camera of a picture. If a box is fitted into the free part of the window, the camera fits it into the
+// whole picture, because a picture has no panel.
 static Camera picture_camera(const Viewer* v)
 {
 	Camera camera = v->camera;
@@ -20,7 +20,7 @@ static Camera picture_camera(const Viewer* v)
 	return camera;
 }
 
-// Draws the picture as scree run does: without the panel, with caption and hash.
+// Draws the picture without the panel, with caption and hash, as scree run does.
 static void draw_picture(Viewer* v, const Style* style)
 {
 	char caption[256];

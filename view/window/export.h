@@ -4,7 +4,8 @@
 #define EXPORT_H
 #include "view/window/window_state.h"
 
-// Draws the picture without the panel and writes it to path; null: to a new file. Shows a message with the result.
+// Draws the picture without the panel and writes it to `path`; if this is null, to a new file. Shows a message with the
+// result.
 bool export_picture(Viewer* viewer, const char* path);
 
 // Writes the contents of the window, including the panel, to a new file.

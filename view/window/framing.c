@@ -6,7 +6,7 @@
 #include "view/window/panel.h"
 #include <stdlib.h>
 
-#define FAR 3.0f // maximum distance of shown bodies from the scene's view, in widths and heights of the view
+#define FAR 3.0f // maximum distance of the shown box from the scene's view, in widths and heights of the view
 
 static void fit(Viewer* v, scree_box box)
 {
@@ -54,7 +54,7 @@ void eye_fit_bodies(Viewer* v)
 		fit(v, found ? around : view);
 }
 
-// Returns the point of the world in the middle of the part of the window that panel and band leave free.
+// Returns the point of the world in the middle of the part of the window that panel and caption band leave free.
 static scree_vec middle(const Viewer* v)
 {
 	return camera_point(&v->camera, 0.5f * ((float)v->camera.width + panel_left(v)),

@@ -8,17 +8,17 @@
 // Shows the view in the scene file or, if there is none, the bodies that move.
 void eye_fit_scene(Viewer* viewer);
 
-// Shows the current positions of the bodies without outliers and, if the scene file has a view, this view too.
+// Shows a box around most dynamic bodies, without outliers. If the scene file has a view, also shows this view.
 void eye_fit_bodies(Viewer* viewer);
 
-// Starts or stops following the selected body. Returns false if no body is selected.
+// Starts to follow the selected body or, if a body is followed, stops. Returns false if there is no body to follow.
 bool eye_follow(Viewer* viewer);
 
-// Stops following and fitting, because the user has moved the picture.
+// Stops following a body and fitting a box, because the user has moved the picture.
 void eye_moved(Viewer* viewer);
 
-// Updates the camera; call it before a frame. Fits a fitted box again, because the window or the panel may have
-// changed. Moves a followed body towards the middle.
+// Updates the camera; call it before a frame. If a box is fitted, fits it again, because the window or the panel may
+// have changed. Moves a followed body towards the middle of the picture.
 void eye_frame(Viewer* viewer);
 
 #endif

@@ -4,8 +4,8 @@
 #include "tools/common/median.h"
 #include <string.h>
 
-#define LEAST  20.0f // ms: lowest top of the graph; the line of 16.7 ms must stay below it
-#define WITHIN 0.97f // share of the frames that fit into the graph
+#define LEAST  20.0f // ms: minimum of the upper end of the graph, which must include the line at 16.7 ms
+#define WITHIN 0.97f // fraction of the frames that fit into the graph
 
 void history_step(History* history, float ms)
 {
@@ -40,7 +40,7 @@ float history_top(const History* history)
 	}
 	sort_floats(sorted, history->count);
 	float needed = sorted[(int)(WITHIN * (float)(history->count - 1))];
-	const float factors[] = {2.5f, 2.0f, 2.0f}; // the top is 20, 50, 100, 200, 500, ... ms
+	const float factors[] = {2.5f, 2.0f, 2.0f}; // the upper end is 20, 50, 100, 200, 500, ... ms
 	for (int k = 0; top < needed && top < 1.0e6f; ++k)
 		top *= factors[k % 3];
 	return top;

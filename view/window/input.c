@@ -12,8 +12,8 @@
 #include <string.h>
 
 #define ZOOM    1.15f          // scale factor of one notch of the wheel
-#define SLOWEST (1.0f / 64.0f) // minimum of simulated seconds per second of the clock
-#define STILL   6              // frames without motion after which the cursor has velocity 0; 6 take 0.1 s at 60 Hz
+#define SLOWEST (1.0f / 64.0f) // minimum of the simulated seconds per second of real time
+#define STILL   6              // frames without motion after which the cursor has velocity 0: 0.1 s at 60 Hz
 #define CLICK   4.0f           // px: a click moves the cursor by less than this between press and release
 
 static void step_once(Viewer* v)
@@ -49,7 +49,7 @@ static void explain_layer(Viewer* v, Layer layer)
 		viewer_show(v, "this scene casts no rays");
 }
 
-// Loads the scene after (by = 1) or before (by = -1) the current scene in the list.
+// Loads the next scene in the list (by = 1) or the previous scene (by = -1).
 static void load_neighbor(Viewer* v, int by)
 {
 	const Session* session = &v->session;
@@ -67,7 +67,7 @@ static void show_hash(Viewer* v)
 		viewer_show(v, sentence);
 }
 
-// Carries out an action on the world or its clock. Returns false for any other action.
+// Carries out an action on the world or on the simulated time. Returns false for any other action.
 static bool session_action(Viewer* v, Action action)
 {
 	Session* session = &v->session;
@@ -175,7 +175,7 @@ static void window_action(Viewer* v, Action action)
 	case ACTION_hover:
 		v->hovers = !v->hovers;
 		break;
-	default: // ACTION_quit: clears the selection or, if nothing is selected, ends the viewer
+	default: // ACTION_quit: clears the selection; ends the viewer if nothing is selected
 		v->done = !inspect_any(&v->selected);
 		v->selected = (Inspected){0};
 		break;

@@ -18,7 +18,7 @@ bool input_scene_key(Viewer* viewer, SceneKey key, bool down);
 
 void input_action(Viewer* viewer, Action action);
 
-// Presses or releases the key of ACTION_pour or ACTION_blast, tools that work while their key is down.
+// Presses or releases the key of ACTION_pour or ACTION_blast, actions that last while their key is down.
 void input_hold(Viewer* viewer, Action action, bool down);
 
 // Handle moves, buttons and the wheel of the mouse. Positions are pixels of the picture; y grows downwards. seconds:

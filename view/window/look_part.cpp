@@ -31,7 +31,7 @@ static void explain(const char* help)
 		ImGui::SetTooltip("%s", help);
 }
 
-// Continues the line at column k % 3 of three; column 0 begins a new line.
+// Begins the next of three columns: k % 3. Column 0 begins a new line.
 static void begin_column(int k)
 {
 	if (k % 3 > 0)
@@ -51,7 +51,7 @@ static void draw_paints(Viewer* v)
 	ImGui::PopID();
 }
 
-// Draws the number of rays and of events in view, and the number of those that are not drawn.
+// Draws the number of rays in view and of events in view and, if some of them are not drawn, the number of those.
 static void draw_shares(const Viewer* v)
 {
 	const Scan* scan = &v->renderer.scan;

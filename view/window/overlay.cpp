@@ -129,7 +129,7 @@ static void draw_keys(const Viewer* v, const ImVec2& size)
 	ImGui::End();
 }
 
-// Shortens a text until its width is at most room. Three dots replace the rest.
+// Shortens a text until its width is at most `room`. Three dots replace the rest.
 static void shorten(char* text, float room)
 {
 	size_t length = strlen(text);
@@ -155,7 +155,7 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::PopStyleVar(2);
 	char text[SENTENCE];
 	float counts = ImGui::CalcTextSize(caption).x, room = size.x - counts - 4.0f * EDGE;
-	bool both = room >= 0.4f * size.x; // false: there is room for the message, or else for the counts, but not for both
+	bool both = room >= 0.4f * size.x; // false: there is no room for both the message and the counts
 	snprintf(text, sizeof text, "%s", *v->message ? v->message : v->session.scene->title);
 	shorten(text, both ? room : size.x - 2.0f * EDGE);
 	if (both || *v->message)
@@ -176,7 +176,7 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 static void draw_paused(const Viewer* v, const ImVec2& size)
 {
 	float left = v->panel ? WIDTH + EDGE : 0.0f;
-	bool wide = size.x - left > ROOM; // false: the sign covers the panel, and does not list the keys
+	bool wide = size.x - left > ROOM; // false: the sign is at the right edge and does not list keys
 	ImGui::SetNextWindowPos(ImVec2(wide ? 0.5f * (left + size.x) : size.x - EDGE, EDGE), ImGuiCond_Always,
 	                        ImVec2(wide ? 0.5f : 1.0f, 0.0f));
 	ImGui::Begin("paused", nullptr,

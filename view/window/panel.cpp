@@ -15,7 +15,7 @@
 
 float panel_scale = 1.0f;
 
-// Returns the scale of the panel on a display. The scale is 1 if the window system itself scales window units.
+// Returns the scale of the panel on a display: 1 if the window system itself scales window units.
 static float find_scale(GLFWwindow* window)
 {
 	float wanted = 1.0f;
@@ -58,8 +58,8 @@ void panel_close()
 
 static bool buttons[BUTTONS]; // state of the mouse buttons after the events that have been taken from the queue
 
-// Sets the mouse position of ImGui. The backend would use the current position of the cursor, but a queued click
-// belongs to an earlier position.
+// Sets the mouse position of ImGui. The backend would use the current position of the cursor, but an event from the
+// queue belongs to an earlier position.
 static void place_mouse(const Viewer* v)
 {
 	ImGuiIO& io = ImGui::GetIO();

@@ -13,7 +13,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define LONGEST       0.03  // s: maximum duration of the steps in a frame; a slower world falls behind the clock
+#define LONGEST       0.03  // s: maximum duration of the steps in a frame; a slower world falls behind real time
 #define MESSAGE_STAYS 5.0   // s: time for which a message is shown
 #define SMOOTH        0.1f  // weight of the last frame in the displayed average
 #define PAUSE         0.016 // s: maximum time for which a paused or minimized window blocks until an event comes
@@ -32,7 +32,8 @@ void view_print_keys(FILE* file)
 #undef X
 }
 
-// Takes the steps that are due by the clock; for a script, takes one step per frame. A failed step ends the viewer.
+// Takes the steps that are due in simulated time; for a script, takes one step per frame. A step that fails ends the
+// viewer.
 static void advance(Viewer* v, bool scripted, double seconds)
 {
 	Session* session = &v->session;
@@ -49,7 +50,7 @@ static void advance(Viewer* v, bool scripted, double seconds)
 			session->accumulator -= dt;
 		v->capture.seconds += dt;
 		if (grab_pull(&v->grab) != SCREE_OK)
-			grab_release(&v->grab); // the body no longer exists
+			grab_release(&v->grab); // the held body no longer exists
 		if (!tools_step(v, &added))
 		{
 			viewer_fail(v, scree_error());
@@ -86,7 +87,7 @@ static void run_frame(Loop* loop)
 	double now = glfwGetTime(), seconds = now - v->frame_time;
 	v->frame_time = now;
 	float ms = 1000.0f * (float)seconds;
-	if (v->frame_ms > 0.0f) // without the first frame, which includes the start of the program
+	if (v->frame_ms > 0.0f) // the first frame is left out, because its duration includes the start of the program
 		history_frame(&v->history, ms);
 	v->frame_ms = v->frame_ms == 0.0f ? ms : v->frame_ms + SMOOTH * (ms - v->frame_ms);
 	if (now - v->message_time > MESSAGE_STAYS)

@@ -44,7 +44,7 @@ void part_scene(Viewer* v)
 		ImGui::PopStyleColor();
 	}
 	bool begin = false;
-	ImGui::PushID("parameters"); // the scene defines these names, which may equal other labels of the panel
+	ImGui::PushID("parameters"); // needed because names of parameters may equal other labels of the panel
 	for (int k = 0; k < session->parameter_count; ++k)
 	{
 		Parameter* p = &session->parameters[k];

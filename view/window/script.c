@@ -99,10 +99,10 @@ static void print_state(Viewer* v)
 	if (*v->message)
 		printf(", says %s", v->message);
 	printf("\n");
-	fflush(stdout); // the program that controls the viewer needs the line at once
+	fflush(stdout); // sends the line at once to the program that controls the viewer
 }
 
-// Returns 1 if the viewer is in a state, 0 if not, -1 for an unknown state. The name of a paint is a state, too.
+// Returns 1 if the viewer is in a state, 0 if it is not, -1 for an unknown state. The name of a paint is also a state.
 static int in_state(const Viewer* v, const char* state)
 {
 	const struct
@@ -202,7 +202,7 @@ void script_run(Script* script, Viewer* v)
 		}
 		++script->line;
 		line[strcspn(line, "\r\n")] = 0;
-		if (strcmp(line, "print") != 0) // "print" prints the message, so the message stays until then
+		if (strcmp(line, "print") != 0) // the message is kept for "print", which prints it
 			*v->message = 0;
 		if (!run_line(script, v, line))
 			fail_line(script, v, line, "cannot be done", 2);

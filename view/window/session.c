@@ -27,8 +27,8 @@ static bool copy_text(const char* text, char* copy, size_t size, const char* wha
 	return false;
 }
 
-// Reads the parameters of a scene file from its heading, a text such as "rows=100 columns=20". set: values in the
-// options replace those of the file. Returns false and writes a sentence on failure.
+// Reads the parameters of a scene file from its heading, a text such as "rows=100 columns=20". If `set` is true, values
+// in the options replace values of the file. Returns false and writes a sentence on failure.
 static bool read_parameters(Session* session, const char* path, bool set, char* sentence)
 {
 	char title[160], text[MAX_PARAMETERS * 128];

@@ -31,11 +31,11 @@ typedef struct
 	int device_count;
 	char device[160]; // device that the user selected, or "auto"
 	bool paused;
-	int due;            // number of single steps that the user requested and that have not been taken
+	int due;            // number of single steps that the user has requested and that have not been taken yet
 	Tuning tuning;      // gravity, substeps and solver tuning
-	float rate;         // simulated seconds per second of the clock; at most 1
-	double accumulator; // s: simulated time by which the steps lag behind the clock
-	bool hashed;        // true if hash is the hash of the current state
+	float rate;         // simulated seconds per second of real time; at most 1
+	double accumulator; // s: simulated time by which the world lags behind
+	bool hashed;        // true if Session.hash belongs to the current state
 	uint64_t hash;      // hash of the world when session_hash was called
 	scree_counters counters;
 	float deepest;             // m: depth of the deepest overlap since the world was created
@@ -44,17 +44,17 @@ typedef struct
 	float stages[STAGE_TIMES]; // ms: durations of the stages, smoothed
 } Session;
 
-// On failure, functions that return bool write a sentence (SENTENCE of shader.h) and return false. If session_load or
+// Functions that return bool write a sentence (SENTENCE of shader.h) and return false on failure. If session_load or
 // session_move fails, the session does not change.
 
-// Lists scenes and devices, and loads the scene of the options.
+// Lists scenes and devices, and loads the scene that the options name.
 bool session_open(Session* session, const ViewOptions* options, const scree_opengl* opengl, char* sentence);
 void session_close(Session* session);
 
-// Loads a scene and creates its world. fresh: with the parameters of the options, else with those of the panel.
+// Loads a scene and creates its world. fresh: true for the parameters of the options, false for those of the panel.
 bool session_load(Session* session, const char* name, bool fresh, char* sentence);
 
-// Returns the title of scene k of the list. The first call for a scene reads its file.
+// Returns the title of scene k in the list. The first call for a scene reads its file.
 const char* session_title(Session* session, int k);
 
 // Moves the world to another device.
@@ -63,7 +63,7 @@ bool session_move(Session* session, const char* device, char* sentence);
 // Takes one step.
 bool session_step(Session* session, char* sentence);
 
-// Computes the hash of the current state, and sets hash and hashed.
+// Computes the hash of the current state, and sets Session.hash and Session.hashed.
 bool session_hash(Session* session, char* sentence);
 
 #endif

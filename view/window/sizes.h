@@ -12,11 +12,11 @@ static inline float sized(float pixels) { return pixels * panel_scale; }
 #define EDGE        sized(MARGIN)
 #define CAPTION     sized(BAND)
 #define LIST        sized(700.0f)  // width of the list of scenes with their titles
-#define TWO_COLUMNS sized(1250.0f) // in a wider window the keys are shown in two columns
+#define TWO_COLUMNS sized(1250.0f) // if the window is wider than this, the keys are shown in two columns
 #define GRAPH       sized(76.0f)
-#define ROOM        sized(290.0f) // width for the numbers of a body
+#define ROOM        sized(290.0f) // width of the box with the numbers of a body
 #define FIELD       sized(110.0f)
 #define COLUMN      sized(92.0f)
-#define NARROW      sized(780.0f) // a narrower window has no room for two panels side by side
+#define NARROW      sized(780.0f) // if the window is narrower than this, it has no room for two panels side by side
 
 #endif

@@ -30,7 +30,7 @@ static void draw_bar(const char* name, float value, float whole)
 
 struct Plot
 {
-	ImVec2 low, size; // low: upper left corner
+	ImVec2 low, size; // `low`: upper left corner
 	float top;        // ms: value at the upper edge
 
 	float x(int k) const { return low.x + size.x * static_cast<float>(k) / static_cast<float>(HISTORY_FRAMES - 1); }
@@ -51,7 +51,7 @@ static void draw_line(const Plot& plot, const History* h, const float* values, I
 		}
 		if (count > 1)
 			ImGui::GetWindowDrawList()->AddPolyline(points, count, color, 0, wide);
-		count = 0; // a frame without a step interrupts the line
+		count = 0; // a frame without a step ends the line; the next frame begins another one
 	}
 }
 

@@ -9,7 +9,7 @@ typedef struct
 	const char* executable; // path of the program; scenes may be in the folder beside it
 	const char* scene;      // name or path of the scene
 	const char* device;
-	int threads, lanes; // 0: as many as the machine has
+	int threads, lanes; // 0: one thread per core; the widest lanes of the CPU
 	bool allow_unequal_bits;
 	const SceneSetting* settings;
 	int setting_count;

@@ -8,7 +8,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-// Delay until the next reading of numbers, as a multiple of the duration of the last reading.
+// Delay until the next reading of numbers, divided by the duration of the last reading.
 #define REST 9.0
 // px: maximum distance of a shape from the cursor when the user points at it; segments have no area
 #define REACH 3.0f
@@ -55,9 +55,9 @@ static scree_status find_under(Viewer* v, scree_collidable* found)
 	return inspect_find(v->session.player.world, camera_point(&v->camera, v->x, v->y), REACH / v->camera.scale, found);
 }
 
-// Delays the next reading so that readings take a tenth of the time. A reading can be slow: the first query after a
-// step computes boxes of all bodies that move. For many bodies on a CPU this takes as long as a step. For the
-// contacts of one body a CPU scans all contacts.
+// Sets *next to a time so that readings take at most a tenth of the time. begin: start of the last reading, s. A
+// reading can be slow: the first query after a step computes boxes of all bodies that move. For many bodies on a CPU
+// this takes as long as a step. For the contacts of one body a CPU scans all contacts.
 static void rest(double* next, double begin)
 {
 	double end = glfwGetTime();
@@ -115,7 +115,7 @@ void viewer_select(Viewer* v)
 bool viewer_load(Viewer* v, const char* name, bool fresh)
 {
 	bool other = strcmp(name, v->session.name) != 0;
-	share_close(&v->share); // session_load may destroy the world
+	share_close(&v->share); // session_load may destroy the world, whose rows are shared
 	bool begun = session_load(&v->session, name, fresh, v->message);
 	share_open(&v->share, v->session.player.world, false);
 	if (!begun)

@@ -10,26 +10,26 @@ void viewer_show(Viewer* viewer, const char* message);
 // Prints a sentence, and ends the viewer with exit code 1.
 void viewer_fail(Viewer* viewer, const char* sentence);
 
-// Reads the world again, after it was replaced or bodies were added or removed. On failure ends the viewer and returns
-// false.
+// Reads the world again after it was replaced, or after bodies were added or removed. On failure ends the viewer and
+// returns false.
 bool viewer_update_world(Viewer* viewer);
 
 // Reads all data of the current world that a style shows. If the device failed, ends the viewer and returns false.
 bool viewer_fetch(Viewer* viewer, const Style* style);
 
-// Reads the numbers of the selected collidable and, if over is true, of the collidable under the cursor. On failure
+// Reads the numbers of the selected collidable and, if `over` is true, of the collidable under the cursor. On failure
 // ends the viewer and returns false.
 bool viewer_inspect(Viewer* viewer, bool over);
 
 // Selects the collidable under the cursor. If there is none, clears the selection.
 void viewer_select(Viewer* viewer);
 
-// Loads a scene. fresh: with the parameters of the options, else with those of the panel. On failure shows a message
-// and returns false.
+// Loads a scene. fresh: true for the parameters of the options, false for those of the panel. On failure shows a
+// message and returns false.
 bool viewer_load(Viewer* viewer, const char* name, bool fresh);
 
-// Moves the world to a device, and shows whether the hash has stayed the same. On failure shows a message and returns
-// false.
+// Moves the world to a device, and shows whether the hash is still the same as before. On failure shows a message and
+// returns false.
 bool viewer_move(Viewer* viewer, const char* device);
 
 #endif

@@ -12,7 +12,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#define LEAST_SIDE  64  // px: minimum width and height of the window, the same as for pictures
+#define LEAST_SIDE  64  // px: minimum width and height of the window, equal to those of pictures
 #define TITLE_STAYS 0.5 // s: minimum time between changes of the title
 
 static char error[256]; // the first error of GLFW; static, because the callback has no user pointer
@@ -75,7 +75,7 @@ static void on_wheel(GLFWwindow* window, double x, double y)
 	events_add(&viewer_of(window)->events, (WindowEvent){.kind = EVENT_WHEEL, .x = x, .y = y});
 }
 
-// Creates the window: first with the native context API (GLX on X11), then, if this fails, with EGL.
+// Creates the window with the native context API (GLX on X11) or, if this fails, with EGL.
 static GLFWwindow* create(const Viewer* v, const char* title)
 {
 	const int ways[] = {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API};
@@ -93,7 +93,7 @@ static GLFWwindow* create(const Viewer* v, const char* title)
 	return window;
 }
 
-// Sets opengl to the GLX context of a window on Linux. Returns false if there is none.
+// Sets *opengl to the GLX context of a window on Linux. Returns false if the window has no such context.
 static bool glx_context(scree_opengl* opengl)
 {
 #ifdef __linux__
@@ -176,7 +176,7 @@ static void handle_key(Viewer* v, const WindowEvent* event)
 		if (keys[k] != event->key)
 			continue;
 		bool held = k == ACTION_pour || k == ACTION_blast;
-		// a held key repeats its action for throws, and for steps if no step is due
+		// a held key repeats two actions: throws, and steps if no step is due
 		bool repeats = (k == ACTION_step && v->session.due == 0) || k == ACTION_launch;
 		if (held && (released || (ours && event->action == GLFW_PRESS)))
 			input_hold(v, (Action)k, !released);

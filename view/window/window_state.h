@@ -27,12 +27,12 @@ typedef struct // tools of the user, for tools.c
 typedef struct // part of the world that the window shows, for framing.c
 {
 	bool fitted;      // true from the fit of a box until the user moves the picture
-	scree_box box;    // m: box that is fitted into the window
-	bool follows;     // true if the selected body is kept in the middle
+	scree_box box;    // m: box that is fitted into the free part of the window
+	bool follows;     // true if the selected body is followed: it moves to the middle and stays there
 	scree_vec behind; // m: vector from the followed body to the middle of the window; shrinks to 0
 } Eye;
 
-typedef struct // place of the window outside of full screen, in window units
+typedef struct // position and size of the window without full screen, in window units
 {
 	int x, y, width, height;
 } Place;
@@ -55,24 +55,24 @@ typedef struct
 	Inspected hovered, selected;
 	bool hovers;  // true if the numbers of the collidable under the cursor are shown
 	bool pointed; // true if the cursor is over the window
-	bool pressed; // true if the left button is down and the cursor has moved less than a click allows
+	bool pressed; // true if the left button is down and the cursor has moved by less than CLICK since the press
 	Capture capture;
 	float x, y;             // px: position of the cursor
 	float press_x, press_y; // px: position where the left button went down
-	bool panning;           // true if the right button is down, or the left button was pressed where no body is
-	Place place;            // place of the window outside of full screen
+	bool panning;           // true if the right button is down, or if the left button was pressed where no body is
+	Place place;            // position and size of the window without full screen
 	bool panel, keys;       // true if the panel is shown; true if the list of keys is shown
 	bool save_window;       // true: saves the window after this frame is drawn
-	double look_time;       // s: time from which the collidable under the cursor may be searched again
-	double read_time;       // s: time from which the numbers of the selected body may be read again
+	double look_time;       // s: earliest time of the next search for the collidable under the cursor
+	double read_time;       // s: earliest time at which the numbers of the selected body are read
 	double cursor_time;     // s: time of the last move of the cursor
 	int still;              // frames since the last move of the cursor
-	int next_device;        // index of the device after the next press of the device key; -1: the one after this device
+	int next_device;        // index of the device that the next press of its key selects; -1: the one after the current
 	double title_time;      // s: time of the next change of the window title
 	double frame_time;      // s: time at which the last frame began
 	float frame_ms;         // ms: time between frames, smoothed
 	char message[SENTENCE]; // message for the user; empty if there is none
-	double message_time;    // s: time at which message was set
+	double message_time;    // s: time at which Viewer.message was set
 	bool done;              // true: the viewer ends after this frame
 	int code;               // exit code
 } Viewer;

@@ -7,15 +7,15 @@
 // in BYTES, or with one column for all locals; by 0.3 to 0.8 % with numbers in CODE; by 3 % with offsets in CODE;
 // by 7 % with locals in CODE.
 //
-// The columns of locals, GETS and SETS, store the position of each local in a list. A used local moves to the front of
-// the list, so that recently used locals have small positions. At the start of each function the list is in ascending
-// order (J. L. Bentley et al., A Locally Adaptive Data Compression Scheme, 1986). The list saves 0.7 %.
+// The columns of locals, GETS and SETS, store the position of each local in a list. After its use, a local moves to the
+// front of the list, so that recently used locals have small positions. At the start of each function the list is in
+// ascending order (J. L. Bentley et al., A Locally Adaptive Data Compression Scheme, 1986). The list saves 0.7 %.
 const CODE = 0, GETS = 1, SETS = 2, OFFSETS = 3, NUMBERS = 4, BYTES = 5, FLOATS = 6, SIZES = 7, TYPES = 8, LABELS = 9;
 
-// Operands of an opcode: b: type of a block; l: local that is read; s: local that is written; o: offset; n: number of
-// 32 bits; N: number of 64 bits; x: index of a label, a function or a lane, or an alignment; t: number k of labels,
-// before k + 1 labels; f, d, v: 4, 8, 16 bytes of a float, a double, a vector. Opcodes of vectors begin at 256. Opcodes
-// that are not listed have no operands.
+// Operands of opcodes, one letter for each. b: type of a block; l: local that is read; s: local that is written; o:
+// offset; n: 32-bit number; N: 64-bit number; x: index of a label, a function or a lane, or an alignment; t: a number
+// k, before k + 1 labels; f, d, v: 4, 8, 16 bytes of a float, a double, a vector. Opcodes of vectors begin at 256.
+// Opcodes that are not listed have no operands.
 const OPERANDS = {x: CODE, b: TYPES, l: GETS, s: SETS, o: OFFSETS, n: NUMBERS, N: BYTES, t: LABELS, f: -4, d: -8, v: -16};
 const operands = new Array(512).fill([]);
 for (const line of ["b 2-4", "x 12-13 16-16 35-36 63-64 277-290", "xx 17-17", "t 14-14", "l 32-32", "s 33-34",
@@ -87,7 +87,7 @@ export function follow(length, take, begin) {
 			begin();
 			const body = number(SIZES), end = at + body;
 			for (let kinds = number(SIZES); kinds > 0; --kinds) {
-				number(SIZES); // number of locals with one type
+				number(SIZES); // number of locals with the same type
 				number(SIZES); // type of these locals
 			}
 			while (at < end)
@@ -101,8 +101,8 @@ export function join(length, columns) {
 	const wasm = new Uint8Array(length), places = columns.map(() => 0);
 	const lists = columns.map(([letters, text]) => {
 		const bytes = new Uint8Array(512), list = new Uint8Array(text.length);
-		// an unused byte has the letter of the next used byte; the used byte comes later and overwrites the entry of
-		// the letter
+		// an unused byte has the letter of the next used byte; the used byte comes later in this loop, and overwrites
+		// the entry of the letter
 		for (let byte = 0; byte < letters.length; ++byte)
 			bytes[letters.charCodeAt(byte)] = byte;
 		for (let k = 0; k < text.length; ++k)

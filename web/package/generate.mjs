@@ -2,7 +2,7 @@
 // generate.mjs -- generate.mjs HEADER RUNTIME FOLDER: writes scree.js, scree.d.ts, the list of exports and layout.c
 // from scree.h.
 //
-// scree.js consists of two tables and then RUNTIME. The tables contain the members of structs and the parameters of
+// scree.js consists of two tables, followed by RUNTIME. The tables contain the members of structs and the parameters of
 // functions, in codes that runtime.js describes.
 import {readFileSync, writeFileSync} from "node:fs";
 import {parse, scalars} from "./header.mjs";
@@ -26,7 +26,8 @@ function code(type) {
 	return short(type);
 }
 
-// Returns for a function: the codes of all parameters, the parameters that a program passes, and the results.
+// Returns three lists for a function: the codes of all parameters, the parameters that a program passes, and the
+// results.
 function describe(f) {
 	const codes = [], given = [], results = [], all = f.parameters;
 	for (let k = 0; k < all.length; ++k) {
@@ -48,7 +49,7 @@ function describe(f) {
 			given.push(p);
 		}
 		else if (f.name === "scree_world_get_states" && p.name === "bodies")
-			codes.push("0"); // this array is omitted, because getBodies lists the bodies in the same order
+			codes.push("0"); // null for this optional array: getBodies lists the bodies in the same order
 		else if (list) {
 			codes.push(`?${code(p.type)}`);
 			results.push({...p, many: true});

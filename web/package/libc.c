@@ -121,7 +121,8 @@ int fprintf(FILE* file, const char* format, ...)
 	return length;
 }
 
-// clang calls i variants if no argument is floating-point, and small variants if no argument is a long double
+// clang replaces calls of printf functions: if no argument is floating-point, by variants with the letter i; if no
+// argument is a long double, by variants with __small_
 int fiprintf(FILE* file, const char* format, ...) __attribute__((alias("fprintf")));
 int __small_fprintf(FILE* file, const char* format, ...) __attribute__((alias("fprintf")));
 int sniprintf(char* text, size_t size, const char* format, ...) __attribute__((alias("snprintf")));

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // runtime.js -- the package: loads the engine, and creates methods from the table of functions.
 //
-// STRUCTS: a line is a struct: its name, then member=TYPE for each member. A number before TYPE: length of an array.
-// FUNCTIONS: a line is a function: its name, its result, its parameters.
-// Types: i int, u uint32, f float, d double, b bool, B uint8, h uint16; for 64 bits l as number, L as BigInt, H as
-// text; else the name of a struct.
-// Results: ! status, s text, v none, =T a struct.
-// Parameters: w the world; .T a struct; <T a pointer to a struct, which may be null; *T an array; n its length; >T a
-// result; +T one result for each element of the array; ?T, c and m a list of unknown length, its capacity and its
-// count; @T and &T an argument that the function changes; #T a size; $ a text.
+// STRUCTS: each line describes a struct: its name, then member=TYPE for each member. A number before TYPE is the
+// length of an array.
+// FUNCTIONS: each line describes a function: its name, its result, its parameters.
+// Types: i int; u uint32; f float; d double; b bool; B uint8; h uint16; 64 bits: l as a number, L as a BigInt, H as
+// hexadecimal text; every other type is the name of a struct.
+// Results: ! status; s text; v nothing; =T a struct.
+// Parameters: w the world; .T a struct; <T a pointer to a struct, which may be null; *T an array; n the length of the
+// array; >T a result; +T one result for each element of the array; ?T, c and m: a list of unknown length, its capacity
+// and its count; @T and &T an argument that the function changes; #T the size of T; $ a text.
 const SIZES = {i: 4, u: 4, f: 4, d: 8, b: 1, B: 1, h: 2, l: 8, L: 8, c: 1, $: 4, p: 4};
 const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 const HANDLES = ["attribute", "body", "collidable", "path", "joint", "field"];
@@ -139,8 +140,8 @@ class Engine {
 			throw new ScreeError(this.text(this.c.scree_error()), status);
 	}
 
-	// Returns the bytes of a struct before its members are set: the default of the struct, or zeros with the identity
-	// rotation.
+	// Returns the bytes of a struct before its members are set: the default of the struct or, if it has no default,
+	// zeros with the identity rotation.
 	blank(name, value) {
 		const {size, members} = layouts[name], typed = name === "joint_def" || name === "field_def", type = typed ? value?.type ?? 0 : 0;
 		const key = typed ? name + type : name;
@@ -267,7 +268,7 @@ class Engine {
 				else
 					value[key] = m.count ? this.getAll(m.type, place, m.count, world) : this.get(m.type, place, world);
 			}
-			// the arrays have room for eight vertices; shortens them to the number of vertices of the polygon
+			// the arrays have eight vertices; shortens them to the number of vertices that the polygon has
 			if (type === "shape")
 				value.vertices.length = value.normals.length = value.count;
 			return value;
@@ -327,7 +328,7 @@ function call(engine, f, world, given) {
 			else if (kind === ">" || kind === "+") {
 				const many = kind === "+";
 				outs.push([type, engine.take(size * (many ? count : 1)), many ? count : -1]);
-				// the function needs the size member of the struct for its result
+				// the function reads the size member of the struct into which it writes its result
 				if (!many && layouts[type])
 					new Uint8Array(engine.memory.buffer).set(engine.blank(type), outs.at(-1)[1]);
 				values.push(outs.at(-1)[1]);
@@ -448,7 +449,7 @@ export class World {
 		return list[index];
 	}
 
-	// Returns the address of permanent memory for views, named name, with at least this many bytes.
+	// Returns the address of memory that stays allocated for views. name: key of the memory; bytes: minimum size.
 	block(name, bytes) {
 		const {engine} = this.scree, old = this[name];
 		if (old && old.bytes >= bytes)
@@ -509,7 +510,7 @@ export class World {
 	}
 }
 
-// Functions on many objects at a time: world.bodies, world.joints, world.collidables, world.movers.
+// Functions on many objects in one call: world.bodies, world.joints, world.collidables, world.movers.
 class Batch {
 	constructor(world, plural) {
 		this.world = world;

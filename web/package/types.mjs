@@ -10,7 +10,7 @@ const plurals = {bodies: "body", joints: "joint", collidables: "collidable", mov
 export function types({header, structs, described, enumerations, short}) {
 	const handles = new Set(header.handles);
 	const enumNames = Object.fromEntries(enumerations.map((e) => [e.name, e.title]));
-	// the members of an argument may be missing; missing members have their defaults
+	// given: true for an argument, whose members are optional, because missing members get their defaults
 	const type = (name, given) => {
 		if (handles.has(name))
 			return `${title(short(name))} | null`;

@@ -15,8 +15,8 @@ import { fetchScene, fetchScenes, listScenes, markScene } from './scenes.js';
 import { Share } from './share.js';
 import { Theme } from './theme.js';
 
-const DENSEST = 2; // maximum pixels of the picture per pixel of the page: more reduce a phone's frame rate
-const SLOW_FRAMES = 20; // with fewer frames per second, the picture is drawn more coarsely
+const DENSEST = 2; // maximum pixels of the picture per pixel of the page; more pixels reduce a phone's frame rate
+const SLOW_FRAMES = 20; // frames per second; below this rate, the picture is drawn with fewer details
 const FIRST = 'pile';
 const TOOLS = [
 	{ value: 'drag', label: 'Drag', title: 'Drag bodies or the picture', icon: 'drag' },
@@ -25,7 +25,7 @@ const TOOLS = [
 	{ value: 'blast', label: 'Blast', title: 'Hold to grow an explosion, release to set it off', icon: 'blast' },
 	{ value: 'move', label: 'Move', title: 'Drag the picture only', icon: 'move' },
 ];
-// the browser's names of keys that have another name in view/window/keys.def
+// names in the browser of those keys that have another name in view/window/keys.def
 const BROWSER_KEYS = { space: ' ', esc: 'Escape' };
 
 class App {
@@ -57,7 +57,7 @@ class App {
 	}
 
 	async open() {
-		const wish = new URLSearchParams(location.search); // tests use ?form=scalar&threads=1&apart=0
+		const wish = new URLSearchParams(location.search); // tests set these, as in ?form=scalar&threads=1&apart=0
 		await this.host.open(
 			{
 				form: wish.get('form'),
@@ -143,7 +143,7 @@ class App {
 		note(sentence, { kind: 'bad', name: 'picture', lasting: true });
 	}
 
-	// Selects coarse drawing if there are many bodies and drawing is slow, as without a graphics card.
+	// Selects coarse drawing if there are many bodies and drawing is slow, for example without a graphics card.
 	watch({ paused, frames, elapsed, bodies, times }) {
 		const busy = times.reduce((sum, ms) => sum + ms, 0);
 		const late = !paused && elapsed > 0 && (1000 * frames) / elapsed < SLOW_FRAMES && busy < elapsed / 2;
@@ -167,7 +167,7 @@ class App {
 		if (good && link.script.length > 0) note('Replay of recorded actions. Your first action ends it.', { name: 'replay' });
 	}
 
-	// Loads a scene. Settings that are not given have the page's initial values. Returns false if the scene was not
+	// Loads a scene. Settings that are not given get the initial values of the page. Returns false if the scene was not
 	// loaded.
 	async load({ name, settings = [], script = [], until = null, keepView = false }) {
 		const scene = this.scenes.get(name);
@@ -222,7 +222,7 @@ class App {
 		menu.selectedIndex = Math.max(0, Math.min(menu.length - 1, menu.selectedIndex + step));
 		menu.dispatchEvent(new Event('change'));
 	}
-	// Begins to use a tool at the cursor if its key goes down, and ends when the key goes up.
+	// Begins to use a tool at the cursor when its key goes down, and ends when the key goes up.
 	holdTool(tool, down) {
 		const at = this.input.cursor;
 		if (at) this.say({ type: down ? 'press' : 'lift', ...at, tool, by: tool });
@@ -236,12 +236,12 @@ class App {
 		if (!(await this.host.ask({ type: 'follow', follows })))
 			note('Nothing is selected that could be followed: click on a body.', { name: 'follow' });
 	}
-	// Loads the scene before (by = -1) or after (by = 1) the current scene in the list.
+	// Loads the previous scene in the list (by = -1) or the next scene (by = 1).
 	neighbor(by) {
 		this.choose(this.names.at((this.names.indexOf(this.source.name) + by) % this.names.length));
 	}
 
-	// Returns the actions of a list with the browser's name of the key and the function to call. Keys of layers and of
+	// Returns the actions of a list; adds the browser's name of the key and the function to call. Keys of layers and of
 	// some actions press a button; the tooltip of such a button names the key.
 	actions(list) {
 		const own = {

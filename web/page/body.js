@@ -17,13 +17,13 @@ export class Body {
 		this.follows = false;
 		this.box = $('body');
 		this.all = element('p', { class: 'lines all' });
-		this.few = element('p', { class: 'lines few' }); // shown on small screens instead of this.all
+		this.few = element('p', { class: 'lines few' }); // replaces this.all on small screens
 		this.button = element('button', { id: 'follow', type: 'button', title: 'follows the selected body until the picture is moved (k)', onclick: () => follow(!this.follows) });
 		const close = element('button', { id: 'forget', type: 'button', title: 'clears the selection (esc)', onclick: forget }, 'deselect');
 		this.box.replaceChildren(this.all, this.few, element('div', { class: 'row' }, this.button, close));
 	}
 
-	// Shows the numbers of the selected body. numbers: {all, few, gone}; null if no body is selected.
+	// Shows the numbers of the selected body. numbers: {all, few, gone}, or null if no body is selected.
 	show(numbers, follows) {
 		this.follows = follows;
 		this.box.hidden = !numbers || numbers.gone;

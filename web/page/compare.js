@@ -36,7 +36,8 @@ export class Compare {
 		this.box = $('compare');
 	}
 
-	// Shows the hash in state, the last report of the engine, and the command line for the scene and its settings.
+	// Shows the hash in `state`, which is the last report of the engine, and the command line for the scene and its
+	// settings.
 	show(state, scene, settings, version) {
 		const kind = !state.paused ? 'running' : state.touched ? 'touched' : state.step === 0 ? 'start' : 'ready';
 		const key = kind === 'ready' ? `${scene.name} ${settings} ${state.step} ${state.hash}` : kind;

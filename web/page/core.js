@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // core.js -- calls the functions of web/page.c, and throws their errors as sentences.
 
-const NUMBERS = [ // in the order of page_numbers
+const NUMBERS = [ // names of the numbers that page_numbers returns, in the same order
 	'step', 'bodies', 'contacts', 'touching', 'colors', 'ms', 'dt', 'penetration',
 	'solve', 'taken', 'frozenBodies', 'memory',
 ];
@@ -36,7 +36,7 @@ export class Core {
 			version: this.text(m._page_version()),
 		};
 	}
-	// Resolves as soon as a new world can start its threads: the browser frees the threads of a destroyed world with a
+	// Resolves as soon as a new world can start its threads. The browser frees the threads of a destroyed world with a
 	// delay.
 	async threadsReady(threads) {
 		const pool = this.module.PThread;

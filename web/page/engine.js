@@ -12,7 +12,7 @@ import { loadForm } from './wasm.js';
 
 const LONGEST = 30; // ms: maximum duration of the steps in a frame; a slower world falls behind the clock
 const REPORT = 100; // ms: time between two reports to the page
-const COSTLY = 8; // ms: a hash that takes longer is computed only while the scene is paused
+const COSTLY = 8; // ms: maximum time for a hash while the scene runs; a slower hash is computed only in a paused scene
 
 const nextFrame = globalThis.requestAnimationFrame
 	? (turn) => globalThis.requestAnimationFrame(turn)
@@ -27,8 +27,8 @@ export class Engine {
 		this.history = []; // ms: durations of the steps since the last report
 		this.changed = true; // true if the picture is out of date
 		this.reported = 0;
-		// true if a frame was drawn since the last report. A paused scene without a new frame sends no reports, so that
-		// the page does no work
+		// true if a frame was drawn since the last report. A paused scene without a new frame sends no reports, to use
+		// no processor time
 		this.news = false;
 		this.frames = 0;
 		this.drawing = 0; // ms: drawing time of the last frame
@@ -48,7 +48,7 @@ export class Engine {
 		this.say({ type: 'ready', form, threads, drawn: this.picture.drawn, ...this.core.lists() });
 	}
 
-	// Handles a message. If this fails, sends a message with a sentence.
+	// Handles a message. On failure sends a message with a sentence.
 	async hear(message) {
 		try {
 			this.changed ||= message.type !== 'hover';
@@ -59,8 +59,8 @@ export class Engine {
 		}
 	}
 
-	// Loads a scene. script: recorded actions to play; until: {step, hash} at the end of the recording; null: no
-	// recording.
+	// Loads a scene. script: recorded actions to play; until: {step, hash} at the end of the recording, or null without
+	// a recording.
 	async load({ name, text, settings, script = [], until = null, keepView = false, paused = this.paused }) {
 		await this.core.threadsReady(this.threads);
 		this.pointer.cancel();
@@ -156,7 +156,7 @@ export class Engine {
 	look() {
 		return this.picture.look();
 	}
-	// Reads the inspected numbers at once, for tests.
+	// Reads the inspected numbers without a delay, for tests.
 	looked() {
 		this.inspector.fresh = true;
 		this.inspector.next = 0;

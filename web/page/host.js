@@ -3,8 +3,8 @@
 // or else in the page itself.
 import { bestForm, bestThreads, FORMS } from './wasm.js';
 
-// Returns true if a worker can draw into a canvas with WebGL 2. Returns true, too, if the page itself has no WebGL 2,
-// so that a worker loses nothing.
+// Returns true if a worker can draw into a canvas with WebGL 2. Also returns true if the page itself has no WebGL 2,
+// because a worker is then no disadvantage.
 function workersDraw() {
 	if (!globalThis.Worker || !HTMLCanvasElement.prototype.transferControlToOffscreen) return false;
 	const draws = (canvas) => Boolean(canvas.getContext('webgl2'));
@@ -40,7 +40,7 @@ export class Host {
 		this.number = 0;
 	}
 
-	// Starts the engine. wish: {form, threads, apart} from the address. For missing members, selects the best values
+	// Starts the engine. wish: {form, threads, apart} from the address; for missing members, selects the best values
 	// for the browser.
 	async open(wish, { width, height, density }) {
 		this.apart = wish.apart ?? (workersDraw() && workersAreModules());

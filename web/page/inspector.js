@@ -4,10 +4,10 @@
 
 // px of the page: maximum distance of a shape from the cursor when the visitor points at it; segments have no area
 const REACH = 3;
-// Delay until the next reading, as a multiple of the duration of the last reading. The first query after a step
-// computes boxes of all bodies that move, which for many bodies takes as long as a step.
+// Delay until the next reading, divided by the duration of the last reading. The first query after a step computes
+// boxes of all bodies that move, which for many bodies takes as long as a step.
 const REST = 9;
-const SOONEST = 50; // ms: minimum time between readings; digits that change faster cannot be read
+const SOONEST = 50; // ms: minimum time between readings; digits that change faster are not readable
 
 export class Inspector {
 	constructor(core, picture, say) {
@@ -44,8 +44,8 @@ export class Inspector {
 		this.fresh = true;
 	}
 
-	// Starts or stops keeping the selected body in the middle of the picture. Returns false if there is no body to
-	// follow.
+	// Starts (follows: true) or stops keeping the selected body in the middle of the picture. Returns false if there is
+	// no body to follow.
 	follow(follows) {
 		const good = Boolean(this.module._page_follow(follows));
 		if (good) this.picture.fitted = false;
@@ -53,8 +53,8 @@ export class Inspector {
 		return good === follows;
 	}
 
-	// Reads the numbers if a reading is due; called once per frame. quiet: the pointer is in use, so nothing under the
-	// cursor is read.
+	// Reads the numbers if a reading is due; called once per frame. quiet: true if the pointer is in use; then skips
+	// the body under the cursor.
 	look(quiet) {
 		const now = performance.now();
 		if (!this.fresh || now < this.next) return;

@@ -3,7 +3,7 @@
 // the scene.
 import { $, dress, element } from './dom.js';
 
-// the browser's names of the keys that scenes use
+// names in the browser of the keys that scenes use
 const CODES = {
 	left: 'ArrowLeft', right: 'ArrowRight', up: 'ArrowUp', down: 'ArrowDown', space: 'Space', shift: 'ShiftLeft',
 	enter: 'Enter', a: 'KeyA', d: 'KeyD', s: 'KeyS', w: 'KeyW',
@@ -11,16 +11,16 @@ const CODES = {
 const ARROWS = ['left', 'up', 'down', 'right'];
 
 export class Keys {
-	// actions: [{key, shown, help, run, hold}]. run() is called at a press; hold(down) is called at press and release.
-	// The list of keys omits actions without shown. names: names of the keys that scenes use; hold(bits): receives the
-	// pressed keys, bit k for name k.
+	// actions: [{key, shown, help, run, hold}]; run() is called at a press; hold(down) is called at press and release.
+	// The list of keys omits actions that have no member `shown`. names: names of the keys that scenes use; hold(bits)
+	// is called when these keys change, with bit k for name k.
 	constructor(actions, names, hold) {
-		this.held = new Set(); // actions with hold() whose key is down
+		this.held = new Set(); // actions with a member hold whose key is down
 		this.actions = new Map(actions.map((action) => [action.key, action]));
 		this.codes = new Map(names.map((name, bit) => [CODES[name], bit]));
 		this.names = names;
 		this.hold = hold;
-		this.wanted = 0; // keys that the scene uses, as bits
+		this.wanted = 0; // keys that the scene uses: bit k for name k
 		this.down = 0;
 		addEventListener('keydown', (event) => this.press(event));
 		addEventListener('keyup', (event) => this.lift(event));
@@ -67,7 +67,7 @@ export class Keys {
 		if (this.held.delete(action)) action.hold(false);
 	}
 
-	// Begins to use the keys of another scene, given as bits.
+	// Begins to use the keys of another scene. `wanted` has bit k for name k.
 	use(wanted) {
 		this.set(0);
 		this.wanted = wanted;

@@ -5,7 +5,7 @@ import { $, element } from './dom.js';
 
 let shown = '';
 
-// Returns the CSS of a color bar, from left to right: a gradient or, with blocks, one block for each color.
+// Returns the CSS of a color bar, from left to right: a gradient or, if `blocks` is true, one block for each color.
 function gradient(colors, blocks) {
 	const share = (k) => `${((100 * k) / colors.length).toFixed(2)}%`;
 	const stops = blocks ? colors.map((color, k) => `${color} ${share(k)} ${share(k + 1)}`) : colors;

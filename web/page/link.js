@@ -5,7 +5,7 @@
 // #pile?count=500&do=...&at=321&hash=0123456789abcdef
 import { decodeActions, encodeActions } from './record.js';
 
-export const LONGEST = 16000; // characters: some programs that transmit addresses cut off longer addresses
+export const LONGEST = 16000; // characters: maximum; some programs that transmit addresses cut off longer ones
 const RESERVED = ['do', 'at', 'hash'];
 
 export function writeLink({ name, settings, record }) {
@@ -19,7 +19,8 @@ export function writeLink({ name, settings, record }) {
 	return `#${name}${text ? `?${text}` : ''}`;
 }
 
-// Returns {name, settings, script, until} for the part of an address. Throws an error with a sentence if it is invalid.
+// Returns {name, settings, script, until} for this part of an address. Throws an error with a sentence if the part is
+// invalid.
 export function readLink(fragment) {
 	const [name, query = ''] = fragment.replace(/^#/, '').split('?');
 	const values = new URLSearchParams(query);

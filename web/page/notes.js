@@ -4,8 +4,8 @@ import { $, element } from './dom.js';
 
 const STAYS = 7000; // ms: time for which a note stays
 
-// Shows a note. kind: 'plain', 'good', 'bad'. The note replaces an earlier note of the same name; an empty sentence
-// only removes the earlier note. A lasting note stays until the visitor closes it.
+// Shows a note. kind: 'plain', 'good' or 'bad'. The note replaces an earlier note with the same name; an empty sentence
+// only removes that note. If `lasting` is true, the note stays until the visitor closes it.
 export function note(sentence, { kind = 'plain', name = sentence, lasting = false } = {}) {
 	const box = $('notes');
 	for (const old of box.children) if (old.dataset.name === name) old.remove();

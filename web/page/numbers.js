@@ -41,7 +41,7 @@ export class Numbers {
 		$('clock').textContent = `step ${whole.format(state.step)}`;
 		if (state.hash) this.hash.textContent = state.hash;
 		const now = performance.now();
-		if (!state.paused && now - this.shown < 250) return; // digits that change faster cannot be read
+		if (!state.paused && now - this.shown < 250) return; // 250 ms: digits that change faster are not readable
 		this.shown = now;
 		const median = this.graph.median;
 		$('ms').textContent = median === null ? '–' : milliseconds(median);

@@ -4,9 +4,10 @@ import { $, element } from './dom.js';
 
 const STEPS = 400; // number of steps of a slider
 const FACTOR = 4; // upper end of a slider as a multiple of the initial value, if the scene allows it
-const WAIT = 250; // ms: the scene restarts if the sliders have not moved for this time
+const WAIT = 250; // ms: time after the last motion of a slider, after which the scene restarts
 
-// Returns the ends of a slider: the limits of the scene, or nearer ends, so that useful values are easy to set by hand.
+// Returns the ends of a slider. They are the limits of the scene, or narrower, so that useful values are easy to set by
+// hand.
 function ends({ start, min, max, integer }) {
 	const reach = Math.max(Math.abs(start), integer ? 3 : 1) * FACTOR;
 	const low = min ?? -reach;
@@ -24,7 +25,7 @@ function row(parameter, value, change) {
 	const { name, description, min, max, integer } = parameter;
 	const id = `parameter-${name}`;
 	const [low, high] = ends(parameter);
-	// in a wide range, the steps of the slider grow with the value
+	// in a wide range, equal motions of the slider change large values more than small values
 	const curve = low >= 0 && high - low > 60 ? 2 : 1;
 	const toSlider = (v) => STEPS * Math.min(1, Math.max(0, (v - low) / (high - low))) ** (1 / curve);
 	const fromSlider = (s) => tidy(low + (high - low) * (s / STEPS) ** curve, parameter);

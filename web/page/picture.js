@@ -9,13 +9,13 @@ export class Picture {
 		this.core = core;
 		this.module = core.module;
 		this.canvas = canvas;
-		this.tell = tell; // called with a sentence about the picture; empty: no error
+		this.tell = tell; // called with a sentence about an error of the picture; empty: no error
 		this.density = 1; // pixels of the picture per pixel of the page
-		this.arrow = null; // m: [x, y of the start, x, y of the tip]; null: no arrow
-		this.rings = []; // {at, radius, born} of each ring: m, m, ms
-		this.blast = null; // {at, radius()} of a growing blast: m, px
+		this.arrow = null; // m: [x, y of its start, x, y of its tip]; null: no arrow
+		this.rings = []; // {at (m), radius (m), born (ms)} of each ring
+		this.blast = null; // {at (m), radius() (px)} of a growing blast; null: no blast
 		this.styled = [0, 0, false, false];
-		this.fitted = true; // true: the whole scene stays visible when the size of the picture changes
+		this.fitted = true; // true: the whole scene stays in view when the size of the picture changes
 		canvas.addEventListener('webglcontextlost', (event) => {
 			event.preventDefault(); // without this call the browser does not restore the context
 			this.drawn = false;

@@ -12,7 +12,7 @@ export class Player {
 		this.script = script;
 		this.until = until; // {step, hash} at the end of the script; null: no script, or its end was reached
 		this.next = 0; // index of the script's next action
-		this.done = []; // actions that were applied, as a recording
+		this.done = []; // actions that have been applied, as a recording
 		this.keys = 0; // keys that are down, as bits
 	}
 
@@ -42,7 +42,7 @@ export class Player {
 				return m._page_throw(v[0], v[1], v[2], v[3], v[4]);
 			case 'blast':
 				return m._page_blast(v[0], v[1], v[2], v[3]);
-			default: // keys: the value is the pressed keys
+			default: // 'keys': the value contains the keys that are down, as bits
 				this.keys = v[0];
 				return true;
 		}

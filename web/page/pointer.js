@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// pointer.js -- turns motions of one finger, of the mouse or with a held key into actions: drag bodies or the picture,
-// throw, pour, blast, select.
+// pointer.js -- turns motions of one finger or the mouse, also while a key is held, into actions: drag bodies or the
+// picture, throw, pour, blast, select.
 
 const THROW_TIME = 0.25; // s: time in which a thrown body covers the distance from press to release
 const FASTEST = 200; // m/s: maximum speed of a thrown body
 const THROWN = 28; // px of the page: size of a thrown body, so that the body is visible at any scale
 const CLICK = { mouse: 4, touch: 10 }; // px of the page: maximum motion in a click
-const HOLD = 250; // ms: after this time a press on a body drags it, even without motion
+const HOLD = 250; // ms: time after which a press on a body drags the body, even without motion
 
 export class Pointer {
 	// act(name, values) applies and records an action; select(x, y, reach) selects a body
@@ -18,7 +18,7 @@ export class Pointer {
 		this.select = select;
 		this.mode = null; // 'press', 'hold', 'pan', 'throw', 'pour', 'blast'; null: no action
 		this.by = null; // source of the press: 'pointer', or the tool whose key is down
-		this.wanted = null; // px of the picture: target of the held body, or place of pouring, in the next step
+		this.wanted = null; // px of the picture: new place of dragging or pouring, for the next step; null: unchanged
 	}
 
 	get holds() {
@@ -57,7 +57,8 @@ export class Pointer {
 		if (this.mode === 'hold' || this.mode === 'pour') this.wanted = [x, y];
 		if (this.mode === 'throw') this.picture.arrow = [...this.core.point(...this.from), ...this.core.point(x, y)];
 		if (this.mode === 'blast') this.picture.blast.at = this.core.point(x, y);
-		// keeps x and y during a click; when the press becomes a drag, the picture moves by the whole distance
+		// during a click, x and y stay at the press; if the press becomes a drag, the picture then moves by the whole
+		// distance
 		if (this.mode === 'pan' && this.clicks) return;
 		this.x = x;
 		this.y = y;
@@ -74,13 +75,13 @@ export class Pointer {
 		if (clicked) this.select(...from, room);
 	}
 
-	// Ends the current action; a throw or a blast then has no effect.
+	// Ends the current action; a throw or a blast that is not finished has no effect.
 	cancel() {
 		if (this.mode === 'hold' || this.mode === 'pour') this.act('release');
 		this.mode = this.by = this.wanted = this.picture.arrow = this.picture.blast = null;
 	}
 
-	// Turns a press into a drag, at the point of the body that was pressed; the body may have moved since the press.
+	// Turns a press into a drag of the body, at its point that was pressed; the body may have moved since the press.
 	hold() {
 		this.clicks = false;
 		const place = this.module._page_reached();

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // record.js -- creates actions of a visitor with their step numbers, and encodes them as a short text for links.
 //
-// An action is {step, kind, values}; the visitor did it before this step. The first step is number 0. Values are whole
-// multiples of a unit that is a power of two, so that decoding gives exactly the floats that were applied to the world.
-// Positions are stored as differences from the previous position.
+// An action is {step, kind, values}; the visitor did it before the step with this number, counted from 0. Values are
+// whole multiples of a unit that is a power of two, so that decoding gives exactly the floats that were applied to the
+// world. Positions are stored as differences from the previous position.
 
 const LENGTH = 1 / 4096; // m
 const SPEED = 1 / 256; // m/s
 const IMPULSE = 1 / 4096; // N s/m
 const position = [LENGTH, LENGTH];
 
-// units of the values; the first two values are a position, except for keys
+// units of the values; in all kinds except keys, values begin with a position
 export const KINDS = [
 	{ name: 'pick', units: position },
 	{ name: 'pull', units: position },
@@ -18,7 +18,7 @@ export const KINDS = [
 	{ name: 'throw', units: [...position, SPEED, SPEED, LENGTH] }, // position, velocity, size
 	{ name: 'blast', units: [...position, LENGTH, IMPULSE] }, // position, radius, impulse
 	{ name: 'keys', units: [1] }, // pressed keys: bit k for entry k of scene_keys.def
-	{ name: 'pour', units: position }, // pouring lasts until a release; a pull moves the position
+	{ name: 'pour', units: position }, // pouring lasts until a release; a pull moves its place
 ];
 const kindOf = new Map(KINDS.map((kind, index) => [kind.name, index]));
 

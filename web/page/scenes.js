@@ -14,11 +14,11 @@ export async function fetchScene(name) {
 	return response.text();
 }
 
-// distance from the visible part of the list within which thumbnails are loaded. Browsers themselves load
+// px: thumbnails are loaded if they are at most this far from the visible part of the list. Browsers themselves load
 // pictures from much farther away
 const NEAR = '120px';
 
-// Loads thumbnails as soon as they are within NEAR of the visible part of the list.
+// Loads each thumbnail when its distance from the visible part of the list becomes less than NEAR.
 function loadWhenSeen(images) {
 	const observer = new IntersectionObserver(
 		(entries) => {

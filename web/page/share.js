@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// share.js -- creates links to the current scene: its parameters, and the visitor's actions, which can be played again.
+// share.js -- creates links to the current scene with its parameters and, for a replay, the visitor's actions.
 import { $, copyButton, element } from './dom.js';
 import { LONGEST, writeLink } from './link.js';
 
@@ -28,7 +28,7 @@ export class Share {
 			: 'The link contains the scene and its parameters. Your actions on bodies will be added.';
 	}
 
-	// Returns the address of the scene with the visitor's actions. If this is too long, returns the address without
+	// Returns the address of the scene with the visitor's actions. If the address is too long, returns it without
 	// actions, and shows a sentence.
 	async make() {
 		const record = await this.record();

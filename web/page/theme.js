@@ -32,7 +32,7 @@ export class Theme {
 		try {
 			localStorage.setItem(KEY, name);
 		} catch {
-			// the browser stores nothing, so the selection lasts for this visit only
+			// if the browser stores nothing, the selection lasts for this visit only
 		}
 		this.apply();
 	}

@@ -8,14 +8,14 @@ const VECTOR = [
 
 export const FORMS = ['threads', 'simd', 'scalar'];
 
-// Returns the fastest build that this page can run. apart: the engine runs in a worker, which may block.
+// Returns the fastest build that this page can run. apart: true if the engine runs in a worker, which may block.
 export function bestForm(apart) {
 	if (!WebAssembly.validate(new Uint8Array(VECTOR))) return 'scalar';
 	return apart && globalThis.crossOriginIsolated && bestThreads() > 1 ? 'threads' : 'simd';
 }
 
-// Returns the best number of threads: one per core, minus one for the page itself, but at most four, because the
-// scenes of the page are small.
+// Returns the best number of threads: the number of cores minus one, which is for the page itself, but at most four,
+// because the scenes of the page are small.
 export function bestThreads() {
 	return Math.max(1, Math.min(4, (globalThis.navigator?.hardwareConcurrency ?? 2) - 1));
 }
