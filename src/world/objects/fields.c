@@ -73,7 +73,7 @@ static Field field_row(const HostField* host)
 	const scree_field_def* def = &host->def;
 	const uint64_t all = ~(uint64_t)0;
 	Field row;
-	memset(&row, 0, sizeof row); // the hash also reads the padding
+	memset(&row, 0, sizeof row); // the padding is cleared, because the hash also reads it
 	shape_row(&def->shape, &row.shape);
 	row.pose = pose_row(def->pose);
 	row.category = def->category;
