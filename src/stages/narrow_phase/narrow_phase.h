@@ -73,7 +73,7 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 }
 
 #define PLACE_APART CENTERS_APART           // m: centers of mass nearer to each other have no direction between them
-#define PLACE_ASIDE (10.0f * CENTERS_APART) // m: largest component of the offset of a body with such a neighbor
+#define PLACE_ASIDE (10.0f * CENTERS_APART) // m: largest component of the offset that such a body gets
 
 // m: Returns a pseudo-random offset for a body, in no visible order: neighbors in a pool are often created together.
 INLINE Vec narrow_phase_place(int body)

@@ -168,9 +168,9 @@ INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, 
 	return 1;
 }
 
-// Returns the fraction of a result or, with QUERY_NEAREST, the square of its distance; at least apart, the same
+// Returns the fraction of a result or, with QUERY_NEAREST, the square of its distance; at least `apart`, the same
 // measure of the leaf's box, because no result is nearer than its box. Except with QUERY_NEAREST, also raises
-// found->fraction to apart.
+// found->fraction to `apart`.
 INLINE float query_measure(QueryResult* found, int form, float apart)
 {
 	if (form != QUERY_NEAREST)

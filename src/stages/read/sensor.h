@@ -97,8 +97,7 @@ INLINE float sensor_speed(SensorPace pace, Vec normal)
 }
 
 // Returns the time at which two moving collidables first overlap, SENSOR_NEVER if they do not. An advance ends at an
-// overlap of SENSOR_DEPTH. A slow pair reaches it much later than it meets, so the time is interpolated to separation
-// 0.
+// overlap of SENSOR_DEPTH. A slow pair reaches it much later than it meets, so the time is interpolated to gap 0.
 RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closing)
 {
 	SensorPace pace = sensor_pace(closing);

@@ -87,7 +87,7 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	return one_way_meet(side, visitor) ? ONE_WAY_ABOVE : ONE_WAY_HIGH;
 }
 
-// Returns whether n is the normal of an upper side other than up; the test of the whole width covers the top side.
+// Returns whether n is the normal of an upper side other than `up`; the test of the whole width covers the top side.
 INLINE int one_way_upper(Vec n, Vec up) { return vec_dot(n, up) > ONE_WAY_UPPER && !(n.x == up.x && n.y == up.y); }
 
 typedef struct // extents of a platform and a visitor along the direction `up`, in the frame of the platform
@@ -160,8 +160,8 @@ INLINE Vec one_way_up(const Pools* p, WorldShape a)
 	return vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y);
 }
 
-// Returns the current position of visitor b relative to platform a. way, m: displacement of b relative to a, world
-// axes. swing, m: largest additional displacement of a point of b. known: state of the contact, ONE_WAY_*.
+// Returns the current position of visitor b relative to platform a. way, m: displacement of b relative to a in the
+// step, world axes. swing, m: largest additional displacement of a point of b. known: ONE_WAY_* of the contact.
 RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, float swing, int known)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;

@@ -43,7 +43,7 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 
 INLINE void body_move(const Step* step, Real* b, const Real* m)
 {
-	// limits the motion: a rotation beyond half a turn would count as one in the other direction: a jump
+	// limits the motion: a rotation beyond half a turn would count as one in the other direction
 	float h = step->h;
 	b[4] = b[4] + h * (m[6] * within(b[0], splat(step->max_speed)));
 	b[5] = b[5] + h * (m[7] * within(b[1], splat(step->max_speed)));

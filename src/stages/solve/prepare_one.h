@@ -23,7 +23,7 @@ KERNEL(solve_begin)
 		counters_clear(p);
 }
 
-// Sets the inertia of a body for the step. joint_taut has stored the inertia for the pull of joints in da.
+// Sets the inertia of a body for the step. The pull of joints requires the value that joint_taut stored in da.
 KERNEL(body_taut)
 {
 	GLOBAL BodyState* body = p->body + i;

@@ -9,7 +9,7 @@
 #define TAUT_H
 #include "constraints/constraint_kinds.h"
 
-// Adds the inertia that a pull requires (pull) to the member da of a body (turn), which is 0 before the first substep.
+// Adds the inertia that a pull requires, `pull`, to member da of a body. turn: da so far, 0 before the first substep.
 INLINE void taut_add(const Pools* p, Int body, const Body* b, Real turn, Real pull)
 {
 	Real zero = splat(0.0f), row[4];

@@ -378,7 +378,8 @@ GROUP_KERNEL(branch)
 		branch_locks(p, &branch, p->argument);
 }
 
-// Sets the inertia of each body for the step, as for chains: its own, or that which the tension of its joints requires.
+// Sets the inertia of each body for the step, as for chains: its own or, if larger, that which tension of its joints
+// requires.
 GROUP_KERNEL(branch_begin)
 {
 	(void)bench;

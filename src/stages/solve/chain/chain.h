@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// chain.h -- runs a pass over a chain: the locks of joints in a row are solved together, exactly (chain_solve.h).
-// A rope with a load of a hundred links needs hundreds of passes from joint to joint until all links bear the load. The
-// host finds such rows of joints (src/world/chain/chains.c); they have no color, and are solved after the colors.
+// chain.h -- runs a pass over a chain: the locks of joints in a row are solved together, exactly (chain_solve.h). A
+// rope that carries a hundred times a link's mass needs hundreds of passes from joint to joint until all links bear it.
+// The host finds such rows of joints (src/world/chain/chains.c); they have no color, and are solved after the colors.
 //
 // Even joints of a chain have no bodies in common, nor have odd ones: lanes process a block of one half at a time.
 #ifndef CHAIN_H

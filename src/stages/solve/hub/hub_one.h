@@ -20,7 +20,7 @@ KERNEL(hub_enter)
 	edge_mark_dirty(p, CONSTRAINT_CONTACT);
 }
 
-// Returns the number of the hub whose body is given, -1 if the body is not a hub.
+// Returns the hub number of a body, -1 if the body is not a hub.
 INLINE int hub_number(const Pools* p, int body)
 {
 	int low = 0, high = p->counters->hubs;
@@ -117,7 +117,7 @@ KERNEL(hub_order)
 		spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, own).first)) = (float)hubs;
 }
 
-// Returns the spoke of key i if its neighbor is split in a hub color (turn) and i is the first key of both; else -1.
+// Returns the spoke of key i if its neighbor is split in a hub color (turn) and i is their first key; else -1.
 INLINE int hub_merged(const Pools* p, int i, int turn)
 {
 	int order = p->spoke_order[i], spoke = order / HUB_COLORS;

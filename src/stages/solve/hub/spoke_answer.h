@@ -13,7 +13,7 @@ typedef struct // response: impulses, and minus their derivatives with respect t
 	Real impulse[2], own[2], cross;
 } SpokeAnswer;
 
-// Returns impulses at the two points, which never pull: two positive impulses solve both equations, a single one
+// Returns impulses at the two points, which never pull: two positive impulses solve both equations, a single one solves
 // that of its point. want1, want2: separation velocities of the points without any impulse.
 INLINE SpokeAnswer spoke_push_apart(const Pools* p, int m, Real want1, Real want2)
 {
