@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # cli_support.sh -- functions for scripts that test a command line.
 
-# begin PROGRAM: goes to a scratch folder; skips the test if the program was not built
+# begin PROGRAM: changes to a scratch folder; skips the test if the program was not built
 begin()
 {
 	program=$1
@@ -19,7 +19,7 @@ fail()
 	failures=$((failures + 1))
 }
 
-# expect CODE TEXT words...: runs the program with the words; it must exit with the code, and print the text
+# expect CODE TEXT words...: runs the program with the words; it must exit with CODE, and print TEXT
 expect()
 {
 	local code=$1 text=$2 got
@@ -30,7 +30,7 @@ expect()
 	grep -qF -- "$text" out err || fail "${program##*/} $*: does not say \"$text\""
 }
 
-# refuse CODE TEXT words...: like expect, and the program must print nothing to standard output
+# refuse CODE TEXT words...: like expect, but the program must print nothing to standard output
 refuse()
 {
 	expect "$@"

@@ -6,37 +6,37 @@
 #include <math.h>
 #include <string.h>
 
-// Distance at which contacts of small bodies begin, as a multiple of g dt^2, a measure of the fall in a step.
+// Distance at which contacts of small bodies begin, as a multiple of g dt^2, which is twice the fall in a step.
 #define FALL_SHARE 0.5f
-// m: a step is calm if its fall is smaller; with one substep a body falls twice as far
+// m: a step is calm if its fall (FALL_SHARE g dt^2) is smaller than this; with one substep a body falls twice as far
 #define CALM_FALL (0.125f * SPECULATIVE_DISTANCE)
 
 // Largest frequency of contacts, as a share of the substep rate. A light body passes the load of a heavy body on by
 // impulses that add up over the passes, and act like a spring of stiffness 2 m / h^2 (m: light mass, h: substep). Only
-// softer springs are damped; at this share a contact has 0.55 of that stiffness. At a share of 0.22, pressed balls, 500
-// kg on wheels of 1.6 kg, and pyramids of ten rows under a box of 100 times a box's weight fly apart.
+// softer springs are damped; at this share a contact has 0.55 of that stiffness. At a share of 0.22, pressed balls, a
+// body of 500 kg on wheels of 1.6 kg, and pyramids of ten rows under a box of 100 times a box's weight fly apart.
 #define CONTACT_STIFFEST (1.0f / 6.0f)
 
-// Light loads need no such limit: up to the overlap under FIRM_WEIGHTS times the body's own weight, a contact is
-// firmer. Its frequency is multiplied by FIRM_PAIR between bodies that can move, by FIRM_FIXED if one cannot, so stacks
+// Light loads need no such limit. A contact is firmer up to the overlap that FIRM_WEIGHTS times the body's own weight
+// causes. Its frequency is multiplied by FIRM_PAIR between bodies that can move, by FIRM_FIXED if one cannot, so stacks
 // sink less. The damping is that of the firm part, so impacts do not get deeper. The factors give 52 and 104 Hz at 240
 // substeps per second; with larger factors, a pyramid of base 100 never comes to rest.
 #define FIRM_WEIGHTS 20.0f
 #define FIRM_PAIR    1.3f
 #define FIRM_FIXED   2.6f
-#define FIRM_GRAVITY 9.8f // m/s^2: lower limit of gravity here, so that contacts are firm without gravity
+#define FIRM_GRAVITY 9.8f // m/s^2: minimum gravity for this overlap, so that contacts are firm without gravity
 
 // Frequency of the soft part, as a multiple of contact_hertz after the limit CONTACT_STIFFEST. The limit CONTACT_DEEP
-// applies afterwards, and is lower at 60 Hz and 4 or more substeps. With larger values, boxes under a heavy box get
-// deeper: 183 mm with 1 (scene smash, 120 Hz), 191 mm with 1.05, 199 mm with 1.1.
+// applies afterwards, and is lower at 60 Hz and 4 or more substeps. With larger values, boxes sink deeper under a heavy
+// box: 183 mm with 1 (scene smash, 120 Hz), 191 mm with 1.05, 199 mm with 1.1.
 #define CONTACT_SOFT 1.03f
 
 // Largest frequency of deep contacts, as a share of the step rate. Normals of round shapes follow the bodies only once
 // per step. Under a load N, two round shapes at a distance r push each other aside by N / r per unit of distance, like
-// a spring that is too stiff for a step: 625 disks in 0.66 of their area never rest with 60 Hz and 8 substeps.
+// a spring that is too stiff for a step: 625 disks on 0.66 of their area never rest with 60 Hz and 8 substeps.
 #define CONTACT_DEEP (2.0f / 3.0f)
 
-// Source: Erin Catto, Soft Constraints, GDC 2011. firm: factor of the frequency in the firm part.
+// Source: Erin Catto, Soft Constraints, GDC 2011. firm: multiplier of the frequency in the firm part.
 static Softness softness(float hertz, float ratio, float h, float firm, float gravity)
 {
 	float omega = 6.28318531f * hertz, stiffer = firm * firm;
@@ -75,7 +75,7 @@ Step step_constants(const Pipeline* pipeline, const StepRequest* request)
 
 	bool calm = pipeline->counters.joints == 0 && request->fields == 0 && fall < CALM_FALL;
 
-	// a rotation by more than pi per step, or pi / 4 per substep, may be taken for a rotation in the opposite direction
+	// a rotation by more than pi per step or pi / 4 per substep could look like a rotation in the opposite direction
 	float turn = 0.785398163f * (float)request->substeps;
 	Step step = {
 	    .dt = dt,

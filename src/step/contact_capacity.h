@@ -6,7 +6,7 @@
 
 int contact_limit(const StepRequest* request);
 
-// Fails with SCREE_ERROR_CONTACT_LIMIT. The message names the most crowded place of the last search for pairs.
+// Fails with SCREE_ERROR_CONTACT_LIMIT. The message names the most crowded place in the last search for pairs.
 scree_status contact_limit_fail(Pipeline* pipeline, const Step* step);
 
 #endif

@@ -7,14 +7,15 @@
 // Reserves memory for the events of the next step if some collidable reports events, and uploads approved pairs.
 scree_status events_reserve(Pipeline* pipeline, const StepRequest* request);
 
-// Lists the events of a step. Ends of touches whose contacts were released are already listed before the narrow phase.
+// Lists the events of a step. Touches that end because their contact is released were listed by the narrow phase.
 scree_status events_list(Pipeline* pipeline, const Step* step);
 scree_status events_count(Pipeline* pipeline, int counts[EVENT_LISTS]);
 
-// Reads the contacts of all events in a list, sorted by slot. count: number of events in the list.
+// Reads the contacts of all events in a list (EVENT_*), sorted by slot. count: number of events in the list.
 scree_status events_contacts(Pipeline* pipeline, int which, int count, ContactReport* rows);
 
-// Reads the pairs of collidables of all `count` touches that ended, in ascending order, the first in the upper half.
+// Reads the pairs of all `count` touches that ended, in ascending order. The upper half of a pair is its first
+// collidable.
 scree_status events_pairs(Pipeline* pipeline, int count, Word64* pairs);
 
 #endif

@@ -42,7 +42,7 @@ static scree_status read_back(Pipeline* pipeline, const Step* step)
 }
 
 // Executes the listed runs, and starts the solve before the host has read the counters. If the layout of the
-// constraints changes against expectation, the device clears the counter that bounds the solve, so nothing is solved.
+// constraints changes unexpectedly, the device clears the counter that bounds the solve, so nothing is solved.
 static scree_status solve_early(Pipeline* pipeline, const Step* step, const StepRequest* request)
 {
 	Backend* b = pipeline->backend;
@@ -52,7 +52,7 @@ static scree_status solve_early(Pipeline* pipeline, const Step* step, const Step
 	return b->f->read_end(b, &pipeline->counters);
 }
 
-// Ends a step whose search for pairs cannot be completed; restores the boxes. Returns why, or the error of the device.
+// Ends a step without a complete search for pairs; restores the boxes. Returns `why`, or a failure of the device.
 static scree_status abandon(Pipeline* pipeline, const Step* step, scree_status why)
 {
 	runs_add(&pipeline->list, KERNEL_transform_undo, 0, step->collidables, NO_COUNT, 0);
@@ -92,7 +92,7 @@ static scree_status solve_or_read_back(Pipeline* pipeline, Step* step, const Ste
 	return status ? abandon(pipeline, step, status) : SCREE_OK;
 }
 
-// Returns the number of coloring rounds after which contacts without a color were left.
+// Returns the number of the last coloring round that left contacts uncolored, counted from 1; 0 if none did.
 static int needed_rounds(const Counters* c, int rounds)
 {
 	int needed = 0;
@@ -102,8 +102,8 @@ static int needed_rounds(const Counters* c, int rounds)
 	return needed;
 }
 
-// Completes the layout of the constraints if the listed rounds did not: after a burst of new contacts, with the first
-// hubs, or if the pools are too small. Stores the number of rounds that the next step will probably need.
+// Completes the layout of the constraints if the listed rounds did not complete it: after a burst of new contacts, with
+// the first hubs, or if the pools are too small. Stores the number of rounds that the next step will probably need.
 static scree_status finish_colors(Pipeline* pipeline, Step* step, int bodies, int listed)
 {
 	const Backend* b = pipeline->backend;
@@ -135,7 +135,7 @@ static scree_status run_stages(Pipeline* pipeline, Step* step, const StepRequest
 {
 	const Counters* c = &pipeline->counters;
 	int bodies = request->bodies, rounds = pipeline->rounds + SPARE_ROUNDS;
-	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // other runs replace or precede the solve
+	bool alone = step->dt == 0.0f || pipeline->surfaces_changed; // true: other runs replace or precede the solve
 	bool early = pipeline->backend->distant && !alone && !c->changed && (c->hubs == 0 || pipeline->split), solved;
 	TRY(apply_commands(pipeline, step, &request->commands, request->commands.begin));
 	TRY(list_transform(pipeline, step));
@@ -217,12 +217,12 @@ void pipeline_move(Pipeline* pipeline, Backend* backend)
 	for (int t = 0; t < 2; ++t)
 	{
 		TreeState* state = &pipeline->trees[t];
-		memset(&state->sent, -1, sizeof state->sent); // no tree has this value, so the next upload writes the tree
+		memset(&state->sent, -1, sizeof state->sent); // no tree has these bytes, so the next upload writes the tree
 		state->touched = true;
 		state->seen = false;
 	}
 	pipeline->named = pipeline->named_bodies = 0;
-	pipeline->split = false; // the pools of spokes have the role DERIVED, and were not copied
+	pipeline->split = false; // the pools of spokes have the role DERIVED, so they were not copied
 }
 
 void pipeline_close(Pipeline* pipeline)

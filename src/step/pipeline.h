@@ -4,14 +4,14 @@
 #define PIPELINE_H
 #include "step/pipeline_state.h"
 
-// Gives the pools their first capacities. bodies, contacts: expected numbers, 0: default. The caller owns the backend.
+// Gives the pools their first capacities. bodies, contacts: expected numbers, or 0. The caller owns the backend.
 scree_status pipeline_open(Pipeline* pipeline, Backend* backend, int bodies, int contacts);
 void pipeline_close(Pipeline* pipeline);
 
 // Replaces the backend. The caller has copied the pools to another device.
 void pipeline_move(Pipeline* pipeline, Backend* backend);
 
-// Executes one step. The user's changes must be uploaded. After a failure, Pipeline.started is set if any data changed.
+// Executes a step. The user's changes must be uploaded. After a failure, Pipeline.started is set if any data changed.
 scree_status pipeline_step(Pipeline* pipeline, const StepRequest* request);
 
 #endif

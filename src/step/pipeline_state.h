@@ -15,7 +15,7 @@ typedef struct // state of the host for one tree of the broad phase; see tree_ma
 	int churned;      // number of consecutive steps in which boxes jumped so far that the leaves were sorted
 	bool ordered;     // the current step sorts the leaves because boxes are expected to jump
 	bool touched;     // the user changed some box of this tree
-	bool seen;        // the boxes for queries are up to date
+	bool seen;        // the boxes for queries match the current poses
 	int appended;     // number of leaves appended since the leaves were last sorted
 	int* left;        // collidables destroyed or moved to the other tree since the leaves were last sorted
 	int left_count, left_capacity;
@@ -31,7 +31,7 @@ typedef struct // lists of commands: applied before the step, after it, or after
 
 typedef struct // the request of a step
 {
-	float dt; // s; 0: the step finds contacts and moves nothing
+	float dt; // s; 0: the step only finds contacts, and moves nothing
 	int substeps;
 	scree_vec gravity;
 	scree_tuning tuning;
@@ -54,21 +54,21 @@ typedef struct // the request of a step
 typedef struct
 {
 	Backend* backend;
-	Counters counters;     // as of the last readback
+	Counters counters;     // values at the last readback
 	TreeState trees[2];    // trees of moving and of static collidables
 	Kinematics kinematics; // list of kinematic bodies, as last uploaded
 	uint8_t* member;       // bits of each collidable slot: membership in the trees; see tree_maintenance.c
 	int member_capacity;
 	RunList list;
-	Step step;             // constants of the last step with dt above 0; kernels that read no constants get them too
-	int used[PER_COUNT];   // largest number of items of each kind that was needed since idle was 0
+	Step step;             // constants of the last step with dt above 0; also for kernels that read none
+	int used[PER_COUNT];   // maximum number of items of each kind since `idle` was 0
 	int first_contacts;    // initial number of contact slots
-	int idle;              // steps since pools were last checked for unused capacity
+	int idle;              // number of steps since the pools were last checked for unused capacity
 	int sparse;            // number of consecutive steps with few contacts for the number of slots
 	bool jumps;            // the user placed or created something since the last step, so boxes may jump
 	bool surfaces_changed; // some collidable changed its attribute or its reported events since the last step
 	bool reports;          // some collidable has ever reported touches or hits
-	bool rules;            // some attribute is a one-way platform, or some pair of materials or bodies was set
+	bool rules;            // some attribute is a one-way platform, or a pair of materials or an exclusion was set
 	bool platforms;        // some attribute is a one-way platform
 	int material_pairs, excluded; // numbers of used rows in the pools of these names
 	bool asks;                    // some collidable has ever required contact approval
@@ -94,10 +94,10 @@ typedef struct
 	bool dirty;                             // joints were made, changed or destroyed since the last step
 	float continuous_way, continuous_reach; // as in Step; bounds over all bodies that ever existed
 	int taut;                               // Counters.taut after the last step
-	bool split;                             // the neighbors of the spokes have been split for this layout
+	bool split;                             // neighbors of several hubs have been split for the current layout
 	int rounds;                             // number of coloring rounds that the last step needed
 	int64_t steps;
-	bool tells;                      // the user has requested the moved bodies
+	bool tells;                      // the user has requested the list of moved bodies
 	uint64_t named, named_bodies;    // versions of Names on the device: collidables; bodies; 0: none
 	int grown;                       // number of times that a pool grew
 	double milliseconds;             // wall-clock time of the last step, ms

@@ -7,7 +7,7 @@
 #include "step/reserve.h"
 #include "step/stage_lists.h"
 
-// Finds the bodies that are neighbors of several hubs, once per layout; the host must already have its counters.
+// Finds the bodies that are neighbors of several hubs, once per layout. The host must already have read its counters.
 static scree_status split_spokes(Pipeline* pipeline, const Step* step, int bodies)
 {
 	if (pipeline->counters.hubs == 0 || pipeline->split)
@@ -17,7 +17,7 @@ static scree_status split_spokes(Pipeline* pipeline, const Step* step, int bodie
 	TRY(pipeline_reserve(pipeline, PER_SPOKE, spokes));
 	TRY(pipeline_reserve(pipeline, PER_SPOKE_BLOCK, spokes / MAX_LANES));
 
-	// bodies that cannot move get a key with all bits set, which no index of a body has
+	// the key of a body that cannot move has all bits set in place of an index
 	int body_bits = index_bits(bodies + 1);
 	RunList* list = &pipeline->list;
 	runs_add(list, KERNEL_hub_key, 0, spokes, NO_COUNT, 0);
@@ -32,7 +32,7 @@ scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest
 	Backend* b = pipeline->backend;
 	const Counters* c = &pipeline->counters;
 	TRY(split_spokes(pipeline, step, request->bodies));
-	// with a bound (an early solve, which the device may skip), the runs before it already contain the presses
+	// with a bound (an early solve, which the device may skip), the runs listed before it already contain the presses
 	if (step->presses && bound == NO_COUNT)
 	{
 		list_presses(pipeline, request->bodies, false);
@@ -69,8 +69,8 @@ static scree_status recompute_surfaces(Pipeline* pipeline, const Step* step)
 	return pipeline_run(pipeline, step);
 }
 
-// Ends a step with dt 0 without a solve: measures the depths of overlaps, for the user's counters. Spokes are split in
-// the step that lays them out, because the next step reads back whether any body is split.
+// Ends a step with dt 0 without a solve: measures the depths of overlaps, for the user's counters. Splits spokes in the
+// step that lays them out, because the next step reads back whether any body is split.
 static scree_status measure_only(Pipeline* pipeline, const Step* step, int bodies)
 {
 	RunList* list = &pipeline->list;
@@ -118,7 +118,7 @@ scree_status solve_finish(Pipeline* pipeline, const Step* step, const StepReques
 		return measure_only(pipeline, step, request->bodies);
 	if (!solved)
 		TRY(solve_start(pipeline, step, request, NO_COUNT));
-	// one step late, because a solve that starts before the host has read the counters uses those of the last step
+	// the counter of the step before: a solve that starts before the host has read the counters has only that
 	pipeline->taut = taut;
 	if (pipeline->asks)
 		TRY(stop_waiting_bodies(pipeline, step, request->bodies));

@@ -4,11 +4,11 @@
 #define SOLVE_STAGE_H
 #include "step/pipeline_state.h"
 
-// Executes solve and finalize. bound: NO_COUNT, or a counter that the device sets to 0 if the layout has changed.
+// Executes solve and finalize. bound: NO_COUNT, or the counter that the device sets to 0 if the layout has changed.
 scree_status solve_start(Pipeline* pipeline, const Step* step, const StepRequest* request, int bound);
 
-// Executes the solve unless solved is set; then stops bodies with pending contacts, and moves kinematic bodies to their
-// targets. With dt 0, only measures overlaps.
+// Executes the solve unless `solved` is set; then stops bodies with pending contacts, and moves kinematic bodies to
+// their targets. With dt 0, only measures overlaps.
 scree_status solve_finish(Pipeline* pipeline, const Step* step, const StepRequest* request, bool solved);
 
 #endif

@@ -5,7 +5,7 @@
 #include "step/dispatch.h"
 #include "step/tree_maintenance.h"
 
-// Lists the runs that recompute the boxes of a tree: always if count is NO_COUNT, else only if that counter is not 0.
+// Lists the runs that recompute the boxes of a tree; they run if the counter `count` is not 0, or if it is NO_COUNT.
 static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 {
 	if (tree->leaves == 0)
@@ -30,7 +30,7 @@ static void tree_order(RunList* list, const Tree* tree, int t, int count)
 }
 
 // Lists the runs that measure the outliers of a tree and sort its leaves. The device executes the sort only if boxes
-// jumped so far that traversals would take longer than sorting.
+// jumped so far that slower traversals would cost more than the sort.
 static void tree_refit_all(RunList* list, const Tree* tree, int t)
 {
 	if (tree->leaves <= ARITY)
@@ -143,7 +143,7 @@ static void list_joint_constraints(RunList* list, int joints)
 	runs_add(list, KERNEL_joint_updated, 0, 1, COUNT(joints_dirty), 0);
 }
 
-// Returns the number of bits of a sort key of contacts: the color and, if there are hubs, the index of a body.
+// Returns the number of bits in the sort key of a contact: the color and, if there are hubs, the index of a body.
 static int color_bits(const Pipeline* pipeline, int bodies)
 {
 	int bits = COLOR_BITS;
@@ -153,7 +153,7 @@ static int color_bits(const Pipeline* pipeline, int bodies)
 	return bits;
 }
 
-// Lists the runs that lay out constraints of a kind by color, if any began or ended. bits: size of the sort keys.
+// Lists the runs that lay out constraints of a kind by color, if any began or ended. bits: number of bits of sort keys.
 static void lay_out(RunList* list, const Backend* b, int kind, int bits)
 {
 	const KindInfo* info = &kind_info[kind];

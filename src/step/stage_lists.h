@@ -4,20 +4,20 @@
 #define STAGE_LISTS_H
 #include "step/pipeline_state.h"
 
-#define STAGE_RUNS_MOST (4 * MAX_ROUNDS + 8 * CONSTRAINT_KINDS + 128) // largest number of runs listed before the solve
+#define STAGE_RUNS_MOST (4 * MAX_ROUNDS + 8 * CONSTRAINT_KINDS + 128) // maximum number of runs listed before the solve
 
-// Lists the runs that compute boxes and trees; executes the list if the host decides to sort a tree.
+// Lists the runs that compute boxes and trees. If the host decides to sort a tree, also executes the list.
 scree_status list_transform(Pipeline* pipeline, const Step* step);
 void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies);
 void list_narrow_phase(Pipeline* pipeline, const Step* step, int bodies);
-// Lists coloring rounds `from` to `to` - 1, and the layout of constraints, which is skipped if some have no color.
+// Lists the coloring rounds `from` to `to` - 1, and the layout of constraints, which is skipped if some have no color.
 void list_color(Pipeline* pipeline, int bodies, int from, int to);
 
-// Lists the runs that sort the leaves of a tree, if the counter is not 0. boxes: 0 to sort by the boxes of the step,
-// TREE_QUERIES to sort by the boxes for queries.
+// Lists the runs that sort the leaves of a tree; they run only if the counter is not 0. boxes: 0 to sort by the
+// boxes of the step, TREE_QUERIES to sort by the boxes for queries.
 void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count);
 
-// Lists the runs that find the bodies pressed against bodies that cannot move. may_wait: the layout may be out of date.
+// Lists the runs that find bodies pressed against bodies that cannot move. may_wait: the layout may be out of date.
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait);
 // Lists the runs that compute the forces of fields at the start of the step. bound: as for solve_start.
 void list_fields(Pipeline* pipeline, const StepRequest* request, int bound);

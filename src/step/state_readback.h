@@ -6,10 +6,10 @@
 
 scree_status pipeline_hash(Pipeline* pipeline, int bodies, int collidables, uint64_t* hash);
 
-// Updates the pool render_row, or with shared the memory that OpenGL reads. collidables: number of collidable slots.
+// Updates the pool render_row or, if `shared` is set, the memory that OpenGL reads. collidables: number of their slots.
 scree_status pipeline_render(Pipeline* pipeline, int collidables, bool shared);
 
-// Updates the pool joint_state for slots first to first + count - 1. The user's changes must already be uploaded.
+// Updates the pool joint_state for `count` slots from `first` on. The user's changes must already be uploaded.
 scree_status pipeline_report_joints(Pipeline* pipeline, int first, int count);
 
 // Lists the touching contacts of a body in the pool contact_report; sets *count. The user's changes must be uploaded.

@@ -8,9 +8,9 @@
 #include "step/tree_maintenance.h"
 
 #define FIRST_ANSWERS  256 // initial capacity of a list of results
-#define APPENDED_SHARE 8   // leaves are sorted if more than 1 / APPENDED_SHARE of them were appended
+#define APPENDED_SHARE 8   // sorts leaves if more than 1 / APPENDED_SHARE of them were appended since the last sort
 
-#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4)) // maximum number of runs: the levels of both trees twice, and two sorts
+#define REFIT_RUNS (2 * 2 * (MAX_LEVELS + 4)) // maximum number of runs: levels of both trees, twice, and two sorts
 
 // Lists the runs that compute the boxes of tree t. ways: true for boxes around the paths of the last step.
 static void list_refit(Pipeline* pipeline, int t, bool ways)
@@ -29,7 +29,7 @@ static scree_status order(Pipeline* pipeline, int t)
 	list_refit(pipeline, t, false);
 	list_leaf_order(&pipeline->list, &pipeline->trees[t].tree, t, TREE_QUERIES, NO_COUNT);
 	TRY(pipeline_run(pipeline, &pipeline->step));
-	pipeline->trees[t].touched = true; // the leaves have changed places, so the step must recompute its boxes
+	pipeline->trees[t].touched = true; // the leaves have new places, so the step must recompute the boxes of the nodes
 	return tree_ordered(pipeline, t);
 }
 

@@ -8,20 +8,20 @@ typedef struct // generations of the handles of all slots
 {
 	const uint32_t* generation;
 	int count;        // number of slots
-	uint64_t version; // differs after each change of a generation
+	uint64_t version; // changes whenever a generation changes
 } Names;
 
 typedef struct // a call of queries
 {
 	int form;          // QUERY_RAYS, ...
 	bool any;          // true: finds only whether there is a query result
-	QueryPlan plan;    // all members are set but room, found and bodies
+	QueryPlan plan;    // all members are set, except room, found and bodies
 	const void* items; // queries in the layout of Query; null if they are in the memory shared for queries, at items_at
 	size_t items_at, found_at; // offsets of the queries and of their results in the shared memory
 	int count;
 	Names collidables, bodies;
 	bool timings;
-	// Checks queries begin to end - 1, in any thread. If one is invalid, all searches still end, but no result is read.
+	// Checks queries `begin` to `end` - 1, in any thread. If one is invalid, all searches end, but no result is read.
 	scree_status (*check)(const void* context, int begin, int end);
 	const void* context; // argument of check
 } QueryRequest;
@@ -29,16 +29,16 @@ typedef struct // a call of queries
 // Computes the result of each query. The user's changes must be uploaded. found: null for queries in shared memory.
 scree_status queries_answer(Pipeline* pipeline, const QueryRequest* questions, QueryResult* found);
 
-// Computes all results, and sets *count to their number. Up to FEW_ANSWERS results are in the pools found and
+// Computes all results of each query; *count: their total number. Up to FEW_ANSWERS results are in the pools found and
 // found_query, unordered; more are in found_row and found_row_query, sorted by query, then fraction, then collidable.
 #define FEW_ANSWERS 64
 scree_status queries_list(Pipeline* pipeline, const QueryRequest* questions, int* count);
 scree_status queries_read(Pipeline* pipeline, int count, QueryResult* found, int* queries);
 
-// Sets *count to the number of bodies whose pose differs from the pose last read by the user. bodies: number of slots.
+// Sets *count to the number of bodies whose pose differs from the pose that the user read last. bodies: body slots.
 scree_status moved_count(Pipeline* pipeline, int bodies, int* count);
 
-// Lists the bodies of the last moved_count in the pool moved_row, sorted by index. Their poses then count as read.
+// Lists the bodies that moved_count found, in the pool moved_row, sorted by index. Their poses then count as read.
 scree_status moved_list(Pipeline* pipeline, int bodies, int count);
 
 #endif

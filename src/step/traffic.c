@@ -18,7 +18,7 @@ typedef struct // bytes that one constraint moves in a step
 	size_t rows, bodies;
 } Bytes;
 
-// Adds the bytes that a pass reads and writes for a row, if the step uses the row (gate).
+// Adds the bytes of a row that a pass reads and writes, if the step uses the row (`gate`).
 #define COUNT_ROW(name, gate, life, inert, read, written) \
 	bytes += on.gate ? (((read) >> pass & 1) + ((written) >> pass & 1)) * ROW_BYTES : 0;
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                  \

@@ -4,13 +4,13 @@
 #include "platform/error.h"
 #include <string.h>
 
-// The device measures all boxes, and decides whether boxes jump so far that the leaves must be sorted. After such a
-// decision, the next steps sort the leaves without a measurement; one step in CHURN_STEPS measures again.
+// The device measures all boxes, and decides whether boxes jump so far that the leaves must be sorted. After it has
+// decided so, the next steps sort the leaves without a measurement; one step in CHURN_STEPS measures again.
 #define CHURN_STEPS 4
 
-#define LEFT_SOON 24 // distance, in collidables, between the prefetch of an entry of member and its use
+#define LEFT_SOON 24 // distance, in collidables, between the prefetch of an entry of Pipeline.member and its use
 
-// Bits of Pipeline.member: tree t has a leaf of the collidable; the collidable exists, and belongs to tree t.
+// Bits of Pipeline.member: a leaf of tree t refers to the collidable; the collidable exists and belongs to tree t.
 #define HAS_LEAF(t) (1 << (t))
 #define BELONGS(t)  (4 << (t))
 
@@ -30,7 +30,7 @@ int tree_nodes(int leaves)
 		leaves = (leaves + ARITY - 1) / ARITY;
 		nodes += tree_padded(leaves);
 	}
-	return nodes + ARITY; // the root, behind the highest level
+	return nodes + ARITY; // + ARITY for the root, behind the highest level
 }
 
 // Computes the position of a tree in the pools, and its levels. Uploads the tree if it changed.
@@ -54,7 +54,7 @@ static scree_status tree_layout(Pipeline* pipeline, int t)
 	if (memcmp(tree, &state->sent, sizeof *tree) == 0)
 		return SCREE_OK;
 	state->sent = *tree;
-	state->touched = true; // with another number of leaves, nodes have other positions
+	state->touched = true; // nodes have other positions if the number of leaves has changed
 	return b->f->write(b, POOL_tree, t, 1, tree);
 }
 
@@ -95,7 +95,7 @@ scree_status tree_insert(Pipeline* pipeline, int t, int collidable)
 
 void tree_withdraw(Pipeline* pipeline, int collidable)
 {
-	// the insertion may have failed before member had room for the collidable
+	// the insertion may have failed before the array `member` had room for the collidable
 	if (collidable >= pipeline->member_capacity)
 		return;
 	for (int t = 0; t < 2; ++t)
@@ -118,7 +118,7 @@ void tree_leave(Pipeline* pipeline, int t, int collidable)
 	pipeline->member[collidable] &= (uint8_t)~BELONGS(t);
 	if (state->left_count == state->left_capacity && !state->shrunk)
 	{
-		// with a list as long as member, a visit of all slots takes no longer
+		// beyond this capacity, a visit of all slots of `member` takes no longer than a visit of the list
 		int capacity = 2 * state->left_capacity + 64;
 		int* left = capacity <= pipeline->member_capacity
 		                ? scree_reallocate(state->left, sizeof(int) * (size_t)state->left_capacity,
@@ -154,7 +154,7 @@ scree_status tree_upload(Pipeline* pipeline)
 }
 
 // Returns whether the wasted node visits have reached the cost of sorting the leaves, about ORDER_VISITS per leaf, so
-// that the total cost stays within twice the minimum. A box changes when its collidable has moved by the margin, an
+// the total cost stays within twice the minimum. A box changes when its collidable has moved by the margin, an
 // eighth of its size. After c changes of every box, a traversal visits about 2 c more nodes, in sum c * c per leaf.
 // Without jumps, the leaves are sorted after four changes of every box, when neighbors on the curve are still near each
 // other. Sorting after eight made the broad phase 3 % faster in scenes that tumble, but would lose more if bodies fly.
@@ -174,7 +174,7 @@ void tree_count(TreeState* state, const Counters* counters, int t)
 	state->churned = counters->order[t] || state->ordered ? state->churned + 1 : 0;
 }
 
-// Removes the leaf of collidable k from tree t, if the tree has such a leaf and the collidable no longer belongs to it.
+// Removes the leaf of collidable k from tree t, if it exists and the collidable no longer belongs to the tree.
 static void drop(Pipeline* pipeline, int t, int k)
 {
 	if ((pipeline->member[k] & (HAS_LEAF(t) | BELONGS(t))) != HAS_LEAF(t))

@@ -22,19 +22,19 @@ typedef struct // measured times of steps on one device
 typedef struct
 {
 	bool on;                // true if "auto" was given as the device
-	char named[160];        // value of SCREE_AUTO: the device to try at once; empty: a GPU is tried when it may pay
+	char named[160];        // value of SCREE_AUTO: the device to try at once; if empty, a GPU is tried when it may pay
 	CompareDevice* compare; // compares the bits of the other device with those of the CPU after it was opened
 	AsyncOpen* opening;     // the other device while a thread opens it, or null
 	Backend* other;         // the other device, open but without the world; null until it is open
 	bool alone;             // true: the world stays on its device
-	bool trial;             // true: the world is on the other device for a trial
+	bool trial;             // true: the world is on its trial device
 	StepMeter meters[2];    // [0]: the CPU; [1]: the other device
 	double current;         // ms for which the library has worked since the last step began
 	double spent;           // ms of all steps since the last comparison
 	double started;         // ms: time at which the latest trial began
 	double cost;            // ms that the last trial took, including its steps; 0 before the first trial
-	int failures;           // number of consecutive trials after which the world moved back
-	int failures_work;      // number of bodies and contacts at the last of these trials
+	int failures;           // number of consecutive trials that ended with a move back
+	int failures_work;      // number of bodies and contacts at the last trial that failed
 } AutoDevice;
 
 #endif

@@ -16,7 +16,7 @@ typedef struct // place of a value in the arguments of a call
 {
 	const char* function;
 	const char* argument;
-	int index; // index in an array of arguments; ALONE if the argument is not an array
+	int index; // index in an array of arguments; the constant ALONE if the argument is not an array
 } ArgumentPlace;
 
 typedef struct // text of a float in messages: the shortest decimal number that reads back as the same float
@@ -28,7 +28,7 @@ Decimal decimal(float x);
 // Fails with "function: argument[index]member MESSAGE"; member is "" or begins with a dot.
 scree_status refuse(scree_status status, ArgumentPlace at, const char* member, const char* format, ...) FORMAT(4, 5);
 
-// Checks that a number is finite and from low to high. -FLT_MAX and FLT_MAX stand for no bound.
+// Checks that a number is finite, and from `low` to `high`. -FLT_MAX and FLT_MAX stand for no bound.
 scree_status check_real(ArgumentPlace at, const char* member, float x, float low, float high);
 
 // Check the range of a value of a body: check_gravity_scale and others, one per value of body_values.def.
@@ -42,8 +42,8 @@ scree_status check_real(ArgumentPlace at, const char* member, float x, float low
 // Checks that both components are from -limit to limit.
 scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float limit);
 
-// Checks a pose: position within SCREE_MAX_COORDINATE, rotation of length 1 to within 0.0005. Normalizes a rotation if
-// its length differs from 1 by more than 2.5e-7, so that a pose that was read can be set again unchanged.
+// Checks a pose: position within SCREE_MAX_COORDINATE, rotation of length 1 with an error of at most 0.0005. Normalizes
+// a rotation if its length differs from 1 by more than 2.5e-7, so that a pose that was read can be set again unchanged.
 scree_status check_pose(ArgumentPlace at, const char* member, scree_pose* pose);
 
 // Checks that a device name has one of the forms listed at scree_world_def.device.
@@ -56,7 +56,7 @@ scree_status check_sensor(ArgumentPlace at, const char* member, uint32_t sensor)
 scree_status check_velocity(ArgumentPlace at, const char* member, scree_velocity velocity);
 scree_status check_pointer(const char* function, const char* argument, const void* pointer);
 
-// Checks that count is from 0 to MAX_ITEMS, and that the array is not null unless count is 0.
+// Checks that a count is from 0 to MAX_ITEMS, and that the array is not null unless the count is 0.
 scree_status check_batch(const char* function, const char* argument, const void* array, int count);
 
 // Checks the arguments of functions that fill lists: an array, its capacity, and the address of the number of entries.

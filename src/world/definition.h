@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// definition.h -- reads definitions and writes results of programs that were built with another version of the header.
+// definition.h -- reads definitions of programs built with another version of the header, and writes results for them.
 // New versions add members at the end, with default 0. Definitions contain their size; for results it is an argument.
 #ifndef DEFINITION_H
 #define DEFINITION_H
@@ -22,10 +22,11 @@ extern const DefinitionType world_definition, tuning_definition, attribute_defin
 // Checks definition k of a batch. All definitions of a batch must have the size of the first.
 scree_status check_definition(ArgumentPlace at, const void* defs, int k, const DefinitionType* type);
 
-// Returns the address of definition k of a checked batch, or local with a copy if its size is not that of this library.
+// Returns the address of definition k of a checked batch. If its size is not that of this library, copies it to
+// `local`, and returns the address of the copy.
 const void* definition_at(const void* defs, int k, const DefinitionType* type, void* local);
 
-// Copies a result into a struct of the caller. bytes: size of this struct; bytes beyond the result become 0.
+// Copies a result into a struct of the caller. bytes: size of the struct; its bytes beyond the result become 0.
 void write_result(void* to, size_t bytes, const void* result, size_t result_bytes);
 
 #endif

@@ -9,7 +9,7 @@
 typedef struct // row of a new body; for a destroyed body, zeros and the rotation (1, 0)
 {
 	int index;
-	int since;       // number of commands recorded before this row, which belong to the previous body in the slot
+	int since;       // number of commands recorded before this row; they belong to the previous body in the slot
 	scree_pose pose; // pose of the origin
 	scree_vec center;
 	scree_velocity velocity;

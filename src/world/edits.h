@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// edits.h -- records the user's changes until the next upload. A row contains a body's values at its creation. Later
-// changes are commands, so the time of the upload does not matter.
+// edits.h -- records the user's changes until the next upload. A row contains a body's values at its creation; later
+// changes are commands. So the time of the upload does not matter.
 #ifndef EDITS_H
 #define EDITS_H
 #include "world/edit_lists.h"
@@ -9,13 +9,13 @@
 scree_status edits_reserve(scree_world* world, const char* function, int bodies, int collidables, int commands);
 void edits_close(Edits* edits);
 
-// Records that a body was created or destroyed. The caller sets all members of row except since.
+// Records that a body was created or destroyed. The caller sets all members of the row; this function sets row.since.
 void edits_body(scree_world* world, BodyRow row);
 
 // Records that a collidable was created or destroyed, or that its contacts must end and begin again.
 void edits_collidable(scree_world* world, int index);
 
-// Record a command. whole: Command.whole[0].
+// Record a command. whole: value of Command.whole[0].
 void edits_command(scree_world* world, int kind, int index, Float4 value, int whole);
 void edits_whole(scree_world* world, Command command);
 

@@ -4,10 +4,10 @@
 #define POOL_READ_H
 #include "backend/backend.h"
 
-// Reads items of a pool for the user. Adds the time to that of the current step for device "auto".
+// Reads items of a pool for the user. For device "auto", adds the time of the read to that of the current step.
 scree_status world_read(scree_world* world, PoolId pool, int first, int count, void* items);
 
-// Returns the pose of a body's origin. row: the body's row in the pool pose, the pose of its center of mass.
+// Returns the pose of a body's origin. row: the body's row in the pool pose, which is the pose of its center of mass.
 scree_pose world_body_pose(const scree_world* world, int index, const Float4* row);
 
 #endif

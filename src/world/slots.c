@@ -13,7 +13,7 @@ bool slots_reserve(Slots* slots, int more)
 	int capacity = slots->capacity + slots->capacity / 2;
 	capacity = capacity < needed ? needed : capacity;
 
-	// if an allocation fails, some arrays have more entries than capacity, which does no harm
+	// a failed allocation leaves some arrays with more entries than `capacity`, which does no harm
 	size_t old = (size_t)slots->capacity, now = (size_t)capacity;
 	uint32_t* generation = scree_reallocate(slots->generation, old * sizeof(uint32_t), now * sizeof(uint32_t));
 	if (!generation)

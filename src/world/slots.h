@@ -10,7 +10,7 @@
 typedef struct
 {
 	uint32_t* generation; // generation of each slot, odd while the slot is in use
-	// level 0: a set bit for each free slot below used; higher levels: a set bit for each nonzero word one level below
+	// level 0: a set bit for each free slot below `used`; other levels: a set bit for each nonzero word one level below
 	uint64_t* free[SLOT_LEVELS];
 	int free_count, used, capacity, alive;
 	uint64_t changes; // number of changes of generations
@@ -23,7 +23,7 @@ void slots_close(Slots* slots);
 int slots_allocate(Slots* slots);
 void slots_free(Slots* slots, int slot);
 
-// Reverts allocations, the last allocation first. used: value of Slots.used before all these allocations.
+// Reverts an allocation, the last one first. used: value of Slots.used before all allocations that are reverted.
 void slots_put_back(Slots* slots, int slot, int used);
 
 static inline bool slots_in_use(const Slots* slots, int slot) { return slots->generation[slot] & 1; }

@@ -17,7 +17,7 @@ typedef struct // host data of a body
 	BodyValues values;
 	scree_mass mass;
 	scree_mass own_mass; // mass that the user set, used until the collidables of the body change; 0 if not set
-	int first_collidable, last_collidable; // -1 for none
+	int first_collidable, last_collidable; // indices of the first and the last collidable, -1 for none
 	int collidables;                       // number of collidables
 	int first_joint;                       // 1 + end (joint_ends.h) of its first joint, 0 for none
 	// m: largest distance from the center of mass to an anchor of a joint since the mass was set; if the user set the
@@ -27,8 +27,8 @@ typedef struct // host data of a body
 	int fields;                      // number of fields that the body carries
 	int target;                      // 1 + index of its target, 0 for none
 	int kinematic;                   // 1 + index of the body in the list of kinematic bodies, 0 for none
-	scree_pose stands, from;         // kinematic body: current pose; pose before it moved to its last target
-	int64_t went;                    // Pipeline.steps at the move to its last target if it started at rest, else -1
+	scree_pose stands, from;         // kinematic body: current pose; pose before its move to the last target
+	int64_t went;                    // Pipeline.steps at that move if the body started at rest, else -1
 	bool still;                      // true: the velocity is 0
 	PendingEdits waiting;
 	bool marked; // within one call: true if the body has already been in the batch
@@ -37,13 +37,13 @@ typedef struct // host data of a body
 typedef struct // host data of a collidable
 {
 	int attribute;
-	int body; // -1 for none
+	int body; // index of the body, -1 for none
 	scree_pose pose;
 	scree_filter filter;
 	uint32_t reports; // SCREE_REPORT_* bits
 	uint32_t sensor;  // SCREE_SENSOR_* bits
 	uint64_t user;
-	// neighbors in the list of the body, -1 for none; collidable_put sets these two and the members below
+	// neighbors in the list of the body, -1 for none; collidable_put sets these and the members below
 	int next, previous;
 	int64_t made; // Pipeline.steps at its creation
 	int64_t born; // Pipeline.steps when its contacts last restarted
@@ -56,14 +56,14 @@ typedef struct // host data of a path
 	int first, segments; // position of the first sample in the pool; number of samples minus 1
 	PathSample* samples; // copy of the samples
 	uint64_t name, user; // name: a hash of the samples
-	int uses;            // number of joints that use it
+	int uses;            // number of joints on the path
 	int next, previous;  // neighbors in the order of sample positions, as 1 + index, 0 for none
 	bool waiting;        // pending for the next upload
 } HostPath;
 
 typedef struct // host data of a joint
 {
-	scree_joint_def def;      // frames normalized
+	scree_joint_def def;      // definition, with normalized frames
 	int bodies[2];            // bodies a and b; 0 for the world
 	int next[2], previous[2]; // 1 + neighboring end in the list of each body, 0 for none
 	int64_t born;             // Pipeline.steps at its creation
@@ -120,7 +120,7 @@ typedef struct // states of the blocks of one kind of item: bodies or collidable
 	int* active;      // numbers of the blocks that are not idle
 	int known, count; // number of blocks with a state; number of entries of active
 	int state_capacity, active_capacity;
-	bool stale;    // true: the list active must be computed again
+	bool stale;    // true: the list `active` must be computed again
 	bool settling; // true: idle_end must examine some block in this step or a later one
 } IdleBlocks;
 
@@ -138,7 +138,7 @@ typedef struct // events of the last step
 	// names of destroyed collidables, two per slot: the last after an even, and the last after an odd number of steps
 	CollidableName* departed;
 	int departed_capacity;
-	bool fetched; // true: the lists below have been read back after the last step
+	bool fetched; // true: the lists below were read back after the last step
 	int counts[EVENT_LISTS], capacity[EVENT_LISTS];
 	ContactReport *began, *hits, *asked;
 	Word64* ended;
@@ -153,8 +153,8 @@ typedef struct // events of the last step
 typedef struct // the overlap of a collidable with a sensor, in one step
 {
 	int sensor, visitor; // indices of collidables
-	float time;          // time of the event, its begin or its end, as a fraction of the step, 0 to 1
-	float left;          // time at which the visit ended, as a fraction of the step; unused if lasts is true
+	float time;          // time of the event (begin or end of the visit), as a fraction of the step, 0 to 1
+	float left;          // fraction of the step: time at which the visit ended; unused if `lasts` is true
 	bool lasts;          // true: the visit has not ended at the end of the step
 	bool before;         // true: the indices refer to the collidables that existed before the step
 } Visit;
@@ -162,7 +162,7 @@ typedef struct // the overlap of a collidable with a sensor, in one step
 typedef struct
 {
 	int alive;      // number of collidables that are sensors
-	bool stale;     // true: the list queries must be computed again
+	bool stale;     // true: the list `queries` must be computed again
 	Query* queries; // one per sensor, in ascending order
 	int count, query_capacity;
 	Visit* visits; // visits that had not ended at the end of the last step, sorted by sensor, then by visitor
@@ -201,8 +201,8 @@ typedef struct // the checked shape of the last queries, and the query results o
 	scree_shape shape;
 	Attribute attribute;
 	QueryResult* found;
-	int* query; // index of the query of each result
-	int* first; // index of the first result of each query, and the end
+	int* query; // index of the query that found each result
+	int* first; // index of the first result of each query, and the end of the last one
 	int capacity, query_capacity, first_capacity;
 } Queries;
 
@@ -228,8 +228,8 @@ struct scree_world
 	Slots paths;
 	HostPath* host_paths; // per slot
 	int host_path_capacity;
-	int first_path, last_path;    // first and last path in the order of sample positions, as 1 + index, 0 for none
-	int samples_used, sample_end; // number of samples of all paths; position after the last one
+	int first_path, last_path;    // first and last path by the position of their samples, as 1 + index, 0 for none
+	int samples_used, sample_end; // number of samples of all paths; position after the last sample
 	bool chains_stale;            // true: the chains must be found again
 	int dynamic_bodies, disabled_bodies;
 	int* kinematics; // indices of the kinematic bodies, in no order

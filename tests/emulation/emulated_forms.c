@@ -10,9 +10,9 @@
 
 #define ITEM_GROUP  48        // work-items per group in stages that use a whole group for each item
 #define SMALL_GROUP 32        // work-items per group in kernels without waits between groups
-#define NEVER       (1 << 18) // maximum number of reads of a mailbox, so large that no work-item reaches it
+#define NEVER       (1 << 18) // maximum number of reads of a mailbox, too large for any work-item to reach
 
-typedef struct // words that keep their values from solve to solve
+typedef struct // words that keep their values from one solve to the next
 {
 	Word64* words;
 	int count;
@@ -39,8 +39,8 @@ static bool pushed;         // true: fields have changed forces since the last s
 
 void form_spoil(int body, int word, uint64_t value) { mailboxes.words[body * mailbox_words + word] = value; }
 
-// Allocates memory for count items of a size in bytes. It has a pattern, because no code may depend on its first
-// contents.
+// Allocates memory for `count` items of a size in bytes. Fills it with a pattern, because no code may depend on its
+// first contents.
 static void* buffer(Buffers* buffers, int count, size_t bytes)
 {
 	size_t size = ((size_t)(count > 0 ? count : 1) * bytes + 63) / 64 * 64;
@@ -55,8 +55,8 @@ static void let_go(Buffers* buffers)
 		free(buffers->memory[--buffers->count]);
 }
 
-// Returns memory of at least count words, which keep their values from solve to solve. New words are zero, as on a
-// device.
+// Returns memory of at least `count` words, which keep their values from one solve to the next. New words are zero, as
+// on a device.
 static Word64* keep(Kept* kept, int count)
 {
 	if (count > kept->count)
@@ -264,8 +264,8 @@ static bool left_out(const Run* run)
 	return run->kernel_id < KERNEL_COUNT && kernel_widths[run->kernel_id] >= WIDTH_ALONE;
 }
 
-// Executes runs like persistent_run of src/opencl/persistent.c. The header of the list keeps its values from launch to
-// launch.
+// Executes runs like persistent_run of src/opencl/persistent.c. The header of the list keeps its values from one launch
+// to the next.
 static scree_status run_list(const Run* runs, int count)
 {
 	int largest = 1;

@@ -11,27 +11,27 @@ typedef struct // form of the solve, and properties of the emulated device
 	const char* name;
 	bool tiles;        // true: tiles; false: relay
 	bool persistent;   // true: the persistent kernel executes all runs; then neither relay nor tiles are used
-	int groups;        // maximum number of groups that the device can hold
+	int groups;        // maximum number of groups that run on the device at a time
 	int group;         // work-items per group in solves with hubs; other solves use the size of the relay's groups
-	int hub_groups;    // maximum number of these groups that solve hubs
-	int most_spread;   // maximum number of work-items per constraint, if there is room; 0 means 1
-	int spins;         // maximum number of reads in a spin-wait; 0: no work-item reaches it
-	bool ahead;        // true: solves are listed before it is certain that the constraints stay, as on a GPU
+	int hub_groups;    // maximum number of these groups that process hubs
+	int most_spread;   // maximum number of work-items per constraint, if the device has room; 0 means 1
+	int spins;         // maximum number of reads in a spin-wait; 0: no limit that a work-item can reach
+	bool ahead;        // true: solves are listed before the host has read the counters, as on a GPU
 	Schedule schedule; // order of the turns; the seed changes from launch to launch
 } Form;
 
 // From this call on, solves of a CPU world are executed by this form. Only one world at a time can have a form.
 void form_take(scree_world* world, const Form* form);
 
-typedef struct // counters since form_take
+typedef struct // counts since form_take
 {
 	int solves, by_hubs, split;    // number of emulated solves, of solves with hubs, and of solves with split bodies
 	int registers, streamed;       // number of relays with constraints in registers, and with streamed constraints
-	int spread;                    // maximum number of work-items per constraint
+	int spread;                    // maximum number of work-items per constraint in a solve
 	int tiles, inner, border;      // maximum numbers of tiles, constraints within tiles, constraints between tiles
 	int launches, runs;            // number of launches of the persistent kernel, and of their runs
 	int group_stages;              // number of launches of stages that use a whole group for each item
-	int kept;                      // number of solves with the tiles of the previous solve
+	int kept;                      // number of solves that used the tiles of the previous solve
 	int fault;                     // fault of the device, FAULT_*
 	int looks;                     // maximum number of reads of mailboxes by a work-item of a shunned group
 	int puts;                      // maximum number of writes to mailboxes in a launch

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// predicted_manifold.h -- computes manifolds at future poses: of fast pairs, of pairs that pass a corner, of belts.
+// predicted_manifold.h -- computes manifolds at future poses, for fast pairs, pairs that pass a corner, and belts.
 #ifndef PREDICTED_MANIFOLD_H
 #define PREDICTED_MANIFOLD_H
 #include "stages/geometry/sweep.h"
 
-// cosine of the angle between the normals of a manifold at two poses. If it is smaller, one shape went through the
-// other one, because a corner turns the normal by a right angle at most.
+// minimum cosine of the angle between the normals of a manifold at two poses. With a smaller cosine, one shape has gone
+// through the other one, because a corner turns the normal by a right angle at most.
 #define PAST_THROUGH (-0.5f)
 
 // values of Prediction.ahead: manifold at the poses at which the pair meets; manifold at other future poses
@@ -15,21 +15,21 @@
 typedef struct // manifold, and the poses for which it was computed
 {
 	Manifold m;
-	Frame f;   // pose of b in the frame of a
-	Vec axes;  // rotation of a in the world
+	Frame f;   // pose of shape b in the frame of shape a
+	Vec axes;  // rotation of shape a in the world
 	int ahead; // 0 for the current poses, or PREDICT_*
 } Prediction;
 
-// m: a manifold that mispredicts the later separation by less counts as exact. An approach of less than SWEEP_REST is
-// ignored: a wrong push of that size is as harmless as the lack of such a push.
+// m: a manifold counts as exact if the later separation exceeds its prediction by less than this. An approach of less
+// than SWEEP_REST is ignored: a wrong push of that size is as harmless as the lack of such a push.
 #define PAST_ERROR (0.002f * LINEAR_SLOP)
 
-// m: a corner is tested at the time of the last relax pass (sweep_end), but not before the pair has moved this
-// far. Otherwise a body that sags by less at a seam would appear to meet the side of the next floor.
+// m: minimum motion of a pair before a corner is tested. The test is at the time of the last relax pass (sweep_end) or,
+// if the pair is slow, later. With 0, a body that sags at a seam would appear to meet the side of the next floor.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
-// Returns the manifold at a later time if its separation exceeds the prediction by at least PAST_ERROR; else returns
-// now. said, m: separation at that time according to the manifold now.
+// Returns the manifold at a later time if its separation exceeds the predicted one by at least PAST_ERROR; else returns
+// `now`. said, m: separation at that time, as predicted from `now`.
 RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now, Real time,
                               Real said)
 {
@@ -46,8 +46,8 @@ RARE Prediction predict_later(const Pools* p, WorldShape a, WorldShape b, Closin
 	return later;
 }
 
-// Returns the manifold of a later pose if the pair passes a corner, else now. A manifold pushes along its normal as if
-// both shapes were flat, and would stop a body that slides over a seam between two floors.
+// Returns the manifold of a later pose if the pair passes a corner, else `now`. A manifold pushes along its normal as
+// if both shapes were flat, and would stop a body that slides over a seam between two floors.
 INLINE Prediction predict_past(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now)
 {
 	if (now.m.count == 0)
@@ -69,11 +69,11 @@ INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Cl
 }
 
 #define OVER_DEPTH 0.075f  // fraction of its radius by which a round shape may be below a corner that it rolls over
-#define OVER_SAME  0.9999f // cosine of normals that differ by rounding only
+#define OVER_SAME  0.9999f // cosine of the angle between normals that differ only by rounding
 
-// Returns whether a is a round shape and b a segment that cannot move, so that predict_end may replace the manifold of
-// a corner: the end of the next segment would throw up a loaded wheel like a step (docs/manifolds.md, Seams). If the
-// segment could move, arms other than those at the impact would change the angular momentum.
+// Returns whether shape a is round and shape b is a segment that cannot move, so that predict_end may replace the
+// manifold of a corner: the end of the next segment would throw up a loaded wheel like a step (docs/manifolds.md,
+// Seams). If the segment could move, arms other than those at the impact would change the angular momentum.
 INLINE int predict_rolls(const Pools* p, WorldShape a, WorldShape b)
 {
 	const GLOBAL Attribute* attribute = p->attribute + b.attribute;
@@ -93,9 +93,9 @@ INLINE int predict_rolled(const Pools* p, WorldShape a, const Closing* closing, 
 	return deep >= -deepest && turned > 1.0f - OVER_DEPTH && turned < OVER_SAME;
 }
 
-// Returns the manifold at a later time, or now. has_rolling 1: a round shape meets a corner; returns the manifold after
-// the last relax pass, if the shape will then roll over the corner. has_rolling 0: a surface is a belt; returns the
-// manifold at the end of the step, because arms that lag behind the motion of a body on two belts would add energy
+// Returns a later manifold or, if it has no points, `now`. has_rolling 1: a round shape meets a corner; the time is the
+// last relax pass; `now` is returned unless the shape will roll over the corner. has_rolling 0: a surface is a belt;
+// the time is the end of the step, because arms that lag behind the motion of a body on two belts would add energy
 // (docs/hubs.md, Belts). Both cases share one call of collide, because each call uses registers of a GPU.
 RARE Prediction predict_end(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now,
                             int has_rolling)

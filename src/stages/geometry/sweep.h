@@ -46,13 +46,13 @@ INLINE_LONG Closing sweep_closing(const Pools* p, WorldShape a, WorldShape b, In
 	return closing;
 }
 
-// Returns the highest speed at which two points of the pair can approach along a normal from a to b, m per step.
+// Returns the highest speed at which two points of the pair can approach, m per step. normal: from shape a to shape b.
 INLINE Real sweep_speed(Closing c, Vec normal, Real time)
 {
 	return c.swing - vec_dot(normal, vec_add(c.near, vec_scale(time, c.bend)));
 }
 
-// Returns the separation up to which points count at a time, in the frame of a. axes: rotation of a.
+// Returns the separation up to which points count at a time, in the frame of shape a. axes: rotation of shape a.
 INLINE Reach sweep_reach(Closing c, Vec axes, Real time)
 {
 	Reach r = reach_of(c.within);
@@ -61,7 +61,7 @@ INLINE Reach sweep_reach(Closing c, Vec axes, Real time)
 	return r;
 }
 
-// Returns the rotation of a from the start of the step to a time. *f: pose of b in the frame of a at that time.
+// Returns the rotation of shape a in the step up to a time. *f: pose of shape b in the frame of shape a at that time.
 INLINE Vec sweep_frame(WorldShape a, WorldShape b, Closing c, Real time, Frame* f)
 {
 	Sweep sa = c.a, sb = c.b;

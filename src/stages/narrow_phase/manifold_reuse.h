@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: MIT
 // manifold_reuse.h -- selects the contacts that keep their manifold, and marks the others for narrow_phase.
-//
-// If the collidables of a pair have hardly moved relative to each other, as nearly all in a settled pile, the points
-// keep their places on both, and nothing is written (contact_points.h computes the points). If the pair rotates
+// If the collidables of a pair have hardly moved relative to each other, as in a settled pile, the points keep their
+// places on both collidables, and nothing is written (contact_points.h computes the points). If the pair rotates
 // together, as in a drum, normal and arms rotate with the pair: only the rotation is written.
 #ifndef MANIFOLD_REUSE_H
 #define MANIFOLD_REUSE_H
 #include "constraints/constraint_kinds.h"
 #include "constraints/sweep_closing.h"
 
-// cosine of 3.6 degrees: a manifold is kept until a side has rotated by more, or a point has moved by more than
-// narrow_phase_distance
+// cosine of 3.6 degrees: a manifold is kept until a collidable has rotated by more than this angle, or a point has
+// moved by more than narrow_phase_distance
 #define HOLD_COSINE 0.998f
 
 #define TURN_SHARE 0.3f // fraction of the motion limit up to which a pair that rotates together keeps its points
 
-// Returns a bound of the distance that any point of b near a has moved since b had the pose (position, rotation). All
-// poses are in the frame of a. The bound is the motion of the point at the origin of a, plus the reach of a times the
-// rotation. A length is bounded by the sum of its components.
+// Returns an upper bound of the distance that any point of shape b near shape a has moved since shape b had the pose
+// (position, rotation). All poses are in the frame of shape a. The bound is the motion of the point at the origin of
+// that frame, plus the reach of shape a times the rotation. A length is bounded by the sum of its components.
 INLINE Real narrow_phase_moved(Vec position, Vec rotation, Vec position_now, Vec rotation_now, Real reach)
 {
 	Vec turn = vec_turn_back(rotation, rotation_now);
@@ -72,14 +71,14 @@ INLINE void narrow_phase_keep_fetch(const Pools* p, int i, int live)
 typedef struct // LANES contacts, and the motion of their collidables since their manifolds were computed
 {
 	Real a[8], b[8];   // rows of the pool world_shape
-	Int far, on;       // masks: a side has COLLIDABLE_FAST; a side has COLLIDABLE_MOVING, and the contact has points
-	Vec then_a;        // rotation of a when the manifold was computed
+	Int far, on;       // masks: one of the two has COLLIDABLE_FAST; one has COLLIDABLE_MOVING, and there are points
+	Vec then_a;        // rotation of shape a when the manifold was computed
 	Real shift, limit; // m: motion since then; largest motion with which the manifold is kept
 	Real room;         // factor of the pair's tolerances along its surfaces, and of its speculative distance
 } ManifoldReuse;
 
 // Returns the lanes whose manifold could be kept but is computed again, because the pair may meet, or moves too far,
-// within the step. For other lanes whose pairs rotate together, writes the rotation. wanders: lanes to test.
+// within the step. Writes the new rotation of the other lanes whose pairs rotate together. wanders: lanes to test.
 INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, const ManifoldReuse* c)
 {
 	Real at[8];
@@ -111,7 +110,7 @@ INLINE Word narrow_phase_wander(const Pools* p, int i, Int flags, Word wanders, 
 }
 
 // Marks the contacts that narrow_phase processes: those that are new, have moved too far since their manifold was
-// computed, may meet or move too far within the step, or have a side with a new box.
+// computed, may meet or move too far within the step, or have a collidable with a new box.
 WIDE_KERNEL(narrow_phase_keep)
 {
 	int live = p->counters->live;

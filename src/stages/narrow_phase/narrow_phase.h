@@ -10,8 +10,8 @@
 
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE) // m: maximum distance of an old point with another feature
 
-// m: a pair without points is tested again when a point has moved by more than this plus the distance of the pair
-// beyond the speculative distance. It is a quarter of the speculative distance, so that no contact is missed.
+// m: a pair without points is tested again when a point has moved by more than this plus the part of the pair's
+// distance beyond the speculative distance. It is a quarter of the speculative distance, so that no contact is missed.
 #define STAY_DISTANCE LINEAR_SLOP
 
 // Limits of the motion of a point up to which a manifold is kept. HOLD_DISTANCE, m; half of it for a manifold with one
@@ -72,10 +72,10 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	return 1;
 }
 
-#define PLACE_APART CENTERS_APART           // m: bodies with closer centers of mass have no direction between them
-#define PLACE_ASIDE (10.0f * CENTERS_APART) // m: largest component of the offset of such a body
+#define PLACE_APART CENTERS_APART           // m: centers of mass nearer to each other have no direction between them
+#define PLACE_ASIDE (10.0f * CENTERS_APART) // m: largest component of the offset that such a body gets
 
-// m: Returns a pseudo-random offset for a body, without visible order: neighbors in a pool are often created together.
+// m: Returns a pseudo-random offset for a body, in no visible order: neighbors in a pool are often created together.
 INLINE Vec narrow_phase_place(int body)
 {
 	Word x = (Word)body * 0x9e3779b9u;
@@ -86,7 +86,7 @@ INLINE Vec narrow_phase_place(int body)
 	return vec(scale * (float)((int)(x & 65535u) - 32768), scale * (float)((int)(x >> 16) - 32768));
 }
 
-// Returns b, displaced if both bodies can move and are at one place. With one direction for all such pairs, bodies
+// Returns shape b, displaced if both bodies can move and are at one place. If all such pairs had one direction, bodies
 // created at a point would leave it in a row, each pair at contact_push_speed: the first of 500 circles at 205 m/s.
 INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 {
@@ -100,13 +100,13 @@ INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 	return b;
 }
 
-// Returns the manifold of a pair and the poses for which it holds. answers: 0 for detection only. far: 1 if the pair
-// may approach by more than the speculative distance. belt: not 0 if a surface has a tangent speed. within, m: largest
-// separation of points. *has_rolling: MANIFOLD_* bits of a rolling manifold.
+// Returns the manifold of a pair and the poses for which it holds. answers: 0 if the contact only detects. far: 1 if
+// the pair may approach by more than the speculative distance. belt: not 0 if a surface has a tangent speed. within, m:
+// largest separation of points. *has_rolling: receives MANIFOLD_* bits if the manifold is a rolling one.
 INLINE Prediction narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt,
                                     int moved, float within, Word* has_rolling)
 {
-	// computed in the frame of a, so that the result does not depend on the distance from the origin
+	// computed in the frame of shape a, so that the result does not depend on the distance from the origin
 	Vec turn = vec(a.c, a.s);
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;
 	const GLOBAL Attribute* shape_b = p->attribute + b.attribute;
@@ -143,7 +143,7 @@ INLINE Prediction narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, 
 	return predict_end(p, a, b, closing, found_at, meets);
 }
 
-// Transfers to each new point the impulses of the old point that it matches. Returns the features of the new points.
+// Transfers to each new point the impulses of its matching old point. Returns the features of the new points.
 INLINE Int2 narrow_phase_inherit(const Pools* p, int i, Word flags, const Manifold* m)
 {
 	int old_count = (int)(flags & CONTACT_COUNT), constraint = p->contact_place[i];
@@ -238,13 +238,13 @@ RARE void narrow_phase_look(const Pools* p, int i, Word flags)
 		contact_end(p, i);
 	else if (!(flags & (CONTACT_TOUCHING | CONTACT_DETECTED | CONTACT_PENDING)))
 	{
-		p->contact_press[i] = 0; // clears the presses of the contact's last touch
+		p->contact_press[i] = 0; // clears the presses that the contact handed on when it last touched
 		edge_begin(p, edge_of(CONSTRAINT_CONTACT, i), p->contact_bodies[i]);
 	}
 }
 
-// prefetch distance, in contacts: pairs are anywhere in the pools. Contacts of another worker's chunk are not
-// prefetched, because that worker changes their flags at the same time.
+// prefetch distance, in contacts; a prefetch helps because the members of a pair are anywhere in the pools. Contacts of
+// another worker's chunk are not prefetched, because that worker changes their flags at the same time.
 #define NARROW_PHASE_SOON 12
 
 KERNEL(narrow_phase)

@@ -34,7 +34,7 @@ INLINE void contact_report_write(const Pools* p, int i, int row)
 	p->contact_report[row] = listed;
 }
 
-// Item: a contact slot, or the end of the scan. Marks the touching contacts of the body in argument, for the scan.
+// Item: a contact slot, or the end of the scan. Marks the touching contacts of the body in `argument`, for the scan.
 KERNEL(contact_mark)
 {
 	int wanted = 0;
@@ -47,7 +47,7 @@ KERNEL(contact_mark)
 	p->scan[i] = wanted;
 }
 
-// Writes the report of slot i if it is marked: the scan increases after it. argument: maximum number of reports.
+// Writes the report of slot i if it is marked: the scan is larger at i + 1. argument: maximum number of reports.
 KERNEL(contact_list)
 {
 	int row = p->scan[i];

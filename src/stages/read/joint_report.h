@@ -11,8 +11,9 @@ INLINE int joint_report_place(const Pools* p, int i)
 	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];
 }
 
-// Computes force (N) and torque (N m) from the impulses of the last substep along the axes. Without a constraint, force
-// and torque stay 0. off: deviation of the coordinates from the targets of the locks. bend, 1/m: curvature of a path.
+// Computes force (N) and torque (N m) of a joint from its impulses in the last substep. A joint without a constraint
+// keeps force and torque 0. axis: direction of the first coordinate. off: deviation of the coordinates from the
+// targets of the locks. bend, 1/m: curvature of a path.
 INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec off, float bend,
                                GLOBAL JointState* state)
 {
@@ -23,7 +24,7 @@ INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec o
 	float sum[JOINT_COORDINATES], rate = p->step.inv_h;
 	joint_load(p, place, PASS_RELAX, &u);
 
-	// modes from the user's data: forms of the solve that keep joints in registers do not write the modes of the row
+	// modes are those of the user's data: forms of the solve that keep joints in registers do not write the row `modes`
 	u.modes = (float)modes;
 	joint_sums(p, place, &u, sum);
 	Body a = body_gather(p, p->joint_data[i].body_a);
@@ -36,7 +37,7 @@ INLINE void joint_report_force(const Pools* p, int i, int modes, Vec axis, Vec o
 	state->torque = rate * (coupling_turns(&u) ? sum[0] : sum[2]);
 }
 
-// Computes the speed of the measure of a coupling's side. Returns the direction of a force on the body of this side.
+// Computes the speed of one side's measure of a coupling. Returns the direction of a force on the body of this side.
 INLINE Vec joint_report_side(const Pools* p, int i, int side, const CouplingMeasure* m, float* speed)
 {
 	BodyState now = p->body[side ? p->joint_data[i].body_b : p->joint_data[i].body_a];
@@ -96,7 +97,7 @@ KERNEL(joint_report)
 	Vec at_a = vec_add(vec(va.vx, va.vy), vec_spin(va.w, vec_add(a.arm, d)));
 	Vec at_b = vec_add(vec(vb.vx, vb.vy), vec_spin(vb.w, b.arm)), apart = vec_sub(at_b, at_a);
 
-	// angle over all turns, continued from the count of the last step
+	// the angle includes all turns: it continues the count of the last step
 	state->value[0] = along + vec_dot(d, axis);
 	state->value[1] = vec_dot(d, across);
 	state->value[2] = joint_turned(&a, &b, joint_turned_last(p, i));

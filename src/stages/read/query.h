@@ -14,11 +14,11 @@ typedef struct // query in world coordinates
 	float radius;          // m: radius of a ray
 	int ignored;           // body that the query ignores, 0 for no body
 	Float4 box;            // box at the start
-	Float4 sides;          // sides of the box: the leading ones along the path, x and y, then the trailing ones
-	Float2 inverse;        // 1/m: inverse of the path
+	Float4 sides;          // x and y of the sides of the box that lead along the path, then of those that trail
+	Float2 inverse;        // 1/m: inverse of each component of the path
 } WorldQuery;
 
-// m: a smaller component of a path counts as 0, and QUERY_INVERSE, 1/m, as its inverse
+// m: a component of a path smaller than QUERY_STILL counts as 0; its inverse is then QUERY_INVERSE, 1/m
 #define QUERY_STILL   1.0e-30f
 #define QUERY_INVERSE 1.0e30f
 
@@ -86,8 +86,8 @@ INLINE void query_place(QueryResult* found, QueryLeaf seen, Vec point, Vec norma
 	found->normal_y = normal.y;
 }
 
-// Tests point q with a path against core c, that of the leaf or the sum of both shapes, in the frame of the leaf. Finds
-// the first contact or, with form QUERY_NEAREST, the nearest point. Returns whether there is a result.
+// Tests point q, which moves by a path, against core c: the core of the leaf's shape, or the sum of both shapes, in the
+// frame of the leaf. Finds the first contact or, with QUERY_NEAREST, the nearest point. Returns whether there is one.
 INLINE int query_solve(Convex c, int form, Vec q, Vec path, ConvexHit* hit)
 {
 	if (form != QUERY_NEAREST)
@@ -168,9 +168,9 @@ INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, 
 	return 1;
 }
 
-// Returns the measure of a result for comparison with boxes: the fraction or, with QUERY_NEAREST, the square of the
-// distance. A result is never nearer than the box of its leaf, so a fraction is raised to that of the box. apart: measure
-// of the box.
+// Returns the fraction of a result or, with QUERY_NEAREST, the square of its distance; at least `apart`, the same
+// measure of the leaf's box, because no result is nearer than its box. Except with QUERY_NEAREST, also raises
+// found->fraction to `apart`.
 INLINE float query_measure(QueryResult* found, int form, float apart)
 {
 	if (form != QUERY_NEAREST)
@@ -190,12 +190,12 @@ INLINE int query_before(QueryResult a, QueryResult b)
 	return a.fraction == b.fraction && a.collidable < b.collidable;
 }
 
-// Number of results that a CPU worker collects before it lists them. With one result at a time 16 workers took ten
-// times as long, because workers wait for each other at the counter. A GPU combines the additions of neighbors.
+// Number of results that a CPU worker collects before it adds them to the list. With one result at a time, 16 workers
+// take ten times as long, because they wait for each other at the counter. A GPU combines the additions of neighbors.
 #define QUERY_HELD (FETCHES ? 16 : 1)
 
-// Adds results of query i to the list. If the list exceeds QUERY_MOST, returns 0 and adds nothing: the list is useless
-// then, and the counter must not overflow.
+// Adds results of query i to the counter, and to the list as far as it has room. If the counter exceeds QUERY_MOST,
+// returns 0 and adds nothing: the list is useless then, and the counter must not overflow.
 INLINE int query_append(const Pools* p, int i, const QueryResult* held, int count)
 {
 	GLOBAL QueryPlan* plan = p->query_plan;
@@ -213,9 +213,9 @@ INLINE int query_append(const Pools* p, int i, const QueryResult* held, int coun
 	return 1;
 }
 
-#define QUERY_FAR 1.0e7f // m: more than the sum of all components of a query that the host accepts
+#define QUERY_FAR 1.0e7f // m: upper bound of the sum of the absolute components of any query that the host accepts
 
-// Returns whether a query has finite numbers. The host refuses other queries, but only while the device already works,
+// Returns whether a query is finite. The host refuses queries that are not, but only while the device already works,
 // and not if they are in shared memory. NaN would hit the empty boxes that pad a node, which have no children.
 INLINE int query_finite(Query query)
 {
@@ -224,7 +224,7 @@ INLINE int query_finite(Query query)
 	       QUERY_FAR;
 }
 
-// Runs query i. mode: QUERY_CLOSEST, QUERY_ANY or QUERY_ALL.
+// Runs query i. form: QUERY_RAYS, QUERY_SHAPES or QUERY_NEAREST. mode: QUERY_CLOSEST, QUERY_ANY or QUERY_ALL.
 INLINE void query_run(const Pools* p, int i, int form, int mode)
 {
 	const GLOBAL QueryPlan* plan = p->query_plan;

@@ -14,13 +14,13 @@
 #include "stages/read/query_tree.h"
 #include "stages/rules/apart.h"
 
-#define SENSOR_DEPTH (0.05f * LINEAR_SLOP) // m: shapes that overlap by less, and only within the step, have not met
-// rounds of conservative advancement. In the second half each advances by at least an equal part of the rest of the
-// step; beside something that rotates fast, a visit that is shorter than this part may be missed
+#define SENSOR_DEPTH (0.05f * LINEAR_SLOP) // m: a smaller overlap that ends within the step does not count
+// rounds of conservative advancement. In the second half of the rounds, each advances by at least an equal part of the
+// rest of the step; beside something that rotates fast, a visit that is shorter than this part may be missed
 #define SENSOR_ROUNDS   64
 #define SENSOR_HALVINGS 10    // rounds that halve the interval in which a visit began
-#define SENSOR_ROUNDING 1e-6f // fraction of the sizes of two shapes that exceeds rounding errors of positions
-#define SENSOR_NEVER    2.0f  // time after the step: no overlap
+#define SENSOR_ROUNDING 1e-6f // fraction of the sizes of two shapes, more than rounding errors of positions
+#define SENSOR_NEVER    2.0f  // result for pairs that do not overlap: a time after the end of the step
 
 INLINE Sweep sensor_sweep(const Pools* p, WorldShape from, WorldShape to)
 {
@@ -33,8 +33,8 @@ INLINE Sweep sensor_sweep(const Pools* p, WorldShape from, WorldShape to)
 	return s;
 }
 
-// Returns the separation of two collidables. f: pose of b in the frame of a. *normal: from a to b in the frame of a. If
-// this function were inlined, gcc would no longer inline the narrow phase: storm took 1.2 % more instructions.
+// Returns the separation of two collidables. f: pose of shape b in the frame of shape a. *normal: toward b, in that
+// frame. If this function were inlined, gcc would not inline the narrow phase: storm took 1.2 % more instructions.
 RARE float sensor_apart(const Pools* p, WorldShape a, WorldShape b, Frame f, Vec* normal)
 {
 	const GLOBAL Attribute *shape_a = p->attribute + a.attribute, *shape_b = p->attribute + b.attribute;
@@ -52,8 +52,8 @@ INLINE Frame sensor_frame(WorldShape a, WorldShape b)
 	return frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
 }
 
-// Returns whether a corner of b is well inside a, so that they overlap; this holds for most visitors of a large sensor.
-// The margin exceeds rounding, so the result is never 1 if the separation is positive.
+// Returns whether corner 0 of shape b is well inside shape a, as for most visitors of a large sensor; both overlap
+// then. The margin exceeds rounding errors, so the result is never 1 if the separation is positive.
 INLINE int sensor_within(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
 {
 	Vec corner = frame_point(f, shape_corner(b, 0));
@@ -72,8 +72,8 @@ INLINE int sensor_within(const GLOBAL Attribute* a, const GLOBAL Attribute* b, F
 
 typedef struct // bounds of the speed at which two collidables approach at any time of the step, m per step
 {
-	Vec path;    // motion of b relative to a, without the rotations
-	float turns; // bound of the speed of points by the rotation of their bodies
+	Vec path;    // motion of collidable b relative to collidable a, without the rotations
+	float turns; // bound of the speed that the rotations of the two bodies add to their points
 	float along; // bound in the rotating frame of the larger collidable: small if both collidables rotate together
 } SensorPace;
 
@@ -90,14 +90,14 @@ INLINE SensorPace sensor_pace(Closing c)
 	return pace;
 }
 
-// Returns a bound of the speed at which two points approach along a normal.
+// Returns an upper bound of the speed at which two points approach along a normal.
 INLINE float sensor_speed(SensorPace pace, Vec normal)
 {
 	return minimum(pace.turns - vec_dot(normal, pace.path), pace.along);
 }
 
 // Returns the time at which two moving collidables first overlap, SENSOR_NEVER if they do not. An advance ends at an
-// overlap of SENSOR_DEPTH. A slow pair needs long for this depth, so the time is interpolated to a separation of 0.
+// overlap of SENSOR_DEPTH. A slow pair reaches it much later than it meets, so the time is interpolated to gap 0.
 RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closing)
 {
 	SensorPace pace = sensor_pace(closing);

@@ -14,18 +14,18 @@
 #define APART_KIND     1                                        // neither can move, or one is a sensor or disabled
 #define APART_BODY     2                                        // both belong to one body
 #define APART_FILTER   4                                        // categories and masks, or a group
-#define APART_DETECTED 8                                        // one has no body: it is for detection only
+#define APART_DETECTED 8                                        // one has no body: the pair only detects
 #define APART_JOINED   16                                       // a joint, a filter joint or an exclusion by the user
 #define APART_MATERIAL 32                                       // the materials of the pair ignore each other
 #define APART_REFUSED  64                                       // contact approval was refused
-#define APART_PAIR     (APART_KIND | APART_BODY | APART_FILTER) // no contact is created
-#define APART_LASTING  (APART_PAIR | APART_DETECTED)            // no contact, or a contact without impulses
+#define APART_PAIR     (APART_KIND | APART_BODY | APART_FILTER) // reasons for which no contact is created
+#define APART_LASTING  (APART_PAIR | APART_DETECTED)            // reasons for no contact or one without impulses
 #define APART_ALL      (APART_LASTING | APART_JOINED | APART_MATERIAL | APART_REFUSED) // all reasons
-#define APART_SEEN     (APART_BODY | APART_FILTER)                                     // no sensor overlap
+#define APART_SEEN     (APART_BODY | APART_FILTER)                                     // reasons for no sensor overlap
 
-// Returns a pair in order: a dynamic collidable before one that is not, else the smaller one first; of equal ones that
-// with the lower index. Manifolds and arms are precise at the center of the first collidable: far from the center of a
-// floor, a circle's arms would be off by 1e-7 of the distance, and it would roll.
+// Returns a pair in order: a dynamic collidable before another kind; else the smaller collidable first; of two equal
+// ones, that with the lower index. Manifolds and arms are precise near the center of the first collidable: if a floor
+// were first, arms of a circle far from its center would be off by 1e-7 of the distance, and the circle would roll.
 INLINE Int2 apart_pair(const Pools* p, int i, int j)
 {
 	int a = i < j ? i : j, b = i < j ? j : i;
@@ -36,11 +36,11 @@ INLINE Int2 apart_pair(const Pools* p, int i, int j)
 	return turned ? make_int2(b, a) : make_int2(a, b);
 }
 
-// Returns a pair as a number of few bits, which is fast to sort.
+// Returns a pair as a number of as few bits as possible, which is fast to sort.
 INLINE Word64 apart_key(const Pools* p, Int2 pair) { return (Word64)pair.x << p->step.key_bits | (Word64)pair.y; }
 
 // Returns the first of the given reasons that keeps i and j apart, 0 if there is none. One-way platforms are not among
-// them, because apart_lets, which tests them, is slow.
+// these reasons, because apart_lets, which tests them, is slow.
 INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 {
 	int a = p->collidable_body[i], b = p->collidable_body[j];
@@ -62,11 +62,11 @@ INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 	return 0;
 }
 
-// Returns the key of a contact that a one-way platform lets through: in the list refused, its pair in reverse order.
+// Returns the key, in the list `refused`, of a contact that a one-way platform lets through: its pair in reverse order.
 INLINE Word64 apart_passes_key(const Pools* p, Int2 pair) { return apart_key(p, make_int2(pair.y, pair.x)); }
 
-// Returns whether platform a lets b through, for continuous collision. It holds b if it holds their contact, or if b is
-// above the platform or gets there in the step. way, swing: as in one_way_place.
+// Returns whether platform a lets collidable b through, for continuous collision. It holds b if their boxes overlap and
+// `refused` has no such key, or if b is above it or gets there in the step. way, swing: as in one_way_place.
 RARE int apart_lets(const Pools* p, int a, int b, Vec way, float swing)
 {
 	if (!rule_platform(p, a, b))

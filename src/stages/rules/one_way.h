@@ -13,27 +13,27 @@
 #include "stages/geometry/sweep.h"
 
 // ONE_WAY_SLOP, m: depth up to which a visitor counts as above. It exceeds a fall in a step of 1/30 s, and the depth to
-// which loads press bodies into a platform. Fractions of the visitor's thickness: ONE_WAY_SHARE: limit of the slop, so
-// that a thin visitor from below is not above when it touches. ONE_WAY_FRESH: slop of a pair that was far apart in the
-// last step, because continuous collision stops a visitor at CONTINUOUS_DEPTH.
+// which loads press bodies into a platform. The others are fractions of the visitor's thickness. ONE_WAY_SHARE:
+// limit of the slop, so that a thin visitor from below does not count as above when it touches. ONE_WAY_FRESH: slop of
+// a pair that was far apart in the last step, because continuous collision stops a visitor at CONTINUOUS_DEPTH.
 #define ONE_WAY_SLOP  SPECULATIVE_DISTANCE
 #define ONE_WAY_SHARE 0.5f
 #define ONE_WAY_FRESH 0.3f
-#define ONE_WAY_TOUCH 1.0e-9f // m: least depth of a visitor that touches a platform
+#define ONE_WAY_TOUCH 1.0e-9f // m: minimum depth assumed for a visitor that touches a platform
 
 // states of a contact before the test
 #define ONE_WAY_NEW \
-	0 // boxes did not overlap in the last step, or the visitor was above the upper side, but beside the platform
+	0 // no overlap of boxes in the last step, or the visitor was above the height of an upper side, but beside it
 #define ONE_WAY_PAST 1 // the platform let the visitor through
 #define ONE_WAY_HELD 2 // the platform held the visitor, but the two do not touch
-// cosine: a side is an upper side if the product of its normal and up is larger; rounding must not make the walls of a
-// box upper sides
+// cosine: for an upper side, the dot product of its normal and the platform's direction `up` is larger than this;
+// rounding must not make the walls of a box upper sides
 #define ONE_WAY_UPPER 0.1f
 
 // heights of a visitor relative to a platform
 #define ONE_WAY_LOW   0
-#define ONE_WAY_HIGH  1 // higher than an upper side, but not over it
-#define ONE_WAY_ABOVE 2 // higher and over an upper side, or it gets there in the step
+#define ONE_WAY_HIGH  1 // above the height of an upper side, but beside it
+#define ONE_WAY_ABOVE 2 // over an upper side, or it gets there in the step
 
 typedef struct // extent of a shape along a direction, and across it, m
 {
@@ -76,7 +76,7 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	float gap = visitor.low - side.high, closes = -vec_dot(n, way), slides = vec_cross(n, way), from = 0.0f, to = 1.0f;
 	if (!(gap >= -depth.slop))
 		return ONE_WAY_LOW;
-	// a visitor that is still higher is tested at the place where it comes down to the side
+	// a visitor higher than the slop is tested at the place where it comes down to the side
 	if (gap > depth.slop && closes > gap)
 	{
 		from = gap / closes;
@@ -87,10 +87,10 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	return one_way_meet(side, visitor) ? ONE_WAY_ABOVE : ONE_WAY_HIGH;
 }
 
-// Returns whether n belongs to an upper side whose normal is not up; the test of the whole width covers that side.
+// Returns whether n is the normal of an upper side other than `up`; the test of the whole width covers the top side.
 INLINE int one_way_upper(Vec n, Vec up) { return vec_dot(n, up) > ONE_WAY_UPPER && !(n.x == up.x && n.y == up.y); }
 
-typedef struct // extents of a platform and a visitor along up, in the frame of the platform
+typedef struct // extents of a platform and a visitor along the direction `up`, in the frame of the platform
 {
 	OneWaySpan platform, visitor;
 } OneWayWhole;
@@ -131,7 +131,7 @@ INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL
 }
 
 // Returns the depth up to which visitor b counts as above. A load may press b into the platforms that hold it; the next
-// platform accepts b at that depth, plus the depth that continuous collision allows in a step.
+// platform accepts b at that depth, plus the depth that continuous collision allows for a visitor from afar.
 INLINE OneWayDepth one_way_depth(const Pools* p, WorldShape b, int known, float swing)
 {
 	float thickness = p->thickness[b.attribute], sunk = bits_float(p->sunk[b.body]);
@@ -160,8 +160,8 @@ INLINE Vec one_way_up(const Pools* p, WorldShape a)
 	return vec(p->rule[a.attribute].up_x, p->rule[a.attribute].up_y);
 }
 
-// Returns the position of visitor b relative to platform a now. way, m: displacement relative to a in the step, in
-// world axes. swing, m: largest additional displacement of a point of b. known: state of the contact, ONE_WAY_*.
+// Returns the current position of visitor b relative to platform a. way, m: displacement of b relative to a in the
+// step, world axes. swing, m: largest additional displacement of a point of b. known: ONE_WAY_* of the contact.
 RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec way, float swing, int known)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;

@@ -43,7 +43,7 @@ INLINE Advance rule_advance(const Pools* p, int i)
 	return sweep_advance_of(&p->step, vec(body.vx, body.vy), body.w);
 }
 
-// Returns the displacement of b in the step, m, relative to a, in the rotating frame of a.
+// m: Returns the displacement in the step of collidable b relative to collidable a, in the rotating frame of a.
 INLINE Vec rule_way(const Pools* p, int a, int b)
 {
 	WorldShape at = p->world_shape[a], to = p->world_shape[b];
@@ -53,8 +53,8 @@ INLINE Vec rule_way(const Pools* p, int a, int b)
 	return vec_sub(vec_sub(second.path, first.path), vec_spin(first.turn, arm));
 }
 
-// Returns CONTACT_PASSES if a platform lets a contact through, otherwise 0. Adds CONTACT_HIGH if the visitor is high,
-// but not over the platform, so that it may be held later like a new visitor.
+// Returns CONTACT_PASSES if a platform lets a contact through, otherwise 0. Adds CONTACT_HIGH if the visitor is above
+// the height of the platform, but not over it, so that the platform may hold it later like a new visitor.
 RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 {
 	int known = flags & (CONTACT_FRESH | CONTACT_IGNORED | CONTACT_HIGH) ? ONE_WAY_NEW
@@ -78,8 +78,8 @@ RARE Word rule_passes(const Pools* p, Int2 pair, Word flags)
 // Clears the depth of body i in the platforms that hold it.
 KERNEL(sunk_begin) { p->sunk[i] = 0; }
 
-// Raises a visitor's depth in its platforms to depth, m, or to the depth in the manifold of a contact if that is
-// larger. slot: slot of the contact.
+// Raises a visitor's depth in its platforms to the larger of `depth`, m, and the depth in the manifold of a contact.
+// slot: slot of the contact.
 INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 {
 	if (p->contact_flags[slot] & CONTACT_COUNT)
@@ -92,7 +92,7 @@ INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 		atomic_max_int(&p->sunk[p->collidable_body[visitor]], float_bits(depth));
 }
 
-// Raises the depth of visitor b if a is a platform. found: 1 if the depth at the current poses was already added.
+// Raises the depth of visitor b if collidable a is a platform. found: 1 if the depth at the current poses was added.
 RARE void sunk_by(const Pools* p, int slot, int a, int b, int found)
 {
 	if (rule_platform(p, a, b))
@@ -133,7 +133,7 @@ INLINE int approval_finds(const GLOBAL Word64* keys, int count, Word64 key)
 	return at < count && keys[at] == key;
 }
 
-// Returns the new CONTACT_APPROVALS bits of a contact. flags: its flags so far.
+// Returns the new CONTACT_APPROVALS bits of a contact. flags: its current flags.
 RARE Word rule_answer(const Pools* p, Int2 pair, Word flags)
 {
 	if (!((p->filter[pair.x].reports | p->filter[pair.y].reports) & REPORT_APPROVAL))

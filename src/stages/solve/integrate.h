@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // integrate.h -- accelerates or moves bodies between two passes of the solve.
-//
 // Warm starting needs no pass over contacts. Anchors and normals are constant within a step, so the impulses of a
-// substep change a velocity equally in the next one: by the velocity after relax minus that before any impulse (base).
+// substep change a velocity by the same amount in the next substep: velocity after relax minus velocity before any
+// impulse (base).
 #ifndef INTEGRATE_H
 #define INTEGRATE_H
 #include "constraints/solver_body.h"
 #include "dialect/finite.h"
 
-// Adds the acceleration and, as warm start, the change of velocity by contacts in the last substep. b, m, base: rows of
-// pools. In the first substep, base is the velocity without the warm start, which b already contains.
+// Adds the acceleration and, as warm start, the change of velocity that contacts caused in the last substep. b, m,
+// base: rows of pools. In the first substep, base is the velocity without the warm start, which b already contains.
 INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base, int first)
 {
 	Vec v = vec(b[0], b[1]), contacts = vec_sub(v, vec(base[0], base[1]));
@@ -27,7 +27,7 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 	v.y = m[7] * finite_of(linear * v.y + h * (step->gravity_y * m[3] + b[3] * m[1]));
 	w = number_of(angular * w + h * (b[7] * m[2])); // the limit below makes it finite
 
-	// limits the velocity without the change by contacts, which must match their impulses; else contacts take back more
+	// limits the velocity without the change by contacts: a limited change would not match the stored impulses
 	v = vec_scale(vec_shrink(v, step->max_speed), v);
 	w = within(w, splat(step->max_spin));
 	base[0] = v.x;
@@ -43,7 +43,7 @@ INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base
 
 INLINE void body_move(const Step* step, Real* b, const Real* m)
 {
-	// limits the motion: a larger rotation would count as one in the other direction, and the body would jump
+	// limits the motion: a rotation beyond half a turn would count as one in the other direction
 	float h = step->h;
 	b[4] = b[4] + h * (m[6] * within(b[0], splat(step->max_speed)));
 	b[5] = b[5] + h * (m[7] * within(b[1], splat(step->max_speed)));

@@ -20,7 +20,7 @@
 SMALL_BEGIN
 #include "constraints/joint_rare.h"
 
-// Computes the rare rows from the rows that the kernel above wrote.
+// Computes the rare rows from the rows that the kernel above has written.
 #define CONSTRAINT_KIND(kind, Kind, KIND)      \
 	WIDE_KERNEL(kind##_prepare_rare)           \
 	{                                          \

@@ -23,7 +23,7 @@ KERNEL(solve_begin)
 		counters_clear(p);
 }
 
-// Sets the inertia of a body for the step. joint_taut has stored the inertia that the pull requires in the member da.
+// Sets the inertia of a body for the step. The pull of joints requires the value that joint_taut stored in da.
 KERNEL(body_taut)
 {
 	GLOBAL BodyState* body = p->body + i;
@@ -33,7 +33,7 @@ KERNEL(body_taut)
 	if (own > 0.0f && pull * own > 1.0f && pull <= MOST_FLOAT)
 		body->inv_inertia = 1.0f / pull;
 	if (i == 0)
-		p->counters->taut = 0; // the warm starts that follow count again
+		p->counters->taut = 0; // clears the counter; the warm starts of this step count again
 }
 
 // Restores the inertia of a body after the step.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // press.h -- finds bodies that something kinematic presses against something static, directly or through others.
 //
-// A body may overlap a static one because something kinematic presses it there, which no force stops, or because of the
-// load on it. The contacts of the body do not distinguish these two cases. So each press is propagated as a way: a
-// direction, with a number of hops left. A body that overlaps something kinematic is pressed along the normal, and
+// A body may overlap a static one because something kinematic presses it there, which no force can stop, or because a
+// load rests on it. The contacts of the body do not distinguish these two cases. So each press is propagated as a way:
+// a direction, with a number of hops left. A body that overlaps something kinematic is pressed along the normal, and
 // presses the bodies that it touches in about that direction, and so on: contacts hand ways on. The number begins at
 // PRESS_HOPS and is reduced by each hop, so that a way fades when its source is gone. Static bodies start ways too, in
 // the opposite directions. A body with opposite ways of both kinds is pressed between the two. A contact stores its
@@ -14,18 +14,18 @@
 #include "constraints/joint_prepare.h"
 #include "stages/geometry/sweep.h"
 
-// cosine between normal and way above which the way continues along the normal; with less, carts press the floor
+// minimum cosine between a way and a normal along which it continues; with a smaller one, carts press the floor
 #define PRESS_ALONG 0.15f
 
-#define PRESS_HOPS   63   // largest number of hops of a way, and so of bodies in a row through which a press acts
-#define PRESS_STEPS  32   // steps after a press in which a body leaves no faster than it was pressed
-#define PRESS_SLOWER 0.9f // fraction of its speed that a pressed body keeps per step if it is faster than the presser
+#define PRESS_HOPS   63   // maximum number of hops of a way, and so of bodies in a row through which a press acts
+#define PRESS_STEPS  32   // number of steps after a press in which a body leaves no faster than it was pressed
+#define PRESS_SLOWER 0.9f // fraction of its speed that a pressed body keeps per step while faster than the presser
 
-// Way in the pool contact_press, of kind 0 (static) or 1 (kinematic): 6 bits of hops; PRESS_BACK: from b to a.
+// Way of kind 0 (static) or 1 (kinematic) in the pool contact_press: 6 bits of hops; PRESS_BACK: from body b to body a.
 #define PRESS_WAY(bits, kind) ((int)((bits) >> (kind)*7 & 127u))
 #define PRESS_BACK            64
 
-#define PRESS_SPEED 16 // first bit of the speed of the presser, above both ways: the upper bits of a float, rounded up
+#define PRESS_SPEED 16 // first bit of the presser's speed, behind both ways: the upper bits of a float, rounded up
 
 INLINE float press_speed(Word bits) { return bits_float((int)(bits >> PRESS_SPEED << 15)); }
 
@@ -35,8 +35,8 @@ INLINE Word press_bits(const int way[2], float speed)
 	return way[1] ? bits | (((Word)float_bits(speed) + 32767u) >> 15 << PRESS_SPEED) : bits;
 }
 
-// Returns the code of a way of a body: hops, and its direction in units of 1/127. The largest code wins, so between
-// ways with equal hops the direction is arbitrary, but the same on every device.
+// Returns the code of a way of a body: hops, and direction in units of 1/127. The largest code of a body wins, so
+// between ways with equal hops the choice is arbitrary, but the same on every device.
 INLINE int press_code(int hops, Vec direction)
 {
 	int x = (int)(127.0f * direction.x + 128.5f), y = (int)(127.0f * direction.y + 128.5f);
@@ -45,14 +45,14 @@ INLINE int press_code(int hops, Vec direction)
 
 INLINE Vec press_direction(int code) { return vec((float)(code >> 8 & 255) - 128.0f, (float)(code & 255) - 128.0f); }
 
-// Returns the hops left for a way of a body that continues along a normal, 0 if it does not.
+// Returns the number of hops left if a way continues along a normal, 0 if it ends.
 INLINE int press_left(int code, Vec normal)
 {
 	int along = vec_dot(press_direction(code), normal) > PRESS_ALONG * 127.0f;
 	return along && code >> 16 > 1 ? (code >> 16) - 1 : 0;
 }
 
-// Returns whether kernels that were started before the host read the counters do nothing: the layout has changed.
+// Returns whether a kernel started before the host read the counters does nothing, because the layout has changed.
 INLINE int press_waits(const Pools* p) { return (p->argument & PRESS_MAY_WAIT) && !p->counters->kept; }
 
 // Returns the slot of the contact at place i, -1 for none.
@@ -72,7 +72,7 @@ RARE ContactPoints press_points(const Pools* p, int slot)
 typedef struct // data of a contact that all rounds use
 {
 	Vec normal;
-	float gap; // m: smaller gap of its points
+	float gap; // m: smaller separation of the two points
 } PressContact;
 
 #define PRESS_NONE 2.0f // value of normal_x for a contact whose data is not computed yet
@@ -89,7 +89,7 @@ INLINE PressContact press_keep(const Pools* p, int i, const ContactPoints* at)
 	return facts;
 }
 
-// Returns the data of the contact in a slot, at place i; computes it at first use.
+// Returns the data of the contact in `slot`, at place i, and computes it at the first use.
 INLINE PressContact press_facts(const Pools* p, int i, int slot)
 {
 	PressContact facts;
@@ -103,7 +103,7 @@ INLINE PressContact press_facts(const Pools* p, int i, int slot)
 	return facts;
 }
 
-// m/s: Returns the largest speed of the kinematic body at the points of contact i that overlap and approach
+// m/s: Returns the largest speed of a kinematic body at those points of contact i that overlap and approach.
 INLINE float press_pushes(const Pools* p, int i, ContactPoints at)
 {
 	WorldShape a = p->world_shape[p->pair[i].x], b = p->world_shape[p->pair[i].y];
@@ -142,7 +142,7 @@ KERNEL(press_begin)
 	press->spun = minimum(absolute(number_of(state.w)), p->step.max_spin);
 }
 
-// Starts a way at a contact with a body that does not move. lasts: 1 while the pressed body's speed is limited.
+// Starts a way at an overlap with a static or kinematic body. lasts: 1 while the pressed body's speed is limited.
 RARE void press_start(const Pools* p, int i, int slot, int lasts)
 {
 	ContactPoints at = press_points(p, slot);
@@ -157,7 +157,7 @@ RARE void press_start(const Pools* p, int i, int slot, int lasts)
 		raise_int(&p->press[body].speed, float_bits(press_pushes(p, slot, at)));
 }
 
-// Item: a place of contacts. Gives its bodies the ways that the contact stored, and ways that start there.
+// Item: a place of contacts. Gives both bodies the ways stored in the contact, and starts one if one body cannot move.
 KERNEL(press_gather)
 {
 	int slot = press_slot(p, i);
@@ -165,7 +165,7 @@ KERNEL(press_gather)
 		return;
 	Word bits = p->contact_press[slot];
 	int first = !(p->argument & PRESS_AGAIN);
-	// contacts with bodies that do not move hand no way on, and have given their ways in the first round
+	// such a contact has no way to hand on, or it is at an immovable body and gave its ways in the first round
 	if (!first && bits == 0)
 		return;
 	int still = p->collidable_kind[p->contact_place_pair[i].y] < KIND_DYNAMIC;
@@ -203,7 +203,7 @@ KERNEL(press_gather)
 
 #define PRESS_HOLDS(k) (JOINT_LOCKED(k) | JOINT_SPRING(k)) // modes that hold the anchors together along coordinate k
 
-// Item: a joint. If one body cannot move and the anchors are far apart, starts a way, as of a presser with max_speed.
+// Item: a joint. If one body cannot move and the anchors are far apart, starts a way as of a presser with max_speed.
 KERNEL(press_joint)
 {
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// taut.h -- computes the inertia that the pull of all colored joints of a body requires, as in a loaded net.
+// taut.h -- computes the inertia that a body needs for the pull of its colored joints, as in a loaded net.
 //
 // A short body between two joints that pull at it is like a piece of a string: it swings faster than substeps can
 // resolve, and the corner of a net opens. As in a chain (chain_stiff.h), its inertia for the step is that of an
@@ -9,7 +9,7 @@
 #define TAUT_H
 #include "constraints/constraint_kinds.h"
 
-// Adds the pull to the member da of a body, which is 0 before the first substep.
+// Adds the inertia that a pull requires, `pull`, to member da of a body. turn: da so far, 0 before the first substep.
 INLINE void taut_add(const Pools* p, Int body, const Body* b, Real turn, Real pull)
 {
 	Real zero = splat(0.0f), row[4];

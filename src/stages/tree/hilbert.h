@@ -17,8 +17,8 @@ INLINE Int hilbert_spread(Int x)
 
 // Returns the distance of cell x, y along the Hilbert curve through 65,536 x 65,536 cells: two bits per level, from the
 // largest quadrant down. The curve of a quadrant is rotated relative to that of its parent, so the orientation of a
-// level is the product of all rotations above. a, b, c, d hold that product over 1, 2, 4, 8 and 16 levels, one bit per
-// level, so four rounds replace a loop over levels. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
+// level is the product of all rotations above it. a, b, c, d hold that product over 1, 2, 4, 8 and 16 levels, one bit
+// per level, so four rounds replace a loop over levels. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
 INLINE Int hilbert_distance(Int x, Int y)
 {
 	const int all = 65535;
@@ -49,8 +49,8 @@ INLINE Int tree_cell(Real lower, Real upper, float begin, float cells)
 	return whole(minimum(maximum(at, splat(0.0f)), splat(TREE_CELLS)));
 }
 
-// Writes the key of each leaf: the distance of its box's center along the curve, then the collidable. argument: the
-// tree, plus 2 for boxes of queries. Dead leaves get the largest keys, and the host drops them.
+// Writes the key of each leaf: the position of its box's center on the curve, then the collidable. argument: the tree,
+// plus 2 for boxes of queries. Dead leaves get the largest keys, so the host can drop them.
 WIDE_KERNEL(tree_code)
 {
 	const GLOBAL Tree* tree = p->tree + (p->argument & 1);
@@ -63,7 +63,7 @@ WIDE_KERNEL(tree_code)
 	for (int which = 0; which < 4; ++which)
 		box[which] = gather((const GLOBAL float*)boxes, place + 8 * which);
 	Int code = hilbert_distance(tree_cell(box[0], box[2], bounds.x, cells), tree_cell(box[1], box[3], bounds.y, cells));
-	// all bits set is the key of a dead leaf only
+	// only a dead leaf has a key with all bits set
 	code = blend_int(code, code & ~1, code == -1);
 	store_keys(p->key, i, blend_int(code, code | -1, box[0] > box[2]), load_int(p->leaf + tree->leaf_begin, i));
 }

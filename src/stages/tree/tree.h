@@ -15,8 +15,8 @@
 #include "stages/geometry/filter.h"
 #include "stages/tree/hilbert.h"
 
-// A node is an outlier if the ratio of its area to the mean area of its leaves is larger. Eight equal boxes in a row,
-// corner to corner, have this ratio.
+// A node is an outlier if its area is more than OUTLIER_BOXES times the mean area of its leaves. A node around eight
+// equal boxes, corner to corner along a diagonal, has this ratio.
 #define OUTLIER_BOXES 64.0f
 
 INLINE int tree_of_kind(int kind) { return (kind & ~KIND_SENSOR) == KIND_STATIC; }
@@ -50,7 +50,7 @@ INLINE void tree_join(GLOBAL Float4* boxes, const GLOBAL Tree* tree, int level, 
 }
 
 // Returns a mask for node i: bit k is set if a leaf below child k can touch a kinematic collidable. Traversals for
-// kinematic collidables skip other children; else 40,000 shapes of a body would visit their neighbors.
+// kinematic collidables skip other children; otherwise each of 40,000 shapes of one body would visit its neighbors.
 INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int i)
 {
 	Word movers = 0;
@@ -73,7 +73,7 @@ KERNEL(tree_node)
 		p->node_movers[tree->begin[level - 1] / ARITY + i] = tree_movers(p, tree, level, i);
 }
 
-// Returns the mask of tree_movers for the eight nodes of a level that begin at first.
+// Returns tree_movers for the node whose children are the eight nodes of a level from `first` on.
 INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, int first)
 {
 	return level < tree->top ? p->node_movers[(tree->begin[level] + first) / ARITY] : 255u;
@@ -82,8 +82,8 @@ INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, i
 INLINE float box_area(Float4 b) { return (b.z - b.x) * (b.w - b.y); }
 
 // Item: a node of level 1. argument: the tree. Adds to the estimate of wasted visits: a leaf that is new or jumped
-// makes the nodes above it wide, and traversals visit these in vain. The expected fraction of traversals that meet such
-// a node is its area divided by the area of all leaves. Nodes that are not wider than a row of leaves do not count.
+// makes the nodes above it outliers, which traversals visit in vain. The expected fraction of traversals that meet such
+// a node is its area divided by the area of all leaves. Nodes below the limit OUTLIER_BOXES do not count.
 KERNEL(tree_outlier)
 {
 	const GLOBAL Tree* tree = p->tree + p->argument;
@@ -113,7 +113,7 @@ KERNEL(tree_outlier)
 	float mean = area / (float)leaves, wide = box_area(now);
 	if (!(wide > OUTLIER_BOXES * mean))
 		return;
-	// factor 2 below: after a jump, the upper nodes cost about as much as this one
+	// subtracts the old area; factor 2 below: after a jump, the upper nodes cost about as much as this one
 	wide -= box_is_empty(before) ? 0.0f : box_area(before);
 	float traversals = 2.0f * wide / (mean * (float)tree->leaves);
 	if (traversals < 0.0f) // a large negative number would be outside the range of int
@@ -152,7 +152,7 @@ KERNEL(tree_order)
 		p->counters->outliers[p->argument] = 0;
 }
 
-// Returns a mask of eight nodes that begin at first: bit k is set if node k of them overlaps the box.
+// Returns a mask of the eight nodes from `first` on: bit k is set if node first + k overlaps the box.
 INLINE Word64 tree_hits(const Pools* p, int first, Float4 box) { return (Word64)overlaps8(p->node_box + first, box); }
 
 // Returns a mask of eight nodes of a level: bit k is set if node first + k contains a leaf with from <= index < end.
@@ -172,10 +172,10 @@ typedef struct // traversal of the nodes of level 1 that overlap a box, by risin
 	int level, first; // current position: level, and first of eight siblings
 	int from, end;    // range of leaves, end excluded; end 0: all leaves
 	int nodes;        // number of nodes of level 1 that may still be visited
-	int movers;       // 1: visit only nodes that contain something with which a kinematic collidable can collide
+	int movers;       // 1: visit only nodes below which a leaf can touch a kinematic collidable
 } TreeTraversal;
 
-// Starts a traversal of a tree that is not empty, over the leaves with from <= index < end; end 0: all leaves.
+// Starts a traversal of a tree that is not empty, over the leaves with from <= index < end, or over all if end is 0.
 INLINE TreeTraversal tree_traverse(const Pools* p, const GLOBAL Tree* tree, Float4 box, int from, int end, int nodes)
 {
 	TreeTraversal traversal;

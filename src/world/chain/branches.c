@@ -8,27 +8,27 @@
 #include "world/objects/joints.h"
 #include <string.h>
 
-// The hub of a branch has at least HUB_JOINTS joints. weight_of adds two ratios: mass and inertia of the body at the
-// other end of a joint, divided by those of the hub. The sum over all joints is at least HUB_WEIGHT. If the joints were
-// solved one by one, hubs became unstable with welded bodies of 4 to 7 times the hub's inertia, and with hinged bodies
-// of 28 to 56 times. A hinged body yields except along its arm, so HUB_HINGE of its mass counts, at the hinge.
+// The hub of a branch has at least HUB_JOINTS joints. For each joint, weight_of adds two ratios: mass and inertia of
+// the body at its other end, divided by those of the hub. The sum over all joints is at least HUB_WEIGHT. If the joints
+// were solved one by one, hubs became unstable with welded bodies of 4 to 7 times the hub's inertia, and with hinged
+// bodies of 28 to 56 times. A hinged body yields except along its arm, so HUB_HINGE of its mass counts, at the hinge.
 #define HUB_JOINTS 3
 #define HUB_WEIGHT 3.0f
 #define HUB_HINGE  0.18f
-// A body is also a hub if the bodies connected to it have HUB_LOAD times its mass. Ragdolls have up to 9 times, and
-// come to rest without a branch.
+// A body is also a hub if all other bodies of its tree have HUB_LOAD times its mass. In ragdolls the ratio is up to 9,
+// and they come to rest without a branch.
 #define HUB_LOAD 20.0f
 // Maximum number of nodes of a branch, to limit its time. In larger trees only joints around light bodies are branches.
 #define MOST_NODES  1024
-#define MOST_WELDED 64 // maximum number of bodies in the sum behind a welded end, because each hub sums them again
+#define MOST_WELDED 64 // maximum number of bodies counted behind a welded end, because each hub adds them up again
 
 typedef struct
 {
 	ChainSearch* s;
-	int* place;   // per body: 1 + its position in list, 0 if it is not listed
+	int* place;   // per body: 1 + its position in `list`, 0 if it is not listed
 	int* list;    // bodies in the order in which they were reached
 	int* through; // per listed body: joint through which it was reached, -1 for none
-	int* above;   // per listed body: position in list of the body from which it was reached, -1 for none
+	int* above;   // per listed body: position in `list` of the body from which it was reached, -1 for none
 } Branching;
 
 size_t branches_bytes(size_t joints, size_t bodies)
@@ -43,7 +43,7 @@ static float distance(scree_vec a, scree_vec b) { return sqrtf((a.x - b.x) * (a.
 
 static bool welded(const HostJoint* host) { return host->def.coordinates[SCREE_ANGLE].locked; }
 
-// Returns mass / hub's mass + inertia / hub's inertia for the body at a joint's other end with all bodies welded to it.
+// Returns mass / hub's mass + inertia / hub's inertia, for the body at a joint's other end and all welded to it.
 static float weight_of(const scree_world* world, int joint, int hub)
 {
 	const HostJoint* host = world->host_joints + joint;
@@ -119,8 +119,8 @@ static int put(Branching* b, int count, int body, int through, int above)
 	return count + 1;
 }
 
-// Adds all bodies that joints connect to the listed bodies, or only to light listed bodies unless all is set. Returns
-// the new number of listed bodies. Sets *whole to false if a joint closes a ring or leads to another branch.
+// Adds all bodies that joints connect to the listed bodies; unless `all` is set, only those connected to light bodies.
+// Returns the new number of listed bodies. Sets *whole to false if a joint closes a ring or leads to another branch.
 static int spread(Branching* b, int count, bool all, bool* whole)
 {
 	const scree_world* world = b->s->world;
@@ -150,8 +150,8 @@ static void forget(Branching* b, int count)
 		b->place[b->list[k]] = 0;
 }
 
-// Returns whether a tree has a hub: a body that is light compared with the bodies at the other ends of its joints, or
-// with all bodies of the tree.
+// Returns whether a tree has a hub: a body with at least HUB_JOINTS joints that is light compared with the bodies at
+// their other ends, or with all other bodies of the tree.
 static bool worth(Branching* b, int count)
 {
 	const scree_world* world = b->s->world;
@@ -215,8 +215,8 @@ static void add(Branching* b, int count)
 	layout->node_count += count;
 }
 
-// Lists a tree again, beginning with an immovable body to which it is attached, if there is one. The joint to an
-// immovable body is solved exactly only at the root. Returns the new number of listed bodies.
+// Lists a tree again, from an immovable body at its end if there is one, because a joint to an immovable body is solved
+// exactly only at the root. Returns the new number of listed bodies.
 static int hang(Branching* b, int count, bool all)
 {
 	const scree_world* world = b->s->world;

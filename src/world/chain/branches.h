@@ -7,7 +7,7 @@
 size_t branches_bytes(size_t joints, size_t bodies);
 
 // Finds all branches. Must be called before the search for chains. memory: branches_bytes of zeros, aligned to
-// pointers; parts of it belong to the layout afterwards.
+// pointers; the layout later keeps parts of it.
 void branches_find(ChainSearch* s, void* memory);
 
 #endif

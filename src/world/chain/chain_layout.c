@@ -9,12 +9,12 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-// Costs of a pass over a block of joints, relative to one joint solved alone; measured on CPUs with 16 and 8 lanes.
+// Costs of a pass over a block of joints, relative to a joint solved alone; measured on CPUs with 16 and 8 lanes.
 #define ROW_COST  12
 #define SIDE_COST 8
-#define APART     0.9 // ranges get separate blocks if these cost less than this share of common blocks
-// All chains are placed alone if that costs less than this share of the other layout. The share is below 1 because the
-// workers in a pass wait for each other.
+#define APART     0.9 // ranges get separate blocks if that costs less than this fraction of common blocks
+// All chains are placed alone if that costs less than this fraction of the other layout. The fraction is below 1
+// because the workers in a pass wait for each other.
 #define ALONE 0.75
 
 typedef struct
@@ -23,7 +23,7 @@ typedef struct
 	int lanes, groups;
 	bool alone; // true: all chains are placed alone
 	int parts;  // number of ranges that may share blocks
-	// latest blocks with chains side by side: spot of joint 0, spots from joint 0 to joint 1, number of ranges
+	// latest blocks with chains side by side: spot of joint 0, distance to that of joint 1, number of ranges
 	int column, column_odds, column_parts;
 } ChainPlacement;
 
@@ -31,7 +31,7 @@ static int padded(int count, int lanes) { return (count + lanes - 1) / lanes * l
 
 static int row_length(int joints, int bits) { return ((joints - 1) >> bits) + 1; }
 
-// Chooses the number of rows for which a chain alone costs least. Sets row->bits and row->cost.
+// Chooses the number of rows for which a chain placed alone costs least. Sets row->bits and row->cost.
 static void choose_rows(ChainRow* row, int lanes)
 {
 	for (int bits = 1; bits == 1 || (lanes > 1 && 1 << bits <= row->count); ++bits)
@@ -45,8 +45,8 @@ static void choose_rows(ChainRow* row, int lanes)
 	}
 }
 
-// Returns the number of chains to place side by side from chain k on: as many as there are lanes, or 1 if single chains
-// cost less. Sets *cost to the cost of these chains. A shorter chain beside a longer chain costs nothing.
+// Returns the number of chains to place side by side from chain k on: as many as there are lanes, or 1 if they cost
+// less when placed alone. Sets *cost to the cost of these chains. A shorter chain beside a longer one costs nothing.
 static int side_by_side(const ChainPlacement* s, int k, int* cost)
 {
 	const ChainLayout* layout = s->layout;
@@ -69,8 +69,8 @@ static bool begins_item(ChainPlacement* s, int k, int count)
 	return !shares;
 }
 
-// Returns the cost of a pass over all chains: the cost of the worker with the most work. With more work-groups than
-// MAX_WORKERS: the mean cost per work-group, but at least the cost of the longest item.
+// Returns the cost of a pass over all chains: the cost of the worker with the most work. If there are more than
+// MAX_WORKERS work-groups, it is the mean cost per work-group, but at least the cost of the longest item.
 static double cost_of_all(ChainPlacement* s)
 {
 	double loads[MAX_WORKERS] = {0}, sum = 0, most = 0, item = 0;
@@ -91,8 +91,8 @@ static double cost_of_all(ChainPlacement* s)
 	return s->groups > counted ? fmax(sum / s->groups, most) : most;
 }
 
-// Chooses the number of ranges that share blocks, and returns the cost of a pass. One worker solves a whole block,
-// because two would write to the same cache lines. Separate blocks take more memory, but distribute the work better.
+// Chooses the number of ranges that share blocks, and returns the cost of a pass. A whole block has one worker, because
+// two would write to the same cache lines. Separate blocks take more memory, but distribute the work better.
 static double choose_parts(ChainPlacement* s)
 {
 	int most = s->parts;
@@ -165,7 +165,7 @@ void chain_layout(ChainLayout* layout, int lanes, int groups)
 	}
 	for (int k = 0; k < layout->branch_count; ++k)
 	{
-		// a branch is one row, in separate blocks
+		// a branch has one row, and blocks of its own
 		const ChainRow* branch = layout->branches + k;
 		ChainRange at = {
 		    .first = layout->places, .count = branch->count, .odds = branch->first, .stride = 1, .parts = 1};

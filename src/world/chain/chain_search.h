@@ -6,8 +6,8 @@
 #include "world/world.h"
 #include <math.h>
 
-// Maximum ratio of masses solved together. With more, the sum of two inverse masses keeps no digit of the smaller one,
-// and impulses are wrong by any factor. Joints with a larger ratio are solved one by one: they yield, but stay finite.
+// Maximum ratio of masses solved together. With a larger one, the sum of two inverse masses keeps no digit of the
+// smaller one, and impulses are wrong by any factor. Other joints are solved one by one: they yield, but stay finite.
 #define MOST_RATIO 1e5f
 
 #define BODY_OWNED    1 // the body is at the end of a chain
@@ -19,7 +19,7 @@ typedef struct
 {
 	const scree_world* world;
 	ChainLayout layout;
-	uint8_t* seen;  // per joint: 1 if the search is finished: the joint is in a chain, in a branch, or in neither
+	uint8_t* seen;  // per joint: 1 if the search has decided: the joint is in a chain, in a branch, or in neither
 	uint8_t* marks; // per body: BODY_* flags
 	int joints;     // number of joints of all chains
 } ChainSearch;

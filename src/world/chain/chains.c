@@ -10,11 +10,11 @@
 #include "world/objects/joints.h"
 #include <string.h>
 
-// Minimum number of joints of a chain; two suffice if its largest mass is LEAST_RATIO times its smallest mass.
+// Minimum number of joints of a chain. Two suffice if its largest mass is LEAST_RATIO times its smallest mass.
 #define LEAST_JOINTS 8
 #define LEAST_RATIO  8.0f
 
-// Returns the other joint of a body that can move, is in no branch and has exactly two joints; -1 for other bodies.
+// Returns the other joint of a body that can move, is in no branch and has exactly two joints; -1 for any other body.
 static int next_joint(const ChainSearch* s, int body, int joint)
 {
 	const scree_world* world = s->world;
@@ -32,8 +32,8 @@ static int next_joint(const ChainSearch* s, int body, int joint)
 	return count == 2 ? next : -1;
 }
 
-// Follows the chain of a joint in the direction of *body. Returns the last joint and sets *body to the body behind it;
-// in a ring, returns the joint before the first.
+// Follows a chain from a joint in the direction of *body. Returns the last joint, and sets *body to the body behind it.
+// If the chain is a ring, returns the joint before the first.
 static int chain_end(const ChainSearch* s, int joint, int* body)
 {
 	for (int first = joint;;)
@@ -46,7 +46,8 @@ static int chain_end(const ChainSearch* s, int joint, int* body)
 	}
 }
 
-// Lists a chain's joints from first on, and returns their number. *at: body before first; set to the body at the end.
+// Lists a chain's joints from `first` on, and returns their number. *at: body before `first`; set to the body at the
+// end.
 static int chain_list(ChainSearch* s, int first, int* at)
 {
 	int count = 0;
@@ -59,7 +60,7 @@ static int chain_list(ChainSearch* s, int first, int* at)
 	return count;
 }
 
-// Returns whether a chain may end at a body: it cannot move, or is in no other chain and no branch. Marks it as taken.
+// Returns whether a chain may end at a body that cannot move, or is in no other chain and no branch. Marks it as taken.
 static bool own(ChainSearch* s, int body)
 {
 	if (!chain_moves(s->world, body))
@@ -75,8 +76,8 @@ static float chain_mass(const scree_world* world, int body)
 	return chain_moves(world, body) ? world->host_bodies[body].mass.mass : INFINITY;
 }
 
-// Returns the largest ratio of load to mass of the inner bodies of a short chain. The load of a body is the lighter of
-// two bodies: the heaviest body on its one side, and the heaviest body on its other side.
+// Returns the largest ratio of load to mass among the inner bodies of a short chain. The load of a body is the
+// smaller of two masses: that of the heaviest body on its one side, and that of the heaviest body on its other side.
 static float load_ratio(const scree_world* world, const int* row, int count)
 {
 	float masses[LEAST_JOINTS], before = 0.0f, ratio = 0.0f;
@@ -116,7 +117,7 @@ static void add_chain(ChainSearch* s, int joint)
 	bool ring = next_joint(s, first_body, first) >= 0;
 	int count = chain_list(s, first, &last_body);
 	if (ring)
-		--count; // the last joint shares bodies with the first, so it is solved outside the chain
+		--count; // the last joint shares bodies with the first one, so it is solved outside the chain
 	else
 	{
 		begin = !own(s, first_body);
@@ -130,7 +131,7 @@ static void add_chain(ChainSearch* s, int joint)
 	float ratio = row_ratio(world, row, joints);
 	if (ratio > MOST_RATIO || (joints < LEAST_JOINTS && ratio < LEAST_RATIO))
 		return;
-	// true for a cart on light wheels: its ends are light, but all bodies between two joints are heavy
+	// true for a cart on light wheels: the ends of the chain are light, but all bodies between them are heavy
 	bool carried = joints < LEAST_JOINTS && load_ratio(world, row, joints) < LEAST_RATIO;
 	s->layout.rows[s->layout.count++] = (ChainRow){.first = begin, .count = joints, .carried = carried};
 	s->joints = begin + joints;

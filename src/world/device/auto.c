@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// auto.c -- device "auto": a world begins on the CPU, and moves to the device on which its steps take less time.
-// A thread opens the GPU when the time that it may save in the expected steps exceeds the time to open it. A trial on
-// the other device begins when its cost is a small part of the time that the world has worked so far. Both devices
+// auto.c -- device "auto": a world begins on the CPU, and moves to the device on which its steps take less time. A
+// thread opens the GPU when the time that the GPU may save in the expected steps exceeds the time to open it. A trial
+// on the other device begins when its cost is a small part of the time that the world has worked so far. Both devices
 // compute the same bits, so measured times may decide.
 #include "world/device/auto.h"
 #include "platform/error.h"
@@ -16,31 +16,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-// minimum number of further steps expected of a world; after more steps than that, as many again are expected
+// minimum number of further steps expected of a world; a world that made more steps is expected to make as many again
 #define HORIZON 500
 
-// ms: minimum time of a step on a GPU. An H200 takes 0.13 ms for 10,000 boxes (scene pyramids), hardly less for fewer.
+// ms: assumed time of a small world's step on a GPU. An H200 takes 0.13 ms for 10,000 boxes (scene pyramids) or fewer.
 #define LEAST_STEP 0.15
 
-// Assumed time of a step on the CPU before a step is measured, ms per body and thread. It is less than the measured
+// ms per body and thread: assumed time of a step on the CPU before one is measured. It is less than the measured
 // time of any scene (pyramids on 16 threads: 5e-4), so only very large worlds open the GPU before their first step.
 #define BODY_STEP 4e-4
 
 // ms: assumed time to open a GPU. An idle machine with an H200 and a cached program takes 215 to 235 ms.
 #define OPENING 230
 
-#define MOVE_SPEED 4e6 // assumed speed of copying a world, bytes per ms: less than the bus of any fast GPU
+#define MOVE_SPEED 4e6 // bytes per ms: assumed speed of copying a world, less than the bus of any fast GPU
 
 // Number of steps of a trial. The first step is not counted, because the caches are cold. A trial ends early when it
 // has taken as long as TRIAL_LIMIT steps of the other device.
 #define TRIAL_STEPS 4
 #define TRIAL_LIMIT 20
 
-// A trial begins when the world has worked PATIENCE times as long as the last trial took: LIKELY_PATIENCE times if the
-// predicted step of the other device takes less than LIKELY of the current time. Each failed trial doubles the delay.
+// A trial begins when the world has worked PATIENCE times as long as the last trial took. LIKELY_PATIENCE times suffice
+// if the other device's predicted step takes less than LIKELY of the current time. Each failed trial doubles the delay.
 #define PATIENCE        100
 #define LIKELY_PATIENCE 20
-#define LIKELY          0.8 // share of the current time of a step
+#define LIKELY          0.8 // fraction of the time of a step on the current device
 #define MOST_FAILURES   10
 
 static atomic_int async_open_milliseconds = OPENING; // last measured time to open a GPU in this process
@@ -67,8 +67,8 @@ static int compare_times(const void* a, const void* b)
 	return (x > y) - (x < y);
 }
 
-// Returns a quantile of the times of the last steps, ms; not their mean, because other work disturbs single steps.
-// share 0: shortest time; 0.5: median. The first step after a move counts only if there is no other step.
+// ms: Returns a quantile of the times of the last steps, because other work disturbs single steps and so the mean.
+// share: 0 for the shortest time, 0.5 for the median. The first step after a move counts only if it is the only one.
 static double meter_step(const StepMeter* m, double share)
 {
 	double sorted[RECENT_STEPS];
@@ -90,7 +90,7 @@ static double least_step(const scree_world* world, const Backend* b)
 	return b->distant ? LEAST_STEP : BODY_STEP * world->bodies.alive / b->threads;
 }
 
-// Returns the predicted time of a step on the other device, ms: on a CPU proportional to the work, on a GPU constant.
+// ms: Returns the predicted time of a step on the other device: on a CPU proportional to the work, on a GPU constant.
 static double predicted_step(scree_world* world)
 {
 	const Backend* other = world->auto_device.other;

@@ -8,10 +8,10 @@
 void auto_open(scree_world* world, CompareDevice* compare);
 void auto_close(scree_world* world);
 
-// Records the time of the last step, and moves the world if that pays. Called before a step; fails if the world breaks.
+// Records the time of the last step, and moves the world if that pays. Called before a step. Fails if the world breaks.
 scree_status auto_choose(scree_world* world);
 
-// auto_clock returns the current time, ms. auto_count adds the time from since to now to the time of the current step.
+// auto_clock returns the current time, ms. auto_count adds the time since `since` to the time of the current step.
 double auto_clock(void);
 void auto_count(scree_world* world, double since);
 

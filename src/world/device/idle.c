@@ -9,7 +9,7 @@
 #define IDLE  0
 #define MOVES 255
 
-// number of steps until values repeat: the first step moves boxes, the second clears the marks of moved boxes
+// number of steps until no value changes: the first step moves boxes, the second clears the marks of moved boxes
 #define SETTLING 2
 
 static void touch(IdleBlocks* list, int index)
@@ -104,7 +104,7 @@ void idle_begin(scree_world* world)
 		int used = kind == ACTIVE_BODIES ? world->bodies.used : world->collidables.used;
 		world->backend->active[kind] = (ActiveBlocks){0};
 		if (!reserve(list, (used + ACTIVE_ITEMS - 1) / ACTIVE_ITEMS))
-			continue; // if there is no memory, no block is skipped
+			continue; // no memory for the list: no block is skipped
 		if (list->stale)
 		{
 			list->count = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // idle.h -- finds the blocks of bodies and of collidables that no step changes, which a CPU skips. For unchanged static
 // bodies, the kernels would only write values that are already stored. So a block is idle if it has only static items
-// and free slots, and some steps have passed since the last change. The results have the same bits.
+// and free slots, and some steps have passed since its last change. Skipping it changes no bit of the results.
 #ifndef IDLE_H
 #define IDLE_H
 #include "scree/scree.h"
@@ -15,7 +15,7 @@ void idle_forget(scree_world* world);
 // Passes the active blocks to the backend. Must be called before each step.
 void idle_begin(scree_world* world);
 
-// Updates the states of the blocks. Must be called after each step with dt above 0.
+// Updates the states of the blocks. Must be called after each step whose dt is above 0.
 void idle_end(scree_world* world);
 
 void idle_close(scree_world* world);

@@ -14,7 +14,7 @@
 
 static int smaller(int a, int b) { return a < b ? a : b; }
 
-// Returns the number of items of a kind that outlive a step. Slots of pending edits may exceed the capacity.
+// Returns the number of items of a kind that outlive a step. Slots of pending edits beyond the capacity do not count.
 static int lasting_items(const scree_world* world, Per per)
 {
 	const Counters* c = &world->pipeline.counters;
@@ -52,7 +52,7 @@ static int lasting_items(const scree_world* world, Per per)
 	case PER_ONE:
 		return 1;
 	default:
-		return 0; // scratch. Nodes of trees are computed on the new device; copy_all copies the leaves
+		return 0; // scratch pools. Nodes of trees are computed on the new device; copy_all copies the leaves
 	}
 }
 
@@ -111,7 +111,7 @@ static scree_status copy_all(Move* m)
 		TRY(copy(m, POOL_leaf, t * from->capacity[PER_COLLIDABLE], t * to->capacity[PER_COLLIDABLE],
 		         world->pipeline.trees[t].tree.leaves));
 
-	// reading the counters also stores them in the backend, waits for the writes, and reports failed writes
+	// this read also stores the counters in the backend, waits for the writes, and reports failed writes
 	Counters counters;
 	return to->f->read(to, POOL_counters, 0, 1, &counters);
 }

@@ -4,13 +4,13 @@
 #define OPEN_ASYNC_H
 #include "world/auto_state.h"
 
-// Begins to open a device on a new thread. device: name of the device, or null for any GPU. After opening, the thread
-// calls compare, and closes the device again if compare fails. Returns null if there is no memory or no thread.
+// Begins to open a device on a new thread. device: name of the device, or null for any GPU. The thread then calls
+// `compare`, and closes the device again if the comparison fails. Returns null if there is no memory or no thread.
 AsyncOpen* async_open_begin(const scree_world_def* def, const char* device, CompareDevice* compare);
 bool async_open_done(const AsyncOpen* opening);
 
-// Waits for the thread, and releases opening. Sets *backend to the open device, and *milliseconds to the time to open
-// it, without compare. If opening or compare failed, sets *backend to null, and fails with the thread's message.
+// Waits for the thread, and releases `opening`. Sets *backend to the open device, and *milliseconds to the time to open
+// it, without `compare`. If opening or `compare` failed, sets *backend to null, and fails with the thread's message.
 scree_status async_open_end(AsyncOpen* opening, Backend** backend, double* milliseconds);
 
 #endif

@@ -7,12 +7,12 @@
 #include <math.h>
 #include <string.h>
 
-// Bounds of the margin of an enlarged box, m. Between them, the margin is an eighth of the shape's size. With a larger
-// margin, more pairs are found that do not touch; with a smaller margin, bodies leave their boxes more often.
+// m: bounds of the margin of an enlarged box. Between the bounds, the margin is an eighth of the shape's size. With a
+// larger margin, more pairs are found that do not touch; with a smaller one, bodies leave their boxes more often.
 #define LEAST_MARGIN 0.01f
 #define MOST_MARGIN  0.1f
 
-// Returns a hash of all bytes (FNV-1a: Fowler, Noll, Vo, 1991), never 0.
+// Returns a hash of all bytes of a definition (FNV-1a: Fowler, Noll, Vo, 1991), never 0.
 static uint32_t name_of(const scree_attribute_def* def)
 {
 	uint32_t hash = 2166136261u;
@@ -22,7 +22,7 @@ static uint32_t name_of(const scree_attribute_def* def)
 	return hash ? hash : 1;
 }
 
-// Returns the entry of the table with these values, or the empty entry to use for them. name: hash of the values.
+// Returns the entry of an attribute in the table, or the empty entry to use for it. name: hash of its values.
 static int* find(const scree_world* world, uint32_t name, const scree_attribute_def* def)
 {
 	uint32_t mask = (uint32_t)world->attribute_table_size - 1;
@@ -35,7 +35,7 @@ static int* find(const scree_world* world, uint32_t name, const scree_attribute_
 	}
 }
 
-// Removes an entry from the table. Moves the entries behind it closer to the positions that their hashes give.
+// Removes an entry from the table. Moves the entries behind it back toward the positions that their hashes give.
 static void forget(scree_world* world, int* entry)
 {
 	int* table = world->attribute_table;

@@ -7,8 +7,8 @@
 // Reserves memory for more collidables, so that collidable_put cannot fail. The caller must also call edits_reserve.
 scree_status collidables_reserve(scree_world* world, const char* function, int more);
 
-// Allocates slots. slots contains the kind of each collidable, which is replaced by its slot. Inserts a leaf for each
-// collidable unless its kind is KIND_DEAD. On failure, no slot is allocated.
+// Allocates slots. Replaces each kind of collidable in `slots` by a slot. Inserts a leaf for each collidable unless its
+// kind is KIND_DEAD. On failure, no slot is allocated.
 scree_status collidables_allocate(scree_world* world, int* slots, int count);
 
 // Creates a collidable in a slot, and appends it to the list of its body, if it has one.
@@ -17,7 +17,7 @@ void collidable_remove(scree_world* world, int index);
 
 int collidable_kind(const scree_world* world, int index); // also KIND_DEAD if the body is disabled
 int device_kind(const scree_world* world, int index);     // kind as stored on the device, with KIND_SENSOR for a sensor
-int kind_on_body(const scree_world* world, int body);     // kind of a collidable on a body; body -1: no body
+int kind_on_body(const scree_world* world, int body);     // kind of a collidable on a body; body: -1 for no body
 int kind_of_type(scree_body_type type);
 
 static inline int tree_of_kind(int kind) { return kind == KIND_STATIC; }

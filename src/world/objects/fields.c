@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// fields.c -- keeps the slots of fields, and uploads the active fields. Fields are few and change seldom, so after a
+// fields.c -- keeps the slots of fields, and uploads the active fields. Fields are few and rarely change, so after a
 // change all active fields are uploaded, without gaps. Up to FIELD_FEW fields are in the order of their slots. A larger
-// number of fields is sorted, so that boxes around neighbors are small: fields without a region, fields in the world along the curve of
-// Morton (A Computer Oriented Geodetic Data Base, 1966), fields on bodies. The order depends only on the user's calls.
+// number of fields is sorted, so that boxes around neighbors are small: fields without a region, fields in the world
+// along the curve of Morton (A Computer Oriented Geodetic Data Base, 1966), fields on bodies. The order depends only on
+// the user's calls.
 #include "world/objects/fields.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
@@ -73,7 +74,7 @@ static Field field_row(const HostField* host)
 	const scree_field_def* def = &host->def;
 	const uint64_t all = ~(uint64_t)0;
 	Field row;
-	memset(&row, 0, sizeof row); // the hash also reads the padding
+	memset(&row, 0, sizeof row); // the padding is cleared, because the hash also reads it
 	shape_row(&def->shape, &row.shape);
 	row.pose = pose_row(def->pose);
 	row.category = def->category;

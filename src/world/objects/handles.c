@@ -54,7 +54,7 @@ static Names names_of(const Slots* slots) { return (Names){slots->generation, sl
 Names collidable_names(const scree_world* world) { return names_of(&world->collidables); }
 Names body_names(const scree_world* world) { return names_of(&world->bodies); }
 
-// Indices in handles begin at 1, so a handle of a body that is passed for a collidable is detected more often.
+// Indices in handles begin at 1, unlike slots, so a body's handle passed for a collidable is detected more often.
 scree_collidable collidable_handle(const scree_world* world, int index)
 {
 	return (scree_collidable){(uint32_t)index + 1, world->collidables.generation[index]};
@@ -73,8 +73,8 @@ scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_
 	return SCREE_OK;
 }
 
-// Returns the generation in an attribute's handle: for the first attribute in a slot a hash of its values, so that
-// handles of another world are accepted only for equal values; for later attributes in the slot another number.
+// Returns the generation in an attribute's handle. For the first attribute in a slot, it is a hash of its values, so
+// that handles of another world are accepted only for equal values; for later ones it is another number.
 static uint32_t generation_of(const scree_world* world, int index)
 {
 	uint32_t before = world->attribute_slots.generation[index] >> 1;

@@ -4,7 +4,7 @@
 #define JOINT_CHECK_H
 #include "world/check.h"
 
-// Checks the numbers of a coordinate. at: the definition to which messages refer; at.index may be ALONE.
+// Checks the numbers of a coordinate. at: the definition that messages name; at.index may be the constant ALONE.
 scree_status check_coordinate(ArgumentPlace at, scree_joint_type type, scree_coordinate which,
                               const scree_joint_coordinate* c);
 

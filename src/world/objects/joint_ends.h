@@ -4,7 +4,7 @@
 #define JOINT_ENDS_H
 #include "world/world.h"
 
-// Return the joint of an end, and the next end in its body's list. Ends are passed as 1 + end, 0 for none.
+// Return the joint of an end, and the next end in the list of its body. Ends are passed as 1 + end, 0 for none.
 static inline int joint_of_end(int end) { return (end - 1) / 2; }
 static inline int joint_next(const scree_world* world, int end)
 {

@@ -19,7 +19,7 @@ scree_status joints_reserve(scree_world* world, const char* function, int more)
 	if (!slots_reserve(&world->joints, more))
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "%s: no memory for %d more joints", function, more);
 	TRY(edits_reserve(world, function, 0, 0, 2 * more));
-	// a joint is in the list of pending joints at most once
+	// the list of pending joints contains a joint at most once
 	TRY(GROW(function, world->edits.joints, world->edits.joint_capacity, world->joints.capacity));
 	return GROW(function, world->host_joints, world->host_joint_capacity, world->joints.capacity);
 }
@@ -186,7 +186,7 @@ static int joint_modes(const scree_joint_def* def)
 	return modes | JOINT_COUPLED;
 }
 
-// Returns side k of a coupling; a default for other joints, whose sides are not checked and may not be finite.
+// Returns side k of a coupling. For other joints, whose sides are not checked and may not be finite, returns a default.
 static scree_joint_side side_of(const scree_joint_def* def, int k)
 {
 	return joint_couples(def->type) ? def->sides[k] : (scree_joint_side){.base.rotation.c = 1.0f};
@@ -254,7 +254,7 @@ static bool is_unlocked(const scree_world* world, int index)
 	return false;
 }
 
-// Returns whether forces cannot move one of the two bodies of a joint.
+// Returns whether no force can move one of the two bodies of a joint.
 static bool is_tether(const scree_world* world, int index)
 {
 	const int* bodies = world->host_joints[index].bodies;

@@ -7,7 +7,7 @@
 
 scree_status joints_reserve(scree_world* world, const char* function, int more);
 
-// Passes the anchors of a joint to its bodies, for their masses. The caller has reserved memory for two commands.
+// Passes the anchors of a joint to its bodies, to raise their inertia. The caller has reserved memory for two commands.
 void joint_anchors(scree_world* world, int index);
 
 // Creates a joint, and returns its slot. The caller has reserved memory, and checked the definition.
@@ -21,7 +21,7 @@ void joint_changed(scree_world* world, int index, bool restarts);
 void body_joints_changed(scree_world* world, int body);
 void body_joints_remove(scree_world* world, int body);
 
-// Makes a body's joints on paths search for the nearest part of the path, after the body was placed elsewhere.
+// Makes a body's joints on paths search for the nearest part of the path again, after the body was placed elsewhere.
 void body_joints_seek(scree_world* world, int body);
 
 enum
@@ -31,7 +31,7 @@ enum
 #include "world/objects/joint_presets.def"
 };
 
-// Returns whether a type is a gear or a pulley, which have only the coordinate along.
+// Returns whether a type of joint is a gear or a pulley, which have only the coordinate along.
 static inline bool joint_couples(scree_joint_type type)
 {
 	return type == SCREE_JOINT_GEAR || type == SCREE_JOINT_PULLEY;

@@ -7,8 +7,9 @@
 #include "world/shape/geometry.h"
 #include <math.h>
 
-// Minimum squared radius of gyration, as a share of the squared longest arm of a body. With less, equations for joints
-// keep no digit of the mass: a chain of beads of 2 mm, welded at arms of 0.5 m, became 1e25 times as fast in a step.
+// Minimum of the squared radius of gyration, as a fraction of the squared longest arm of a body. With less,
+// equations of joints keep no digit of the mass: a chain of beads of 2 mm, welded at arms of 0.5 m, got 1e25 times
+// faster in a step.
 #define LEAST_GYRATION 1.0e-3
 
 static scree_mass massless(scree_body_type type)
@@ -16,7 +17,7 @@ static scree_mass massless(scree_body_type type)
 	return (scree_mass){.mass = type == SCREE_BODY_DYNAMIC ? 1.0f : 0.0f};
 }
 
-// Adds the collidables of a body to its sums, beginning after the collidable that was added last.
+// Adds the collidables of a body to its sums, beginning after the last one that the sums contain.
 static void add_parts(const scree_world* world, MassSums* sums)
 {
 	int k = sums->last < 0 ? world->host_bodies[sums->body].first_collidable : world->host_collidables[sums->last].next;
@@ -33,7 +34,7 @@ static void add_parts(const scree_world* world, MassSums* sums)
 	}
 }
 
-// Returns the mass and the center that follow from the sums. The inertia is 0.
+// Returns the mass and its center that follow from the sums. Sets the inertia to 0.
 static scree_mass mass_of_sums(const MassSums* sums)
 {
 	if (sums->mass == 0.0)
@@ -41,7 +42,7 @@ static scree_mass mass_of_sums(const MassSums* sums)
 	return (scree_mass){(float)sums->mass, 0.0f, {(float)(sums->x / sums->mass), (float)(sums->y / sums->mass)}};
 }
 
-// Returns the inertia about the common center, by the parallel axis theorem.
+// Returns the inertia about the common center of mass, by the parallel axis theorem.
 static float inertia_of_sums(const scree_world* world, const MassSums* sums)
 {
 	if (sums->mass == 0.0)
@@ -78,7 +79,7 @@ scree_mass mass_now(const scree_world* world, int body)
 	return lacks ? mass_of_body(world, body) : world->host_bodies[body].mass;
 }
 
-// Returns the distance of a point from the center of mass, m. hypotf is not used, because it differs between systems.
+// m: Returns the distance of a point from the center of mass, without hypotf, whose bits differ between systems.
 static float arm_of(const HostBody* host, scree_vec point)
 {
 	double x = point.x - host->mass.center.x, y = point.y - host->mass.center.y;
@@ -94,7 +95,8 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / (host->mass.inertia > least ? host->mass.inertia : least) : 0.0f;
 }
 
-// Returns the longest arm, m: to joints' anchors, and to solid shapes if the user set the mass, which may not fit them.
+// m: Returns the longest arm to anchors of joints; also to solid shapes if the user set the mass, which may not fit
+// them.
 static float longest_arm(const scree_world* world, const HostBody* host)
 {
 	float most = 0.0f;
@@ -121,7 +123,7 @@ ContinuousBody continuous_row(scree_world* world, int body)
 	for (int k = host->first_collidable; host->type == SCREE_BODY_DYNAMIC && k >= 0;
 	     k = world->host_collidables[k].next)
 	{
-		// continuous collision adds the components of the arm, at most 1.4143 times its length; 0.1 % more for rounding
+		// continuous collision uses |x| + |y| of the arm, at most 1.4143 times its length; 0.1 % more for rounding
 		const HostCollidable* collidable = world->host_collidables + k;
 		float way = CONTINUOUS_TRAVEL * attribute_thickness(world, collidable->attribute);
 		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach +
@@ -163,7 +165,7 @@ static void send_mass(scree_world* world, int body, scree_mass mass)
 	HostBody* host = world->host_bodies + body;
 	host->mass = mass;
 	host->arm = longest_arm(world, host);
-	world->chains_stale |= host->first_joint > 0; // chains depend on ratios of masses
+	world->chains_stale |= host->first_joint > 0; // ratios of masses decide which joints are chains
 	mass_command(world, body);
 }
 
@@ -211,7 +213,7 @@ void mass_settle(scree_world* world)
 	edits_whole(world, continuous_command(world, sums->body));
 }
 
-// Adds new collidables to the mass of a dynamic body. The body had no other change since the last call for it.
+// Adds new collidables to the mass of a dynamic body that had no other change since the last such call.
 static void gain(scree_world* world, int body)
 {
 	MassSums* sums = &world->mass_sums;
@@ -246,7 +248,7 @@ void masses_update(scree_world* world, const int* bodies, int count, bool gained
 		world->host_bodies[bodies[k]].marked = false;
 		world->host_bodies[bodies[k]].own_mass = (scree_mass){0};
 		if (world->host_bodies[bodies[k]].type != SCREE_BODY_DYNAMIC)
-			// the list of the body may begin with another collidable
+			// the list of the body may now begin with another collidable
 			edits_whole(world, continuous_command(world, bodies[k]));
 		else if (gained)
 			gain(world, bodies[k]);

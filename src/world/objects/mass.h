@@ -14,7 +14,7 @@ scree_mass mass_now(const scree_world* world, int body);
 float mass_inverse(const HostBody* host);
 float mass_inverse_inertia(const HostBody* host);
 
-// Return the row of a body in the pool continuous_body, and the command that sets it. May lower
+// Return the row of a body in the pool continuous_body, and the command that sets it. Both may lower
 // Pipeline.continuous_way, and raise Pipeline.continuous_reach.
 ContinuousBody continuous_row(scree_world* world, int body);
 Command continuous_command(scree_world* world, int body);
@@ -22,26 +22,26 @@ Command continuous_command(scree_world* world, int body);
 // Records an anchor of a joint in the body's frame, which may raise the inertia. Needs reserved memory for one command.
 void mass_anchor(scree_world* world, int body, scree_vec anchor);
 
-// Updates the mass after a collidable became a sensor or solid. body -1: none. Needs reserved memory for one command.
+// Updates the mass after a collidable became a sensor or solid. body: -1 for none. Needs memory for one command.
 void mass_touches(scree_world* world, int body);
 
 // Sets the mass of a body on the host and on the device. Needs reserved memory for two commands.
 void mass_set(scree_world* world, int body, scree_mass mass);
 
-// Sets a mass that the user gave. It is kept, even while the body is not dynamic, until the collidables of the body
-// change. Needs reserved memory for two commands.
+// Sets a mass that the user gave. It is kept, even while the body is not dynamic, until the body gets or loses a
+// collidable. Needs reserved memory for two commands.
 void mass_own(scree_world* world, int body, scree_mass mass);
 
-// Recomputes the mass of each dynamic body in a list, once each; the mass is then no longer that of the user. Records
-// the ContinuousBody of all other bodies. An entry of -1 is no body. gained: the bodies only got collidables, so the
-// next mass_settle computes the inertia, with a command for which edits_reserve has left memory. Otherwise, n
+// Recomputes the mass of each dynamic body in a list, once each, in place of a mass that the user set. Records the
+// ContinuousBody of all other bodies. An entry of -1 is no body. gained: the bodies only got collidables, so the next
+// mass_settle computes the inertia, with a command for which edits_reserve has left memory. If each call computed it, n
 // collidables created one by one would need sums over n^2 / 2 of them.
 void masses_update(scree_world* world, const int* bodies, int count, bool gained);
 
-// Computes the pending inertia. Needed before uploads, reads of the inertia, and commands that depend on the inertia.
+// Computes the pending inertia. Called before uploads, and before reads and commands that depend on the inertia.
 void mass_settle(scree_world* world);
 
-// Discards the sums for a body. Its mass is set in another way, or the body is about to be destroyed.
+// Discards the sums of a body whose mass is set in another way, or which is about to be destroyed.
 void mass_forget(scree_world* world, int body);
 
 #endif

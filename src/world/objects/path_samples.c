@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // path_samples.c -- computes the samples of a path: a cubic spline through its points, and its arc length. The
 // curvature is continuous, so the force on a body that follows the spline has no jumps. The parameter is the sum of the
-// distances between successive points. Only + - * / and square roots of doubles are used, so every machine computes the
-// same bits.
-// This work is based on: Carl de Boor, A Practical Guide to Splines, 1978: slopes of a spline, and its ends; Michael
-// Floater, Chordal Cubic Spline Interpolation is Fourth-Order Accurate, 2006: the parameter.
+// distances between successive points. Doubles with + - * / and square roots are used, nothing else, so every machine
+// computes the same bits. This work is based on: Carl de Boor, A Practical Guide to Splines, 1978: slopes of a spline,
+// and its ends; Michael Floater, Chordal Cubic Spline Interpolation is Fourth-Order Accurate, 2006: the parameter.
 #include "world/objects/path_samples.h"
 #include <math.h>
 
-#define MOST_TURN 1.0 // rad: largest turn of the tangent between two samples; limits the curvature of cusps
+#define MOST_TURN 1.0 // rad: maximum turn of the tangent between two samples; limits the curvature of cusps
 
 typedef struct // vector of doubles
 {
@@ -17,7 +16,7 @@ typedef struct // vector of doubles
 
 typedef struct // equations for the slopes m: before[k] m[k - 1] + own[k] m[k] + behind[k] m[k + 1] = right[k]
 {
-	double *before, *own, *behind, *length; // length: length of the chord behind each point
+	double *before, *own, *behind, *length; // length: distance from each point to the next
 	Double2 *slope, *wrap;                  // slope: right sides, later the solution; wrap: terms that close a ring
 } System;
 
@@ -33,7 +32,7 @@ static Double2 chord(const scree_vec* points, int count, int k)
 	return (Double2){(double)b.x - a.x, (double)b.y - a.y};
 }
 
-// Sets up the equations. The second derivative is continuous at inner points; an open end has that of its neighbor.
+// Sets up the equations. The second derivative is continuous at inner points; an open end has that of the next point.
 static void set_up(const scree_vec* points, int count, bool closed, System* s)
 {
 	for (int k = 0; k < count; ++k)
@@ -63,8 +62,8 @@ static void set_up(const scree_vec* points, int count, bool closed, System* s)
 	s->slope[end] = (Double2){(1.0 + both) * last.x / s->length[end - 1], (1.0 + both) * last.y / s->length[end - 1]};
 }
 
-// Solves the equations by elimination. The equations of a ring are first solved without their two corner elements; a
-// correction for these follows. Source: Jack Sherman, Winifred Morrison, 1950.
+// Solves the equations by elimination. The equations of a ring are first solved without their two corner elements, then
+// corrected for them. Source: Jack Sherman, Winifred Morrison, 1950.
 static void solve(int count, bool closed, System* s)
 {
 	int end = count - 1;
@@ -106,7 +105,7 @@ static void solve(int count, bool closed, System* s)
 	}
 }
 
-typedef struct // span between two points as a cubic in t: 0 at the first point, 1 at the second
+typedef struct // cubic in t between two points: t is 0 at the first point, 1 at the second
 {
 	Double2 from, m1, m2, m3;
 } Cubic;
@@ -133,7 +132,7 @@ static double pace_at(const Cubic* c, double t)
 	return sqrt(v.x * v.x + v.y * v.y);
 }
 
-// Returns the length of a part of a span, from t = from to from + share, by Gauss quadrature with three points.
+// Returns the length of a span from t = `from` to `from` + `share`, by Gauss quadrature with three points.
 static double length_of(const Cubic* c, double from, double share)
 {
 	static const double offset = 0.7745966692414834; // sqrt(3 / 5)
@@ -142,12 +141,12 @@ static double length_of(const Cubic* c, double from, double share)
 	return share * sum / 18.0;
 }
 
-// Returns the sample of a span at parameter t. chord_length: of the span; along, length: members of the sample.
+// Returns the sample of a span at parameter t. chord_length: that of the span; along, length: members of the sample.
 static PathSample sample_at(const Cubic* c, double t, double chord_length, double along, double length)
 {
 	Double2 v = speed_at(c, t), a = {2.0 * c->m2.x + 6.0 * t * c->m3.x, 2.0 * c->m2.y + 6.0 * t * c->m3.y};
 	double pace = sqrt(v.x * v.x + v.y * v.y), most = MOST_TURN / length;
-	// if the curve turns back here, the derivative is 0; the tangent is then the direction of the chord
+	// the derivative is 0 if the curve turns back here; the tangent is then the direction of the chord
 	bool stands = !(pace > 1e-6 * chord_length);
 	Double2 d = {c->m1.x + c->m2.x + c->m3.x, c->m1.y + c->m2.y + c->m3.y};
 	Double2 u = stands ? (Double2){d.x / chord_length, d.y / chord_length} : (Double2){v.x / pace, v.y / pace};

@@ -6,8 +6,8 @@
 #include "scree/scree.h"
 #include <stdbool.h>
 
-// Number of samples per span, which goes from one point to the next. Cubics between samples deviate by angle^4 / 384 of
-// a circle's radius: 2.4e-7 with 8 points on the full circle. The curve through 8 points itself deviates by 1.2e-3.
+// Number of samples per span, which goes from one point to the next. Cubics between samples deviate from a circle by
+// angle^4 / 384 of its radius: 2.4e-7 with 8 points on the full circle. The curve itself deviates by 1.2e-3.
 #define PATH_SHARES 8
 
 static inline int path_spans(int points, bool closed) { return points - !closed; }
@@ -15,7 +15,7 @@ static inline int path_spans(int points, bool closed) { return points - !closed;
 // Returns the number of doubles that path_sample needs as work memory.
 static inline size_t path_work(int points) { return (size_t)points * 8; }
 
-// Writes PATH_SHARES samples for each span, and one for the last point. Neighboring points must differ.
+// Writes PATH_SHARES samples for each span, and one for the last point. Each point must differ from the next one.
 void path_sample(const scree_vec* points, int count, bool closed, double* work, PathSample* samples);
 
 #endif

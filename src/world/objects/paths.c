@@ -8,7 +8,7 @@
 #include "world/objects/path_samples.h"
 #include <math.h>
 
-// Returns the position of the first gap for count samples. Sets *before to 1 + index of the path before it, or to 0.
+// Returns the position of the first gap for `count` samples. *before: 1 + index of the path before the gap, or 0.
 static int find_place(const scree_world* world, int count, int* before)
 {
 	int end = 0;

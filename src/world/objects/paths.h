@@ -7,7 +7,7 @@
 
 #define MOST_PATH_POINTS 65536
 
-// Creates a path, and sets *index to its slot. The points must have been checked. On failure nothing has changed.
+// Creates a path, and sets *index to its slot. The points must have been checked. A failure changes nothing.
 scree_status path_put(scree_world* world, const char* function, const scree_path_def* def, int* index);
 void path_remove(scree_world* world, int index);
 
@@ -17,7 +17,7 @@ static inline PathCurve path_curve_of(const scree_world* world, int index)
 	return path_curve(host->samples, host->segments);
 }
 
-// Returns point and tangent of a path at an arc length, m, clamped on an open path, and repeated on a closed path.
+// Returns point and tangent of a path at an arc length, m. An open path clamps the length; a closed path repeats.
 scree_pose path_pose_at(const scree_world* world, int index, float along);
 
 scree_status upload_paths(scree_world* world);

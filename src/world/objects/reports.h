@@ -10,7 +10,7 @@ scree_status reports_reserve(scree_world* world, const char* function);
 // Stores the name of a collidable that is about to be destroyed.
 void reports_depart(scree_world* world, int index);
 
-// Prepares the pipeline for the events that a collidable reports from now on. reports: SCREE_REPORT_* bits.
+// Prepares the pipeline for the events that a collidable reports after this call. reports: SCREE_REPORT_* bits.
 void reports_note(scree_world* world, uint32_t reports);
 uint64_t allowed_hash(const scree_world* world);
 
@@ -23,8 +23,8 @@ void reports_stepped(scree_world* world);
 // Reads the events of the last step, unless they have been read. Must be called before later changes are uploaded.
 scree_status reports_fetch(scree_world* world);
 
-// Returns the name of the collidable that had a slot in the last step; if before is set, of a collidable that left the
-// slot between the last two steps, if there is one. Sets *destroyed to whether this collidable has been destroyed.
+// Returns the name of the collidable that had a slot in the last step; with `before`, of one that left the slot between
+// the last two steps, if there is one. Sets *destroyed to whether this collidable has been destroyed.
 CollidableName reports_name(const scree_world* world, int index, bool before, int* destroyed);
 
 void reports_close(scree_world* world);

@@ -39,7 +39,7 @@ void sensors_forget(scree_world* world)
 	world->sensors.ended_count = 0;
 }
 
-// Returns whether a collidable was created, or got another shape, after the step before the last.
+// Returns whether a collidable was created, or got another shape, after the last step but one.
 static bool is_new(const scree_world* world, int index)
 {
 	return slots_in_use(&world->collidables, index) && world->host_collidables[index].born >= world->pipeline.steps - 1;
@@ -111,7 +111,7 @@ static void compare_visits(scree_world* world, const Visit* found, int count)
 	s->visit_count = kept;
 }
 
-// Finds the visits on the device, and sets *count to their number. The visits are in Sensors.found, sorted.
+// Finds the visits on the device, stores them sorted in Sensors.found, and sets *count to their number.
 static scree_status ask(scree_world* world, const char* function, int* count)
 {
 	Sensors* s = &world->sensors;

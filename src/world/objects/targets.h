@@ -9,12 +9,12 @@
 // Reserves memory for more targets, so that target_put cannot fail.
 scree_status targets_reserve(scree_world* world, const char* function, int more);
 
-// Sets the target of a kinematic body. pose: of the body's origin.
+// Sets the target of a kinematic body. pose: target pose of the body's origin.
 void target_put(scree_world* world, int body, scree_pose pose);
 void target_drop(scree_world* world, int body);
 
-// Returns the commands of a step for bodies with targets, in memory of world_scratch. Before the step they set the
-// velocity to the target; after the step, the exact pose and velocity 0. After a refused step they set velocity 0, and
+// Returns the commands of a step for bodies with targets, in memory of world_scratch. Those before the step set the
+// velocity to the target; those after it, the exact pose and velocity 0. Those after a refused step set velocity 0, and
 // the targets remain. Disabled bodies keep their targets.
 scree_status targets_commands(scree_world* world, StepCommands* commands);
 

@@ -17,15 +17,15 @@ scree_vec pose_point(scree_pose pose, scree_vec p)
 	return (scree_vec){pose.position.x + (q.c * p.x - q.s * p.y), pose.position.y + (q.s * p.x + q.c * p.y)};
 }
 
-#define WELD_SIZES 20.0 // polygons of at least WELD_SIZES * WELD_DISTANCE have the full tolerances
+#define WELD_SIZES 20.0 // polygons of at least WELD_SIZES * WELD_DISTANCE, m, have the full tolerances
 
-typedef struct // sums over the pieces of a shape, about vertex 0, for density 1
+typedef struct // sums over the pieces of a shape with density 1; moments are about vertex 0
 {
 	double area, x, y; // m^2, m^3
 	double inertia;    // m^4
 } Moments;
 
-// Adds a piece with its centroid at (x, y). inertia: about this centroid.
+// Adds a piece with its centroid at (x, y). inertia: inertia about this centroid.
 static void add_piece(Moments* m, double area, double x, double y, double inertia)
 {
 	m->area += area;
@@ -49,7 +49,7 @@ static void fill_mass(scree_shape* shape)
 		double x = (double)v[i].x - v[0].x, y = (double)v[i].y - v[0].y;
 		double nx = (double)v[next].x - v[0].x, ny = (double)v[next].y - v[0].y;
 
-		// triangle of vertex 0 and the edge; if a and b are its sides at vertex 0, its inertia about vertex 0 is area
+		// triangle of vertex 0 and the edge; with a and b for its sides at vertex 0, its inertia about vertex 0 is area
 		// (a.a + a.b + b.b) / 6
 		double area = 0.5 * (x * ny - y * nx), tx = (x + nx) / 3.0, ty = (y + ny) / 3.0;
 		double about_corner = area * (x * x + y * y + x * nx + y * ny + nx * nx + ny * ny) / 6.0;

@@ -4,24 +4,24 @@
 #define GEOMETRY_H
 #include "world/check.h"
 
-#define SMALLEST_SIZE 0.001f // m: least size of a shape
-#define WELD_DISTANCE 0.005f // m: corners closer together count as one corner; smaller in small shapes
-#define FLAT_DISTANCE 0.0005 // m: a corner closer to the line between its neighbors is flat; smaller in small shapes
+#define SMALLEST_SIZE 0.001f // m: minimum size of a shape
+#define WELD_DISTANCE 0.005f // m: corners closer to each other than this count as one corner; smaller in small shapes
+#define FLAT_DISTANCE 0.0005 // m: a corner nearer to the line between its neighbors is flat; smaller in small shapes
 
 typedef struct // the distances WELD_DISTANCE and FLAT_DISTANCE for a polygon of a given size, m
 {
 	double weld, flat;
 } Tolerance;
 
-// Returns the tolerances of a polygon. weld is a twentieth of the largest distance of two points, but from 0.5 mm to
-// WELD_DISTANCE; flat is a tenth of weld. The octagon of the smallest size has edges of 0.77 mm.
+// Returns the tolerances of a polygon. weld is a twentieth of the largest distance between two points, but from 0.5 mm
+// to WELD_DISTANCE; flat is a tenth of weld. An octagon of the smallest size has edges of 0.77 mm.
 Tolerance tolerance_of(const scree_vec* points, int count);
 
-// Checks kind, count, radius and vertices of a shape, and computes all other members; entries beyond count become 0.
-// The thresholds are lower than in scree_shape_make_polygon, so a shape stays valid after rotations and translations.
+// Checks kind, count, radius and vertices of a shape, computes all other members, and clears vertices beyond count. Its
+// thresholds are below those of scree_shape_make_polygon, so a shape stays valid when rotated and translated.
 scree_status shape_finish(ArgumentPlace at, scree_shape* shape);
 
-// Computes the same members without checks. Reverses a clockwise polygon.
+// Computes the same members as shape_finish without checks. Reverses a clockwise polygon.
 void shape_fill(scree_shape* shape);
 
 // Fails if corners do not form a convex polygon, clockwise or counter-clockwise.
@@ -44,13 +44,13 @@ static inline scree_vec rot_vec(scree_rot rotation, scree_vec v)
 	return pose_point((scree_pose){{0.0f, 0.0f}, rotation}, v);
 }
 
-// Returns the rotation that first rotates by b, then by a.
+// Returns the rotation by b followed by the rotation by a.
 static inline scree_rot rot_product(scree_rot a, scree_rot b)
 {
 	return (scree_rot){a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
 }
 
-// Returns the pose in the world of inner, which is given in the frame of outer.
+// Returns the world pose of `inner`, which is given in the frame of the pose `outer`.
 static inline scree_pose pose_product(scree_pose outer, scree_pose inner)
 {
 	return (scree_pose){pose_point(outer, inner.position), rot_product(outer.rotation, inner.rotation)};

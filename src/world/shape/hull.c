@@ -13,7 +13,7 @@ typedef struct
 	Tolerance tolerance;
 } Hull;
 
-// Appends the corners of the hull between a and b, in order. outside: the points to the right of the line from a to b.
+// Appends the hull's corners between corners a and b, in order. outside: the points to the right of the line a b.
 static void add_side(Hull* hull, int a, int b, const int* outside, int outside_count)
 {
 	const scree_vec* p = hull->points;
@@ -31,7 +31,7 @@ static void add_side(Hull* hull, int a, int b, const int* outside, int outside_c
 	if (corner < 0)
 		return;
 
-	// points beyond the first and beyond the second of the two new sides
+	// points beyond the first new side, and points beyond the second one
 	int first[HULL_POINTS], second[HULL_POINTS], first_count = 0, second_count = 0;
 	for (int k = 0; k < outside_count; ++k)
 	{
@@ -46,7 +46,7 @@ static void add_side(Hull* hull, int a, int b, const int* outside, int outside_c
 	add_side(hull, corner, b, second, second_count);
 }
 
-// Removes the flattest corner until no corner is flat. Each removal makes the neighboring corners less flat.
+// Removes the flattest corner until no corner is flat. Each removal makes the corners beside it less flat.
 static void drop_flat(Hull* hull)
 {
 	while (hull->count >= 3)

@@ -9,12 +9,12 @@
 #define DIGIT_BITS 8
 #define DIGITS     (1 << DIGIT_BITS)
 
-typedef struct // sort key of a row (index), and position of the row
+typedef struct // sort key of a row (`index`, its slot), and position of the row
 {
 	uint32_t index, row;
 } Place;
 
-// Sorts places by index (radix sort). Returns the sorted array, places or other. bits: all bits set in any index.
+// Sorts places by index (radix sort). Returns the sorted array: places or other. bits: all bits set in any index.
 static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 {
 	for (int shift = 0; bits >> shift != 0; shift += DIGIT_BITS)

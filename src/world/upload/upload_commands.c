@@ -57,7 +57,7 @@ static PendingEdits* command_waiting(scree_world* world, const Command* c)
 	return &world->host_bodies[c->index].waiting;
 }
 
-// Returns whether command k belongs to an earlier body or collidable of its slot, and must not be applied.
+// Returns whether command k belongs to an earlier body or collidable of the same slot, and must not be applied.
 static bool is_void(scree_world* world, int k)
 {
 	const Edits* p = &world->edits;
@@ -68,13 +68,13 @@ static bool is_void(scree_world* world, int k)
 
 typedef struct // commands grouped by item
 {
-	Command *from, *grouped; // commands in the order of collection; commands in the order of their groups
-	int* begins;             // index in grouped of the first command of each group, and the end of the last group
+	Command *from, *grouped; // commands as collected; commands ordered by group
+	int* begins;             // index in `grouped` of the first command of each group, and the end of the last group
 	int collected, count, groups;
 } Groups;
 
-// Adds the commands of a row, written by the caller behind the last group. They form a group if the user gave no later
-// command for the item. Otherwise they are moved to from, and group_commands groups them with the later commands.
+// Adds the commands of a row, which the caller has written behind the last group. They form a group if the user gave no
+// later command for the item. Otherwise they move to Groups.from, and group_commands groups all.
 static void add_row(Groups* g, const PendingEdits* waiting, int count)
 {
 	if (waiting->group > 0)
@@ -131,7 +131,7 @@ static void group_commands(scree_world* world, Groups* g)
 		++begins[*group];
 	}
 
-	// begins[n] is the size of group n; below it becomes the place of the group's next command, and finally its end
+	// begins[n] is the size of group n; below, it becomes the place of the group's next command, and finally its end
 	begins[0] = g->count;
 	int sum = g->count;
 	for (int n = 1; n <= groups; ++n)

@@ -20,7 +20,7 @@ Float4 body_pose(const BodyRow* row)
 // Writes a new body's values for one pool to *item, which the caller has set to zero.
 static void body_item(scree_world* world, PoolId pool, const BodyRow* row, void* item)
 {
-	// a disabled body has velocity 0; its own velocity is in the pool stored_velocity
+	// the velocity of a disabled body is 0 here; its own velocity is in the pool stored_velocity
 	scree_velocity v = row->velocity, now = row->disabled ? (scree_velocity){0} : v;
 	switch (pool)
 	{
@@ -98,7 +98,7 @@ scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 	for (int pool = 0; pool < POOL_COUNT; ++pool)
 	{
 		size_t bytes = pool_info[pool].bytes;
-		// the pool of reported poses is in use only after the user's first request for moved bodies
+		// the pool of reported poses is used only after the user's first request for moved bodies
 		if (!is_cleared(pool, PER_BODY) && !(pool == POOL_reported_pose && world->pipeline.tells))
 			continue;
 		memset(stage, 0, (size_t)(end - begin) * bytes);
@@ -137,7 +137,7 @@ static scree_status write_attributes(scree_world* world, int first, int count, c
 		((float*)stage)[k] = attribute_thickness(world, first + k);
 	TRY(b->f->write(b, POOL_thickness, first, count, stage));
 	if (!world->ruled)
-		return SCREE_OK; // all rules are zero, and so are new rows of the pool
+		return SCREE_OK; // no attribute has a rule, and new rows of the pool are zero
 	for (int k = 0; k < count; ++k)
 		((Rule*)stage)[k] = attribute_rule(world, first + k);
 	return b->f->write(b, POOL_rule, first, count, stage);

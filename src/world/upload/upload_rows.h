@@ -4,11 +4,11 @@
 #define UPLOAD_ROWS_H
 #include "world/world.h"
 
-// Upload rows begin to end - 1, which have consecutive slots. stage: space for one item of the largest pool per row.
+// Upload rows `begin` to `end` - 1, in consecutive slots. stage: space for one item of the largest pool per row.
 scree_status upload_bodies(scree_world* world, int begin, int end, char* stage);
 scree_status upload_collidables(scree_world* world, int begin, int end, char* stage);
 
-// Uploads all pending attributes, destroyed attributes with their old values. stage: space for an Attribute for each.
+// Uploads all pending attributes; destroyed ones keep their old values. stage: space for an Attribute for each.
 scree_status upload_attributes(scree_world* world, char* stage);
 
 // Returns the pose of the center of mass of a new body, in the format of the pool pose.

@@ -22,9 +22,10 @@
 #define BRANCH_H
 #include "stages/solve/chain/branch_drive.h"
 
-// Fraction of the upper body's yield added if the lower body cannot rotate; it multiplies changes of impulses only.
+// Fraction of the upper body's yield, added to the joint's if the lower body cannot rotate; acts on impulse changes
+// only.
 #define BRANCH_GIVE   1.0e-3f
-#define BRANCH_TRIALS 4 // maximum of repeated solutions in a pass, after motors or limits reached their bounds
+#define BRANCH_TRIALS 4 // maximum number of times that a pass is repeated because motors or limits reached their bounds
 
 typedef struct
 {
@@ -53,7 +54,7 @@ INLINE void branch_load(const Pools* p, const Branch* branch, int k, ChainLink* 
 	chain_load_posed(p, branch->chain.begin + branch->chain.at.first + k, link);
 }
 
-// Stores impulses of a joint and changes of its bodies' velocities; branch_gather adds these, as joints share bodies.
+// Stores impulses of a joint and changes of its bodies' velocities; branch_gather adds them, as joints share bodies.
 INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const ChainLink* link)
 {
 	int b = BRANCH_NODE(p, branch, k).side;
@@ -68,7 +69,7 @@ INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const Chain
 	}
 }
 
-// Adds to each body the stored changes of its joints: first of its joint toward the root, then of the others in order.
+// Adds to each body the stored changes: first from its joint toward the root, then from its other joints in order.
 INLINE void branch_gather(const Pools* p, const Branch* branch)
 {
 	group_meet();
@@ -144,7 +145,8 @@ INLINE void branch_times(const float b[6], const float x[3], float y[3])
 	y[2] = b[2] * x[0] + b[4] * x[1] + b[5] * x[2];
 }
 
-// Computes the rows of a joint for body b (b: 1) or a (0): row[k] maps x, y, angular velocity to speed k.
+// Computes the Jacobian of a joint for its body b (b: 1) or its body a (b: 0): row[k] maps the velocity of the body,
+// along x, along y and angular, to the speed of coordinate k.
 INLINE void branch_rows(const JointPose* c, int b, const int locked[3], float row[3][3])
 {
 	float sign = b ? 1.0f : -1.0f;
@@ -190,8 +192,8 @@ INLINE BranchBody branch_body(const Pools* p, const Branch* branch, BranchNode n
 	return body;
 }
 
-// Reduces the softness of a joint along and across if its angle is rigid. The softness is a fraction of the yield; the
-// yield must not include the rotation that the angle does not allow, or light ends of long arms would sag.
+// Reduces the softness of a joint's coordinates along and across if its angle is rigid. The softness is a fraction of
+// the yield, which must not include rotation that the angle does not allow, or light ends of long arms would sag.
 INLINE void branch_stiffen(const Joint* u, JointSystem* s)
 {
 	float impulse[2] = {u->impulse_along, u->impulse_across}, share[2] = {1.0f, 1.0f};
@@ -251,7 +253,6 @@ INLINE void branch_up(const Pools* p, const Branch* branch, int k, int pass, int
 				m[n] += answer[i][q] * here[j][q];
 		}
 	}
-	// not 0 if the lower body cannot move or rotate
 	float give = p->body[node.body].inv_inertia > 0.0f ? 0.0f : BRANCH_GIVE;
 	for (int i = 0, n = 0; i < 3; n += 3 - i, ++i)
 	{
@@ -323,7 +324,7 @@ INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int has
 	}
 }
 
-// Sets each drive that the solution takes beyond its bound to the bound, and nothing else. Returns whether one was set.
+// Sets each drive that the solution takes beyond its bound to this bound, and no other. Returns whether one was set.
 INLINE int branch_bound(const Pools* p, const Branch* branch)
 {
 	int found = 0;
@@ -377,7 +378,8 @@ GROUP_KERNEL(branch)
 		branch_locks(p, &branch, p->argument);
 }
 
-// Sets the inertias for the step as for chains: that required by the tension of a body's joints, or its own if larger.
+// Sets the inertia of each body for the step, as for chains: its own or, if larger, that which tension of its joints
+// requires.
 GROUP_KERNEL(branch_begin)
 {
 	(void)bench;

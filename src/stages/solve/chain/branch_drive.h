@@ -51,7 +51,7 @@ INLINE int branch_drives(const Pools* p, int place, int soft, const ChainLink* l
 	return held;
 }
 
-// Returns the impulse of the drive that holds a coordinate after a change by x, limited to the bounds of the drive.
+// Returns the impulse of the drive that holds a coordinate, after a change by x, limited to the bounds of the drive.
 INLINE float branch_bounded(const JointDrive* d, int holder, float x)
 {
 	if (holder == HELD_BY_MOTOR)
@@ -74,7 +74,7 @@ INLINE void branch_set(const Pools* p, int place, int holder, int k, float now, 
 	                         k == JOINT_ANGLE ? change : 0.0f));
 }
 
-// Sets each drive of a joint that a solution takes beyond its bound to the bound. Returns whether one was set.
+// Sets each drive of a joint that a solution takes beyond its bound to the bound. Returns whether a drive was set.
 INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], ChainLink* link)
 {
 	int found = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// chain.h -- runs a pass over a chain: the locks of joints in a row are solved together, exactly (chain_solve.h).
-//
-// A rope with a hundred times the mass of a link needs hundreds of passes from joint to joint until all links carry it.
+// chain.h -- runs a pass over a chain: the locks of joints in a row are solved together, exactly (chain_solve.h). A
+// rope that carries a hundred times a link's mass needs hundreds of passes from joint to joint until all links bear it.
 // The host finds such rows of joints (src/world/chain/chains.c); they have no color, and are solved after the colors.
 //
 // Even joints of a chain have no bodies in common, nor have odd ones: lanes process a block of one half at a time.
@@ -30,8 +29,8 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 		joint_drive_all(p, place, pass == PASS_BIAS, &link->u, &link->c);
 }
 
-// Factor of the diagonal: slightly above 1, it selects the smallest of many solutions, which exist if joints hold a
-// body more than once, as in a welded bridge. It multiplies changes of impulses only, so the chain gets no softer.
+// Factor of the diagonal. There are many solutions if joints hold a body more than once, as in a welded bridge; a
+// factor slightly above 1 selects the smallest. It multiplies changes of impulses only, so the chain gets no softer.
 #define CHAIN_GIVE 1.00001f
 
 // Returns whether the angle of a joint, which is not locked, gets a separate damping impulse in bias and relax.
@@ -54,7 +53,7 @@ INLINE Int chain_damp(const Pools* p, int spot, const ChainLink* link, JointSyst
 	return damps;
 }
 
-// Computes the equations of a joint: diagonal block, right side, and the data for the coupling with other joints.
+// Computes the equations of a joint: diagonal block, right side, and the data that chain_couple reads.
 INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, const ChainLink* link)
 {
 	chain_keep_pose(p, spot, &link->c);
@@ -79,8 +78,8 @@ INLINE void chain_build(const Pools* p, const Chain* chain, int spot, int pass, 
 	CHAIN_PUT(p, holds, spot, holds);
 }
 
-// Computes the effect of the joint before a joint: the velocities along the joint's coordinates that result from unit
-// impulses of the joint before.
+// Computes the off-diagonal block of a joint: the velocities along its coordinates that result from unit impulses of
+// the joint before it.
 INLINE void chain_couple(const Pools* p, const Chain* chain, ChainPlace place)
 {
 	int spot = place.spot;
@@ -176,7 +175,9 @@ INLINE Chain chain_number(const Pools* p, int i)
 
 INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 {
-	// three turns, over even, odd and even joints: equations are built with velocities after chain_own of all joints
+	// three turns: even, odd and even joints. The equations of a joint need its neighbors' velocities after
+	// chain_own, so odd joints compute theirs in the second turn, even ones in the third; without chain_own two turns
+	// are enough
 	int owns = pass != PASS_RELAX || p->step.has_drives, solves = pass != PASS_WARM_START;
 	for (int turn = 0; turn < 3; ++turn)
 	{
@@ -212,8 +213,8 @@ GROUP_KERNEL(chain)
 	}
 }
 
-// Sets the inertias of the links before any constraint acts; otherwise constraints would rotate a link with its own
-// inertia, and the chain would take back another angle with that of the step: a kick that tore ropes through pegs.
+// Sets the inertias of the links before any constraint acts. Otherwise constraints would rotate a link with its own
+// inertia, and the chain would rotate it back by another angle with the step's inertia: this kick tore ropes.
 GROUP_KERNEL(chain_begin)
 {
 	(void)bench;

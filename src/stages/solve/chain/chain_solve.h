@@ -24,7 +24,7 @@ typedef struct
 typedef struct // position of LANES joints
 {
 	int here, next; // offsets in the pool, in floats; -1 for none
-	int shift;      // 1 or -1: joints are shifted by one lane to the next or previous place; one lane is at next
+	int shift;      // 1 or -1: lanes take the joint of the following or preceding lane, the end lane that at `next`
 } ChainNear;
 
 // Number of rows of a ChainBlock. chain_offset returns the offset of a spot in such a row, in floats.
@@ -110,7 +110,7 @@ INLINE int chain_row_spot(const Chain* chain, int row, int n)
 	return at->first + (row & 1) * at->odds + (row >> 1) * at->length + n * at->stride;
 }
 
-// Returns the position of the joint far joints behind joint n of a row; before it if far < 0. |far| <= chain_rows.
+// Returns the position of the joint `far` places behind joint n of a row; -chain_rows <= far <= chain_rows.
 INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 {
 	ChainNear near;
@@ -125,16 +125,16 @@ INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 	return near;
 }
 
-// Loops over joints from, from + by, ..., split among a work-group.
+// Loops over the joints with the numbers `from`, `from` + `by` and so on, split among a work-group.
 #define CHAIN_JOINTS(k, chain, from, by) \
 	for (int k = (from) + part_lane() * (by); k < (chain)->at.count; k += part_width() * (by))
 
-// Loops over blocks of joints of rows from, from + by, ...
+// Loops over blocks of joints of the rows `from`, `from` + `by` and so on.
 #define CHAIN_BLOCKS(row, n, chain, from, by)                    \
 	for (int row = (from); row < chain_rows(chain); row += (by)) \
 		for (int n = 0; n < (chain)->at.length; n += LANES)
 
-// Eliminates every second joint among those at every top-th place, row by row; chain_reduce_joints: joint by joint.
+// Eliminates every second one of the joints 0, top, 2 top and so on, by rows; chain_reduce_joints does it by joints.
 INLINE void chain_reduce_rows(const Pools* p, const Chain* chain, int top)
 {
 	CHAIN_BLOCKS(row, n, chain, top, 2 * top)
@@ -168,7 +168,7 @@ INLINE void chain_back_joints(const Pools* p, const Chain* chain, int top)
 	chain_back(p, chain_spot(chain, k), chain_spot(chain, k - top), chain_spot(chain, k + top));
 }
 
-// Loops over blocks of chains side by side: the joints k of all chains are one block.
+// Loops over blocks of joints of chains side by side: joint k of all chains is one block.
 #define CHAIN_SIDE(k, chain, from, by) for (int k = (from); k < (chain)->at.count; k += (by))
 
 // Returns the spot of joint k of chains side by side, which are stored in two rows.

@@ -13,7 +13,7 @@
 
 // Maximum of inertia / damping of a damped free angle; a larger softness, 1 / damping, could overflow sums.
 #define CHAIN_SLACKEST 1.0e12f
-#define CHAIN_SLOW     0.02f // factor in chain_slack
+#define CHAIN_SLOW     0.02f // factor of a body's own inertia in chain_slack
 
 // Computes the tension of a joint, kg m^2: inertia that its pull adds to each body. Stores bodies and own inertias.
 INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)

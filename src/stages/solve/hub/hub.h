@@ -18,15 +18,15 @@
 #define HUB_COLUMNS (1 << HUB_LEVELS)
 
 #define HUB_ROUNDS 2       // limit of rounds of Newton's method
-#define HUB_CLOSE  1.0e-5f // fraction of the hub's velocity: a smaller change ends the rounds
+#define HUB_CLOSE  1.0e-5f // a change of the velocity smaller than this fraction of it ends the rounds
 
-#define HUB_GYRATION 1.0e13f // m^2: limit of inertia over mass, whose product with the square of HUB_SPEED is finite
+#define HUB_GYRATION 1.0e13f // m^2: limit of inertia / mass; its product with HUB_SPEED squared is finite
 
-// loops over the spokes k of hub h, by columns
+// loops over the columns, and over the spokes k of hub h in column c
 #define HUB_EACH_COLUMN(c, h) for (int c = group_lane(); c < HUB_COLUMNS && c < (h)->count; c += group_width())
 #define HUB_EACH_OF(k, c, h)  for (int k = (h)->first + c; k < (h)->first + (h)->count; k += HUB_COLUMNS)
 
-// Returns the sum of 16 numbers with a stride, added by halves; those from number `used` on count as 0.
+// Returns the sum of 16 numbers that are `stride` apart, added by halves. Numbers from index `used` on count as 0.
 INLINE float hub_halve(const LOCAL float* x, int stride, int used)
 {
 	float sum[16];
@@ -57,8 +57,8 @@ INLINE void hub_add_columns(int used, int sums, LOCAL float* bench)
 	}
 }
 
-// Adds up the columns in local memory by halves, for each sum; a work-group in two rounds over 16 numbers each.
-// Barriers are few and depend on no condition; otherwise an OpenCL compiler for CPUs would take many minutes.
+// Adds up the columns in local memory by halves, for each sum. A work-group does this in two rounds, each over 16
+// numbers. Barriers are few and depend on no condition; otherwise an OpenCL compiler for CPUs would take many minutes.
 INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB_SUMS])
 {
 	int used = h->count < HUB_COLUMNS ? h->count : HUB_COLUMNS, wide = group_width() > LANES;
@@ -116,7 +116,7 @@ INLINE void hub_ask(const Pools* p, const Hub* h, int what, LOCAL float* bench)
 	}
 }
 
-// Returns whether a velocity is within HUB_SPEED; 0 if it is NaN.
+// Returns whether all components of a velocity are within HUB_SPEED; 0 if one is NaN.
 INLINE int hub_bears(const float v[3])
 {
 	int bears = 1;
@@ -125,7 +125,7 @@ INLINE int hub_bears(const float v[3])
 	return bears;
 }
 
-// Computes the change of the hub's velocity by sums of impulses. Returns whether the change is within HUB_SPEED.
+// Computes the change of the hub's velocity from sums of impulses. Returns whether the change is within HUB_SPEED.
 INLINE int hub_gains(const Hub* h, const float* sum, float gain[3])
 {
 	gain[0] = h->inv_mass * sum[0];
@@ -140,8 +140,8 @@ INLINE float hub_energy(const Hub* h, const float v[3])
 	return v[0] * v[0] + v[1] * v[1] + h->gyration * v[2] * v[2];
 }
 
-// Computes the step of Newton's method: (M + H) d = push - M (now - free), by L D L^T. In exact arithmetic H lowers no
-// pivot. Rounding could lower one, so each pivot is raised to at least that of the hub without its spokes.
+// Computes the step d of Newton's method, by L D L^T: (M + H) d = push - M (now - free). In exact arithmetic H lowers
+// no pivot of M. Rounding could lower one, so each pivot is raised to at least that of M, the hub without its spokes.
 INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 {
 	float mass = h->mass, inertia = h->inertia;
@@ -168,7 +168,7 @@ INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 	return !hub_bears(d) || hub_energy(h, d) <= HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
 }
 
-// Applies the fraction of the responses with the least energy: 1 after convergence; otherwise it adds no energy.
+// Applies the fraction of the responses with the least energy. It is 1 after convergence; if less, no energy is added.
 INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 {
 	float gain[3], part = 0.0f, down = -sum[9];
@@ -197,7 +197,7 @@ INLINE float hub_start(const Step* step, const Hub* h, const float gain[3])
 	return square > most * most ? most / square_root(square) : 1.0f;
 }
 
-// Solves a block: computes the impulses of one kind of all spokes, and the velocity that these impulses give the hub.
+// Solves a block: computes the impulses of one kind (`what`) of all spokes, and the velocity that these give the hub.
 // The sums are reduced at one place in the code, because each further place costs an OpenCL compiler for CPUs minutes.
 INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, LOCAL float* bench)
 {

@@ -20,7 +20,7 @@ KERNEL(hub_enter)
 	edge_mark_dirty(p, CONSTRAINT_CONTACT);
 }
 
-// Returns the number of the hub that a body is, -1 if the body is not a hub.
+// Returns the hub number of a body, -1 if the body is not a hub.
 INLINE int hub_number(const Pools* p, int body)
 {
 	int low = 0, high = p->counters->hubs;
@@ -35,7 +35,7 @@ INLINE int hub_number(const Pools* p, int body)
 	return low < p->counters->hubs && p->hub[low] == body ? low : -1;
 }
 
-// Returns the hub to which spoke k was assigned by the layout, even if the user has changed masses since.
+// Returns the hub to which the layout assigned spoke k, even if the user has changed masses since then.
 INLINE int spoke_hub_of(const Pools* p, int k)
 {
 	int c = p->counters->layout[CONSTRAINT_CONTACT].begin[COLORS] + k, a = contact_row(p, body_a, c),
@@ -54,7 +54,7 @@ INLINE int spoke_neighbor_of(const Pools* p, int k)
 
 INLINE int hub_key_spoke(Word64 key) { return (int)(key & (((Word64)1 << HUB_KEY_COLOR) - (Word64)1)); }
 
-// Writes the key of spoke i: neighbor, hub color (turn) of the hub, and i. Padding and immovable neighbors come last.
+// Writes the key of spoke i: neighbor, hub color of the hub, and i. Padding and immovable neighbors come last.
 KERNEL(hub_key)
 {
 	Word64 name = (Word64)0xffffffffu, turn = 0;
@@ -75,8 +75,8 @@ KERNEL(hub_key)
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
 
-// Item: a key, sorted by neighbor, hub color and hub. Computes the number of parts of the neighbor: equal parts for all
-// hubs of one hub color, each split equally among its spokes with the neighbor. argument: number of spokes.
+// Item: a key, sorted by neighbor, hub color and hub. Computes the number of parts of the neighbor. In a hub color, all
+// hubs get equal parts, each split equally among the hub's spokes with the neighbor. argument: number of spokes.
 KERNEL(hub_order)
 {
 	Word64 body = p->key[i] >> 32, group = p->key[i] >> HUB_KEY_COLOR;
@@ -117,7 +117,7 @@ KERNEL(hub_order)
 		spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, own).first)) = (float)hubs;
 }
 
-// Returns the spoke of key i if its neighbor is split in hub color `turn` and i is the first such key; else -1.
+// Returns the spoke of key i if its neighbor is split in a hub color (turn) and i is their first key; else -1.
 INLINE int hub_merged(const Pools* p, int i, int turn)
 {
 	int order = p->spoke_order[i], spoke = order / HUB_COLORS;
@@ -126,7 +126,7 @@ INLINE int hub_merged(const Pools* p, int i, int turn)
 	return spoke;
 }
 
-// If a neighbor is itself a hub of a hub color (turn), returns the number of this hub, else -1.
+// Returns the number of the hub that a neighbor itself is, if that hub has a hub color (turn); else -1.
 INLINE int hub_within(const Pools* p, int body, int turn)
 {
 	int n = hub_number(p, body);

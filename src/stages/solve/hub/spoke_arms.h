@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// spoke_arms.h -- computes effects of impulses at the points of a spoke on hub and neighbor; loads and stores impulses.
+// spoke_arms.h -- loads and stores impulses of a spoke, and computes their effects on hub and neighbor.
 #ifndef SPOKE_ARMS_H
 #define SPOKE_ARMS_H
 #include "constraints/constraint_kinds.h"
@@ -18,16 +18,16 @@ typedef struct // hub while it is solved
 	float inv_mass, inv_inertia; // inverse mass and inertia of the hub's part
 	float mass, inertia;         // mass and inertia of the hub's part; a hub of inertia 0 does not rotate
 	float gyration;              // m^2: inertia over mass
-	float most;                  // limit of the contribution of a spoke to a sum, so that the sum over all stays finite
+	float most;                  // limit of a spoke's contribution to a sum, so that the sum over all spokes is finite
 	float from[3];               // velocity at the start of the block
-	float free[3];               // velocity at the start of the block, without impulses beyond their limits
+	float free[3];               // velocity at the start of the block, after impulses beyond their limits were removed
 	float now[3];
-	Body whole; // body of the hub, not split into parts
+	Body whole; // hub as one body, not split into parts
 } Hub;
 
 typedef struct // effects of unit impulses at the points of a spoke
 {
-	Vec n;                    // direction of an impulse on the hub, opposite to that on the neighbor
+	Vec n;                    // direction of the impulse on the hub; opposite to that of the impulse on the neighbor
 	Real hub[2], neighbor[2]; // arms of the two points
 	Real mass, inertia;       // inverse mass and inertia of the neighbor's part
 	Real whole_mass, whole_inertia;
@@ -114,10 +114,10 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 	return s;
 }
 
-// Returns whether a spoke may add x to a sum; 0 for a NaN.
+// Returns whether a spoke may add x to a sum; 0 if x is NaN.
 INLINE Int spoke_adds(const Hub* h, Real x) { return (x >= splat(-h->most)) & (x <= splat(h->most)); }
 
-// Computes the part of a spoke in the hub's sums: push. Returns whether it and the neighbor's velocity stay finite.
+// Computes a spoke's contribution to the hub's sums: push. Returns whether push and the neighbor's velocity are finite.
 INLINE Int spoke_sum(const Hub* h, const SpokeArms* s, const Real impulse[2], Real push[3])
 {
 	Real both = impulse[0] + impulse[1];

@@ -4,15 +4,15 @@
 #define SPOKE_POSE_H
 #include "stages/solve/hub/spoke_arms.h"
 
-// Fraction of the hub's inverse mass that is added to that of a neighbor; otherwise an immovable neighbor would be
-// infinitely stiff. The solution stays the same, because the term multiplies changes of impulses only.
+// Fraction of the hub's inverse mass that is added to the inverse mass of a neighbor; otherwise an immovable neighbor
+// would be infinitely stiff. The solution stays the same, because the term multiplies changes of impulses only.
 #define HUB_YIELD 0.1f
 
-// The same for restitution; smaller, because no later pass corrects the impulse that this term removes.
+// The same fraction for restitution, smaller than HUB_YIELD: no later pass corrects the impulse that it removes.
 #define BOUNCE_YIELD 0.001f
 
 #define LEAST_RESISTS 1.0e-37f // 1/kg: a smaller inverse mass counts as immovable; the inverse of this limit is finite
-#define HUB_SPEED     1.0e12f  // m/s, rad/s: a faster body is not solved
+#define HUB_SPEED     1.0e12f  // m/s, rad/s: bodies faster than this are not solved
 
 // Returns whether a block is friction or rolling resistance: impulses of both signs, within limits.
 INLINE int spoke_limited(int what) { return what == HUB_FRICTION || what == HUB_ROLL; }
@@ -47,7 +47,7 @@ INLINE Real spoke_rebound(const Pools* p, int i, int k)
 	return k ? load(&contact_rare(p, rebound2, i), 0) : load(&contact_rare(p, rebound1, i), 0);
 }
 
-// 1/kg: Returns the relative velocity at point k that a unit impulse gives the bodies, not split into parts
+// 1/kg: Returns the relative velocity at point k per unit of impulse. Neither body is split into parts.
 INLINE Real spoke_resists(const Hub* h, const SpokeArms* s, int k)
 {
 	return h->whole.inv_mass + s->whole_mass + h->whole.inv_inertia * s->hub[k] * s->hub[k] +
@@ -75,7 +75,7 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 	*soft = spoke_resists(h, s, k) * goal.impulse_scale / goal.mass_scale;
 }
 
-// Returns whether some points are not solved: in restitution, points without push; in relax, points yet to bounce.
+// Returns whether a block leaves out some points: restitution, points without push; relax, points yet to bounce.
 INLINE int spoke_chooses(const Pools* p, int what)
 {
 	return what == HUB_BOUNCE || (what == HUB_NORMAL && p->step.bounces);
@@ -102,13 +102,13 @@ INLINE void spoke_speeds(const Hub* h, const SpokeArms* s, Real speed[2])
 typedef struct // problem of a spoke for one kind of impulse
 {
 	Real old[2], limit[2];     // N s
-	Real mass[2], cross;       // 1/kg: velocities by unit impulses
-	Real slope[2], inverse[2]; // m/s: velocity error with the old impulses; kg: inverse of mass
+	Real mass[2], cross;       // 1/kg: changes of velocity per unit of impulse
+	Real slope[2], inverse[2]; // m/s: velocity error that is left with the old impulses; kg: inverse of mass
 	Int well;                  // mask: velocities and masses are finite
 } SpokeProblem;
 
 // Removes impulses beyond their limits, because no solution may keep them, and all impulses of a spoke whose velocity
-// is not finite or exceeds HUB_SPEED. Adds the effect on the hub to taken; updates the velocity of the neighbor.
+// is not finite or exceeds HUB_SPEED. Adds the effect on the hub to `taken`; updates the velocity of the neighbor.
 INLINE void spoke_take_back(const Pools* p, const Hub* h, int i, int what, SpokeArms* s, SpokeProblem* r, Real taken[3])
 {
 	Real zero = splat(0.0f), most = splat(HUB_SPEED), held[2], beyond[2], push[3], speed[2];
@@ -164,15 +164,15 @@ INLINE void spoke_masses(const Pools* p, const Hub* h, int i, int what, const Sp
 	}
 }
 
-// Stores the limits (friction, rolling resistance), or which points are solved (restitution, relax). Adapts masses and
-// coupling, and inverts the masses.
+// Stores the limits (friction, rolling resistance), or the selection of the points that are solved (restitution,
+// relax). Adapts masses and their cross term, and inverts the masses.
 INLINE void spoke_restrict(const Pools* p, int i, int what, SpokeProblem* r)
 {
 	Real zero = splat(0.0f);
 	int m = spoke_of(p, i);
 	if (spoke_limited(what))
 	{
-		// two points with limits resist together: the coupling is added to the mass of each
+		// two points with limits resist together: the cross term is added to the mass of each
 		Real together = blend(zero, absolute(r->cross), (r->limit[0] > zero) & (r->limit[1] > zero));
 		r->mass[0] += together;
 		r->mass[1] += together;
@@ -216,7 +216,7 @@ INLINE void spoke_pose(const Pools* p, const Hub* h, int i, int what, Real taken
 	store(&spoke_at(p, old2, m), 0, r.old[1]);
 }
 
-// Warm starts a spoke with the impulses of the last step. Adds the effect on the hub to push.
+// Warm starts a spoke with the impulses of the last step. Adds their effect on the hub to `push`.
 INLINE void spoke_warm(const Pools* p, const Hub* h, int i, int what, Real push[3])
 {
 	SpokeArms s = spoke_arms(p, h, i, what);
