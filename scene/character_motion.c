@@ -6,8 +6,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define GROUND_PULL 10.0f // 1/s: maximum acceleration of a character on ground, m/s2, divided by its speed, m/s
-#define AIR_PULL    4.0f  // 1/s: likewise in the air, while the key left or right is down
+#define GROUND_PULL \
+	10.0f             // 1/s: maximum acceleration of a character on ground (m/s^2), divided by its walking speed (m/s)
+#define AIR_PULL 4.0f // 1/s: the same for a character in the air, while the key left or right is down
 
 // m: a character that drops through a one-way platform is moved down by this depth, so that it is inside the platform
 // and the platform no longer holds it
