@@ -4,9 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define GAP 24 // px between the scene and its detail
-#define LEAST_SHARE \
-	0.13 // minimum width of a detail, as a share of the picture's width; a narrower detail would show too little
+#define GAP         24   // px between the scene and its detail
+#define LEAST_SHARE 0.13 // minimum width of a detail / width of the picture: a narrower detail would show too little
 
 bool detail_open(Detail* p, const Scene* scene, int width, int height)
 {

@@ -81,7 +81,7 @@ Range format_range(FormatObject object, const char* name);
 // Checks that a value is an object, and that all its keys are allowed and all necessary keys are present.
 bool format_check(Reader* reader, const Location* location, const json_t* value, FormatObject object);
 
-// Writes the struct of an object with the values that it has without any key.
+// Writes the struct of an object that has no keys.
 void format_default(FormatObject object, void* target);
 
 // Reads all keys of an object, except the special keys, into the struct at this offset in an item. numbers: list to

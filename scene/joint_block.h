@@ -15,7 +15,7 @@ struct JointBlock
 {
 	char path[NAME_SIZE]; // location in the file, for errors
 	Loops loops;
-	JointEnd ends[2];    // ends a and b
+	JointEnd ends[2];    // ends at body a and body b
 	int on;              // position in Scene.paths; -1: not on a path
 	scree_joint_def def; // values that all items have in common
 	FormatNumbers numbers;

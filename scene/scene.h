@@ -77,7 +77,7 @@ typedef struct
 	float dt;              // s: length of a step
 	int substeps;
 	int steps;               // default number of steps of a run
-	float penetration_limit; // m: a run with deeper overlaps is invalid
+	float penetration_limit; // m: a run with deeper overlaps than this is invalid
 	bool has_view;
 	scree_box view; // m: box of the world in pictures
 	bool has_detail;
