@@ -5,8 +5,8 @@
 #include "constraints/joint_spring.h"
 
 // rad/s: greatest speed at which locks and limits correct angles outside of chains. With 10, sliders in a row that a
-// mouse tore apart by 200 m stay apart: the force that holds a body back at an arm turns it faster than its angle
-// returns. A limit without this bound lets a body turn by half a turn in a step, and such turns cannot be counted.
+// mouse tore apart by 200 m stay apart: forces on the long arms turn the bodies faster than the correction turns them
+// back. A limit without this bound lets a body turn by half a turn in a step, and such turns cannot be counted.
 #define JOINT_TURNING 30.0f
 
 typedef struct // rows of the drives of one coordinate
@@ -212,7 +212,7 @@ OUT_OF_LINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, Join
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
-		// bounds along and across first: otherwise the angle's motor would hold against impulses taken back later
+		// bounds along and across first: otherwise the angle's motor would oppose impulses that the bound then removes
 		if (k == JOINT_ANGLE && p->step.has_drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 			joint_drive_together(p, i, u, c);
 		if (joint_drives(p, u, k))

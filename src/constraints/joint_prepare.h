@@ -91,8 +91,7 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 	return a;
 }
 
-// Updates the widest gap, a counter for the user: the error of rigid locks of translations. gap: m, between the
-// anchors.
+// Updates the widest gap, a counter for the user: the error of rigid locks of translations. gap: between anchors.
 INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 {
 	Vec axis = joint_line(vec(u->axis_x, u->axis_y), gap, joint_has(u, JOINT_RADIAL));
