@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// canvas.h -- the pixels of a picture; draws caption and legend, and writes the file, for the renderers of Cairo and
-// OpenGL.
+// canvas.h -- stores the pixels of a picture, draws caption and legend into them, and writes the file. The renderers of
+// Cairo and OpenGL use it.
 #ifndef CANVAS_H
 #define CANVAS_H
 #include "scene/scene.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// caption.h -- writes the caption of a picture, which stands beside the title.
+// caption.h -- writes the caption of a picture. The caption stands beside the title.
 #ifndef CAPTION_H
 #define CAPTION_H
 #include "scene/scene.h"
@@ -7,7 +7,8 @@
 // Writes the name of a world's device, and for the CPU the numbers of threads and lanes.
 void device_text(const scree_world* world, char* text, size_t size);
 
-// Writes the caption of a picture in a file: number of steps and world hash, then the text of caption_text.
+// Writes the caption of a picture that is saved to a file: number of steps and world hash, then the text of
+// caption_text.
 void caption_exact(const Scene* scene, const scree_world* world, const scree_counters* counters, uint64_t hash,
                    char* text, size_t size);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// character.c -- reads the characters of a scene: a mover, the body that shows it, the bodies that it takes, and a
-// script of its keys.
+// character.c -- reads the characters of a scene. A character is a mover, with the body that shows it, the bodies that
+// it takes, and a script of its keys.
 #include "scene/character.h"
 #include "scene/block.h"
 #include "scene/format.h"

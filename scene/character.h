@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// character.h -- reads the characters of a scene: a mover, the body that shows it, the bodies that it takes, and a
-// script of its keys.
+// character.h -- reads the characters of a scene. A character is a mover, with the body that shows it, the bodies that
+// it takes, and a script of its keys.
 #ifndef CHARACTER_H
 #define CHARACTER_H
 #include "scene/reader.h"

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define GROUND_PULL 10.0f // 1/s: maximum acceleration of a character on ground, m/s2, divided by its speed, m/s
-#define AIR_PULL    4.0f  // 1/s: likewise in the air, while the key left or right is down
+#define GROUND_PULL 10.0f // 1/s: maximum acceleration of a character on ground, m/s^2, divided by its speed, m/s
+#define AIR_PULL    4.0f  // 1/s: the same for a character in the air, while the key left or right is down
 
 // m: a character that drops through a one-way platform is moved down by this depth, so that it is inside the platform
 // and the platform no longer holds it
@@ -68,7 +68,7 @@ static void steer(const Character* character, scree_vec gravity, float dt, uint3
 	float along = v.x * up.y - v.y * up.x, rises = v.x * up.x + v.y * up.y;
 	float wish = (float)((int)DOWN(down, right) - (int)DOWN(down, left)) * character->speed;
 	float most = (stands ? GROUND_PULL : AIR_PULL) * character->speed * dt;
-	if (stands || wish != 0.0f) // without a key in the air, the velocity along the ground stays
+	if (stands || wish != 0.0f) // in the air without left or right, the velocity along the ground stays unchanged
 		along = fminf(fmaxf(wish, along - most), along + most);
 	rises -= stands ? 0.0f : g * dt;
 	scree_vec carried = {0};
@@ -101,7 +101,8 @@ static scree_status walk(Characters* characters, scree_world* world, int k, uint
 	return status == SCREE_OK && enabled ? scree_body_set_target(world, mover->ignored, pose) : status;
 }
 
-// Disables the bodies that the characters take: sensors that a character began to visit in the last step.
+// Disables the bodies that characters take: those in the block of a character with a sensor that this character began
+// to visit in the last step.
 static scree_status take(Characters* characters, scree_world* world)
 {
 	const Scene* scene = characters->scene;

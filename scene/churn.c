@@ -22,9 +22,9 @@ static int64_t common_divisor(int64_t a, int64_t b)
 	return a;
 }
 
-// Returns the distance, in the order of the file, from one changed body to the next. It has no common divisor with
-// count, so that every body is changed before any is changed a second time. It is about 0.618 count (golden section),
-// so that two consecutive changes are far apart.
+// Returns the distance, in the order of the file, from one changed body to the next. The distance has no common divisor
+// with `count`, so that every body is changed before any is changed a second time. It is about 0.618 times `count`
+// (golden section), so that two consecutive changes are far apart.
 static int64_t stride_of(int64_t count)
 {
 	int64_t stride = (int64_t)(0.6180339887 * (double)count) + 1;

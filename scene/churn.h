@@ -17,13 +17,13 @@ typedef struct // change of a body before a step, for callers without a world
 {
 	int item;      // index of the body in the order of the file
 	bool replaced; // true: destroyed and created again; false: moved
-	// new pose and velocity; for a replaced body all members, with a position in Scene.attributes as attribute
+	// new pose and velocity; if the body is replaced, all members, and attribute is a position in Scene.attributes
 	scree_body_def body;
 } SceneChange;
 
 // Writes the changes before a step into *changes and returns their count, or -1 if memory is short. The changes of a
-// block are consecutive: first the moved bodies, then the replaced bodies, each in ascending order of item. The caller
-// frees *changes.
+// block are consecutive: first the moved bodies, then the replaced bodies, each in ascending order of `item`. The
+// caller frees *changes.
 int scene_changes(const Scene* scene, int64_t step, SceneChange** changes);
 
 #endif

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #define GAP         24   // px between the scene and its detail
-#define LEAST_SHARE 0.13 // minimum share of a picture's width: a narrower detail would show too little
+#define LEAST_SHARE 0.13 // minimum width of a detail / width of the picture: a narrower detail would show too little
 
 bool detail_open(Detail* p, const Scene* scene, int width, int height)
 {
@@ -58,7 +58,7 @@ void detail_put(Detail* p, Canvas* canvas)
 	Viewport whole = viewport_show(p->whole, canvas->width, canvas->height);
 	Viewport part = viewport_show(p->part, canvas->width, canvas->height);
 	double zoom = whole.scale / part.scale, floor = canvas->height - BAND;
-	// px: left and top of the mark, at the place in the whole scene of the upper left corner of the part
+	// px: left and top of the mark: the point of the whole scene that the part shows at its upper left corner
 	double left = (part.left + p->left / part.scale - whole.left) * whole.scale;
 	double top = floor - (part.bottom + (floor - p->top) / part.scale - whole.bottom) * whole.scale;
 	canvas_mark(canvas, left, top, p->width * zoom, p->height * zoom);

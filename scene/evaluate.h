@@ -6,7 +6,7 @@
 
 #define BATCH_SIZE 65536 // maximum number of items or collidables of a batch; not less than MAX_PARTS
 
-typedef struct // consecutive items of a block, with positions in Scene.attributes as attributes (generation 0)
+typedef struct // consecutive items of a block; their attributes are positions in Scene.attributes, with generation 0
 {
 	int count, capacity;         // number of items; maximum number
 	scree_body_def* bodies;      // array of count bodies, or null
@@ -16,8 +16,8 @@ typedef struct // consecutive items of a block, with positions in Scene.attribut
 	void* context;
 } Batch;
 
-// Computes all items, batch by batch. Fails if a number of an item is out of range (only the first time, because the
-// results are always the same), if memory is short, or if full() returns false.
+// Computes all items, batch by batch. Fails if a number of an item is out of range (this can happen only in the first
+// call, because the results are always the same), if memory is short, or if full() returns false.
 bool evaluate_block(Reader* reader, const Block* block, bool (*full)(void* context, const void* batch), void* context);
 
 // Computes the pose and the velocity that churn gives to a body. serial: number of earlier changes of the block, for

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-// Returns the frame of an anchor in a body. anchor, axis: position, and direction of the x axis, in the world. The
-// computation uses doubles, so that the frames of both bodies coincide as closely as floats allow.
+// Returns the frame of an anchor in a body. anchor: position in the world; axis: direction of the frame's x axis in the
+// world. The computation uses doubles, so that the frames of both bodies coincide as closely as floats allow.
 static scree_pose frame_at(scree_pose body, const double anchor[2], scree_rot axis)
 {
 	double c = body.rotation.c, s = body.rotation.s;
@@ -22,7 +22,7 @@ static scree_pose pose_of(const Scene* scene, const JointBlock* block, int side,
 	return bodies < 0 ? (scree_pose){{0, 0}, {1, 0}} : scene->blocks[bodies].poses[index];
 }
 
-// Returns the measure of side k of a gear or a pulley at the initial poses of the bodies.
+// Returns the measure of a side of a gear or a pulley at the initial pose of its body.
 static double measure(scree_pose body, scree_pose frame, const scree_joint_side* side)
 {
 	double c = body.rotation.c, s = body.rotation.s, fx = frame.position.x, fy = frame.position.y;

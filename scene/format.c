@@ -83,7 +83,8 @@ bool format_check(Reader* reader, const Location* location, const json_t* value,
 	return true;
 }
 
-// Returns the coordinate of a free joint. Its limits are NaN, which means no limits if the file has no key for them.
+// Returns the coordinate of a free joint. Its limits are NaN, which means that there are none; keys of the file replace
+// them.
 static scree_joint_coordinate new_coordinate(void)
 {
 	scree_joint_coordinate made = scree_joint_def_make(SCREE_JOINT_FREE).coordinates[SCREE_ALONG];

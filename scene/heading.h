@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-// Reads the title and the parameters with their defaults ("rows=100 columns=20") of a file. On failure it returns false
-// and writes an error message.
+// Reads the title of a file, and its parameters with their defaults ("rows=100 columns=20"). On failure it returns
+// false and writes an error message.
 bool scene_heading(const char* path, char* title, size_t title_size, char* parameters, size_t parameters_size,
                    char* sentence);
 

@@ -5,7 +5,7 @@
 #include "scene/path_block.h"
 #include <string.h>
 
-// Reads an object of a coordinate (spring, motor, lock) and sets *there, if the file has the object. needed: member
+// Reads an object of a coordinate (spring, motor, lock). Sets *there to true if the file has the object. needed: member
 // without which the object has no effect; null: no such member.
 static bool read_group(Reader* reader, const Location* location, const json_t* object, const char* key,
                        FormatObject group, const char* needed, size_t start, JointBlock* block, bool* there)

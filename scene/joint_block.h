@@ -15,12 +15,12 @@ struct JointBlock
 {
 	char path[NAME_SIZE]; // location in the file, for errors
 	Loops loops;
-	JointEnd ends[2];    // ends a and b
+	JointEnd ends[2];    // ends at body a and body b
 	int on;              // position in Scene.paths; -1: not on a path
 	scree_joint_def def; // values that all items have in common
 	FormatNumbers numbers;
 	bool coupled;  // true for a gear or a pulley
-	bool measured; // true if the target is the value of the coordinate along at the initial poses
+	bool measured; // true if the target is the value of the coordinate `along` at the initial poses
 	// true if the file gives anchors in the world, at the initial poses, and a direction of the x axes of both frames
 	bool placed;
 	Number anchors[2][2]; // m: x and y of both anchors, in the world

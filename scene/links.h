@@ -12,7 +12,7 @@ typedef struct // joint to draw
 	bool centers[2];      // true if the line ends at the body's origin, not at the anchor
 	scree_vec anchors[2]; // m, in the bodies' frames or in the world
 	bool roped;           // true if the line between the anchors goes over the bases of a pulley
-	bool railed;          // true for a joint on a path, whose line has only the anchor of b
+	bool railed;          // true for a joint on a path, whose line has only the anchor of body b
 	scree_vec bases[2];   // m, in the world: bases of a pulley
 } Link;
 

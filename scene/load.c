@@ -77,7 +77,7 @@ static bool read_numbers(Reader* reader, const json_t* root, Scene* scene)
 	return good;
 }
 
-typedef struct // places for the next items of a block; null: they are not kept
+typedef struct // addresses to which the next items of a block and their poses are copied; null: no copy
 {
 	scree_body_def* items;
 	scree_pose* poses;
@@ -105,9 +105,9 @@ static bool check_churn(Reader* reader, const Location* location, const Block* b
 	                   (double)block->count);
 }
 
-// Evaluates the items of a block, whose number is set, so that invalid numbers are found before a world is created.
-// Keeps the definitions of the bodies if churn replaces some, and their poses if the block has a name, which joints may
-// use.
+// Evaluates the items of a block with a known count, so that invalid numbers are found before a world is created. Keeps
+// the definitions of the bodies if churn replaces some, and their poses if the block has a name, because joints may
+// then refer to them.
 static bool check_items(Reader* reader, const Location* location, Block* block)
 {
 	Kept kept = {0};

@@ -15,10 +15,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SMALL    1.0 // px: a shape with a smaller reach is drawn as a square of its area, not as a path
-#define OUTLINED 3.5 // px: a shape with a smaller reach has no outline
-#define LINKED   1.0 // px: a shorter line of a joint is not drawn
-#define PINNED   1.2 // px: an anchor with a smaller radius is not drawn as a dot
+#define SMALL    1.0 // px: a shape with a smaller reach than this is drawn as a square of its area, not as a path
+#define OUTLINED 3.5 // px: a shape with a smaller reach than this has no outline
+#define LINKED   1.0 // px: a line of a joint that is shorter than this is not drawn
+#define PINNED   1.2 // px: an anchor with a smaller radius than this is not drawn as a dot
 
 static const Color rim = {157, 154, 147}, glass = {67, 93, 134}, ink = {58, 54, 50};
 

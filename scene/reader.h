@@ -59,7 +59,7 @@ json_t* reader_load(const char* path, char* sentence);
 // Writes the error message "FILE: PLACE: ..." and returns false.
 bool reader_fail(Reader* reader, const Location* location, const char* format, ...) READER_FORMAT(3, 4);
 
-// Writes an error message with the value, shortened, and with must ("must be ..."), and returns false.
+// Writes an error message with the value, shortened, and with the text `must` ("must be ..."). Returns false.
 bool reader_fail_value(Reader* reader, const Location* location, const json_t* value, const char* must);
 
 // Returns null if a value is inside a range, otherwise the reason, as "must be ...", which may be written to text.

@@ -16,18 +16,18 @@ typedef struct
 	scree_vec* ways;   // m: translations of the rays of all fans, in the frames of their bodies
 	scree_ray* rays;   // selected rays, fan by fan
 	scree_query_result* found;
-	int count, capacity; // number of selected rays, and of rays with memory
-	int* firsts;         // index in rays of the first ray of each fan; the last element is count
-	int in_view;         // number of rays from which scan_aim has selected
+	int count, capacity; // number of selected rays; number of rays for which memory is allocated
+	int* firsts;         // index in `rays` of the first ray of each fan; the last element is `count`
+	int in_view;         // number of rays in view, from which scan_aim has selected
 } Scan;
 
 // Opens the scan in a world that scene_build has filled. On failure the caller closes the scan also.
 scree_status scan_open(Scan* scan, const Scene* scene, scree_world* world);
 void scan_close(Scan* scan);
 
-// Sets the rays at the current poses of the bodies. box null: all rays. With a box: only the rays of bodies whose rays
-// may reach the box; if these are more than about `most` rays, an even selection of them. A body beyond
-// SCREE_MAX_COORDINATE casts no rays.
+// Selects rays and places them at the current poses of the bodies. box: null selects all rays; otherwise only the
+// rays of bodies whose rays may reach the box are selected, or an even part of them if there are more than about
+// `most`. A body beyond SCREE_MAX_COORDINATE casts no rays.
 scree_status scan_aim(Scan* scan, scree_world* world, const scree_box* box, int most);
 
 // Casts the rays of scan_aim, with one call for each fan of the scene.

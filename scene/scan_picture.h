@@ -6,7 +6,7 @@
 #include "scene/sprites.h"
 #include "scene/viewport.h"
 
-#define RAYS_DRAWN 20000 // approximate maximum number of rays in a picture; more would be a grey area and slow
+#define RAYS_DRAWN 20000 // approximate maximum number of rays in a picture; more would be slow, and a grey area
 
 // Color of a ray, whose opacity decreases from its origin to its end; its hit is a dot.
 #define RAY_COLOR  ((Color){58, 122, 178})

@@ -26,7 +26,7 @@ typedef struct // changes to bodies of a block before every step
 	int moved, replaced; // bodies per step: moved to another place; replaced by new bodies at another place
 	scree_pose pose;     // new pose; numbers that differ between bodies are computed later
 	scree_velocity velocity;
-	scree_body_def* items; // first definitions of all bodies of the block; as attributes they have positions in
+	scree_body_def* items; // definitions of all bodies of the block at the start; their attributes are positions in
 	                       // Scene.attributes
 } Churn;
 
@@ -53,14 +53,14 @@ typedef struct // force on bodies while the user holds a key
 	SceneKey key;
 	int block;        // position of the bodies in Scene.blocks
 	int first, count; // index in the block of the first body with the force, and number of such bodies
-	scree_vec force;  // N: at the center of mass, in each step before which the key is down
-	float torque;     // N m: in the same steps
+	scree_vec force;  // N: acts at the center of mass, in each step that begins while the key is down
+	float torque;     // N m: acts in the same steps
 	bool turns;       // true if the force rotates with the body
 } Control;
 
 typedef struct // mover, the body that shows it, and its script
 {
-	int block; // position in Scene.blocks of kinematic bodies, the first of which shows the mover
+	int block; // position in Scene.blocks of kinematic bodies; the first of them shows the mover
 	int takes; // bodies that the character takes when it enters their sensors: position in Scene.blocks; -1: none
 	scree_mover_def def;
 	float speed; // m/s: walking speed
@@ -77,7 +77,7 @@ typedef struct
 	float dt;              // s: length of a step
 	int substeps;
 	int steps;               // default number of steps of a run
-	float penetration_limit; // m: a run with deeper overlaps is invalid
+	float penetration_limit; // m: a run with deeper overlaps than this is invalid
 	bool has_view;
 	scree_box view; // m: box of the world in pictures
 	bool has_detail;

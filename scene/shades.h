@@ -18,12 +18,12 @@ typedef struct
 	Color first, middle, last; // colors of shade 0, SHADE_MIDDLE and SHADE_COUNT - 1
 } Shades;
 
-// Returns the shades of an entry of the palette; a larger entry starts again at the first color. Entry -1 has the
-// single color of bodies that are not dynamic.
+// Returns the shades of an entry of the palette; entries beyond its end repeat the palette from its first entry. Entry
+// -1 has the single color of bodies that are not dynamic.
 Shades shades_of(int entry);
 
-// Returns the color of a shade, a little lighter or darker by the index of the body, so that neighbors differ. row.glsl
-// uses the same formula.
+// Returns the color of a shade, made a little lighter or darker depending on the index of the body, so that neighbors
+// differ. row.glsl uses the same formula.
 Color shades_color(const Shades* shades, int shade, uint32_t body);
 
 typedef struct // state of a loop over the bodies of a scene in the order of their indices

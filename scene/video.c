@@ -9,7 +9,7 @@
 #define RATE 60 // frames per second
 
 // Quotes a path for the shell. Puts "./" before a leading dash; otherwise ffmpeg would read the path as an option.
-// Returns false if the text is too short.
+// Returns false if `text` has too little space.
 static bool quote(const char* path, char* text, size_t size)
 {
 	size_t length = 0;

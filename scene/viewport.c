@@ -31,7 +31,7 @@ scree_box viewport_between(scree_box from, scree_box to, double share)
 {
 	scree_box box;
 	if (share <= 0 || share >= 1)
-		return share <= 0 ? from : to; // returns exactly the given boxes
+		return share <= 0 ? from : to; // at both ends, returns exactly the given box
 	between(from.lower.x, from.upper.x, to.lower.x, to.upper.x, share, &box.lower.x, &box.upper.x);
 	between(from.lower.y, from.upper.y, to.lower.y, to.upper.y, share, &box.lower.y, &box.upper.y);
 	return box;

@@ -53,8 +53,8 @@ typedef struct
 	int count;
 } ActiveBlocks;
 
-// Maps a worker to its position in a round of long items, sorted by length, and a position to its worker: forward in
-// even rounds, backward in odd rounds, for similar amounts of work and the same items in every pass.
+// Returns the position of a worker in a round of long items sorted by length, or the worker of a position: forward in
+// even rounds, backward in odd rounds, for similar amounts of work, and the same items in every pass.
 static inline int dealt(int round, int place, int workers) { return round & 1 ? workers - 1 - place : place; }
 
 typedef struct // upload of many items, a kernel over each item, and readback of a result for each item
@@ -79,9 +79,9 @@ typedef struct // every function that returns a status sets the error's sentence
 	scree_status (*resize)(Backend* b, Per per, int capacity);
 	// executes runs in order; each run is complete before the next begins; may return before the device has finished
 	scree_status (*run)(Backend* b, const Step* step, const Run* runs, int count);
-	// executes a solve to the final poses, with the result of solve_list; list is empty, with capacity for solve_list
+	// executes a solve up to the final poses, as the runs of solve_list would; list: empty, with capacity for them
 	scree_status (*solve)(Backend* b, const Step* step, const Solve* solve, RunList* list);
-	// copy `count` items, from item `first` on, to and from the device, in order with the runs; read returns afterwards
+	// copy `count` items from item `first` on, to and from the device, in order with the runs; read returns afterwards
 	scree_status (*write)(Backend* b, PoolId pool, int first, int count, const void* items);
 	scree_status (*read)(Backend* b, PoolId pool, int first, int count, void* items);
 	// a read in two halves: read_begin starts a copy after the runs before it; read_end returns when this copy is done,
@@ -93,7 +93,7 @@ typedef struct // every function that returns a status sets the error's sentence
 	scree_status (*wait)(Backend* b);
 	// returns and clears the times of the stages since the last call, after all work; 0 without BackendOptions.timings
 	scree_status (*timings)(Backend* b, double milliseconds[STAGE_COUNT]);
-	// sets the memory of a use, null for none, after all work has ended; on failure keeps the previous memory
+	// sets the memory for a use (null: none), after all work has ended; on failure keeps the previous memory
 	scree_status (*share)(Backend* b, SharedUse use, const SharedMemory* memory);
 	// executes a run whose pool render_row is the memory of SHARED_ROWS; returns when OpenGL may read this memory
 	scree_status (*render)(Backend* b, const Run* run);
@@ -103,7 +103,7 @@ typedef struct // every function that returns a status sets the error's sentence
 	scree_status (*upload)(Backend* b, PoolId pool, int count, size_t offset);
 	// returns the address of a pool in host memory, valid until the next resize; null if pools are not in host memory
 	void* (*address)(Backend* b, PoolId pool);
-	// frees a core for other work of this process (true), or takes it back, between lists; null: no cores are used
+	// frees a core for other work of this process (true), or takes it back (false), between lists; null: uses no cores
 	void (*spare)(Backend* b, bool core);
 	// allocate and release two blocks, to measure the speed of copies; release also works without blocks
 	scree_status (*copy_reserve)(Backend* b, size_t bytes);
@@ -118,7 +118,7 @@ struct Backend
 	char name[160];                    // "cpu", "opencl:NVIDIA H200"
 	int threads, lanes;                // 0 for OpenCL
 	int traversal_items;               // work-items among which the rest of a long traversal is split, at least 1
-	int traversal_nodes;               // a traversal that visits more nodes over leaves than this is long
+	int traversal_nodes;               // number of nodes over leaves beyond which a traversal is long
 	int chain_lanes;                   // number of chains that are interleaved, at least 1
 	int groups;                        // number of work-groups that run at the same time, at least 1
 	bool distant;                      // a read takes as long as many runs, because the device is not the host

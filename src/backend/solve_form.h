@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// solve_form.h -- declares the forms of a solve on OpenCL devices, and the choice of a test.
+// solve_form.h -- declares the forms of a solve on OpenCL devices, and the variable with which a test chooses one.
 #ifndef SOLVE_FORM_H
 #define SOLVE_FORM_H
 
@@ -13,7 +13,7 @@ typedef enum
 } SolveForm;
 
 // Form of the solve on devices that are opened later. Only tests change it. FORM_RELAY and FORM_TILES also apply to
-// CPUs; with them, the persistent kernel executes long runs too. With FORM_LAUNCHES it executes no runs.
+// CPUs; with them, the persistent kernel executes long runs too. With FORM_LAUNCHES that kernel executes no runs.
 extern SolveForm solve_form_setting;
 
 #endif

@@ -13,7 +13,7 @@ typedef struct
 	bool rare[CONSTRAINT_KINDS]; // the kind uses its rare rows
 	bool bounces;                // as in Step
 	bool unlocked;               // some body with joints may have no collidable, and therefore no leaf in a tree
-	int chains, chain_places;    // items of a pass over chains; number of spots of chains and branches
+	int chains, chain_places;    // number of items of a pass over chains; number of places in chains and branches
 	int carried;  // items of the pass over chains from this index on have a heavy chain between light bodies
 	int branches; // items of a pass over branches, which follow the chains
 	bool taut;    // colored joints may pull so hard that bodies need larger inertias for the step

@@ -21,10 +21,10 @@ typedef enum
 #include "stages/kernels.def"
 #undef X
 	KERNEL_COUNT,
-	// Primitives, implemented by each backend with equal results. SORT: sorts items 0 to end - 1 of pool key, stably,
-	// by bits RUN_LOW to RUN_HIGH - 1 of the key, which are in the run's argument.
+	// Primitives, implemented by each backend with equal results. SORT: sorts items 0 to end - 1 of the pool `key`,
+	// stably, by bits low to high - 1 of the key. The run's argument contains low (RUN_LOW) and high (RUN_HIGH).
 	PRIMITIVE_SORT = KERNEL_COUNT,
-	PRIMITIVE_SCAN, // replaces each of items 0 to end - 1 of pool scan by the sum of the items before it
+	PRIMITIVE_SCAN, // replaces each of items 0 to end - 1 of the pool `scan` by the sum of the items before it
 	RUN_KINDS
 } KernelId;
 

@@ -45,9 +45,10 @@ INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 	return vec_blend(fall, vec(zero, zero), supported);
 }
 
-// m/s: Returns the speed at which a point leaves, by Newton's law of impact. velocity: normal, negative; gap: m.
-// Semi-implicit Euler puts a falling body on a parabola on which its velocity is that of the middle of a substep. To
-// conserve energy, half a substep's acceleration is added before the impact and subtracted after it (bounce_speed).
+// m/s: Returns the rebound speed of a point by Newton's law of impact; 0 if it does not bounce. velocity: normal
+// velocity, negative if the surfaces approach; gap: m. With semi-implicit Euler, position and velocity of a falling
+// body are half a substep apart. To conserve energy, half a substep's acceleration is added before the impact and
+// subtracted after it (bounce_speed).
 INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, Real fall, Real gap)
 {
 	Real before = velocity + 0.5f * step->h * fall, zero = splat(0.0f);
@@ -56,7 +57,8 @@ INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, R
 	return blend(zero, restitution * root(blend(splat(1.0f), square, bounces)), bounces);
 }
 
-// J: Returns the relative kinetic energy of two bodies at impact, including the fall until then.
+// J: Returns the energy that two bodies may have after a bounce: their relative kinetic energy at impact, after the
+// fall within the step, multiplied by the square of a restitution above 1.
 INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Real rebound1, Real rebound2)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), safe = blend(one, e, e > zero);

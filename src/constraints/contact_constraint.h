@@ -72,7 +72,7 @@
 	PAIR(2, IN_PASSES, IN_GAPS, u->normal_impulse1, u->normal_impulse2) \
 	PAIR(3, IN_TANGENTS | IN_BOUNCE, IN_RELAX, u->tangent_impulse1, u->tangent_impulse2)
 
-// Bytes that prepare gathers: for a contact, with flags if some shapes are round; for its bodies, with restitution.
+// Bytes that prepare gathers for a contact (flags only if some shapes are round); for its bodies, with restitution.
 #define CONTACT_GATHERS(step) \
 	(sizeof(Int2) + 2 * sizeof(WorldShape) + sizeof(LocalManifold) + ((step)->round ? sizeof(Word) : 0))
 #define CONTACT_BOUNCE_GATHERS (2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64)))
@@ -114,8 +114,8 @@ typedef struct // the part of a pass that depends on the positions of the bodies
 typedef struct // the bodies of a contact, and the lever arms of its points
 {
 	Body a, b;
-	Vec n, t;         // normal from a to b; tangent
-	Vec ra[2], rb[2]; // anchors from the centers of mass
+	Vec n, t;         // normal from body a to body b; tangent
+	Vec ra[2], rb[2]; // m: arms from the centers of mass to the points
 } ContactArms;
 
 INLINE ContactArms pair_of(const Contact* u, const Body* a, const Body* b)
@@ -195,7 +195,7 @@ INLINE Int pair_waits(Real s, Real old, Real rebound)
 	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
 }
 
-#define PAIR_OWN 0.001f // points whose own share of the effective mass is smaller nearly coincide: solved separately
+#define PAIR_OWN 0.001f // points with a smaller own share of the effective mass than this nearly coincide
 
 // 1/kg: Returns the normal velocity that a unit impulse at one point causes at the other.
 INLINE Real pair_cross(const ContactArms* c)
@@ -205,15 +205,15 @@ INLINE Real pair_cross(const ContactArms* c)
 }
 
 // Solves the normal impulses of both points together: a linear complementarity problem, because no impulse is negative.
-// Points solved one after the other would turn a box in each pass, and a part of a push that is taken back would
-// remain. gap: separations, m; mass: effective masses, kg. In relax, a point that will bounce (rebound > 0) and has not
-// touched in this substep gets no impulse; otherwise it would bounce too early, or not at all.
+// Solved one after the other, the points would turn a box in each pass, and would not take back a push completely. gap:
+// separations, m; mass: effective masses, kg. In relax, a point that will bounce (rebound > 0) and has not touched in
+// this substep gets no impulse; otherwise it would bounce too early, or not at all.
 INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], const Step* step, int soft,
                          const Real rebound[2], Real impulse[2])
 {
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
 	Real zero = splat(0.0f), lever_a[2], lever_b[2];
-	Real change[2], yield[2]; // N s: change of an impulse without the other point; kg: response to a velocity
+	Real change[2], yield[2]; // N s: change of the impulse if the other stays the same; kg: change per m/s of approach
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
@@ -287,7 +287,7 @@ INLINE void pair_push(const Pools* p, int i, ContactArms* c, Real normal1, Real 
 	}
 }
 
-// Computes impulses that add lack1 and lack2 (m/s) to the points' speeds; if both nearly coincide, point 1 gets all.
+// Computes impulses that add lack1 and lack2 (m/s) to the points' speeds; 0 for point 2 if the points nearly coincide.
 INLINE void pair_joint(const ContactArms* c, Real mass1, Real mass2, Real lack1, Real lack2, Real* impulse1,
                        Real* impulse2)
 {
@@ -320,7 +320,7 @@ INLINE void pair_meet(const Pools* p, int i, ContactArms* c, Real gap1, Real gap
 	*normal2 = new2;
 }
 
-// m/s: Returns the speed, at height gap, of a point that left the surface with the speed rebound.
+// m/s: Returns the speed, at the height `gap`, of a point that left the surface with the speed `rebound`.
 INLINE Real bounce_speed(const Step* step, Real rebound, Real fall, Real gap)
 {
 	return root(maximum(rebound * rebound + 2.0f * fall * gap, splat(0.0f))) - 0.5f * step->h * fall;
@@ -348,7 +348,7 @@ INLINE Real pair_gained(const ContactArms* c, Real more1, Real more2)
 	return 0.5f * maximum(maximum(more1, more2), zero) / blend(splat(1.0f), mass, mass > zero);
 }
 
-// Returns the largest fraction of two bounces with which the energy of the bodies does not exceed most, J, the energy
+// Returns the largest fraction of two bounces with which the energy of the bodies does not exceed `most` (J), that
 // before they met. Contacts are solved one after the other, so a later one may push harder than the body approached.
 INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], const Real mass[2], Real impulse1,
                        Real impulse2)
@@ -365,7 +365,7 @@ INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], con
 	return blend(one, minimum(maximum(part, zero), one), more);
 }
 
-// Applies restitution to points with an impulse. They separate, so these impulses must not warm start the next step.
+// Applies restitution to points that had an impulse. Clears it, because a separating point must not be warm started.
 INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
                         Real* normal1, Real* normal2)
 {
@@ -384,7 +384,7 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	impulse1 = blend(alone1, push_of(impulse1), hit1 & hit2 & push2);
 	impulse2 = blend(alone2, push_of(impulse2), hit1 & hit2 & push1);
 
-	// gravity adds to the speeds in half a substep, which is not a gain of energy
+	// gravity changes the speeds within half a substep, and this change does not count as a gain of energy
 	Real more1 = blend(zero, leave1 * leave1 - rebound1 * rebound1, hit1),
 	     more2 = blend(zero, leave2 * leave2 - rebound2 * rebound2, hit2);
 	Real most = load(&contact_rare(p, energy, i), 0) + pair_gained(c, more1, more2);
@@ -420,7 +420,8 @@ INLINE void pair_bias(const Pools* p, int i, const ContactReady* ready, ContactA
 	u->normal_impulse2 = impulse[1];
 }
 
-// Without held, gaps and masses are derived just before use: all at once exceed a CPU's registers, and take 5 % longer.
+// Without `held`, gaps and masses are derived just before use: all at once exceed a CPU's registers and take 5 %
+// longer.
 INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactArms* c, Contact* u)
 {
 	Real speed = splat(0.0f), rebound[2] = {splat(0.0f), splat(0.0f)};
@@ -485,7 +486,7 @@ INLINE void contact_ready(const Pools* p, int pass, int i, const Body* a, const 
 	ready->gap[1] = pair_gap(&c, 1, u->separation2);
 }
 
-// Executes a pass. held: result of contact_ready after contact_derive, if the caller keeps u in registers; else 0.
+// Executes a pass. held: result of contact_ready after contact_derive, if the caller keeps u in registers; or null.
 INLINE void contact_pass(const Pools* p, int pass, int i, const ContactReady* held, Contact* u, Body* a, Body* b)
 {
 	ContactArms c = pair_of(u, a, b);

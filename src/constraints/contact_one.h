@@ -6,7 +6,7 @@
 
 INLINE int contact_in_use(const Pools* p, int slot) { return p->pair[slot].x >= 0; }
 
-// Adds by (1 or -1) to the contacts of both bodies. Body 0, for a collidable without a body, is not counted.
+// Adds `by` (1 or -1) to the contacts of both bodies. Body 0, for a collidable without a body, is not counted.
 INLINE void contact_count(const Pools* p, Int2 bodies, Word flags, int by)
 {
 	GLOBAL int* count = flags & CONTACT_FIXED ? p->fixed_contacts : p->other_contacts;

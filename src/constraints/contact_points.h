@@ -13,10 +13,10 @@
 
 typedef struct // the points of a contact, along world axes
 {
-	Vec normal;         // normal from a to b
-	Vec point[2];       // points halfway between the surfaces, from the origin of collidable a, m
-	Vec anchor[2];      // anchors from the center of mass of a, m
-	Vec offset;         // m: from the center of mass of b to that of a; anchor on a plus offset: anchor on b
+	Vec normal;    // normal from collidable a to collidable b
+	Vec point[2];  // m: points midway between the surfaces, relative to the origin of collidable a
+	Vec anchor[2]; // m: the same points, relative to the center of mass of body a
+	Vec offset;    // m: from the center of mass of body b to that of a; anchor + offset is the anchor relative to b
 	Real separation[2]; // m
 } ContactPoints;
 
@@ -33,15 +33,15 @@ INLINE ContactPoints contact_points_blend(ContactPoints a, ContactPoints b, Int 
 	return a;
 }
 
-// Returns the motion of the end of an arm in the solver (body_shift) minus the real one. arm: after the motion.
+// Returns the displacement of the end of an arm by the solver (body_shift) minus the true one. arm: after the motion.
 INLINE Vec contact_points_predicted(Vec turn, Real angle, Vec arm)
 {
 	return vec_sub(vec_spin(angle, arm), vec_sub(arm, vec_turn_back(turn, arm)));
 }
 
-// Computes the points from rows of world_shape and from both rows of contact_manifold. The places of a point on a and b
-// coincided at first; their distance now, along the normal, is added to the separation. For a predicted manifold, whose
-// poses are in the future, the motion of arms that the solver turns within the step is subtracted.
+// Computes the points from rows of world_shape and from both rows of contact_manifold. The places of a point on a and
+// on b coincided at first; their current distance along the normal is added to the separation. For a predicted
+// manifold, whose poses are in the future, the motion of arms that the solver turns within the step is subtracted.
 INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const Real manifold[16])
 {
 	Vec axes_a = vec(a[2], a[3]), axes_b = vec(b[2], b[3]), from_a = vec(b[0] - a[0], b[1] - a[1]);

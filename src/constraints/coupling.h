@@ -11,13 +11,13 @@
 #define COUPLING_H
 #include "constraints/joint_constraint.h"
 
-typedef struct // one side: derivatives of its measure by the body's motion; its change in the step, or the distance
+typedef struct // one side; lever: derivative of its measure by rotation; value: its change in the step, or the distance
 {
-	Vec direction; // 0 for an angle
+	Vec direction; // derivative of the measure by translation; 0 for an angle
 	Real lever, value;
 } CouplingSide;
 
-// Computes a side. arm: arm at the start of the step; line: as in the rows.
+// Computes a side. arm: m, arm of the anchor at the start of the step; line: CouplingMeasure.line.
 INLINE CouplingSide coupling_side(const Joint* u, int side, Vec line, Vec arm, const Body* body)
 {
 	CouplingSide s;
@@ -67,7 +67,7 @@ INLINE void coupling_store(const Pools* p, int i, const JointPose* c)
 	store(&joint_rare(p, given_a_y, i), 0, c->given_a.y);
 }
 
-// Returns whether a coupling measures an angle of b. An impulse along the coupling is then that of a torque.
+// Returns whether a coupling measures an angle of body b. An impulse of the coupling is then an angular one, N m s.
 INLINE Int coupling_turns(const Joint* u) { return joint_has(u, JOINT_COUPLED) & (joint_has(u, JOINT_LINEAR(1)) == 0); }
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // coupling_one.h -- computes the coordinate of a gear or a pulley, for one joint at a time.
 //
-// Angles include all full turns, so floats of large angles are coarse. Each step therefore adds the change of the angles
-// to the stored coordinate. So the ratio of a gear can change while the gear turns, and the coordinate does not jump.
+// Angles include all full turns, so floats of large angles are coarse. Each step thus adds the change of the angles to
+// the stored coordinate. So the ratio of a gear can change while the gear turns, and the coordinate does not jump.
 #ifndef COUPLING_ONE_H
 #define COUPLING_ONE_H
 #include "constraints/joint_prepare.h"
@@ -11,15 +11,15 @@
 
 typedef struct // last counts of a coupling
 {
-	float angle[2], turns[2]; // for a and b: last angle, rad; number of turns
+	float angle[2], turns[2]; // for bodies a and b: last angle, rad; number of turns
 	float geared;             // rad: contribution of the angles to the coordinate
 } CouplingCount;
 
 typedef struct // one side of a coupling in the world
 {
-	Vec line;           // m: from the base to the anchor; the direction of a translation; 0 for an angle
-	Vec arm;            // m: from the center of mass to the anchor
-	float value, added; // m, rad: measure of the side; rad: change since the last count
+	Vec line;           // m: vector from the base to the anchor; for a translation its direction; 0 for an angle
+	Vec arm;            // m: vector from the center of mass to the anchor
+	float value, added; // m or rad: measure of the side; rad: change of an angle since the last count
 } CouplingMeasure;
 
 INLINE CouplingCount coupling_count_new(const Pools* p, int slot)
@@ -81,7 +81,7 @@ INLINE CouplingMeasure coupling_measure(const Pools* p, int slot, int side, Coup
 typedef struct // a coupling in the world
 {
 	CouplingMeasure sides[2];
-	float value; // coordinate along, without distances
+	float value; // value of the coordinate, without the distances of pulleys
 } CouplingState;
 
 INLINE CouplingState coupling_state(const Pools* p, int slot, CouplingCount* count)

@@ -184,14 +184,14 @@ typedef struct // a joint in registers
 typedef struct // the bodies and the current coordinates of a joint
 {
 	Body a, b;
-	Vec axis[2];                         // along, across
-	Vec arm_a, arm_b;                    // arms from the centers of mass to the anchor of b
+	Vec axis[2];                         // directions of the coordinates along and across
+	Vec arm_a, arm_b;                    // arms from the centers of mass to the anchor of body b
 	Real lever_a[2], lever_b[2];         // levers of a unit impulse along the axes
-	Real mass, value[JOINT_COORDINATES]; // 1/kg: sum of the inverse masses; m, m, rad
+	Real mass, value[JOINT_COORDINATES]; // 1/kg: sum of the inverse masses; m, m, rad: coordinates
 	Word couples;
 	Int coupled;
-	Int torn;            // springs hold both translations, and are stretched so far that the arm of a is shortened
-	Vec axis_a, given_a; // in lanes with a coupling: axis along on the side of a, and impulse applied to a
+	Int torn;            // springs hold both translations, and are stretched so far that the arm of body a is shortened
+	Vec axis_a, given_a; // in lanes with a coupling: axis of `along` at body a, and impulse applied to body a
 	Word rails;
 	Int railed;
 	Real bend; // in lanes on a path: curvature at the current point, 1/m
@@ -225,11 +225,11 @@ INLINE void joint_alone(JointPose* c)
 	c->axis_a = c->given_a = vec(splat(0.0f), splat(0.0f));
 }
 
-#define JOINT_FAR 2.0f // error of locks that makes the arm of body a too long, in units of the radius of gyration of a
+#define JOINT_FAR 2.0f // error of locks above which the arm of body a is too long, in units of a's radius of gyration
 
-// Returns whether springs hold both translations, and the anchors are farther apart (d, m) than JOINT_FAR allows. Then
-// the axes are those of the world, and the impulses keep their direction in the world. Because the arm of a is
-// shortened, a cannot take the torque of a force that turns with a; such a force would spin b ever faster.
+// Returns whether springs hold both translations, and the vector between the anchors (d, m) is longer than JOINT_FAR
+// allows. Then the axes are those of the world, and impulses keep their direction in the world. Because the arm of body
+// a is shortened, a cannot take the torque of a force that turns with a; the force would spin b ever faster.
 INLINE Int joint_torn(const Pools* p, const Joint* u, const Body* a, Vec d)
 {
 	if (!p->step.springs)
@@ -239,7 +239,7 @@ INLINE Int joint_torn(const Pools* p, const Joint* u, const Body* a, Vec d)
 	return springs & (a->inv_inertia * vec_dot(d, d) > splat(JOINT_FAR * JOINT_FAR) * a->inv_mass);
 }
 
-// m: Returns the distance of a translation beyond its limits.
+// m: Returns how far a translation is outside its limits, negative below the lower limit; 0 within the limits.
 INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real value)
 {
 	Real zero = splat(0.0f);
@@ -250,9 +250,9 @@ INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real valu
 	return blend(zero, value - minimum(maximum(value, lower), upper), limited);
 }
 
-// Shortens the arm of body a. It ends at the anchor of b, so that no impulse of the joint changes the angular momentum;
-// but if locks are so far off that impulses on the arm would turn a rather than pull b back, the arm ends nearer to a's
-// own anchor. Otherwise the impulses would turn a with a force that other joints of a cannot hold.
+// Shortens the arm of body a. The arm ends at the anchor of body b, so that no impulse of the joint changes the angular
+// momentum. But if locks are so far off that impulses on this arm would turn a rather than pull b back, the arm ends
+// nearer to the anchor of a. Otherwise the impulses would turn a with a force that other joints of a cannot hold.
 INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), off[2], square = zero;
@@ -319,7 +319,7 @@ OUT_OF_LINE void joint_pose(const Pools* p, int i, const Joint* u, JointPose* c)
 	joint_shorten_arm(p, i, u, c);
 }
 
-// m/s: Returns the speed along or across; k is a constant.
+// m/s: Returns the speed of coordinate k, along or across; k is a constant at compile time.
 INLINE Real joint_speed_linear(const JointPose* c, int k)
 {
 	Real spin = c->lever_b[k] * c->b.w - c->lever_a[k] * c->a.w;
@@ -329,7 +329,7 @@ INLINE Real joint_speed_linear(const JointPose* c, int k)
 	return blend(speed, (vec_dot(c->b.v, c->axis[0]) - vec_dot(c->a.v, c->axis_a)) + spin, c->coupled);
 }
 
-// m/s, rad/s: Returns the speed of coordinate k, a constant. The angle to a path changes as its tangent turns.
+// m/s, rad/s: Returns the speed of coordinate k, a constant. The angle to a path changes as the path's tangent turns.
 INLINE Real joint_speed(const JointPose* c, int k)
 {
 	if (k != JOINT_ANGLE)
@@ -348,13 +348,13 @@ INLINE Real joint_yield_linear(const JointPose* c, int k)
 	return mass + c->a.inv_inertia * c->lever_a[k] * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
 }
 
-// 1/(kg m): Returns the speed of the angle, without a path, by a unit impulse along or across.
+// 1/(kg m): Returns the speed of the angle that a unit impulse along or across causes, for a joint without a path.
 INLINE Real joint_yield_turning(const JointPose* c, int k)
 {
 	return c->a.inv_inertia * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k];
 }
 
-// 1/kg, 1/(kg m^2): Returns the yield of coordinate k: its speed by a unit impulse, the inverse effective mass.
+// 1/kg, 1/(kg m^2): Returns the yield of coordinate k, its speed by a unit impulse: the inverse of the effective mass.
 INLINE Real joint_yield(const JointPose* c, int k)
 {
 	if (k != JOINT_ANGLE)
@@ -366,7 +366,7 @@ INLINE Real joint_yield(const JointPose* c, int k)
 	return blend(own, own + c->bend * along, c->railed);
 }
 
-typedef struct // impulses on body b, their opposite on a: N s, N m s
+typedef struct // impulses on body b, N s and N m s; body a gets the opposite
 {
 	Vec push, push_a;
 	Real angular_a, angular_b;

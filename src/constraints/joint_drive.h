@@ -5,8 +5,8 @@
 #include "constraints/joint_spring.h"
 
 // rad/s: greatest speed at which locks and limits correct angles outside of chains. With 10, sliders in a row that a
-// mouse tore apart by 200 m stay apart: the force that holds a body back at an arm turns it faster than its angle
-// returns. A limit without this bound lets a body turn by half a turn in a step, and such turns cannot be counted.
+// mouse tore apart by 200 m stay apart: forces on the long arms turn the bodies faster than the correction turns them
+// back. A limit without this bound lets a body turn by half a turn in a step, and such turns cannot be counted.
 #define JOINT_TURNING 30.0f
 
 typedef struct // rows of the drives of one coordinate
@@ -60,7 +60,7 @@ INLINE Real joint_spring(const JointDrive* d, Real yield, Real speed, Real error
 	return bounded_impulse(d->spring_impulse + change);
 }
 
-// Returns the impulse of a spring in relax; at its bound it stays unchanged, because only bias computes the excess.
+// Returns the impulse of a spring in relax. An impulse at its bound is unchanged: only bias computes the excess.
 INLINE Real joint_spring_relaxed(const JointDrive* d, Real yield, Real speed, Int full)
 {
 	Real old = d->spring_impulse;
@@ -88,14 +88,16 @@ INLINE Real joint_limit_load(const JointDrive* d, Real sign, Real impulse)
 	return maximum(impulse - maximum(-(sign * d->spring_impulse), zero), zero);
 }
 
-// Returns the speed at which a coordinate may approach a limit at the distance ahead, or must return from behind it.
+// Returns the speed at which a coordinate may approach a limit at the distance `ahead`. Beyond the limit `ahead` is
+// negative, and so is the result in bias: the coordinate must return at this speed.
 INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, int k, Real ahead, int soft)
 {
 	Real zero = splat(0.0f), most = splat(k == JOINT_ANGLE ? JOINT_TURNING : p->step.max_speed);
 	return blend(soft ? maximum(d->limit_rate * ahead, -most) : zero, p->step.inv_h * ahead, ahead > zero);
 }
 
-// Returns the nearer limit's impulse: it stops an approach at its position (s > 0); beyond, it is as soft as a lock.
+// Returns the impulse of the nearer limit. Within the limits (s > 0) it stops an approach at the limit; beyond the
+// limit it is as soft as that of a lock.
 INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, Real speed, Real value, int soft)
 {
 	Real zero = splat(0.0f), below = value - d->lower, above = d->upper - value;
@@ -108,7 +110,8 @@ INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, 
 }
 
 // Returns the target speed of a motor: the user's speed, reduced so that it does not lead through the nearer limit.
-// Otherwise motor and limit would push with the motor's maximum, and the limit would yield: 1 kg moves 29 m at 1e8 N.
+// Otherwise motor and limit would push with the motor's maximum, and the limit would yield: a body of 1 kg moves 29 m
+// at 1e8 N.
 INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, int k, Real value, Int limit, int soft)
 {
 	Real below = value - d->lower, above = d->upper - value;
@@ -209,7 +212,7 @@ OUT_OF_LINE void joint_drive_all(const Pools* p, int i, int soft, Joint* u, Join
 	UNROLL
 	for (int k = 0; k < JOINT_COORDINATES; ++k)
 	{
-		// bounds along and across first: otherwise the angle's motor would hold against impulses taken back later
+		// bounds along and across first: otherwise the angle's motor would oppose impulses that the bound then removes
 		if (k == JOINT_ANGLE && p->step.has_drives && lane_bits(joint_has(u, JOINT_ELLIPTIC)))
 			joint_drive_together(p, i, u, c);
 		if (joint_drives(p, u, k))

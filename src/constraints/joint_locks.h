@@ -4,7 +4,7 @@
 #define JOINT_LOCKS_H
 #include "constraints/joint_drive.h"
 
-#define JOINT_LEAST_YIELD 1.0e-6f // minimum of JointFactors.d2, as a share of the angle's yield; less is rounding
+#define JOINT_LEAST_YIELD 1.0e-6f // minimum of JointFactors.d2 / yield of the angle; smaller values are rounding errors
 
 // m/s, rad/s: maximum speed at which errors are corrected in a chain. Frames that are far apart, because a body was
 // teleported or a contact held it back, then come together without a blow. Other joints correct distances at up to
@@ -22,7 +22,7 @@ typedef struct // equations of the locks: yield x = goal
 	Int locked[3];
 } JointSystem;
 
-// Softness of a nearly free lock, as a multiple of its yield. An overflow would spoil the other locks.
+// Softness in place of a nearly infinite one, as a multiple of the lock's yield: overflow would spoil the other locks.
 #define JOINT_NOTHING 1.0e12f
 
 INLINE Real joint_softer(Real softness, Real own)
@@ -31,8 +31,9 @@ INLINE Real joint_softer(Real softness, Real own)
 	return blend(softer, splat(JOINT_NOTHING) * own, softer > splat(1.0e30f));
 }
 
-// Returns the softness of element ij of the matrix, as a share of the rigid element; 0 if a lock is soft. Two rigid
-// locks share one softness; otherwise both together would give way along a long arm that is oblique to their axes.
+// Returns the softness of element ij of the matrix, as a fraction of the rigid element; 0 if lock i or j is soft. Two
+// rigid locks use the smaller of their softnesses; otherwise both together would give way along a long arm that is
+// oblique to their axes.
 INLINE Real joint_soft_pair(const Joint* u, const Real softness[3], int i, int j)
 {
 	return blend(minimum(softness[i], softness[j]), splat(0.0f), joint_has(u, JOINT_SOFT(i) | JOINT_SOFT(j)));
@@ -158,7 +159,7 @@ typedef struct // the equations as L D L^T
 	Real first, l01, l02, d1, l12, d2;
 } JointFactors;
 
-// mass, 1/kg: sum of the inverse masses; in exact arithmetic, two locked translations yield at least as much.
+// Factors the matrix. mass, 1/kg: sum of the inverse masses, a lower bound of d1 for two locked translations.
 INLINE JointFactors joint_factor(const JointSystem* s, Real mass)
 {
 	JointFactors f;

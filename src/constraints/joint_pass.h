@@ -9,9 +9,9 @@
 
 #define JOINT_CARRIES 1.5f // maximum factor by which the bound of a joint's warm start grows from step to step
 
-// Lower limit of the bound of a joint's warm start, in units of START_SHARE; 5 is all of max_speed and max_spin. The
+// Minimum of the bound of a joint's warm start, in units of START_SHARE; 5 is all of max_speed and max_spin. The
 // limbs of a ragdoll that lands are held by impulses that balance each other, but a single one of them would spin a
-// hand by more than a fifth of max_spin. With a lower limit, a joint opens again after the impact.
+// hand by more than a fifth of max_spin. With a smaller minimum, a joint opens again after the impact.
 #define JOINT_BLOW 5.0f
 
 // Adds x to the impulses of the locks; clears impulses without a lock. turns: lanes in which the angle has a lock.
@@ -41,7 +41,7 @@ INLINE JointPull joint_pull(const Pools* p, const Joint* u, const JointPose* c, 
 	return pull;
 }
 
-// Share of a body's inertia: if a joint's pull is larger, taut.h sums all pulls at each body in the next step.
+// Share of a body's inertia: if a joint's pull exceeds it, taut.h sums all pulls at each body in the next step.
 #define JOINT_TAUT 0.25f
 
 INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Vec push)
@@ -58,7 +58,7 @@ INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Ve
 INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
-	if (p->step.h_ratio != 1.0f) // the substep has another length: forces stay the same
+	if (p->step.h_ratio != 1.0f) // the length of the substep has changed: forces stay the same, impulses do not
 		joint_scale(p, i, u, splat(p->step.h_ratio));
 	joint_sums(p, i, u, sum);
 	JointImpulse j = joint_impulse(c, sum[0], sum[1], sum[2]);
@@ -87,7 +87,8 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 	joint_give(u, c, j);
 }
 
-// Returns the impulse for the turn of a joint's arms since the last substep: the effect of its impulses now minus then.
+// Returns the impulse that the rotation of a joint's arms since the last substep requires: the effect of the joint's
+// impulses at the current arms, minus the effect that they had.
 INLINE JointImpulse joint_turn_impulse(const Pools* p, int i, Joint* u, const JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
@@ -150,8 +151,9 @@ INLINE void joint_start(const Step* step, Joint* u)
 // requires in a substep. Larger corrections pull back a body that was placed away from the path.
 #define JOINT_BENDS 8.0f
 
-// Keeps the speed along of a bead that is pulled back to its path from afar: the axis along turns by (bend h along) in
-// the substep, which would add this share of the speed across. The impulse is applied once, and is not warm started.
+// Keeps the speed of a bead along its path while the bead is pulled back to the path from afar: the axis along turns by
+// (bend h along) in the substep, which would add this share of the speed across to it. The impulse is applied once, and
+// is not warm started.
 INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), along = joint_speed_linear(c, JOINT_ALONG), across = joint_speed_linear(c, JOINT_ACROSS);

@@ -49,7 +49,7 @@ typedef struct // pose of a frame in the world
 	Vec position, rest; // position of the center of mass, and its rounding error
 } JointFrame;
 
-// Returns a frame of a joint, moved by offset in the frame's axes. place: offset of the frame in JointData.
+// Returns a frame of a joint, moved by `offset` along the frame's axes. place: offset of the frame in JointData.
 OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body, Vec offset)
 {
 	JointFrame end;
@@ -91,7 +91,7 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 	return a;
 }
 
-// Updates the widest gap, a counter for the user: the error of rigid locks of translations. gap: from anchor to anchor.
+// Updates the widest gap, a counter for the user: the error of rigid locks of translations. gap: between anchors.
 INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 {
 	Vec axis = joint_line(vec(u->axis_x, u->axis_y), gap, joint_has(u, JOINT_RADIAL));

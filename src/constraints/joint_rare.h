@@ -20,11 +20,11 @@ INLINE JointDriven joint_driven(const Pools* p, Int slot, int k)
 	return d;
 }
 
-// Returns the impulse of a force within a substep.
+// N s: Returns the impulse of a force within a substep, at most MOST_IMPULSE.
 INLINE Real joint_most(const Pools* p, Real force) { return minimum(splat(MOST_IMPULSE), force * p->step.h); }
 
-// m: Returns the arc length of the foot, from which along is measured on a path, because a float has few digits left
-// for a long arc; 0 for other coordinates and for joints without a path.
+// m: Returns the arc length of the foot, from which the coordinate along is measured on a path, because a float has few
+// digits left for a long arc; 0 for other coordinates and for joints without a path.
 INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 {
 	Real zero = splat(0.0f);
@@ -40,7 +40,7 @@ INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 	store(&joint_drive_row(p, k, name, i), 0, \
 	      blend(splat(0.0f), load(&joint_drive_row(p, k, name, i), 0), joint_has(u, mode)))
 
-// Writes the rows of coordinate k, except those of its spring. rate, soft: those of its limits.
+// Writes the rows of coordinate k, except those of its spring. rate, soft: correction rate and softness of its limits.
 INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Joint* u, Real rate, Real soft)
 {
 	JointDriven from = joint_driven(p, slot, k);
@@ -60,16 +60,17 @@ INLINE void joint_setup_drive(const Pools* p, int i, Int slot, int k, const Join
 	JOINT_DRIVE_KEPT(k, motor_impulse, JOINT_MOTOR(k));
 }
 
-// m: Returns translation k when locks and springs are at their targets. A lock moves the frame to its target.
+// m: Returns the value of translation k with locks and springs at their targets. A lock moves the frame to its target.
 INLINE Real joint_aim(const Joint* u, const JointPose* c, int k, Real target)
 {
 	Real aim = blend(c->value[k], target, joint_has(u, JOINT_SPRING(k)));
 	return blend(aim, splat(0.0f), joint_has(u, JOINT_LOCKED(k)));
 }
 
-// Returns the factor of frequency and damping ratio of spring k that gives the stiffness at the targets of locks and
-// springs: root of the yield with the current arms divided by that with the arms there. The current arm of a ends at
-// the anchor of b: with this arm, a spring would pull less the longer it is, and lose its load.
+// Returns the factor by which frequency and damping ratio of spring k are multiplied, so that the spring is as stiff as
+// with the arms at the targets of locks and springs: the root of (yield with the current arms / yield with those arms).
+// The current arm of body a ends at the anchor of body b: with it, a spring would pull less the longer it is, and drop
+// its load.
 INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const JointPose* c, int k)
 {
 	Real one = splat(1.0f), zero = splat(0.0f), lock[4];
@@ -86,7 +87,7 @@ INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const Join
 }
 
 // Writes the rows of the spring or of the soft lock of coordinate k, if a lane has one; a coordinate has at most one.
-// Frequency and ratio hold at the target. rate, hold: rate and softness of the lock, changed only for soft locks.
+// Frequency and ratio are those at the target. rate, hold: rate and softness of the lock, changed for soft locks.
 INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joint* u, const JointPose* c, Real beside,
                                Real alone, Real* rate, Real* hold)
 {
@@ -109,7 +110,7 @@ INLINE void joint_setup_spring(const Pools* p, int i, Int slot, int k, const Joi
 	*hold = blend(*hold, share * (one - answer) / answer, softens);
 }
 
-// Returns the largest number of constraints of a body of joint i that can move, contacts included; at least 1.
+// Returns the largest number of constraints, contacts included, at a movable body of joint i; at least 1.
 INLINE Real joint_most_beside(const Pools* p, int i, const JointPose* c)
 {
 	Real zero = splat(0.0f);

@@ -17,11 +17,11 @@
 #define TURN 6.28318531f
 
 #define JOINT_STIFFEST 0.25f // maximum frequency of a spring, as a share of the substep rate: stiffer springs shake
-// Bounds of (o h)^2, the square of the angle per substep, up to which a spring has exactly the given damping: the
-// lesser of SPRING_FREE, the square at a twelfth of the substep rate, and SPRING_SHARED divided by the number of
-// constraints, which keeps the sum over a body's springs below 2^2, the limit of stability. Stiffer springs are damped
-// by at least SPRING_CALMS times the excess; otherwise 2 springs at a quarter of the substep rate between the same
-// bodies would add energy, or 15 at a twelfth.
+// Two bounds of (o h)^2, the square of the angle per substep; a spring below both has exactly the given damping.
+// SPRING_FREE is the square at a twelfth of the substep rate. SPRING_SHARED is divided by the number of constraints,
+// which keeps the sum over a body's springs below 2^2, the limit of stability. Stiffer springs are damped by at least
+// SPRING_CALMS times the excess; otherwise 2 springs at a quarter of the substep rate between the same bodies, or 15 at
+// a twelfth, would add energy.
 #define SPRING_FREE   0.274155678f
 #define SPRING_SHARED 3.2f
 #define SPRING_CALMS  0.75f
@@ -30,8 +30,8 @@
 // adds energy: without damping, arms in a row, welded with 20 Hz, gained 17 % in a second.
 #define SPRING_AMONG        0.4f
 #define SPRING_LEAST        1.0e-20f // square of the angle per substep below which a spring counts as absent
-#define SPRING_LEAST_YIELD  1.0e-6f // least share of its yield that rigid locks leave to a coordinate; less is rounding
-#define SPRING_LEAST_ANSWER 1.0e-6f // least share of a velocity that a soft lock answers: its equations divide by it
+#define SPRING_LEAST_YIELD  1.0e-6f  // minimum share of the yield that rigid locks leave a coordinate, despite rounding
+#define SPRING_LEAST_ANSWER 1.0e-6f  // minimum of 1 - keeps, by which the equations of a soft lock divide
 
 // Returns 1 - e^-x for x >= 0, by the series at x / 256. Beyond 64 it is 1.
 INLINE Real spring_lost(Real x)
@@ -57,12 +57,12 @@ INLINE Real spring_versine(Real q)
 
 typedef struct
 {
-	Real keeps, pull, relaxes; // coefficients of the formulas above; pull is A there
+	Real keeps, pull, relaxes; // coefficients of the substep at the head of this file; pull is A there
 } JointSpring;
 
-// Returns the coefficients of a spring. hertz, ratio: for the coordinate's yield without other locks. share: the yield
-// while the rigid locks of the joint hold, as a share of that yield. beside: largest number of constraints of a body of
-// the joint, times its springs; alone: above 0 in lanes whose bodies have no other constraints.
+// Returns the coefficients of a spring. hertz, ratio: frequency and damping ratio for the yield without locks of the
+// joint. share: the yield while its rigid locks hold, divided by that yield. beside: largest number of constraints of a
+// body of the joint, times the number of its springs; alone: above 0 in lanes whose bodies have no other constraints.
 INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real share, Real beside, Real alone)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);
@@ -92,7 +92,7 @@ INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real 
 	return s;
 }
 
-// 1/kg for 01; 1/(kg m) for 02, 12: Computes the speed of one coordinate by a unit impulse along another.
+// 1/kg for 01; 1/(kg m) for 02, 12: Computes the speed of one coordinate that a unit impulse along another causes.
 INLINE void joint_crosses(const JointPose* c, Real cross[3])
 {
 	Real ia = c->a.inv_inertia, ib = c->b.inv_inertia;
@@ -110,7 +110,7 @@ INLINE Int joint_rigid(const Joint* u, const JointPose* c, int k)
 	return joint_has(u, JOINT_LOCKED(k)) & (joint_has(u, JOINT_SOFT(k)) == 0) & (joint_yield(c, k) > splat(0.0f));
 }
 
-// Returns the yield of coordinate k while rigid locks hold, as a share of its yield without: a Schur complement.
+// Returns the yield of coordinate k while rigid locks hold, as a share of its yield without locks: a Schur complement.
 INLINE Real joint_share_free(const Joint* u, const JointPose* c, int k)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), cross[3];

@@ -35,13 +35,14 @@ INLINE PathCurve path_curve(const GLOBAL PathSample* samples, int segments)
 INLINE Vec path_point(const PathCurve* c, int k) { return vec(c->samples[k].x, c->samples[k].y); }
 INLINE Vec path_tangent(const PathCurve* c, int k) { return vec(c->samples[k].tangent_x, c->samples[k].tangent_y); }
 
-// m: Returns the distance of a point ahead of sample k along its tangent; above 0, segment k is nearer to the point.
+// m: Returns how far a point is ahead of sample k along the sample's tangent. Above 0, segment k, which begins at
+// sample k, is nearer to the point than the segment before.
 INLINE float path_ahead(const PathCurve* c, int k, Vec point)
 {
 	return vec_dot(vec_sub(point, path_point(c, k)), path_tangent(c, k));
 }
 
-// Follows the curve from a segment while the distance to a point decreases. Returns the last segment; adds to *laps.
+// Follows the curve from a segment while the distance to a point decreases. Returns the last segment; updates *laps.
 INLINE int path_descend(const PathCurve* c, Vec point, int segment, float* laps)
 {
 	int last = c->segments - 1, forward = path_ahead(c, segment + 1, point) > 0.0f;

@@ -12,11 +12,12 @@
 #define PATH_SEEKS   1.0f // the next search starts at the last position, but another part of the path may be nearer
 #define PATH_NEW     2.0f // the next search starts at JointData.near
 
-// Factor by which another part of the path must be nearer to get a joint; with less, joints change branch at crossings.
+// Factor by which another part of the path must be nearer than the current part, so that a joint changes to it; with a
+// smaller factor, joints change branch at crossings.
 #define PATH_NEARER 2.0f
 
 // Tolerance of the seam of a closed path, as a share of the spacing of samples: if the arc length of a new joint
-// differs from near by a lap, less this tolerance, the seam is between them.
+// differs from `near` by more than a lap minus this tolerance, the seam is between the two.
 #define PATH_SEAM 0.0625f
 
 typedef struct // last position of a joint
@@ -53,8 +54,9 @@ INLINE float path_lap(const PathCurve* curve, float along)
 
 INLINE float path_spacing(const PathCurve* curve) { return curve->length / (float)curve->segments; }
 
-// Returns the lap in which a new joint begins. near: arc length near the joint, over all laps. The lap is that of near,
-// or a neighboring lap if the seam is between near and the joint. along: arc length of the joint within a lap.
+// Returns the lap in which a new joint begins. near: arc length near the joint, over all laps. Returns the lap of
+// `near`, or a neighboring one if the seam is between `near` and the joint. along: arc length of the joint within a
+// lap.
 INLINE float path_first_lap(const PathCurve* curve, float near, float along)
 {
 	float laps = path_lap(curve, near), ahead = (along + laps * curve->length) - near;
@@ -62,7 +64,7 @@ INLINE float path_first_lap(const PathCurve* curve, float near, float along)
 	return curve->closed ? laps + (ahead > lap ? -1.0f : ahead < -lap ? 1.0f : 0.0f) : laps;
 }
 
-// Returns the point of the path at which joint slot is now; its arc length is over all laps. Updates *count.
+// Returns the point of the path at which the joint in `slot` is now; its arc length is over all laps. Updates *count.
 INLINE PathFoot path_follow(const Pools* p, int slot, PathCount* count)
 {
 	const GLOBAL JointData* data = p->joint_data + slot;

@@ -19,10 +19,10 @@
 
 // Rolling resistance: maximum distance of the load ahead of the center, in units of the reach. It is a coefficient of
 // 1e-4, a tenth of that of steel. Below this limit, the resistance takes the share ROLLING_TURN of the relative turn
-// per step; with less, bodies would creep down slopes that are too slight for rolling.
+// per step; with a smaller share, bodies would creep down slopes that are too slight for rolling.
 #define ROLLING_LEVER 1.0e-4f
 #define ROLLING_TURN  0.3f
-#define ROLLING_LIGHT 0.003f // minimum k dt^2 for the resistance: it brakes bodies with less load no harder
+#define ROLLING_LIGHT 0.003f // minimum of k dt^2 in the resistance; it limits how hard lightly loaded bodies are braked
 
 // Added to ROLLING_LEVER for a fully held contact: a stiff contact is sometimes recomputed, which keeps it swinging.
 #define ROLLING_STIFF_LEVER 0.05f
@@ -57,7 +57,7 @@ INLINE Vec rolling_arm(Rolling r, Vec place)
 // Returns the displacement that the solver computes for the point at an arm.
 INLINE Vec rolling_moves(Rolling r, Vec arm) { return vec_add(vec_sub(r.then, r.center), vec_spin(r.angle, arm)); }
 
-// Returns the corner that a feature names, more exact than point; point if it names no corner or `wanted` is 0.
+// Returns the corner that a feature names; `point`, which is less exact, if it names none or `wanted` is 0.
 INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, Vec point, Int wanted)
 {
 	Int vertex = shape * (int)(sizeof(Attribute) / sizeof(float)) + 2 * (name & (MAX_CORNERS - 1));
@@ -78,7 +78,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	    turn = vec(manifold[10], manifold[11]);
 	Int corners = (flags & (int)MANIFOLD_CORNERS) != 0, turns_b = (flags & (int)MANIFOLD_TURNS_B) != 0;
 	ContactPoints points;
-	Vec now = vec_turn(ra.axes, normal); // the normal from corner to corner must be near it
+	Vec now = vec_turn(ra.axes, normal); // normal now; the corners' direction replaces it if within 60 degrees
 	points.normal =
 	    vec_blend(vec_turn(ra.turn, now), vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal))), turns_b);
 	points.offset = vec_sub(ra.then, rb.then);
@@ -86,7 +86,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	{
 		Int corner_a = (flags & (int)(k ? MANIFOLD_CORNER2 : MANIFOLD_CORNER1)) != 0, by_a = corner_a | corners;
 		Int missing = manifold[2 + k] == splat(NO_POINT);
-		Real above = 0.5f * manifold[2 + k]; // height of the point halfway between the surfaces above a surface, m
+		Real above = 0.5f * manifold[2 + k]; // m: half of the separation; the point is midway between the surfaces
 		Vec place = vec(manifold[4 + 2 * k], manifold[5 + 2 * k]);
 		Vec core_a = vec_sub(place, vec_scale(radius_a + above, normal));
 		Vec core_b = vec_turn_back(turn, vec_sub(vec_add(place, vec_scale(radius_b + above, normal)), shift));

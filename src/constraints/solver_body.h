@@ -60,7 +60,7 @@ INLINE Vec body_shift(Body b, Vec r) { return vec_add(b.d, vec_spin(b.da, r)); }
 
 INLINE Vec body_velocity_at(Body b, Vec r) { return vec_add(b.v, vec_spin(b.w, r)); }
 
-// Applies impulse j to body b at r, and its opposite to body a.
+// Applies the impulse j to body b at the arm rb, and its opposite to body a at the arm ra.
 INLINE void body_push(Body* a, Vec ra, Body* b, Vec rb, Vec j)
 {
 	a->v = vec_sub(a->v, vec_scale(a->inv_mass, j));

@@ -4,7 +4,7 @@
 #include "platform/processor.h"
 #include <limits.h>
 
-#define ALWAYS_SHARED 2048 // a solve with more items per run is always shared
+#define ALWAYS_SHARED 2048 // a solve with more items per run than this is always shared
 // REST times the square of (slower time / faster time): number of solves until the slower method is measured again
 #define REST        64
 #define MOST_SLOWER 4.0 // limit of (slower time / faster time): a busy machine can make one method seem slow

@@ -8,9 +8,9 @@
 #include "platform/threads.h"
 #include <stdatomic.h>
 
-// A run with fewer items is executed by one worker: sharing takes a microsecond, an item a few nanoseconds. In a solve,
-// a worker also reads data that another core wrote last, which takes longer; so nearly all runs of a solve are shared,
-// or none of them (Choice). GRAIN is for runs outside of a solve.
+// A run with fewer items than GRAIN is executed by one worker: sharing takes a microsecond, an item a few nanoseconds.
+// In a solve, a worker also reads data that another core wrote last, which takes longer; so nearly all runs of a solve
+// are shared, or none of them (Choice). GRAIN is for runs outside of a solve.
 #define GRAIN       512
 #define SOLVE_GRAIN 64
 // ALONE_GRAIN replaces GRAIN if the last solve was executed by one worker and the last narrow phase had at most
@@ -52,9 +52,9 @@ typedef struct // the state of the backend
 	int copy_times;
 
 	const Run* runs;
-	int at, begin, end; // index of the current run in runs, and the range of its items
-	int grain;          // a run with fewer items is executed by one worker
-	double items;       // sum over the runs of the list so far
+	int at, begin, end; // index of the current run in `runs`, and the range of its items
+	int grain;          // a run with fewer items than this is executed by one worker
+	double items;       // number of items of all runs of the list so far
 
 	_Alignas(64) atomic_int next; // for a run in chunks: first item that no worker has claimed
 	Shared shared;

@@ -8,8 +8,8 @@
 #include <limits.h>
 
 #define CHUNK_ITEM     8 // an item of a kernel with chunks counts as this many, so that few long items are shared too
-#define DEALT          (-1) // in place of a number of items: the function dealt distributes the items
-#define SORT_GRAIN     8192 // a sort of fewer items is executed by one worker
+#define DEALT          (-1) // in place of a chunk size: the function dealt distributes the items
+#define SORT_GRAIN     8192 // a sort of fewer items than this is executed by one worker
 #define SCAN_GRAIN     16384
 #define BLOCKS_A_GRAIN 2 // number of blocks of the smallest run that is shared
 

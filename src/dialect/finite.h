@@ -28,8 +28,8 @@ INLINE Real push_of(Real x) { return blend(splat(0.0f), x, (x > splat(0.0f)) & (
 // Clamps an impulse to -limit .. limit; limit is finite. NaN becomes -limit.
 INLINE Real grip_of(Real x, Real limit) { return minimum(limit, maximum(-limit, x)); }
 
-// Returns the factor by which a vector is multiplied to limit its length: 1 if the vector is shorter. Vectors whose
-// square may overflow are scaled down first. The product of a vector that is not finite and this factor is NaN.
+// Returns the factor that reduces a vector to `length`; 1 if the vector is not longer than that. Vectors whose square
+// may overflow are scaled down first. The product of a vector that is not finite and this factor is NaN.
 INLINE Real vec_shrink(Vec v, float length)
 {
 	Real square = vec_dot(v, v);

@@ -18,7 +18,7 @@ WIDE_INLINE Quad quad_load(const float* from) { return *(const Quad*)from; }
 WIDE_INLINE void quad_store(float* to, Quad q) { *(Quad*)to = q; }
 
 #define FOUR_LANES(f, k) f(k), f(k + 1), f(k + 2), f(k + 3)
-// Every second number, from number k on, of two quads; EVERY_SECOND: of all lanes of two vectors.
+// Indices of every second number of two quads, from number k on; EVERY_SECOND: the same for all lanes of two vectors.
 #define TWO_QUADS(k) k, k + 2, k + 4, k + 6
 #if LANES == 4
 #define EACH_QUAD(a, b, c, d) a, b, c, d
@@ -41,7 +41,7 @@ WIDE_INLINE Int indices(int i)
 	return k + i;
 }
 
-// Value of lane k. Compilers turn a list of all lanes into inserts, but a loop over lanes into masks.
+// Element of `array` for lane k. Compilers turn a list of all lanes into inserts, but a loop over lanes into masks.
 #define NAMED(k) array[index[k]]
 WIDE_INLINE Real gather(const float* array, Int index) { return (Real){EACH_LANE(NAMED)}; }
 WIDE_INLINE Int gather_int(const int* array, Int index) { return (Int){EACH_LANE(NAMED)}; }

@@ -9,7 +9,8 @@
 #include "world/upload/upload.h"
 #include "world/world.h"
 
-// Up to this mean distance of slots, one read of the range is faster: a read takes a GPU as long as 100 kB of data.
+// Up to this mean distance of slots, one read of the range is faster than one read for each body: a read takes a GPU as
+// long as the transfer of 100 kB.
 #define SPARSE_ROWS 1024
 
 typedef struct // rows of one pool, read for a batch

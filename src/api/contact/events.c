@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-// Minimum sizes of a scree_events: with approvals; with visits and joints.
+// Minimum sizes, in bytes, of a scree_events that has all members up to approvals, and up to joints.
 #define LEAST_WITH_APPROVALS (offsetof(scree_events, approvals) + sizeof(const scree_contact*))
 #define LEAST_WITH_VISITS    (offsetof(scree_events, joints) + sizeof(const scree_joint_event*))
 

@@ -7,7 +7,7 @@
 #include "world/shape/geometry.h"
 #include <stdio.h>
 
-#define MOST_STRENGTH 1e12f // maximum of strengths, drags and densities, in their units; with it, results stay finite
+#define MOST_STRENGTH 1e12f // maximum of strengths, drags and densities, in their units; it keeps results finite
 #define LEAST_FALLOFF 1e-3f // m
 
 void scree_field_def_default_sized(scree_field_def* def, size_t size, scree_field_type type)

@@ -64,7 +64,7 @@ static scree_status check_movers(const scree_world* world, const char* function,
 	return SCREE_OK;
 }
 
-// Writes to poses[k] the pose of the body on which mover k stands, or nowhere if it stands on no body.
+// Writes to poses[k] the pose of the body on which mover k stands, or the pose `nowhere` if it stands on no body.
 static scree_status ground_poses(MoverCall* call, scree_pose* poses)
 {
 	int count = 0;
@@ -107,7 +107,7 @@ static float belt_speed(const scree_world* world, scree_collidable ground)
 	return def.tangent_speed;
 }
 
-// Initializes the motion of a mover. now: current pose of the body on which the mover stands, or nowhere.
+// Initializes the motion of a mover. now: current pose of the body on which the mover stands, or the pose `nowhere`.
 static void begin(const MoverCall* call, const scree_mover* mover, scree_pose now, float dt, MoverMotion* w)
 {
 	scree_vec up = call->def->up;

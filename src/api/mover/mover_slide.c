@@ -6,7 +6,7 @@
 
 #define RECOVER_ROUNDS 8
 #define SLIDE_ROUNDS   5
-#define TOUCH          1e-4f // m: tolerance of the distance between a mover and a surface, which is the skin
+#define TOUCH          1e-4f // m: tolerance of the distance between mover and surface, which should be the skin
 #define BESIDE         0.02f // m: distance from the corner of a step to the ray that searches for its top
 
 static void ask(MoverCall* call, int k, scree_vec from, scree_vec translation)
@@ -15,7 +15,7 @@ static void ask(MoverCall* call, int k, scree_vec from, scree_vec translation)
 	call->of[call->asked++] = k;
 }
 
-// Returns the distance that a probe may move until its distance from the surface that it hits is the skin, m.
+// m: Returns the length by which a probe may move until only the skin is left between it and the surface that it hits.
 static float free_length(const MoverCall* call, int k)
 {
 	scree_vec way = call->probes[k].translation;
@@ -28,8 +28,8 @@ static float free_length(const MoverCall* call, int k)
 	return s > 0.0f ? s : 0.0f;
 }
 
-// Casts the probes with the mover's shape, and with one that includes the skin, which may hit another surface first.
-// A cast ignores surfaces that the shape overlaps at the start, so the second shape is thinner by 2 TOUCH.
+// Casts the probes with the mover's shape, and with a larger one, which may hit another surface first. A cast ignores
+// surfaces that the shape overlaps at the start, so the larger shape includes 2 TOUCH less than the skin.
 static scree_status cast(MoverCall* call)
 {
 	scree_query_result* wide = call->found + call->count;
@@ -115,7 +115,7 @@ static void meet(const MoverCall* call, MoverMotion* w, scree_collidable collida
 	w->last = normal;
 }
 
-// A crushed mover is not pushed out: a surface beyond the middle of the mover would push it out on the other side.
+// A crushed mover is not pushed out: a surface beyond the middle of the mover would push it to the wrong side.
 void mover_crush(const MoverCall* call, int k, scree_collidable by)
 {
 	call->motions[k] = (MoverMotion){.at = call->movers[k].position, .wall = by, .crushed = true};

@@ -31,7 +31,7 @@ typedef struct // a call of scree_movers_move
 	int count, asked;
 	const scree_mover* movers;
 	MoverMotion* motions;
-	scree_probe* probes; // current probes; found: their results; of: indices of their movers
+	scree_probe* probes; // current probes; their results are in `found`, the indices of their movers in `of`
 	scree_ray* rays;
 	scree_query_result* found;
 	int* of;
@@ -48,20 +48,20 @@ static inline scree_vec add_scaled(scree_vec a, float s, scree_vec b)
 // Clamps a position to the edge of the world, SCREE_MAX_COORDINATE.
 scree_vec mover_within(scree_vec at);
 
-// Marks mover k as crushed by a collidable, and returns the mover to its position at the beginning of the call.
+// Marks mover k as crushed by a collidable, and moves the mover back to its position at the beginning of the call.
 void mover_crush(const MoverCall* call, int k, scree_collidable by);
 
 // Clears the mark of crushed movers that no longer overlap anything. Called before anything moves.
 scree_status mover_is_crushed(MoverCall* call);
 
-// Moves movers out of overlaps until surfaces are at distance skin. Movers that overlap after 8 rounds are crushed.
+// Moves movers away from surfaces nearer than the skin. Movers that overlap a surface after 8 rounds are crushed.
 scree_status mover_recover(MoverCall* call);
 
 // Moves movers by their remaining motion; they slide along surfaces and climb steps.
 scree_status mover_slide(MoverCall* call);
 
-// Moves movers down to ground within twice the skin, if they touched no ground in this call and do not rise. For movers
-// that stood on ground before, snap_distance is added.
+// Moves movers that touched no ground in this call and do not rise down to ground at most 2 skin below them, or at most
+// 2 skin + snap_distance below them if they stood on ground before.
 scree_status mover_stand(MoverCall* call);
 
 #endif

@@ -10,7 +10,7 @@
 #include "world/world.h"
 #include <math.h>
 
-#define SWEPT_FAR 0.5f // share of a mover's radius: mover_recover handles collidables that move less
+#define SWEPT_FAR 0.5f // share of a mover's radius: mover_recover handles collidables that move less than this
 
 typedef struct // a moving collidable of a kinematic body
 {
@@ -20,7 +20,7 @@ typedef struct // a moving collidable of a kinematic body
 	float reach, far;    // m: maximum distance of the shape's points from its origin; their maximum displacement
 } Sweeper;
 
-// Returns the pose of a body's origin dt seconds ago, computed from its velocity.
+// Returns the pose that a body's origin had dt seconds ago, computed from the body's velocity.
 static scree_pose pose_before(scree_pose now, scree_velocity v, scree_vec center, float dt)
 {
 	scree_rot turn = rot_product(scree_rot_make(-v.angular * dt), now.rotation);
@@ -142,7 +142,8 @@ static scree_body owner_of(const MoverCall* call, scree_collidable collidable)
 
 static bool is_body(scree_body a, scree_body b) { return !scree_body_is_null(a) && a.index == b.index; }
 
-// Finds the longest displacement of mover k by a sweeper, and this sweeper. The mover's ground moves it by w->carried.
+// Finds the longest displacement that a sweeper gives to mover k, and this sweeper. A sweeper on which the mover stands
+// gives w->carried.
 static scree_status push_of(MoverCall* call, int k, const Sweeper* sweepers, int count, scree_vec* longest,
                             scree_collidable* crusher)
 {

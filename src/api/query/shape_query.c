@@ -8,7 +8,7 @@
 #define IMPACT_DISTANCE (0.05f * LINEAR_SLOP) // m: shapes at this distance have met
 #define IMPACT_ROUNDS   200
 
-typedef struct // two shapes with their poses; q, turn: pose of b in the frame of a
+typedef struct // two shapes with their poses; q, turn: pose of shape b in the frame of shape a
 {
 	Attribute a, b;
 	scree_pose pose_a, pose_b;

@@ -9,7 +9,7 @@
 #define LEAST_BYTES ((size_t)1 << 20)
 #define TRIES       4     // the best try counts
 #define COPIES      8     // copies of a try: with many, the time to start and end a try has little effect
-#define ENOUGH      500.0 // ms: no try begins later
+#define ENOUGH      500.0 // ms: total time of the tries after which no further try begins
 
 scree_status scree_world_get_traffic_sized(scree_world* world, scree_traffic* traffic, size_t size)
 {
