@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_shapes.c -- steps worlds with every pair of shapes, and checks contacts, impulses, overlaps and the state of rest.
+// test_shapes.c -- steps worlds with every pair of shapes; checks contacts, impulses, overlaps and the state of rest.
 #include "support/make_bodies.h"
 #include <math.h>
 #include <stdio.h>

@@ -58,8 +58,8 @@ static void put_curves(FILE* to, const Table* table)
 }
 
 // Marks crossovers by triangles. A crossover is the number of bodies from which OpenCL is faster than the CPU. In left
-// plots this number is beside the triangle. In right plots triangles are close together, so the numbers are in the empty
-// corner.
+// plots this number is beside the triangle. In right plots triangles are close together, so the numbers are in the
+// empty corner.
 static void put_crossovers(FILE* to, const Table* table, int scene, double most)
 {
 	int lines = 0;
