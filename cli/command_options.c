@@ -12,8 +12,7 @@ static bool read_renderer(Options* options, const Option* option, char* text)
 	options->renderer = text;
 	if (strcmp(text, "gl") == 0 || strcmp(text, "cairo") == 0)
 		return true;
-	fprintf(stderr, "scree %s: --%s %s: must be cairo or gl\n", options->name, option->name, text);
-	return false;
+	return refuse_value(options, option, text, "be cairo or gl");
 }
 
 static bool read_theme(Options* options, const Option* option, char* text)
@@ -21,8 +20,7 @@ static bool read_theme(Options* options, const Option* option, char* text)
 	options->dark = strcmp(text, "dark") == 0;
 	if (options->dark || strcmp(text, "light") == 0)
 		return true;
-	fprintf(stderr, "scree %s: --%s %s: must be light or dark\n", options->name, option->name, text);
-	return false;
+	return refuse_value(options, option, text, "be light or dark");
 }
 
 static bool read_scale(Options* options, const Option* option, char* text)
@@ -30,8 +28,7 @@ static bool read_scale(Options* options, const Option* option, char* text)
 	char extra;
 	if (sscanf(text, "%f%c", &options->scale, &extra) == 1 && options->scale >= 0.5f && options->scale <= 4.0f)
 		return true;
-	fprintf(stderr, "scree %s: --%s %s: must be a number from 0.5 to 4\n", options->name, option->name, text);
-	return false;
+	return refuse_value(options, option, text, "be a number from 0.5 to 4");
 }
 
 static const Option device = {"device", 'd', "NAME", "auto, cpu, opencl, or opencl:NAME with part of a device's name",
@@ -39,16 +36,18 @@ static const Option device = {"device", 'd', "NAME", "auto, cpu, opencl, or open
 static const Option renderer = {"renderer", 'R', "NAME",
                                 "renderer of pictures and video: cairo, or gl, which draws on a GPU; default cairo",
                                 OTHER(read_renderer)};
-static const Option paint = {"paint", 'a', "NAME", "with gl: paint of the bodies, one of"
+static const Option paint = {"paint", 'a', "NAME", "paint of the bodies, in the viewer or with --renderer gl, one of"
 #define X(enumerator, name, help) " " name
 #include "view/paints.def"
 #undef X
                              ,
                              TEXT(Options, paint)};
-static const Option theme = {"theme", 'T', "NAME", "with gl: light or dark; default light", OTHER(read_theme)};
+static const Option theme = {"theme", 'T', "NAME", "light or dark, in the viewer or with --renderer gl; default light",
+                             OTHER(read_theme)};
 static const Option scale = {
     "scale", 'z', "N", "scale of the panel and its letters, 0.5 to 4; default: that of the display", OTHER(read_scale)};
-static const Option layers = {"layers", 'L', "NAME,...", "with gl: layers over the bodies, any of"
+static const Option layers = {"layers", 'L', "NAME,...",
+                              "layers over the bodies, in the viewer or with --renderer gl, any of"
 #define X(name, key, shown, help) " " #name
 #include "view/layers.def"
 #undef X

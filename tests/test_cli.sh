@@ -33,12 +33,18 @@ refuse 2 'takes no --steps' scenes --steps 3
 refuse 2 'needs a value' run pile --steps
 refuse 2 '--steps 0: must be a whole number from 1' run pile --steps 0
 refuse 2 '--steps -3' run pile --steps -3
+refuse 2 '--steps "": must be a whole number' run pile --steps ''
 refuse 2 '--steps 3x' run pile --steps 3x
 refuse 2 '--threads 65: must be' run pile --threads 65
 refuse 2 '--lanes 3: must be 1, 4, 8 or 16' run pile --lanes 3
 refuse 2 '--set rows: must be NAME=VALUE' run pyramid --set rows
 refuse 2 '--size 10: must be WxH' run pile --size 10
 refuse 2 '--picture a.jpg: must end in .png' run pile --picture a.jpg
+refuse 2 '--video a.txt: must end in .mp4' run pile --video a.txt
+refuse 2 '--csv a.png: the picture has the same path' run pile --picture a.png --csv a.png
+refuse 2 'unexpected argument "x"; the command takes no arguments' scenes x
+refuse 2 'cannot read .: Is a directory' bench pile --known .
+expect 0 'print this text' help --help
 refuse 2 '--size has no effect: there is no --picture or --video' run pile --size 640x480
 refuse 2 '--view 0,0,0,1: must be LEFT,BOTTOM,RIGHT,TOP' run pile --picture a.png --view 0,0,0,1
 refuse 2 '--zoom 1,2,3: must be LEFT,BOTTOM,RIGHT,TOP' run pile --video a.mp4 --zoom 1,2,3
@@ -47,8 +53,8 @@ refuse 2 '--paint has no effect: there is no --picture or --video' run pile --pa
 refuse 2 '--threads has no effect: the device is not the CPU' run pile --device opencl --threads 2
 refuse 2 '--known has no effect' bench pile --whole --known x.csv
 refuse 2 '--quick has no effect' validate --names --quick
-refuse 2 '0 arguments, takes one scene' run
-refuse 2 '2 arguments, takes one scene' run pile pile
+refuse 2 'a scene is missing; the command takes one scene' run
+refuse 2 'unexpected argument "pile"; the command takes one scene' run pile pile
 refuse 2 'gpu' run pyramid --steps 1 --device gpu
 
 # bad scenes

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# usage.sh -- is sourced by scripts: for --help, prints the comment at the head of the script and exits; refuses all other options.
+# usage.sh -- is sourced by scripts: for --help, prints the comment at the head of the script and exits. Refuses all other options,
+# and all arguments if the line "usage:" of that comment names none.
 for argument in "$@"; do
 	case $argument in
 	-h | --help)
@@ -12,3 +13,7 @@ for argument in "$@"; do
 		;;
 	esac
 done
+if [ $# -gt 0 ] && [ -z "$(sed -n 's/^# usage: [^ ]*//p' "$0")" ]; then
+	echo "${0##*/}: unexpected argument $1; the script takes none" >&2
+	exit 2
+fi

@@ -57,8 +57,8 @@ static double reach(Lab* lab, int body, double x, double y)
 	{
 		double vx = (double)shape->vertices[k].x, vy = (double)shape->vertices[k].y;
 		double c = (double)pose.rotation.c, s = (double)pose.rotation.s;
-		most = larger(most,
-		            x * ((double)pose.position.x + c * vx - s * vy) + y * ((double)pose.position.y + s * vx + c * vy));
+		most = larger(most, x * ((double)pose.position.x + c * vx - s * vy) +
+		                        y * ((double)pose.position.y + s * vx + c * vy));
 	}
 	return most + (double)shape->radius;
 }

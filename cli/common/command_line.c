@@ -19,8 +19,9 @@ static void print_help(FILE* file, const CommandLine* line)
 	fprintf(file,
 	        "\n%s COMMAND --help lists the options of a command as well. %s --version prints the version.\n"
 	        "\nA scene is a name from `scree scenes` or the path of a JSON file. The environment variable\n"
-	        "SCREE_SCENES names a folder that is searched first. Exit codes: 0 success; 1 failure of a device or\n"
-	        "a file, or an invalid measurement; 2 invalid arguments or an invalid scene.\n",
+	        "SCREE_SCENES names a folder that is searched first. Exit codes: 0 success; 1 failure of a device, a\n"
+	        "file that cannot be written, or an invalid measurement; 2 invalid arguments, or a scene or another\n"
+	        "file that cannot be read.\n",
 	        line->name, line->name);
 }
 
@@ -104,10 +105,14 @@ static int run_named(const CommandLine* line, Options* options, int count, char*
 	}
 	if (options->argument_count < command->least || options->argument_count > command->most)
 	{
-		fprintf(stderr, "%s %s: %d arguments, takes %s\n", line->name, command->name, options->argument_count,
-		        command->most == 0   ? "none"
-		        : command->most == 1 ? "one scene"
-		                             : "one scene or more");
+		const char* takes = command->most == 0   ? "no arguments"
+		                    : command->most == 1 ? "one scene"
+		                                         : "one scene or more";
+		if (options->argument_count > command->most)
+			fprintf(stderr, "%s %s: unexpected argument \"%s\"; the command takes %s\n", line->name, command->name,
+			        options->arguments[command->most], takes);
+		else
+			fprintf(stderr, "%s %s: a scene is missing; the command takes %s\n", line->name, command->name, takes);
 		return EXIT_BAD;
 	}
 	return command->run(options);
@@ -138,9 +143,10 @@ int command_line_run(const CommandLine* line, Options* options, int count, char*
 	}
 	program_name = line->name;
 	options->executable = executable_path(words[0], executable, sizeof executable);
-	if (count > 2 && strcmp(words[1], "help") == 0)
+	bool help = strcmp(words[1], "help") == 0;
+	if (help && count > 2 && strcmp(words[2], "--help") != 0 && strcmp(words[2], "-h") != 0)
 		code = explain(line, count, words);
-	else if (strcmp(words[1], "help") == 0 || strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0)
+	else if (help || strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0)
 		print_help(stdout, line);
 	else if (strcmp(words[1], "--version") == 0)
 		printf("%s\n", scree_version());

@@ -2,6 +2,7 @@
 // known_hashes.c -- reads the hashes of an earlier bench, with which the hashes of a new bench must agree.
 #include "known_hashes.h"
 #include "csv.h"
+#include "tools/common/open_input.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -80,7 +81,7 @@ int known_open(const char* path, Known* known)
 	*known = (Known){0};
 	if (!path)
 		return EXIT_GOOD;
-	FILE* file = fopen(path, "r");
+	FILE* file = open_input(path);
 	if (!file)
 	{
 		fprintf(stderr, "%s bench: cannot read %s: %s\n", program_name, path, strerror(errno));

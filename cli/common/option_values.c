@@ -18,6 +18,13 @@ bool read_text(Options* options, const Option* option, char* text)
 	return true;
 }
 
+bool refuse_value(const Options* options, const Option* option, const char* text, const char* must)
+{
+	fprintf(stderr, "%s %s: --%s %s: must %s\n", program_name, options->name, option->name, *text ? text : "\"\"",
+	        must);
+	return false;
+}
+
 bool read_number(Options* options, const Option* option, char* text)
 {
 	char* end;
@@ -27,9 +34,9 @@ bool read_number(Options* options, const Option* option, char* text)
 		*(int*)((char*)options + option->offset) = (int)value;
 		return true;
 	}
-	fprintf(stderr, "%s %s: --%s %s: must be a whole number from 1 to %d\n", program_name, options->name, option->name,
-	        text, option->most);
-	return false;
+	char must[64];
+	snprintf(must, sizeof must, "be a whole number from 1 to %d", option->most);
+	return refuse_value(options, option, text, must);
 }
 
 static bool read_lanes(Options* options, const Option* option, char* text)
@@ -43,8 +50,7 @@ static bool read_lanes(Options* options, const Option* option, char* text)
 			return true;
 		}
 	}
-	fprintf(stderr, "%s %s: --%s %s: must be 1, 4, 8 or 16\n", program_name, options->name, option->name, text);
-	return false;
+	return refuse_value(options, option, text, "be 1, 4, 8 or 16");
 }
 
 static bool read_setting(Options* options, const Option* option, char* text)
@@ -52,8 +58,7 @@ static bool read_setting(Options* options, const Option* option, char* text)
 	char* equals = strchr(text, '=');
 	if (!equals || equals == text || !equals[1])
 	{
-		fprintf(stderr, "%s %s: --%s %s: must be NAME=VALUE\n", program_name, options->name, option->name, text);
-		return false;
+		return refuse_value(options, option, text, "be NAME=VALUE");
 	}
 	if (options->setting_count == MAX_SETTINGS)
 	{
@@ -72,8 +77,7 @@ static bool read_size(Options* options, const Option* option, char* text)
 	if (sscanf(text, "%5dx%5d%c", &options->width, &options->height, &extra) == 2 && options->width >= 64 &&
 	    options->height >= 64 && options->width <= 16384 && options->height <= 16384)
 		return true;
-	fprintf(stderr, "%s %s: --%s %s: must be WxH, each 64 to 16384\n", program_name, options->name, option->name, text);
-	return false;
+	return refuse_value(options, option, text, "be WxH, each 64 to 16384");
 }
 
 static bool read_box(const Options* options, const Option* option, const char* text, bool* there, scree_box* box)
@@ -84,8 +88,7 @@ static bool read_box(const Options* options, const Option* option, const char* t
 	         low->y < high->y && low->x >= -SCREE_MAX_COORDINATE && low->y >= -SCREE_MAX_COORDINATE &&
 	         high->x <= SCREE_MAX_COORDINATE && high->y <= SCREE_MAX_COORDINATE;
 	if (!*there)
-		fprintf(stderr, "%s %s: --%s %s: must be LEFT,BOTTOM,RIGHT,TOP in metres, LEFT below RIGHT, BOTTOM below TOP\n",
-		        program_name, options->name, option->name, text);
+		refuse_value(options, option, text, "be LEFT,BOTTOM,RIGHT,TOP in metres, LEFT below RIGHT, BOTTOM below TOP");
 	return *there;
 }
 
@@ -99,14 +102,30 @@ static bool read_zoom(Options* options, const Option* option, char* text)
 	return read_box(options, option, text, &options->has_zoom, &options->zoom);
 }
 
+static bool ends_in(const char* text, const char* end)
+{
+	size_t length = strlen(text), count = strlen(end);
+	return length > count && strcmp(text + length - count, end) == 0;
+}
+
 static bool read_picture(Options* options, const Option* option, char* text)
 {
-	size_t length = strlen(text);
 	options->picture = text;
-	if (length > 4 && strcmp(text + length - 4, ".png") == 0)
+	if (ends_in(text, ".png"))
 		return true;
-	fprintf(stderr, "%s %s: --%s %s: must end in .png\n", program_name, options->name, option->name, text);
-	return false;
+	return refuse_value(options, option, text, "end in .png");
+}
+
+static bool read_video(Options* options, const Option* option, char* text)
+{
+	static const char* const ends[] = {".mp4", ".mkv", ".mov", ".webm", ".avi", ".gif"};
+	options->video = text;
+	for (size_t k = 0; k < sizeof ends / sizeof *ends; ++k)
+	{
+		if (ends_in(text, ends[k]))
+			return true;
+	}
+	return refuse_value(options, option, text, "end in .mp4, .mkv, .mov, .webm, .avi or .gif");
 }
 
 const Option option_steps = {"steps", 'n', "N", "number of steps; default: that of the scene",
@@ -122,7 +141,7 @@ const Option option_set = {"set", 's', "NAME=VALUE", "set a parameter of the sce
                            OTHER(read_setting)};
 const Option option_picture = {"picture", 'p', "FILE.png", "draw the final state", OTHER(read_picture)};
 const Option option_video = {"video", 'v', "FILE.mp4", "record 60 frames per second of simulated time, with ffmpeg",
-                             TEXT(Options, video)};
+                             OTHER(read_video)};
 const Option option_size = {"size", 'S', "WxH", "width and height in pixels; default 1600x900", OTHER(read_size)};
 const Option option_view = {
     "view", 'V', "L,B,R,T",

@@ -14,6 +14,9 @@ bool read_switch(Options* options, const Option* option, char* text);
 bool read_text(Options* options, const Option* option, char* text);
 bool read_number(Options* options, const Option* option, char* text);
 
+// Prints that the value of an option must be or do something else, with the words `must`, and returns false.
+bool refuse_value(const Options* options, const Option* option, const char* text, const char* must);
+
 // last three members of an Option. SWITCH, TEXT and NUMBER set a member of Options, or of a struct that begins with
 // Options.
 #define SWITCH(type, member)       read_switch, offsetof(type, member), 0

@@ -10,8 +10,8 @@
 
 // exit codes
 #define EXIT_GOOD   0
-#define EXIT_FAILED 1 // failure of a device, a file or memory, or an invalid measurement
-#define EXIT_BAD    2 // invalid command line or scene; nothing was simulated
+#define EXIT_FAILED 1 // failure of a device, a written file or memory, or an invalid measurement
+#define EXIT_BAD    2 // invalid command line, or a scene or another file that cannot be read; nothing was simulated
 
 extern const char* program_name; // beginning of each message; set by command_line_run
 

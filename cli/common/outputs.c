@@ -10,7 +10,7 @@
 
 static int file_failed(const char* path)
 {
-	fprintf(stderr, "%s: cannot write %s: %s\n", program_name, path, strerror(errno));
+	fprintf(stderr, "%s: cannot write %s: %s\n", program_name, *path ? path : "\"\"", strerror(errno));
 	return EXIT_FAILED;
 }
 
@@ -59,13 +59,23 @@ int outputs_open(Outputs* outputs, const ScenePlayer* player, const char* const*
 	}
 	if (outputs->renderer && !picture_renderer_set_world(outputs->renderer, player))
 		return EXIT_FAILED;
+	const char* const images[] = {options->picture, options->video};
+	for (int k = 0; k < 2; ++k)
+	{
+		if (!options->csv || !images[k] || strcmp(images[k], options->csv) != 0)
+			continue;
+		fprintf(stderr, "%s run: --csv %s: the %s has the same path\n", program_name, options->csv,
+		        k == 0 ? "picture" : "video");
+		return EXIT_BAD;
+	}
 	if (!open_file(&outputs->picture_file, options->picture) || !open_file(&outputs->csv, options->csv))
 		return EXIT_FAILED;
 	if (options->video && !video_open(&outputs->video, options->video, options->width, options->height))
 		return EXIT_FAILED;
 	if (outputs->csv)
 	{
-		fprintf(outputs->csv, "step,bodies,contacts,touching,colors,spokes,moved,new_contacts,penetration,ms_step");
+		fprintf(outputs->csv,
+		        "step,bodies,contacts,touching,colors,spokes,updated_boxes,new_contacts,penetration,ms_step");
 		for (int k = 0; k < STAGE_TIMES; ++k)
 			fprintf(outputs->csv, ",ms_%s", stages[k]);
 		fprintf(outputs->csv, "%s\n", player->scene->fan_count > 0 ? ",rays,ray_hits,ms_rays" : "");

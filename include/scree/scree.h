@@ -752,8 +752,9 @@ SCREE_API scree_status scree_body_get_point_velocity(scree_world* world, scree_b
 
 // Returns a definition of the body as it is now: its type, pose, velocity, values, locks and user data, and whether it
 // is disabled. A body that is created from this definition has no collidable: attribute is null, and filter, reports
-// and sensor have their defaults. The definition contains neither a mass set by scree_body_set_mass nor the target of a
-// kinematic body.
+// and sensor have their defaults. The definition contains neither a mass set by scree_body_set_mass, nor the target of a
+// kinematic body, nor forces that were applied since the last step. scree_body_create refuses it if the body has moved
+// beyond SCREE_MAX_COORDINATE or is faster than a new body may be.
 static inline scree_status scree_body_get_def(scree_world* world, scree_body body, scree_body_def* def);
 
 // Settings of one body, with the units and ranges of scree_body_def. Changes are uploaded with the next batch.

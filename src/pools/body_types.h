@@ -11,10 +11,10 @@
 #define PRESS_START       0.0001f // m: overlap with a static body above which a step searches for presses
 #define PRESS_GAP         0.01f   // m: gap above which a joint drags a body that cannot follow
 #define PRESS_MOST        0.015f  // m: maximum depth of a pressed body in a static one; contacts carry loads by overlap
-#define PRESS_MAY_WAIT   1  // bit of the argument of the press kernels: the constraint layout may have changed
-#define PRESS_AGAIN      2  // bit of the same argument: this is not the first round
-#define CONTINUOUS_SHARE 2  // least number of collidables of a body per work-item of the kernel continuous
-#define CONTINUOUS_PARTS 64 // maximum number of work-items per body in the kernel continuous
+#define PRESS_MAY_WAIT    1       // bit of the argument of the press kernels: the constraint layout may have changed
+#define PRESS_AGAIN       2       // bit of the same argument: this is not the first round
+#define CONTINUOUS_SHARE  2       // least number of collidables of a body per work-item of the kernel continuous
+#define CONTINUOUS_PARTS  64      // maximum number of work-items per body in the kernel continuous
 
 typedef struct // 16 bytes: data of a dynamic body for continuous collision
 {

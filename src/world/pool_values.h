@@ -25,6 +25,8 @@ static inline void shape_row(const scree_shape* shape, Attribute* row)
 	}
 }
 
+_Static_assert(sizeof(Motion) == 8 * sizeof(float), "kernels read a Motion as eight numbers (registers.cl, tiles.cl)");
+
 // Returns Command.value for COMMAND_MOTION.
 static inline Float4 body_values_row(const BodyValues* values)
 {

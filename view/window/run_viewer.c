@@ -114,10 +114,10 @@ static bool open_viewer(Loop* loop, char* sentence)
 	if (!style_read(&v->style, o->paint, o->layers, sentence))
 		return false;
 	v->style.dark = o->dark;
-	v->code = 1;
-	if (!script_open(&loop->script, o->script, sentence) || !window_open(v, sentence))
+	if (!script_open(&loop->script, o->script, sentence))
 		return false;
-	if (!renderer_open(&v->renderer, sentence))
+	v->code = 1;
+	if (!window_open(v, sentence) || !renderer_open(&v->renderer, sentence))
 		return false;
 	v->code = 2;
 	if (!session_open(&v->session, o, window_opengl(v), sentence))

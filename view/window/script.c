@@ -4,6 +4,7 @@
 // Before a frame the script runs all lines up to the next "frames N" or "await STATE". "frames N" draws N frames of one
 // step each; "await STATE" draws frames until the viewer is in that state.
 #include "view/window/script.h"
+#include "tools/common/open_input.h"
 #include "view/window/export.h"
 #include "view/window/input.h"
 #include "view/window/panel.h"
@@ -28,7 +29,7 @@ bool script_open(Script* script, const char* path, char* sentence)
 	*script = (Script){.path = path};
 	if (!path)
 		return true;
-	script->file = fopen(path, "r");
+	script->file = open_input(path);
 	if (!script->file)
 		snprintf(sentence, SENTENCE, "cannot read %.400s: %s", path, strerror(errno));
 	return script->file;

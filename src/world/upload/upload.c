@@ -66,8 +66,8 @@ static scree_status reserve(scree_world* world, const Demand* demand, char** mem
 	}
 	size_t bytes = (size_t)world->edits.attribute_count * sizeof(Attribute);
 	bytes = larger(bytes, (size_t)world->edits.joint_count * sizeof(JointEdit));
-	bytes = larger(bytes, (size_t)demand->body_rows * sizeof(BodyState));
-	bytes = larger(bytes, (size_t)demand->collidable_rows * sizeof(Filter));
+	bytes = larger(bytes, (size_t)demand->body_rows * largest_row(PER_BODY));
+	bytes = larger(bytes, (size_t)demand->collidable_rows * largest_row(PER_COLLIDABLE));
 	bytes = larger(bytes, (size_t)demand->commands * (2 * sizeof(Command) + sizeof(int)) + sizeof(int));
 	*memory = world_scratch(world, bytes);
 	if (!*memory)

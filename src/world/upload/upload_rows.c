@@ -91,6 +91,17 @@ static void collidable_item(const scree_world* world, PoolId pool, int index, vo
 
 static bool is_cleared(int pool, Per per) { return pool_info[pool].per == per && pool_info[pool].role <= STATE; }
 
+size_t largest_row(Per per)
+{
+	size_t most = 0;
+	for (int pool = 0; pool < POOL_COUNT; ++pool)
+	{
+		if (pool_info[pool].per == per && pool_info[pool].bytes > most)
+			most = pool_info[pool].bytes;
+	}
+	return most;
+}
+
 scree_status upload_bodies(scree_world* world, int begin, int end, char* stage)
 {
 	Backend* b = world->backend;

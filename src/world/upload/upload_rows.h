@@ -14,4 +14,7 @@ scree_status upload_attributes(scree_world* world, char* stage);
 // Returns the pose of the center of mass of a new body, in the format of the pool pose.
 Float4 body_pose(const BodyRow* row);
 
+// Returns the size of the largest row of a kind that an upload of rows writes, bytes.
+size_t largest_row(Per per);
+
 #endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// open_input.c -- opens files to read.
+#include "tools/common/open_input.h"
+#include <errno.h>
+
+FILE* open_input(const char* path)
+{
+	FILE* file = fopen(path, "r");
+	if (!file)
+		return NULL;
+	errno = 0;
+	int first = fgetc(file), reason = errno;
+	if (!ferror(file))
+	{
+		if (first != EOF)
+			ungetc(first, file);
+		return file;
+	}
+	fclose(file);
+	errno = reason;
+	return NULL;
+}
