@@ -1,4 +1,4 @@
-# curves.gp -- draws the curves for bench/plot.sh. `data` names a file with one block for each curve: its title, then lines with
+# curves.gp -- draws the curves for bench/plot.sh. `data` names a file with one block for each curve: the title, then lines with
 # bodies and ms per step. `count` is the number of blocks.
 set output out
 set logscale xy

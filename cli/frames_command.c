@@ -18,7 +18,7 @@
 #include <epoxy/gl.h>
 #include <stdlib.h>
 
-// number of frames at the start of a run that are not measured: buffers are created, drivers start
+// number of frames at the start of a run that are not measured, because buffers are created and drivers start
 #define WARM_UP 5
 
 typedef struct // medians of a run, ms, and hashes at its end

@@ -1,5 +1,5 @@
-# embed.cmake -- writes the OpenCL program as one array of chars: the file ENTRY, with each include replaced by the text
-# of the file.
+# embed.cmake -- writes the OpenCL program as one array of chars: the file ENTRY, with each include replaced by the
+# text of the included file.
 #
 # Run at build time: cmake -DROOT=. -DENTRY=opencl/kernels.cl -DNAME=opencl_program -DOUT=program.c -P embed.cmake
 #

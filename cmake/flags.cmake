@@ -23,7 +23,7 @@ function(scree_flags target)
 	# replaces the folder of the sources in file names of assertions, so that a program does not depend on the folder of
 	# the build
 	target_compile_options(${target} PRIVATE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
-	# allowed, because vectors are passed only between functions of one file
+	# disables warnings about the ABI of vectors, because vectors are passed only between functions of one file
 	target_compile_options(${target} PRIVATE -Wno-psabi)
 	if(NOT WIN32 AND NOT EMSCRIPTEN)
 		target_compile_options(${target} PRIVATE -fno-semantic-interposition)

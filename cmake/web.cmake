@@ -1,7 +1,7 @@
 # web.cmake -- builds targets for WebAssembly besides the libraries: the engine of the npm package, and the program
 # whose hashes tests compare.
 
-# the JavaScript optimizers that Emscripten runs at link time need acorn, which node finds in the path of Debian's
+# the JavaScript optimizers that Emscripten runs at link time need acorn; NODE_PATH is the folder of Debian's node
 # modules
 set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
 

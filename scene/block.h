@@ -23,7 +23,7 @@ struct Block
 bool block_read(Reader* reader, const Location* location, const json_t* value, const Scene* scene, bool bodies,
                 Block* block);
 
-// Returns the position in Scene.blocks of the block of bodies with a name, -1 if there is none.
+// Returns the position in Scene.blocks of the block of bodies with this name, -1 if there is none.
 int block_find(const Scene* scene, const char* name);
 
 // Reads a text that must be the name of a block of bodies, and sets *block to its position in Scene.blocks.

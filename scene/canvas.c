@@ -91,7 +91,7 @@ static void show_text(cairo_t* cairo, const char* text, cairo_font_weight_t weig
 	cairo_show_text(cairo, text);
 }
 
-// Returns the width of a caption, px; draws the caption if show is true. The 16 digits of a hash get equal widths;
+// Returns the width of a caption, px; draws the caption if `show` is true. The 16 digits of a hash get equal widths;
 // otherwise the fields after the hash would jump from frame to frame.
 static double put_caption(cairo_t* cairo, const char* caption, bool show, double x, double y)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// caption.c -- writes the caption of a picture. The caption stands beside the title.
+// caption.c -- writes the caption of a picture. The caption follows the title.
 #include "scene/caption.h"
 #include <inttypes.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// caption.h -- writes the caption of a picture. The caption stands beside the title.
+// caption.h -- writes the caption of a picture. The caption follows the title.
 #ifndef CAPTION_H
 #define CAPTION_H
 #include "scene/scene.h"

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define GROUND_PULL 10.0f // 1/s: maximum acceleration of a character on ground, m/s^2, divided by its speed, m/s
+#define GROUND_PULL 10.0f // 1/s: maximum acceleration of a character on ground, divided by its walking speed
 #define AIR_PULL    4.0f  // 1/s: the same for a character in the air, while the key left or right is down
 
 // m: a character that drops through a one-way platform is moved down by this depth, so that it is inside the platform
@@ -101,8 +101,8 @@ static scree_status walk(Characters* characters, scree_world* world, int k, uint
 	return status == SCREE_OK && enabled ? scree_body_set_target(world, mover->ignored, pose) : status;
 }
 
-// Disables the bodies that characters take: those in the block of a character with a sensor that this character began
-// to visit in the last step.
+// Disables the bodies that characters take. A character takes a body of its block `takes` if it began to visit a
+// sensor of that body in the last step.
 static scree_status take(Characters* characters, scree_world* world)
 {
 	const Scene* scene = characters->scene;

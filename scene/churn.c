@@ -129,7 +129,7 @@ static void close_arrays(Arrays* arrays)
 	free(arrays->defs);
 }
 
-// Applies the moves (replaced is false) or the replacements (replaced is true).
+// Applies the replacements if `replaced` is true, otherwise the moves.
 static scree_status apply(scree_world* world, Arrays* arrays, const SceneChange* changes, int count, bool replaced)
 {
 	int chosen = 0;

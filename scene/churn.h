@@ -17,7 +17,7 @@ typedef struct // change of a body before a step, for callers without a world
 {
 	int item;      // index of the body in the order of the file
 	bool replaced; // true: destroyed and created again; false: moved
-	// new pose and velocity; if the body is replaced, all members, and attribute is a position in Scene.attributes
+	// moved body: only pose and velocity; replaced body: all members, `attribute` as a position in Scene.attributes
 	scree_body_def body;
 } SceneChange;
 

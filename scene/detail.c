@@ -58,7 +58,7 @@ void detail_put(Detail* p, Canvas* canvas)
 	Viewport whole = viewport_show(p->whole, canvas->width, canvas->height);
 	Viewport part = viewport_show(p->part, canvas->width, canvas->height);
 	double zoom = whole.scale / part.scale, floor = canvas->height - BAND;
-	// px: left and top of the mark: the point of the whole scene that the part shows at its upper left corner
+	// px: upper left corner of the mark, which is the point of the scene at the upper left corner of the part
 	double left = (part.left + p->left / part.scale - whole.left) * whole.scale;
 	double top = floor - (part.bottom + (floor - p->top) / part.scale - whole.bottom) * whole.scale;
 	canvas_mark(canvas, left, top, p->width * zoom, p->height * zoom);

@@ -2,7 +2,7 @@
 // expression.c -- arithmetic in scene files: compiles a text once, and evaluates it for up to millions of items.
 //
 // The compiler is a recursive descent parser of sums, products, signs and atoms. It writes postfix code for a small
-// stack and executes operations on constants at once.
+// stack and already executes the operations on constants.
 #include "scene/expression.h"
 #include "scene/instruction.h"
 #include <ctype.h>

@@ -8,7 +8,7 @@
 struct SceneField
 {
 	scree_field_def def; // without its body
-	int block, index;    // body that carries the field: position in Scene.blocks, -1 for none; index in its block
+	int block, index;    // position of the body's block in Scene.blocks, -1: no body; index of the body in that block
 };
 
 // Reads the members "fields" and "blasts", if the scene has them, after the blocks of bodies.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// format.c -- holds the table of the keys of scene files, and reads the values of keys without special code.
+// format.c -- holds the table of the keys of scene files, and reads the values of all keys that need no special code.
 #include "scene/format.h"
 #include <float.h>
 #include <math.h>

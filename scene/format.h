@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// format.h -- the table of the keys of scene files; reads the values of keys without special code.
+// format.h -- declares the table of the keys of scene files, and reads the values of keys that need no special code.
 #ifndef FORMAT_H
 #define FORMAT_H
 #include "scene/reader.h"
@@ -81,12 +81,12 @@ Range format_range(FormatObject object, const char* name);
 // Checks that a value is an object, and that all its keys are allowed and all necessary keys are present.
 bool format_check(Reader* reader, const Location* location, const json_t* value, FormatObject object);
 
-// Writes the struct of an object that has no keys.
+// Sets *target to the struct of an object without keys: the default values.
 void format_default(FormatObject object, void* target);
 
-// Reads all keys of an object, except the special keys, into the struct at this offset in an item. numbers: list to
-// which numbers are added that differ between items, and which items_store evaluates; null if no loop index exists
-// here. The caller frees the list, also on failure.
+// Reads all keys of an object, except the special keys, into the struct at this offset in an item. numbers: gets the
+// numbers that differ between items, which items_store evaluates; null if no loop index exists here. The caller frees
+// the list, also on failure.
 bool format_read(Reader* reader, const Location* location, const json_t* value, FormatObject object, void* item,
                  size_t offset, FormatNumbers* numbers);
 void format_free(FormatNumbers* numbers);

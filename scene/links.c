@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// links.c -- lists the joints of a picture and their paths. The line of a joint leads from the center of one body over
-// the anchors to the center of the other.
+// links.c -- lists the joints of a picture and their paths. The line of a joint leads over both anchors, and ends at
+// the origins of dynamic bodies.
 #include "scene/links.h"
 #include <stdlib.h>
 #include <string.h>
@@ -21,7 +21,7 @@ static bool set_end(Link* link, int end, const Sprites* sprites, const scree_wor
 	link->bodies[end] = sprites_find(sprites, body);
 	if (link->bodies[end] < 0 || scree_body_get_type(world, body, &type) != SCREE_OK)
 		return false;
-	// excludes the centers of static and kinematic bodies: such bodies may be large, with their origins far away
+	// excludes the origins of static and kinematic bodies, because such bodies may be large, with origins far away
 	link->centers[end] = type == SCREE_BODY_DYNAMIC;
 	return true;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// links.h -- lists the joints of a picture and their paths. The line of a joint leads from the center of one body over
-// the anchors to the center of the other.
+// links.h -- lists the joints of a picture and their paths. The line of a joint leads over both anchors, and ends at
+// the origins of dynamic bodies.
 #ifndef LINKS_H
 #define LINKS_H
 #include "scene/sprites.h"

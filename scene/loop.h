@@ -23,7 +23,7 @@ bool loop_read(Reader* reader, const Location* location, const json_t* value, Lo
 void loop_free(Loop* loop);
 
 // Makes the index a name for expressions. slot: place of its values in Item.indices; -1: the index is the constant
-// value.
+// `value`.
 bool loop_add_index(Reader* reader, const Location* location, const Loop* loop, int slot, double value);
 
 // Reads the member "repeat" of a block, if the block has it. The ranges of inner loops and the block may use each

@@ -277,7 +277,7 @@ static void draw_link(Picture* p, const Link* link, const scree_pose* poses)
 	cairo_stroke(p->cairo);
 	for (int end = 0; pin >= PINNED && end < 2; ++end)
 	{
-		// draws no dot at the center of a body, which the dot would hide
+		// draws no dot at an anchor that is nearer to the body's origin than the radius of a dot
 		int at = anchors[end], center = end ? count - 1 : 0;
 		if (center != at && hypot(x[at] - x[center], y[at] - y[center]) < pin)
 			continue;

@@ -18,7 +18,7 @@ const scree_body* picture_bodies(const Picture* picture, int* count);
 // Shows this box of the world, in place of the view of the scene and of its detail.
 void picture_aim(Picture* picture, scree_box view);
 
-// Draws bodies at the given poses, joints, sensors, fields and rays, and writes the title of the scene and a caption.
+// Draws joints, sensors, fields, rays, and the bodies at the given poses. Writes the title of the scene and a caption.
 // Fails if a ray cast fails.
 scree_status picture_draw(Picture* picture, const scree_pose* poses, const char* caption);
 

@@ -62,13 +62,13 @@ bool reader_fail(Reader* reader, const Location* location, const char* format, .
 // Writes an error message with the value, shortened, and with the text `must` ("must be ..."). Returns false.
 bool reader_fail_value(Reader* reader, const Location* location, const json_t* value, const char* must);
 
-// Returns null if a value is inside a range, otherwise the reason, as "must be ...", which may be written to text.
+// Returns null if a value is inside a range; otherwise the reason, "must be ...", which may lie in `text`.
 const char* range_fault(Range range, double value, char* text, size_t size);
 
 // Writes a location as "bodies[3].position[0]".
 void location_text(const Location* location, char* text, size_t size);
 
-// Returns true if a value is a list or null; otherwise writes an error message.
+// Returns true if a value is a list, or null: the file does not have it. Otherwise writes an error message.
 bool reader_list(Reader* reader, const Location* location, const json_t* value);
 
 // Read one value each. Numbers may be JSON numbers or strings with expressions.
@@ -77,7 +77,7 @@ bool reader_constant(Reader* reader, const Location* location, const json_t* val
 bool reader_vec(Reader* reader, const Location* location, const json_t* value, Range range, scree_vec* vec);
 bool reader_string(Reader* reader, const Location* location, const json_t* value, const char** string);
 bool reader_boolean(Reader* reader, const Location* location, const json_t* value,
-                    bool* boolean); // stays unchanged if value is null
+                    bool* boolean); // stays unchanged if `value` is null
 
 // reader_name reads a name and returns its position in a list that ends with null. reader_names reads a list of such
 // names and returns a bit for each.

@@ -5,8 +5,8 @@
 #include "scree/scree.h"
 #include <box2d/box2d.h>
 
-// Adds a shape, given in the body's frame, to a body. surface: attribute with the surface values; its own shape is not
-// used. The caller applies the mass afterwards. If Box2D has no such shape, prints a sentence and returns false.
+// Adds a shape, given in the body's frame, to a body. surface: attribute with the surface values; the shape in it is
+// not used. The caller applies the mass afterwards. If Box2D has no such shape, prints a sentence and returns false.
 bool box2d_add_shape(b2BodyId body, const scree_attribute_def* surface, const scree_shape* shape, scree_filter filter);
 
 #endif

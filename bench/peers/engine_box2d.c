@@ -12,7 +12,7 @@
 typedef struct
 {
 	b2WorldId world;
-	b2BodyId ground;  // body to which joints with the world are attached; null before the first one
+	b2BodyId ground;  // body to which joints with the world are attached; null before the first such joint
 	b2BodyId* bodies; // bodies of Box2D, by EngineBody.index
 	int room;         // number of allocated entries of `bodies`
 } State;

@@ -9,7 +9,7 @@
 
 typedef struct
 {
-	const char* name; // null: the list of parameters ends
+	const char* name; // null at the end of the list
 	double value;     // default value, used unless --set gives another
 } FixtureParameter;
 
@@ -26,7 +26,7 @@ typedef struct
 	int steps; // number of steps of a trial
 	FixtureParameter parameters[FIXTURE_PARAMETERS];
 	void (*build)(FixtureBuild* build);
-	void (*change)(FixtureBuild* build, int64_t step); // changes the bodies before a step; null: they stay the same
+	void (*change)(FixtureBuild* build, int64_t step); // changes bodies before a step; null: no changes
 } Fixture;
 
 // Sets the parameter of this name. If the name or the value is wrong, prints a sentence and returns false.
@@ -43,10 +43,9 @@ scree_body_def fixture_body(scree_body_type type, float x, float y);
 
 // Adds a body and returns its handle.
 scree_body fixture_add(FixtureBuild* build, const scree_body_def* def);
-// Adds a body with one collidable at its origin, and returns the handle of the body. The collidable gets the filter of
-// def.
+// Adds a body with one collidable at its origin, and returns the handle of the body. The collidable gets def.filter.
 scree_body fixture_put(FixtureBuild* build, scree_body_def def, const scree_attribute_def* surface);
-// Adds a collidable to a body. at: position in the body's frame, m.
+// Adds a collidable to a body. at: position of the collidable in the body's frame, m.
 void fixture_attach(FixtureBuild* build, scree_body body, const scree_attribute_def* surface, scree_vec at,
                     scree_filter filter);
 

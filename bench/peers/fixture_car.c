@@ -13,7 +13,7 @@ enum
 	ROUGHNESS
 };
 
-// Returns the height of the ground at x = k, from -1 to 1: a random number that is the same on every machine.
+// Returns a random height of the ground at x = k, in units of the roughness, -1 to 1; the same on every machine.
 static float height_of(int k)
 {
 	uint32_t word = (uint32_t)(k + 1000) * 2654435761u;

@@ -36,7 +36,7 @@ static void build_rain(FixtureBuild* build)
 	}
 }
 
-// Destroys the ragdolls of one column: all bodies with this user data.
+// Destroys all bodies with this user data: the ragdolls of one column.
 static void destroy_column(FixtureBuild* build, uint64_t user)
 {
 	int count, chosen = 0;

@@ -22,7 +22,7 @@ static void add_motor(FixtureBuild* build, scree_body body, scree_vec at, float 
 	fixture_join(build, &def);
 }
 
-// Adds a ring of thick boxes: without continuous collision, bodies would get through a thin line.
+// Adds a ring of thick boxes, because bodies without continuous collision would pass through thin lines.
 static void add_ring(FixtureBuild* build, scree_vec center, float radius)
 {
 	const int sides = 360;

@@ -53,7 +53,7 @@ bool measure_open(Measure* measure, const Setup* setup)
 	       report_status(scree_world_set_gravity(measure->world, (scree_vec){0.0f, 0.0f}));
 }
 
-// Does nothing for a scene in a file, because bodies that it replaces keep their places in the list.
+// Does nothing for a scene in a file, because bodies that the scene replaces keep their places in the list.
 bool measure_change(Measure* measure, const Setup* setup, int64_t step)
 {
 	return setup->scene || !setup->fixture->change || (setup_change(setup, measure->world, step) && list(measure));

@@ -23,7 +23,7 @@ typedef struct
 	double depths;     // sum over all measurements of the deepest overlap, m
 	double contacts;   // sum over all measurements of the number of touching contacts
 	float* height;     // height of each body at the first measurement, m
-	int heights;       // number of entries of height
+	int heights;       // number of entries of `height`
 	float sunk;        // largest descent of a body from the first measurement to the last, m
 
 	scree_joint* joints;
@@ -31,15 +31,15 @@ typedef struct
 	MeasureLock* locks;
 	int joint_count;
 	float separation;    // largest distance of an anchor from its locked place in all measurements, m
-	double gaps, gauged; // sum of these distances over all joints and measurements, m; number of distances
+	double gaps, gauged; // m: sum of these distances over all joints and measurements; number of distances
 } Measure;
 
 // Functions that return a bool return false after printing a sentence; the caller must call measure_close also after a
 // failure.
 bool measure_open(Measure* measure, const Setup* setup);
 bool measure_change(Measure* measure, const Setup* setup, int64_t step); // makes the scene's changes before a step
-bool measure_take(Measure* measure);                                     // measures the poses and adds the results
-double measure_gap(const Measure* measure);                              // returns gaps / gauged, m
+bool measure_take(Measure* measure);                                     // adds the measures of `poses`
+double measure_gap(const Measure* measure);                              // returns the mean distance, gaps / gauged, m
 void measure_close(Measure* measure);
 
 #endif

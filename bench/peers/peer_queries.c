@@ -53,7 +53,7 @@ static const float lengths[KINDS] = {20.0f, 200.0f, 10.0f, 10.0f, 0.0f, 0.0f};
 typedef struct
 {
 	void* states[2];    // states of the engines; null before they are open
-	scree_world* scree; // world of Scree; box2d is that of Box2D
+	scree_world* scree; // world of Scree; the member `box2d` is that of Box2D
 	b2WorldId box2d;
 	int bodies, queries, repeats;
 	float side; // m: side of the square with the bodies
@@ -64,7 +64,7 @@ typedef struct
 	uint64_t seed;
 } Contest;
 
-typedef struct // results of an engine, which are nearly equal for both engines
+typedef struct // results of one engine; `hits` and `sum` are nearly equal for both engines
 {
 	double ms;
 	int hits;
@@ -235,7 +235,7 @@ static bool compare(Contest* c, Kind kind)
 	static double batch[MAX_REPEATS], single[MAX_REPEATS], other[MAX_REPEATS], ratio[MAX_REPEATS], alone[MAX_REPEATS];
 	Score scree = {0}, box2d = {0};
 	make_queries(c, kind);
-	for (int k = -1; k < c->repeats; ++k) // repeat -1 warms up the caches and does not count
+	for (int k = -1; k < c->repeats; ++k) // repeat -1 only warms up the caches and is not measured
 	{
 		Score one = {0};
 		scree = box2d = (Score){0};

@@ -227,7 +227,7 @@ static bool compare(const Options* options, const char* name, int steps, int thr
 	       upper_median_of(mean[SCREE], options->repeats), upper_median_of(mean[BOX2D], options->repeats),
 	       upper_median_of(ratio, options->repeats));
 	printf(",%.3f,%.3f", ratio[0],
-	       ratio[options->repeats - 1]); // smallest and largest: upper_median_of has sorted the ratios
+	       ratio[options->repeats - 1]); // smallest and largest ratio, because upper_median_of has sorted them
 	printf(",%.4f,%.4f,%.3f", upper_median_of(first[SCREE], options->repeats),
 	       upper_median_of(first[BOX2D], options->repeats), upper_median_of(first_ratio, options->repeats));
 	printf(",%.4f,%.4f", upper_median_of(median[SCREE], options->repeats),

@@ -31,8 +31,8 @@ static const struct option words_known[] = {
 typedef enum
 {
 	STRETCH,    // sum of the gaps of all joints, % of the original length
-	SAG,        // descent of the body that sank most, m
-	SEPARATION, // gap of the joint that is open most, m
+	SAG,        // largest descent of a body since the start, m
+	SEPARATION, // widest gap of a joint, m
 	RESTLESS,   // mean of the squared speeds of all bodies, m^2/s^2
 	QUANTITIES
 } Quantity;
@@ -50,7 +50,7 @@ typedef struct
 	SceneSetting settings[SETTINGS]; // the list ends at a null name
 	Quantity quantity;
 	float length;      // m: original length, for STRETCH
-	float from, until; // s: begin and end of the part of the scene that counts
+	float from, until; // s: begin and end of the time in which steps are measured
 } Row;
 
 #define ROPE(name, load, level)                                                                        \

@@ -17,16 +17,16 @@ typedef struct
 
 typedef struct
 {
-	// results of a timed trial, ms per step without the first steps; 0 in a measured trial
+	// results of a timed trial, ms per step, without the steps of the warm-up; 0 in a measured trial
 	double mean, median;
-	double first; // mean up to step FIRST_STEPS, while bodies still fall
+	double first; // mean of the steps up to FIRST_STEPS, in which bodies fall
 	// results of a measured trial; 0 in a timed trial
 	float penetration; // deepest overlap of all steps, m
 	float depth;       // mean over all steps of the deepest overlap, m
-	float contacts;    // number of touching contacts, mean of all steps
+	float contacts;    // mean number of touching contacts over all steps
 	float sunk;        // largest descent of a body from the start to the last step, m
 	float separation;  // largest distance of the anchor of a joint from its locked place over all steps, m
-	float gap;         // mean of this distance over all joints and steps, m
+	float gap;         // mean distance of an anchor from its locked place over all joints and steps, m
 	// result of both kinds of trials
 	uint64_t hash; // hash of the final state, computed by the engine
 } Result;

@@ -22,8 +22,8 @@ typedef struct
 	OptionTable options;
 } CommandLine;
 
-// Runs the command that the words name. *options: contains the defaults; its type is Options, or the struct beginning
-// with Options whose members the rows of the option table set. Returns the exit code.
+// Runs the command that the words name. *options: holds the default values, and gets the values of the words. It is an
+// Options, or a larger struct that begins with Options. Returns the exit code.
 int command_line_run(const CommandLine* line, Options* options, int count, char** words);
 
 #endif

@@ -13,11 +13,11 @@ typedef struct
 	Record* records; // measured steps of all runs
 	int count;
 	int runs, begin;                 // number of finished runs; index of the first record of the next run
-	int staged;                      // number of records with milliseconds by stage, which are the last records
+	int staged;                      // number of records with stage times; they are the last records
 	double least, most;              // ms: median step of the fastest and of the slowest run without stage times
 	float penetration;               // m: deepest overlap of all steps
-	uint64_t hash, other;            // hash of the first run; a different hash of a later run, or the same
-	uint64_t answers, other_answers; // likewise: hashes of the results of the scene's rays
+	uint64_t hash, other;            // hash of the first run; last hash that differs from it, or the same hash
+	uint64_t answers, other_answers; // the same two hashes for the results of the scene's rays
 	int nonfinite;                   // number of steps that froze a body
 	double bandwidth;                // copy bandwidth of the device, bytes/s; 0 until it has been measured
 	char device[160];
@@ -28,7 +28,7 @@ typedef struct
 void measurement_add(Measurement* m, const Record* record, int step);
 
 // Ends a run. world: supplies the name of the device; timings: true if the steps have milliseconds by stage; hash:
-// that of the final state; answers: that of the results of the rays.
+// hash of the final state; answers: hash of the results of the rays.
 void measurement_end_run(Measurement* m, const scree_world* world, bool timings, uint64_t hash, uint64_t answers);
 
 // Returns true if the results are valid; if not, prints all reasons.

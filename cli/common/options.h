@@ -28,7 +28,7 @@ typedef struct
 	const char *picture, *video, *csv;     // paths; null: no such file is written
 	const char *renderer, *paint, *layers; // names; null: the default value
 	bool dark;                             // dark theme
-	float scale;                           // scale of the panel; 0: that of the display
+	float scale;                           // scale of the panel; 0: scale of the display
 	const char* script;                    // path of a file with actions of the user; null: none
 	int width, height;                     // px
 	bool has_view, has_zoom;               // true if the option was given; otherwise the scene's view is shown
@@ -37,7 +37,7 @@ typedef struct
 	int queries;       // 0: 1,000,000 queries
 	const char* known; // path of a CSV with expected hashes; null: none
 	bool names, whole, quick;
-	bool help; // true: print the command's help; the options after --help were not read
+	bool help; // true: the command prints its help; the options after --help were not read
 	SceneSetting settings[MAX_SETTINGS];
 	int setting_count;
 	char** arguments; // words that are not options

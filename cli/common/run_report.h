@@ -4,7 +4,7 @@
 #define RUN_REPORT_H
 #include "step_record.h"
 
-typedef struct // sums over all steps; penetration and joint_gap are maxima, `last` is the last step
+typedef struct // sums over all steps; penetration and joint_gap: maxima; `last`: record of the last step
 {
 	Record last;
 	double seconds; // s: time of the steps
@@ -19,7 +19,7 @@ void totals_add(Totals* totals, const Record* record);
 typedef struct
 {
 	bool visible; // true if standard output and standard error are terminals
-	double shown; // s, by seconds_now: time of the last print of the bar
+	double shown; // s: time of the last update of the bar, by the clock seconds_now
 } ProgressBar;
 
 ProgressBar progress_bar(void);

@@ -8,13 +8,13 @@
 typedef struct
 {
 	scree_counters counters;
-	float stages[STAGE_TIMES]; // ms: times of the stages, in the order of stage_names or of another pipeline
+	float stages[STAGE_TIMES]; // ms: times of the stages, in the order of stage_names, or those of another pipeline
 	float milliseconds;        // ms: duration of the step, by the clock of the host
 	float scan;                // ms: duration of the scene's rays after the step, by the clock of the host
 	int rays;                  // number of rays of this step
 	int64_t hits;
 	scree_traffic traffic;
-	double solve_rate; // bytes/s of the solve stage; 0 if it was not measured
+	double solve_rate; // bytes/s: memory traffic of the solve stage; 0 if its time was not measured
 } Record;
 
 // Takes one step and records it.

@@ -112,7 +112,7 @@ typedef struct scree_hooks
 {
 	void* (*allocate)(size_t bytes, size_t alignment, void* context); // alignment: power of two; result may be null
 	void (*release)(void* memory, void* context);
-	void (*log)(scree_log_level level, const char* sentence, void* context); // default: warnings to stderr
+	void (*log)(scree_log_level level, const char* sentence, void* context); // default: prints warnings to stderr
 	void (*assert_failed)(const char* expression, const char* file, int line, void* context); // default: prints, aborts
 	void* context;
 } scree_hooks;
@@ -205,9 +205,9 @@ typedef struct scree_world scree_world;
 
 typedef enum scree_window_system
 {
-	SCREE_WINDOW_EGL, // EGLContext, EGLDisplay
-	SCREE_WINDOW_GLX, // GLXContext, Display*
-	SCREE_WINDOW_WGL, // HGLRC, HDC
+	SCREE_WINDOW_EGL, // context: EGLContext; display: EGLDisplay
+	SCREE_WINDOW_GLX, // context: GLXContext; display: Display*
+	SCREE_WINDOW_WGL, // context: HGLRC; display: HDC
 } scree_window_system;
 
 typedef struct scree_opengl // an OpenGL context
@@ -416,9 +416,9 @@ typedef enum scree_shape_kind
 	SCREE_SHAPE_POLYGON,
 } scree_shape_kind;
 
-// A shape in local coordinates: all points within radius of the convex hull of the vertices. The scree_shape_make_*
-// functions fill all members. Functions that take a shape ignore its normals, centroid, area, inertia and reach, and
-// compute them again.
+// A shape in local coordinates: all points whose distance from the convex hull of the vertices is at most `radius`. The
+// scree_shape_make_* functions fill all members. Functions that take a shape ignore its normals, centroid, area,
+// inertia and reach, and compute them again.
 typedef struct scree_shape
 {
 	scree_shape_kind kind;
@@ -443,10 +443,11 @@ SCREE_API scree_status scree_shape_make_box(float half_width, float half_height,
 // Makes a circle; center and radius in m.
 SCREE_API scree_status scree_shape_make_circle(scree_vec center, float radius, scree_shape* shape);
 
-// Makes a capsule: all points within radius of the line from point a to point b, in m, which are at least 1 mm apart.
+// Makes a capsule: all points whose distance from the line between the points a and b is at most `radius`, in m. The
+// points a and b are at least 1 mm apart.
 SCREE_API scree_status scree_shape_make_capsule(scree_vec a, scree_vec b, float radius, scree_shape* shape);
 
-// Makes a line without area from point a to point b, in m, which are at least 1 mm apart.
+// Makes a line without area between the points a and b (m), which are at least 1 mm apart.
 SCREE_API scree_status scree_shape_make_segment(scree_vec a, scree_vec b, scree_shape* shape);
 
 // Makes a convex polygon of 3 to 8 corners in clockwise or counter-clockwise order, rounded by radius (m; 0: sharp).
@@ -472,7 +473,7 @@ typedef struct scree_attribute_def
 	float density;            // kg/m^2, 0 or 1e-6 to 1e9, default 1; scree_body_get_mass describes bodies without mass
 	float friction;           // 0 to 1e6, default 0.6; a pair uses the geometric mean, at most 1000
 	float restitution;        // 0 to 100, default 0; above 1 it adds speed; a pair uses the larger value
-	float rolling_resistance; // lever arm of the resistance / larger radius of the pair, 0 to 1e6, default 0
+	float rolling_resistance; // lever arm as a fraction of the larger radius of the pair, 0 to 1e6, default 0
 	float tangent_speed; // speed of a conveyor belt along the surface, m/s, within SCREE_MAX_COORDINATE, default 0;
 	                     // clockwise around the shape if positive, so that a body on top moves to the right
 	// A vector other than 0 makes the shape a one-way platform: it is solid only for bodies that come from the side to
@@ -579,7 +580,7 @@ enum
 // sensor touches nothing and stops nothing; it reports the collidables that overlap it (scree_events.visits_began,
 // scree_collidable_get_visits). A sensor may belong to a body of any type, or to no body. It does not detect
 // collidables of its own body. It adds to the mass of its body unless its density is 0. Filters apply to sensors.
-// Joints and excluded pairs do not: a sensor detects the bodies that they keep from touching.
+// A sensor also detects bodies that a joint or an excluded pair keeps from touching its body.
 enum
 {
 	SCREE_SENSOR_MOVING = 1,  // collidables of dynamic and kinematic bodies
@@ -1048,7 +1049,7 @@ static inline bool scree_joint_equals(scree_joint a, scree_joint b)
 	return a.index == b.index && a.generation == b.generation;
 }
 
-typedef enum scree_joint_type // each comment: locked coordinates, then other values that scree_joint_def_make sets
+typedef enum scree_joint_type // comments: the locked coordinates, then other values that scree_joint_def_make sets
 {
 	SCREE_JOINT_FREE,      // no coordinate: for joints whose values you set yourself
 	SCREE_JOINT_DISTANCE,  // along, at along.target (1 m); unlock it for a spring, or for a rope with limits
@@ -1092,9 +1093,9 @@ typedef struct scree_joint_coordinate
 	float spring_hertz;         // Hz, 0 to 1e6; 0 (default): no spring, with any damping ratio
 	float spring_damping_ratio; // 0 to 1e6, default 0
 	float spring_max;           // largest force or torque of the spring, >= 0, default FLT_MAX
-	// Largest force or torque of the spring that increases (push) and that decreases (pull) the coordinate, >= 0,
-	// default FLT_MAX. The smaller of this value and spring_max applies. With a push of 0 a spring of type DISTANCE is
-	// a rubber band.
+	// Largest force or torque with which the spring increases (push) and decreases (pull) the coordinate, >= 0, default
+	// FLT_MAX. The smaller of this value and spring_max applies. With a push of 0 a spring of type DISTANCE is a rubber
+	// band.
 	float spring_push;
 	float spring_pull;
 	float motor_speed; // m/s or rad/s, within SCREE_MAX_COORDINATE; default 0
@@ -1109,7 +1110,7 @@ typedef enum scree_measure // measure of a frame relative to a base, which is a 
 } scree_measure;
 
 // One side of a coupling. In joints of types GEAR and PULLEY, the coordinate `along` is the measure of frame B in its
-// base, plus ratio times the measure of frame A in its base. This coordinate can have a lock, limits, a spring and a
+// base, plus `ratio` times the measure of frame A in its base. This coordinate can have a lock, limits, a spring and a
 // motor like any other. Its unit of force is N m if the measure of frame B is an angle. Bases do not move: couple two
 // wheels of one vehicle through their angles only if the vehicle does not rotate.
 typedef struct scree_joint_side
@@ -1142,15 +1143,15 @@ typedef struct scree_joint_def
 	// equal half axes give the same bound in all directions. Otherwise each value bounds only its own coordinate.
 	// Default true for MOTOR and TARGET.
 	bool elliptic;
-	float force_threshold;     // N, >= 0, default FLT_MAX; a joint above it is listed by scree_world_get_joint_events
+	float force_threshold;     // N, >= 0, default FLT_MAX; scree_world_get_joint_events lists joints that exceed it
 	float torque_threshold;    // N m, >= 0, default FLT_MAX; the same for the torque
 	uint64_t user;             // user data, not simulated; default 0
 	float ratio;               // GEAR, PULLEY: factor of the measure of frame A, -1e6 to 1e6, default 1
 	scree_joint_side sides[2]; // GEAR, PULLEY: sides of A and B; default: angles of a GEAR, distances of a PULLEY
 	scree_path path;           // PATH: the path on which anchor B is held
 	// PATH: the arc length, laps included, at which the search for the point nearest to anchor B begins; m, within
-	// SCREE_MAX_COORDINATE, default 0. Another part of the path is used only if it is less than half as far from anchor
-	// B.
+	// SCREE_MAX_COORDINATE, default 0. Another part of the path is used only if its distance from anchor B is less than
+	// half the distance of that point.
 	float initial_along;
 } scree_joint_def;
 
@@ -1274,7 +1275,7 @@ typedef struct scree_joint_state
 	// The coordinates, by scree_coordinate: m, m, rad; the angle counts all turns. For a GEAR or PULLEY: the coordinate
 	// `along`, the measure of frame A, the measure of frame B.
 	float values[3];
-	float speeds[3]; // rates of change of values: m/s, m/s, rad/s
+	float speeds[3]; // rates of change of `values`: m/s, m/s, rad/s
 	scree_vec force; // N: force on body b in the last substep, in the world; its opposite acts on body a
 	float torque;    // N m: torque on body b in the last substep; its opposite acts on body a
 	bool broken;     // true if the joint broke: it has no effect
@@ -1531,12 +1532,12 @@ typedef struct scree_probe // 32 bytes: pose and motion of the shape in one quer
 typedef struct scree_query_result // 32 bytes: the result of a query
 {
 	scree_collidable collidable; // null if nothing was found
-	scree_vec point;             // m: met or nearest point of the collidable's surface; if inside, start of the query
+	scree_vec point;             // m: point of the surface that was met or is nearest; if inside, start of the query
 	scree_vec normal;            // unit vector from the collidable to the query; 0 if inside
 	float fraction;              // fraction of the translation, 0 to 1; for scree_world_find_nearest the distance, m,
 	                             // negative if the shapes overlap
 	bool hit;                    // true if a collidable was found
-	bool inside;                 // true if the ray or shape overlaps the collidable at its start
+	bool inside;                 // true if the ray or shape overlaps the collidable at the start of the query
 	uint16_t reserved;
 } scree_query_result;
 
@@ -1616,11 +1617,11 @@ typedef struct scree_blast_def // an explosion; an implosion if the impulse is n
 	uint32_t size;      // set by scree_blast_def_default
 	scree_vec position; // m
 	float radius;       // m, 0 to SCREE_MAX_COORDINATE: nearer surfaces get the whole impulse; default 1
-	float falloff; // m, 0 to SCREE_MAX_COORDINATE: width of the ring beyond radius where the impulse decreases to 0;
-	               // default 1
-	float impulse; // N s per m of a collidable's width as seen from the position; default 1
-	uint64_t category; // as in scree_query_def; default all bits
-	uint64_t mask;     // as in scree_query_def; default all bits
+	float falloff;      // m, 0 to SCREE_MAX_COORDINATE: width of the ring beyond `radius` where the impulse falls to 0;
+	                    // default 1
+	float impulse;      // N s per m of a collidable's width as seen from the position; default 1
+	uint64_t category;  // as in scree_query_def; default all bits
+	uint64_t mask;      // as in scree_query_def; default all bits
 } scree_blast_def;
 
 // Returns a definition with the default values, at the origin.
@@ -1630,8 +1631,8 @@ static inline scree_blast_def scree_blast_def_default(void);
 // pushed. Each collidable gets an impulse at its point that is nearest to the position, in the direction away from the
 // position. If the position is inside a collidable, the impulse acts at its centroid. Sensors, disabled bodies and
 // collidables beyond SCREE_MAX_COORDINATE get no impulse. The impulses are applied like those of
-// scree_bodies_apply_impulses_at, in the order of the collidables. Walls do not shield: a program can find the shielded
-// bodies with scree_world_cast_rays and push the others itself. A list that a query returned stays valid.
+// scree_bodies_apply_impulses_at, in the order of the collidables. Walls shield no bodies; a program can instead find
+// the visible bodies with scree_world_cast_rays and push only these. A list that a query returned stays valid.
 SCREE_API scree_status scree_world_blast(scree_world* world, const scree_blast_def* def, int* count);
 
 typedef struct scree_mover_def // characters of one kind: upright capsules that are moved by queries
@@ -1653,31 +1654,31 @@ typedef struct scree_mover_def // characters of one kind: upright capsules that 
 // Returns a definition with the default values.
 static inline scree_mover_def scree_mover_def_default(void);
 
-// A character. At first, set position and velocity, and all other members to zero. Between calls change only velocity
-// and ignored.
+// A character. At first, set `position` and `velocity`, and all other members to zero. Between calls change only
+// `velocity` and `ignored`.
 typedef struct scree_mover
 {
 	scree_vec position;        // m: center of the capsule
-	scree_vec velocity;        // m/s, relative to the ground; before a call as desired, after it as collisions left it
+	scree_vec velocity;        // m/s, relative to the ground; before a call: desired; after it: changed by collisions
 	scree_body ignored;        // body that does not stop the mover, such as a body that follows it; as in scree_ray
 	scree_collidable ground;   // the collidable on which the mover stands, null in the air
 	scree_vec normal;          // normal of the ground, 0 in the air
 	scree_pose ground_pose;    // pose of the ground's body; the next call moves the mover with the body from this pose
-	scree_vec ground_velocity; // m/s: velocity that the ground gave the mover; add it to velocity for a jump
+	scree_vec ground_velocity; // m/s: velocity that the ground gave the mover; add it to `velocity` for a jump
 	scree_collidable wall;     // the last wall, ceiling or steep slope that stopped the mover, or null
 	scree_vec wall_normal;     // unit vector from the wall to the mover, or 0; for a crushed mover wall_normal is 0
-	                           // and wall is the collidable that the mover overlaps
+	                           // and `wall` is the collidable that the mover overlaps
 } scree_mover;
 
 // Moves characters for a time dt (s, 0 to 1); call it after each step. Movers slide along walls, stand still on slopes,
-// walk up steps, follow the ground down, and ride on ground that moves. Collidables that move into them push them out,
+// walk up steps, follow the ground down, and ride on ground that moves. Collidables that move into a mover push it out,
 // and so do kinematic bodies of any speed. A mover that cannot be pushed out, for instance between a lift and a
 // ceiling, is crushed: it stays at its place, at rest, until it overlaps nothing.
 //
-// Movers do not collide with each other, and push no body: give the body of wall an impulse yourself. Add gravity to
-// the velocity of movers in the air. On ground, a velocity component opposite to up is set to 0, and a component along
-// up is a jump. def may be null for the default. A call makes ten to twenty batches of queries for any number of
-// movers; the bits are the same on every device. On failure movers are unchanged.
+// Movers do not collide with each other, and push no body: give the body of `wall` an impulse yourself. Add gravity to
+// the velocity of movers in the air. On ground, a velocity component opposite to `up` is set to 0, and a component
+// along `up` is a jump. def may be null for the default. A call makes ten to twenty batches of queries for any
+// number of movers; the bits are the same on every device. On failure movers are unchanged.
 SCREE_API scree_status scree_movers_move(scree_world* world, const scree_mover_def* def, scree_mover* movers, int count,
                                          float dt);
 
@@ -1735,9 +1736,9 @@ typedef struct scree_field_def
 	scree_pose pose;   // pose of the field's frame in the frame of the body, or in the world; default: the origin
 	scree_shape shape; // region, in the field's frame; shape.count 0 (default): everywhere; BUOYANCY: a sharp polygon
 	bool disabled;     // true: the field has no effect; default false
-	// The field acts on a collidable if category has a common bit with the mask of its filter, and mask with the
-	// category of its filter. Types that act on bodies act on bodies with such a collidable. With all bits in both
-	// (default) the field acts on all collidables, regardless of filters.
+	// The field acts on a collidable if `category` has a common bit with the mask of the collidable's filter, and
+	// `mask` has one with the category of that filter. Types that act on bodies act on bodies with such a collidable.
+	// With all bits in both members (default) the field acts on all collidables, regardless of filters.
 	uint64_t category, mask;
 	scree_vec acceleration;      // UNIFORM: m/s^2, in the field's frame; default 0
 	scree_vec force;             // UNIFORM: N, in the field's frame; default 0
@@ -1859,8 +1860,8 @@ SCREE_API scree_sharing scree_world_get_sharing(const scree_world* world);
 SCREE_API scree_status scree_world_share_memory(scree_world* world, int file_descriptor, size_t bytes);
 
 // Shares a buffer object of the context scree_world_def.opengl. The context must be current on the calling thread here
-// and in scree_world_write_render_rows. bytes is the size of its storage, at least one row. The buffer and its storage
-// must outlive the sharing. Fails with SCREE_ERROR_NOT_SUPPORTED if scree_world_get_sharing is not
+// and in scree_world_write_render_rows. bytes is the size of the buffer's storage, at least one row. The buffer and its
+// storage must outlive the sharing. Fails with SCREE_ERROR_NOT_SUPPORTED if scree_world_get_sharing is not
 // SCREE_SHARING_OPENGL, or if the driver rejects the buffer.
 SCREE_API scree_status scree_world_share_opengl(scree_world* world, uint32_t buffer, size_t bytes);
 
