@@ -4,8 +4,8 @@
 #define CONTACT_RESULT_H
 #include "world/world.h"
 
-// Returns a contact, without handles, from a row of the device. If `details` is true, the contact also has the impulses
-// and speeds of the last step.
+// Returns a contact, without handles, from a row of the device. details: true adds impulses and speeds of the last
+// step.
 scree_contact contact_result(const ContactReport* row, bool details);
 
 #endif
