@@ -53,10 +53,9 @@
 	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                         \
 	/* velocity change by the warm start, in units of START_SHARE */                 \
 	X(carried, always, KEPT, 0.0f, IN_WARM_START, IN_WARM_START)                     \
-	/* N s: impulse applied to body b; its opposite was applied to body a */         \
+	/* impulses applied: N s, to body b, negated to body a; N m s, to both bodies */ \
 	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
-	/* N m s: angular impulses applied to body a and to body b */                    \
 	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
