@@ -97,8 +97,8 @@ static bool make_room(Scan* scan, int64_t count)
 	return scan->capacity > 0;
 }
 
-// Adds those rays of a body that have a number divisible by `every`. Rays are numbered over the whole scene, so that
-// neighboring bodies show different rays. serial: number of the body's first ray.
+// Adds the rays of a body to scan->rays, but only those with a number divisible by `every`. Rays are numbered over the
+// whole scene, so that neighboring bodies show different rays of their fans. serial: number of the body's first ray.
 static void add_rays(Scan* scan, const Fan* fan, const scree_vec* ways, scree_pose pose, scree_body body,
                      int64_t serial, int64_t every)
 {
@@ -108,8 +108,8 @@ static void add_rays(Scan* scan, const Fan* fan, const scree_vec* ways, scree_po
 		    .origin = eye, .translation = turned(pose.rotation, ways[k]), .radius = fan->radius, .ignored = body};
 }
 
-// Sets *total to the number of rays that can be cast. If `every` is above 0, also adds each ray with a number divisible
-// by `every`.
+// Sets *total to the number of rays of the bodies whose rays may reach `box` (null: of all bodies). If `every` is above
+// 0, also adds these rays to scan->rays, but only those with a number divisible by `every`.
 static scree_status visit(Scan* scan, scree_world* world, const scree_box* box, int64_t every, int64_t* total)
 {
 	const Scene* scene = scan->scene;
@@ -151,7 +151,7 @@ scree_status scan_aim(Scan* scan, scree_world* world, const scree_box* box, int 
 		return status;
 	while (box && (total + every - 1) / every > most)
 		every *= 2; // a power of 2, so that most drawn rays stay the same while the number of rays in view changes
-	// upper bound of the number of rays
+	// space for an upper bound of the number of rays that the next call of visit adds
 	if (!make_room(scan, total < scan->scene->ray_count / every + 1 ? total : scan->scene->ray_count / every + 1))
 		return SCREE_ERROR_OUT_OF_MEMORY;
 	status = visit(scan, world, box, every, &total);

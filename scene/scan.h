@@ -25,9 +25,9 @@ typedef struct
 scree_status scan_open(Scan* scan, const Scene* scene, scree_world* world);
 void scan_close(Scan* scan);
 
-// Selects rays and places them at the current poses of the bodies. box: null selects all rays; otherwise only the
-// rays of bodies whose rays may reach the box are selected, or an even part of them if there are more than about
-// `most`. A body beyond SCREE_MAX_COORDINATE casts no rays.
+// Selects rays and places them at the current poses of the bodies. If `box` is null, all rays are selected. Otherwise
+// only the rays of bodies whose rays may reach the box are selected; if these are more than about `most`, only each
+// second, fourth, eighth ... of them. A body beyond SCREE_MAX_COORDINATE casts no rays.
 scree_status scan_aim(Scan* scan, scree_world* world, const scree_box* box, int most);
 
 // Casts the rays of scan_aim, with one call for each fan of the scene.

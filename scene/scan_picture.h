@@ -8,7 +8,7 @@
 
 #define RAYS_DRAWN 20000 // approximate maximum number of rays in a picture; more would be slow, and a grey area
 
-// Color of a ray, whose opacity decreases from its origin to its end; its hit is a dot.
+// Color of a ray. Its opacity decreases from its origin to its end. A dot marks the point that it hit.
 #define RAY_COLOR  ((Color){58, 122, 178})
 #define HIT_COLOR  ((Color){187, 53, 44})
 #define RAY_NEAR   90   // opacity at the origin; 255 is opaque
@@ -23,8 +23,8 @@ float hit_width(float scale);
 scree_vec scan_end(const Scan* scan, int k);
 
 #ifdef SCREE_HAVE_CAIRO
-// Draw on the cairo_t of a canvas with this height, px. The rays are drawn before the bodies, and the dots of their
-// hits after the bodies.
+// Draw the rays, and the dots at the points that they hit, on the cairo_t of a canvas. The rays are drawn before the
+// bodies, the dots after the bodies. height: px, height of the canvas.
 void scan_draw_rays(const Scan* scan, void* cairo, const Viewport* viewport, int height);
 void scan_draw_hits(const Scan* scan, void* cairo, const Viewport* viewport, int height);
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // shades.c -- computes the colors of bodies: each attribute has a range of shades, which are distributed over the
-// bodies of an entry of the scene.
+// bodies of each block of the scene.
 #include "scene/shades.h"
 #include "scene/block.h"
 

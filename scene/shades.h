@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // shades.h -- computes the colors of bodies: each attribute has a range of shades, which are distributed over the
-// bodies of an entry of the scene.
+// bodies of each block of the scene.
 #ifndef SHADES_H
 #define SHADES_H
 #include "scene/scene.h"
@@ -18,8 +18,8 @@ typedef struct
 	Color first, middle, last; // colors of shade 0, SHADE_MIDDLE and SHADE_COUNT - 1
 } Shades;
 
-// Returns the shades of an entry of the palette; entries beyond its end repeat the palette from its first entry. Entry
-// -1 has the single color of bodies that are not dynamic.
+// Returns the shades of an entry of the palette. After its last entry, the palette repeats from its first. A negative
+// entry has the single color of bodies that are not dynamic.
 Shades shades_of(int entry);
 
 // Returns the color of a shade, made a little lighter or darker depending on the index of the body, so that neighbors

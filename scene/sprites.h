@@ -27,7 +27,7 @@ typedef struct
 {
 	scree_body* bodies;
 	int body_count;
-	Sprite* list; // in the order of drawing: on bodies that are not dynamic, on dynamic bodies, without a body
+	Sprite* list; // in the order of drawing: sprites of bodies that are not dynamic, of dynamic bodies, of no body
 	int count, capacity;
 	int first_moving;
 	scree_attribute_def* attributes; // definitions, by the index of the attribute's handle

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define SHOWN_SHARE 0.995f // share of the points that viewport_fit keeps inside the box in x, and in y
+#define SHOWN_SHARE 0.995f // share of the points that lie inside the box of viewport_fit in x; also the share in y
 
 Viewport viewport_show(scree_box view, int width, int height)
 {

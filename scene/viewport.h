@@ -20,8 +20,8 @@ Viewport viewport_show(scree_box view, int width, int height);
 // changes at a constant rate, and one point of the world stays at its place in the picture.
 scree_box viewport_between(scree_box from, scree_box to, double share);
 
-// Finds a box around the points without the outermost 0.5 % in x and in y, and enlarges it by 2 * reach at each side.
-// Returns false if memory is short.
+// Finds a box around all points but the outermost 0.5 % in x and in y, and enlarges it by 2 * reach, m, at each side.
+// Without points, the box extends from -1 to 1 m in x and y. Returns false if memory is short.
 bool viewport_fit(const scree_vec* points, int count, float reach, scree_box* view);
 
 #endif

@@ -26,7 +26,7 @@ _Static_assert(sizeof(Counters) <= READ_ASYNC_BYTES, "the counters are read in h
 typedef struct // memory that OpenGL or another program uses too; the caller owns it
 {
 	scree_sharing how; // not SCREE_SHARING_COPIED
-	int file;          // SCREE_SHARING_MEMORY: file descriptor, which belongs to the device after it accepted it
+	int file;          // SCREE_SHARING_MEMORY: file descriptor; it belongs to the device that has accepted it
 	uint32_t buffer;   // SCREE_SHARING_OPENGL: name of a buffer object
 	size_t bytes;
 } SharedMemory;
@@ -39,7 +39,7 @@ typedef enum // uses of shared memory
 } SharedUse;
 
 // Blocks of ACTIVE_ITEMS bodies or collidables that a step may change. A kernel over all bodies or collidables would
-// write the old values to the other blocks, so a backend may skip these.
+// write their old values to the other blocks, so a backend may skip the other blocks.
 #define ACTIVE_ITEMS (8 * MAX_LANES)
 enum
 {
@@ -53,8 +53,9 @@ typedef struct
 	int count;
 } ActiveBlocks;
 
-// Returns the position of a worker in a round of long items sorted by length, or the worker of a position: forward in
-// even rounds, backward in odd rounds, for similar amounts of work, and the same items in every pass.
+// Distributes long items, sorted by length, to workers in rounds of one item per worker. Returns the worker of a place
+// in a round, or the place of a worker. Even rounds go forward and odd rounds backward, so that the amounts of work are
+// similar. In every pass, a worker has the same items.
 static inline int dealt(int round, int place, int workers) { return round & 1 ? workers - 1 - place : place; }
 
 typedef struct // upload of many items, a kernel over each item, and readback of a result for each item
@@ -103,7 +104,7 @@ typedef struct // every function that returns a status sets the error's sentence
 	scree_status (*upload)(Backend* b, PoolId pool, int count, size_t offset);
 	// returns the address of a pool in host memory, valid until the next resize; null if pools are not in host memory
 	void* (*address)(Backend* b, PoolId pool);
-	// frees a core for other work of this process (true), or takes it back (false), between lists; null: uses no cores
+	// frees a core for other work of this process (true), or takes it back (false), between lists; null: uses no core
 	void (*spare)(Backend* b, bool core);
 	// allocate and release two blocks, to measure the speed of copies; release also works without blocks
 	scree_status (*copy_reserve)(Backend* b, size_t bytes);
@@ -118,11 +119,11 @@ struct Backend
 	char name[160];                    // "cpu", "opencl:NVIDIA H200"
 	int threads, lanes;                // 0 for OpenCL
 	int traversal_items;               // work-items among which the rest of a long traversal is split, at least 1
-	int traversal_nodes;               // number of nodes over leaves beyond which a traversal is long
+	int traversal_nodes;               // number of nodes of level 1 after which the rest of a traversal is split
 	int chain_lanes;                   // number of chains that are interleaved, at least 1
 	int groups;                        // number of work-groups that run at the same time, at least 1
 	bool distant;                      // a read takes as long as many runs, because the device is not the host
-	bool skips;                        // the backend skips blocks that are not in active
+	bool skips;                        // the backend skips blocks that are not in `active`
 	scree_sharing sharing;             // if SCREE_SHARING_COPIED, the functions of sharing are null
 	int capacity[PER_COUNT];           // capacity of the pools of each kind
 	ActiveBlocks active[ACTIVE_KINDS]; // blocks that may change; the caller sets them before a step

@@ -15,9 +15,10 @@ int solve_runs_most(int substeps)
 	       COLORS + 14;
 }
 
-// Adds a pass. Relax solves heavy chains between light bodies before the colors: the chains remove the velocity with
-// which bias pulled their frames together. Otherwise contacts of the light bodies would stop this motion, and their
-// impulses would remain and throw a landing cart up. With Solve.bound, the host has the current Counters.split.
+// Adds a pass. Relax solves heavy chains between light bodies twice, before and after the colors. Before the colors,
+// the chains remove the velocity with which bias pulled their frames together. Otherwise contacts of the light bodies
+// would stop this motion, and their impulses would remain and throw a landing cart up. If Solve.bound is not NO_COUNT,
+// the host has the current Counters.split.
 static void add_pass(RunList* list, const Solve* solve, int pass)
 {
 	const Counters* c = solve->counters;

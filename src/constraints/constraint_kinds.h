@@ -37,7 +37,7 @@
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// Writes padding: place i gets an inert constraint between the ground and itself.
+// Writes padding: place i gets the slot -1 and an inert constraint, whose two bodies are body 0.
 #define CONSTRAINT_KIND(kind, Kind, KIND)         \
 	INLINE void kind##_pad(const Pools* p, int i) \
 	{                                             \

@@ -46,9 +46,9 @@ INLINE Vec prepare_acceleration(const Pools* p, Int body, Body b)
 }
 
 // m/s: Returns the rebound speed of a point by Newton's law of impact; 0 if it does not bounce. velocity: normal
-// velocity, negative if the surfaces approach; gap: m. With semi-implicit Euler, position and velocity of a falling
-// body are half a substep apart. To conserve energy, half a substep's acceleration is added before the impact and
-// subtracted after it (bounce_speed).
+// velocity, negative if the surfaces approach; fall: m/s^2, normal acceleration; gap: m. With semi-implicit Euler,
+// position and velocity of a falling body are half a substep apart. To conserve energy, the acceleration during half a
+// substep is added to the velocity before the impact and subtracted after it (bounce_speed).
 INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, Real fall, Real gap)
 {
 	Real before = velocity + 0.5f * step->h * fall, zero = splat(0.0f);
@@ -57,8 +57,8 @@ INLINE Real prepare_rebound(const Step* step, Real restitution, Real velocity, R
 	return blend(zero, restitution * root(blend(splat(1.0f), square, bounces)), bounces);
 }
 
-// J: Returns the energy that two bodies may have after a bounce: their relative kinetic energy at impact, after the
-// fall within the step, multiplied by the square of a restitution above 1.
+// J: Returns the energy that two bodies may have after a bounce: their relative kinetic energy at impact, which
+// includes the fall within the step, times the square of the restitution if the restitution is above 1.
 INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Real rebound1, Real rebound2)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), safe = blend(one, e, e > zero);
@@ -70,7 +70,7 @@ INLINE Real prepare_energy(const ContactArms* c, Real e, const Real speed[2], Re
 	return blend(splat(MOST_FLOAT), energy, energy <= splat(MOST_FLOAT));
 }
 
-#define MOST_FALL 1.0e18f // m/s^2: with the largest gap and step, the square of a speed is still finite
+#define MOST_FALL 1.0e18f // m/s^2: a larger fall counts as 0, so that the square of a speed stays finite
 
 // Computes the rebound speeds of the points that may bounce within the step; 0 for points that hardly approach.
 INLINE void prepare_bounce(const Pools* p, int i, const Contact* u)

@@ -17,18 +17,18 @@
 
 // Rows that every pass streams.
 #define CONTACT_ROWS(X)                                                                 \
-	/* unit normal from a to b */                                                       \
+	/* unit normal from collidable a to collidable b */                                 \
 	X(normal_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
 	X(normal_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
-	/* m: center of a minus center of b; added to an anchor on a, it gives that on b */ \
+	/* m: center of body a minus center of body b; anchor + offset is relative to b */  \
 	X(offset_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
 	X(offset_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                            \
-	/* m: points 1 and 2, from the center of a */                                       \
+	/* m: points 1 and 2, relative to the center of mass of body a */                   \
 	X(anchor1_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
 	X(anchor1_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
 	X(anchor2_x, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
 	X(anchor2_y, always, PREPARED, 0.0f, IN_ARMS, IN_PREPARE)                           \
-	/* m: at the start of the step; NO_POINT for a missing point */                     \
+	/* m: separation at the start of the step; NO_POINT for a missing point */          \
 	X(separation1, always, PREPARED, NO_POINT, IN_GAPS | IN_PREPARE_BOUNCE, IN_PREPARE) \
 	X(separation2, always, PREPARED, NO_POINT, IN_GAPS | IN_PREPARE_BOUNCE, IN_PREPARE) \
 	/* impulses, N s */                                                                 \
@@ -48,12 +48,12 @@
 	X(rolling_impulse, has_rolling, KEPT, 0.0f, IN_TANGENTS, IN_RELAX)                               \
 	/* m/s^2: normal acceleration by gravity and forces */                                           \
 	X(fall, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                   \
-	/* J: relative kinetic energy at impact, including the fall until then */                        \
+	/* J: energy that the bodies may have after a bounce (prepare_energy) */                         \
 	X(energy, bounces, PREPARED, 0.0f, IN_BOUNCE, IN_PREPARE_BOUNCE)                                 \
 	/* m/s: speed at which a point leaves the surface, 0 if it does not bounce */                    \
 	X(rebound1, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                 \
 	X(rebound2, bounces, PREPARED, 0.0f, IN_GAPS, IN_PREPARE_BOUNCE)                                 \
-	/* N s: normal impulses of all substeps */                                                       \
+	/* N s: sums of the normal impulses over all substeps */                                         \
 	X(total_impulse1, rare, PREPARED, 0.0f, IN_RELAX | IN_BOUNCE, IN_PREPARE | IN_RELAX | IN_BOUNCE) \
 	X(total_impulse2, rare, PREPARED, 0.0f, IN_RELAX | IN_BOUNCE, IN_PREPARE | IN_RELAX | IN_BOUNCE) \
 	/* m/s: approach speeds of the points at the start of the step */                                \
@@ -72,7 +72,8 @@
 	PAIR(2, IN_PASSES, IN_GAPS, u->normal_impulse1, u->normal_impulse2) \
 	PAIR(3, IN_TANGENTS | IN_BOUNCE, IN_RELAX, u->tangent_impulse1, u->tangent_impulse2)
 
-// Bytes that prepare gathers for a contact (flags only if some shapes are round); for its bodies, with restitution.
+// Bytes that prepare gathers for a contact; flags are gathered only if some shapes are round. CONTACT_BOUNCE_GATHERS:
+// bytes for the bodies of the contact, if some contacts have restitution.
 #define CONTACT_GATHERS(step) \
 	(sizeof(Int2) + 2 * sizeof(WorldShape) + sizeof(LocalManifold) + ((step)->round ? sizeof(Word) : 0))
 #define CONTACT_BOUNCE_GATHERS (2 * (sizeof(BodyState) + sizeof(Motion) + sizeof(Word64)))
@@ -171,8 +172,8 @@ INLINE PairGoal pair_goal(Real s, Int fixed, const Step* step, int soft, int exa
 	if (!soft)
 		return goal;
 
-	// a limited push takes longer, but must reach the force of the whole spring; otherwise deep bodies would cluster,
-	// because more overlap would not push harder. So impulses leak more slowly, by the factor that limits the push
+	// the speed of the push is limited, but its impulse must reach that of the unlimited spring; otherwise deep bodies
+	// would cluster, because more overlap would not push harder. So impulse_scale is reduced by the same factor
 	Real rate = blend(splat(step->pair.mass_scale * step->pair.bias_rate),
 	                  splat(step->fixed.mass_scale * step->fixed.bias_rate), fixed);
 	Real firm = blend(splat(step->pair.firm), splat(step->fixed.firm), fixed);
@@ -195,7 +196,7 @@ INLINE Int pair_waits(Real s, Real old, Real rebound)
 	return (s > splat(0.0f)) & (rebound > splat(0.0f)) & (old == splat(0.0f));
 }
 
-#define PAIR_OWN 0.001f // points with a smaller own share of the effective mass than this nearly coincide
+#define PAIR_OWN 0.001f // two points nearly coincide if 1 - pair_cross^2 * (product of the masses) is less than this
 
 // 1/kg: Returns the normal velocity that a unit impulse at one point causes at the other.
 INLINE Real pair_cross(const ContactArms* c)
@@ -213,7 +214,8 @@ INLINE void pair_normals(ContactArms* c, const Real gap[2], const Real mass[2], 
 {
 	Int fixed = (c->a.inv_mass == splat(0.0f)) | (c->b.inv_mass == splat(0.0f));
 	Real zero = splat(0.0f), lever_a[2], lever_b[2];
-	Real change[2], yield[2]; // N s: change of the impulse if the other stays the same; kg: change per m/s of approach
+	// N s: change of an impulse if the impulse of the other point stays the same; kg: this change per m/s of approach
+	Real change[2], yield[2];
 	UNROLL
 	for (int k = 0; k < 2; ++k)
 	{
@@ -341,15 +343,16 @@ INLINE Real pair_energy(const ContactArms* c)
 	return 0.5f * energy;
 }
 
-// J: Returns a bound of the energy that both points gain if the squares of their speeds grow by more1 and more2.
+// J: Returns an upper bound of the energy that both points gain if the squares of their speeds grow by more1 and more2.
 INLINE Real pair_gained(const ContactArms* c, Real more1, Real more2)
 {
 	Real zero = splat(0.0f), mass = c->a.inv_mass + c->b.inv_mass;
 	return 0.5f * maximum(maximum(more1, more2), zero) / blend(splat(1.0f), mass, mass > zero);
 }
 
-// Returns the largest fraction of two bounces with which the energy of the bodies does not exceed `most` (J), that
-// before they met. Contacts are solved one after the other, so a later one may push harder than the body approached.
+// Returns the largest fraction of two impulses of a bounce with which the energy of the bodies does not exceed `most`,
+// J, the energy before they met; 1 at most. Contacts are solved one after the other, so a later one may push harder
+// than the body approached.
 INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], const Real mass[2], Real impulse1,
                        Real impulse2)
 {
@@ -365,7 +368,8 @@ INLINE Real pair_share(const ContactArms* c, Real most, const Real speed[2], con
 	return blend(one, minimum(maximum(part, zero), one), more);
 }
 
-// Applies restitution to points that had an impulse. Clears it, because a separating point must not be warm started.
+// Applies restitution to points that had an impulse in this step. Then clears the impulses of these points, because a
+// separating point must not be warm started.
 INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real gap2, Real mass1, Real mass2,
                         Real* normal1, Real* normal2)
 {
@@ -399,9 +403,9 @@ INLINE void pair_bounce(const Pools* p, int i, ContactArms* c, Real gap1, Real g
 	*normal2 = blend(*normal2, zero, hit2);
 }
 
-// Bound of a point's velocity by warm start, as a share of max_speed. In a jam between immovable bodies impulses add up
-// from step to step, and a body that gets free would leave with all of them: in 20 trials with 300 bodies at one point
-// and max_speed 400 m/s, the fastest leaves with 104, 92 and 95 m/s for shares of 0.25, 0.2 and 0.15.
+// Upper bound of a point's velocity by warm start, as a share of max_speed. In a jam between immovable bodies impulses
+// add up from step to step, and a body that gets free would leave with all of them: in 20 trials with 300 bodies at one
+// point and max_speed 400 m/s, the fastest leaves with 104, 92 and 95 m/s for shares of 0.25, 0.2 and 0.15.
 #define START_SHARE 0.2f
 
 INLINE Real pair_start(const Step* step, Real impulse, Real mass)
@@ -420,8 +424,8 @@ INLINE void pair_bias(const Pools* p, int i, const ContactReady* ready, ContactA
 	u->normal_impulse2 = impulse[1];
 }
 
-// Without `held`, gaps and masses are derived just before use: all at once exceed a CPU's registers and take 5 %
-// longer.
+// Without `held`, each gap and mass is computed just before its use: all of them together exceed a CPU's registers,
+// which takes 5 % longer.
 INLINE void pair_relax(const Pools* p, int i, const ContactReady* held, ContactArms* c, Contact* u)
 {
 	Real speed = splat(0.0f), rebound[2] = {splat(0.0f), splat(0.0f)};

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// contact_one.h -- counts single contacts at their bodies, and sets the rows that stay valid until the next layout.
+// contact_one.h -- adds contacts to the counts of their bodies, and sets the rows that stay valid until the next
+// layout.
 #ifndef CONTACT_ONE_H
 #define CONTACT_ONE_H
 #include "constraints/contact_constraint.h"
 
 INLINE int contact_in_use(const Pools* p, int slot) { return p->pair[slot].x >= 0; }
 
-// Adds `by` (1 or -1) to the contacts of both bodies. Body 0, for a collidable without a body, is not counted.
+// Adds `by` (1 or -1; times KINEMATIC_CONTACT for a kinematic body) to the contact counts of the bodies. Body 0, for a
+// collidable without a body, and the second body of a contact with CONTACT_FIXED are not counted.
 INLINE void contact_count(const Pools* p, Int2 bodies, Word flags, int by)
 {
 	GLOBAL int* count = flags & CONTACT_FIXED ? p->fixed_contacts : p->other_contacts;

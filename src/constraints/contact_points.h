@@ -33,14 +33,14 @@ INLINE ContactPoints contact_points_blend(ContactPoints a, ContactPoints b, Int 
 	return a;
 }
 
-// Returns the displacement of the end of an arm by the solver (body_shift) minus the true one. arm: after the motion.
+// Returns how far the solver (body_shift) moves an arm's end, minus the true displacement. arm: after the motion.
 INLINE Vec contact_points_predicted(Vec turn, Real angle, Vec arm)
 {
 	return vec_sub(vec_spin(angle, arm), vec_sub(arm, vec_turn_back(turn, arm)));
 }
 
-// Computes the points from rows of world_shape and from both rows of contact_manifold. The places of a point on a and
-// on b coincided at first; their current distance along the normal is added to the separation. For a predicted
+// Computes the points from rows of world_shape and from both rows of contact_manifold. The places of a point on both
+// shapes coincided at first; their current distance along the normal is added to the separation. For a predicted
 // manifold, whose poses are in the future, the motion of arms that the solver turns within the step is subtracted.
 INLINE ContactPoints contact_points_held(const Real a[8], const Real b[8], const Real manifold[16])
 {

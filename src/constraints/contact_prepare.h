@@ -11,7 +11,8 @@ INLINE void prepare_depth(const Pools* p, Real separation)
 	raise_lanes(&p->counters->penetration, -separation, deeper);
 }
 
-// Counts a press if a contact is deep in a static or kinematic collidable, which is the second one of its pair.
+// Sets Counters.press[1] if a contact is deep in a kinematic collidable, press[0] if it is deep in one that cannot
+// move. It is the second collidable of the pair.
 INLINE void prepare_press(const Pools* p, int i, Real separation)
 {
 	Word deep = p->step.presses ? lane_bits(separation < splat(-PRESS_FROM)) : 0;

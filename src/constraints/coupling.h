@@ -11,10 +11,10 @@
 #define COUPLING_H
 #include "constraints/joint_constraint.h"
 
-typedef struct // one side; lever: derivative of its measure by rotation; value: its change in the step, or the distance
+typedef struct // one side of a coupling
 {
-	Vec direction; // derivative of the measure by translation; 0 for an angle
-	Real lever, value;
+	Vec direction;     // derivative of the measure by the body's translation; 0 for an angle
+	Real lever, value; // derivative by the body's rotation; change of the measure in the step, or the whole distance
 } CouplingSide;
 
 // Computes a side. arm: m, arm of the anchor at the start of the step; line: CouplingMeasure.line.

@@ -9,7 +9,7 @@
 
 #define TURN_REST (-1.7484556e-7f) // 2 pi - TURN
 
-typedef struct // last counts of a coupling
+typedef struct // counts of a coupling, updated at the start of each step
 {
 	float angle[2], turns[2]; // for bodies a and b: last angle, rad; number of turns
 	float geared;             // rad: contribution of the angles to the coordinate
@@ -17,7 +17,7 @@ typedef struct // last counts of a coupling
 
 typedef struct // one side of a coupling in the world
 {
-	Vec line;           // m: vector from the base to the anchor; for a translation its direction; 0 for an angle
+	Vec line;           // distance: vector from the base to the anchor, m; translation: x axis of the base; angle: 0
 	Vec arm;            // m: vector from the center of mass to the anchor
 	float value, added; // m or rad: measure of the side; rad: change of an angle since the last count
 } CouplingMeasure;

@@ -7,9 +7,9 @@
 // Locked coordinates are solved together, as a symmetric 3 x 3 system, after limits, springs and motors
 // (joint_drive.h), because locks have priority.
 //
-// Arms turn within a step, so the same impulses do not change velocities by the same amount in each substep, as
-// integrate.h assumes. Therefore a joint stores the impulses applied to its bodies. The bias pass first applies the
-// difference between these and the effect of the joint's impulses at the current arms.
+// Arms turn within a step, so the same impulses change velocities by different amounts in each substep, but
+// integrate.h assumes equal amounts. Therefore a joint stores the impulses applied to its bodies. The bias pass first
+// applies the difference between these and the effect of the joint's impulses at the current arms.
 //
 // This work is based on:
 // Erin Catto, Soft Constraints, GDC 2011; Solver2D, 2024: a bias pass and a relax pass per substep.
@@ -53,13 +53,13 @@
 	X(impulse_angle, always, KEPT, 0.0f, IN_POSED, IN_POSED)                         \
 	/* velocity change by the warm start, in units of START_SHARE */                 \
 	X(carried, always, KEPT, 0.0f, IN_WARM_START, IN_WARM_START)                     \
-	/* N s: applied to b, the opposite to a; N m s: angular, applied to a, to b */   \
+	/* impulses applied: N s, to body b, negated to body a; N m s, to both bodies */ \
 	X(given_x, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_y, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_a, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)              \
 	X(given_b, always, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
-// Drive of a coordinate: m or rad, 1/s, N s or N m s. spring_relaxes is also the softness of a soft lock in relax.
+// Drive of a coordinate. Units: m or rad, 1/s, N s or N m s. In relax, spring_relaxes is the softness of a soft lock.
 #define JOINT_DRIVE_ROWS(X, of)                                              \
 	X(of##_lower, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
 	X(of##_upper, has_drives, PREPARED, 0.0f, IN_TURNS, IN_PREPARE)          \
@@ -79,28 +79,28 @@
 	X(of##_motor_impulse, has_drives, KEPT, 0.0f, IN_POSED, IN_POSED)
 
 // Rows of gears and pulleys (coupling.h).
-#define JOINT_COUPLING_ROWS(X)                                                                     \
-	X(gear_ratio, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                 \
-	/* m, rad: the coordinate at the start of the step, without distances */                       \
-	X(coupled, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                    \
-	/* for a, for b: m, line from the base to the anchor; or the direction of a translation */     \
-	X(line_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                   \
-	X(line_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                   \
-	X(line_b_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                   \
-	X(line_b_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                   \
-	/* rad: last angles, their turns since the start, and the share of angles in the coordinate */ \
-	X(angle_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                      \
-	X(angle_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                      \
-	X(turns_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                      \
-	X(turns_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                      \
-	X(geared, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                       \
-	/* N s: the opposite of this was applied to a */                                               \
-	X(given_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)                       \
+#define JOINT_COUPLING_ROWS(X)                                                                  \
+	X(gear_ratio, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                              \
+	/* m, rad: the coordinate at the start of the step, without the distances of pulleys */     \
+	X(coupled, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                 \
+	/* for body a, for body b: CouplingMeasure.line */                                          \
+	X(line_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                \
+	X(line_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                \
+	X(line_b_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                \
+	X(line_b_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE)                                \
+	/* last angles, rad; their full turns; contribution of the angles to the coordinate, rad */ \
+	X(angle_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                   \
+	X(angle_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                   \
+	X(turns_a, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                   \
+	X(turns_b, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                   \
+	X(geared, couplings, KEPT, 0.0f, IN_PREPARE, IN_PREPARE)                                    \
+	/* N s: the opposite of this was applied to body a */                                       \
+	X(given_a_x, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)                    \
 	X(given_a_y, couplings, PREPARED, 0.0f, IN_POSED, IN_PREPARE | IN_POSED)
 
 // Rows of joints on a path (path_constraint.h).
 #define JOINT_PATH_ROWS(X)                                                                               \
-	/* m: in frame A, the foot, the point of the path nearest to anchor b; cos, sin of its tangent */    \
+	/* foot: the point of the path nearest to anchor b, in frame A, m; cos, sin of its tangent */        \
 	X(foot_x, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                             \
 	X(foot_y, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                             \
 	X(foot_cos, paths, PREPARED, 0.0f, IN_PREPARE, IN_PREPARE)                                           \
@@ -120,9 +120,9 @@
 	JOINT_DRIVE_ROWS(X, along)                                                  \
 	JOINT_DRIVE_ROWS(X, across)                                                 \
 	JOINT_DRIVE_ROWS(X, angle)                                                  \
-	/* 1 if it has springs, and its bodies have no other constraints */         \
+	/* 1 if the joint has springs, and its bodies have no other constraints */  \
 	X(springs_alone, has_drives, PREPARED, 0.0f, IN_BIAS, IN_PREPARE)           \
-	/* N s, N m s: largest of all substeps */                                   \
+	/* N s, N m s: impulses, the largest of all substeps */                     \
 	X(peak_force, has_drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX)  \
 	X(peak_torque, has_drives, PREPARED, 0.0f, IN_RELAX, IN_PREPARE | IN_RELAX) \
 	JOINT_COUPLING_ROWS(X)                                                      \
@@ -208,7 +208,7 @@ INLINE Int joint_upright(const Joint* u)
 	       (joint_has(u, JOINT_SOFT(JOINT_ALONG) | JOINT_SOFT(JOINT_ACROSS) | JOINT_RAILED) == 0);
 }
 
-// Returns the axis of a radial joint: along the line d between its anchors, or unchanged if they coincide.
+// Returns, in radial lanes, the direction of d, the vector between the anchors; in others, or if d is near 0, `axis`.
 INLINE Vec joint_line(Vec axis, Vec d, Int radial)
 {
 	Real square = vec_dot(d, d);
@@ -225,11 +225,11 @@ INLINE void joint_alone(JointPose* c)
 	c->axis_a = c->given_a = vec(splat(0.0f), splat(0.0f));
 }
 
-#define JOINT_FAR 2.0f // error of locks above which the arm of body a is too long, in units of a's radius of gyration
+#define JOINT_FAR 2.0f // maximum error of locks for the full arm of body a, in units of the body's radius of gyration
 
 // Returns whether springs hold both translations, and the vector between the anchors (d, m) is longer than JOINT_FAR
-// allows. Then the axes are those of the world, and impulses keep their direction in the world. Because the arm of body
-// a is shortened, a cannot take the torque of a force that turns with a; the force would spin b ever faster.
+// allows. Then the axes are those of the world, and impulses keep their directions. Because the arm of body a is
+// shortened, body a cannot take the torque of a force that turns with it; this force would spin body b ever faster.
 INLINE Int joint_torn(const Pools* p, const Joint* u, const Body* a, Vec d)
 {
 	if (!p->step.springs)
@@ -251,8 +251,8 @@ INLINE Real joint_beyond(const Pools* p, int i, const Joint* u, int k, Real valu
 }
 
 // Shortens the arm of body a. The arm ends at the anchor of body b, so that no impulse of the joint changes the angular
-// momentum. But if locks are so far off that impulses on this arm would turn a rather than pull b back, the arm ends
-// nearer to the anchor of a. Otherwise the impulses would turn a with a force that other joints of a cannot hold.
+// momentum. But if locks are so far off that impulses on this arm would turn body a rather than pull body b back, the
+// arm ends nearer to the anchor of body a; body a's other joints could not hold against such a turn.
 INLINE void joint_shorten_arm(const Pools* p, int i, const Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), one = splat(1.0f), off[2], square = zero;
@@ -329,7 +329,7 @@ INLINE Real joint_speed_linear(const JointPose* c, int k)
 	return blend(speed, (vec_dot(c->b.v, c->axis[0]) - vec_dot(c->a.v, c->axis_a)) + spin, c->coupled);
 }
 
-// m/s, rad/s: Returns the speed of coordinate k, a constant. The angle to a path changes as the path's tangent turns.
+// m/s, rad/s: Returns the speed of coordinate k (constant). The angle to a path also changes as its tangent turns.
 INLINE Real joint_speed(const JointPose* c, int k)
 {
 	if (k != JOINT_ANGLE)
@@ -348,13 +348,13 @@ INLINE Real joint_yield_linear(const JointPose* c, int k)
 	return mass + c->a.inv_inertia * c->lever_a[k] * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k] * c->lever_b[k];
 }
 
-// 1/(kg m): Returns the speed of the angle that a unit impulse along or across causes, for a joint without a path.
+// 1/(kg m): Returns the change of the angle's speed by a unit impulse along or across, for a joint without a path.
 INLINE Real joint_yield_turning(const JointPose* c, int k)
 {
 	return c->a.inv_inertia * c->lever_a[k] + c->b.inv_inertia * c->lever_b[k];
 }
 
-// 1/kg, 1/(kg m^2): Returns the yield of coordinate k, its speed by a unit impulse: the inverse of the effective mass.
+// 1/kg, 1/(kg m^2): Returns the yield of coordinate k: its speed by a unit impulse, the inverse of its effective mass.
 INLINE Real joint_yield(const JointPose* c, int k)
 {
 	if (k != JOINT_ANGLE)

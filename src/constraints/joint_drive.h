@@ -96,8 +96,8 @@ INLINE Real joint_limit_speed(const Pools* p, const JointDrive* d, int k, Real a
 	return blend(soft ? maximum(d->limit_rate * ahead, -most) : zero, p->step.inv_h * ahead, ahead > zero);
 }
 
-// Returns the impulse of the nearer limit. Within the limits (s > 0) it stops an approach at the limit; beyond the
-// limit it is as soft as that of a lock.
+// Returns the impulse of the nearer limit. Within the limits (s > 0), the impulse stops an approach at the limit;
+// beyond the limit, the limit is as soft as a lock.
 INLINE Real joint_limit(const Pools* p, const JointDrive* d, int k, Real yield, Real speed, Real value, int soft)
 {
 	Real zero = splat(0.0f), below = value - d->lower, above = d->upper - value;
@@ -121,7 +121,7 @@ INLINE Real joint_motor_speed(const Pools* p, const JointDrive* d, int k, Real v
 	return blend(d->speed, sign * maximum(sign * d->speed, least), limit);
 }
 
-// Solves spring, motor and limit of coordinate k in turn. full: lanes whose springs have reached their common bound.
+// Solves spring, then motor, then limit of coordinate k. full: lanes whose springs have reached their common bound.
 INLINE void joint_drive(const Pools* p, int i, int k, int soft, Int full, Joint* u, JointPose* c)
 {
 	JointDrive d = joint_drive_load(p, i, k), old = d;

@@ -60,7 +60,7 @@ INLINE Int joint_springs_alone(const Pools* p, int i)
 
 // Replaces the equations of rigid locks of joints with springs. The pull of the springs is already computed, so the
 // locks do not yield to it; otherwise springs would swing more slowly and arms be damped. Only the rest is soft:
-//     K x = -(s + b C) / (1 + g) - g / (1 + g) K P      P: impulses of locks and springs
+//     K x = -(s + b C) / (1 + g) - g / (1 + g) K P      P: impulses of locks and springs; s: speed; g: softness
 // This holds only if no other constraint holds the bodies: two such joints of a body would alternately add energy.
 INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const JointPose* c, const Real speed[3],
                                JointSystem* s)
@@ -95,7 +95,8 @@ INLINE void joint_hold_springs(const Pools* p, int i, const Joint* u, const Join
 }
 
 // Returns the equations of the locks without goals, which depend on velocities. Free coordinates have rows of the
-// identity matrix. Springs pull with their full force, at any speed. chained: 1 for a joint of a chain.
+// identity matrix. fastest: m/s, maximum speed at which rigid locks correct distances; soft locks have no maximum.
+// chained: 1 for a joint of a chain.
 OUT_OF_LINE JointSystem joint_yields(const Pools* p, int i, int soft, int chained, float fastest, const Joint* u,
                                      const JointPose* c)
 {

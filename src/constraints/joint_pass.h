@@ -14,7 +14,8 @@
 // hand by more than a fifth of max_spin. With a smaller minimum, a joint opens again after the impact.
 #define JOINT_BLOW 5.0f
 
-// Adds x to the impulses of the locks; clears impulses without a lock. turns: lanes in which the angle has a lock.
+// Adds x to the impulses of the locks; clears impulses of coordinates without lock. turns: lanes with a lock of the
+// angle.
 INLINE void joint_hold(Joint* u, JointPose* c, const Real x[3], Int turns)
 {
 	Real zero = splat(0.0f), old[3] = {u->impulse_along, u->impulse_across, u->impulse_angle};
@@ -54,7 +55,7 @@ INLINE void joint_tautens(const Pools* p, const Joint* u, const JointPose* c, Ve
 
 // Applies the impulses of the last step, reduced if they would change the velocities by more than an allowed share of
 // max_speed and max_spin: an impact must not be repeated. The allowed share grows while a joint carries an impulse from
-// step to step, because this is a load, as in the corner of a net, which carries the weight of all knots.
+// step to step, because such an impulse is a load, as in the corner of a net, which carries the weight of all knots.
 INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
@@ -88,7 +89,7 @@ INLINE void joint_warm(const Pools* p, int i, Joint* u, JointPose* c)
 }
 
 // Returns the impulse that the rotation of a joint's arms since the last substep requires: the effect of the joint's
-// impulses at the current arms, minus the effect that they had.
+// impulses at the current arms, minus their effect at the arms of the last substep.
 INLINE JointImpulse joint_turn_impulse(const Pools* p, int i, Joint* u, const JointPose* c)
 {
 	Real sum[JOINT_COORDINATES];
@@ -151,9 +152,9 @@ INLINE void joint_start(const Step* step, Joint* u)
 // requires in a substep. Larger corrections pull back a body that was placed away from the path.
 #define JOINT_BENDS 8.0f
 
-// Keeps the speed of a bead along its path while the bead is pulled back to the path from afar: the axis along turns by
-// (bend h along) in the substep, which would add this share of the speed across to it. The impulse is applied once, and
-// is not warm started.
+// Keeps the speed of a bead along its path while the bead is pulled back to the path from afar. In the substep, the
+// axis along turns by the angle (bend h along), which would add this angle times the speed across to the speed along.
+// The impulse is applied once, and is not warm started.
 INLINE void joint_keep_along(const Pools* p, Joint* u, JointPose* c)
 {
 	Real zero = splat(0.0f), along = joint_speed_linear(c, JOINT_ALONG), across = joint_speed_linear(c, JOINT_ACROSS);

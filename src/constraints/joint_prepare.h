@@ -14,7 +14,7 @@ INLINE void joint_quad(const Pools* p, Int slot, int place, Real out[4])
 // Rounds a number, whose absolute value is below 2^22, to the nearest whole number.
 INLINE Real joint_round(Real x) { return (x + splat(12582912.0f)) - splat(12582912.0f); }
 
-#define JOINT_SOFTEST 1.0e30f // bound of 1 / a2, which may be infinite
+#define JOINT_SOFTEST 1.0e30f // upper bound of 1 / a2, which may be infinite
 // Stiffness of joints in a chain relative to other joints; it can be higher because chains are solved exactly. The rate
 // at which errors are corrected is that of other joints: at a higher rate a chain whips when its end is suddenly moved.
 #define JOINT_CHAIN_STIFFER 4.0f
@@ -59,7 +59,7 @@ OUT_OF_LINE JointFrame joint_frame(const Pools* p, Int slot, int place, Int body
 	const GLOBAL float *center = (const GLOBAL float*)p->local_center, *low = (const GLOBAL float*)p->pose_low;
 	Vec own = vec(placed[0], placed[1]), frame = vec(placed[2], placed[3]), turn = vec(pose[2], pose[3]);
 	own = vec_add(vec_sub(own, vec(gather(center, body * 2), gather(center, body * 2 + 1))), vec_turn(frame, offset));
-	// a far point of the world is exact as a position, but not as an arm, because two arms are subtracted
+	// a point of the world is a position without an arm: a long arm would take digits from the other body's arm
 	Int world = body == 0;
 	Vec zero = vec(splat(0.0f), splat(0.0f));
 	end.arm = vec_blend(vec_turn(turn, own), zero, world);
@@ -91,7 +91,8 @@ INLINE JointFrame joint_frame_railed(const Pools* p, int i, Int slot, Int body, 
 	return a;
 }
 
-// Updates the widest gap, a counter for the user: the error of rigid locks of translations. gap: between anchors.
+// Updates the widest gap, a counter for the user: the error of rigid locks of translations. gap: vector between
+// anchors, m.
 INLINE void joint_count_gap(const Pools* p, const Joint* u, Vec gap)
 {
 	Vec axis = joint_line(vec(u->axis_x, u->axis_y), gap, joint_has(u, JOINT_RADIAL));

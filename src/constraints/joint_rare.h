@@ -23,8 +23,8 @@ INLINE JointDriven joint_driven(const Pools* p, Int slot, int k)
 // N s: Returns the impulse of a force within a substep, at most MOST_IMPULSE.
 INLINE Real joint_most(const Pools* p, Real force) { return minimum(splat(MOST_IMPULSE), force * p->step.h); }
 
-// m: Returns the arc length of the foot, from which the coordinate along is measured on a path, because a float has few
-// digits left for a long arc; 0 for other coordinates and for joints without a path.
+// m: Returns the arc length of the foot; 0 for other coordinates than along, and for joints without a path. On a path,
+// the coordinate along is measured from the foot, because a float has few digits left for a long arc.
 INLINE Real joint_from_foot(const Pools* p, int i, const Joint* u, int k)
 {
 	Real zero = splat(0.0f);
@@ -69,8 +69,7 @@ INLINE Real joint_aim(const Joint* u, const JointPose* c, int k, Real target)
 
 // Returns the factor by which frequency and damping ratio of spring k are multiplied, so that the spring is as stiff as
 // with the arms at the targets of locks and springs: the root of (yield with the current arms / yield with those arms).
-// The current arm of body a ends at the anchor of body b: with it, a spring would pull less the longer it is, and drop
-// its load.
+// The current arm of body a ends at the anchor of body b, so a longer spring would pull less, and drop its load.
 INLINE Real joint_stiffened(const Pools* p, Int slot, const Joint* u, const JointPose* c, int k)
 {
 	Real one = splat(1.0f), zero = splat(0.0f), lock[4];

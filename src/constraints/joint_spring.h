@@ -2,7 +2,7 @@
 // joint_spring.h -- computes springs and soft locks of a joint; substeps solve the differential equation exactly.
 //
 // A coordinate C with the speed v, a frequency o (rad/s) and a damping ratio z obeys C" + 2 z o C' + o^2 C = 0. Within
-// h it changes by the eigenvalues e^(h l), l^2 + 2 z o l + o^2 = 0, whose product D and sum T are known. A substep is
+// h it changes by the eigenvalues e^(h l), with l^2 + 2 z o l + o^2 = 0. D is their product, T their sum. A substep is
 //
 //     bias       v2 = keeps v - A C / h
 //     motion     C := C + h v2
@@ -60,9 +60,10 @@ typedef struct
 	Real keeps, pull, relaxes; // coefficients of the substep at the head of this file; pull is A there
 } JointSpring;
 
-// Returns the coefficients of a spring. hertz, ratio: frequency and damping ratio for the yield without locks of the
-// joint. share: the yield while its rigid locks hold, divided by that yield. beside: largest number of constraints of a
-// body of the joint, times the number of its springs; alone: above 0 in lanes whose bodies have no other constraints.
+// Returns the coefficients of a spring. hertz, ratio: frequency and damping ratio of the joint without its locks.
+// share: the yield while the rigid locks hold, divided by the yield without locks. beside: largest number of
+// constraints of a body of the joint, times the number of its springs; alone: above 0 in lanes whose bodies have no
+// other constraints.
 INLINE JointSpring joint_spring_of(const Pools* p, Real hertz, Real ratio, Real share, Real beside, Real alone)
 {
 	Real zero = splat(0.0f), one = splat(1.0f);

@@ -15,7 +15,7 @@
 #include "constraints/joint_constraint.h"
 
 #define PATH_SERIES    0.01f   // square of the sine up to which the series of asin is exact to a float
-#define PATH_MOST_SWAY 0.5f    // rad: maximum turn by the change of curvature; series compute its sine and cosine
+#define PATH_MOST_SWAY 0.5f    // rad: maximum turn of the tangent due to `sway`; series of larger angles are inexact
 #define PATH_CENTER    1.0e-4f // minimum of r^2; with less, at the center of the circle, the normal is undefined
 
 typedef struct // a point of the circle

@@ -14,7 +14,7 @@
 #include "constraints/contact_points.h"
 #include "constraints/sweep_closing.h"
 
-// Maximum of k dt^2 with which a contact follows fully; small, because bodies and neighbors have several contacts.
+// Maximum of k dt^2 up to which a contact follows its bodies fully; small, because bodies have several contacts.
 #define ROLLING_STIFFNESS 0.3f
 
 // Rolling resistance: maximum distance of the load ahead of the center, in units of the reach. It is a coefficient of
@@ -57,7 +57,7 @@ INLINE Vec rolling_arm(Rolling r, Vec place)
 // Returns the displacement that the solver computes for the point at an arm.
 INLINE Vec rolling_moves(Rolling r, Vec arm) { return vec_add(vec_sub(r.then, r.center), vec_spin(r.angle, arm)); }
 
-// Returns the corner that a feature names; `point`, which is less exact, if it names none or `wanted` is 0.
+// Returns the corner that a feature names; `point`, which is less exact, if the feature names none or `wanted` is 0.
 INLINE Vec rolling_corner(const GLOBAL Attribute* shapes, Int shape, Int name, Vec point, Int wanted)
 {
 	Int vertex = shape * (int)(sizeof(Attribute) / sizeof(float)) + 2 * (name & (MAX_CORNERS - 1));
@@ -78,7 +78,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 	    turn = vec(manifold[10], manifold[11]);
 	Int corners = (flags & (int)MANIFOLD_CORNERS) != 0, turns_b = (flags & (int)MANIFOLD_TURNS_B) != 0;
 	ContactPoints points;
-	Vec now = vec_turn(ra.axes, normal); // normal now; the corners' direction replaces it if within 60 degrees
+	Vec now = vec_turn(ra.axes, normal); // current normal; for two corners, their direction if within 60 degrees of it
 	points.normal =
 	    vec_blend(vec_turn(ra.turn, now), vec_turn(rb.turn, vec_turn(rb.axes, vec_turn_back(turn, normal))), turns_b);
 	points.offset = vec_sub(ra.then, rb.then);
@@ -103,7 +103,7 @@ INLINE ContactPoints rolling_points(const GLOBAL Attribute* shapes, const Real a
 		}
 		Real gap = vec_dot(points.normal, between) - radius_a - radius_b;
 
-		// anchors start at the center of the body that has the corner: the center of the other may be far away
+		// anchors are computed from the center of the body that has the corner: the center of the other may be far away
 		Vec from_a = vec_add(arm_a, vec_scale(radius_a + 0.5f * gap, points.normal));
 		Vec from_b = vec_sub(vec_sub(arm_b, vec_scale(radius_b + 0.5f * gap, points.normal)), points.offset);
 		arm_a = vec_blend(from_b, from_a, by_a);
@@ -135,7 +135,7 @@ INLINE ContactPoints rolling_step(const Pools* p, const Real a[8], const Real b[
 	if (!lane_bits(loaded))
 		return points;
 
-	// a body that rests on two points does not roll; if both carry the load, round shapes buckle like sharp ones
+	// a body that rests on two points does not roll: the more equally they carry the load, the more the contact is held
 	Real share = absolute(load1 - load2) / load;
 	Real reach =
 	    minimum(sweep_shape(&p->attribute->reach, real_bits(a[6])), sweep_shape(&p->attribute->reach, real_bits(b[6])));

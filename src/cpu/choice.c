@@ -14,8 +14,8 @@
 #define FIRST_TURNS 4 // number of measurements at the start, in which the two methods alternate
 
 // Adds the cost of a solve, in ms per item, to the measurement, and chooses the method of the next solve. A cost higher
-// than the last one may be due to an interruption, so it has a weight of a quarter. The other method is measured again
-// after REST solves, or later if it was slower.
+// than the stored cost may be due to an interruption, so it has a weight of a quarter. The other method is measured
+// again after REST solves, or later if it was slower.
 static void count_cost(Choice* c, double cost)
 {
 	bool first = c->turns < FIRST_TURNS, measures = first || c->tries;

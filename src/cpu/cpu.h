@@ -63,8 +63,8 @@ typedef struct // the state of the backend
 // work.c: executes a list of runs. One worker executes a run of fewer items than grain; the workers share the others.
 void cpu_work(Cpu* cpu, const Run* runs, int count, int grain);
 
-// choice.c: executes the list of a solve, by one worker or shared by all, by the method that took less time before.
-// items: number of items in the list; chains: number of items that would take as long as its chains.
+// choice.c: executes the list of a solve by one worker or by all workers, whichever took less time before. items:
+// number of items in the list; chains: number of items that would take as long as the chains of the solve.
 void cpu_work_solve(Cpu* cpu, const Run* runs, int count, double items, double chains);
 
 // pool_memory.c: functions of the CPU backend.

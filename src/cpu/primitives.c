@@ -3,7 +3,7 @@
 #include "cpu/primitives.h"
 #include <string.h>
 
-#define FEW_KEYS 64 // up to this number, keys are sorted by insertion; at 64 keys, both methods take about as long
+#define FEW_KEYS 64 // up to this number, keys are sorted by insertion, which takes as long as a radix sort of 64 keys
 
 static void count_digits(int counts[RADIX], const uint64_t* keys, int begin, int end, int shift, uint64_t mask)
 {

@@ -22,7 +22,8 @@ typedef int2 Int2;
 #define lowest_bit(x)           (63 - leading_zeros((x) & (~(x) + (ulong)1)))
 #define square_root(x)          sqrt(x)
 
-// Integer atomics have two uses: counters, and sets whose items are sorted before they are read in order.
+// Integer atomics: sums, maxima, minima and bit masks, which do not depend on the order of the work-items. Lists that
+// grow by a counter are sorted before they are read in order.
 #define atomic_add_int(place, x)  atomic_add(place, x)
 #define atomic_max_int(place, x)  atomic_max(place, x)
 #define atomic_min_int(place, x)  atomic_min(place, x)

@@ -51,8 +51,8 @@ INLINE Word beam8(const GLOBAL Float4* boxes, Float4 sides, Float2 inverse, floa
 	return hits;
 }
 
-// Returns a bit mask of the packed boxes near a box, at a squared distance of at most `most`. square: squared distances
-// to all packed boxes.
+// Returns a bit mask of the packed boxes near a box, at a squared distance of at most `most` (bit k: packed box k).
+// Sets square[k] to the squared distance of packed box k.
 INLINE Word apart8(const GLOBAL Float4* boxes, Float4 box, float most, float square[8])
 {
 	Word hits = 0;

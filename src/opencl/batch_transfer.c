@@ -10,7 +10,7 @@
 #include "opencl/transfer.h"
 #include "platform/error.h"
 
-#define DEPTH (TRANSFER_BLOCKS / 2) // maximum parts in flight; a part has a block for items and a block for results
+#define DEPTH (TRANSFER_BLOCKS / 2) // maximum number of parts in flight; a part has blocks for items and for results
 
 // Number of parts of a batch, unless the size of a block requires more: with several parts, transfers and kernels
 // overlap. Kernels over a million rays take an H200 1.9 ms in one part, 2.3 ms in four and 3.0 ms in eight.
@@ -119,7 +119,7 @@ static scree_status go(const Way* way)
 		if (back == 0)
 			status = check(d, way->batch);
 		if (back >= 0 && back < way->parts && status == SCREE_OK)
-			status = transfer_settle(d, down_block(back)); // the kernel has then read the items of this part too
+			status = transfer_settle(d, down_block(back)); // the results are there, so the kernel has read the items
 		if (status != SCREE_OK)
 			break;
 		if (k < way->parts)

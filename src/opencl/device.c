@@ -48,7 +48,7 @@ static void find_sharing(Device* d)
 		opencl.GetDeviceInfo(d->id, DEVICE_UUID, sizeof d->about.uuid, d->about.uuid, NULL);
 }
 
-// Finds out whether a device is usable and computes the CPU's bits. If not, writes the reason to about.reason.
+// Finds out whether a device is usable and has the same bits as the CPU. If not, writes the reason to about.reason.
 static void check_support(Device* d)
 {
 	char* reason = d->about.reason;

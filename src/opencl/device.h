@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// device.h -- lists the OpenCL devices of this machine, and finds out whether each computes equal bits.
+// device.h -- lists the OpenCL devices of this machine, and finds out whether each computes the same bits as the CPU.
 #ifndef OPENCL_DEVICE_H
 #define OPENCL_DEVICE_H
 #include "backend/backend.h"

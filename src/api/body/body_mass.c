@@ -6,7 +6,7 @@
 #include "world/objects/mass.h"
 #include "world/world.h"
 
-// Bounds of masses that the user sets. Within them, inverses and their products with squares of arms are finite.
+// Bounds of masses that the user sets: inverse masses, and their products with squares of lever arms, stay finite.
 #define LEAST_MASS    1e-15f // kg
 #define LEAST_INERTIA 1e-20f // kg m^2
 #define MOST_MASS     1e30f  // kg, and kg m^2

@@ -13,7 +13,7 @@
 #include "world/pool_values.h"
 #include "world/world.h"
 
-typedef struct // command and argument names of one call
+typedef struct // a call of the user: its name, the kind of its command, and the names of its arguments
 {
 	const char* function;
 	int kind; // COMMAND_*

@@ -9,15 +9,15 @@
 #include "world/upload/upload.h"
 #include "world/world.h"
 
-// Up to this mean distance of slots, one read of the range is faster than one read for each body: a read takes a GPU as
-// long as the transfer of 100 kB.
+// Mean distance between the slots of a batch, in rows, up to which one read of the whole range is faster than one read
+// for each body. On a GPU, a read takes as long as the transfer of 100 kB.
 #define SPARSE_ROWS 1024
 
 typedef struct // rows of one pool, read for a batch
 {
 	const char* rows;
 	size_t bytes; // bytes of a row
-	int first;    // body of the first row; -1 if row k belongs to bodies[k]
+	int first;    // index of the body of the first row; -1: row k belongs to bodies[k]
 } Rows;
 
 static const void* row_of(const Rows* rows, const scree_body* bodies, int k)

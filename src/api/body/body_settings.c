@@ -170,7 +170,7 @@ static void enable(scree_world* world, int index, bool enabled)
 	if (host->disabled == !enabled)
 		return;
 	if (enabled)
-		body_insert_leaves(world, host); // does nothing, unless the same batch has disabled the body
+		body_insert_leaves(world, host); // has no effect, unless an earlier entry of the batch disabled the body
 	else
 		body_remove_leaves(world, host);
 	host->disabled = !enabled;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// attribute.c -- creates attributes, one for all equal values, and destroys them when their last claim is removed.
+// attribute.c -- creates one attribute for all equal definitions, and destroys it when its last claim is removed.
 #include "world/definition.h"
 #include "world/failure.h"
 #include "world/objects/attributes.h"

@@ -38,7 +38,7 @@ scree_status scree_collidable_get_attribute(const scree_world* world, scree_coll
 	return SCREE_OK;
 }
 
-// Inserts a collidable again into the tree in which it has a leaf: the tree must be updated because the box changes.
+// Marks the tree of a collidable for an update, because the box of the collidable changes.
 static scree_status mark_tree(scree_world* world, int index)
 {
 	int kind = collidable_kind(world, index);

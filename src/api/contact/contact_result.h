@@ -4,7 +4,8 @@
 #define CONTACT_RESULT_H
 #include "world/world.h"
 
-// Returns a contact from a row of the device, without handles. details: also impulses and speeds of the last step.
+// Returns a contact, without handles, from a row of the device. details: true adds impulses and speeds of the last
+// step.
 scree_contact contact_result(const ContactReport* row, bool details);
 
 #endif

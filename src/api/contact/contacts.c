@@ -176,7 +176,8 @@ scree_status scree_world_get_overlaps_sized(scree_world* world, scree_contact* o
 	return get(world, "scree_world_get_overlaps", "overlaps", CONTACT_DETECTED, overlaps, size, capacity, count);
 }
 
-// Writes the rows that the device gathered, except contacts that ended by a change of the user after the step.
+// Writes the contacts that the device gathered, except those that ended because the user changed something after the
+// step.
 static scree_status list_rows(scree_world* world, const char* function, int found, scree_contact* contacts, size_t size,
                               int capacity, int* count)
 {

@@ -111,7 +111,7 @@ scree_status scree_joint_destroy(scree_world* world, scree_joint joint)
 	return destroy(world, "scree_joint_destroy", "joint", &joint, 1, true);
 }
 
-// Lists the joints of a body, or all joints if body is -1. Returns the number of joints, which may exceed capacity.
+// Lists the joints of a body, or all joints if `body` is -1. Returns the number of joints, which may exceed `capacity`.
 static int list(const scree_world* world, int body, scree_joint* joints, int capacity)
 {
 	int listed = 0;
@@ -150,7 +150,7 @@ scree_status scree_body_get_joints(const scree_world* world, scree_body body, sc
 	TRY(check_pointer(function, "world", world));
 	TRY(check_body(world, (ArgumentPlace){function, "body", ALONE}, "", body, &index));
 	TRY(check_list(function, "joints", joints, capacity, count));
-	// the list of a body begins with its newest joint; if capacity is too small, all joints are scanned in index order
+	// the list of a body begins with its newest joint; if `capacity` is too small, all joints are scanned by index
 	int total = 0;
 	for (int end = world->host_bodies[index].first_joint; end > 0; end = joint_next(world, end))
 		++total;

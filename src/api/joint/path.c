@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#define LEAST_APART 1e-4f // m: minimum distance of neighboring points; rounding errors are larger than shorter curves
+#define LEAST_APART 1e-4f // m: minimum distance of neighboring points; rounding errors would distort shorter segments
 
 void scree_path_def_default_sized(scree_path_def* def, size_t size)
 {

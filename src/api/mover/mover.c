@@ -122,7 +122,7 @@ static void begin(const MoverCall* call, const scree_mover* mover, scree_pose no
 	w->carried = add_scaled(w->carried, dt * belt_speed(call->world, mover->ground),
 	                        (scree_vec){mover->normal.y, -mover->normal.x});
 	w->stood = collidable_is_valid(call->world, mover->ground) && rise <= 0.0f;
-	// the vertical velocity is removed, because mover_stand moves the mover down to the ground
+	// the vertical velocity of a mover on ground is left out, because mover_stand moves the mover down to the ground
 	scree_vec velocity = w->stood ? add_scaled(mover->velocity, -rise, up) : mover->velocity;
 	w->way = add_scaled((scree_vec){0.0f, 0.0f}, dt, velocity);
 	w->rest = w->carried;

@@ -28,8 +28,9 @@ static float free_length(const MoverCall* call, int k)
 	return s > 0.0f ? s : 0.0f;
 }
 
-// Casts the probes with the mover's shape, and with a larger one, which may hit another surface first. A cast ignores
-// surfaces that the shape overlaps at the start, so the larger shape includes 2 TOUCH less than the skin.
+// Casts each probe with the mover's shape and with a larger shape, and keeps the result that lets the mover move less
+// far. A cast ignores surfaces that the shape overlaps at the start, so the larger shape is enlarged by a little less
+// than the skin.
 static scree_status cast(MoverCall* call)
 {
 	scree_query_result* wide = call->found + call->count;
@@ -72,7 +73,7 @@ static scree_vec clip(scree_vec v, scree_vec normal)
 	return against < 0.0f ? add_scaled(v, -against, normal) : v;
 }
 
-// Returns velocity or motion v after a mover met a surface. A surface too steep to stand on lifts only rising movers.
+// Returns a velocity or motion v after a mover met a surface. A surface too steep to stand on lifts only rising movers.
 static scree_vec deflect(const MoverCall* call, scree_vec v, scree_vec normal)
 {
 	scree_vec up = call->def->up, free = clip(v, normal);
@@ -146,7 +147,7 @@ scree_status mover_recover(MoverCall* call)
 {
 	for (int round = 0; round < RECOVER_ROUNDS; ++round)
 	{
-		// the first round has all movers, a later round has the movers that the last round moved
+		// the first round has all movers, a later round only the movers that the previous round moved
 		int asked = round == 0 ? call->count : call->asked;
 		call->asked = 0;
 		for (int k = 0; k < asked; ++k)
@@ -187,8 +188,9 @@ scree_status mover_recover(MoverCall* call)
 	return SCREE_OK;
 }
 
-// Sets found[].hit to whether the mover can stand on the surface that its probe hit: on ground, or on a corner that has
-// ground beside it and that the round end of the capsule can climb with a rise of at most step_height.
+// Keeps found[].hit only if the mover can stand on the surface that its probe hit. A mover can stand on ground. It can
+// also stand on a corner, if there is ground beside the corner and the round end of the capsule rises by at most
+// step_height to get over the corner.
 static scree_status find_ground(MoverCall* call)
 {
 	const scree_mover_def* def = call->def;

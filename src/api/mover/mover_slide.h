@@ -51,10 +51,10 @@ scree_vec mover_within(scree_vec at);
 // Marks mover k as crushed by a collidable, and moves the mover back to its position at the beginning of the call.
 void mover_crush(const MoverCall* call, int k, scree_collidable by);
 
-// Clears the mark of crushed movers that no longer overlap anything. Called before anything moves.
+// Clears the mark of crushed movers that no longer overlap a surface. Called before any mover moves.
 scree_status mover_is_crushed(MoverCall* call);
 
-// Moves movers away from surfaces nearer than the skin. Movers that overlap a surface after 8 rounds are crushed.
+// Moves movers away from surfaces nearer than the skin. Movers that still overlap a surface after 8 rounds are crushed.
 scree_status mover_recover(MoverCall* call);
 
 // Moves movers by their remaining motion; they slide along surfaces and climb steps.

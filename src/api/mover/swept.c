@@ -17,7 +17,7 @@ typedef struct // a moving collidable of a kinematic body
 	scree_collidable handle;
 	scree_shape shape;
 	scree_pose from, to; // poses of the collidable's origin before and after the step, in the world
-	float reach, far;    // m: maximum distance of the shape's points from its origin; their maximum displacement
+	float reach, far;    // m: largest distance of the shape's points from the origin; largest displacement of a point
 } Sweeper;
 
 // Returns the pose that a body's origin had dt seconds ago, computed from the body's velocity.
@@ -142,8 +142,8 @@ static scree_body owner_of(const MoverCall* call, scree_collidable collidable)
 
 static bool is_body(scree_body a, scree_body b) { return !scree_body_is_null(a) && a.index == b.index; }
 
-// Finds the longest displacement that a sweeper gives to mover k, and this sweeper. A sweeper on which the mover stands
-// gives w->carried.
+// Finds the sweeper that gives mover k the longest displacement, and this displacement, 0 for none. A sweeper on which
+// the mover stands gives it the displacement w->carried.
 static scree_status push_of(MoverCall* call, int k, const Sweeper* sweepers, int count, scree_vec* longest,
                             scree_collidable* crusher)
 {
@@ -196,7 +196,7 @@ typedef struct // kinematic bodies with their poses and velocities, and the swee
 	scree_pose* poses;
 	scree_velocity* velocities;
 	Sweeper* sweepers;
-	scree_collidable* crushers; // collidables that push the mover of each probe
+	scree_collidable* crushers; // for each probe, the collidable that pushes its mover
 } SweptBodies;
 
 static scree_status push(MoverCall* call, const SweptBodies* swept, int bodies, float dt)

@@ -4,7 +4,8 @@
 #define SWEPT_H
 #include "api/mover/mover_slide.h"
 
-// Called before anything else moves. Movers that a static collidable stops are crushed. dt: duration of the step, s.
+// Pushes movers before their own motion. A mover that a static collidable stops is crushed. dt: duration of the step,
+// s.
 scree_status mover_swept(MoverCall* call, float dt);
 
 #endif

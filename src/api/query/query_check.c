@@ -65,7 +65,7 @@ scree_status query_check(scree_world* world, const char* function, const scree_q
 }
 
 #define MAGNITUDE 0x7fffffffu
-#define BLOCK     64 // number of items from one test for items outside the bounds to the next
+#define BLOCK     64 // number of items between two tests for items outside the bounds
 
 typedef uint32_t Words4 __attribute__((vector_size(16))); // half of a ray or a probe
 
@@ -74,9 +74,10 @@ typedef struct // for each word of an item: mask of the compared bits; largest a
 	Words4 counts[2], most[2];
 } PlainBits;
 
-// Returns the number of leading items certainly within bounds. *ignores: false only if these are all items and none of
-// them ignores a body, whose handle is in the last two words. Nonnegative floats are ordered like their bits, with NaN
-// beyond infinity; a word above its bound sets the highest bit. Float comparisons took 6 ms for a million rays.
+// Returns the number of leading items that are certainly within bounds. Sets *ignores to false if all items are, and
+// none of them ignores a body, whose handle is in the last two words; otherwise to true. Nonnegative floats are ordered
+// like their bits, with NaN beyond infinity; a word above its bound sets the highest bit. Float comparisons took 6 ms
+// for a million rays.
 static int plain_items(const void* items, int count, const PlainBits* plain, bool* ignores)
 {
 	Words4 bodies = {0};

@@ -7,8 +7,8 @@
 
 #define MOST_BYTES  ((size_t)256 << 20) // bytes of a block; halved, down to LEAST_BYTES, if two blocks do not fit
 #define LEAST_BYTES ((size_t)1 << 20)
-#define TRIES       4     // the best try counts
-#define COPIES      8     // copies of a try: with many, the time to start and end a try has little effect
+#define TRIES       4     // number of tries; the fastest counts
+#define COPIES      8     // copies per try; many, so that the time to start and end a try has little effect
 #define ENOUGH      500.0 // ms: total time of the tries after which no further try begins
 
 scree_status scree_world_get_traffic_sized(scree_world* world, scree_traffic* traffic, size_t size)

@@ -92,7 +92,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 		            decimal(SHORTEST_STEP).text);
 	if (substeps < 1 || substeps > 64)
 		return fail(SCREE_ERROR_INVALID, "%s: substeps is %d, must be from 1 to 64", function, substeps);
-	if (dt > 0.0f) // with dt 0 a step only detects contacts, so its duration is not comparable
+	if (dt > 0.0f) // with dt 0 a step only detects contacts, so its duration is no measure of a device
 		TRY(auto_choose(world));
 	double start = processor_milliseconds();
 	TRY(reports_reserve(world, function));
@@ -130,7 +130,7 @@ scree_status scree_world_step(scree_world* world, float dt, int substeps)
 		targets_arrived(world);
 		idle_end(world);
 	}
-	// the boxes have moved but the bodies have not: later steps would miss pairs whose boxes began to overlap now
+	// the boxes have moved, but not the bodies: later steps would miss pairs whose boxes began to overlap in this step
 	if (status != SCREE_OK && world->pipeline.started)
 		world->broken = status;
 	double milliseconds = processor_milliseconds() - start;

@@ -221,8 +221,8 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 	return (__global float2*)(stream + STREAM_QUADS * n) + i;
 }
 
-// Access to column k. `quads`, `pairs`: addresses of a constraint in the first float4 and float2 column; n: column
-// length.
+// Accesses to column k. `quads`, `pairs`: addresses of a constraint in the first column of float4 and in the first
+// column of float2; n: length of a column.
 #define STREAM_SKIP_QUAD(k, c0, c1, c2, c3)
 #define STREAM_STORE_QUAD(k, c0, c1, c2, c3)        quads[k * n] = make_float4(c0, c1, c2, c3);
 #define STREAM_STORE_PAIR(k, read, written, c0, c1) pairs[k * n] = make_float2(c0, c1);
@@ -246,8 +246,8 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 		pairs[k * n] = make_float2(c0, c1);
 
 #define CONSTRAINT_KIND(kind, Kind, KIND)                                                                   \
-	/* stream_store: constraint j and a number of the caller, name. stream_load: columns that passes read.  \
-	   stream_update: columns that passes write. */                                                         \
+	/* stream_store: stores constraint j and `name`, a number of the caller. stream_load: loads the columns \
+	   that passes read. stream_update: stores the columns that passes write. */                            \
 	INLINE void kind##_stream_store(const Kind* u, float name, __global float4* stream, int n, int j)       \
 	{                                                                                                       \
 		__global float4* quads = stream + j;                                                                \
@@ -270,7 +270,7 @@ INLINE __global float2* stream_pairs(__global float4* stream, int n, int i)
 #include "pools/kinds.def"
 #undef CONSTRAINT_KIND
 
-// Writes constraint j to the stream: registers_store writes all columns, registers_update those that a pass changes.
+// registers_store writes all columns of constraint j to the stream, registers_update those that a pass changes.
 OUT_OF_LINE void registers_store(const Registers* u, __global float4* stream, int n, int j)
 {
 	if (u->inert)
