@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // integrate.h -- accelerates or moves bodies between two passes of the solve.
 // Warm starting needs no pass over contacts. Anchors and normals are constant within a step, so the impulses of a
-// substep change a velocity by the same amount in the next substep: velocity after relax minus velocity before any
-// impulse (base).
+// substep change a velocity by the same amount in the next substep. This amount is the velocity after relax minus the
+// velocity before any impulse (`base`).
 #ifndef INTEGRATE_H
 #define INTEGRATE_H
 #include "constraints/solver_body.h"
