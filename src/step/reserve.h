@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reserve.h -- sets the capacities of the pools: enlarges them for a stage, and shrinks pools that were long too large.
+// reserve.h -- sets the capacities of the pools: enlarges them for a stage, and shrinks those that remain too large.
 #ifndef RESERVE_H
 #define RESERVE_H
 #include "step/pipeline_state.h"
