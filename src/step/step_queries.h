@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// step_queries.h -- executes queries: computes trees of the current poses, searches them, and sorts the results.
+// step_queries.h -- executes queries: computes trees for the current poses, searches them, and sorts the results.
 #ifndef STEP_QUERIES_H
 #define STEP_QUERIES_H
 #include "step/pipeline_state.h"

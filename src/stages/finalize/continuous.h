@@ -85,8 +85,8 @@ INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
 
-// Returns whether a body is certainly still inside the boxes of its collidables: without contacts and forces, it moved
-// as predicted at the start of the step.
+// Returns whether a body certainly has not left the boxes of its collidables: without contacts and forces, it moved as
+// predicted at the start of the step.
 INLINE int continuous_foreseen(const Pools* p, int body, float gravity_scale)
 {
 	return p->step.calm && absolute(gravity_scale) <= 1.0f && p->fixed_contacts[body] == 0 &&

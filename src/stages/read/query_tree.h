@@ -24,7 +24,7 @@ INLINE Float4 query_way_box(const Pools* p, int k, WorldShape at)
 	                 world_box(start, shape, QUERY_MARGIN + QUERY_SPACING * out + bulge));
 }
 
-// Returns whether a collidable at pose `at` is still inside its box of the step. That box is larger by half the
+// Returns whether a collidable at pose `at` has not left its box of the step. That box is larger by half the
 // speculative distance than the collidable at the start of the step. A new collidable has an empty box.
 INLINE int query_holds(const Pools* p, int k, WorldShape at)
 {

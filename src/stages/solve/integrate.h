@@ -8,7 +8,7 @@
 #include "constraints/solver_body.h"
 #include "dialect/finite.h"
 
-// Adds the acceleration and, as warm start, the change of velocity that contacts caused in the last substep. b, m,
+// Adds to velocities the acceleration and, as warm start, the change that contacts caused in the last substep. b, m,
 // base: rows of pools. In the first substep, base is the velocity without the warm start, which b already contains.
 INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base, int first)
 {
