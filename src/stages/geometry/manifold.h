@@ -35,8 +35,8 @@ typedef struct // manifold in the frame of shape a
 	Real separation[2]; // separation of the surfaces, negative if they overlap, m; NO_POINT for a missing point
 	int feature[2];     // feature of shape a << 8 | feature of shape b; different for the two points
 	int count;          // number of points; if it is 0, there is no normal either
-	int made; // MANIFOLD_* bits: which shape has the corner of each point; with which shape the normal rotates
-	Real gap; // lower bound of the distance of the surfaces, m, if there are no points
+	int made;           // MANIFOLD_* bits: which shape has each corner point; with which shape the normal rotates
+	Real gap;           // lower bound of the distance of the surfaces, m, if there are no points
 } Manifold;
 
 typedef struct // separation up to which points count, in the frame of shape a
