@@ -8,7 +8,7 @@
 
 // Distance at which contacts of small bodies begin, as a multiple of g dt^2, which is twice the fall in a step.
 #define FALL_SHARE 0.5f
-// m: a step is calm if its fall (FALL_SHARE g dt^2) is smaller than this; with one substep a body falls twice as far
+// m: a step is calm if its fall (FALL_SHARE g dt^2) is smaller than this; with one substep the fall is twice that
 #define CALM_FALL (0.125f * SPECULATIVE_DISTANCE)
 
 // Largest frequency of contacts, as a share of the substep rate. A light body passes the load of a heavy body on by
@@ -17,10 +17,10 @@
 // body of 500 kg on wheels of 1.6 kg, and pyramids of ten rows under a box of 100 times a box's weight fly apart.
 #define CONTACT_STIFFEST (1.0f / 6.0f)
 
-// Light loads need no such limit. A contact is firmer up to the overlap that FIRM_WEIGHTS times the body's own weight
-// causes. Its frequency is multiplied by FIRM_PAIR between bodies that can move, by FIRM_FIXED if one cannot, so stacks
-// sink less. The damping is that of the firm part, so impacts do not get deeper. The factors give 52 and 104 Hz at 240
-// substeps per second; with larger factors, a pyramid of base 100 never comes to rest.
+// Light loads need no such limit. A contact is firmer than this limit up to the overlap that FIRM_WEIGHTS times the
+// body's own weight causes. Its frequency is multiplied by FIRM_PAIR between bodies that can move, by FIRM_FIXED if one
+// cannot, so stacks sink less. The damping is that of the firm part, so impacts do not get deeper. The factors give 52
+// and 104 Hz at 240 substeps per second; with larger factors, a pyramid of base 100 never comes to rest.
 #define FIRM_WEIGHTS 20.0f
 #define FIRM_PAIR    1.3f
 #define FIRM_FIXED   2.6f
@@ -32,8 +32,9 @@
 #define CONTACT_SOFT 1.03f
 
 // Largest frequency of deep contacts, as a share of the step rate. Normals of round shapes follow the bodies only once
-// per step. Under a load N, two round shapes at a distance r push each other aside by N / r per unit of distance, like
-// a spring that is too stiff for a step: 625 disks on 0.66 of their area never rest with 60 Hz and 8 substeps.
+// per step. Under a load N, two round shapes at a distance r push each other aside by a force of N / r per unit of
+// displacement, like a spring that is too stiff for a step: 625 disks on 0.66 of their area never rest with 60 Hz and 8
+// substeps.
 #define CONTACT_DEEP (2.0f / 3.0f)
 
 // Source: Erin Catto, Soft Constraints, GDC 2011. firm: multiplier of the frequency in the firm part.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // contact_capacity.c -- computes the contact limit, and reports the error for a place with too many contacts.
 //
-// At one point, pairs grow with the square of the number of bodies: 22,000 boxes have 242 million, of 300 bytes each.
+// At one point, n bodies have about n^2 / 2 pairs: 22,000 boxes have 242 million pairs, each of 300 bytes.
 #include "step/contact_capacity.h"
 #include "platform/error.h"
 #include <stdio.h>
@@ -39,7 +39,7 @@ static uint64_t key_of(Float4 box, float cell)
 	return cell_of(0.5f * (box.x + box.z), cell) << 32 | cell_of(0.5f * (box.y + box.w), cell);
 }
 
-// m: Returns the median of width + height of the boxes. words: room for `count` entries.
+// m: Returns the median of width + height of the boxes, 1 if all are empty. words: room for `count` entries.
 static float usual_size(const Float4* boxes, int count, uint64_t* words)
 {
 	int found = 0;

@@ -78,7 +78,7 @@ static scree_status grow(Pipeline* pipeline, Step* step)
 	return SCREE_OK;
 }
 
-// Executes the listed stages, and also the solve if early is set. Sets *solved if that solve was valid. If the pools
+// Executes the listed stages, and also the solve if `early` is set. Sets *solved if that solve was valid. If the pools
 // were too small, enlarges them; then the caller must run the stages again.
 static scree_status solve_or_read_back(Pipeline* pipeline, Step* step, const StepRequest* request, bool early,
                                        bool* solved)

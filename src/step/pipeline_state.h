@@ -64,7 +64,7 @@ typedef struct
 	int used[PER_COUNT];   // maximum number of items of each kind since `idle` was 0
 	int first_contacts;    // initial number of contact slots
 	int idle;              // number of steps since the pools were last checked for unused capacity
-	int sparse;            // number of consecutive steps with few contacts for the number of slots
+	int sparse;            // number of consecutive steps in which most contact slots were unused
 	bool jumps;            // the user placed or created something since the last step, so boxes may jump
 	bool surfaces_changed; // some collidable changed its attribute or its reported events since the last step
 	bool reports;          // some collidable has ever reported touches or hits
@@ -90,7 +90,7 @@ typedef struct
 	int chains, chain_ranges; // number of items of a pass over chains; number of ranges of chains
 	int carried;      // index of the first item with a heavy chain between light bodies; all such items are last
 	int chain_places; // number of joints in chains and branches, with padding
-	int branches, branch_nodes;             // items of a pass over branches, behind the chains; bodies of branches
+	int branches, branch_nodes;             // numbers: items of a pass over branches (after the chains), their bodies
 	bool dirty;                             // joints were made, changed or destroyed since the last step
 	float continuous_way, continuous_reach; // as in Step; bounds over all bodies that ever existed
 	int taut;                               // Counters.taut after the last step
@@ -98,7 +98,7 @@ typedef struct
 	int rounds;                             // number of coloring rounds that the last step needed
 	int64_t steps;
 	bool tells;                      // the user has requested the list of moved bodies
-	uint64_t named, named_bodies;    // versions of Names on the device: collidables; bodies; 0: none
+	uint64_t named, named_bodies;    // versions of the Names of collidables and bodies on the device; 0: none
 	int grown;                       // number of times that a pool grew
 	double milliseconds;             // wall-clock time of the last step, ms
 	double stage_times[STAGE_COUNT]; // ms of each stage in the last step; zeros without timings

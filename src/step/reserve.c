@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// reserve.c -- sets the capacities of the pools: enlarges them for a stage, and shrinks pools that were long too large.
+// reserve.c -- sets the capacities of the pools: enlarges them for a stage, and shrinks those that remain too large.
 #include "step/reserve.h"
 #include "backend/solve_runs.h"
 #include "platform/error.h"
@@ -12,7 +12,7 @@
 
 // Contacts are packed if fewer than a quarter of the slots were used for SPARSE_STEPS steps. Otherwise each step would
 // visit all slots, and the pool could not shrink below the last contact. Packing changes the indices of contacts, and
-// therefore the world hash; therefore the decision depends only on counts that are equal on every device.
+// therefore the world hash, so the decision depends only on counts that are equal on every device.
 #define SPARSE_STEPS 60
 #define SPARSE_SHARE 4
 #define SPARSE_SLOTS 4096 // with at most this number of slots, packing would save nothing
@@ -95,7 +95,7 @@ scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity)
 	return status;
 }
 
-// Shrinks the pools of a kind to twice their used size, at least `least`, if much larger. Returns whether it did.
+// Shrinks pools much larger than twice their used size to that size, at least `least`. Returns whether they shrank.
 static bool shrink(Pipeline* pipeline, Per per, int least)
 {
 	Backend* b = pipeline->backend;

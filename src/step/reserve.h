@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// reserve.h -- sets the capacities of the pools: enlarges them for a stage, and shrinks pools that were long too large.
+// reserve.h -- sets the capacities of the pools: enlarges them for a stage, and shrinks those that remain too large.
 #ifndef RESERVE_H
 #define RESERVE_H
 #include "step/pipeline_state.h"
 
 #define LEAST_CAPACITY 64 // number of items; the capacity of each pool is a multiple of this
 
-// Ensures space for `capacity` items in the pools of a kind and all that depend on them; pools grow by half or more.
+// Ensures space for `capacity` items in the pools of a kind and in pools that depend on them; pools grow by half or
+// more.
 scree_status pipeline_reserve(Pipeline* pipeline, Per per, int capacity);
 
 // Shrinks pools that have been much too large for a long time. Must be called after each step.

@@ -7,7 +7,7 @@
 #include "step/reserve.h"
 #include "step/stage_lists.h"
 
-// Finds the bodies that are neighbors of several hubs, once per layout. The host must already have read its counters.
+// Finds the bodies that are neighbors of several hubs, once per layout. The host must have read the counters before.
 static scree_status split_spokes(Pipeline* pipeline, const Step* step, int bodies)
 {
 	if (pipeline->counters.hubs == 0 || pipeline->split)
@@ -118,7 +118,7 @@ scree_status solve_finish(Pipeline* pipeline, const Step* step, const StepReques
 		return measure_only(pipeline, step, request->bodies);
 	if (!solved)
 		TRY(solve_start(pipeline, step, request, NO_COUNT));
-	// the counter of the step before: a solve that starts before the host has read the counters has only that
+	// counter of the previous step, because a solve may start before the host has read the counters of its step
 	pipeline->taut = taut;
 	if (pipeline->asks)
 		TRY(stop_waiting_bodies(pipeline, step, request->bodies));

@@ -5,7 +5,7 @@
 #include "step/dispatch.h"
 #include "step/tree_maintenance.h"
 
-// Lists the runs that recompute the boxes of a tree; they run if the counter `count` is not 0, or if it is NO_COUNT.
+// Lists the runs that recompute the boxes of a tree; they run if `count` is NO_COUNT or its counter is not 0.
 static void tree_refit(RunList* list, const Tree* tree, int t, int count)
 {
 	if (tree->leaves == 0)
@@ -108,7 +108,7 @@ void list_broad_phase(Pipeline* pipeline, const Step* step, int bodies)
 		runs_add(list, KERNEL_contact_join, 0, contacts, COUNT(joints_dirty), 0);
 }
 
-// Lists runs that find contacts that need approval, and sort pairs refused or let through, for continuous collision.
+// Lists the runs that request approval, and that sort pairs which rules keep apart, for continuous collision.
 static void list_approvals(RunList* list, const Step* step, int bodies, bool platforms)
 {
 	int contacts = step->contact_capacity;
@@ -199,7 +199,8 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to)
 		runs_add(list, KERNEL_joint_follow, 0, c->joints, NO_COUNT, 0);
 }
 
-// Contacts by which a press spreads per step. With 1, a press of 1 m/s moves 5 capsules in a row 2.01 cm into a wall.
+// Number of contacts by which a press spreads per step. With 1, a press of 1 m/s moves 5 capsules in a row 2.01 cm into
+// a wall.
 #define PRESS_ROUNDS 2
 
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait)

@@ -17,7 +17,7 @@ void list_color(Pipeline* pipeline, int bodies, int from, int to);
 // boxes of the step, TREE_QUERIES to sort by the boxes for queries.
 void list_leaf_order(RunList* list, const Tree* tree, int t, int boxes, int count);
 
-// Lists the runs that find bodies pressed against bodies that cannot move. may_wait: the layout may be out of date.
+// Lists the runs that find bodies pressed against bodies that cannot move. may_wait: true if the layout may be old.
 void list_presses(Pipeline* pipeline, int bodies, bool may_wait);
 // Lists the runs that compute the forces of fields at the start of the step. bound: as for solve_start.
 void list_fields(Pipeline* pipeline, const StepRequest* request, int bound);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// step_queries.c -- executes queries: computes trees of the current poses, searches them, and sorts the results.
+// step_queries.c -- executes queries: computes trees for the current poses, searches them, and sorts the results.
 #include "step/step_queries.h"
 #include "platform/error.h"
 #include "step/dispatch.h"

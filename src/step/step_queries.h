@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// step_queries.h -- executes queries: computes trees of the current poses, searches them, and sorts the results.
+// step_queries.h -- executes queries: computes trees for the current poses, searches them, and sorts the results.
 #ifndef STEP_QUERIES_H
 #define STEP_QUERIES_H
 #include "step/pipeline_state.h"
@@ -13,7 +13,7 @@ typedef struct // generations of the handles of all slots
 
 typedef struct // a call of queries
 {
-	int form;          // QUERY_RAYS, ...
+	int form;          // QUERY_RAYS, QUERY_SHAPES, QUERY_NEAREST or QUERY_SENSORS
 	bool any;          // true: finds only whether there is a query result
 	QueryPlan plan;    // all members are set, except room, found and bodies
 	const void* items; // queries in the layout of Query; null if they are in the memory shared for queries, at items_at
@@ -29,13 +29,14 @@ typedef struct // a call of queries
 // Computes the result of each query. The user's changes must be uploaded. found: null for queries in shared memory.
 scree_status queries_answer(Pipeline* pipeline, const QueryRequest* questions, QueryResult* found);
 
-// Computes all results of each query; *count: their total number. Up to FEW_ANSWERS results are in the pools found and
-// found_query, unordered; more are in found_row and found_row_query, sorted by query, then fraction, then collidable.
+// Computes all results of each query; *count: their total number. At most FEW_ANSWERS results are in the pools found
+// and found_query, unordered; a larger number is in found_row and found_row_query, sorted by query, then fraction, then
+// collidable.
 #define FEW_ANSWERS 64
 scree_status queries_list(Pipeline* pipeline, const QueryRequest* questions, int* count);
 scree_status queries_read(Pipeline* pipeline, int count, QueryResult* found, int* queries);
 
-// Sets *count to the number of bodies whose pose differs from the pose that the user read last. bodies: body slots.
+// Sets *count to the number of bodies whose pose differs from the pose that the user read last. bodies: their slots.
 scree_status moved_count(Pipeline* pipeline, int bodies, int* count);
 
 // Lists the bodies that moved_count found, in the pool moved_row, sorted by index. Their poses then count as read.

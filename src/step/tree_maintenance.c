@@ -5,7 +5,7 @@
 #include <string.h>
 
 // The device measures all boxes, and decides whether boxes jump so far that the leaves must be sorted. After it has
-// decided so, the next steps sort the leaves without a measurement; one step in CHURN_STEPS measures again.
+// decided to sort, the next steps sort the leaves without a measurement; one step in CHURN_STEPS measures again.
 #define CHURN_STEPS 4
 
 #define LEFT_SOON 24 // distance, in collidables, between the prefetch of an entry of Pipeline.member and its use
@@ -155,9 +155,10 @@ scree_status tree_upload(Pipeline* pipeline)
 
 // Returns whether the wasted node visits have reached the cost of sorting the leaves, about ORDER_VISITS per leaf, so
 // the total cost stays within twice the minimum. A box changes when its collidable has moved by the margin, an
-// eighth of its size. After c changes of every box, a traversal visits about 2 c more nodes, in sum c * c per leaf.
-// Without jumps, the leaves are sorted after four changes of every box, when neighbors on the curve are still near each
-// other. Sorting after eight made the broad phase 3 % faster in scenes that tumble, but would lose more if bodies fly.
+// eighth of its size. After c changes of every box, a traversal visits about 2 c more nodes than after the sort, in sum
+// c * c per leaf. Without jumps, the leaves are sorted after four changes of every box, when neighbors on the curve are
+// still near each other. Sorting after eight changes made the broad phase 3 % faster in scenes that tumble, but would
+// lose more if bodies fly.
 bool tree_wants_order(const TreeState* state)
 {
 	double leaves = state->tree.leaves, changes = (double)state->unsorted / leaves;

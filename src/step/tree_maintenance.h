@@ -27,7 +27,7 @@ void tree_count(TreeState* state, const Counters* counters, int t);
 // Removes dead leaves from the number of leaves. After the device has sorted the leaves, the dead ones are the last.
 scree_status tree_ordered(Pipeline* pipeline, int t);
 
-// Keep the leaves while pools grow: tree_save reads them into memory of scree_allocate; tree_restore writes them back.
+// tree_save reads the leaves into memory of scree_allocate before pools grow; tree_restore writes them back afterwards.
 scree_status tree_save(Pipeline* pipeline, int** leaves);
 scree_status tree_restore(Pipeline* pipeline, int* leaves);
 

@@ -2,8 +2,8 @@
 // field_forces.h -- computes the forces of fields on bodies, once per step, before the solve.
 //
 // One item sums all forces on a body, so no two items write to one place. It adds the sums of the body's collidables in
-// the order of their list, then the forces of fields that act on bodies, by index, so the order depends only on the
-// user's calls. The result is added to the user's forces, which integrate applies in each substep and finalize clears.
+// the order of their list, then the forces of fields that act on bodies, in order: only the user's calls affect the
+// sum. The result is added to the user's forces, which integrate applies in each substep and finalize clears.
 //
 // This work is based on:
 // Henry Crozier Plummer, On the Problem of Distribution in Globular Star Clusters, 1911: soft centers.
@@ -101,7 +101,7 @@ INLINE void field_act_body(const Pools* p, int body, int index, Vec at, FieldFor
 	}
 }
 
-// Adds the forces of fields on body i to the user's forces. argument: 1 if fields act on shapes; number of fields.
+// Adds the forces of fields on body i to the user's forces. argument: whether fields act on shapes; number of fields.
 KERNEL(field_body)
 {
 	if (!(p->body[i].inv_mass > 0.0f) || p->stored_velocity[i].stored != 0.0f)

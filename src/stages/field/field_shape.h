@@ -12,8 +12,8 @@
 typedef struct // shape on which fields act
 {
 	const GLOBAL Attribute* shape;
-	Vec at, turn, arm; // world position and rotation of the shape's origin; arm from the center of mass to the origin
-	Vec v;             // velocity of the body's center of mass, m/s
+	Vec at, turn, arm; // world position and rotation of the shape's origin; offset from the center of mass
+	Vec v;             // m/s: velocity of the body's center of mass
 	float w;
 } FieldTarget;
 
@@ -32,8 +32,8 @@ INLINE Vec field_middle(const GLOBAL Attribute* shape)
 	return vec_scale(1.0f / (float)shape->count, sum);
 }
 
-// Adds drag and lift of each edge that faces the wind, at its middle, in proportion to its width across the wind. A
-// rounded shape is wider by twice its radius; the drag of this additional width acts at the mean of its corners.
+// Adds drag and lift at the middle of each edge that faces the wind, in proportion to the edge's width across the wind.
+// A rounded shape is wider than its core by twice its radius; the drag of this width acts at the mean of the corners.
 INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, FieldForce* sum)
 {
 	const GLOBAL Attribute* shape = t->shape;
@@ -49,7 +49,7 @@ INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const
 		Vec arm = vec_add(vec_add(t->arm, vec_turn(t->turn, own)), vec_scale(shape->radius, normal));
 		Vec e = field_passing(field, spot, t, arm);
 		float speed = square_root(vec_dot(e, e)), facing = -vec_dot(normal, e);
-		if (!(facing > 0.0f && speed > 0.0f)) // the square of a small speed may be 0
+		if (!(facing > 0.0f && speed > 0.0f)) // squares of small speeds may be rounded to 0
 			continue;
 		float rate = pressure * facing * square_root(vec_dot(edge, edge));
 		float side = field->lift * rate * (vec_cross(normal, e) / speed);
@@ -64,7 +64,7 @@ INLINE void field_blow(const GLOBAL Field* field, const FieldSample* spot, const
 	}
 }
 
-// Returns edge k of a region; for a field without a shape, the surface of a fluid that fills everything below it.
+// Returns edge k of a region; if a field has no shape, the surface of a fluid that fills everything below.
 INLINE FieldEdge field_edge(const GLOBAL Field* field, const FieldSample* spot, int k, const FieldTarget* t)
 {
 	FieldEdge edge;
@@ -90,8 +90,8 @@ INLINE float field_height(const FieldTarget* t, FieldEdge edge, float sign)
 	return sign * edge.offset + most + t->shape->radius;
 }
 
-// Returns area and moments of a shape's immersed part. *depth, m: shortest translation that takes it all out of the
-// fluid.
+// Returns area and moments of a shape's immersed part. *depth, m: shortest translation that takes the whole shape
+// out of the fluid.
 INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* spot, const FieldTarget* t, float* depth)
 {
 	FieldArea none = {0.0f, 0.0f, 0.0f};
@@ -118,9 +118,9 @@ INLINE FieldArea field_immersed(const GLOBAL Field* field, const FieldSample* sp
 	return field_area_below(t->shape, t->turn, line);
 }
 
-// N: Returns the limit of the force of a fluid at a point, without which a much lighter body would be thrown out. In a
-// step the point gains at most the speed that takes the shape out of the fluid within a step, and at most 2 sqrt(g
-// width), about that of a ball released under water. A body can carry dozens of times its weight.
+// N: Returns the limit of the force of a fluid at a point; otherwise a very light body would be thrown out. Apart from
+// the balance of gravity, a step adds at most the speed that takes the shape out of the fluid within the step, and at
+// most 2 sqrt(g width), as for a ball released under water. Bodies can carry dozens of times their weight.
 INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, float weight, float depth, float width)
 {
 	BodyState state = p->body[body];
@@ -130,8 +130,8 @@ INLINE float field_most_lift(const Pools* p, int body, Vec arm, Vec gravity, flo
 	return (weight + most) / easy;
 }
 
-// Adds buoyancy at the centroid of the immersed part, a drag in proportion to the area of this part, and a drag by v^2,
-// as for a disc of this area.
+// Adds buoyancy, drag in proportion to the immersed area, and drag by v^2 as for a disc of this area, all at the
+// centroid of the immersed part. Also adds the drag of rotation.
 INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSample* spot, int body,
                         const FieldTarget* t, FieldForce* sum)
 {
@@ -154,7 +154,7 @@ INLINE void field_float(const Pools* p, const GLOBAL Field* field, const FieldSa
 	    field->linear_drag * part.area + 0.5f * field->density * field->drag * width * square_root(vec_dot(e, e));
 	field_brake(sum, arm, rate, vec_scale(rate, e));
 
-	// drag of rotation, as of a rod that extends on both sides as far as the farthest corner
+	// drag of rotation, as of a rod that extends from the middle to both sides, as far as the farthest corner
 	Vec middle = field_middle(t->shape);
 	float most = 0.0f;
 	for (int k = 0; k < t->shape->count; ++k)
@@ -178,7 +178,7 @@ INLINE void field_act_shape(const Pools* p, int collidable, int body, int index,
 		field_float(p, field, &spot, body, t, sum);
 }
 
-// Item: a collidable. argument: number of fields; their boxes are padded to a multiple of ARITY.
+// Item: a collidable. Sums the forces of fields on its shape. argument: number of fields, without the padding.
 KERNEL(field_shape)
 {
 	if (p->collidable_kind[i] != KIND_DYNAMIC)

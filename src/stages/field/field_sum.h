@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// field_sum.h -- computes the poses of fields and bodies at which fields act, and sums the forces of fields on a body.
+// field_sum.h -- computes the poses at which fields act on bodies, and sums the forces of fields on a body.
 //
 // Fields act once per step, at the poses that bodies reach without fields after (n - 1) / 2 of n substeps. So a step is
 // a drift, a kick and a drift, and orbits keep their energy (docs/fields.md, When fields act).
@@ -11,7 +11,7 @@
 #include "pools/pools.h"
 #include "stages/broad_phase/transform.h"
 
-#define FIELD_MOST 1.0e35f // N, N m: limit of the force of all fields on a body
+#define FIELD_MOST 1.0e35f // N or N m: limit of each force component and of the torque of all fields on a body
 
 // s: time from the start of a step to the poses at which fields act
 INLINE float field_ahead(const Pools* p) { return 0.5f * (p->step.dt - p->step.h); }
@@ -26,7 +26,7 @@ INLINE Float4 field_body_pose(const Pools* p, int body)
 	return make_float4(pose.x + ahead * state.vx, pose.y + ahead * state.vy, turn.x, turn.y);
 }
 
-// Transforms a pose from a body's frame to the world. *arm: vector from the center of mass to the pose's position.
+// Transforms the pose `own` from a body's frame to the world. *arm: vector from the center of mass to the position.
 INLINE Float4 field_body_point(const Pools* p, int body, Float4 own, Vec* arm)
 {
 	Float4 pose = field_body_pose(p, body);
@@ -94,8 +94,8 @@ typedef struct // traversal of the fields whose boxes overlap a box, by rising i
 {
 	Float4 box;
 	int count;        // number of fields
-	int next;         // next block to test: boxes if there are few fields, else groups
-	int group, first; // first box of the current block of groups, and of the current block of boxes
+	int next;         // next block to test: a block of boxes if there are few fields, else a block of groups
+	int group, first; // first group of the current block of groups; first box of the current block of boxes
 	Word groups, hits;
 } FieldTraversal;
 
@@ -115,7 +115,7 @@ INLINE int field_take(Word* bits)
 	return k;
 }
 
-// Returns the next field, -1 at the end.
+// Returns the index of the next field, -1 after the last one.
 INLINE int field_next(const Pools* p, FieldTraversal* w)
 {
 	int few = w->count <= FIELD_FEW, step = few ? ARITY : ARITY * ARITY;
@@ -142,7 +142,7 @@ INLINE FieldForce field_nothing(void)
 	return sum;
 }
 
-// Adds a force at a point, and its torque; arm: from the center of mass to the point.
+// Adds a force at a point, and its torque, to the sum. arm: from the center of mass to the point.
 INLINE void field_push(FieldForce* sum, Vec arm, Vec force)
 {
 	sum->fx = sum->fx + force.x;
@@ -150,7 +150,7 @@ INLINE void field_push(FieldForce* sum, Vec arm, Vec force)
 	sum->torque = sum->torque + vec_cross(arm, force);
 }
 
-// Adds the drag of a medium at a point. rate, kg/s: force divided by the speed of the medium relative to the point.
+// Adds the drag of a medium at a point to the sum. rate, kg/s: force divided by the relative speed of the medium.
 INLINE void field_brake(FieldForce* sum, Vec arm, float rate, Vec force)
 {
 	sum->drag_x = sum->drag_x + force.x;
@@ -162,7 +162,7 @@ INLINE void field_brake(FieldForce* sum, Vec arm, float rate, Vec force)
 	sum->rate_w = sum->rate_w + rate * vec_dot(arm, arm);
 }
 
-// Adds the torque of a medium that rotates faster than the body by spin, rad/s. rate: kg m^2/s.
+// Adds the torque of a medium that rotates faster than the body by `spin`, rad/s. rate, kg m^2/s: torque per rad/s.
 INLINE void field_brake_spin(FieldForce* sum, float rate, float spin)
 {
 	sum->drag_torque = sum->drag_torque + rate * spin;
@@ -196,7 +196,7 @@ INLINE void field_soften(const Pools* p, int body, FieldForce* sum)
 	float most = maximum(maximum(absolute(fx), absolute(fy)), absolute(torque)), share = 1.0f;
 	if (most > 1.0e-30f && most < FIELD_MOST)
 	{
-		float unit = 1.0f / most; // avoids squares of forces, which may not be finite
+		float unit = 1.0f / most; // scales all forces to at most 1, so that their squares are finite
 		float dx = motion.free_x * state.inv_mass * (unit * fx), dy = motion.free_y * state.inv_mass * (unit * fy);
 		float dw = state.inv_inertia * (unit * torque);
 		float gain = unit * sum->drag_x * dx + unit * sum->drag_y * dy + unit * sum->drag_torque * dw;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contact_approval.h -- contact approval: lists contacts for the user's decision, and stops their bodies as they meet.
+// contact_approval.h -- lists contacts that the user must approve, and stops their bodies where they meet.
 //
 // A pending contact has points but no impulses. Its bodies move only until they meet, so that they do not pass through
 // each other before the user has decided; they keep their velocities (docs/rules.md, Contact approval).
@@ -9,7 +9,7 @@
 #include "stages/finalize/continuous.h"
 #include "stages/finalize/finalize.h"
 
-// Item: a contact, after the narrow phase. Lists a pending contact when it has points. Writes the keys of contacts that
+// Item: a contact, after the narrow phase. Lists a pending contact if it has points. Writes the keys of contacts that
 // were refused, or that a one-way platform lets through, for continuous collision. argument: 1 if there are platforms.
 KERNEL(approval_request)
 {
@@ -71,7 +71,7 @@ INLINE Sweep approval_sweep(const Pools* p, WorldShape s)
 	return sweep_with(approval_advance(p, s.body), vec(s.center_x, s.center_y), attribute->reach - attribute->radius);
 }
 
-// Item: a pending contact. Computes the fraction of the step's motion after which its two bodies meet.
+// Item: a pending contact. Limits the motion of its two bodies to the fraction of the step at which they meet.
 KERNEL(approval_find)
 {
 	int slot = p->waiting[i];
@@ -81,12 +81,12 @@ KERNEL(approval_find)
 	float share = continuous_time(p, a, approval_sweep(p, a), b, approval_sweep(p, b), meets).time;
 	if (!(share < 1.0f))
 		return;
-	// non-negative floats are ordered like their bits
+	// non-negative floats have the same order as their bits
 	atomic_min_int(&p->approval_fraction[bodies.x], float_bits(share));
 	atomic_min_int(&p->approval_fraction[bodies.y], float_bits(share));
 }
 
-// Moves body i, after the solve, back to the pose at which it met another body.
+// Moves body i, after the solve, back to the pose at which it first met the other body of a pending contact.
 KERNEL(approval_stop)
 {
 	float share = bits_float(p->approval_fraction[i]);

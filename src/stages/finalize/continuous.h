@@ -2,10 +2,10 @@
 // continuous.h -- continuous collision: stops a body that the solver would move through something.
 //
 // A body that moved more than a fraction of its thickness is swept against the collidables along its path, and stops
-// slightly inside the surface of one of them (docs/continuous.md). The order of bodies does not matter, because this
-// stage reads only data that it does not write. Such bodies are few, and the work per body is long, so finalize lists
-// them for a separate kernel: inside finalize, this code took registers from all work-items of a GPU, and 1M bodies in
-// motion took 0.159 ms instead of 0.043 ms on an H200.
+// slightly inside the surface of the first of them (docs/continuous.md). The order of bodies does not matter, because
+// this stage reads only data that it does not write. Such bodies are few, and the work per body is long, so finalize
+// lists them for a separate kernel: inside finalize, this code raised the number of registers of every work-item of a
+// GPU, and 1M bodies in motion took 0.159 ms instead of 0.043 ms on an H200.
 //
 // This work is based on:
 // Erin Catto, Continuous Collision, GDC 2013: static shapes stop moving ones, at a target inside the surface.
@@ -13,8 +13,9 @@
 #define CONTINUOUS_H
 #include "stages/finalize/continuous_search.h"
 
-// fraction of the thickness. If a path leaves the box of the step by more than this, it is also swept against moving
-// collidables without a contact. Otherwise boxes without a contact keep the two from passing each other's middle.
+// fraction of the thickness. A path that leaves the box of the step by more than this is also swept against moving
+// collidables that have no contact with it. Other paths need no such sweep: the boxes of two collidables without a
+// contact are apart, so neither collidable can pass the middle of the other.
 #define CONTINUOUS_OUTLIER 0.5f
 
 // Returns the path of collidable i, which moves with its body. path, turn: displacement and rotation of the body.
@@ -57,8 +58,8 @@ RARE int continuous_far_from_some(const Pools* p, const ContinuousPath* g)
 
 // Returns a mask of the kinds that may obstruct a collidable, one bit per kind. A collidable whose path stays in the
 // step's box has contacts with everything near it. `lists` 0: also sets the box of the path if the mask is not 0.
-// `lists` 1: only tests whether the mask is 0; a GPU leaves kinematic bodies to the kernel continuous, to save
-// registers.
+// `lists` 1: only tests whether the mask is 0; to save registers, a GPU leaves the distances to kinematic bodies to the
+// kernel continuous.
 INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 {
 	float far = continuous_far(g->way.path, g->swing);
@@ -84,16 +85,16 @@ INLINE int continuous_seeks(const Pools* p, ContinuousPath* g, int lists)
 	return moves << KIND_DYNAMIC | kinematic << KIND_KINEMATIC | statics << KIND_STATIC;
 }
 
-// Returns whether a body is certainly still inside the boxes of its collidables: without contacts and forces, it moved
-// as predicted at the start of the step.
+// Returns whether a body certainly has not left the boxes of its collidables: without contacts and forces, it moved as
+// predicted at the start of the step.
 INLINE int continuous_foreseen(const Pools* p, int body, float gravity_scale)
 {
 	return p->step.calm && absolute(gravity_scale) <= 1.0f && p->fixed_contacts[body] == 0 &&
 	       p->other_contacts[body] == 0;
 }
 
-// Returns whether a body with one collidable cannot hit the only static collidable near it. On a CPU this ends the
-// test of most rolling bodies.
+// Returns 1 if a body has one collidable, which cannot hit the only static collidable near it; 0 if that is not
+// certain. On a CPU this ends the test of most rolling bodies.
 RARE int continuous_passes_only(const Pools* p, int body, Vec path, float turn)
 {
 	int k = p->continuous_body[body].first - 1, c = p->static_contact[body];
@@ -145,8 +146,9 @@ INLINE int continuous_skip(const Pools* p, int k, int count)
 	return k;
 }
 
-// Returns the earliest path end of the collidables in a part of a body; part -1: of all collidables of a pressed body.
-// Neighboring parts test their collidables in the same iteration, because work-items of a GPU wait for each other.
+// Returns the earliest stop among the collidables part, part + parts, part + 2 parts, ... of a body; if `part` is -1,
+// among all collidables of a pressed body. With this stride all parts need about the same number of iterations, so few
+// work-items of a GPU wait for others.
 INLINE ContinuousStop continuous_part(const Pools* p, ContinuousBody continuous_body, int part, Vec path, float turn)
 {
 	ContinuousStop least = continuous_stop(1.0f, vec(0.0f, 0.0f), 0);
@@ -174,7 +176,8 @@ INLINE int continuous_near_statics(const Pools* p, int body, Vec path, float rea
 	return tree_hits(p, tree->begin[tree->top], box_grow(box, reach)) != 0;
 }
 
-// Returns whether a body moves far enough to be tested. Bounds in Step exclude most bodies before their rows are read.
+// Returns whether a body must be tested: it moves far or, near static or kinematic bodies, less far. Bounds in Step
+// exclude most bodies before their rows are read.
 INLINE int continuous_wanted(const Pools* p, int body, Vec path, float turn)
 {
 	float far = absolute(path.x) + absolute(path.y), swing = absolute(turn);
@@ -188,7 +191,7 @@ INLINE int continuous_wanted(const Pools* p, int body, Vec path, float turn)
 	       (p->step.kinematic || continuous_near_statics(p, body, path, continuous_body.reach));
 }
 
-// Returns whether a body may get deeper than PRESS_MOST into something static. depth, m: before the step.
+// Returns whether a body may get deeper than PRESS_MOST into something static. depth, m: its depth before the step.
 INLINE int continuous_presses(const Pools* p, int body, float depth, Vec path, float turn)
 {
 	return depth + continuous_far(path, absolute(turn) * p->continuous_body[body].reach) > PRESS_MOST;
@@ -211,12 +214,12 @@ INLINE void continuous_enlist(const Pools* p, int body)
 	p->continuous_parts[body] = 0;
 }
 
-// Returns whether a part of a body finishes last; if so, *share, the part's share, becomes the least of all.
+// Returns whether this part of a body finishes last. If so, *share, its fraction of the path, becomes the least of all.
 INLINE int continuous_all(const Pools* p, ContinuousBody continuous_body, int body, float* share)
 {
 	if (continuous_body.parts == 1)
 		return 1;
-	// non-negative floats are ordered like their bits
+	// non-negative floats have the same order as their bits
 	if (*share < 1.0f)
 		atomic_min_int(&p->continuous_share[body], float_bits(*share));
 	if (arrive_int(&p->continuous_parts[body]) + 1 < continuous_body.parts)

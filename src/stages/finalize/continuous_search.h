@@ -12,11 +12,11 @@
 #define CONTINUOUS_DEEPEST 0.75f  // maximum depth; the middle of the collidable stays outside
 #define CONTINUOUS_PRESSED 0.5f   // maximum depth if pressed into something static; also limited to PRESS_MOST
 #define CONTINUOUS_SLACK   0.15f  // increase that a dynamic obstacle always allows, so that squeezed bodies slide
-#define CONTINUOUS_MOST    0.015f // m: maximum increase for static and kinematic ones; with less, piles overlap more
+#define CONTINUOUS_MOST    0.015f // m: maximum increase for other obstacles; with a lower limit piles overlap more
 
 typedef struct // end of a path
 {
-	float share; // fraction of the path, 1 for all of it
+	float share; // fraction of the path; 1: the whole path
 	Vec normal;  // normal of the obstacle, in the world
 	int index;   // index of the obstacle
 } ContinuousStop;
@@ -51,7 +51,7 @@ INLINE Sweep continuous_way(const Pools* p, WorldShape s, Advance advance)
 #define CONTINUOUS_ROUNDING 1.00001f // factor that enlarges a length by more than its rounding error
 
 // Returns the motion with the exact distance of the farthest corner as its reach. The bound of sweep_with is much
-// larger for a shape far from its origin: a small spinning body would exceed the limit of rounds and stay in the air.
+// larger if a shape is far from its origin: a small spinning body would exceed the limit of rounds and stay in the air.
 INLINE Sweep continuous_near(const Pools* p, WorldShape s, Sweep way)
 {
 	const GLOBAL Attribute* attribute = p->attribute + s.attribute;
@@ -80,7 +80,7 @@ INLINE Vec continuous_arm(Sweep way, ContinuousMeeting met)
 	return vec_sub(met.point, vec_turn(vec_rotation(met.time * way.turn), way.center));
 }
 
-// Returns the distance, m, by which the second body moves away from the first in a step, at their meeting point.
+// m per step: Returns the speed of the second body at the meeting point, along the normal (away from the first body).
 INLINE float continuous_away(Sweep way, ContinuousMeeting met)
 {
 	return vec_dot(met.normal, vec_add(way.path, vec_spin(way.turn, continuous_arm(way, met))));
@@ -111,7 +111,7 @@ INLINE float continuous_follows(const ContinuousPath* g, WorldShape other, Sweep
 	return met.time + (1.0f - met.time) * maximum(keeps, 0.0f);
 }
 
-#define CONTINUOUS_LEAVES (FETCHES ? 1 : 4) // leaves that are read together, because their latencies overlap on a GPU
+#define CONTINUOUS_LEAVES (FETCHES ? 1 : 4) // number of leaves read together: their latencies overlap on a GPU
 
 typedef struct // data of a leaf that suffice to exclude most leaves
 {
@@ -198,7 +198,7 @@ INLINE ContinuousDepth continuous_depth(const ContinuousPath* g, int kind)
 }
 
 // Returns the end of a collidable's path at obstacle j if it precedes the end `least`, otherwise `least`. Of two ends
-// at one fraction, returns that of the lower obstacle index, because the order of leaves depends on the device.
+// at one fraction, returns that with the lower obstacle index, because the order of leaves depends on the device.
 RARE ContinuousStop continuous_leaf(const Pools* p, const ContinuousPath* g, int j, ContinuousStop least)
 {
 	int i = g->index, kind = p->collidable_kind[j], moves = kind != KIND_STATIC;
@@ -217,7 +217,7 @@ RARE ContinuousStop continuous_leaf(const Pools* p, const ContinuousPath* g, int
 		return least;
 	if (apart_by(p, i, j, APART_ALL))
 		return least;
-	// tests one-way platforms before the time of meeting, which takes longer to compute
+	// tests one-way platforms first, because the time of meeting takes longer to compute
 	if (p->step.rules && (apart_lets(p, j, i, apart, g->swing) || apart_lets(p, i, j, vec_neg(apart), g->swing)))
 		return least;
 	if (moves)
@@ -280,8 +280,8 @@ INLINE int continuous_next(const Pools* p, const ContinuousPath* g, ContinuousTr
 	return p->leaf[w->place + bit];
 }
 
-// Returns the end of a path. Each work-item advances to its next leaf before any of them computes a meeting, which
-// takes long, so that neighboring work-items do this at the same time.
+// Returns the end of a path. Each work-item first advances to its next leaf, and then computes a meeting, so that
+// neighboring work-items do this long computation at the same time.
 RARE ContinuousStop continuous_search(const Pools* p, const ContinuousPath* g)
 {
 	ContinuousStop least = continuous_stop(1.0f, vec(0.0f, 0.0f), 0);

@@ -10,7 +10,7 @@
 
 #define CONTINUOUS_TOLERANCE (0.1f * SWEEP_DEPTH) // m: tolerance of the target depth
 
-typedef struct // first time at which two collidables a and b are too deep
+typedef struct // first time at which two collidables a and b are too deep in each other
 {
 	float time; // fraction of the step; 1 if they are never too deep
 	Vec normal; // direction from a to b at that time, in the world
@@ -24,7 +24,7 @@ INLINE Vec continuous_bend(Closing c, float time)
 	return vec_sub(c.bend, vec_spin(frame, vec_add(c.near, vec_scale(time, c.bend))));
 }
 
-// Returns the separation up to which points count after a time, in the frame of shape a; their paths may be curved.
+// Returns the separation up to which points, on curved paths, count in the rest of the step, in the frame of shape a.
 INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 {
 	Reach reach = sweep_reach(c, axes, time);
@@ -34,8 +34,8 @@ INLINE Reach continuous_reach(Closing c, Vec axes, float time)
 	return reach;
 }
 
-// Returns a fraction of the step, from time on, in which each point of the smaller collidable approaches the larger one
-// along a normal by at most its gap. left, m: gap of the deepest point, the smallest gap. c: closing of a and b.
+// Returns a fraction of the step, from `time` on, in which each point of the smaller collidable approaches the larger
+// one along a normal by at most its gap. left, m: gap of the deepest point, the smallest of all gaps.
 INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Closing c, Vec normal, float time,
                                 float left)
 {
@@ -56,7 +56,7 @@ INLINE float continuous_advance(const Pools* p, WorldShape a, WorldShape b, Clos
 		Vec corner = vec_turn(axes, shape_corner(attribute, k));
 		float gap = left + (side * vec_dot(normal, corner) - low);
 		float speed = closes - vec_dot(normal, vec_spin(spin, vec_sub(corner, center)));
-		// solution of speed t + most t^2 / 2 = gap
+		// t = 2 gap / twice is the solution of speed t + most t^2 / 2 = gap
 		float twice = speed + square_root(speed * speed + 2.0f * most * gap);
 		if (twice > gap)
 			soon = minimum(soon, 2.0f * gap / twice);
@@ -91,7 +91,7 @@ typedef struct // limits of the depth of shape b in shape a, m
 } ContinuousDepth;
 
 // Returns an upper bound of the distance, m, by which the path of a point of b, in the rotating frame of a, leaves the
-// straight line from its start to its end: an eighth of the largest change of its velocity.
+// straight line from its start to its end: an eighth of its largest acceleration, m per step^2.
 INLINE float continuous_bow(Closing c, Vec between)
 {
 	Vec apart = vec_sub(c.b.path, c.a.path);
@@ -104,10 +104,10 @@ INLINE float continuous_bow(Closing c, Vec between)
 typedef struct // side of a shape, in its frame
 {
 	Vec normal;
-	float surface; // position of the surface along the normal, m
+	float surface; // m: distance of the surface from the origin of the frame, along the normal
 } ContinuousSide;
 
-// Returns the side of a shape from which a point in its frame is farthest.
+// Returns the side of a shape with the largest signed distance to a point (positive: outside) in the shape's frame.
 INLINE ContinuousSide continuous_side(const GLOBAL Attribute* shape, Vec point)
 {
 	ContinuousSide side;
@@ -138,7 +138,7 @@ INLINE ContinuousSide continuous_side(const GLOBAL Attribute* shape, Vec point)
 }
 
 // Returns whether the depth of shape b in shape a along one normal stays below `deep`, m, on the whole path. For most
-// pairs it does. A corner is never lower than at the lower end of its path, except by its bow (continuous_bow).
+// pairs it does. A corner is lower than both ends of its path by at most its bow (continuous_bow).
 RARE int continuous_passes(const Pools* p, WorldShape a, Sweep way_a, WorldShape b, Sweep way_b, float deep)
 {
 	const GLOBAL Attribute* shape_a = p->attribute + a.attribute;

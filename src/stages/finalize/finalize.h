@@ -23,9 +23,9 @@ INLINE void finalize_pose(const Pools* p, int i, Vec d, float da)
 	pose_move(p, i, d, turn);
 }
 
-// Limits the speed of a body that is pressed between two others, or was so recently. The limit is the larger of two
-// speeds, of the press and (about) of the body at the start of the step, plus the speed of a fall in one step. Returns
-// whether the body may get too deep into something static.
+// Limits speed, spin and displacement of a body that is or was recently pressed between two others. The limit of the
+// speed is the speed of the press or, if larger, about that of the body at the start of the step, plus the speed that
+// gravity adds in a step. Returns whether the body may get too deep into something static.
 INLINE int finalize_pressed(const Pools* p, int i, Vec* v, float* w, Vec* d, float da)
 {
 	Press press = p->press[i];
@@ -85,7 +85,7 @@ KERNEL(finalize)
 	else
 		finalize_pose(p, i, d, da);
 
-	// impulses of the last substep may have exceeded the limits
+	// impulses of the last substep may have raised the velocity above its limits
 	v = sweep_velocity(&p->step, v);
 	body->vx = v.x;
 	body->vy = v.y;
@@ -98,10 +98,10 @@ KERNEL(finalize)
 	}
 }
 
-// Item: a part of a body that moves far, or a pressed body. It moves until something obstructs it. If it is pressed or
-// the world has joints, it then slides along the obstacle as far as possible; otherwise a chain would press a stopped
-// link harder and harder. A pressed body also rotates on, unless obstructed. All searches share one call: with two,
-// clang for PTX inlines neither and keeps the pools on each work-item's stack: all kernels were slower on an H200.
+// Item: a part of a body that moves far, or a pressed body. Moves the body until something obstructs it. A pressed body
+// then slides along the obstacle as far as possible, and rotates until something obstructs the rotation. A body of one
+// part slides too if the world has joints; otherwise a chain would press a stopped link ever harder. All searches share
+// one call: clang for PTX inlines no second call, and keeps the pools on the stack: all kernels were slower on an H200.
 KERNEL(continuous)
 {
 	Int2 item = p->continuous_list[i];

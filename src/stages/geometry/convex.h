@@ -16,7 +16,7 @@ typedef struct
 {
 	const GLOBAL Attribute* shape; // shape to which the core belongs; null for a sum
 	const Vec* corners;            // corners of a sum, counter-clockwise
-	const Vec* normals;            // outward normals of the sum's edges, from corner k to k + 1
+	const Vec* normals;            // outward normals of the edges of a sum; edge k leads from corner k to k + 1
 	int count;                     // number of corners
 	int thin;                      // 1 if the core has no area: it has two edges, back to back
 	Real radius;                   // m
@@ -61,9 +61,9 @@ INLINE Real convex_along(const Convex* c, int k, int from, Vec q)
 	return vec_cross(up, vec_sub(q, convex_corner(c, from)));
 }
 
-// Finds the Voronoi region in which a point outside the core is. Returns the edge of the region; *corner: its corner,
-// or -1. `edge`: an edge with the point on its outer side, where the search begins. Two nearly parallel edges may each
-// assign the point to the other one, so the search ends after as many edges as the core has.
+// Finds the Voronoi region in which a point outside the core is. Returns the edge of the region; *corner: its corner;
+// -1: none. `edge`: an edge with the point on its outer side, where the search begins. Two nearly parallel edges may
+// each assign the point to the other edge, so the search ends after as many edges as the core has.
 INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
 {
 	*corner = -1;
@@ -94,7 +94,7 @@ INLINE int convex_region(const Convex* c, int edge, Vec q, int* corner)
 	return edge;
 }
 
-// Returns the separation of a point from the circle around a corner. up: normal of a point exactly at the corner.
+// Returns a point's separation from the circle around a corner, with the normal. up: normal exactly at the corner.
 INLINE ConvexNearest convex_at_corner(const Convex* c, int edge, int corner, Vec q, Vec up)
 {
 	Vec d = vec_sub(q, convex_corner(c, corner));
@@ -180,9 +180,9 @@ INLINE ConvexHit convex_inside(int edge, int corner)
 	return hit;
 }
 
-// Returns the fraction of the path at which its point reaches edge k, whose corners are on both sides of the path's
-// line. If edge and path are nearly parallel, rounding may give any fraction, so the fraction is clamped to the range
-// between the two corners. For a path of squared length 0 this range is NaN and clamps nothing.
+// Returns the fraction of the path at which the moving point reaches edge k, whose corners are on both sides of the
+// path's line. If edge and path are nearly parallel, rounding may give any fraction, so the fraction is clamped to the
+// range between the two corners. For a path of squared length 0 this range is NaN and clamps nothing.
 INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 {
 	Vec normal = convex_normal(c, k), from = vec_sub(convex_corner(c, k), q),
@@ -193,7 +193,7 @@ INLINE Real convex_share(const Convex* c, int k, Vec q, Vec path)
 }
 
 // Returns the first contact with a sharp core. The path enters and leaves through the edges whose corners are on both
-// sides of its line. A corner has one side for both of its edges, so rounding lets no path pass between them.
+// sides of its line. A corner is on the same side for both of its edges, so rounding lets no path pass between them.
 INLINE ConvexHit convex_hit_sharp(const Convex* c, Vec q, Vec path)
 {
 	ConvexHit hit = convex_miss();

@@ -54,7 +54,7 @@ INLINE Word sum_turn(Vec a, Vec b)
 	return cross > 0.0f ? SUM_OF_A : SUM_OF_B;
 }
 
-// Computes the sum. turn: rotation of b in the frame of a.
+// Computes the sum of shape a and the mirror image of shape b. turn: rotation of shape b in the frame of shape a.
 INLINE void sum_make(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Vec turn, Sum* sum)
 {
 	int edges_a = a->count > 1 ? a->count : 0, edges_b = b->count > 1 ? b->count : 0;
@@ -113,7 +113,7 @@ INLINE Convex sum_convex(const Sum* sum, Real radius)
 }
 
 // Returns the point of shape a's surface that is nearest to shape b. The shapes do not overlap. edge, corner, normal:
-// nearest edge of the sum, nearest corner or -1, and normal there. q: origin of b.
+// nearest edge of the sum, nearest corner or -1, and normal there. q: origin of shape b in the frame of shape a.
 INLINE Vec sum_point(const Sum* sum, const GLOBAL Attribute* a, const GLOBAL Attribute* b, Vec turn, Vec q, int edge,
                      int corner, Vec normal)
 {

@@ -11,9 +11,10 @@
 #include "stages/geometry/manifold_axis.h"
 #include "stages/geometry/manifold_nearest.h"
 
-// m: the edge of shape a is the reference edge only if its separation is larger than that of a facing edge of shape b
-// by this, so that the choice does not alternate. Shape b is preferred, because it does not move or is larger. Of edges
-// that do not face each other, the one with the larger separation is used: the other may not be at the nearest points.
+// m: if the edges of two shapes face each other, that of shape a is the reference edge only if its separation exceeds
+// that of the edge of shape b by this, so that the choice does not alternate from step to step. Shape b is preferred,
+// because it does not move or is larger than shape a. Of edges that do not face each other, the one with the larger
+// separation is used: the other may not be at the nearest points.
 #define REFERENCE_BIAS (0.1f * LINEAR_SLOP)
 // m: tolerance. The manifold is on an edge if the nearer clipped point is at most this much farther from the edge than
 // the cores are apart. Vectors that are shorter than this have no direction.
@@ -23,7 +24,7 @@
 #define CENTERS_APART (0.0002f * LINEAR_SLOP)
 
 // cosine: edges face each other if the product of their normals is below -FACING. Then a point's feature is two
-// corners, so that boxes of a stack keep their features while one slides over a corner; else a corner and an edge.
+// corners, so that stacked boxes keep their features while one box slides over a corner; else a corner and an edge.
 #define FACING       0.9f
 #define FEATURE_EDGE MAX_CORNERS // feature index of a shape's first edge; smaller indices are corners
 
@@ -34,13 +35,13 @@ typedef struct // manifold in the frame of shape a
 	Real separation[2]; // separation of the surfaces, negative if they overlap, m; NO_POINT for a missing point
 	int feature[2];     // feature of shape a << 8 | feature of shape b; different for the two points
 	int count;          // number of points; if it is 0, there is no normal either
-	int made;           // MANIFOLD_* bits: shape that has the corner of each point, shape with which the normal rotates
+	int made;           // MANIFOLD_* bits: which shape has each corner point; with which shape the normal rotates
 	Real gap;           // lower bound of the distance of the surfaces, m, if there are no points
 } Manifold;
 
 typedef struct // separation up to which points count, in the frame of shape a
 {
-	Real within; // m
+	Real within; // m: separation without any approach
 	Vec near;    // m: displacement of shape b relative to shape a in the rest of the step
 	Real swing;  // m: largest additional displacement of a point of shape b
 } Reach;
@@ -70,8 +71,8 @@ INLINE Manifold no_manifold(void)
 	return m;
 }
 
-// Adds the point in the middle between the two surfaces. `from`: point of the core of shape a; height, m: distance of
-// the point of the other core along the normal. Adds no point whose separation is larger than `within`.
+// Adds the point in the middle between the two surfaces. `from`: point of the core of shape a; height, m: distance from
+// there to the point of the other core. Adds no point whose separation is larger than `within`.
 INLINE void manifold_add(Manifold* m, Vec from, Real height, Real radius_a, Real radius_b, int feature, Real within)
 {
 	Real separation = height - radius_a - radius_b;
@@ -129,7 +130,7 @@ INLINE Reference reference_of(const GLOBAL Attribute* a, int i)
 	return r;
 }
 
-// Returns the incident edge: of the two edges at the deepest corner of b, the one that faces the reference edge more.
+// Returns the incident edge: of the two edges at shape b's deepest corner, the one that faces the reference edge more.
 // Its direction is opposite to that of the reference edge. *facing: product of the two normals, -1 for parallel edges.
 INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference* r, Frame f, Real* facing)
 {
@@ -154,7 +155,7 @@ INLINE Edge incident_edge(const GLOBAL Attribute* b, int corner, const Reference
 	return incident;
 }
 
-// Returns a manifold of one point, in the middle between the surfaces at the nearest points of the two edges.
+// Returns a manifold of at most one point, in the middle between the surfaces at the nearest points of the two edges.
 INLINE Manifold nearest_manifold(const GLOBAL Attribute* a, const GLOBAL Attribute* b, const Reference* r,
                                  Edge incident, Real separation, Reach reach)
 {
@@ -247,7 +248,7 @@ INLINE Manifold manifold_swap(Manifold m, Frame f)
 	return m;
 }
 
-// Returns the manifold of two shapes in the frame of shape a, with the points within `reach`. f: pose of shape b in it.
+// Returns the manifold of two shapes in the frame of shape a, with points within `reach`. f: pose of b in this frame.
 INLINE Manifold collide(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f, Reach reach)
 {
 	if (a->count == 1 && b->count == 1)

@@ -54,7 +54,7 @@ INLINE Frame frame_inverse(Frame f)
 }
 
 // Returns the edge of shape a along whose normal the separation of shape b is largest. The normals are rotated into the
-// frame of b, so no rotated vertices are stored.
+// frame of shape b, so no rotated vertices are stored. The separation is NO_AXIS if shape a has only one corner.
 INLINE Axis best_axis(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
 {
 	Axis best = {NO_AXIS, 0, 0};

@@ -42,7 +42,7 @@ INLINE Nearest nearest_to_corner(Edge a, Vec corner, int feature)
 	return n;
 }
 
-// Returns the nearest points of edge a and the corners of edge b.
+// Returns the nearest pair of a point of edge a and a corner of edge b.
 INLINE Nearest nearest_corner(Edge a, Edge b)
 {
 	Nearest start = nearest_to_corner(a, b.start, b.start_feature);

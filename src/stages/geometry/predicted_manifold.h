@@ -24,8 +24,8 @@ typedef struct // manifold, and the poses for which it was computed
 // than SWEEP_REST is ignored: a wrong push of that size is as harmless as the lack of such a push.
 #define PAST_ERROR (0.002f * LINEAR_SLOP)
 
-// m: minimum motion of a pair before a corner is tested. The test is at the time of the last relax pass (sweep_end) or,
-// if the pair is slow, later. With 0, a body that sags at a seam would appear to meet the side of the next floor.
+// m: minimum motion of a pair until the time for which a corner is tested: that of the last relax pass (sweep_end) or,
+// for a slow pair, a later time. With 0, a body that sags at a seam would appear to meet the side of the next floor.
 #define PAST_MOTION (0.4f * LINEAR_SLOP)
 
 // Returns the manifold at a later time if its separation exceeds the predicted one by at least PAST_ERROR; else returns
@@ -72,8 +72,9 @@ INLINE int predict_away(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Cl
 #define OVER_SAME  0.9999f // cosine of the angle between normals that differ only by rounding
 
 // Returns whether shape a is round and shape b is a segment that cannot move, so that predict_end may replace the
-// manifold of a corner: the end of the next segment would throw up a loaded wheel like a step (docs/manifolds.md,
-// Seams). If the segment could move, arms other than those at the impact would change the angular momentum.
+// manifold at a corner. Otherwise the end of the next segment would act on a loaded wheel like a step
+// (docs/manifolds.md, Seams). On a segment that moves, arms other than those at the impact would change angular
+// momentum.
 INLINE int predict_rolls(const Pools* p, WorldShape a, WorldShape b)
 {
 	const GLOBAL Attribute* attribute = p->attribute + b.attribute;
@@ -93,10 +94,10 @@ INLINE int predict_rolled(const Pools* p, WorldShape a, const Closing* closing, 
 	return deep >= -deepest && turned > 1.0f - OVER_DEPTH && turned < OVER_SAME;
 }
 
-// Returns a later manifold or, if it has no points, `now`. has_rolling 1: a round shape meets a corner; the time is the
-// last relax pass; `now` is returned unless the shape will roll over the corner. has_rolling 0: a surface is a belt;
-// the time is the end of the step, because arms that lag behind the motion of a body on two belts would add energy
-// (docs/hubs.md, Belts). Both cases share one call of collide, because each call uses registers of a GPU.
+// Returns a later manifold or, if it has no points, `now`. has_rolling 1: a round shape meets a corner; the time is
+// that of the last relax pass; `now` is returned unless the shape will roll over the corner. has_rolling 0: a surface
+// is a belt; the time is the end of the step, because arms that lag behind the motion of a body on two belts would add
+// energy (docs/hubs.md, Belts). Both cases share one call of collide, because each call uses registers of a GPU.
 RARE Prediction predict_end(const Pools* p, WorldShape a, WorldShape b, Closing closing, Prediction now,
                             int has_rolling)
 {

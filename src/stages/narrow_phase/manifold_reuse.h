@@ -71,9 +71,9 @@ INLINE void narrow_phase_keep_fetch(const Pools* p, int i, int live)
 typedef struct // LANES contacts, and the motion of their collidables since their manifolds were computed
 {
 	Real a[8], b[8];   // rows of the pool world_shape
-	Int far, on;       // masks: one of the two has COLLIDABLE_FAST; one has COLLIDABLE_MOVING, and there are points
+	Int far, on;       // masks: some collidable has COLLIDABLE_FAST; some has COLLIDABLE_MOVING, and there are points
 	Vec then_a;        // rotation of shape a when the manifold was computed
-	Real shift, limit; // m: motion since then; largest motion with which the manifold is kept
+	Real shift, limit; // m: motion since then; largest motion up to which the manifold is kept
 	Real room;         // factor of the pair's tolerances along its surfaces, and of its speculative distance
 } ManifoldReuse;
 

@@ -11,7 +11,7 @@
 #define MATCH_DISTANCE (2.0f * SPECULATIVE_DISTANCE) // m: maximum distance of an old point with another feature
 
 // m: a pair without points is tested again when a point has moved by more than this plus the part of the pair's
-// distance beyond the speculative distance. It is a quarter of the speculative distance, so that no contact is missed.
+// distance beyond the speculative distance. LINEAR_SLOP is a quarter of it, so that no contact is missed.
 #define STAY_DISTANCE LINEAR_SLOP
 
 // Limits of the motion of a point up to which a manifold is kept. HOLD_DISTANCE, m; half of it for a manifold with one
@@ -72,10 +72,10 @@ INLINE int narrow_phase_parted(const Pools* p, int i, Int2 pair)
 	return 1;
 }
 
-#define PLACE_APART CENTERS_APART           // m: centers of mass nearer to each other have no direction between them
-#define PLACE_ASIDE (10.0f * CENTERS_APART) // m: largest component of the offset that such a body gets
+#define PLACE_APART CENTERS_APART           // m: between centers of mass nearer than this, no direction exists
+#define PLACE_ASIDE (10.0f * CENTERS_APART) // m: largest component of the offset (narrow_phase_place) of such a body
 
-// m: Returns a pseudo-random offset for a body, in no visible order: neighbors in a pool are often created together.
+// m: Returns a pseudo-random offset for a body. Neighbors in a pool, often created together, get unrelated offsets.
 INLINE Vec narrow_phase_place(int body)
 {
 	Word x = (Word)body * 0x9e3779b9u;
@@ -100,9 +100,9 @@ INLINE WorldShape narrow_phase_apart(const Pools* p, WorldShape a, WorldShape b)
 	return b;
 }
 
-// Returns the manifold of a pair and the poses for which it holds. answers: 0 if the contact only detects. far: 1 if
-// the pair may approach by more than the speculative distance. belt: not 0 if a surface has a tangent speed. within, m:
-// largest separation of points. *has_rolling: receives MANIFOLD_* bits if the manifold is a rolling one.
+// Returns the manifold of a pair and the poses for which it was computed. answers: 0 if the contact only detects. far:
+// 1 if the pair may approach by more than the speculative distance. belt: not 0 if a surface has a tangent speed.
+// within, m: largest separation of points. *has_rolling: receives MANIFOLD_* bits if the manifold is a rolling one.
 INLINE Prediction narrow_phase_find(const Pools* p, WorldShape a, WorldShape b, int answers, int far, int belt,
                                     int moved, float within, Word* has_rolling)
 {

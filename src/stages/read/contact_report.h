@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// contact_report.h -- writes reports of the contacts of one body, or of events, for the host. No step reads them.
+// contact_report.h -- writes reports of contacts, of one body or of events, for the host. No step reads the reports.
 #ifndef CONTACT_REPORT_H
 #define CONTACT_REPORT_H
 #include "constraints/constraint_kinds.h"
@@ -47,7 +47,7 @@ KERNEL(contact_mark)
 	p->scan[i] = wanted;
 }
 
-// Writes the report of slot i if it is marked: the scan is larger at i + 1. argument: maximum number of reports.
+// Writes the report of slot i if it is marked: the scan increases from i to i + 1. argument: maximum number of reports.
 KERNEL(contact_list)
 {
 	int row = p->scan[i];

@@ -5,7 +5,7 @@
 #include "constraints/constraint_kinds.h"
 #include "constraints/joint_one.h"
 
-// Returns the place of a joint; -1 before its first step, because its slot may still have an older joint's place.
+// Returns the place of a joint; -1 before its first step, because its slot may contain the place of a destroyed joint.
 INLINE int joint_report_place(const Pools* p, int i)
 {
 	return p->joint_flags[i] & JOINT_RESTARTS ? -1 : p->joint_place[i];
@@ -102,7 +102,7 @@ KERNEL(joint_report)
 	state->value[1] = vec_dot(d, across);
 	state->value[2] = joint_turned(&a, &b, joint_turned_last(p, i));
 
-	// speed along an axis; 0 in place of NaN, which appears if the user's calls have made a velocity infinite
+	// speeds of the coordinates; 0 in place of NaN, which appears if the user's calls have made a velocity infinite
 	state->speed[0] = number_of(vec_dot(apart, axis));
 	state->speed[1] = number_of(vec_dot(apart, across));
 	state->speed[2] = number_of(modes & JOINT_RAILED ? vb.w - va.w - bend * vec_dot(apart, axis) : vb.w - va.w);

@@ -14,7 +14,7 @@ typedef struct // query in world coordinates
 	float radius;          // m: radius of a ray
 	int ignored;           // body that the query ignores, 0 for no body
 	Float4 box;            // box at the start
-	Float4 sides;          // x and y of the sides of the box that lead along the path, then of those that trail
+	Float4 sides;          // x and y of the leading sides of the box (in the direction of the path), then of the others
 	Float2 inverse;        // 1/m: inverse of each component of the path
 } WorldQuery;
 
@@ -168,8 +168,8 @@ INLINE int query_meets(const Pools* p, QueryLeaf seen, const WorldQuery* asked, 
 	return 1;
 }
 
-// Returns the fraction of a result or, with QUERY_NEAREST, the square of its distance; at least `apart`, the same
-// measure of the leaf's box, because no result is nearer than its box. Except with QUERY_NEAREST, also raises
+// Returns the fraction of a result or, with QUERY_NEAREST, the square of its distance. The value is raised to `apart`,
+// the value for the leaf's box, because no result is nearer than its box. Except with QUERY_NEAREST, also raises
 // found->fraction to `apart`.
 INLINE float query_measure(QueryResult* found, int form, float apart)
 {
@@ -194,8 +194,8 @@ INLINE int query_before(QueryResult a, QueryResult b)
 // take ten times as long, because they wait for each other at the counter. A GPU combines the additions of neighbors.
 #define QUERY_HELD (FETCHES ? 16 : 1)
 
-// Adds results of query i to the counter, and to the list as far as it has room. If the counter exceeds QUERY_MOST,
-// returns 0 and adds nothing: the list is useless then, and the counter must not overflow.
+// Adds the number of results of query i to the counter, and the results to the list while it has room. If the counter
+// exceeds QUERY_MOST, adds nothing and returns 0: the list is useless then, and the counter must not overflow.
 INLINE int query_append(const Pools* p, int i, const QueryResult* held, int count)
 {
 	GLOBAL QueryPlan* plan = p->query_plan;
@@ -215,8 +215,8 @@ INLINE int query_append(const Pools* p, int i, const QueryResult* held, int coun
 
 #define QUERY_FAR 1.0e7f // m: upper bound of the sum of the absolute components of any query that the host accepts
 
-// Returns whether a query is finite. The host refuses queries that are not, but only while the device already works,
-// and not if they are in shared memory. NaN would hit the empty boxes that pad a node, which have no children.
+// Returns whether a query is finite. The host makes the same test, but while the device already works, and does not
+// test queries in shared memory. NaN would hit the empty boxes that pad a node, which have no children.
 INLINE int query_finite(Query query)
 {
 	return absolute(query.a.x) + absolute(query.a.y) + absolute(query.a.z) + absolute(query.a.w) + absolute(query.b.x) +

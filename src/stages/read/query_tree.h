@@ -24,7 +24,7 @@ INLINE Float4 query_way_box(const Pools* p, int k, WorldShape at)
 	                 world_box(start, shape, QUERY_MARGIN + QUERY_SPACING * out + bulge));
 }
 
-// Returns whether a collidable at pose `at` is still inside its box of the step. That box is larger by half the
+// Returns whether a collidable at pose `at` has not left its box of the step. That box is larger by half the
 // speculative distance than the collidable at the start of the step. A new collidable has an empty box.
 INLINE int query_holds(const Pools* p, int k, WorldShape at)
 {
@@ -70,7 +70,7 @@ KERNEL(query_leaf)
 	box_pack(p->query_box, tree->begin[0] + i, box);
 }
 
-// Item: a node of a level. argument: the tree and the level.
+// Item: a node of a level. Computes the box around its children. argument: the tree and the level.
 KERNEL(query_node) { tree_join(p->query_box, p->tree + RUN_LOW(p->argument), RUN_HIGH(p->argument), i); }
 
 INLINE int query_accepts(const Pools* p, const GLOBAL QueryPlan* plan, QueryLeaf seen, int ignored)
@@ -93,7 +93,7 @@ INLINE Word query_group(int tree, int level, int number) { return (Word)tree << 
 typedef struct
 {
 	Word group[QUERY_GROUPS];
-	float apart[QUERY_GROUPS]; // lower bound of the distance of the leaves below the group
+	float apart[QUERY_GROUPS]; // lower bound of the fraction, or of the squared distance, of leaves below the group
 	int count;
 } QueryTraversal;
 
@@ -113,7 +113,7 @@ INLINE void query_begin(const Pools* p, QueryTraversal* traversal, Word kinds)
 	}
 }
 
-// Adds a group for each child in the mask hits, the nearest child on top. first: code of the group of child 0.
+// Adds a group for each child in the mask `hits`, the nearest child on top. first: code of the group of child 0.
 INLINE void query_push(QueryTraversal* traversal, Word hits, const float apart[ARITY], Word first)
 {
 	int base = traversal->count;

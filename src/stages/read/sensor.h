@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // sensor.h -- finds the collidables that overlapped a sensor at some time of the step.
 //
-// A visit is computed for a motion at constant speed between the poses at the start and the end of the step. Velocities
-// would also find a body behind a wall that it bounces off (docs/events.md).
+// A visit is computed for a motion at constant speed between the poses at the start and the end of the step. With
+// velocities, a body would also be found behind a wall from which it bounces (docs/events.md).
 //
 // This work is based on:
 // Brian Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, 1996: conservative advancement.
@@ -33,7 +33,7 @@ INLINE Sweep sensor_sweep(const Pools* p, WorldShape from, WorldShape to)
 	return s;
 }
 
-// Returns the separation of two collidables. f: pose of shape b in the frame of shape a. *normal: toward b, in that
+// Returns the separation of two collidables. f: pose of shape b in the frame of shape a. *normal: toward b, in this
 // frame. If this function were inlined, gcc would not inline the narrow phase: storm took 1.2 % more instructions.
 RARE float sensor_apart(const Pools* p, WorldShape a, WorldShape b, Frame f, Vec* normal)
 {
@@ -52,8 +52,8 @@ INLINE Frame sensor_frame(WorldShape a, WorldShape b)
 	return frame_at(vec_turn_back(axes, vec(b.x - a.x, b.y - a.y)), vec_turn_back(axes, vec(b.c, b.s)));
 }
 
-// Returns whether corner 0 of shape b is well inside shape a, as for most visitors of a large sensor; both overlap
-// then. The margin exceeds rounding errors, so the result is never 1 if the separation is positive.
+// Returns whether corner 0 of shape b is well inside shape a, as for most visitors of a large sensor; then the shapes
+// overlap. The margin exceeds rounding errors, so the result is never 1 if the separation is positive.
 INLINE int sensor_within(const GLOBAL Attribute* a, const GLOBAL Attribute* b, Frame f)
 {
 	Vec corner = frame_point(f, shape_corner(b, 0));
@@ -78,7 +78,7 @@ typedef struct // bounds of the speed at which two collidables approach at any t
 } SensorPace;
 
 // Returns the bounds for a pair. In the frame of a body that rotates by w, a velocity u changes by at most |w| |path| +
-// |w| |u| per step, so it stays below e^|w| (|u| + |w| |path|). Up to 1.7 rad, 1 + |w| + w^2 exceeds that power.
+// |w| |u| per step, so it stays below e^|w| (|u| + |w| |path|). Up to 1.7 rad, 1 + |w| + w^2 exceeds e^|w|.
 INLINE SensorPace sensor_pace(Closing c)
 {
 	SensorPace pace;
@@ -97,7 +97,7 @@ INLINE float sensor_speed(SensorPace pace, Vec normal)
 }
 
 // Returns the time at which two moving collidables first overlap, SENSOR_NEVER if they do not. An advance ends at an
-// overlap of SENSOR_DEPTH. A slow pair reaches it much later than it meets, so the time is interpolated to gap 0.
+// overlap of SENSOR_DEPTH. A slow pair reaches this overlap long after it meets, so the time is interpolated to gap 0.
 RARE float sensor_time(const Pools* p, WorldShape a, WorldShape b, Closing closing)
 {
 	SensorPace pace = sensor_pace(closing);
@@ -229,8 +229,8 @@ INLINE void sensor_tree(const Pools* p, const SensorSearch* s, int t)
 	}
 }
 
-// Item: part i % argument of the search of query i / argument, whose collidable is a sensor. Each part searches some of
-// the leaves, because a sensor as large as the world would keep a single work-item busy for long.
+// Item: part i % argument of the search for the visits of the sensor in query i / argument. argument: number of parts.
+// Each part searches some of the leaves, because a sensor as large as the world would keep one work-item busy.
 KERNEL(sensor_overlap)
 {
 	SensorSearch s;

@@ -11,21 +11,21 @@
 #include "stages/rules/rule.h"
 
 // reasons, cheap ones first; each stage checks a set of them
-#define APART_KIND     1                                        // neither can move, or one is a sensor or disabled
+#define APART_KIND     1                                        // kinds that do not collide (kinds_meet)
 #define APART_BODY     2                                        // both belong to one body
 #define APART_FILTER   4                                        // categories and masks, or a group
-#define APART_DETECTED 8                                        // one has no body: the pair only detects
+#define APART_DETECTED 8                                        // one has no body: the contact only detects
 #define APART_JOINED   16                                       // a joint, a filter joint or an exclusion by the user
 #define APART_MATERIAL 32                                       // the materials of the pair ignore each other
 #define APART_REFUSED  64                                       // contact approval was refused
 #define APART_PAIR     (APART_KIND | APART_BODY | APART_FILTER) // reasons for which no contact is created
-#define APART_LASTING  (APART_PAIR | APART_DETECTED)            // reasons for no contact or one without impulses
+#define APART_LASTING  (APART_PAIR | APART_DETECTED)            // reasons for no contact or for no impulses
 #define APART_ALL      (APART_LASTING | APART_JOINED | APART_MATERIAL | APART_REFUSED) // all reasons
 #define APART_SEEN     (APART_BODY | APART_FILTER)                                     // reasons for no sensor overlap
 
-// Returns a pair in order: a dynamic collidable before another kind; else the smaller collidable first; of two equal
-// ones, that with the lower index. Manifolds and arms are precise near the center of the first collidable: if a floor
-// were first, arms of a circle far from its center would be off by 1e-7 of the distance, and the circle would roll.
+// Returns a pair in order: a static or kinematic collidable second; else the smaller one first; of two equal ones, that
+// with the lower index. Manifolds and arms are precise near the center of the first collidable: if a floor were first,
+// arms of a circle far from the floor's center would be off by 1e-7 of the distance, and the circle would roll.
 INLINE Int2 apart_pair(const Pools* p, int i, int j)
 {
 	int a = i < j ? i : j, b = i < j ? j : i;
@@ -65,8 +65,8 @@ INLINE int apart_by(const Pools* p, int i, int j, int reasons)
 // Returns the key, in the list `refused`, of a contact that a one-way platform lets through: its pair in reverse order.
 INLINE Word64 apart_passes_key(const Pools* p, Int2 pair) { return apart_key(p, make_int2(pair.y, pair.x)); }
 
-// Returns whether platform a lets collidable b through, for continuous collision. It holds b if their boxes overlap and
-// `refused` has no such key, or if b is above it or gets there in the step. way, swing: as in one_way_place.
+// Returns whether platform a lets collidable b through, for continuous collision. It holds b if the boxes overlap and
+// `refused` lacks their apart_passes_key, or if b is or gets above it. way, swing: as in one_way_place.
 RARE int apart_lets(const Pools* p, int a, int b, Vec way, float swing)
 {
 	if (!rule_platform(p, a, b))

@@ -87,7 +87,7 @@ RARE int one_way_over(OneWaySpan side, OneWaySpan visitor, Vec n, Vec way, OneWa
 	return one_way_meet(side, visitor) ? ONE_WAY_ABOVE : ONE_WAY_HIGH;
 }
 
-// Returns whether n is the normal of an upper side other than `up`; the test of the whole width covers the top side.
+// Returns whether n is the normal of an upper side, but not `up`: the test of the whole width covers the top.
 INLINE int one_way_upper(Vec n, Vec up) { return vec_dot(n, up) > ONE_WAY_UPPER && !(n.x == up.x && n.y == up.y); }
 
 typedef struct // extents of a platform and a visitor along the direction `up`, in the frame of the platform
@@ -111,8 +111,8 @@ INLINE OneWaySpan one_way_grow(OneWaySpan span, float margin)
 	return span;
 }
 
-// Returns the largest of a visitor's heights relative to the width and the upper sides of a platform. f: pose of the
-// visitor in the frame of the platform. margin, m: distance by which the visitor is enlarged.
+// Returns the largest of a visitor's heights relative to the whole platform and to each of its upper sides. f: pose of
+// the visitor in the frame of the platform. margin, m: distance by which the visitor is enlarged.
 INLINE int one_way_height(const GLOBAL Attribute* platform, Vec up, const GLOBAL Attribute* visitor, Frame f,
                           OneWayWhole whole, float margin, Vec way, OneWayDepth depth)
 {
@@ -177,7 +177,7 @@ RARE OneWayPlace one_way_place(const Pools* p, WorldShape a, WorldShape b, Vec w
 	return place;
 }
 
-// m: Returns the depth of visitor b in platform a, which held it, or 0 if it has left. The depth is measured from the
+// m: Returns the depth of visitor b in platform a, which held it, or 0 if b has left. The depth is measured from the
 // upper side with the least depth. It is at most the thickness of b, because the middle of b is outside the platform.
 RARE float one_way_sunk(const Pools* p, WorldShape a, WorldShape b)
 {

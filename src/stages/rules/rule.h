@@ -92,7 +92,7 @@ INLINE void sunk_to(const Pools* p, int slot, int visitor, float depth)
 		atomic_max_int(&p->sunk[p->collidable_body[visitor]], float_bits(depth));
 }
 
-// Raises the depth of visitor b if collidable a is a platform. found: 1 if the depth at the current poses was added.
+// Raises the depth of visitor b if collidable a is a platform. found: 1 if the current depth is already included.
 RARE void sunk_by(const Pools* p, int slot, int a, int b, int found)
 {
 	if (rule_platform(p, a, b))
@@ -117,8 +117,8 @@ INLINE void sunk_find(const Pools* p, int i, Word flags, int found)
 		p->contact_flags[i] = flags | CONTACT_SUNK;
 }
 
-// Raises the depths for contact i by its manifold of the last step, before contact_rule. approval_request repeats this
-// with the new manifold, for the kernel continuous.
+// Raises the depths for contact i by its last manifold and the current poses, before contact_rule. approval_request
+// repeats this with the new manifold, for the kernel continuous.
 KERNEL(contact_sunk)
 {
 	if (i < p->counters->live)

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // integrate.h -- accelerates or moves bodies between two passes of the solve.
 // Warm starting needs no pass over contacts. Anchors and normals are constant within a step, so the impulses of a
-// substep change a velocity by the same amount in the next substep: velocity after relax minus velocity before any
-// impulse (base).
+// substep change a velocity by the same amount in the next substep. This amount is the velocity after relax minus the
+// velocity before any impulse (`base`).
 #ifndef INTEGRATE_H
 #define INTEGRATE_H
 #include "constraints/solver_body.h"
 #include "dialect/finite.h"
 
-// Adds the acceleration and, as warm start, the change of velocity that contacts caused in the last substep. b, m,
+// Adds to velocities the acceleration and, as warm start, the change that contacts caused in the last substep. b, m,
 // base: rows of pools. In the first substep, base is the velocity without the warm start, which b already contains.
 INLINE void body_accelerate(const Step* step, Real* b, const Real* m, Real* base, int first)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// overflow.h -- solves joints without a chain and a color, because a body has more joints than there are colors.
+// overflow.h -- solves joints that have neither a chain nor a color, because a body has more joints than colors exist.
 #ifndef OVERFLOW_H
 #define OVERFLOW_H
 #include "constraints/constraint_kinds.h"
@@ -17,7 +17,7 @@ INLINE void overflow_solve(const Pools* p, int k, int pass)
 	body_scatter(p, ib, b);
 }
 
-// Runs a pass over the joints without a chain and a color, in order of slots, before the colors. argument: the pass.
+// Runs a pass over joints with neither chain nor color, in the order of slots, before the colors. argument: the pass.
 KERNEL(joint_overflow)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_JOINT];

@@ -23,7 +23,7 @@ KERNEL(solve_begin)
 		counters_clear(p);
 }
 
-// Sets the inertia of a body for the step. The pull of joints requires the value that joint_taut stored in da.
+// Sets the inertia of a body for the step. Member `da` is the inertia that the pull of joints requires (joint_taut).
 KERNEL(body_taut)
 {
 	GLOBAL BodyState* body = p->body + i;

@@ -14,7 +14,7 @@
 #include "constraints/joint_prepare.h"
 #include "stages/geometry/sweep.h"
 
-// minimum cosine between a way and a normal along which it continues; with a smaller one, carts press the floor
+// minimum cosine between a way and a normal along which it continues; with a smaller limit, carts press the floor
 #define PRESS_ALONG 0.15f
 
 #define PRESS_HOPS   63   // maximum number of hops of a way, and so of bodies in a row through which a press acts
@@ -52,10 +52,10 @@ INLINE int press_left(int code, Vec normal)
 	return along && code >> 16 > 1 ? (code >> 16) - 1 : 0;
 }
 
-// Returns whether a kernel started before the host read the counters does nothing, because the layout has changed.
+// Returns whether a kernel must do nothing: it was started before the host read the counters, and the layout changed.
 INLINE int press_waits(const Pools* p) { return (p->argument & PRESS_MAY_WAIT) && !p->counters->kept; }
 
-// Returns the slot of the contact at place i, -1 for none.
+// Returns the slot of the contact at place i; -1 if there is none, or if the kernel must do nothing (press_waits).
 INLINE int press_slot(const Pools* p, int i) { return press_waits(p) ? -1 : p->contact_place_slot[i]; }
 
 RARE ContactPoints press_points(const Pools* p, int slot)
@@ -165,7 +165,7 @@ KERNEL(press_gather)
 		return;
 	Word bits = p->contact_press[slot];
 	int first = !(p->argument & PRESS_AGAIN);
-	// such a contact has no way to hand on, or it is at an immovable body and gave its ways in the first round
+	// a contact without ways has nothing to give, or it started its way at an immovable body in the first round
 	if (!first && bits == 0)
 		return;
 	int still = p->collidable_kind[p->contact_place_pair[i].y] < KIND_DYNAMIC;
@@ -203,7 +203,7 @@ KERNEL(press_gather)
 
 #define PRESS_HOLDS(k) (JOINT_LOCKED(k) | JOINT_SPRING(k)) // modes that hold the anchors together along coordinate k
 
-// Item: a joint. If one body cannot move and the anchors are far apart, starts a way as of a presser with max_speed.
+// Item: a joint. If one body cannot move and the anchors are far apart, starts a way like a presser of max_speed.
 KERNEL(press_joint)
 {
 	int ia = p->joint_data[i].body_a, ib = p->joint_data[i].body_b, modes = (int)p->joint_data[i].modes;

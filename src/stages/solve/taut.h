@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// taut.h -- computes the inertia that a body needs for the pull of its colored joints, as in a loaded net.
+// taut.h -- computes the inertia that a body needs under the pull of its colored joints, as in a loaded net.
 //
 // A short body between two joints that pull at it is like a piece of a string: it swings faster than substeps can
 // resolve, and the corner of a net opens. As in a chain (chain_stiff.h), its inertia for the step is that of an

@@ -4,7 +4,7 @@
 #define HILBERT_H
 #include "stages/geometry/box.h"
 
-#define TREE_CELLS 65535.0f // last cell along a side
+#define TREE_CELLS 65535.0f // index of the last cell along a side
 
 // Spreads the 16 bits of x to every second bit.
 INLINE Int hilbert_spread(Int x)
@@ -17,8 +17,8 @@ INLINE Int hilbert_spread(Int x)
 
 // Returns the distance of cell x, y along the Hilbert curve through 65,536 x 65,536 cells: two bits per level, from the
 // largest quadrant down. The curve of a quadrant is rotated relative to that of its parent, so the orientation of a
-// level is the product of all rotations above it. a, b, c, d hold that product over 1, 2, 4, 8 and 16 levels, one bit
-// per level, so four rounds replace a loop over levels. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
+// level is the product of all rotations above it. `a`, `b`, `c`, `d` are that product over 1, 2, 4, 8 and 16 levels,
+// one bit per level, so four rounds replace a loop over levels. rawrunprotected, 2D Hilbert Curves in O(1), 2011.
 INLINE Int hilbert_distance(Int x, Int y)
 {
 	const int all = 65535;

@@ -63,7 +63,7 @@ INLINE Word tree_movers(const Pools* p, const GLOBAL Tree* tree, int level, int 
 	return movers;
 }
 
-// Item: a node of a level. argument: the tree and the level.
+// Item: a node of a level. Computes its box and its mask (tree_movers). argument: the tree and the level.
 KERNEL(tree_node)
 {
 	const GLOBAL Tree* tree = p->tree + RUN_LOW(p->argument);
@@ -73,7 +73,7 @@ KERNEL(tree_node)
 		p->node_movers[tree->begin[level - 1] / ARITY + i] = tree_movers(p, tree, level, i);
 }
 
-// Returns tree_movers for the node whose children are the eight nodes of a level from `first` on.
+// Returns tree_movers for the node whose children are the eight nodes of a level from `first` on; 255 at the top level.
 INLINE Word tree_movers_of(const Pools* p, const GLOBAL Tree* tree, int level, int first)
 {
 	return level < tree->top ? p->node_movers[(tree->begin[level] + first) / ARITY] : 255u;

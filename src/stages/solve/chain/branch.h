@@ -6,9 +6,10 @@
 // spokes shook themselves apart. So the host finds such trees (src/world/chain/chains.c). Like chains, they have no
 // color and are solved after the colors.
 //
-// Each node is a body with its joint toward the root. Let u be the change of the velocity of the parent body, and w
-// that of the node's own body. The impulses x of the joint satisfy (softness) x = goal - J u - K w. Together with all
-// bodies below it, the node has the inertia A and gets the push f: A w = f + K^T x. Elimination of w gives
+// Each node is a body with its joint toward the root. Let u be the change of the velocity of the parent body, w that of
+// the node's own body, and J, K the joint's Jacobians for these bodies. The joint's impulses x satisfy (softness) x =
+// goal - J u - K w. Together with all bodies below it, the node has the inertia A and gets the push f: A w = f + K^T x.
+// Elimination of w gives
 //
 //     x = B (goal - K A^-1 f - J u),     B = (softness + K A^-1 K^T)^-1
 //
@@ -22,8 +23,8 @@
 #define BRANCH_H
 #include "stages/solve/chain/branch_drive.h"
 
-// Fraction of the upper body's yield, added to the joint's if the lower body cannot rotate; acts on impulse changes
-// only.
+// Fraction of the yield of the body toward the root, added to the yield of the joint if the other body cannot rotate.
+// It multiplies changes of impulses only.
 #define BRANCH_GIVE   1.0e-3f
 #define BRANCH_TRIALS 4 // maximum number of times that a pass is repeated because motors or limits reached their bounds
 
@@ -48,13 +49,13 @@ INLINE Branch branch_number(const Pools* p, int i)
 
 #define BRANCH_BELOW(c, node) for (int c = (node).first; c < (node).first + (node).count; ++c)
 
-// Loads the joint of a node with its bodies; it is inert for a root without a joint, or if the joint broke.
+// Loads the joint of a node with its bodies; it is inert if the node is a root without a joint, or the joint broke.
 INLINE void branch_load(const Pools* p, const Branch* branch, int k, ChainLink* link)
 {
 	chain_load_posed(p, branch->chain.begin + branch->chain.at.first + k, link);
 }
 
-// Stores impulses of a joint and changes of its bodies' velocities; branch_gather adds them, as joints share bodies.
+// Stores the impulses of a joint and the velocity changes of its bodies. branch_gather adds the changes of each body.
 INLINE void branch_keep(const Pools* p, const Branch* branch, int k, const ChainLink* link)
 {
 	int b = BRANCH_NODE(p, branch, k).side;
@@ -123,7 +124,7 @@ INLINE void branch_own(const Pools* p, const Branch* branch, int pass)
 	group_meet();
 }
 
-// Inverts a symmetric 3 x 3 block (00, 01, 02, 11, 12, 22) by L D L^T. least1, least2: lower limits of the pivots.
+// Inverts a symmetric 3 x 3 block (00, 01, 02, 11, 12, 22) by L D L^T. least1, least2: least second and third pivot.
 INLINE void branch_invert(const float m[6], float least1, float least2, float b[6])
 {
 	float d0 = 1.0f / m[0], l1 = m[1] * d0, l2 = m[2] * d0, pivot1 = m[3] - l1 * m[1];
@@ -145,8 +146,8 @@ INLINE void branch_times(const float b[6], const float x[3], float y[3])
 	y[2] = b[2] * x[0] + b[4] * x[1] + b[5] * x[2];
 }
 
-// Computes the Jacobian of a joint for its body b (b: 1) or its body a (b: 0): row[k] maps the velocity of the body,
-// along x, along y and angular, to the speed of coordinate k.
+// Computes the Jacobian of a joint for its body b (parameter `b` is 1) or body a (`b` is 0): row[k] maps the
+// velocity of the body, along x, along y and angular, to the speed of coordinate k.
 INLINE void branch_rows(const JointPose* c, int b, const int locked[3], float row[3][3])
 {
 	float sign = b ? 1.0f : -1.0f;
@@ -324,7 +325,7 @@ INLINE void branch_solve(const Pools* p, const Branch* branch, int pass, int has
 	}
 }
 
-// Sets each drive that the solution takes beyond its bound to this bound, and no other. Returns whether one was set.
+// Limits each drive whose impulse in the solution reaches its bound, and no other drive. Returns whether there is one.
 INLINE int branch_bound(const Pools* p, const Branch* branch)
 {
 	int found = 0;
@@ -378,8 +379,8 @@ GROUP_KERNEL(branch)
 		branch_locks(p, &branch, p->argument);
 }
 
-// Sets the inertia of each body for the step, as for chains: its own or, if larger, that which tension of its joints
-// requires.
+// Sets the inertia of each body for the step, as for chains: its own inertia or, if larger, the one that the tension of
+// its joints requires.
 GROUP_KERNEL(branch_begin)
 {
 	(void)bench;

@@ -12,7 +12,7 @@
 #define HELD_BY_MOTOR 1
 #define HELD_BY_LIMIT 2
 
-// Returns the drive that holds coordinate k, HELD_BY_*. Returns HELD_BY_NONE if the coordinate is locked.
+// Returns HELD_BY_* of the drive that holds coordinate k; HELD_BY_NONE if no drive does, or k is locked.
 INLINE int branch_holder(const JointDrive* d, int modes, int k)
 {
 	if (modes & (k == JOINT_ANGLE ? JOINT_LOCKED(k) : JOINT_LOCKED(k) | JOINT_ELLIPTIC))
@@ -74,7 +74,7 @@ INLINE void branch_set(const Pools* p, int place, int holder, int k, float now, 
 	                         k == JOINT_ANGLE ? change : 0.0f));
 }
 
-// Sets each drive of a joint that a solution takes beyond its bound to the bound. Returns whether a drive was set.
+// Limits each drive of a joint whose impulse in a solution reaches its bound. Returns whether there is one.
 INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], ChainLink* link)
 {
 	int found = 0;
@@ -93,7 +93,7 @@ INLINE int branch_beyond(const Pools* p, int place, int held, const float x[3], 
 	return found;
 }
 
-// Adds a solution to the impulses of holding drives, and clears their components in x; the rest is for the locks.
+// Adds a solution to the impulses of holding drives, and clears these components of x; the others are for the locks.
 INLINE void branch_drive(const Pools* p, int place, int held, float x[3], ChainLink* link)
 {
 	for (int k = 0; k < JOINT_COORDINATES; ++k)

@@ -3,7 +3,7 @@
 // rope that carries a hundred times a link's mass needs hundreds of passes from joint to joint until all links bear it.
 // The host finds such rows of joints (src/world/chain/chains.c); they have no color, and are solved after the colors.
 //
-// Even joints of a chain have no bodies in common, nor have odd ones: lanes process a block of one half at a time.
+// No two even joints of a chain share a body, nor do two odd ones. Lanes process joints of one half in parallel.
 #ifndef CHAIN_H
 #define CHAIN_H
 #include "stages/solve/chain/chain_stiff.h"
@@ -33,7 +33,7 @@ INLINE void chain_own(const Pools* p, int place, int pass, ChainLink* link)
 // factor slightly above 1 selects the smallest. It multiplies changes of impulses only, so the chain gets no softer.
 #define CHAIN_GIVE 1.00001f
 
-// Returns whether the angle of a joint, which is not locked, gets a separate damping impulse in bias and relax.
+// Returns whether the angle of a joint is not locked, but gets a separate damping impulse in bias and relax.
 INLINE Int chain_damps(const Pools* p, int spot, const Joint* u)
 {
 	return (CHAIN_AT(p, slack, spot) > splat(0.0f)) & (joint_has(u, JOINT_LOCKED(JOINT_ANGLE)) == 0);
@@ -175,9 +175,9 @@ INLINE Chain chain_number(const Pools* p, int i)
 
 INLINE void chain_pass(const Pools* p, Chain chain, int pass)
 {
-	// three turns: even, odd and even joints. The equations of a joint need its neighbors' velocities after
-	// chain_own, so odd joints compute theirs in the second turn, even ones in the third; without chain_own two turns
-	// are enough
+	// three turns: even joints, odd joints, even joints. The equations of a joint need its neighbors' velocities after
+	// chain_own, so the equations of odd joints are computed in the second turn, those of even joints in the third.
+	// Without chain_own, two turns are enough
 	int owns = pass != PASS_RELAX || p->step.has_drives, solves = pass != PASS_WARM_START;
 	for (int turn = 0; turn < 3; ++turn)
 	{

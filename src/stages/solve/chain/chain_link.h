@@ -12,7 +12,7 @@ typedef struct // joint of a chain with its bodies, in registers
 	Int ia, ib;
 } ChainLink;
 
-typedef struct // LANES joints: joint n of a row and those behind it, or joint n of each of several chains side by side
+typedef struct // LANES joints: joint n of a row and the next ones, or joint n of a row of each of several chains
 {
 	int row, n, spot;
 } ChainPlace;
@@ -20,8 +20,8 @@ typedef struct // LANES joints: joint n of a row and those behind it, or joint n
 INLINE int chain_first(const Chain* chain) { return chain_side(chain) ? 0 : group_lane(); }
 INLINE int chain_stride(const Chain* chain) { return chain_side(chain) ? 1 : group_width(); }
 
-// Returns the first place of the even joints (odd 0) or of the odd joints (odd 1). At the end of a row, chain_goes
-// advances a place to the next row. It returns whether joints are left.
+// Returns the first place of the even joints (`odd` 0) or of the odd joints (`odd` 1). At the end of a row, chain_goes
+// advances the place to the next row of this half. chain_goes returns whether joints are left.
 INLINE ChainPlace chain_half_begin(const Chain* chain, int odd)
 {
 	ChainPlace place;

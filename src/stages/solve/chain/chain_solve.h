@@ -3,8 +3,8 @@
 //
 // The system is symmetric and block tridiagonal, with one row of 3 x 3 blocks per joint. Its solution is exact, so a
 // load at one end acts on the other end within a pass, for any masses between them. A CPU processes LANES joints at
-// once: joints of the rows of one chain, until one row is left, or of chains side by side. Inert joints at the ends
-// change no bit.
+// once: joints of a row while more than one row of a chain is left, or joints of chains side by side. Inert joints at
+// the ends change no bit.
 //
 // This work is based on:
 // Bill Buzbee, Gene Golub, Clair Nielson, On Direct Methods for Solving Poisson's Equations, 1970: cyclic reduction.
@@ -24,7 +24,7 @@ typedef struct
 typedef struct // position of LANES joints
 {
 	int here, next; // offsets in the pool, in floats; -1 for none
-	int shift;      // 1 or -1: lanes take the joint of the following or preceding lane, the end lane that at `next`
+	int shift;      // 1: lanes take the joint of the following lane; -1: of the preceding one; the end lane: at `next`
 } ChainNear;
 
 // Number of rows of a ChainBlock. chain_offset returns the offset of a spot in such a row, in floats.
@@ -62,7 +62,7 @@ INLINE Int chain_near_int(const GLOBAL int* member, ChainNear near)
 	return near.shift > 0 ? following_int(here, next) : preceding_int(next, here);
 }
 
-// one joint
+// definitions for one joint
 #define NUMBER        float
 #define NEIGHBOR      int
 #define SOLVES(name)  chain_##name
@@ -75,7 +75,7 @@ INLINE Int chain_near_int(const GLOBAL int* member, ChainNear near)
 	(out)[k] = chain_at(p, member[k], at)
 #include "stages/solve/chain/chain_block.def"
 
-// LANES joints
+// definitions for LANES joints
 #define NUMBER                       Real
 #define NEIGHBOR                     ChainNear
 #define SOLVES(name)                 chains_##name
@@ -88,7 +88,7 @@ INLINE Int chain_near_int(const GLOBAL int* member, ChainNear near)
 
 INLINE int chain_rows(const Chain* chain) { return 1 << chain->at.bits; }
 
-// Returns whether chains are stored side by side, as only devices with several lanes do.
+// Returns whether chains are stored side by side, which happens only on devices with several lanes.
 INLINE int chain_side(const Chain* chain) { return LANES > 1 && chain->at.stride > 1; }
 
 // Returns the spot of joint k, -1 if there is no such joint.
@@ -110,7 +110,7 @@ INLINE int chain_row_spot(const Chain* chain, int row, int n)
 	return at->first + (row & 1) * at->odds + (row >> 1) * at->length + n * at->stride;
 }
 
-// Returns the position of the joint `far` places behind joint n of a row; -chain_rows <= far <= chain_rows.
+// Returns the position of the joint `far` places (at most chain_rows) behind joint n of a row; before it if `far` < 0.
 INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 {
 	ChainNear near;
@@ -134,7 +134,7 @@ INLINE ChainNear chain_neighbor(const Chain* chain, int row, int n, int far)
 	for (int row = (from); row < chain_rows(chain); row += (by)) \
 		for (int n = 0; n < (chain)->at.length; n += LANES)
 
-// Eliminates every second one of the joints 0, top, 2 top and so on, by rows; chain_reduce_joints does it by joints.
+// Eliminates every second one of the joints 0, top, 2 top and so on, by rows; chain_reduce_joints: joint by joint.
 INLINE void chain_reduce_rows(const Pools* p, const Chain* chain, int top)
 {
 	CHAIN_BLOCKS(row, n, chain, top, 2 * top)

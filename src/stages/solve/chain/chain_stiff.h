@@ -11,11 +11,11 @@
 #define CHAIN_STIFF_H
 #include "stages/solve/chain/chain_link.h"
 
-// Maximum of inertia / damping of a damped free angle; a larger softness, 1 / damping, could overflow sums.
+// Maximum of inertia / damping of a damped free angle. With less damping, the softness 1 / damping could overflow sums.
 #define CHAIN_SLACKEST 1.0e12f
 #define CHAIN_SLOW     0.02f // factor of a body's own inertia in chain_slack
 
-// Computes the tension of a joint, kg m^2: inertia that its pull adds to each body. Stores bodies and own inertias.
+// Stores the bodies of a joint, their inverse inertias, and its tension, kg m^2: inertia that its pull adds to each.
 INLINE void chain_tension(const Pools* p, const Chain* chain, int spot)
 {
 	ChainLink link;
@@ -68,9 +68,9 @@ INLINE Real chain_inertia(Real inverse, Real tension)
 }
 
 // Returns the softness that damps a free angle between two links, 0 for no damping. An implicit integration of the
-// tension damps rotations by its inertia t in a substep. Only the fraction t / (CHAIN_SLOW I + t) of t is used, similar
-// to that by which t enlarges the inertia I: small for a pendulum, which loses nothing, and large for neighbors that
-// swing against each other. The impulse acts between the two links, so a whirled rope keeps its momentum.
+// tension t (kg m^2) damps a rotation by t in a substep. Only the fraction t / (CHAIN_SLOW I + t) of t is used (I:
+// inertia). It is small for a pendulum, which keeps its energy, and large for neighbors that swing against each other.
+// The impulse acts between the two links, so a whirled rope keeps its momentum.
 INLINE Real chain_slack(const Pools* p, int spot, const ChainBodies* bodies)
 {
 	Real zero = splat(0.0f), inverse = CHAIN_AT(p, own_a, spot) + CHAIN_AT(p, own_b, spot);

@@ -18,7 +18,7 @@
 #define HUB_COLUMNS (1 << HUB_LEVELS)
 
 #define HUB_ROUNDS 2       // limit of rounds of Newton's method
-#define HUB_CLOSE  1.0e-5f // a change of the velocity smaller than this fraction of it ends the rounds
+#define HUB_CLOSE  1.0e-5f // the rounds end if the velocity changes by less than this fraction
 
 #define HUB_GYRATION 1.0e13f // m^2: limit of inertia / mass; its product with HUB_SPEED squared is finite
 
@@ -86,7 +86,7 @@ INLINE void hub_add_up(const Hub* h, int sums, LOCAL float* bench, float sum[HUB
 		sum[q] = q < sums ? total[q * stride] + 0.0f : 0.0f;
 }
 
-// Prepares all spokes or, if warm is set, warm starts them. Stores the sums of the impulses on the hub, by columns.
+// Prepares all spokes or, if `warm` is set, warm starts them. Stores sums of impulse changes on the hub, by columns.
 INLINE void hub_pose(const Pools* p, const Hub* h, int what, int warm, LOCAL float* bench)
 {
 	HUB_EACH_COLUMN(c, h)
@@ -140,8 +140,9 @@ INLINE float hub_energy(const Hub* h, const float v[3])
 	return v[0] * v[0] + v[1] * v[1] + h->gyration * v[2] * v[2];
 }
 
-// Computes the step d of Newton's method, by L D L^T: (M + H) d = push - M (now - free). In exact arithmetic H lowers
-// no pivot of M. Rounding could lower one, so each pivot is raised to at least that of M, the hub without its spokes.
+// Computes the step d of Newton's method, by L D L^T: (M + H) d = push - M (now - free). H is minus the derivative of
+// push by now. In exact arithmetic H lowers no pivot of M. Rounding could lower one, so each pivot is raised to that of
+// M, the hub without its spokes.
 INLINE void hub_newton(const Hub* h, const float* sum, float d[3])
 {
 	float mass = h->mass, inertia = h->inertia;
@@ -168,7 +169,7 @@ INLINE int hub_found(const Step* step, const Hub* h, const float d[3])
 	return !hub_bears(d) || hub_energy(h, d) <= HUB_CLOSE * HUB_CLOSE * (hub_energy(h, h->now) + hub_energy(h, fall));
 }
 
-// Applies the fraction of the responses with the least energy. It is 1 after convergence; if less, no energy is added.
+// Applies the fraction of the responses that minimizes the energy, so no energy is added. After convergence it is 1.
 INLINE void hub_give(const Pools* p, Hub* h, int what, const float* sum)
 {
 	float gain[3], part = 0.0f, down = -sum[9];
@@ -239,7 +240,7 @@ INLINE void hub_block(const Pools* p, Hub* h, int what, int warm, LOCAL float* b
 // Returns the kind of block number k of a pass, -1 after the last.
 INLINE int hub_what(const Step* step, int pass, int k)
 {
-	// friction and rolling resistance follow the load, as in pair_relax
+	// friction and rolling resistance come after the normal impulses, which limit them, as in pair_relax
 	if (pass == PASS_WARM_START || pass == PASS_RELAX)
 		return k == 0 ? HUB_NORMAL : k == 1 ? HUB_FRICTION : k == 2 && step->has_rolling ? HUB_ROLL : -1;
 	return k > 0 ? -1 : pass == PASS_BIAS ? HUB_SOFT : HUB_BOUNCE;

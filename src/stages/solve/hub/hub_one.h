@@ -75,8 +75,9 @@ KERNEL(hub_key)
 	spoke_at(p, hub_parts, i) = 1.0f;
 }
 
-// Item: a key, sorted by neighbor, hub color and hub. Computes the number of parts of the neighbor. In a hub color, all
-// hubs get equal parts, each split equally among the hub's spokes with the neighbor. argument: number of spokes.
+// Item: a key, sorted by neighbor, hub color and hub. Computes the number of parts of the neighbor. In each hub color,
+// the hubs at it get equal parts, each split equally among the hub's spokes with the neighbor. argument: number of
+// spokes.
 KERNEL(hub_order)
 {
 	Word64 body = p->key[i] >> 32, group = p->key[i] >> HUB_KEY_COLOR;
@@ -117,7 +118,7 @@ KERNEL(hub_order)
 		spoke_at(p, hub_parts, spoke_of(p, hub_span_of(p, own).first)) = (float)hubs;
 }
 
-// Returns the spoke of key i if its neighbor is split in a hub color (turn) and i is their first key; else -1.
+// Returns the spoke of key i if its neighbor is split in hub color `turn` and i is the first key of both; else -1.
 INLINE int hub_merged(const Pools* p, int i, int turn)
 {
 	int order = p->spoke_order[i], spoke = order / HUB_COLORS;
@@ -126,7 +127,7 @@ INLINE int hub_merged(const Pools* p, int i, int turn)
 	return spoke;
 }
 
-// Returns the number of the hub that a neighbor itself is, if that hub has a hub color (turn); else -1.
+// Returns the hub number of a neighbor that is itself a hub of the hub color `turn`; else -1.
 INLINE int hub_within(const Pools* p, int body, int turn)
 {
 	int n = hub_number(p, body);
@@ -134,7 +135,7 @@ INLINE int hub_within(const Pools* p, int body, int turn)
 }
 
 // Merges a split body: adds the changes of its parts, each times its fraction of the mass. The item of the body's first
-// key adds them in a fixed order: first that of a hub, if the body is one, then those of spokes. argument: hub color.
+// key adds them in a fixed order: its change as a hub, if it is one, then those as a neighbor. argument: hub color.
 KERNEL(hub_merge)
 {
 	int spoke = hub_merged(p, i, p->argument);

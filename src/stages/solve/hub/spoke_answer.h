@@ -13,8 +13,8 @@ typedef struct // response: impulses, and minus their derivatives with respect t
 	Real impulse[2], own[2], cross;
 } SpokeAnswer;
 
-// Returns impulses at the two points, which never pull: two positive impulses solve both equations, a single one solves
-// that of its point. want1, want2: separation velocities of the points without any impulse.
+// Returns impulses at the two points, which never pull: two positive impulses solve both equations, a single positive
+// one solves that of its point. want1, want2: separation velocities of the points without any impulse.
 INLINE SpokeAnswer spoke_push_apart(const Pools* p, int m, Real want1, Real want2)
 {
 	SpokeAnswer r;
@@ -108,7 +108,7 @@ INLINE void spoke_answer(const Pools* p, const Hub* h, int i, int what, Real sum
 	store(&spoke_at(p, new2, m), 0, blend(old[1], r.impulse[1], adds));
 }
 
-// Applies a fraction, `part`, of the response of a spoke. Even with 1, rounding may leave a remainder.
+// Applies a fraction, `part`, of the response of a spoke. The limits apply again, because rounding may exceed them.
 INLINE void spoke_give(const Pools* p, const Hub* h, int i, int what, float part)
 {
 	int m = spoke_of(p, i), limited = spoke_limited(what);

@@ -60,7 +60,7 @@ INLINE Int spoke_neighbor(const Pools* p, const Hub* h, int i)
 	return load_int(&contact_row(p, body_a, i), 0) ^ load_int(&contact_row(p, body_b, i), 0) ^ h->body;
 }
 
-// Stores the values of the neighbor that the blocks of a pass use.
+// Stores the state of the neighbor and the gaps of the spoke, which the blocks of a pass use.
 INLINE void spoke_begin(const Pools* p, const Hub* h, int i, Body neighbor)
 {
 	Contact u;
@@ -117,7 +117,7 @@ INLINE SpokeArms spoke_arms(const Pools* p, const Hub* h, int i, int what)
 // Returns whether a spoke may add x to a sum; 0 if x is NaN.
 INLINE Int spoke_adds(const Hub* h, Real x) { return (x >= splat(-h->most)) & (x <= splat(h->most)); }
 
-// Computes a spoke's contribution to the hub's sums: push. Returns whether push and the neighbor's velocity are finite.
+// Computes `push`, the impulse of a spoke on the hub. Returns whether it and the neighbor's energy are within h->most.
 INLINE Int spoke_sum(const Hub* h, const SpokeArms* s, const Real impulse[2], Real push[3])
 {
 	Real both = impulse[0] + impulse[1];

@@ -8,7 +8,7 @@
 // would be infinitely stiff. The solution stays the same, because the term multiplies changes of impulses only.
 #define HUB_YIELD 0.1f
 
-// The same fraction for restitution, smaller than HUB_YIELD: no later pass corrects the impulse that it removes.
+// The same fraction for restitution, smaller than HUB_YIELD: no later pass restores the impulse that it takes away.
 #define BOUNCE_YIELD 0.001f
 
 #define LEAST_RESISTS 1.0e-37f // 1/kg: a smaller inverse mass counts as immovable; the inverse of this limit is finite
@@ -17,7 +17,7 @@
 // Returns whether a block is friction or rolling resistance: impulses of both signs, within limits.
 INLINE int spoke_limited(int what) { return what == HUB_FRICTION || what == HUB_ROLL; }
 
-// Computes the limits of friction and rolling resistance, N s.
+// Computes the limits of friction (N s) and rolling resistance (N m s).
 INLINE void spoke_limits(const Pools* p, int i, int what, Real limit[2])
 {
 	Real normal[2];
@@ -47,7 +47,7 @@ INLINE Real spoke_rebound(const Pools* p, int i, int k)
 	return k ? load(&contact_rare(p, rebound2, i), 0) : load(&contact_rare(p, rebound1, i), 0);
 }
 
-// 1/kg: Returns the relative velocity at point k per unit of impulse. Neither body is split into parts.
+// 1/kg: Returns the relative velocity at point k per unit of impulse. Both bodies count as not split into parts.
 INLINE Real spoke_resists(const Hub* h, const SpokeArms* s, int k)
 {
 	return h->whole.inv_mass + s->whole_mass + h->whole.inv_inertia * s->hub[k] * s->hub[k] +
@@ -75,7 +75,7 @@ INLINE void spoke_wants(const Pools* p, const Hub* h, int i, int what, const Spo
 	*soft = spoke_resists(h, s, k) * goal.impulse_scale / goal.mass_scale;
 }
 
-// Returns whether a block leaves out some points: restitution, points without push; relax, points yet to bounce.
+// Returns whether a block may leave out points: restitution those without an impulse, relax those that will bounce.
 INLINE int spoke_chooses(const Pools* p, int what)
 {
 	return what == HUB_BOUNCE || (what == HUB_NORMAL && p->step.bounces);
@@ -91,7 +91,7 @@ INLINE Real spoke_takes_part(const Pools* p, int i, int what, int k, Real old)
 	return blend(zero, one, (rebound > zero) & (total > zero));
 }
 
-// m/s: Computes the separation velocities of the points of a spoke
+// m/s: Computes the separation velocities of the points of a spoke.
 INLINE void spoke_speeds(const Hub* h, const SpokeArms* s, Real speed[2])
 {
 	for (int k = 0; k < 2; ++k)
