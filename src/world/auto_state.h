@@ -15,26 +15,26 @@ typedef struct // measured times of steps on one device
 {
 	double recent[RECENT_STEPS]; // ms of the last steps, in arbitrary order
 	int count;                   // number of steps since the world moved to this device
-	double step;                 // ms per step at the last comparison of the devices; 0 before the first comparison
-	int work;                    // number of bodies and contacts at the last comparison
+	double step;                 // ms per step when the devices were last compared; 0 before the first trial
+	int work;                    // number of bodies and contacts at that comparison
 } StepMeter;
 
 typedef struct
 {
 	bool on;                // true if "auto" was given as the device
-	char named[160];        // value of SCREE_AUTO: the device to try at once; if empty, a GPU is tried when it may pay
+	char named[160];        // value of SCREE_AUTO: device to try at once; "cpu": none; empty: a GPU, when it may pay
 	CompareDevice* compare; // compares the bits of the other device with those of the CPU after it was opened
 	AsyncOpen* opening;     // the other device while a thread opens it, or null
 	Backend* other;         // the other device, open but without the world; null until it is open
 	bool alone;             // true: the world stays on its device
-	bool trial;             // true: the world is on its trial device
-	StepMeter meters[2];    // [0]: the CPU; [1]: the other device
+	bool trial;             // true: in a trial: the world is on a device to be measured, and moves back if it is slower
+	StepMeter meters[2];    // [0]: steps on the CPU; [1]: steps on the GPU
 	double current;         // ms for which the library has worked since the last step began
-	double spent;           // ms of all steps since the last comparison
+	double spent;           // ms of all steps since the end of the last trial
 	double started;         // ms: time at which the latest trial began
 	double cost;            // ms that the last trial took, including its steps; 0 before the first trial
 	int failures;           // number of consecutive trials that ended with a move back
-	int failures_work;      // number of bodies and contacts at the last trial that failed
+	int failures_work;      // number of bodies and contacts at the end of the last trial
 } AutoDevice;
 
 #endif

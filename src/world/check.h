@@ -43,7 +43,7 @@ scree_status check_real(ArgumentPlace at, const char* member, float x, float low
 scree_status check_vec(ArgumentPlace at, const char* member, scree_vec v, float limit);
 
 // Checks a pose: position within SCREE_MAX_COORDINATE, rotation of length 1 with an error of at most 0.0005. Normalizes
-// a rotation if its length differs from 1 by more than 2.5e-7, so that a pose that was read can be set again unchanged.
+// the rotation only if the error is above 2.5e-7, so setting a pose that was read does not change it.
 scree_status check_pose(ArgumentPlace at, const char* member, scree_pose* pose);
 
 // Checks that a device name has one of the forms listed at scree_world_def.device.
@@ -59,7 +59,8 @@ scree_status check_pointer(const char* function, const char* argument, const voi
 // Checks that a count is from 0 to MAX_ITEMS, and that the array is not null unless the count is 0.
 scree_status check_batch(const char* function, const char* argument, const void* array, int count);
 
-// Checks the arguments of functions that fill lists: an array, its capacity, and the address of the number of entries.
+// Checks the arguments of a function that fills a list: the capacity is at least 0, the address of the number of
+// entries is not null, and the array is not null unless the capacity is 0.
 scree_status check_list(const char* function, const char* argument, const void* array, int capacity, const int* count);
 
 #endif

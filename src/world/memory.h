@@ -8,7 +8,8 @@
 // Returns memory of at least the given size, or null if there is none. The memory is valid until the next call.
 void* world_scratch(scree_world* world, size_t bytes);
 
-// Enlarges an array to `needed` items or more, and by at least half, if its capacity is smaller. item: bytes per item.
+// Enlarges an array to at least `needed` items, and at least by half, unless its capacity suffices. item: bytes per
+// item.
 scree_status grow(const char* function, void** array, int* capacity, size_t item, int needed);
 #define GROW(function, array, capacity, needed) grow(function, (void**)&(array), &(capacity), sizeof *(array), needed)
 

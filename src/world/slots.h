@@ -23,7 +23,7 @@ void slots_close(Slots* slots);
 int slots_allocate(Slots* slots);
 void slots_free(Slots* slots, int slot);
 
-// Reverts an allocation, the last one first. used: value of Slots.used before all allocations that are reverted.
+// Reverts an allocation; later ones must be reverted first. used: value of Slots.used before all reverted allocations.
 void slots_put_back(Slots* slots, int slot, int used);
 
 static inline bool slots_in_use(const Slots* slots, int slot) { return slots->generation[slot] & 1; }

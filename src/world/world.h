@@ -31,7 +31,7 @@ typedef struct // host data of a body
 	int64_t went;                    // Pipeline.steps at that move if the body started at rest, else -1
 	bool still;                      // true: the velocity is 0
 	PendingEdits waiting;
-	bool marked; // within one call: true if the body has already been in the batch
+	bool marked; // within one call: true if the body is already in the batch
 } HostBody;
 
 typedef struct // host data of a collidable
@@ -73,12 +73,12 @@ typedef struct // host data of a joint
 	bool restarts;            // true: the constraint begins again
 	bool created;             // created since the last upload
 	bool waiting;             // pending for the next upload
-	bool marked;              // within one call: true if the joint has already been in the batch
+	bool marked;              // within one call: true if the joint is already in the batch
 } HostJoint;
 
-typedef struct // sums for the mass of one dynamic body that gets collidables one by one, so that each is added once
+typedef struct // sums for the mass of one dynamic body that gets collidables one by one, to add each collidable once
 {
-	double mass, x, y; // kg; kg m: sums of mass times center
+	double mass, x, y; // kg: total mass; kg m: sums of mass times center
 	int body;          // index of the body, 0 for none
 	int last;          // last collidable of the body's list that is in the sums, -1 for none
 	int command;       // 1 + index of the pending COMMAND_MASS whose inertia is not yet computed, 0 for none
@@ -124,12 +124,12 @@ typedef struct // states of the blocks of one kind of item: bodies or collidable
 	bool settling; // true: idle_end must examine some block in this step or a later one
 } IdleBlocks;
 
-typedef struct // the name of a collidable in events, which may have been destroyed since the step
+typedef struct // name of a collidable in events; the collidable may have been destroyed since the step
 {
 	scree_collidable collidable;
 	scree_body body;
 	uint64_t user;
-	int64_t step; // Pipeline.steps at the destruction of the collidable; -1 for none
+	int64_t step; // Pipeline.steps at the destruction of the collidable; -1 if the entry is empty
 } CollidableName;
 
 typedef struct // events of the last step
@@ -163,14 +163,14 @@ typedef struct
 {
 	int alive;      // number of collidables that are sensors
 	bool stale;     // true: the list `queries` must be computed again
-	Query* queries; // one per sensor, in ascending order
+	Query* queries; // one per sensor, in the order of the slots
 	int count, query_capacity;
 	Visit* visits; // visits that had not ended at the end of the last step, sorted by sensor, then by visitor
 	Visit* next;   // space in which compare_visits makes the next list of visits
 	int visit_count, visit_capacity, next_capacity;
 	Visit *began, *ended; // visits that began and ended in the last step
 	int began_count, ended_count, began_capacity, ended_capacity;
-	Visit* found; // visits found in the step, converted from rows
+	Visit* found; // visits found in the step, converted from the query results below
 	QueryResult* rows;
 	int* row_queries;
 	int found_capacity, row_capacity, row_query_capacity;
@@ -185,7 +185,7 @@ typedef struct // pairs of materials
 
 typedef struct // a pair of bodies that never touch
 {
-	int bodies[2], next[2], previous[2]; // 1 + neighboring end in the list of each body, 0 for none
+	int bodies[2], next[2], previous[2]; // next, previous: 1 + neighboring end in the list of each body, 0 for none
 } HostExclusion;
 
 typedef struct
@@ -202,7 +202,7 @@ typedef struct // the checked shape of the last queries, and the query results o
 	Attribute attribute;
 	QueryResult* found;
 	int* query; // index of the query that found each result
-	int* first; // index of the first result of each query, and the end of the last one
+	int* first; // index of the first result of each query, and the end of the results of the last query
 	int capacity, query_capacity, first_capacity;
 } Queries;
 
@@ -251,7 +251,7 @@ struct scree_world
 	Pipeline pipeline;
 	size_t shared[SHARED_USES]; // bytes of the memory that is shared for each use; 0 while no memory is shared
 	AutoDevice auto_device;
-	char device[160]; // the name of backend
+	char device[160]; // name of the present device
 	void* scratch;    // temporary memory for one call; see world_scratch
 	size_t scratch_bytes;
 };

@@ -13,7 +13,7 @@ typedef struct // form of the solve, and properties of the emulated device
 	bool persistent;   // true: the persistent kernel executes all runs; then neither relay nor tiles are used
 	int groups;        // maximum number of groups that run on the device at a time
 	int group;         // work-items per group in solves with hubs; other solves use the size of the relay's groups
-	int hub_groups;    // maximum number of these groups that process hubs
+	int hub_groups;    // maximum number of groups that process hubs
 	int most_spread;   // maximum number of work-items per constraint, if the device has room; 0 means 1
 	int spins;         // maximum number of reads in a spin-wait; 0: no limit that a work-item can reach
 	bool ahead;        // true: solves are listed before the host has read the counters, as on a GPU
@@ -29,7 +29,7 @@ typedef struct // counts since form_take
 	int registers, streamed;       // number of relays with constraints in registers, and with streamed constraints
 	int spread;                    // maximum number of work-items per constraint in a solve
 	int tiles, inner, border;      // maximum numbers of tiles, constraints within tiles, constraints between tiles
-	int launches, runs;            // number of launches of the persistent kernel, and of their runs
+	int launches, runs;            // number of launches of the persistent kernel; number of runs in these launches
 	int group_stages;              // number of launches of stages that use a whole group for each item
 	int kept;                      // number of solves that used the tiles of the previous solve
 	int fault;                     // fault of the device, FAULT_*

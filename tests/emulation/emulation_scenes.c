@@ -65,8 +65,7 @@ static void build_towers(scree_world* world)
 // speed; locks, damping and negative gravity; contacts with a kinematic body that pushes the other bodies.
 static void build_heap(scree_world* world)
 {
-	// not 7: with this seed guard_passes_only on a CPU clears a body that other devices list, so Counters.guarded
-	// differs
+	// not 7: with seed 7 guard_passes_only on a CPU clears a body that other devices list, so Counters.guarded differs
 	uint64_t seed = 1;
 	scree_attribute_def defs[4] = {surface_of(box_shape(0.5f, 0.3f)), surface_of(circle_shape(0.4f)),
 	                               surface_of(box_shape(0.3f, 0.3f)), surface_of(box_shape(0.6f, 0.2f))};
@@ -139,7 +138,8 @@ static void build_raft(scree_world* world)
 }
 
 // Makes five plates, which are hubs, side by side on a plank. The first and the last plate have the same hub color, so
-// the plank is split between them. These two plates also touch, so one hub is the neighbor in a spoke of the other.
+// the plank is split between them. These two plates also touch, so they have a spoke in which one hub is the
+// neighbor of the other.
 static void build_hubs(scree_world* world)
 {
 	static const float places[5] = {-2.0f, 0.0f, 1.0f, 2.0f, -1.0f};
@@ -226,8 +226,8 @@ static void act_joints(scree_world* world, int step)
 		OK(scree_body_destroy(world, bodies[6]));
 }
 
-// Makes wagons with all kinds of drives on a closed path in a body and on an open path in the world. The wagons hit
-// each other.
+// Makes wagons with all kinds of drives on a closed path that is fixed to a body, and on an open path in the world. The
+// wagons hit each other.
 static void build_paths(scree_world* world)
 {
 	add_floor(world);
@@ -269,8 +269,8 @@ static void build_paths(scree_world* world)
 	}
 }
 
-// Makes a plate with balls and a wheel. The plate is a hub and hangs on joints. The contacts and joints of the wheel
-// together are more than the colors for contacts, so its contacts are spokes.
+// Makes a plate with balls and a wheel. The plate is a hub and hangs on joints. The wheel has more contacts and joints
+// together than there are colors for contacts, so its contacts are spokes.
 static void build_joint_hubs(scree_world* world)
 {
 	add_floor(world);
@@ -364,8 +364,8 @@ void check_form(const FormScene* scene, const Form* form)
 	form_close();
 }
 
-// BOUND: maximum number of reads of a mailbox by a waiting work-item. A work-item ends if another work-item has reached
-// this maximum, which it checks at every 1,024th read. LEARN: maximum number of reads by the stopped group until it
+// BOUND: maximum number of reads of a mailbox by a waiting work-item. At every 1,024th read, a work-item checks whether
+// another one has reached this maximum, and ends if so. LEARN: maximum number of reads by the stopped group until it
 // ends.
 #define BOUND 6000
 #define LEARN 4000

@@ -29,7 +29,7 @@
 #endif
 
 #define MOST_GROUPS   512
-#define MOST_SWITCHES ((int64_t)1 << 24) // maximum switches per launch, some seconds; no launch needs nearly as many
+#define MOST_SWITCHES ((int64_t)1 << 24) // maximum number of switches per launch, some seconds; launches need far fewer
 #define MOST_LATE     12                 // maximum number of pieces that have been written and have not arrived
 
 typedef struct
@@ -74,7 +74,7 @@ static Launch launch;
 static Schedule schedule;
 static Item* now; // work-item that has the turn
 static uint64_t state;
-static unsigned patience; // a work-item gives up its turn at every patience-th possible switch, on average
+static unsigned patience; // on average, one of `patience` possible switches ends the turn of a work-item
 static int64_t switches_left, put_count;
 static Piece pieces[MOST_LATE];
 static int piece_count;
@@ -90,8 +90,8 @@ static int random_of(int count) { return (int)(((uint64_t)next_random() * (uint6
 
 static size_t memory_bytes(void) { return (size_t)(__stop_group_memory - __start_group_memory); }
 
-// Returns a group in which a work-item can continue; -1 if there is none. Mostly returns the last group, because no
-// memory is copied then.
+// Returns a group in which a work-item can continue; -1 if there is none. Mostly returns the group `last`, because no
+// memory is copied if the group stays the same.
 static int choose_group(int last)
 {
 	if (last + 1 != schedule.shunned && groups[last].ready_count > 0 && next_random() % 16 != 0)

@@ -19,7 +19,7 @@ typedef struct
 {
 	uint64_t seed; // selects the order of turns
 	bool late;     // true: words arrive some time after they are written; words of different places arrive in any order
-	int pieces;    // number of bytes that arrive together: 8, a word; 4, half a word, which tears words; 0, both words
+	int pieces;    // number of bytes that arrive together: 8 (a word), 4 (half a word; tears words), 0 (both words)
 	bool leavers;  // true: a barrier counts ended work-items as arrived; false: each work-item must reach each barrier
 	int shunned;   // number of a group, counted from 1, that gets turns only if no other group can continue; 0: none
 	int lost;      // number of a write to a mailbox, counted from 1, that never arrives; 0: none
@@ -36,7 +36,7 @@ typedef struct
 #define ITEMS_SENTENCE 256
 bool items_run(const Launch* launch, const Schedule* schedule, char sentence[ITEMS_SENTENCE]);
 
-// Returns the number of reads of mailboxes in the last launch by the work-item of a group that made the most reads.
+// Returns the largest number of reads of mailboxes that one work-item of a group made in the last launch.
 int items_looks(int group);
 
 // Returns the number of writes to mailboxes in the last launch.

@@ -92,7 +92,7 @@ export class Browser {
 			return value;
 		});
 	}
-	// Returns as soon as an expression in the page is true. what: description of the expression, for the error message.
+	// Returns as soon as an expression is true in the page. what: description of the expression, for the error message.
 	async until(expression, what = expression) {
 		const end = Date.now() + PATIENCE;
 		while (Date.now() < end) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// inspect.mjs -- tests the information of the page about bodies and colors: numbers of the hovered and of the selected
-// body, camera that follows a body, legends, theme, thumbnails. Inspection must not change the world.
+// inspect.mjs -- tests the parts of the page that show bodies and colors: numbers of the hovered and of the selected
+// body, camera that follows a body, legends, theme, thumbnails. They must not change the world.
 import { begin, middleOf, overBody, record, step } from './tools.mjs';
 
 const SMALL = [['count', '40']];

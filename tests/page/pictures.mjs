@@ -3,8 +3,8 @@
 //
 // Both pictures are drawn from the same bits with the same shaders. But Mesa and ANGLE round the sums of a fragment
 // differently, so each channel of a pixel at an edge may differ by some of its 256 values. A shape that is a pixel off,
-// or has another color, is an error: the mean difference is then larger than MEAN, or the fraction of pixels that
-// differ by more than 32 is larger than FAR.
+// or has another color, is an error. It makes the mean difference larger than MEAN, or the fraction of pixels that
+// differ by more than 32 larger than FAR.
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { readPng } from './png.mjs';

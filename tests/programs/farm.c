@@ -59,8 +59,8 @@ bool farm_shrink(Pair* pair, Program* program, double seconds)
 	return true;
 }
 
-// Shortens a program after which the worlds differ, prints it and writes it to a file. If the program does not differ
-// on new worlds, the earlier programs on the same worlds are put before it.
+// Shortens a program after which the worlds differ, prints it and writes it to a file. If new worlds do not differ
+// after the program, the earlier programs on the same worlds are put before it.
 static void report(const Options* o, Pair* pair, Program* program, Program* before, uint64_t seed)
 {
 	char path[512], what[64];

@@ -22,8 +22,8 @@ int farm_run(const Options* options);
 // Runs a program on new worlds and prints the difference, with `what` as its name. Returns whether the worlds differ.
 bool farm_print(Pair* pair, const Program* program, const char* what, FILE* file);
 
-// Shortens a program after which new worlds differ. They also differ after the shorter program. seconds: limit of time.
-// Returns false if worlds do not differ after the given program.
+// Shortens a program after which new worlds differ. New worlds also differ after the shorter program. seconds: limit of
+// time. Returns false if new worlds do not differ after the given program.
 bool farm_shrink(Pair* pair, Program* program, double seconds);
 
 #endif

@@ -17,14 +17,14 @@ static void set_filter(Maker* m, Call* call)
 	call_set(call, "group", (float)(below(m, 5) - 2));
 }
 
-// Sets the events that a collidable reports, in half of the programs.
+// Sets the events that a collidable reports, but only in half of the programs.
 static void set_reports(Maker* m, Call* call)
 {
 	if (m->reports && (call->kind == CALL_reports || chance(m, 0.3)))
 		call_set(call, "reports", (float)below(m, m->rules ? 8 : 4));
 }
 
-// Makes some collidables sensors, in a third of the programs.
+// Makes some collidables sensors, but only in a third of the programs.
 static void set_sensor(Maker* m, Call* call)
 {
 	if (m->senses && (call->kind == CALL_sensor || chance(m, 0.15)))
@@ -118,7 +118,7 @@ static void put_like(Maker* m)
 	put(m, call);
 }
 
-// Destroys any attribute, which may be in use or already destroyed.
+// Adds a call that destroys any attribute, which may be in use or already destroyed.
 static void put_drop(Maker* m)
 {
 	Call call = call_make(CALL_drop);

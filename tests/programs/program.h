@@ -81,7 +81,7 @@ typedef struct // two worlds on which programs run one after another
 	bool infinite;         // true: a state that is not finite is not reported
 	bool limits;           // true: a body beyond the limits of its world is reported
 	bool anew;             // true: each program gets new worlds
-	uint32_t first_read;   // from 0 to READ_CHOICES - 1
+	uint32_t first_read;   // selects the reads between the calls; from 0 to READ_CHOICES - 1
 	int every; // steps from one comparison of hashes to the next; the end of a program is also compared; 0 means 1
 } Pair;
 
@@ -118,7 +118,8 @@ int state_frozen(scree_world* world);
 // coloring.c: returns whether colors, counts and hubs are consistent. If not, sentence gets the first fault.
 bool state_colored(scree_world* world, char sentence[256]);
 
-// shrink.c: replaces a program by the shortest program found that still differs in both worlds. seconds: limit of time.
+// shrink.c: replaces a program by the shortest program found after which the worlds also differ. seconds: limit of
+// time.
 void program_shrink(Program* program, Pair* pair, double seconds);
 
 #endif

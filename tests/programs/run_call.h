@@ -42,7 +42,7 @@ typedef struct // call on one of the two worlds
 	Left* left;
 } CallRun;
 
-// return arguments of a call
+// Each function reads arguments of a call, and returns their value or the object that they name.
 float call_real(const CallRun* run, const char* name);
 int call_whole(const CallRun* run, const char* name); // 0 if the value is NaN or is not between -1e6 and 1e6
 scree_vec call_vec(const CallRun* run, const char* x, const char* y);
@@ -92,7 +92,7 @@ float call_random_part(uint32_t* seed); // from 0 to 1
 // Makes the call and returns its status. run->left gets the data that the call read.
 scree_status run_call(const CallRun* run);
 
-// Creates the world of a program by its first call.
+// Creates the world of a program. call: the first call of the program, which contains the settings.
 scree_status run_world(const Place* place, const Call* call, scree_world** world);
 
 #endif

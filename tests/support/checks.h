@@ -21,7 +21,7 @@ void skip_if_quick(void);
 #define OK(call) check_ok((call), #call, __FILE__, __LINE__)
 void check_ok(scree_status status, const char* call, const char* file, int line);
 
-// Fails unless value differs from expected by at most tolerance; NaN fails.
+// Fails unless `value` differs from `expected` by at most `tolerance`; NaN fails.
 #define NEAR(value, expected, tolerance) check_near((value), (expected), (tolerance), #value, __FILE__, __LINE__)
 void check_near(double value, double expected, double tolerance, const char* what, const char* file, int line);
 

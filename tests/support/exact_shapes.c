@@ -63,7 +63,8 @@ double exact_distance(const Exact* a, const Exact* b)
 	return fmin(exact_corners(a, b), exact_corners(b, a)) - radii;
 }
 
-// Along a line, a positive distance is convex, so ternary search finds its minimum.
+// Along a line, the distance of two shapes is a convex function where it is positive, so ternary search finds its
+// minimum.
 double exact_meeting(const Exact* a, const Exact* b, double x, double y, double* least)
 {
 	double low = 0.0, high = 1.0;

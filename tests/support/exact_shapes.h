@@ -13,7 +13,7 @@ typedef struct // a shape: its corners in world coordinates, and its radius
 Exact exact_at(const scree_shape* shape, double x, double y, double c, double s);
 Exact exact_moved(Exact e, double x, double y);
 
-// Returns the distance between the surfaces of two shapes. It is negative, minus the depth, if the shapes overlap.
+// Returns the distance between the surfaces of two shapes. If the shapes overlap, it is negative: minus the depth.
 double exact_distance(const Exact* a, const Exact* b);
 
 // Moves shape b by (x, y). Returns the fraction of this displacement at which shape b meets shape a, or 2 if they do

@@ -9,18 +9,19 @@
 #include <string.h>
 
 // The hub of a branch has at least HUB_JOINTS joints. For each joint, weight_of adds two ratios: mass and inertia of
-// the body at its other end, divided by those of the hub. The sum over all joints is at least HUB_WEIGHT. If the joints
+// the bodies at its other end, divided by those of the hub. The sum over all joints is at least HUB_WEIGHT. When joints
 // were solved one by one, hubs became unstable with welded bodies of 4 to 7 times the hub's inertia, and with hinged
-// bodies of 28 to 56 times. A hinged body yields except along its arm, so HUB_HINGE of its mass counts, at the hinge.
+// bodies of 28 to 56 times its inertia. A hinged body resists only along its arm, so only the fraction HUB_HINGE of its
+// mass counts, as a mass at the hinge.
 #define HUB_JOINTS 3
 #define HUB_WEIGHT 3.0f
 #define HUB_HINGE  0.18f
-// A body is also a hub if all other bodies of its tree have HUB_LOAD times its mass. In ragdolls the ratio is up to 9,
-// and they come to rest without a branch.
+// A body with HUB_JOINTS joints is also a hub if all other bodies of its tree together have HUB_LOAD times its mass. In
+// ragdolls the ratio is up to 9, and they come to rest without a branch.
 #define HUB_LOAD 20.0f
-// Maximum number of nodes of a branch, to limit its time. In larger trees only joints around light bodies are branches.
+// Maximum number of nodes of a branch, to limit its time. In larger trees, branches have only joints at light bodies.
 #define MOST_NODES  1024
-#define MOST_WELDED 64 // maximum number of bodies counted behind a welded end, because each hub adds them up again
+#define MOST_WELDED 64 // maximum number of bodies that weight_of adds up per joint; each hub has its own sums
 
 typedef struct
 {
@@ -43,7 +44,8 @@ static float distance(scree_vec a, scree_vec b) { return sqrtf((a.x - b.x) * (a.
 
 static bool welded(const HostJoint* host) { return host->def.coordinates[SCREE_ANGLE].locked; }
 
-// Returns mass / hub's mass + inertia / hub's inertia, for the body at a joint's other end and all welded to it.
+// Returns the sum of mass / hub's mass and inertia / hub's inertia. Mass and inertia are those of the body at a joint's
+// other end and of all bodies welded to it; if the hub is hinged there, only HUB_HINGE of the mass counts.
 static float weight_of(const scree_world* world, int joint, int hub)
 {
 	const HostJoint* host = world->host_joints + joint;
@@ -82,7 +84,7 @@ static float weight_of(const scree_world* world, int joint, int hub)
 	return sum / own->mass + (own->inertia > 0.0f ? inertia / own->inertia : 0.0f);
 }
 
-// Returns whether a body is light compared with the bodies at the other ends of its joints.
+// Returns whether a body has at least HUB_JOINTS joints, and is light compared with the bodies at their other ends.
 static bool light(const scree_world* world, int body)
 {
 	const HostBody* hub = world->host_bodies + body;
@@ -119,7 +121,7 @@ static int put(Branching* b, int count, int body, int through, int above)
 	return count + 1;
 }
 
-// Adds all bodies that joints connect to the listed bodies; unless `all` is set, only those connected to light bodies.
+// Adds to the list all bodies that joints connect to listed bodies; if `all` is false, only to light listed bodies.
 // Returns the new number of listed bodies. Sets *whole to false if a joint closes a ring or leads to another branch.
 static int spread(Branching* b, int count, bool all, bool* whole)
 {
@@ -178,7 +180,7 @@ static bool similar(const Branching* b, int count)
 	return mass_ratio(range) <= MOST_RATIO;
 }
 
-// Adds the listed bodies as nodes of a branch, sorted by distance from the first body.
+// Adds the listed bodies as nodes of a branch, in the order of the list: by the number of joints to the first body.
 static void add(Branching* b, int count)
 {
 	ChainLayout* layout = &b->s->layout;
@@ -202,7 +204,7 @@ static void add(Branching* b, int count)
 	count -= skip;
 	for (int begin = 0, end; begin < count; begin = end)
 	{
-		// nodes attached to the previous level are at the same distance from the root
+		// a level has the nodes that are attached to nodes of the previous level
 		for (end = begin + 1; end < count && nodes[end].up < begin;)
 			++end;
 		for (int k = begin; k < end; ++k)
@@ -215,8 +217,8 @@ static void add(Branching* b, int count)
 	layout->node_count += count;
 }
 
-// Lists a tree again, from an immovable body at its end if there is one, because a joint to an immovable body is solved
-// exactly only at the root. Returns the new number of listed bodies.
+// Lists a tree again if one of its ends is an immovable body: from this body, because a joint to it is solved exactly
+// only at the root. Returns the new number of listed bodies.
 static int hang(Branching* b, int count, bool all)
 {
 	const scree_world* world = b->s->world;

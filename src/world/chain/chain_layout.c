@@ -9,12 +9,12 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-// Costs of a pass over a block of joints, relative to a joint solved alone; measured on CPUs with 16 and 8 lanes.
+// Costs of a pass over a block of joints, relative to one joint solved alone; measured on CPUs with 16 and 8 lanes.
 #define ROW_COST  12
 #define SIDE_COST 8
-#define APART     0.9 // ranges get separate blocks if that costs less than this fraction of common blocks
-// All chains are placed alone if that costs less than this fraction of the other layout. The fraction is below 1
-// because the workers in a pass wait for each other.
+#define APART     0.9 // ranges get separate blocks if that costs less than this fraction of the cost with common blocks
+// All chains are placed alone if that costs less than this fraction of the cost of the other layout. The fraction is
+// below 1 because the workers in a pass wait for each other.
 #define ALONE 0.75
 
 typedef struct
@@ -23,7 +23,7 @@ typedef struct
 	int lanes, groups;
 	bool alone; // true: all chains are placed alone
 	int parts;  // number of ranges that may share blocks
-	// latest blocks with chains side by side: spot of joint 0, distance to that of joint 1, number of ranges
+	// latest blocks with chains side by side: spot of joint 0, distance to the spot of joint 1, number of ranges
 	int column, column_odds, column_parts;
 } ChainPlacement;
 
@@ -45,8 +45,8 @@ static void choose_rows(ChainRow* row, int lanes)
 	}
 }
 
-// Returns the number of chains to place side by side from chain k on: as many as there are lanes, or 1 if they cost
-// less when placed alone. Sets *cost to the cost of these chains. A shorter chain beside a longer one costs nothing.
+// Returns the number of chains from chain k on to place side by side: at most one per lane, or 1 if they cost less when
+// placed alone. Sets *cost to their cost, which is that of the first chain if they are side by side: it is the longest.
 static int side_by_side(const ChainPlacement* s, int k, int* cost)
 {
 	const ChainLayout* layout = s->layout;
@@ -91,8 +91,8 @@ static double cost_of_all(ChainPlacement* s)
 	return s->groups > counted ? fmax(sum / s->groups, most) : most;
 }
 
-// Chooses the number of ranges that share blocks, and returns the cost of a pass. A whole block has one worker, because
-// two would write to the same cache lines. Separate blocks take more memory, but distribute the work better.
+// Chooses the number of ranges that may share a block, and returns the cost of a pass. A block has one worker, because
+// two workers would write to the same cache lines. Separate blocks take more memory, but distribute the work better.
 static double choose_parts(ChainPlacement* s)
 {
 	int most = s->parts;

@@ -27,7 +27,7 @@ typedef struct
 	int carried;               // index of the first item that has carried chains
 } ChainLayout;
 
-// Assigns spots for a device with `lanes` lanes and `groups` work-groups. ranged, items, places, carried must be 0.
+// Assigns spots for a device with `lanes` lanes and `groups` work-groups. The numbers in the results must be 0 before.
 void chain_layout(ChainLayout* layout, int lanes, int groups);
 
 #endif

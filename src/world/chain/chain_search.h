@@ -6,7 +6,7 @@
 #include "world/world.h"
 #include <math.h>
 
-// Maximum ratio of masses solved together. With a larger one, the sum of two inverse masses keeps no digit of the
+// Maximum ratio of masses solved together. With a larger ratio, the sum of two inverse masses keeps no digit of the
 // smaller one, and impulses are wrong by any factor. Other joints are solved one by one: they yield, but stay finite.
 #define MOST_RATIO 1e5f
 
@@ -21,7 +21,7 @@ typedef struct
 	ChainLayout layout;
 	uint8_t* seen;  // per joint: 1 if the search has decided: the joint is in a chain, in a branch, or in neither
 	uint8_t* marks; // per body: BODY_* flags
-	int joints;     // number of joints of all chains
+	int joints;     // number of joints in all chains found so far
 } ChainSearch;
 
 // Returns whether a joint has a lock and acts on its bodies. Excludes couplings, which do not hold frames together.

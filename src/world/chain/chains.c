@@ -10,7 +10,7 @@
 #include "world/objects/joints.h"
 #include <string.h>
 
-// Minimum number of joints of a chain. Two suffice if its largest mass is LEAST_RATIO times its smallest mass.
+// Minimum number of joints of a chain. Two suffice if its largest mass is at least LEAST_RATIO times its smallest mass.
 #define LEAST_JOINTS 8
 #define LEAST_RATIO  8.0f
 
@@ -32,8 +32,8 @@ static int next_joint(const ChainSearch* s, int body, int joint)
 	return count == 2 ? next : -1;
 }
 
-// Follows a chain from a joint in the direction of *body. Returns the last joint, and sets *body to the body behind it.
-// If the chain is a ring, returns the joint before the first.
+// Follows a chain from a joint in the direction of *body. Returns the last joint, and sets *body to the body at its far
+// end. If the chain is a ring, returns the joint before the first.
 static int chain_end(const ChainSearch* s, int joint, int* body)
 {
 	for (int first = joint;;)
@@ -46,8 +46,8 @@ static int chain_end(const ChainSearch* s, int joint, int* body)
 	}
 }
 
-// Lists a chain's joints from `first` on, and returns their number. *at: body before `first`; set to the body at the
-// end.
+// Lists a chain's joints from the joint `first` on, and returns their number. *at: body before this joint; set to the
+// body at the end of the chain.
 static int chain_list(ChainSearch* s, int first, int* at)
 {
 	int count = 0;
@@ -60,7 +60,8 @@ static int chain_list(ChainSearch* s, int first, int* at)
 	return count;
 }
 
-// Returns whether a chain may end at a body that cannot move, or is in no other chain and no branch. Marks it as taken.
+// Returns whether a chain may end at a body: it cannot move, or is in no branch and at the end of no other chain. Marks
+// a movable body as taken.
 static bool own(ChainSearch* s, int body)
 {
 	if (!chain_moves(s->world, body))
@@ -77,7 +78,7 @@ static float chain_mass(const scree_world* world, int body)
 }
 
 // Returns the largest ratio of load to mass among the inner bodies of a short chain. The load of a body is the
-// smaller of two masses: that of the heaviest body on its one side, and that of the heaviest body on its other side.
+// smaller of two masses: the mass of the heaviest body before it in the chain, and that of the heaviest body after it.
 static float load_ratio(const scree_world* world, const int* row, int count)
 {
 	float masses[LEAST_JOINTS], before = 0.0f, ratio = 0.0f;

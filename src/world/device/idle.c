@@ -9,7 +9,7 @@
 #define IDLE  0
 #define MOVES 255
 
-// number of steps until no value changes: the first step moves boxes, the second clears the marks of moved boxes
+// number of steps after an edit until no value changes: one to move boxes, one to clear the marks of moved boxes
 #define SETTLING 2
 
 static void touch(IdleBlocks* list, int index)
@@ -62,7 +62,7 @@ void idle_forget(scree_world* world)
 
 static bool body_moves(const scree_world* world, int index)
 {
-	// body 0 is the ground; item 0 of some kernels also does work that is needed once per step
+	// body 0, the ground, counts as moving: item 0 of some kernels also does work that is needed once per step
 	return index == 0 || (slots_in_use(&world->bodies, index) && world->host_bodies[index].type != SCREE_BODY_STATIC);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// migrate.c -- moves a world from one device to another, between two steps. The data of the host depends on the device
-// only in the positions of the trees, so only the pools whose items outlive a step are copied.
+// migrate.c -- moves a world from one device to another, between two steps. Only the pools whose items outlive a step
+// are copied. In the host's data, only positions in trees and chains depend on the device; they are computed again.
 #include "world/device/migrate.h"
 #include "platform/error.h"
 #include "world/device/idle.h"
@@ -52,7 +52,7 @@ static int lasting_items(const scree_world* world, Per per)
 	case PER_ONE:
 		return 1;
 	default:
-		return 0; // scratch pools. Nodes of trees are computed on the new device; copy_all copies the leaves
+		return 0; // scratch pools, and trees: copy_all copies their leaves, and the new device computes their nodes
 	}
 }
 

@@ -7,15 +7,15 @@
 // Reserves memory for more collidables, so that collidable_put cannot fail. The caller must also call edits_reserve.
 scree_status collidables_reserve(scree_world* world, const char* function, int more);
 
-// Allocates slots. Replaces each kind of collidable in `slots` by a slot. Inserts a leaf for each collidable unless its
-// kind is KIND_DEAD. On failure, no slot is allocated.
+// Allocates slots. On entry slots[k] is the kind of collidable k (KIND_*); on return it is its slot. Inserts a leaf for
+// each collidable whose kind is not KIND_DEAD. On failure, no slot is allocated.
 scree_status collidables_allocate(scree_world* world, int* slots, int count);
 
 // Creates a collidable in a slot, and appends it to the list of its body, if it has one.
 void collidable_put(scree_world* world, int index, const HostCollidable* made);
 void collidable_remove(scree_world* world, int index);
 
-int collidable_kind(const scree_world* world, int index); // also KIND_DEAD if the body is disabled
+int collidable_kind(const scree_world* world, int index); // KIND_DEAD if destroyed, or if the body is disabled
 int device_kind(const scree_world* world, int index);     // kind as stored on the device, with KIND_SENSOR for a sensor
 int kind_on_body(const scree_world* world, int body);     // kind of a collidable on a body; body: -1 for no body
 int kind_of_type(scree_body_type type);

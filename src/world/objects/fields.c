@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // fields.c -- keeps the slots of fields, and uploads the active fields. Fields are few and rarely change, so after a
-// change all active fields are uploaded, without gaps. Up to FIELD_FEW fields are in the order of their slots. A larger
-// number of fields is sorted, so that boxes around neighbors are small: fields without a region, fields in the world
-// along the curve of Morton (A Computer Oriented Geodetic Data Base, 1966), fields on bodies. The order depends only on
-// the user's calls.
+// change all active fields are uploaded, without gaps. Up to FIELD_FEW fields are in the order of their slots. More
+// fields are sorted, so that boxes around several successive fields are small: first fields without a region, then
+// fields in the world along a Morton curve (A Computer Oriented Geodetic Data Base, 1966), then fields on bodies. The
+// order depends only on the user's calls.
 #include "world/objects/fields.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"
@@ -124,7 +124,7 @@ static uint64_t spread(uint32_t x)
 	return (bits | bits << 1) & 0x5555555555555555u;
 }
 
-// Returns a coordinate as an integer of 30 bits, in units of 0.2 mm.
+// Returns the distance of a coordinate from the lowest coordinate, as an integer of 30 bits in units of 0.2 mm.
 static uint32_t fixed(float x) { return (uint32_t)(((double)x + (double)SCREE_MAX_COORDINATE) * 5000.0); }
 
 static uint64_t key_of(const HostField* host)

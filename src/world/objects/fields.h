@@ -12,7 +12,7 @@ int field_make(scree_world* world);
 void field_put(scree_world* world, int index, const scree_field_def* def, int body);
 void field_remove(scree_world* world, int index);
 
-// Remove the fields of a body that will be destroyed; mark them as changed after the body was enabled or disabled.
+// Remove the fields of a body that will be destroyed, and mark the fields of a body that was enabled or disabled.
 void fields_body_gone(scree_world* world, int body);
 void fields_body_changed(scree_world* world, int body);
 scree_status upload_fields(scree_world* world);

@@ -54,7 +54,7 @@ static Names names_of(const Slots* slots) { return (Names){slots->generation, sl
 Names collidable_names(const scree_world* world) { return names_of(&world->collidables); }
 Names body_names(const scree_world* world) { return names_of(&world->bodies); }
 
-// Indices in handles begin at 1, unlike slots, so a body's handle passed for a collidable is detected more often.
+// The index in a handle of a collidable is its slot plus 1, so the index 0 of a null handle is no slot.
 scree_collidable collidable_handle(const scree_world* world, int index)
 {
 	return (scree_collidable){(uint32_t)index + 1, world->collidables.generation[index]};
@@ -74,7 +74,7 @@ scree_status check_collidable(const scree_world* world, ArgumentPlace at, scree_
 }
 
 // Returns the generation in an attribute's handle. For the first attribute in a slot, it is a hash of its values, so
-// that handles of another world are accepted only for equal values; for later ones it is another number.
+// that handles of another world are accepted only for equal values. Later attributes in the slot have other numbers.
 static uint32_t generation_of(const scree_world* world, int index)
 {
 	uint32_t before = world->attribute_slots.generation[index] >> 1;

@@ -158,7 +158,7 @@ static bool moves(const HostBody* body) { return body->type == SCREE_BODY_DYNAMI
 #define LINEAR_DRIVES \
 	(JOINT_SPRING(JOINT_ALONG) | JOINT_MOTOR(JOINT_ALONG) | JOINT_SPRING(JOINT_ACROSS) | JOINT_MOTOR(JOINT_ACROSS))
 
-// Limits the coordinate along an open path to the length of the path.
+// Limits the coordinate along an open path to the range from 0 to the length of the path.
 static scree_joint_coordinate along_open(const scree_joint_coordinate* from, float length)
 {
 	scree_joint_coordinate along = *from;
@@ -254,7 +254,7 @@ static bool is_unlocked(const scree_world* world, int index)
 	return false;
 }
 
-// Returns whether no force can move one of the two bodies of a joint.
+// Returns whether a joint has a body that no force can move.
 static bool is_tether(const scree_world* world, int index)
 {
 	const int* bodies = world->host_joints[index].bodies;

@@ -31,7 +31,7 @@ enum
 #include "world/objects/joint_presets.def"
 };
 
-// Returns whether a type of joint is a gear or a pulley, which have only the coordinate along.
+// Returns whether a type of joint is a gear or a pulley, which have only the coordinate SCREE_ALONG.
 static inline bool joint_couples(scree_joint_type type)
 {
 	return type == SCREE_JOINT_GEAR || type == SCREE_JOINT_PULLEY;

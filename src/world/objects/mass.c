@@ -7,9 +7,9 @@
 #include "world/shape/geometry.h"
 #include <math.h>
 
-// Minimum of the squared radius of gyration, as a fraction of the squared longest arm of a body. With less,
-// equations of joints keep no digit of the mass: a chain of beads of 2 mm, welded at arms of 0.5 m, got 1e25 times
-// faster in a step.
+// Minimum of the squared radius of gyration, as a fraction of the squared longest arm of a body. With a smaller
+// fraction, equations of joints keep no digit of the mass: a chain of beads of 2 mm, welded at arms of 0.5 m, got 1e25
+// times faster in a step.
 #define LEAST_GYRATION 1.0e-3
 
 static scree_mass massless(scree_body_type type)
@@ -34,7 +34,7 @@ static void add_parts(const scree_world* world, MassSums* sums)
 	}
 }
 
-// Returns the mass and its center that follow from the sums. Sets the inertia to 0.
+// Returns the mass and center of mass from the sums, with inertia 0; the mass is 1 kg if the sum of masses is 0.
 static scree_mass mass_of_sums(const MassSums* sums)
 {
 	if (sums->mass == 0.0)
@@ -95,8 +95,8 @@ float mass_inverse_inertia(const HostBody* host)
 	return turns ? 1.0f / (host->mass.inertia > least ? host->mass.inertia : least) : 0.0f;
 }
 
-// m: Returns the longest arm to anchors of joints; also to solid shapes if the user set the mass, which may not fit
-// them.
+// m: Returns the largest distance from the center of mass to an anchor of a joint. If the user set the mass, the
+// points of solid shapes are included, because this mass may not fit them.
 static float longest_arm(const scree_world* world, const HostBody* host)
 {
 	float most = 0.0f;
@@ -123,7 +123,7 @@ ContinuousBody continuous_row(scree_world* world, int body)
 	for (int k = host->first_collidable; host->type == SCREE_BODY_DYNAMIC && k >= 0;
 	     k = world->host_collidables[k].next)
 	{
-		// continuous collision uses |x| + |y| of the arm, at most 1.4143 times its length; 0.1 % more for rounding
+		// continuous collision uses |x| + |y| of the arm, at most 1.4143 times its length; 1.001 allows for rounding
 		const HostCollidable* collidable = world->host_collidables + k;
 		float way = CONTINUOUS_TRAVEL * attribute_thickness(world, collidable->attribute);
 		float reach = 1.001f * (world->attributes[collidable->attribute].shape.reach +
@@ -213,7 +213,7 @@ void mass_settle(scree_world* world)
 	edits_whole(world, continuous_command(world, sums->body));
 }
 
-// Adds new collidables to the mass of a dynamic body that had no other change since the last such call.
+// Adds new collidables of a dynamic body to its mass. If the sums are those of another body, begins new sums.
 static void gain(scree_world* world, int body)
 {
 	MassSums* sums = &world->mass_sums;

@@ -22,7 +22,8 @@ Command continuous_command(scree_world* world, int body);
 // Records an anchor of a joint in the body's frame, which may raise the inertia. Needs reserved memory for one command.
 void mass_anchor(scree_world* world, int body, scree_vec anchor);
 
-// Updates the mass after a collidable became a sensor or solid. body: -1 for none. Needs memory for one command.
+// Updates the inverse inertia of a body whose mass the user set, after a collidable became a sensor or solid. body: -1
+// for none. Needs reserved memory for one command.
 void mass_touches(scree_world* world, int body);
 
 // Sets the mass of a body on the host and on the device. Needs reserved memory for two commands.
@@ -32,10 +33,10 @@ void mass_set(scree_world* world, int body, scree_mass mass);
 // collidable. Needs reserved memory for two commands.
 void mass_own(scree_world* world, int body, scree_mass mass);
 
-// Recomputes the mass of each dynamic body in a list, once each, in place of a mass that the user set. Records the
-// ContinuousBody of all other bodies. An entry of -1 is no body. gained: the bodies only got collidables, so the next
-// mass_settle computes the inertia, with a command for which edits_reserve has left memory. If each call computed it, n
-// collidables created one by one would need sums over n^2 / 2 of them.
+// Recomputes the mass of each dynamic body in a list, and discards a mass that the user set. A body may be listed
+// several times, and an entry of -1 is no body. For all other bodies, only records the ContinuousBody. gained: the
+// bodies only got collidables, so the next mass_settle computes the inertia; edits_reserve has left memory for its
+// command. If each call computed the inertia, n collidables created one by one would need sums of n^2 / 2 terms.
 void masses_update(scree_world* world, const int* bodies, int count, bool gained);
 
 // Computes the pending inertia. Called before uploads, and before reads and commands that depend on the inertia.

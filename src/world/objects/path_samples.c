@@ -32,7 +32,8 @@ static Double2 chord(const scree_vec* points, int count, int k)
 	return (Double2){(double)b.x - a.x, (double)b.y - a.y};
 }
 
-// Sets up the equations. The second derivative is continuous at inner points; an open end has that of the next point.
+// Sets up the equations. The second derivative is continuous at inner points; at an open end it equals that of the next
+// point.
 static void set_up(const scree_vec* points, int count, bool closed, System* s)
 {
 	for (int k = 0; k < count; ++k)
@@ -141,7 +142,7 @@ static double length_of(const Cubic* c, double from, double share)
 	return share * sum / 18.0;
 }
 
-// Returns the sample of a span at parameter t. chord_length: that of the span; along, length: members of the sample.
+// Returns the sample of a span at parameter t. chord_length: of the span; along, length: values of these members.
 static PathSample sample_at(const Cubic* c, double t, double chord_length, double along, double length)
 {
 	Double2 v = speed_at(c, t), a = {2.0 * c->m2.x + 6.0 * t * c->m3.x, 2.0 * c->m2.y + 6.0 * t * c->m3.y};

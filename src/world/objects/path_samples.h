@@ -6,8 +6,8 @@
 #include "scree/scree.h"
 #include <stdbool.h>
 
-// Number of samples per span, which goes from one point to the next. Cubics between samples deviate from a circle by
-// angle^4 / 384 of its radius: 2.4e-7 with 8 points on the full circle. The curve itself deviates by 1.2e-3.
+// Number of samples per span, which goes from one point to the next. Cubics between samples add an error: on a circle,
+// (angle between samples)^4 / 384 of its radius, 2.4e-7 with 8 points. The spline itself has an error of 1.2e-3.
 #define PATH_SHARES 8
 
 static inline int path_spans(int points, bool closed) { return points - !closed; }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // reports.c -- keeps the number of reporting collidables, names of destroyed collidables, and events of the last step.
 // Events identify collidables by slots. A slot may have a new collidable since the event: created after the last step,
-// or before it if contacts of the old collidable ended in that step. So each slot stores two names, of the collidables
-// destroyed after an even and after an odd number of steps. A collidable that took part in no step has no events.
+// or before it if contacts of the old collidable ended in that step. So each slot stores two names: of a collidable
+// destroyed after an even number of steps, and of one after an odd number. Before its first step a collidable has no
+// events.
 #include "world/objects/reports.h"
 #include "dialect/hash_word.h"
 #include "platform/error.h"

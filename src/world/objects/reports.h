@@ -17,14 +17,14 @@ uint64_t allowed_hash(const scree_world* world);
 // Discards the events of the last step. Must be called when the next step begins.
 void reports_forget(scree_world* world);
 
-// Discards the approvals for the previous step. Must be called after each step.
+// Discards the user's approvals, which the last step has used. Must be called after each step.
 void reports_stepped(scree_world* world);
 
 // Reads the events of the last step, unless they have been read. Must be called before later changes are uploaded.
 scree_status reports_fetch(scree_world* world);
 
-// Returns the name of the collidable that had a slot in the last step; with `before`, of one that left the slot between
-// the last two steps, if there is one. Sets *destroyed to whether this collidable has been destroyed.
+// Returns the name of the collidable that had a slot in the last step. If `before` is true, prefers a collidable in
+// this slot that was destroyed between the last two steps. Sets *destroyed to whether the named one has been destroyed.
 CollidableName reports_name(const scree_world* world, int index, bool before, int* destroyed);
 
 void reports_close(scree_world* world);

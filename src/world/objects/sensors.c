@@ -39,7 +39,7 @@ void sensors_forget(scree_world* world)
 	world->sensors.ended_count = 0;
 }
 
-// Returns whether a collidable was created, or got another shape, after the last step but one.
+// Returns whether a collidable was created, or got another shape, since the end of the step before the last one.
 static bool is_new(const scree_world* world, int index)
 {
 	return slots_in_use(&world->collidables, index) && world->host_collidables[index].born >= world->pipeline.steps - 1;

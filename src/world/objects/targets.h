@@ -13,9 +13,9 @@ scree_status targets_reserve(scree_world* world, const char* function, int more)
 void target_put(scree_world* world, int body, scree_pose pose);
 void target_drop(scree_world* world, int body);
 
-// Returns the commands of a step for bodies with targets, in memory of world_scratch. Those before the step set the
-// velocity to the target; those after it, the exact pose and velocity 0. Those after a refused step set velocity 0, and
-// the targets remain. Disabled bodies keep their targets.
+// Returns the commands of a step for bodies with targets, in memory of world_scratch. Commands before the step set the
+// velocity that leads to the target; commands after it set the exact pose and velocity 0. After a refused step, other
+// commands set velocity 0, and the targets remain. Disabled bodies get no commands, and keep their targets.
 scree_status targets_commands(scree_world* world, StepCommands* commands);
 
 // Removes the targets of enabled bodies. Must be called after a step.

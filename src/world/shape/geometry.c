@@ -17,12 +17,12 @@ scree_vec pose_point(scree_pose pose, scree_vec p)
 	return (scree_vec){pose.position.x + (q.c * p.x - q.s * p.y), pose.position.y + (q.s * p.x + q.c * p.y)};
 }
 
-#define WELD_SIZES 20.0 // polygons of at least WELD_SIZES * WELD_DISTANCE, m, have the full tolerances
+#define WELD_SIZES 20.0 // polygons with a size of at least WELD_SIZES * WELD_DISTANCE have the full tolerances
 
 typedef struct // sums over the pieces of a shape with density 1; moments are about vertex 0
 {
-	double area, x, y; // m^2, m^3
-	double inertia;    // m^4
+	double area, x, y; // m^2: area; m^3: first moments
+	double inertia;    // m^4: second moment
 } Moments;
 
 // Adds a piece with its centroid at (x, y). inertia: inertia about this centroid.
@@ -34,9 +34,9 @@ static void add_piece(Moments* m, double area, double x, double y, double inerti
 	m->inertia += inertia + area * (x * x + y * y);
 }
 
-// Computes the mass properties of all points within the radius of the hull: triangles around vertex 0, a rectangle on
-// each edge, and at each corner a sector between the normals of its edges. The first moment of a sector needs no angle:
-// the integral of (cos, sin) between two normals is their difference, rotated by -90 degrees.
+// Computes the mass properties of all points at most the radius away from the hull: triangles around vertex 0, a
+// rectangle on each edge, and at each corner a sector between the normals of its edges. The first moment of a sector
+// needs no angle: the integral of (cos, sin) between two normals is their difference, rotated by -90 degrees.
 static void fill_mass(scree_shape* shape)
 {
 	const scree_vec *v = shape->vertices, *n = shape->normals;

@@ -5,20 +5,21 @@
 #include "world/check.h"
 
 #define SMALLEST_SIZE 0.001f // m: minimum size of a shape
-#define WELD_DISTANCE 0.005f // m: corners closer to each other than this count as one corner; smaller in small shapes
-#define FLAT_DISTANCE 0.0005 // m: a corner nearer to the line between its neighbors is flat; smaller in small shapes
+#define WELD_DISTANCE 0.005f // m: corners closer than this count as one corner; the limit is lower for small shapes
+#define FLAT_DISTANCE 0.0005 // m: a corner closer than this to the line between its neighbors is flat; see tolerance_of
 
 typedef struct // the distances WELD_DISTANCE and FLAT_DISTANCE for a polygon of a given size, m
 {
 	double weld, flat;
 } Tolerance;
 
-// Returns the tolerances of a polygon. weld is a twentieth of the largest distance between two points, but from 0.5 mm
-// to WELD_DISTANCE; flat is a tenth of weld. An octagon of the smallest size has edges of 0.77 mm.
+// Returns the tolerances of a polygon. weld is a twentieth of the largest distance between two points, clamped to the
+// range from 0.5 mm to WELD_DISTANCE; flat is a tenth of weld. An octagon with corners at SMALLEST_SIZE from its center
+// has edges of 0.77 mm, so they are not welded.
 Tolerance tolerance_of(const scree_vec* points, int count);
 
 // Checks kind, count, radius and vertices of a shape, computes all other members, and clears vertices beyond count. Its
-// thresholds are below those of scree_shape_make_polygon, so a shape stays valid when rotated and translated.
+// tolerances are smaller than those of scree_shape_make_polygon, so a shape stays valid when rotated and translated.
 scree_status shape_finish(ArgumentPlace at, scree_shape* shape);
 
 // Computes the same members as shape_finish without checks. Reverses a clockwise polygon.

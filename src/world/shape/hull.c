@@ -31,7 +31,7 @@ static void add_side(Hull* hull, int a, int b, const int* outside, int outside_c
 	if (corner < 0)
 		return;
 
-	// points beyond the first new side, and points beyond the second one
+	// points outside the first new side, and points outside the second new side
 	int first[HULL_POINTS], second[HULL_POINTS], first_count = 0, second_count = 0;
 	for (int k = 0; k < outside_count; ++k)
 	{
@@ -46,7 +46,7 @@ static void add_side(Hull* hull, int a, int b, const int* outside, int outside_c
 	add_side(hull, corner, b, second, second_count);
 }
 
-// Removes the flattest corner until no corner is flat. Each removal makes the corners beside it less flat.
+// Removes flat corners one by one, each time the flattest. Each removal makes the neighboring corners less flat.
 static void drop_flat(Hull* hull)
 {
 	while (hull->count >= 3)

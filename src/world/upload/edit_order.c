@@ -14,7 +14,8 @@ typedef struct // sort key of a row (`index`, its slot), and position of the row
 	uint32_t index, row;
 } Place;
 
-// Sorts places by index (radix sort). Returns the sorted array: places or other. bits: all bits set in any index.
+// Sorts `places` by index (radix sort), with `other` as a second buffer. Returns the buffer that has the sorted places.
+// bits: all bits set in any index.
 static Place* sort_places(Place* places, Place* other, int count, uint32_t bits)
 {
 	for (int shift = 0; bits >> shift != 0; shift += DIGIT_BITS)

@@ -4,10 +4,11 @@
 #define UPLOAD_H
 #include "scree/scree.h"
 
-// Sends all changes by the user since the last call to the device. Called before every readback.
+// Uploads all changes that the user has made since the last upload. Called before every readback.
 scree_status world_upload(scree_world* world);
 
-// Does the same before a step, and finds changed chains again; before a readback, that would change later impulses.
+// Does the same before a step, and finds changed chains again. Before a readback, new chains would change later
+// impulses.
 scree_status world_upload_to_step(scree_world* world);
 
 #endif

@@ -74,7 +74,7 @@ typedef struct // commands grouped by item
 } Groups;
 
 // Adds the commands of a row, which the caller has written behind the last group. They form a group if the user gave no
-// later command for the item. Otherwise they move to Groups.from, and group_commands groups all.
+// later command for the item. Otherwise moves them to Groups.from, from where group_commands takes them.
 static void add_row(Groups* g, const PendingEdits* waiting, int count)
 {
 	if (waiting->group > 0)
@@ -87,7 +87,7 @@ static void add_row(Groups* g, const PendingEdits* waiting, int count)
 	g->count += count;
 }
 
-// Collects the commands of short sequences of rows, then those of the user.
+// Collects the commands of short sequences of rows, then the commands that the user's other changes recorded.
 static void collect_commands(scree_world* world, Groups* g)
 {
 	const Edits* p = &world->edits;
@@ -131,7 +131,7 @@ static void group_commands(scree_world* world, Groups* g)
 		++begins[*group];
 	}
 
-	// begins[n] is the size of group n; below, it becomes the place of the group's next command, and finally its end
+	// begins[n] is first the size of group n, then the place of its next command, and at last the end of the group
 	begins[0] = g->count;
 	int sum = g->count;
 	for (int n = 1; n <= groups; ++n)

@@ -8,7 +8,7 @@
 scree_status upload_bodies(scree_world* world, int begin, int end, char* stage);
 scree_status upload_collidables(scree_world* world, int begin, int end, char* stage);
 
-// Uploads all pending attributes; destroyed ones keep their old values. stage: space for an Attribute for each.
+// Uploads all pending attributes; a destroyed attribute keeps its old values. stage: space for one Attribute for each.
 scree_status upload_attributes(scree_world* world, char* stage);
 
 // Returns the pose of the center of mass of a new body, in the format of the pool pose.
