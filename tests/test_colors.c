@@ -429,8 +429,8 @@ static float parts_of(const Wheel* w, const Share* shares, int k)
 	return light == 0 ? 1.0f : (float)(shares[light].hubs[turn_of(hub)] * shares[light].beside[hub]);
 }
 
-// Computes the velocity of a body after all hubs of the hub color `turn`, from the velocities of its parts. The change
-// of a part is its velocity minus that of the body. Let n be the number of these hubs, and m the number of spokes that
+// Computes the velocity of a body after all hubs of the hub color `turn`, from the velocities of its parts. A change is
+// the velocity of a part minus that of the body. Let n be the number of these hubs, and m the number of spokes that
 // join the body and the same hub. The body gets the sum of change / (n m) over its spokes with these hubs, by rising
 // place. If the body is a hub of this color, the sum begins with the change of its own part / n.
 static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyState* b)
