@@ -26,8 +26,8 @@ typedef struct
 	uint64_t answers; // hash of all results that have been read
 } Log;
 
-// Adds rows of results to the hash of all results. size: distance between two rows, bytes. bytes: number of bytes of a
-// row that are hashed; the rest of a row is padding.
+// Adds rows of results to the hash of all results. size: distance between the starts of two rows, bytes. bytes: size of
+// the part of each row that is hashed; the rest of a row is padding.
 static void log_rows(Log* log, const void* rows, int count, size_t size, size_t bytes)
 {
 	for (int k = 0; k < count; ++k)

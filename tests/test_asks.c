@@ -66,8 +66,8 @@ static void yes_and_no(void** state)
 	}
 }
 
-// A contact without an answer counts as refused until its two bodies have parted; after they meet again, it is pending
-// again. An approval also lasts until the bodies part.
+// A contact without an answer counts as refused until its two bodies have parted. When they meet again, the contact is
+// pending again. An approval also lasts until the bodies part.
 static void asked_again(void** state)
 {
 	(void)state;
@@ -131,8 +131,8 @@ static void fast(void** state)
 	}
 }
 
-// Bodies that touch when SCREE_REPORT_APPROVAL is set keep touching without an approval until they part. When this flag
-// is cleared, the bodies of a refused contact collide again.
+// Bodies that already touch when SCREE_REPORT_APPROVAL is set keep touching until they part; their contact does not
+// become pending. When this flag is cleared, the bodies of a refused contact collide again.
 static void marked_in_mid_run(void** state)
 {
 	(void)state;
@@ -153,8 +153,9 @@ static void marked_in_mid_run(void** state)
 	scree_world_destroy(world);
 }
 
-// Checks changes while a contact is pending. First the approved body is destroyed and another body takes its slot; then
-// the world moves to another device. The first contact begins in a step of 0 s.
+// Checks changes while a contact is pending. First the body of an approved contact is destroyed, and another body takes
+// its slot, so a new contact is pending. Then the world moves to another device. The first contact begins in a step of
+// 0 s.
 static void between(void** state)
 {
 	(void)state;
@@ -189,8 +190,8 @@ static void answer_one(scree_world* world, bool yes)
 	OK(scree_world_approve_contacts(world, &yes, 1));
 }
 
-// A contact that is pending is reported by each step of 0 s. Once the contact is approved or refused, a step of 0 s
-// does not change this answer.
+// Each step of 0 s reports a contact that is pending. After the contact is approved or refused, a step of 0 s does not
+// change this answer.
 static void steps_of_no_time(void** state)
 {
 	(void)state;

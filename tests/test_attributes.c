@@ -13,7 +13,8 @@ static scree_attribute surface(scree_world* world, float friction, float density
 	return add_attribute(world, &def);
 }
 
-// A slope of 20 degrees holds a crate with friction 0.6. Without friction the crate slides with a = g sin 20.
+// A slope of 20 degrees holds a crate with friction 0.6. Without friction the crate slides with the acceleration g sin
+// 20.
 static void surfaces_change_under_contacts(void** state)
 {
 	(void)state;
@@ -36,7 +37,7 @@ static void surfaces_change_under_contacts(void** state)
 	assert_int_equal(counters_of(world).new_contacts, made);
 	assert_int_equal(contacts_with(world, crate), 1);
 
-	// a friction of 0.6 stops the crate again
+	// a friction of 0.6 stops the sliding crate
 	OK(scree_collidable_set_attribute(world, collidable_of(world, crate), surface(world, 0.6f, 1.0f)));
 	run_steps(world, 150);
 	NEAR(velocity_of(world, crate).linear.x, 0.0, 1e-2);
@@ -54,7 +55,7 @@ static void shapes_change_and_contacts_start_anew(void** state)
 	scree_mass mass;
 	OK(scree_body_set_mass(world, crate, (scree_mass){7, 1, {0, 0}}));
 
-	// only friction changes, so the mass that the user has set stays
+	// if only the friction changes, the mass that the user has set stays; if the density changes, it is replaced
 	OK(scree_collidable_set_attribute(world, part, surface(world, 0.3f, 1.0f)));
 	mass = mass_of(world, crate);
 	assert_true(mass.mass == 7.0f);
@@ -92,7 +93,8 @@ static void attributes_are_destroyed(void** state)
 	scree_body_def def = scree_body_def_default();
 	def.attribute = first;
 	scree_body body = create_body(world, &def);
-	OK(scree_attribute_destroy(world, first)); // created twice: one destruction leaves the attribute valid
+	// the attribute was created twice, so one destruction leaves it valid
+	OK(scree_attribute_destroy(world, first));
 	assert_int_equal(scree_attribute_destroy(world, first), SCREE_ERROR_INVALID);
 	assert_non_null(
 	    strstr(scree_error(), "scree_attribute_destroy: attribute (index 0) is still used by 1 collidable"));
@@ -104,7 +106,7 @@ static void attributes_are_destroyed(void** state)
 	assert_int_equal(scree_body_create(world, &def, NULL), SCREE_ERROR_STALE);
 	assert_int_equal(counters_of(world).attributes, 1);
 
-	// a new attribute takes the slot of the destroyed one; the old handle stays invalid, even if all values are equal
+	// a new attribute takes the slot of the destroyed one; the old handle stays invalid, although all values are equal
 	same = surface(world, 0.1f, 1.0f);
 	assert_int_equal(same.index, first.index);
 	assert_false(scree_attribute_equals(first, same));

@@ -44,7 +44,7 @@ static void trial_decides(void** state)
 	assert_false(world->auto_device.trial);
 	assert_true(was_logged("the world moves to opencl:") && was_logged("ms a step, and 1000000.0000 ms on cpu"));
 
-	// the CPU is tried again once the steps since the last trial have taken long enough
+	// the next trial, on the CPU, begins when the steps since the last trial have taken long enough
 	world->auto_device.spent = 1e9;
 	run_steps(world, 1);
 	assert_string_equal(scree_world_get_device(world), "cpu");
@@ -77,8 +77,8 @@ static void world_goes_back(void** state)
 	assert_string_equal(scree_world_get_device(world), "cpu");
 	assert_true(was_logged("the world does not stay on opencl:"));
 
-	// the failure and the cost of the trial are recorded: the next trial begins only after the world has worked many
-	// times as long as this trial took
+	// the failure and the cost of the trial are recorded: the next trial begins only after steps that take many times
+	// as long as this trial
 	assert_true(world->auto_device.cost > 0.0);
 	assert_true(world->auto_device.failures == 1);
 	assert_false(world->auto_device.trial);
@@ -86,7 +86,7 @@ static void world_goes_back(void** state)
 	scree_world_destroy(world);
 }
 
-// No GPU is opened for a world that is too small to gain from a GPU.
+// No GPU is opened for a world that is so small that a GPU would not be faster.
 static void small_world_stays(void** state)
 {
 	(void)state;

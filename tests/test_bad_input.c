@@ -253,8 +253,8 @@ static void body_functions(void** state)
 	assert_false(scree_body_is_valid(NULL, body));
 }
 
-// Checks that two functions refuse bad arguments: plural(world, bodies, values, count), which is for many bodies, and
-// single(world, body, value), which is for one body.
+// Checks that two functions refuse bad arguments: plural(world, bodies, values, count), which sets a value of many
+// bodies, and single(world, body, value), which sets that of one body.
 #define BATCH(plural, single, type, good, wrong, values, value, component)       \
 	do                                                                           \
 	{                                                                            \
@@ -334,7 +334,8 @@ static void batch_functions(void** state)
 	STALE(scree_body_get_velocity, (world, SCREE_NULL_BODY, velocity), "body is null");
 }
 
-// Last test of the list, because it makes a body kinematic, and the world of set_up has no kinematic body.
+// The last test of the list, because it makes a body kinematic: for other tests, the world of set_up must have no
+// kinematic body.
 static void target_functions(void** state)
 {
 	(void)state;

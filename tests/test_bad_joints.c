@@ -93,7 +93,7 @@ static void definitions(void** state)
 	assert_string_equal(scree_joint_type_name((scree_joint_type)77), "unknown");
 }
 
-// Checks each number of a coordinate, in a definition and in the functions that set it.
+// Checks each number of a coordinate, in a definition and in the functions that set this number.
 static void coordinates(void** state)
 {
 	(void)state;
@@ -203,7 +203,7 @@ static void couplings(void** state)
 #undef DEF
 }
 
-// A gear or a pulley has only the coordinate along. Settings of the other coordinates are refused.
+// A gear or a pulley has only the coordinate along. A lock, limit, spring or motor of another coordinate is refused.
 static void held_coordinates(void** state)
 {
 	(void)state;
@@ -287,8 +287,8 @@ static void measures(void** state)
 
 #undef DEF
 
-	// a definition that is refused, because its coordinate is 1,000 km, stays unchanged; in particular, its bases are
-	// not normalized
+	// a definition that is refused, because its coordinate is 1,000 km, stays unchanged; so its bases, whose rotations
+	// have a length slightly below 1, are not normalized
 	for (int k = 0; k < 2; ++k)
 	{
 		def.sides[k].measure = SCREE_MEASURE_DISTANCE;
@@ -428,8 +428,8 @@ static void changes(void** state)
 	STALE(scree_joint_set_user, (world, gone, 1), "joint (index 2");
 }
 
-// Some functions are called through inline functions that add the size of a struct. Messages contain the name that the
-// user calls.
+// Some functions of the interface are inline and pass the size of a struct to another function. Error messages contain
+// the name of the inline function, which the user calls.
 static void readings(void** state)
 {
 	(void)state;
@@ -452,7 +452,8 @@ static void readings(void** state)
 	INVALID(scree_world_get_joint_events, (world, events, 2, NULL), "count is null");
 }
 
-// A definition may be longer than that of this version. It is refused unless the members beyond this version are 0.
+// A definition may be longer than that of this version. It is refused unless all members that this version does not
+// have are 0.
 static void unknown_members(void** state)
 {
 	(void)state;

@@ -97,7 +97,7 @@ static void points(void** state)
 	INVALID(scree_path_create, (world, &def, &made),
 	        "def.points[3] is 0 m from the first one, must be at least 0.0001 if closed");
 	def.closed = false;
-	OK(scree_path_create(other, &def, &made)); // an open path may end at its first point
+	OK(scree_path_create(other, &def, &made)); // an open path may end at its first point, but a closed path may not
 }
 
 static void functions(void** state)

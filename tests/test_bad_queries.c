@@ -137,7 +137,8 @@ static void blasts(void** state)
 #undef DEF
 	def = scree_blast_def_default();
 	def.radius = 1000;
-	def.position = (scree_vec){-3, -2}; // from here, a box is seen along a diagonal, which is longer than its sides
+	// seen from this point, a box is as wide as its diagonal, which is longer than its sides
+	def.position = (scree_vec){-3, -2};
 	def.impulse = FLT_MAX;
 	INVALID(scree_world_blast, (world, &def, &count), "def.impulse is 3.4028235e+38: an impulse on collidable");
 }

@@ -39,8 +39,8 @@ static void impulses_follow_the_width(void** state)
 	NEAR(v.linear.x, -4.0 * 1.0 / 2.0, 1e-5);
 	NEAR(v.angular, 0.3 * 4.0 * 1.0 / (2.0 * (4.0 + 1.0) / 12.0), 1e-4);
 
-	// in the middle of the falloff the impulse is half of the full impulse, and beyond the falloff it is 0; a negative
-	// impulse pulls
+	// at half of the falloff distance the impulse is half of the full impulse, and beyond the falloff distance it is 0;
+	// a negative impulse pulls
 	throw_body(world, wide, 0.0f, 0.0f, 0.0f);
 	assert_int_equal(blast(world, 0.0f, 0.0f, 1.5f, 2.0f, -4.0f), 1);
 	NEAR(velocity_of(world, wide).linear.y, -2.0, 1e-5);
@@ -109,8 +109,8 @@ static void all_devices_agree(void** state)
 	check_equal(blown_heap);
 }
 
-// Several explosions use positions from the results of a query. The list of results stays valid, although each
-// explosion runs a query.
+// The points of several blasts are read from one list of query results. The list stays valid, although each blast runs
+// a query.
 static void lists_stay(void** state)
 {
 	(void)state;

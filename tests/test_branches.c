@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_branches.c -- checks branches, in which joints of light bodies carry heavy bodies: wheels, torsos and ropes that
-// meet. Also checks the counter joint_gap.
+// test_branches.c -- checks branches, in which joints of light bodies carry heavy bodies: wheels, torsos, and ropes
+// that hang on one ring. Also checks the counter joint_gap.
 #include "support/make_joints.h"
 #include <math.h>
 
@@ -54,8 +54,8 @@ static double gap_now(scree_world* world, double* spin)
 	return gap;
 }
 
-// Runs the world for 5 s and returns the largest gap in that time, m. Checks that after each step, the counter
-// joint_gap is the gap at the end of the previous step. *spin: largest angular speed at the end, rad/s.
+// Runs the world for 5 s and returns the largest gap in that time, m. Checks after each step that the counter joint_gap
+// is the gap at the end of the previous step. *spin: largest angular speed at the end, rad/s.
 static double watch(scree_world* world, double* spin)
 {
 	double widest = 0.0, last = 0.0;
@@ -102,8 +102,8 @@ static double arms_inertia(int count, int length, double radius)
 	return count * sum;
 }
 
-// Returns the density of a hub whose inertia is 1 / ratio of the inertia of its arms. The inertia of the hub is density
-// pi r^4 / 2.
+// Returns the density of a hub whose inertia is that of its arms divided by `ratio`. The inertia of a hub with the
+// radius r is density pi r^4 / 2.
 static float density_of(int count, int length, double radius, double ratio)
 {
 	return (float)(arms_inertia(count, length, radius) / ratio / (0.5 * PI * pow(radius, 4.0)));
@@ -132,8 +132,8 @@ static void wheels_rest(void** state)
 			}
 }
 
-// Eight arms keep their places on a small torso, which flies freely or has an axle. An arm has one to three parts,
-// which are welded, or joined by hinges with friction.
+// Eight arms keep their places on a small torso, which flies freely or has an axle. Each arm consists of one to three
+// parts. The parts are welded, or joined by hinges with friction.
 static void torsos_hold(void** state)
 {
 	(void)state;
@@ -155,8 +155,8 @@ static void torsos_hold(void** state)
 	}
 }
 
-// Five wheels with light hubs, welded in a row between two axles, stay at rest. A wheel whose spokes are joined by a
-// rim also stays at rest; its joints form rings, not a tree.
+// Five wheels with light hubs are welded in a row between two axles and stay at rest. A wheel whose arms are joined by
+// a rim also stays at rest; its joints form rings, not a tree.
 static void hubs_beside_each_other(void** state)
 {
 	(void)state;
@@ -243,8 +243,8 @@ static void wheels_keep_momentum(void** state)
 	}
 }
 
-// Arms break off, are disabled and enabled, and become kinematic and dynamic; then the hub is destroyed. All states
-// stay finite.
+// A joint of the wheel breaks. Parts of arms are disabled and enabled, and become kinematic and dynamic. Then the hub
+// is destroyed. All states stay finite.
 static void wheels_change(void** state)
 {
 	(void)state;
@@ -268,8 +268,8 @@ static void wheels_change(void** state)
 	scree_world_destroy(world);
 }
 
-// The counter joint_gap is the gap of rigid locks at the start of a step. The test moves a body on a hinge, then a body
-// on a rod. Soft locks and destroyed joints do not count.
+// The counter joint_gap is the largest gap of a rigid lock at the start of a step. The test moves a body on a hinge,
+// then a body on a rod. Soft locks and destroyed joints do not count.
 static void counters_report_gaps(void** state)
 {
 	(void)state;

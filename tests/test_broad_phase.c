@@ -2,10 +2,10 @@
 // test_broad_phase.c -- checks that after every step the contacts are exactly the pairs found by a comparison of all
 // pairs.
 //
-// Formula: {pairs of the contact pool} = {pairs of collidables that exist and are not on one body, with enlarged boxes
-// that overlap, filters that agree and kinds that can touch}. Boxes are read from the device; lifetime, filter, kind
-// and body come from the public interface. The test also checks that each box contains the whole shape at the pose that
-// transform computed.
+// Formula: {pairs of the contact pool} = {pairs of collidables that exist, are not on the same body, and have enlarged
+// boxes that overlap, filters that agree and kinds that can touch}. Boxes are read from the device; lifetime, filter,
+// kind and body come from the public interface. The test also checks that each box contains the whole shape at the pose
+// that the stage transform computed.
 #include "support/different_pools.h"
 #include "support/make_bodies.h"
 #include "support/variants.h"
@@ -27,7 +27,7 @@ typedef struct
 {
 	const char* name;
 	void (*build)(scree_world* world, uint64_t* seed);
-	scree_vec center, half; // area in which changes place bodies, m
+	scree_vec center, half; // center and half size of the area in which changes place bodies, m
 	int steps, changes;     // changes: number of changes before each step
 } Layout;
 
@@ -44,8 +44,8 @@ static bool filters_agree(scree_filter a, scree_filter b)
 	return (a.category & b.mask) && (b.category & a.mask);
 }
 
-// Returns whether two collidables must be a pair. At least one of them must be dynamic or have no body; a collidable
-// without a body only reports overlaps.
+// Returns whether two collidables must be a pair. At least one of the two must be dynamic or have no body, because a
+// collidable without a body reports overlaps with all others.
 static bool is_pair(const Item* a, const Item* b)
 {
 	bool same_body = a->has_body && b->has_body && a->body.index == b->body.index;
@@ -132,8 +132,8 @@ static int check_pairs(scree_world* world, const char* name, int step)
 	for (int k = 0; k < slots; ++k)
 		if (pairs[k].x >= 0)
 		{
-			// pairs[k].x is the dynamic collidable of a pair, or the smaller index; the key made here begins with the
-			// smaller index
+			// pairs[k].x is the dynamic collidable of a pair, or the smaller index; in the key, the smaller index
+			// always comes first
 			int a = pairs[k].x < pairs[k].y ? pairs[k].x : pairs[k].y, b = pairs[k].x ^ pairs[k].y ^ a;
 			have[found++] = (uint64_t)a << 32 | (uint64_t)b;
 		}
@@ -147,7 +147,7 @@ static int check_pairs(scree_world* world, const char* name, int step)
 				want[expected++] = (uint64_t)a << 32 | (uint64_t)b;
 			}
 
-	// finds differences between the two lists, which are sorted
+	// finds differences between the pairs of the pool and the expected pairs; both lists are sorted
 	int wrong = 0;
 	for (int i = 0, j = 0; i < found || j < expected;)
 	{
@@ -233,7 +233,7 @@ static void build_filters(scree_world* world, uint64_t* seed)
 	}
 }
 
-// one body as large as the world among tiny ones
+// one body that is as large as the area, among tiny bodies
 static void build_huge(scree_world* world, uint64_t* seed)
 {
 	put(world, seed, SCREE_BODY_DYNAMIC, box_shape(60.0f, 60.0f), 0.0f, 0.0f);
@@ -242,8 +242,8 @@ static void build_huge(scree_world* world, uint64_t* seed)
 		    random_between(seed, -70.0f, 70.0f));
 }
 
-// six large bodies among small ones; the traversals of the large bodies are so long that they are divided, in both
-// trees
+// six large bodies among small ones; the traversals of the large bodies are so long that each is divided into several,
+// in the tree of static collidables and in the other tree
 static void build_huges(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 6; ++k)
@@ -269,7 +269,7 @@ static void build_ring(scree_world* world, uint64_t* seed)
 	}
 }
 
-// places at which floats are 8 mm apart
+// bodies so far from the origin that adjacent floats are 8 mm apart
 static void build_far(scree_world* world, uint64_t* seed)
 {
 	put(world, seed, SCREE_BODY_STATIC, box_shape(30.0f, 1.0f), 90000.0f, -90001.0f);
@@ -297,7 +297,7 @@ static void build_statics(scree_world* world, uint64_t* seed)
 		    random_between(seed, -25.0f, 25.0f));
 }
 
-// bodies of several collidables, which must not make pairs within one body
+// bodies with several collidables; two collidables of the same body must not make a pair
 static void build_compound(scree_world* world, uint64_t* seed)
 {
 	for (int k = 0; k < 60; ++k)
@@ -317,8 +317,8 @@ static void build_compound(scree_world* world, uint64_t* seed)
 	}
 }
 
-// kinematic bodies of many collidables among a few dynamic bodies; traversals of kinematic collidables skip nodes
-// without any possible partner; changes of type between steps create such partners
+// kinematic bodies with many collidables among a few dynamic bodies; traversals of kinematic collidables skip nodes
+// that contain no dynamic collidable; changes of type between steps add dynamic collidables to such nodes
 static void build_kinematic(scree_world* world, uint64_t* seed)
 {
 	scree_collidable_def def = scree_collidable_def_default();
@@ -514,7 +514,7 @@ static void run_layout(const Layout* layout, const Variant* variant)
 	int steps = quick() ? layout->steps / 2 : layout->steps, most = 0, traversals = 0;
 	for (int step = 0; step < steps; ++step)
 	{
-		// no changes before the first four steps, so that a fault that shows in them is not caused by a change
+		// nothing is changed before the first four steps, so that a wrong pair in these steps is not due to a change
 		if (step >= 4)
 			change(world, layout, &seed);
 		burst(world, layout, step, &seed);

@@ -21,7 +21,7 @@ static void path_of(Digest key, char path[512])
 	         (unsigned long long)key.b);
 }
 
-// Changes one byte of a file. place: offset of this byte; an offset at the end of the file adds a byte.
+// Changes the byte of a file at the offset `place`. At the end of the file, adds a byte instead.
 static void damage(const char* path, long place)
 {
 	FILE* file = fopen(path, "r+b");
@@ -48,8 +48,8 @@ static void check_read(Digest key, const char* expected)
 	scree_release(bytes);
 }
 
-// A file has 48 bytes (magic, key, digest of the content, length) and the content. If any byte is changed, added or
-// removed, the file is treated as missing.
+// A file has 48 bytes (magic, key, digest of the content, length) and the content. If any byte is changed, or one is
+// added, the file is treated as missing.
 static void damaged_files_are_not_read(void** state)
 {
 	(void)state;

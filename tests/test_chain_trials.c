@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_chain_trials.c -- checks chains that are dragged over corners, whose ends jump, that take steps of alternating
-// lengths, and that are edited.
+// test_chain_trials.c -- checks chains that are dragged over corners, whose ends jump, that are edited, and that move
+// in steps of alternating lengths.
 #include "platform/processor.h"
 #include "support/make_joints.h"
 #include "tools/common/median.h"
@@ -15,8 +15,8 @@ enum
 static scree_body links[MOST];
 static scree_joint joints[MOST];
 
-// Adds a chain of capsules, each 1.4 m long with a radius of 0.1 m, to the left of x. A joint connects the first
-// capsule to a body, or to the world if this body is null.
+// Adds a chain of capsules, each 1.6 m long with a radius of 0.1 m, to the left of x. A joint connects the first
+// capsule to the body `first`, or to the world if `first` is null.
 static void add_chain(scree_world* world, scree_body first, int count, float x, float y)
 {
 	scree_shape shape = capsule_shape(0.7f, 0.1f);
@@ -67,8 +67,8 @@ static double dragged(int count, float drag, double* fastest)
 	return most;
 }
 
-// Number of drags of a chain, at speeds 1 % apart. Long chains whip, and the gaps of these drags differ by a factor of
-// ten.
+// Number of drags of a chain, at speeds that differ by 1 %. Long chains whip, and the largest gaps in these drags
+// differ by a factor of ten.
 #define DRAGS 9
 
 // Links slide over the corner, and continuous collision does not stop them there. In Box2D, speeds are at most 405 m/s,
@@ -124,7 +124,8 @@ static void ends_are_moved_at_once(void** state)
 		}
 		print_message("pin of %d links moved by %g m: fastest %.1f m/s, gap after 2 s %.4f m\n", count, (double)far,
 		              fastest, gap);
-		assert_true(fastest < (count < 8 ? 40.0 : 15.0) && gap < 0.01); // 7 joints are not a chain; Box2D: 36 m/s
+		// a row of 7 joints is not a chain, and may be faster; with Box2D, the speed is 36 m/s
+		assert_true(fastest < (count < 8 ? 40.0 : 15.0) && gap < 0.01);
 		scree_world_destroy(world);
 	}
 }
@@ -155,7 +156,7 @@ static void steps_of_other_lengths(void** state)
 		}
 		print_message("steps of %.4f and %.4f s in turn: fastest %.4f m/s\n", (double)lengths[k][0],
 		              (double)lengths[k][1], fastest);
-		assert_true(fastest < (k == 1 ? 4.0 : 0.2)); // an earlier version: 240 m/s
+		assert_true(fastest < (k == 1 ? 4.0 : 0.2)); // an earlier version of Scree: 240 m/s
 		scree_world_destroy(world);
 	}
 }

@@ -50,8 +50,8 @@ static scree_pose at(scree_vec place) { return (scree_pose){place, {1.0f, 0.0f}}
 // trees
 // ---------------------------------------------------------------------------------------------------------------
 
-// Returns the mean number of nodes of level 1 that contain a point of the field: the sum of the areas of these nodes,
-// divided by the area of the field.
+// Returns the average number of nodes of level 1 that contain a point of the field. This is the sum of the areas of
+// these nodes, divided by the area of the field.
 static double nodes_met(scree_world* world)
 {
 	const Tree* tree = &world->pipeline.trees[0].tree;
@@ -72,11 +72,12 @@ static double nodes_met(scree_world* world)
 
 typedef struct
 {
-	int moved, replaced; // number of bodies that move or are replaced before each step
-	bool shuffled;       // bodies are created in random order
+	int moved, replaced; // numbers of bodies that are moved and that are replaced before each step
+	bool shuffled;       // true: bodies are created in random order
 } Mix;
 
-// Takes 12 steps with the changes of `mix`. Returns the largest result of nodes_met in these steps.
+// Takes 12 steps. Before each step makes the changes that `mix` defines. Returns the largest result of nodes_met in
+// these steps.
 static double churned(const Variant* variant, Mix mix)
 {
 	scree_world* world = open_with_limits(variant, 0, 0);
@@ -123,8 +124,8 @@ static double churned(const Variant* variant, Mix mix)
 	return most;
 }
 
-// If nodes contain leaves that are close together, about two nodes contain a point. Nodes that span the field contain
-// every point.
+// If each node contains leaves that are close together, a point is in about two nodes. If nodes span the field, a point
+// is in all of them.
 static void check_order(const Variant* variant)
 {
 	static const Mix mixes[] = {{0, 0, false},  {0, 0, true},    {200, 0, false},
@@ -134,8 +135,8 @@ static void check_order(const Variant* variant)
 		double met = churned(variant, mixes[k]);
 		print_message("%s: %d moved, %d replaced%s: a place meets %.1f nodes\n", variant->name, mixes[k].moved,
 		              mixes[k].replaced, mixes[k].shuffled ? ", shuffled" : "", met);
-		// some leaves stay unsorted, because sorting them would take more time than it saves; with no leaves sorted,
-		// about 150 nodes would contain a point
+		// some leaves stay unsorted, because sorting them would take more time than it saves; if no leaf were sorted, a
+		// point would be in about 150 nodes
 		assert_true(met < 45.0);
 	}
 }
@@ -152,7 +153,7 @@ static void jumps_do_not_widen_nodes(void** state)
 
 #define CROWD 300
 
-// CROWD boxes at one point are CROWD * (CROWD - 1) / 2 pairs. The contact limit is this number minus one, so the step
+// CROWD boxes at one point are CROWD * (CROWD - 1) / 2 pairs. The contact limit is one below this number, so the step
 // fails, changes nothing, and reports the place. After the boxes have been moved apart, the world continues like a
 // world that was never crowded.
 static void check_crowd(const Variant* variant)
@@ -239,8 +240,8 @@ static void build_row(scree_world* world, const void* context)
 		add_crate(world, SCREE_BODY_DYNAMIC, -50.0f + 1.1f * (float)k, 0.5f);
 }
 
-// Adds a heap before step 10, and destroys it before step 20. In step 12, boxes are placed above the row, and fall onto
-// it, so contacts with slots after those of the heap outlive the heap.
+// Adds a heap before step 10, and destroys it before step 20. Before step 12, boxes are placed on the row. Their
+// contacts have slots after those of the heap and outlive the heap.
 static void heap_comes(scree_world* world, int step, const void* context)
 {
 	(void)context;

@@ -76,7 +76,7 @@ expect 0 'pyramid' scenes --names
 expect 0 'equal bits' devices
 expect 0 'drawing     copied' devices
 head -n 1 out | grep -qx 'cpu' || fail "devices: the CPU is not the first"
-# if tests are to run on OpenCL, they fail without it
+# fails if SCREE_EXPECT requires OpenCL, but the command lists no OpenCL device
 [[ " ${SCREE_EXPECT:-} " != *" opencl "* ]] || grep -q '^opencl:' out || fail "devices: no OpenCL, which tests are to run on"
 mkdir own
 printf '{"name":"ball","title":"One ball","attributes":{"a":{"circle":1}},"bodies":[{"attribute":"a"}]}' >own/ball.json
@@ -94,8 +94,8 @@ sed -n '/^```json$/,/^```$/p' "$SCREE_SOURCE/docs/scenes.md" | sed '1d;$d' >wall
 expect 0 'bodies         82' run wall.json --steps 2 --device cpu
 expect 0 'bodies         10' run wall.json --steps 2 --device cpu --set rows=1
 
-# frames: rows that are shared and rows that are copied give the same picture; without a renderer, a message names what
-# is missing
+# frames: rows that the renderer shares with the device and rows that are copied give the same picture; without a
+# renderer, a message names the missing library or version
 if "$scree" bench frames pyramid "${small[@]}" --size 320x200 >out 2>err; then
 	[ "$(sed 1d out | wc -l)" = 2 ] || fail "bench frames: not two rows"
 	[ "$(sed 1d out | cut -d, -f 11,12 | sort -u | wc -l)" = 1 ] || fail "bench frames: two pictures"
@@ -145,7 +145,7 @@ refuse 1 'cannot write nowhere/rows.csv' run pyramid "${small[@]}" --csv nowhere
 if "$scree" run pyramid "${small[@]}" --picture picture.png >out 2>err; then
 	[ "$(head -c 4 picture.png | tail -c 3)" = PNG ] || fail "run --picture: not a PNG"
 	expect 0 '' run pyramid "${small[@]}" --picture picture.png --size 320x200
-	# the last picture of a zoom equals the picture of its view
+	# the last picture of a run with --zoom equals the picture of a run with --view and the same view
 	expect 0 '' run pyramid "${small[@]}" --picture view.png --size 320x200 --view 0,0,4,2
 	expect 0 '' run pyramid "${small[@]}" --picture zoom.png --size 320x200 --zoom 0,0,4,2
 	cmp -s view.png zoom.png || fail "run --zoom: its end is another picture than --view"

@@ -11,7 +11,7 @@
 
 #include "stages/color/color.h"
 
-#define KEY_BITS 13 // bits of a color, or of a hub among MOST_BODIES bodies
+#define KEY_BITS 13 // number of bits of a key, which is a color or the index of a hub below MOST_BODIES
 
 // ---------------------------------------------------------------------------------------------------------------
 // colors
@@ -21,7 +21,8 @@ typedef struct
 {
 	int bodies, contacts;
 	bool moves[MOST_BODIES];
-	int kind[MOST_BODIES]; // kinds of collidables; the host reads only those of bodies that cannot move
+	// kind of the collidable of each body; color_greedily reads only the kinds of bodies that cannot move
+	int kind[MOST_BODIES];
 	Word64 mask[MOST_BODIES];
 	int touching[MOST_BODIES];
 	Int2 ends[MOST_ITEMS];
@@ -36,17 +37,17 @@ static int by_falling_priority(const void* a, const void* b)
 	return (x < y) - (x > y);
 }
 
-// Returns whether an end of a contact can move and has more than HUB_CONTACTS contacts.
+// Returns whether a contact is a spoke: one of its bodies can move and has more than HUB_CONTACTS contacts.
 static bool is_spoke(const Graph* g, Int2 ends)
 {
 	return (g->moves[ends.x] && g->touching[ends.x] > HUB_CONTACTS) ||
 	       (g->moves[ends.y] && g->touching[ends.y] > HUB_CONTACTS);
 }
 
-// Colors the contacts one after the other. First, contacts that are now spokes lose their colors and get no others.
-// Then each new contact, in the order of falling priority, takes the lowest color that is free on both bodies. If a
-// body cannot move, the contact instead takes the highest free color; the last STATIC_COLORS are reserved for such
-// contacts.
+// Colors the contacts one after the other. First, contacts that have become spokes lose their colors and get no others.
+// Then each new contact, by falling priority, takes the lowest color that is free on both bodies. If a body cannot
+// move, the contact instead takes the highest free color. If this body is kinematic, the search begins below the last
+// STATIC_COLORS colors, unless none is free there.
 static void color_greedily(Graph* g)
 {
 	for (int k = 0; k < g->contacts; ++k)
@@ -148,8 +149,8 @@ static void color_by_stages(Backend* b, const Graph* g, int* color, Word64* mask
 	free(counters);
 }
 
-// Returns the hub of a spoke: the body that can move, or, if both can move, the body with more contacts. If both have
-// the same number, the body with the smaller index is the hub.
+// Returns the hub of a spoke: the body that can move. If both can move, the body with more contacts is the hub; if
+// their numbers are equal, the body with the smaller index.
 static int owner_of(const Graph* g, Int2 ends)
 {
 	if (!g->moves[ends.x] || !g->moves[ends.y])
@@ -158,8 +159,8 @@ static int owner_of(const Graph* g, Int2 ends)
 	return more > 0 || (more == 0 && ends.x < ends.y) ? ends.x : ends.y;
 }
 
-// Checks that spokes are sorted by hub, and hubs by body, and that each hub begins at a new block. Unused places of a
-// block must contain -1. Adds the number of spokes to *touching.
+// Checks that spokes are sorted by hub, that hubs are sorted by body, and that the spokes of each hub begin at a new
+// block. Unused places of a block must contain -1. Adds the number of spokes to *touching.
 static void check_spokes(const Graph* g, const Counters* counters, const int* constraints, const int* hubs,
                          int* touching)
 {
@@ -292,9 +293,10 @@ static void colors_are_those_of_greedy(void** state)
 	(void)state;
 	uint64_t seed = 1;
 	check_random_graph(&seed, 3000, 6000, 10);
-	check_random_graph(&seed, 500, 8000, 4);   // 32 contacts per body; the odd contacts make some bodies hubs
+	// on average 32 contacts per body; some bodies become hubs when the contacts with odd indices are added
+	check_random_graph(&seed, 500, 8000, 4);
 	check_random_graph(&seed, 60, 6000, 1000); // all bodies are hubs
-	check_random_graph(&seed, 2, 40, 2);       // a body that can move and a body that cannot
+	check_random_graph(&seed, 2, 40, 2);       // a contact joins a body that can move and one that cannot
 }
 
 // A body has 1,000 contacts. All of them become spokes, whether or not the other bodies can move.
@@ -337,21 +339,21 @@ enum
 	HUB_C = 9
 };
 
-typedef struct // bodies: 0 cannot move, 1 to HUBS are hubs with a block of spokes each, all others are lights
+typedef struct // body 0 cannot move; bodies 1 to HUBS are hubs with a block of spokes each; all others are lights
 {
 	Counters counters;
 	BodyState bodies[1 + HUBS + LIGHTS];
 	int touching[1 + HUBS + LIGHTS];
 	Int2 keys[1 + HUBS];
-	Int2 ends[HUBS * 64]; // -1 in padding
-	int slots[HUBS * 64];
+	Int2 ends[HUBS * 64];
+	int slots[HUBS * 64]; // -1 in padding
 	Spokes spokes[HUBS * 64 / MAX_LANES];
 	ContactRows constraints[HUBS * 64 / MAX_LANES];
 } Wheel;
 
-// Hub A has 48 spokes, hub B has 47 and hub C has 33. Lights are light bodies: lights 0 to 9 touch all three hubs, and
-// lights 10 to 39 touch one or two. The other spokes go to body 0, which cannot move. Hub C is also a neighbor of hub
-// A.
+// Hub A has 48 spokes, hub B has 47 and hub C has 33. The neighbors of hubs are light bodies, called lights: lights 0
+// to 9 touch all three hubs, and lights 10 to 39 touch one or two hubs. Hub C is also a neighbor of hub A. The other
+// spokes join a hub and body 0, which cannot move.
 static void make_wheel(Wheel* w, uint64_t* seed)
 {
 	const int counts[HUBS] = {[HUB_A - 1] = 48, [HUB_B - 1] = 47, [HUB_C - 1] = 33};
@@ -403,8 +405,8 @@ static int hub_of(const Wheel* w, int k) { return w->ends[k].x ^ w->ends[k].y ^ 
 
 static int turn_of(int hub) { return (hub - 1) % HUB_COLORS; }
 
-// The hubs that touch a body. beside: number of spokes of the body with each hub. hubs: number of such hubs of each hub
-// color, plus 1 for the color of the body itself if it is a hub.
+// Numbers for one body. beside[h]: number of spokes that join the body and hub h. hubs[c]: number of hubs with the hub
+// color c that touch the body; if the body itself is a hub of this color, it counts too.
 typedef struct
 {
 	int beside[1 + HUBS], hubs[HUB_COLORS];
@@ -427,10 +429,10 @@ static float parts_of(const Wheel* w, const Share* shares, int k)
 	return light == 0 ? 1.0f : (float)(shares[light].hubs[turn_of(hub)] * shares[light].beside[hub]);
 }
 
-// Computes the velocity of a body after all hubs of one color, from the velocities of its parts. turn: index of the hub
-// color. The change of a part is its velocity minus that of the body. The body gets the sum of change / (n m) over its
-// spokes with these hubs, by rising place: n is the number of these hubs, m the number of spokes with the same hub. If
-// the body is a hub of this color, the sum begins with the change of its own part / n.
+// Computes the velocity of a body after all hubs of the hub color `turn`, from the velocities of its parts. A change is
+// the velocity of a part minus that of the body. Let n be the number of these hubs, and m the number of spokes that
+// join the body and the same hub. The body gets the sum of change / (n m) over its spokes with these hubs, by rising
+// place. If the body is a hub of this color, the sum begins with the change of its own part / n.
 static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyState* b)
 {
 	BodyState old = *b;
@@ -460,8 +462,8 @@ static void merge(const Wheel* w, const Share* shares, int body, int turn, BodyS
 	b->w = old.w + spin;
 }
 
-// A body with n hubs of one hub color around it, itself included if it is a hub of this color, is split into n parts,
-// one for each hub. Each part is split again among the spokes that the body has with that hub.
+// A body that touches n hubs of one hub color is split into n parts, one for each hub; if the body is a hub of this
+// color, n includes it. Each part is split again among the spokes that join the body and that hub.
 static void parts_come_together(void** state)
 {
 	(void)state;

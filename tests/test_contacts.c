@@ -32,7 +32,7 @@ static void contacts_carry_weight(void** state)
 	NEAR(contact.points[0].point.x + contact.points[1].point.x, 6.0, 0.02);
 	assert_int_not_equal(contact.points[0].feature, contact.points[1].feature);
 
-	// the contact keeps the point of the last step, although the box has been moved
+	// before the next step, the contact keeps its points, although the box has been moved
 	float x = contact.points[0].point.x;
 	OK(scree_body_set_pose(world, box, (scree_pose){{-20.0f, 5.0f}, {1.0f, 0.0f}}));
 	OK(scree_world_get_contacts(world, &contact, 1, &count));
@@ -106,8 +106,8 @@ static void filters_decide(void** state)
 	}
 }
 
-// Static bodies collide at the poses that the user has set, after a move or a change of type. Destroyed static bodies
-// do not collide.
+// Static bodies collide at the poses that the user has set, also after a change of type. Destroyed static bodies do not
+// collide.
 static void statics_obey_the_user(void** state)
 {
 	(void)state;
@@ -239,7 +239,7 @@ static void contacts_of_one_body(void** state)
 	}
 	assert_true(hash_of(world) == before);
 
-	// reads into an array that is too small; counts once more after some crates are destroyed
+	// reads into an array that is too small; after some crates are destroyed, counts the contacts again
 	memset(some, 0x5a, 2 * CROWD * sizeof *some);
 	scree_contact kept = some[3];
 	OK(scree_body_get_contacts(world, plate, some, 3, &count));
@@ -252,7 +252,7 @@ static void contacts_of_one_body(void** state)
 	scree_world_destroy(world);
 }
 
-// After a step of 0 s, the contact of a body has the same details as this contact in the list of all contacts.
+// After a step of 0 s, a contact has the same details in the list of a body as in the list of all contacts.
 static void details_of_a_first_look(void** state)
 {
 	(void)state;

@@ -28,7 +28,7 @@ static scree_joint gear(scree_world* world, scree_body a, scree_body b, float ra
 	return couple(world, &def);
 }
 
-// Adds a rope over two fixed points, one above each body. height: y of these points, m.
+// Adds a rope over two fixed points, one above each body. height: y of the two points, m.
 static scree_joint pulley(scree_world* world, scree_body a, scree_body b, float ratio, float height)
 {
 	scree_joint_def def = coupling(SCREE_JOINT_PULLEY, a, b, ratio);
@@ -38,8 +38,8 @@ static scree_joint pulley(scree_world* world, scree_body a, scree_body b, float 
 	return couple(world, &def);
 }
 
-// A gear turns wheels of radii r and s. If the first wheel turns by the angle a, the second wheel turns by b = -a r /
-// s, for any number of turns.
+// A gear joins wheels of radii r and s. If the first wheel turns by the angle a, the second wheel turns by -a r / s,
+// for any number of turns.
 static void gears_keep_their_ratio(void** state)
 {
 	(void)state;
@@ -120,7 +120,8 @@ static void atwood(void** state)
 		OK(scree_body_set_mass(world, b, (scree_mass){(float)n, (float)n / 6.0f, {0.0f, 0.0f}}));
 		scree_joint joint = pulley(world, a, b, 1.0f, 20.0f);
 		run_steps(world, 60);
-		// a substep moves bodies by the velocity at its end, so the distance has t (t + h) / 2 in place of t^2 / 2
+		// a substep moves bodies by the velocity at its end, so a body falls by a t (t + h) / 2, not by a t^2 / 2, with
+		// t = 1 s
 		double acceleration = G * (n - m) / (n + m), fallen = 0.5 * acceleration * (1.0 + h),
 		       tension = 2.0 * G * m * n / (n + m);
 		print_message("masses 1 : %.1f: fell %.4f m, theory %.4f m; tension %.3f N, theory %.3f N\n", n / m,
@@ -133,7 +134,7 @@ static void atwood(void** state)
 	}
 }
 
-// A tackle of ratio r balances a load and another load of r times its mass for one minute.
+// A tackle with the ratio r stays at rest for one minute when one of its loads has r times the mass of the other.
 static void tackles_balance(void** state)
 {
 	(void)state;
@@ -159,7 +160,7 @@ static void tackles_balance(void** state)
 	}
 }
 
-// A rope with an upper limit is slack while the load falls freely, and carries the load at its limit.
+// A pulley with an upper limit is slack while the load falls freely. At the limit its rope carries the load.
 static void ropes_hang_slack(void** state)
 {
 	(void)state;
@@ -220,10 +221,10 @@ static void racks_and_winches(void** state)
 }
 
 // Nicholas Tufillaro and others, Swinging Atwood's Machine, Am. J. Phys. 52 (1984): a load M that moves up and down and
-// a load m that swings at r, phi hang on one rope:
-//     (M + m) r'' = m r phi'^2 - M g + m g cos phi r phi'' = -2 r' phi' - g sin phi
-// Writes the derivatives d of the state s = (r, phi, r', phi'). The test integrates these equations by the classical
-// Runge-Kutta method. The sum of kinetic and potential energy stays constant.
+// a load m that swings at the polar coordinates r, phi hang on one rope:
+//     (M + m) r'' = m r phi'^2 - M g + m g cos phi,    r phi'' = -2 r' phi' - g sin phi
+// Writes the derivatives d of the state s = (r, phi, r', phi'). ratio: M / m. The test integrates these equations by
+// the classical Runge-Kutta method. The sum of kinetic and potential energy stays constant.
 static void tufillaro(const double s[4], double ratio, double d[4])
 {
 	d[0] = s[2];
@@ -278,8 +279,8 @@ static void swinging_loads(void** state)
 }
 
 // A gear counts turns while one of its bodies is disabled, and keeps its angles when a body becomes kinematic and then
-// dynamic again. A body that is placed at another angle counts as turned by the smaller rotation. A broken gear stays
-// broken.
+// dynamic again. If a body is placed at another angle, the gear counts the shorter rotation to this angle. A broken
+// gear stays broken.
 static void turns_are_counted(void** state)
 {
 	(void)state;
@@ -353,7 +354,7 @@ static void other_types_have_none(void** state)
 	assert_int_equal(hashes[2], hashes[0]);
 }
 
-// The ratio of a turning gear can change. Turns before the change count with the earlier ratio.
+// The ratio of a turning gear can change. The turns before the change count with the ratio that was valid then.
 static void gears_shift(void** state)
 {
 	(void)state;
@@ -378,7 +379,7 @@ static void gears_shift(void** state)
 		}
 		print_message("ratio %.1f: at most %.4f rad off; b at %.4f rad/s\n", (double)ratios[k], worst,
 		              (double)velocity_of(world, b).angular);
-		// wheel b changes its speed by up to 40 rad/s, and the lock is soft for two substeps
+		// when the ratio changes, the speed of wheel b changes by up to 40 rad/s, and the lock is soft for two substeps
 		assert_true(worst < 0.15);
 		NEAR(velocity_of(world, b).angular, -10.0f * ratios[k], 0.01);
 	}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_cuda.c -- checks that rays in memory of CUDA get the same results as rays in memory of the host. Skipped without
-// CUDA.
+// test_cuda.c -- checks that rays in memory of CUDA get the same results as rays in memory of the host. The test is
+// skipped without CUDA.
 #include "support/make_bodies.h"
 #include "tools/common/random_numbers.h"
 #include <dlfcn.h>
@@ -8,15 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Types of CUDA's driver, declared here because its header may be missing (NVIDIA, CUDA Driver API, Virtual Memory
-// Management).
+// Types of the CUDA driver (NVIDIA, CUDA Driver API, Virtual Memory Management). They are declared here because the
+// header of the driver may be missing.
 typedef struct
 {
-	int type, id; // type 1: a device; id: number of the device
+	int type, id; // type: 1 for a device; id: number of the device
 } Location;
 typedef struct
 {
-	int type, handles; // type 1: pinned memory; handles 1: memory can be exported as file descriptors
+	int type, handles; // type: 1 for pinned memory; handles: 1 if memory can be exported as file descriptors
 	Location location;
 	void* windows;
 	unsigned char flags[8];
@@ -24,7 +24,7 @@ typedef struct
 typedef struct
 {
 	Location location;
-	int flags; // flags 3: read and write
+	int flags; // flags: 3 for access to read and write
 } Access;
 
 #define FUNCTIONS(X)                                                                                    \
@@ -116,7 +116,7 @@ static void rays_of_cuda(void** state)
 	assert_memory_equal(shared, found, RAYS * sizeof *found);
 	print_message("%d of %d rays of CUDA hit\n", hits, RAYS);
 
-	// rays with random bits do not change the world, and their search ends
+	// the search for rays with random bits ends, and does not change the world
 	uint64_t hash = hash_of(world);
 	for (int k = 0; k < RAYS; ++k)
 		for (size_t i = 0; i < sizeof *rays / 4; ++i)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# test_docs.sh -- checks documents: paths, kernels, words of the dialect and the first program. Also checks comments:
-# their first words, and their paths.
+# test_docs.sh -- checks documents: paths, kernels, words of the dialect and the first program. Also checks the first
+# words of comments, and the paths in comments.
 set -euo pipefail
 cd "$SCREE_SOURCE"
 failed=0
@@ -10,7 +10,7 @@ complain()
 	failed=1
 }
 
-# every text in back quotes that looks like a path of this repository is an existing path; it may contain a *
+# each text in back quotes that looks like a path of this repository must be a path that exists; it may contain a *
 for document in README.md ARCHITECTURE.md STYLE.md CHANGELOG.md CONTRIBUTING.md SECURITY.md .github/*.md docs/*.md; do
 	while read -r path; do
 		compgen -G "${path%/}" >/dev/null || complain "$document: \`$path\` does not exist"
@@ -49,7 +49,7 @@ for folder in bench cli scene tests view web src/*/; do
 		grep -E '\.(awk|c|cl|cmake|cpp|def|frag|glsl|h|html|js|json|md|mjs|sh|txt|vert)$|/$' | sort -u)
 done
 
-# docs/step.md has a line for every kernel; a kernel of constraints has a line for each kind of constraint
+# docs/step.md has a line for every kernel; a kernel that exists for each kind of constraint has a line for each kind
 steps=$(<docs/step.md)
 while read -r kernel; do
 	[[ $steps = *"\`$kernel\`"* ]] || complain "docs/step.md: kernel $kernel is missing"
@@ -102,7 +102,7 @@ done < <(find cmake "${folders[@]}" \( "${sources[@]}" -o "${scripts[@]}" \) -pr
 		}
 	}')
 
-# only files in src/dialect distinguish compilers
+# files of the stages, the constraints and the pools do not distinguish compilers
 found=$(grep -rlE "__OPENCL|__GNUC__|__clang__" src/stages src/constraints src/pools | tr '\n' ' ' || true)
 [ -z "$found" ] || complain "only src/dialect/dialect.h may distinguish compilers, not $found"
 

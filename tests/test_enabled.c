@@ -17,7 +17,7 @@ static void disabled_bodies_take_no_part(void** state)
 	throw_body(world, low, 1, 2, 3);
 	OK(scree_body_set_enabled(world, low, false));
 	assert_false(scree_body_is_enabled(world, low));
-	assert_int_equal(contacts_of(world), 0); // contacts end at once, without a step
+	assert_int_equal(contacts_of(world), 0); // contacts end when the body is disabled, before the next step
 	scree_render_row rows[4];
 	int count;
 	OK(scree_world_get_render_rows(world, rows, 4, &count));
@@ -54,7 +54,7 @@ static void disabled_bodies_take_no_part(void** state)
 	scree_world_destroy(world);
 }
 
-// A body that is disabled and enabled between two steps starts new contacts. The rest of its state does not change.
+// A body that is disabled and enabled between two steps starts new contacts. Nothing else of its state changes.
 static void switching_twice_starts_contacts_anew(void** state)
 {
 	(void)state;
@@ -126,7 +126,7 @@ static void disabled_bodies_change(void** state)
 	run_steps(world, 60);
 	NEAR(pose_of(world, rider).position.y, 1.5, 0.02);
 
-	// a body falls through a static body that is disabled
+	// the rider falls through the static body, which is disabled
 	OK(scree_body_set_enabled(world, body, false));
 	run_steps(world, 120);
 	NEAR(pose_of(world, rider).position.y, 0.5, 0.02);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_events.c -- checks touches and hits: their contents, that each touch that begins ends once, and that all devices
-// agree.
+// test_events.c -- checks touches and hits: their contents, that each touch that begins also ends once, and that all
+// devices list the same events.
 #include "support/make_joints.h"
 #include "support/variants.h"
 #include "tools/common/byte_hash.h"
@@ -32,8 +32,8 @@ static int moved_of(scree_world* world, scree_body* first)
 // the contents of events
 // ---------------------------------------------------------------------------------------------------------------
 
-// A ball falls, and is at rest ten seconds later; then it is moved away. One touch begins and ends, and there is one
-// hit.
+// A ball falls, and is at rest ten seconds later. Then it is moved away. There are one begin and one end of a touch,
+// and one hit.
 static void a_ball_lands(void** state)
 {
 	(void)state;
@@ -96,7 +96,7 @@ static void the_destroyed_are_named(void** state)
 	}
 	assert_int_equal(began, 1);
 
-	// events of the step before the destruction
+	// the events of the step before the destruction
 	OK(scree_body_destroy(world, ball));
 	scree_body other = add_reporter(world, circle_shape(0.4f), ALL, 3.0f, 0.4f);
 	scree_collidable heir = collidable_of(world, other);
@@ -106,8 +106,8 @@ static void the_destroyed_are_named(void** state)
 	assert_true(scree_collidable_equals(events.touches_began[0].a, own) && events.touches_began[0].user_a == 5);
 	assert_true(scree_body_equals(events.touches_began[0].body_a, ball) && !events.touches_began[0].destroyed_b);
 
-	// events of the next steps: the touch of the destroyed ball ends, and the touch of the new body begins; the new
-	// body is destroyed after the first of these steps
+	// five more steps: in the first, the touch of the destroyed ball ends, and the touch of the new body begins; after
+	// this step the new body is destroyed, so its touch ends in the second
 	int heirs = 0;
 	for (int k = 0; k < 5; ++k)
 	{
@@ -126,7 +126,8 @@ static void the_destroyed_are_named(void** state)
 	scree_world_destroy(world);
 }
 
-// Events also name a destroyed collidable whose shape was changed just before, which restarted its contacts.
+// Events contain the handle of a destroyed collidable even if its shape was changed just before the destruction, which
+// restarted its contacts.
 static void the_changed_and_destroyed_are_named(void** state)
 {
 	(void)state;
@@ -391,7 +392,9 @@ static Ledger record_heap(const Variant* variant, int steps)
 			churn(world, bodies, k, &seed);
 		if (variant->other[0] && k % 7 == 3)
 			OK(scree_world_move(world, k % 2 ? variant->other : variant->device));
-		if (!early) // reads the events again after changes; only the marks of destroyed collidables may differ
+		// in random steps the events are read only now, after the changes; they contain the same, except the marks of
+		// destroyed collidables
+		if (!early)
 		{
 			velocity_of(world, bodies[0]);
 			scree_events events = events_of(world);
@@ -408,8 +411,8 @@ static Ledger record_heap(const Variant* variant, int steps)
 	return ledger;
 }
 
-// The list of moved bodies contains, exactly once, each body that was moved by a step or by the user, and each new
-// body, also in a reused slot.
+// The list of moved bodies contains each body that was moved by a step or by the user, and each new body, also one in a
+// reused slot. It contains each of them once.
 static void moved_bodies_are_listed(void** state)
 {
 	(void)state;
@@ -444,8 +447,8 @@ static void moved_bodies_are_listed(void** state)
 	}
 }
 
-// The user word in the definition of a body is also given to the body's collidable, and appears in events and contacts.
-// Later the user words of the body and the collidable can be set separately.
+// The user word of a body's definition is also given to the collidable of the body, and appears in events and contacts.
+// Later the user words of body and collidable can be set separately.
 static void a_body_gives_its_word(void** state)
 {
 	(void)state;
@@ -474,9 +477,9 @@ static void a_body_gives_its_word(void** state)
 	scree_world_destroy(world);
 }
 
-// The list of moved bodies contains no body that kept its pose. The test sets another center of mass, locks, the same
-// pose, and the same pose with zeros of the other sign, and takes steps at rest. But a disabled body whose pose is set
-// is listed.
+// The list of moved bodies contains no body that kept its pose. The test sets another center of mass, another type,
+// locks, and a pose with the same numbers but zeros of the other sign; it also takes steps at rest. A disabled body is
+// listed if its pose is set.
 static void bodies_at_rest_are_not_listed(void** state)
 {
 	(void)state;

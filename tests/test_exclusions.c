@@ -16,8 +16,8 @@ static int excluded_of(scree_world* world, scree_body body)
 	return count;
 }
 
-// A box lies on another. When the two boxes are excluded, the upper box falls through the lower one, and their touch
-// ends once.
+// A box lies on another box. When the two boxes are excluded, the upper box falls through the lower one, and their
+// touch ends once.
 static void while_touching(void** state)
 {
 	(void)state;
@@ -115,8 +115,8 @@ static void fast(void** state)
 	}
 }
 
-// Each of 60 bodies excludes all others. The test sets the exclusions in batches, reads them as lists, moves the world
-// to another device, and ends some of the exclusions.
+// Each of 60 bodies excludes all others. The test sets the exclusions in batches, reads them as lists, and moves the
+// world to another device. Then it ends some of the exclusions.
 static void crowd(void** state)
 {
 	(void)state;

@@ -2,9 +2,9 @@
 // test_faults.c -- checks that memory may run out and devices may fail, at every call in turn.
 //
 // A scenario is a list of acts. It runs once without a fault, which gives the expected hash after every act. Then it
-// runs many times with one fault, each time at a later call. The act with the fault must return a status and a message.
-// There are two cases. If the world is unchanged, the act is repeated, and the hash at the end is the expected one.
-// Otherwise the world is broken and can only be destroyed.
+// runs many times with one fault, in each run at a later call than before. The act with the fault must return a status
+// and a message. There are two cases. If the world is unchanged, the act is repeated, and the hash at the end is the
+// expected one. Otherwise the world is broken and can only be destroyed.
 #include "support/allocations.h"
 #include "support/faulty_device.h"
 #include "support/make_bodies.h"
@@ -53,8 +53,8 @@ static scree_status act_attributes(FaultRun* s)
 	return status ? status : scree_attribute_create(s->world, &slab, &s->slab);
 }
 
-// Creates more attributes than the first table has room for. When the act is repeated, attributes that exist already
-// are not created again.
+// Creates more attributes than the first table has room for. If the act is repeated after a fault, it does not create
+// existing attributes a second time.
 static scree_status act_more_attributes(FaultRun* s)
 {
 	for (int k = 0; k < 80; ++k)
@@ -209,7 +209,7 @@ static scree_status act_target(FaultRun* s)
 	return scree_body_set_target(s->world, s->slab_body, (scree_pose){{0.5f, -50.0f}, {1.0f, 0.0f}});
 }
 
-// Gives another surface to one collidable without a body, and another shape to a second one.
+// Gives another surface to one collidable without a body, and another shape to a second such collidable.
 static scree_status act_dress(FaultRun* s)
 {
 	scree_attribute made;
@@ -305,8 +305,8 @@ static void expect(bool timings)
 	assert_int_equal(scree_memory(), 0);
 }
 
-// Checks that calls on a broken world return the status of the fault, and that their messages contain: the world can
-// only be destroyed.
+// Checks that calls on a broken world return the status of the fault, and that their messages contain "the world can
+// only be destroyed".
 static void check_broken(FaultRun* s, scree_status status)
 {
 	static const Act refused[] = {act_more_attributes, act_slab,         act_forces, act_step,    act_contacts,
@@ -332,9 +332,9 @@ static void check_broken(FaultRun* s, scree_status status)
 // memory runs out
 // ---------------------------------------------------------------------------------------------------------------
 
-// Runs the scenario with one failing allocation. allocations: number of allocations that succeed before it. again: true
-// repeats the failed act; false takes a few steps in place of the remaining acts. Returns whether an allocation failed.
-// *broken: incremented if the world broke.
+// Runs the scenario with one failing allocation. allocations: number of allocations that succeed before this one.
+// again: true repeats the failed act; false takes a few steps in place of the remaining acts. Returns whether an
+// allocation failed. *broken: increased by 1 if the world broke.
 static bool run_with_little_memory(int allocations, bool again, int* broken)
 {
 	FaultRun s = {0};
@@ -365,7 +365,7 @@ static bool run_with_little_memory(int allocations, bool again, int* broken)
 			break;
 		}
 
-		// these acts consist of several calls, so they may have changed the hash although they failed
+		// these acts make several calls, of which the first may have changed the hash before a later one failed
 		if (acts[k] != act_attributes && acts[k] != act_more_attributes && acts[k] != act_dress)
 			assert_true(hash_of(s.world) == expected[k - 1]);
 		--k;
@@ -378,7 +378,7 @@ static bool run_with_little_memory(int allocations, bool again, int* broken)
 	return failed;
 }
 
-// Returns the difference of the numbers of the failing calls in two successive runs: 1, or 3 in quick builds.
+// Returns the distance between the numbers of the failing calls in two successive runs: 1, or 3 in quick builds.
 static int stride(void) { return quick() ? 3 : 1; }
 
 static void memory_runs_out(void** state)
@@ -400,8 +400,8 @@ static void memory_runs_out(void** state)
 // the device fails
 // ---------------------------------------------------------------------------------------------------------------
 
-// Runs the scenario with a device that fails after a number of calls. Returns whether an act failed. *broken:
-// incremented if the world broke.
+// Runs the scenario with a device that fails. calls: number of calls of the device that succeed before the failure.
+// Returns whether an act failed. *broken: increased by 1 if the world broke.
 static bool run_with_faulty_device(int calls, int* broken)
 {
 	FaultRun s = {.timings = device_fault.calls != FAULT_RESIZE};

@@ -55,8 +55,9 @@ static void bodies_float_and_sink(void** state)
 }
 
 // Bodies with 1/50 to 1/1,000,000 of the density of the fluid dive and come up again. They are not thrown out of the
-// fluid, and come to rest on its surface. The default density of bodies is 1/1,000 of the density of water. A raft with
-// 1/20 of the density of the fluid carries fifteen times its own weight, at the depth given by Archimedes.
+// fluid, and come to rest on its surface. Such bodies are common, because the default density is 1/1,000 of that of
+// water. A raft with 1/20 of the density of the fluid carries fifteen times its own weight, at the depth given by
+// Archimedes.
 static void light_bodies_stay(void** state)
 {
 	(void)state;
@@ -93,8 +94,8 @@ static void light_bodies_stay(void** state)
 	scree_world_destroy(world);
 }
 
-// Buoyancy acts on each collidable of a body. A narrow boat with a heavy keel rights itself after it lay on its side or
-// almost upside down.
+// Buoyancy acts on each collidable of a body. A narrow boat with a heavy keel turns upright, even if it starts on its
+// side or almost upside down.
 static void boats_right_themselves(void** state)
 {
 	(void)state;
@@ -121,7 +122,7 @@ static void boats_right_themselves(void** state)
 	}
 }
 
-// A field on a moving body moves with this body and does not push it.
+// A field on a moving body moves with this body, but does not push it.
 static void fields_move_with_bodies(void** state)
 {
 	(void)state;
@@ -160,7 +161,8 @@ static void fields_move_with_bodies(void** state)
 	scree_world_destroy(world);
 }
 
-// Fields push enabled dynamic bodies whose category is in the mask of the field, except in locked directions.
+// Fields push enabled dynamic bodies with a category in the mask of the field. They do not push a body in a locked
+// direction.
 static void who_is_pushed(void** state)
 {
 	(void)state;
@@ -193,7 +195,7 @@ static void who_is_pushed(void** state)
 	scree_world_destroy(world);
 }
 
-// A body at rest has no drag, for any coefficient.
+// Drag does not move a body that rests on the floor, for any coefficient.
 static void drag_leaves_weights_alone(void** state)
 {
 	(void)state;
@@ -265,7 +267,8 @@ static void wrong_arguments_are_refused(void** state)
 	scree_world_destroy(world);
 }
 
-// Makes each allocation of a field and of its first step fail in turn. The call returns a status and changes nothing.
+// Makes each allocation fail in turn, while a field is created and the next step is taken. The failing call returns a
+// status and changes nothing.
 static void memory_runs_out(void** state)
 {
 	(void)state;
@@ -303,8 +306,8 @@ static void memory_runs_out(void** state)
 	OK(scree_hooks_set(NULL));
 }
 
-// A step that is refused because of too many contacts changes nothing. Forces of fields do not act twice in the next
-// step.
+// A step that is refused because of too many contacts changes nothing. The forces of fields do not act twice in the
+// step after it.
 static void refused_steps_push_nothing(void** state)
 {
 	(void)state;
@@ -396,7 +399,7 @@ static void build_crowd(scree_world* world, const void* context)
 }
 
 // Destroys, creates and changes fields in each step. In some steps also destroys, disables or enables a body, which may
-// carry a field.
+// carry a field. Fails if a state is not finite.
 static void change_crowd(scree_world* world, int step, const void* context)
 {
 	const bool* extreme = context;
@@ -438,8 +441,8 @@ static void all_devices_agree(void** state)
 	}
 }
 
-// Builds a heap at rest. A field on a kinematic body passes over the heap and presses it down, although no contact
-// begins or ends and the user changes nothing.
+// Builds a heap, which comes to rest. A field on a kinematic body passes over the heap and presses it down, although no
+// contact begins or ends and the user changes nothing.
 static void build_passing(scree_world* world, const void* context)
 {
 	(void)context;

@@ -41,8 +41,9 @@ static void fields_cancel_gravity(void** state)
 	scree_world_destroy(world);
 }
 
-// With attraction by 1 / r^2, a body with v^2 = strength radius^2 / r moves on a circle and keeps its distance r from
-// the center for two minutes. With attraction by 1 / r, the condition is v^2 = strength radius at every distance.
+// With an attraction that falls with 1 / r^2, a body with v^2 = strength radius^2 / r moves on a circle and keeps its
+// distance r from the center for two minutes. With an attraction that falls with 1 / r, the condition is v^2 = strength
+// radius at every distance.
 static void orbits_keep_their_radius(void** state)
 {
 	(void)state;
@@ -105,7 +106,7 @@ static void ellipses_keep_energy(void** state)
 	scree_world_destroy(world);
 }
 
-// A body that starts near the center of a strong attraction is not thrown out of the field.
+// A body that starts near the center of a strong attraction stays in the field.
 static void centers_throw_nothing_out(void** state)
 {
 	(void)state;
@@ -155,8 +156,8 @@ static void vortices_turn(void** state)
 	scree_world_destroy(world);
 }
 
-// Drag balances the weight of a body at the speed m g / k for linear drag, or sqrt(m g / c) for quadratic drag. Drag
-// balances a torque T at the spin T / k. These final speeds are exact for steps of any length.
+// The final speed of a falling body is m g / k for linear drag, and sqrt(m g / c) for quadratic drag. The final spin
+// under a torque T is T / k. These values are exact for steps of any length.
 static void falling_bodies_reach_their_speed(void** state)
 {
 	(void)state;
@@ -183,8 +184,8 @@ static void falling_bodies_reach_their_speed(void** state)
 	scree_world_destroy(world);
 }
 
-// Linear drag slows a body down to the medium: v = v0 e^(-k t / m). The exponent has a relative error of h k / (2 m),
-// which is k / (120 m) at 60 steps per second.
+// Linear drag brings a body to the velocity of the medium. The relative velocity is v = v0 e^(-k t / m). The exponent
+// has a relative error of h k / (2 m), which is k / (120 m) at 60 steps per second.
 static void drag_slows_down(void** state)
 {
 	(void)state;
@@ -200,7 +201,7 @@ static void drag_slows_down(void** state)
 	scree_world_destroy(world);
 }
 
-// A body reaches the velocity and spin of the medium without going past them, for drag of any strength.
+// Drag of any strength brings a body to the velocity of the medium and stops its spin, without going past these values.
 static void stiff_drag_never_reverses(void** state)
 {
 	(void)state;
@@ -257,15 +258,16 @@ static void wind_blows(void** state)
 	box = add_dense(world, box_shape(0.5f, 0.5f), 0.1f, 0.0f, 0.0f);
 	scree_body wing = add_shape(world, SCREE_BODY_DYNAMIC, box_shape(1.0f, 0.01f), 0.0f, 10.0f, 0.5f);
 	run_steps(world, 1);
-	assert_true(velocity_of(world, wing).linear.y < -0.001f); // the wind hits the upper side of the rising plate
+	// the plate rises in the direction of the wind, so the wind hits its upper side, as on a hill
+	assert_true(velocity_of(world, wing).linear.y < -0.001f);
 	run_steps(world, 1200);
 	NEAR(velocity_of(world, box).linear.x, 8.0, 0.3);
 	check_finite(world);
 	scree_world_destroy(world);
 }
 
-// Buoyancy is the weight of the displaced fluid: m a = density area g. It acts at the centroid of the part of the shape
-// below the surface.
+// Buoyancy is equal to the weight of the displaced fluid: m a = density area g. It acts at the centroid of the part of
+// the shape that lies below the surface.
 static void force_is_the_displaced_weight(void** state)
 {
 	(void)state;
@@ -296,7 +298,7 @@ static void force_is_the_displaced_weight(void** state)
 					add_field(world, &def);
 					scree_body body = add_shape(world, SCREE_BODY_DYNAMIC, shapes[s], 0.0f, y, turn);
 					OK(scree_world_step(world, STEP, 1));
-					// reference: the points of a grid that lie both in the shape and in the fluid
+					// reference: sums over those points of a grid that lie both in the shape and in the fluid
 					double area = 0.0, x_sum = 0.0;
 					int grid = 100;
 					for (int i = 0; i < grid; ++i)
@@ -321,7 +323,8 @@ static void force_is_the_displaced_weight(void** state)
 					scree_velocity v = velocity_of(world, body);
 					double found = ((double)v.linear.y * 60.0 + G) * mass / (2.0 * G);
 					double moment = (double)v.angular * 60.0 * inertia / (2.0 * G);
-					// tolerance for the grid, and for arcs that are approximated by corners
+					// tolerance for the error of the grid, and for arcs of the shape that the engine replaces by
+					// corners
 					double error = variant == 2 && shapes[s].radius > 0.0f ? 0.05 : 0.03;
 					NEAR(found, area, error);
 					NEAR(moment, x_sum, error);

@@ -15,7 +15,7 @@ static scree_world* open_lonely(scree_body* body)
 	return world;
 }
 
-// Finite forces f lead to the speed min(h f / m, max_speed) in the direction of the force, without a warning.
+// A finite force f leads to the speed min(h f / m, max_speed) in the direction of the force, without a warning.
 static void forces_lead_to_the_limit(void** state)
 {
 	(void)state;
@@ -40,7 +40,7 @@ static void forces_lead_to_the_limit(void** state)
 	assert_int_equal(warning_count, 0);
 }
 
-// Gravity with a square beyond a float leads to max_speed, without a warning.
+// Gravity whose square is beyond a float leads to max_speed, without a warning.
 static void gravity_leads_to_the_limit(void** state)
 {
 	(void)state;
@@ -53,8 +53,8 @@ static void gravity_leads_to_the_limit(void** state)
 	scree_world_destroy(world);
 }
 
-// Bodies have densities, friction and rolling resistance from the smallest to the largest value. All states are finite,
-// no warning is logged, and the bodies lie on the floor.
+// Bodies have densities, friction and rolling resistance from the smallest to the largest values. All states are
+// finite, no warning is logged, and the bodies lie on the floor.
 static void surfaces_may_be_extreme(void** state)
 {
 	(void)state;

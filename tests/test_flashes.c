@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_flashes.c -- checks marks of events in pictures: touches, hits, sensors and broken joints. Also checks that
-// marks fade, and their maximum number.
+// marks fade, and that their number has a maximum.
 #include "support/make_joints.h"
 #include "view/flashes.h"
 #include "view/outline.h"
@@ -52,7 +52,7 @@ static void touches_and_hits_flash(void** state)
 		NEAR(flashes.list[k].diameter, 5 + 24 * 6.0 / 11.0, 0.1); // diameter at 6 m/s, px
 	}
 
-	// rings fade in the time of the world
+	// rings fade with the simulated time
 	flashes_mark(&flashes, &strokes, &camera, (double)STEP);
 	assert_int_equal(strokes.count, 2);
 	assert_true(strokes.list[0].ring > 0 && strokes.list[0].color[3] == 255);
@@ -143,7 +143,8 @@ static void sensors_have_marks(void** state)
 	assert_int_equal(tables.sensors.count, 2);
 	assert_int_equal(tables.sensors.rows, 3);
 	assert_true(sensor_marks_update(&tables.sensors, world));
-	assert_false(sensor_marks_update(&tables.sensors, world)); // no change since the last call
+	// nothing has changed since the call above
+	assert_false(sensor_marks_update(&tables.sensors, world));
 	const uint8_t* marks = tables.sensors.marks;
 	assert_true(marks[0] == 0 && marks[1] == MARK_SENSOR && marks[2] == MARK_SENSOR);
 	int number = 0;
@@ -163,7 +164,7 @@ static void sensors_have_marks(void** state)
 	scree_world_destroy(world);
 }
 
-// Outlines lie on the surfaces of shapes. The ends of all strokes have a distance of 0 from the shape.
+// Outlines lie on the surfaces of shapes: the ends of all strokes have a distance of 0 from the shape.
 static void outlines_follow_shapes(void** state)
 {
 	(void)state;

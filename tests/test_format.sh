@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# test_format.sh -- clang-format 14 changes no C file.
+# test_format.sh -- checks that clang-format 14 would change no C file.
 set -euo pipefail
 cd "$SCREE_SOURCE"
 

@@ -35,9 +35,9 @@ static void close_pools(Pools* p)
 // ---------------------------------------------------------------------------------------------------------------
 
 // A box of 2 m by 1 m lies at (3, 0) in the frame of a body. The center of mass is at (1, 0) in this frame, and at (10,
-// 20) in the world. After a rotation by t, vertex v is at (10, 20) + R(t) ((3, 0) - (1, 0) + v). The tight box is
-// larger than the shape by half of the speculative distance on each side. The enlarged box is larger by the margin in
-// addition, and stays the same until the tight box leaves it.
+// 20) in the world. After a rotation R by t, vertex v is at (10, 20) + R ((3, 0) - (1, 0) + v). The tight box contains
+// the shape and half of the speculative distance on each side. The enlarged box contains the tight box and the margin
+// on each side. It stays the same until the tight box leaves it.
 static void boxes_follow_bodies(void** state)
 {
 	(void)state;
@@ -98,8 +98,8 @@ static void boxes_follow_bodies(void** state)
 	close_pools(&p);
 }
 
-// The error |vec_rotation(a) - (cos a, sin a)| is below 2e-7 for angles up to 1 radian, and below 2.3e-5 up to pi. Up
-// to 0.1 radian, as in ordinary steps, the error is one or two roundings.
+// The error |vec_rotation(a) - (cos a, sin a)| is below 2e-7 for angles up to 1 radian, and below 2.3e-5 up to pi.
+// Ordinary steps turn by less than 0.1 radian; there the error is one or two roundings, below 6e-8.
 static void rotations_are_exact_enough(void** state)
 {
 	(void)state;
@@ -122,7 +122,9 @@ static void rotations_are_exact_enough(void** state)
 // warm starting
 // ---------------------------------------------------------------------------------------------------------------
 
-#define CHAIN 48 // number of bodies, of which each touches the next; even contacts have one color, odd contacts another
+// number of bodies, and of contacts, which join each body and the next; contacts with even indices have one color,
+// those with odd indices another
+#define CHAIN 48
 
 static void make_chain(Pools* p)
 {
@@ -175,9 +177,9 @@ static void pass(const Pools* p, void (*stage)(const Pools* p, int i))
 			stage(p, k);
 }
 
-// A plain substep adds h g to the velocities, adds all impulses so far by a pass over the contacts, and then does bias,
-// move and relax. The pool base replaces the pass over the contacts, except in the first substep. Velocities and
-// impulses of both methods are equal except for rounding.
+// A plain substep adds h g to the velocities, adds the impulses so far of all contacts by a pass, and then does bias,
+// move and relax. The solver saves this pass, except in the first substep: it starts from the velocities in the pool
+// base. Velocities and impulses of both methods are equal except for rounding.
 static void warm_start_equals_plain(void** state)
 {
 	(void)state;
@@ -223,8 +225,8 @@ static void warm_start_equals_plain(void** state)
 // lists of query results
 // ---------------------------------------------------------------------------------------------------------------
 
-// The counter of results does not grow after the first call that makes it larger than QUERY_MOST. So it never
-// overflows, and shows the host that there are too many results.
+// The counter of results stops growing once it is larger than QUERY_MOST. So it never overflows, but still shows the
+// host that there are too many results.
 static void answers_are_counted_up_to_a_limit(void** state)
 {
 	(void)state;

@@ -22,9 +22,9 @@ static void poke_velocity(scree_world* world, scree_body body, float vx, float w
 	OK(b->f->write(b, POOL_body, (int)body.index, 1, &row));
 }
 
-// Makes the state of one body not finite by the function `hurt`. amid: true for a body among others, false for a body
-// far from all others. Bodies that touch this body may freeze with it for one step. Other bodies do not change, and
-// after that step all bodies move.
+// Makes the state of one body not finite by a call of `hurt`. amid: true for a body that touches others, false for a
+// body far from all others. Bodies that touch this body may freeze with it for one step. All other bodies move as
+// before, and after that step the frozen bodies move again.
 static void check_frozen(bool amid, void (*hurt)(scree_world* world, scree_body body))
 {
 	scree_world* world = open_world(-10.0f);
@@ -86,7 +86,7 @@ static void bodies_freeze(void** state)
 	}
 }
 
-// The functions push_by_... apply several valid forces, torques or impulses. Their sum is beyond a float.
+// Each function push_by_... applies several valid forces, torques or impulses whose sum is beyond a float.
 static void push_by_force(scree_world* world, scree_body body)
 {
 	OK(scree_body_apply_force(world, body, (scree_vec){FLT_MAX, 0.0f}));
@@ -108,8 +108,8 @@ static void push_by_impulse(scree_world* world, scree_body body)
 	                               (scree_vec){SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE}));
 }
 
-// Pushes a body, which may be disabled. Checks that the velocity that is read is finite, and that the enabled body
-// moves at the speed limit.
+// Pushes a body, which may be disabled. Checks that the velocity that is read is finite. After the body is enabled,
+// checks that it reaches the speed limit, or a spin of 100 rad/s, and does not exceed the speed limit.
 static void check_most(void (*push)(scree_world* world, scree_body body), bool disabled)
 {
 	scree_world* world = open_world(0.0f);
@@ -148,8 +148,8 @@ static void sums_end_at_the_most(void** state)
 	}
 }
 
-// Beads of 2 mm are welded or hinged at arms of 0.5 m. The inertia of a bead is 1/125,000 of m L^2, with the mass m of
-// the bead and the arm L. The beads fall, and stay in a row.
+// Beads of 2 mm are welded or hinged together at arms of 0.5 m. The inertia of a bead is 1/125,000 of m L^2, with the
+// mass m of the bead and the arm L. The beads fall, and stay in a row.
 static void beads_at_long_arms(scree_joint_type type)
 {
 	scree_world* world = open_world(-10.0f);
@@ -179,8 +179,8 @@ static void beads_at_long_arms(scree_joint_type type)
 	scree_world_destroy(world);
 }
 
-// A pendulum of 1 m with the smallest valid inertia, 1e-20 kg m^2 at 1 kg, swings from 60 degrees on the left to 60
-// degrees on the right.
+// A pendulum of 1 m swings from 60 degrees on the left to 60 degrees on the right. Its mass is 1 kg, with the smallest
+// valid inertia, 1e-20 kg m^2. set_last: sets the mass after the joint is added, not before.
 static void pendulum_without_inertia(bool set_last)
 {
 	scree_world* world = open_world(-10.0f);
@@ -217,7 +217,7 @@ static void long_arms_do_not_freeze(void** state)
 	pendulum_without_inertia(true);
 }
 
-// Adds a circle with any mass from 1e-15 to 1e30 kg.
+// Adds a circle with a given mass, which may be from 1e-15 to 1e30 kg.
 static scree_body add_mass(scree_world* world, float mass, float x, float y)
 {
 	scree_body body = add_shape(world, SCREE_BODY_DYNAMIC, circle_shape(0.2f), x, y, 0.0f);
@@ -225,7 +225,8 @@ static scree_body add_mass(scree_world* world, float mass, float x, float y)
 	return body;
 }
 
-// Rows and hubs of bodies with very different masses fall and turn fast. No body freezes, but joints may open.
+// Rows of bodies, and wheels of bodies around one body, fall and turn fast. The masses of their bodies are very
+// different. No body freezes, but joints may open.
 static void unequal_masses_do_not_freeze(void** state)
 {
 	(void)state;
@@ -255,8 +256,8 @@ static void unequal_masses_do_not_freeze(void** state)
 	assert_int_equal(warning_count, 0);
 }
 
-// A box of 1 kg with the smallest valid inertia hits a floor with a corner. A second such box, which was a sensor
-// before, also hits the floor. No body freezes.
+// A box of 1 kg with the smallest valid inertia falls on a floor, corner first. A second such box, whose shape was a
+// sensor for a while, does the same. No body freezes.
 static void contacts_without_inertia_do_not_freeze(void** state)
 {
 	(void)state;
@@ -283,7 +284,8 @@ static void contacts_without_inertia_do_not_freeze(void** state)
 	{
 		read = mass_of(world, boxes[k]);
 		assert_true(read.inertia == mass.inertia);
-		NEAR(position_of(world, boxes[k]).y, 0.06, 0.04); // the box overlaps the floor, and does not sink further
+		// the box overlaps the floor, but does not sink through it
+		NEAR(position_of(world, boxes[k]).y, 0.06, 0.04);
 	}
 	assert_int_equal(warning_count, 0);
 	scree_world_destroy(world);

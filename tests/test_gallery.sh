@@ -34,7 +34,7 @@ for scene in slope gears; do
 	grep -q "step 6 .*<code>$hash</code>" "$page" || fail "$scene: another step or hash than $hash"
 	grep -qF "<pre>build/scree run $scene --steps 6 --picture $scene.png --size 320x180</pre>" "$page" || fail "$scene: no command"
 	grep -qF "$(jq -r .title "$source/scenes/$scene.json")" "$page" || fail "$scene: no title"
-	# a clip with few steps is shown slowly
+	# a clip with few steps is played slowly, so that it lasts 2.5 to 5 s
 	seconds=$(ffprobe -v error -show_entries format=duration -of csv=p=0 "$folder/page/$scene.mp4")
 	awk -v s="$seconds" 'BEGIN { exit !(s >= 2.5 && s <= 5) }' || fail "$scene: the clip lasts $seconds s"
 done

@@ -135,7 +135,7 @@ static void triangle_follows_its_formula(void** state)
 	assert_memory_equal(&s, &t, sizeof s);
 }
 
-// Steiner's formula: rounding adds a border, perimeter times radius, and a disc of that radius to the area.
+// Steiner's formula: a rounding radius adds to the area a border of perimeter times radius, and a disc of this radius.
 static void rounded_polygons_follow_steiner(void** state)
 {
 	(void)state;
@@ -177,8 +177,8 @@ static void hulls_hold_all_points(void** state)
 			continue;
 		++made;
 
-		// points may lie outside the hull by up to this distance, because corners close to each other are merged and
-		// flat corners are dropped
+		// points may lie outside the hull by up to twice the weld distance, because corners close to each other are
+		// merged and flat corners are dropped
 		for (int i = 0; i < count; ++i)
 		{
 			for (int k = 0; k < s.count; ++k)
@@ -188,7 +188,7 @@ static void hulls_hold_all_points(void** state)
 			}
 		}
 
-		// the corners of the hull make the same polygon
+		// a polygon of the corners of the hull is equal to the hull
 		scree_shape again = polygon_shape(s.vertices, s.count, 0.0f);
 		assert_memory_equal(&s, &again, sizeof s);
 	}
@@ -243,10 +243,10 @@ static void hull_drops_what_polygon_refuses(void** state)
 	NEAR(s.area, 4.0, 0.01);
 }
 
-// Corners closer to each other than the weld distance are merged. The weld distance is 1/20 of the size of a polygon,
-// but at least 0.5 mm and at most 5 mm. A tenth of it is the tolerance for corners on a line. Polygons of one form,
-// from 2 mm to 20 m, are accepted if their shortest edge is longer than the weld distance, and stay valid when they are
-// rotated. Hulls merge the ends of shorter edges.
+// The weld distance is 1/20 of the size of a polygon, but at least 0.5 mm and at most 5 mm. A tenth of it is the
+// tolerance for corners on a line. The test uses two forms of polygons, in sizes from 2 mm to 20 m. A polygon is
+// refused if its shortest edge is shorter than the weld distance; a hull merges the ends of such an edge. Rotated
+// polygons stay valid.
 static void small_corners_are_kept(void** state)
 {
 	(void)state;
@@ -305,7 +305,7 @@ static void a_moved_shape_keeps_its_mass(void** state)
 		OK(scree_shape_transform(&moved, inverse, &back));
 	}
 
-	// the shape would be so far from the origin that floats cannot separate its corners
+	// this pose is so far from the origin that floats could not separate the corners of the shape
 	scree_pose far = {{99999.0f, 0.0f}, {1.0f, 0.0f}};
 	assert_refused(scree_shape_transform(&shapes[0], far, &moved), "transformed.vertices");
 	scree_pose beyond = {{100001.0f, 0.0f}, {1.0f, 0.0f}};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// test_growth.c -- checks that pools with room for one item at the start give the same hashes as pools with room for
-// all items.
+// test_growth.c -- checks that a world whose pools have room for one item at the start has the same hashes as a world
+// whose pools have room for all items.
 //
-// Formula: hash(capacity 1, step) = hash(ample capacity, step) for each step. Growth shows only in
-// scree_counters.reallocations.
+// Formula: hash(capacity 1, step) = hash(ample capacity, step) for each step. Only scree_counters.reallocations shows
+// the growth.
 #include "support/make_bodies.h"
 #include "support/scenarios.h"
 #include "world/world.h"
@@ -25,8 +25,8 @@ typedef struct
 // scenarios
 // ---------------------------------------------------------------------------------------------------------------
 
-// Adds a grid of bodies, each with its own attribute. Bodies are so close together that each has several contacts at
-// once.
+// Adds a grid of bodies, each with its own attribute. The bodies are so close together that each soon has several
+// contacts.
 static void add_grid(scree_world* world, const Case* c)
 {
 	for (int k = 0; k < c->columns * c->rows; ++k)
@@ -52,7 +52,7 @@ static void come(scree_world* world, int step, const void* context)
 	if (step == c->burst)
 		add_grid(world, c);
 
-	// gives one command to each body, more commands than their pool has room for at first
+	// gives one command to each body; these are more commands than their pool has room for at first
 	scree_body bodies[4096];
 	int count;
 	OK(scree_world_get_bodies(world, bodies, 4096, &count));

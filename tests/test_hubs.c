@@ -12,7 +12,7 @@
 
 typedef struct
 {
-	int crates, plates; // crates: number of crates on each plate
+	int crates, plates; // crates: number of crates on each plate; plates: number of plates
 	float density;      // density of the plates
 	float friction, restitution, rolling;
 } Stack;
@@ -27,7 +27,8 @@ static scree_attribute surface(scree_world* world, scree_shape shape, float dens
 	return add_attribute(world, &def);
 }
 
-// Adds crates side by side, and writes their handles to bodies. y: height of the lower sides of the crates, m.
+// Adds crates side by side, and writes their handles to the array bodies. y: height of the lower sides of the crates,
+// m.
 static void add_crates(scree_world* world, const Stack* s, float y, scree_body* bodies)
 {
 	scree_attribute crate = surface(world, box_shape(CRATE, CRATE), 1.0f, s);
@@ -36,8 +37,8 @@ static void add_crates(scree_world* world, const Stack* s, float y, scree_body* 
 		                     y + CRATE, 0.0f);
 }
 
-// Adds a stack on a floor: a plate, a row of crates on the plate, the next plate, and so on, all in contact. bodies:
-// handles of the plates, then of the crates.
+// Adds a floor and a stack on it: a plate, a row of crates on the plate, the next plate, and so on, all in contact.
+// bodies: receives the handles of the plates, then those of the crates.
 static void add_stack(scree_world* world, const Stack* s, scree_body* bodies)
 {
 	float half = 0.5f * PITCH * (float)s->crates + 1.0f, y = 0.0f;
@@ -73,8 +74,8 @@ static void check_rest(const Stack* s, int steps, double limit)
 	scree_world_destroy(world);
 }
 
-// A plate under any number of crates overlaps by at most 1 mm. Light plates and stacks of plates overlap by at most 2
-// mm.
+// A plate under any number of crates overlaps the floor and the crates by at most 1 mm. Light plates and stacks of
+// plates overlap by at most 2 mm.
 static void plates_carry_crates(void** state)
 {
 	(void)state;
@@ -90,7 +91,7 @@ static void plates_carry_crates(void** state)
 	check_rest(&(Stack){64, 3, 1.0f, 0.6f, 0.0f, 0.0f}, 240, 0.002);
 }
 
-// Adds a stack of combs around x. A comb is a body with many boxes, its teeth, so it is a hub that touches other hubs
+// Adds a stack of combs around x. A comb is a body with many boxes, its teeth. So it is a hub, and touches other hubs
 // in many places. other_density: density of every second comb; the other combs have the density 1.
 static void add_combs(scree_world* world, int teeth, int combs, float other_density, float x)
 {
@@ -158,7 +159,7 @@ static void plate_stays(void** state)
 	scree_world_destroy(world);
 }
 
-// A plate hits crates at 50 m/s without gravity. Momentum and angular momentum are kept, and energy never grows.
+// A plate hits crates at 50 m/s without gravity. Momentum and angular momentum stay constant, and energy never grows.
 static void impacts_keep_momentum(void** state)
 {
 	(void)state;
@@ -194,8 +195,8 @@ static void impacts_keep_momentum(void** state)
 	}
 }
 
-// Coulomb friction on a tilted plane: the test tilts gravity. Below the friction angle all bodies stay. Above it a
-// plate slides together with its crates at a = g (sin - friction cos).
+// Coulomb friction on a tilted plane: the test tilts gravity instead of the plane. Below the friction angle all bodies
+// stay. Above it a plate slides together with its crates with the acceleration g (sin - friction cos).
 static void hubs_slide_by_coulomb(void** state)
 {
 	(void)state;
@@ -247,8 +248,8 @@ static void hubs_bounce(void** state)
 	scree_world_destroy(world);
 }
 
-// Rolling resistance with a lever c slows down rollers on a plate: v = v0 - 2 c g t / (3 r), because the inertia of a
-// disc is m r^2 / 2. Rollers without resistance keep rolling.
+// Rolling resistance with a lever c slows down rollers of radius r on a plate: v = v0 - 2 c g t / (3 r), because the
+// inertia of a disc is m r^2 / 2. Rollers without resistance keep rolling.
 static void hubs_resist_rolling(void** state)
 {
 	(void)state;
@@ -315,9 +316,9 @@ static void joints_make_hubs(void** state)
 	scree_world_destroy(world);
 }
 
-// Builds plates on plates (hubs that touch hubs), crates between two plates, a compound body that touches a plate in
-// many places, several surfaces, and a rotating body that drives the plates. act_all moves, destroys and creates
-// bodies.
+// Builds plates on plates, which are hubs that touch hubs, with crates between them. Adds balls with another surface, a
+// compound body that touches a plate in many places, and a rotating body that drives the plates. act_all moves,
+// destroys and creates bodies and changes their types.
 static void build_all(scree_world* world, const void* context)
 {
 	(void)context;
@@ -366,7 +367,8 @@ static void act_all(scree_world* world, int step, const void* context)
 	if (step % 3 == 2)
 		OK(scree_body_set_pose(world, bodies[10 + step % 40],
 		                       (scree_pose){{0.3f * (float)(step % 20), 5.0f}, scree_rot_make(0.1f * (float)step)}));
-	if (step == 30) // a crate between two plates
+	// destroys a crate between two plates
+	if (step == 30)
 		OK(scree_body_destroy(world, bodies[2]));
 	if (step == 40)
 		OK(scree_body_set_type(world, bodies[1], SCREE_BODY_KINEMATIC));
@@ -395,8 +397,9 @@ static scree_attribute belt_of(scree_world* world, float speed)
 	return add_attribute(world, &def);
 }
 
-// Opens a world with a box on the ends of two belts. The first belt moves boxes by 1 m/s; so does the second, in the
-// opposite direction if back is true. Writes the handles of the box and of the second belt.
+// Opens a world with a box on the ends of two belts. The first belt moves boxes by 1 m/s. The second belt does the
+// same, or moves boxes in the opposite direction if `back` is true. Writes the handles of the box and of the second
+// belt.
 static scree_world* lay_on_belts(bool back, scree_body* box, scree_body* second)
 {
 	scree_world* world = open_world(-(float)G);
@@ -407,8 +410,8 @@ static scree_world* lay_on_belts(bool back, scree_body* box, scree_body* second)
 	return world;
 }
 
-// A box in the middle of two belts that run towards each other is a hub and stays at rest, because both belts carry the
-// same load. A box on belts that run in the same direction is no hub until one belt is reversed.
+// A box that lies on two belts is a hub if the belts run towards each other. It stays at rest, because both belts carry
+// the same load. If the belts run in the same direction, the box is not a hub until one belt is reversed.
 static void belts_make_hubs(void** state)
 {
 	(void)state;

@@ -19,10 +19,10 @@ typedef struct // two worlds that get the same calls; the second world never ski
 	scree_world* worlds[2];
 	scree_body statics[2][STATICS], movers[2][MOVERS];
 	scree_collidable free[2];
-	int left_out; // number of steps in which the first world skipped blocks
+	int left_out; // number of steps in which the first world skipped static blocks
 } Level;
 
-// Creates floors of boxes in rows, and bodies that fall on them.
+// Creates floors of boxes in rows, and boxes that fall on them.
 static void open_level(Level* level, int threads)
 {
 	*level = (Level){0};
@@ -64,7 +64,7 @@ static void advance(Level* level, int steps)
 	}
 }
 
-// Makes a change of a given kind in world w: of static body k, or of a collidable without a body.
+// Changes static body k of world w, or the collidable of this world that has no body. kind: selects the change.
 static void change(Level* level, int w, int kind, int k)
 {
 	scree_world* world = level->worlds[w];
@@ -114,7 +114,8 @@ static void change(Level* level, int w, int kind, int k)
 	}
 }
 
-// Makes each kind of change twice in a level at rest. The second time, types are reset and disabled bodies are enabled.
+// Makes each kind of change twice in a level at rest. If the first change set a type or disabled a body, the second one
+// makes the body static again or enables it.
 static void changes_are_seen(void** state)
 {
 	(void)state;
@@ -143,7 +144,7 @@ static void changes_are_seen(void** state)
 	}
 }
 
-// Makes random changes between steps, and sometimes moves the first world to the device that it is on.
+// Makes random changes between steps, and sometimes moves the first world to the CPU, although it is there already.
 static void random_changes(void** state)
 {
 	(void)state;

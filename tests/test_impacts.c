@@ -35,8 +35,8 @@ static scree_body add_rim(scree_world* world, int boxes, float radius, scree_vec
 }
 
 // Returns the sum of kinetic and potential energy of a body, divided by mass and gravity, m. resting: height of the
-// body at rest, m. The positions of a body that falls in substeps of h lie on a parabola. The velocity on this parabola
-// is lower than that of the body by g h / 2.
+// body at rest, m. The positions of a body that falls in substeps of h lie on a parabola. A body that moves on this
+// parabola has a velocity lower by g h / 2, which this function uses.
 static double energy_of(scree_world* world, scree_body body, double resting, int substeps)
 {
 	scree_velocity v = velocity_of(world, body);
@@ -148,7 +148,7 @@ static void slow_impacts_end(void** state)
 }
 
 // A heavy body flies at 60 m/s and hits a light body, which rests in front of a wall. Both bodies stay in front of the
-// wall. With Box2D, 6 of 2,560 pairs pass through the wall; without continuous collision 1,800 do.
+// wall. With Box2D, 6 of 2,560 pairs of bodies pass through the wall; in Scree without continuous collision, 1,800 do.
 static void strikes_before_a_wall(void** state)
 {
 	(void)state;
@@ -172,8 +172,9 @@ static void strikes_before_a_wall(void** state)
 	}
 }
 
-// No shape crosses a thin wall at 100 to 400 m/s (Box2D: 158 of 5,760 shapes; an earlier version of Scree: 191), or
-// leaves the wall at a higher speed than before the impact. A body passes through walls that its filter excludes.
+// No shape that hits a thin wall at 100 to 400 m/s crosses it (Box2D: 158 of 5,760 shapes do; an earlier version of
+// Scree: 191), or leaves it at a higher speed than before the impact. A body passes through walls that its filter
+// excludes.
 static void fast_bodies_at_walls(void** state)
 {
 	(void)state;
@@ -207,8 +208,8 @@ static void fast_bodies_at_walls(void** state)
 	}
 }
 
-// A body of many collidables does not cross a wall: a rotating rim of 2 to 200 boxes with another box in the middle,
-// hit by a heavier body at 100 to 300 m/s.
+// A body of many collidables does not cross a wall. It is a rotating rim of 2 to 200 boxes with another box in the
+// middle. A heavier body hits it at 100 to 300 m/s.
 static void fast_rims_at_walls(void** state)
 {
 	(void)state;
@@ -268,9 +269,9 @@ static void held_by_no_mistake(void** state)
 	scree_world_destroy(world);
 }
 
-// Chips of 4 cm by 2 cm fly at a wall, with a spinning rod among them. All chips stay finite, so no chip is frozen (an
-// earlier version froze 41 % at 100 m/s), and no chip exceeds the limits of speed and spin. A force of 1e22 N gives
-// max_speed along its direction. A force of 3.4e38 N, whose acceleration is beyond a float, also gives max_speed.
+// Chips of 4 cm by 2 cm fly at a wall, with a spinning rod among them. No chip is frozen (an earlier version froze 41 %
+// at 100 m/s), and no chip exceeds the limits of speed and spin. A force of 1e22 N gives max_speed along its direction.
+// A force of 3.4e38 N, whose acceleration is beyond a float, also gives max_speed.
 static void limits_hold(void** state)
 {
 	(void)state;
@@ -331,8 +332,8 @@ static void build_heap(scree_world* world, const void* context)
 	}
 }
 
-// Bodies that overlap and start from rest, among kinematic bodies of up to 7 m/s, are pushed apart at less than 100 m/s
-// (an earlier version: 160 m/s, Box2D: 102 m/s).
+// Bodies that overlap start from rest among kinematic bodies with speeds of up to 7 m/s. They are pushed apart at less
+// than 100 m/s (an earlier version: 160 m/s, Box2D: 102 m/s).
 static void heaps_do_not_explode(void** state)
 {
 	(void)state;
@@ -415,7 +416,8 @@ static double motion_of(scree_world* world, scree_body body)
 	return 0.5 * ((double)mass.mass * square + (double)(mass.inertia * v.angular * v.angular));
 }
 
-// Boxes with restitution 1 in a closed room without gravity gain no energy, even if a box hits two others at once.
+// Boxes with restitution 1 in a closed room without gravity gain no energy, even if a box hits two others in the same
+// step.
 static void gases_gain_nothing(void** state)
 {
 	(void)state;
@@ -480,7 +482,7 @@ static void corners_gain_nothing(void** state)
 		add_body(world, SCREE_BODY_STATIC, add_attribute(world, &def), 0.0f, -0.5f, 0.0f);
 		scree_body body = add_body(world, SCREE_BODY_DYNAMIC, box, 0.0f, 2.5f, 0.0131f * (float)(k - 30));
 		run_steps(world, 60);
-		// half: difference of the kinetic energies of the body and of the parabola of its positions, on which the
+		// half: kinetic energy of the body minus that of a body that moves on the parabola through its positions, whose
 		// velocity is lower by g h / 2
 		double half = 0.5 * 10.0 * (double)STEP / SUBSTEPS * (double)velocity_of(world, body).linear.y;
 		NEAR(fmax(motion_of(world, body) - half + 10.0 * (double)position_of(world, body).y, 25.0), 25.0, 0.3);

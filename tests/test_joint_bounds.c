@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-// Adds a box of 1 kg with a velocity.
+// Adds a box of 1 kg with a given velocity.
 static scree_body add_puck(scree_world* world, scree_velocity velocity)
 {
 	scree_body body = add_crate(world, SCREE_BODY_DYNAMIC, 0.0f, 0.0f);
@@ -40,7 +40,7 @@ static void springs_push_or_pull(void** state)
 			NEAR(velocity_of(world, body).linear.x, pulls ? -1.0 : 1.0, 1e-5);
 			NEAR(joint_state_of(world, joint).force.x, 0.0, 0.0);
 
-			// the body turns around on the other side, within half a second
+			// the body turns around on the side with a force, within half a second
 			OK(scree_body_set_pose(world, body, (scree_pose){{0.0f, 0.0f}, {1.0f, 0.0f}}));
 			throw_body(world, body, pulls ? 1.0f : -1.0f, 0.0f, 0.0f);
 			run_steps(world, 15);
@@ -58,7 +58,7 @@ static void bounds_of_a_side(void** state)
 {
 	(void)state;
 	static const float bounds[][3] = {
-	    {FLT_MAX, 3.0f, 5.0f}, {4.0f, 3.0f, 5.0f}, {2.0f, FLT_MAX, FLT_MAX}}; // common, push, pull
+	    {FLT_MAX, 3.0f, 5.0f}, {4.0f, 3.0f, 5.0f}, {2.0f, FLT_MAX, FLT_MAX}}; // N: common, for push, for pull
 	for (int k = 0; k < 3; ++k)
 		for (int side = -1; side <= 1; side += 2)
 		{
@@ -111,8 +111,8 @@ static void friction_in_any_direction(void** state)
 		}
 }
 
-// A skate has little friction along its direction, and much across. The skate stays at rest under a force inside the
-// ellipse of its bounds, and moves under a force outside.
+// A skate has little friction along its direction, and much across it. The bounds of the two forces are the axes of an
+// ellipse. The skate stays at rest under a force inside the ellipse, and moves under a force outside it.
 static void friction_of_a_skate(void** state)
 {
 	(void)state;
@@ -140,8 +140,8 @@ static void friction_of_a_skate(void** state)
 		}
 }
 
-// A target joint drags a body with a force of at most F in any direction. It exerts no force along a coordinate with
-// the bound 0.
+// A target joint drags a body with a force of at most F in any direction. If one coordinate has the bound 0, the joint
+// exerts no force along it.
 static void targets_in_any_direction(void** state)
 {
 	(void)state;

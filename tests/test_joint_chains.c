@@ -17,9 +17,9 @@ static void add_links(scree_world* world, int count, float x, float y)
 		links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, x + 0.25f + 0.5f * (float)k, y);
 }
 
-// The last link of a rope is the load, with the mass of up to 10,000 other links. The load falls from the horizontal,
-// and pulls with a force F of at most three times the weight of load and rope. This opens each joint of the rope by 2 F
-// / (m w^2), with the mass m of a link and the angular frequency w of its locks.
+// The last link of a rope is the load. Its mass is that of up to 10,000 other links. The load falls from the
+// horizontal, and pulls with a force F of at most three times the weight of load and rope. This opens each joint of the
+// rope by 2 F / (m w^2), with the mass m of a link and the angular frequency w of its locks.
 static void ropes_swing_heavy_loads(void** state)
 {
 	(void)state;
@@ -144,8 +144,8 @@ static void ropes_tear(void** state)
 	scree_world_destroy(world);
 }
 
-// A row grows link by link while it moves. Then a joint is destroyed, links become kinematic and disabled for a time, a
-// link gets a third joint, and a link is destroyed.
+// A row grows link by link while it moves. Then a joint is destroyed, one link becomes kinematic and one is disabled
+// for a time. A link gets a third joint, and another link is destroyed.
 static void rows_change(void** state)
 {
 	(void)state;
@@ -204,8 +204,8 @@ static void damp(scree_world* world, int count, float rate)
 		OK(scree_body_set_damping(world, links[k], rate, rate));
 }
 
-// A bridge is stretched between the middle of a box and a point. The second plank of the bridge presses on the edge of
-// the box. The bridge comes to rest.
+// A bridge is stretched between the middle of a box and a point beside the box. The second plank of the bridge presses
+// on the edge of the box. The bridge comes to rest.
 static void bridges_rest_on_boxes(void** state)
 {
 	(void)state;
@@ -241,8 +241,8 @@ static void ropes_rest_in_boxes(void** state)
 	assert_true(speed < 5e-4);
 }
 
-// A rope lies over a peg, with a load of the mass of 20 links at each end. The rope comes to rest, although contacts of
-// light links carry its tension.
+// A rope lies over a peg. At each end it carries a load with the mass of 20 links. The rope comes to rest, although
+// contacts of light links carry its tension.
 static void ropes_stay_on_pegs(void** state)
 {
 	(void)state;
@@ -290,8 +290,8 @@ static scree_joint hang(scree_world* world, int count, float x)
 	return cut;
 }
 
-// A rope moves with the same bits in a world of its own and in one with 19 ropes of other lengths, both while it hangs
-// and after it is cut.
+// A rope moves with the same bits in a world of its own and in a world with 19 ropes of other lengths. This is true
+// while it hangs and after it is cut.
 static void ropes_side_by_side(void** state)
 {
 	(void)state;
@@ -318,9 +318,9 @@ static void ropes_side_by_side(void** state)
 	}
 }
 
-// A net hangs by the middle of its upper side, as in Box2D's benchmark joint_grid. Its joints open as far as locks of
-// 60 Hz yield under the load. In an earlier version, bodies rotated back and forth faster than the substeps could
-// follow, and joints opened three times as far.
+// A net hangs from static bodies in the middle of its upper side, as in the benchmark joint_grid of Box2D. Its joints
+// open as far as locks of 60 Hz yield under the load. In an earlier version, bodies rotated back and forth faster than
+// the substeps could follow, and joints opened three times as far.
 static void nets_hold_their_weight(void** state)
 {
 	(void)state;

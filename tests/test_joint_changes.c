@@ -119,8 +119,8 @@ static void joints_with_the_world_keep_overlaps(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint prevents a contact of two bodies. Then one of them is destroyed, and a new body takes its slot. The other
-// body has no contact, in the next step and later.
+// A joint prevents a contact of two bodies. Then one of the two is destroyed, and a new body takes its slot. No body
+// has a contact, in the next step and later.
 static void contacts_go_with_their_bodies(void** state)
 {
 	(void)state;
@@ -141,8 +141,8 @@ static void contacts_go_with_their_bodies(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint is destroyed when one of its bodies is destroyed. Its handle stays stale when the slot of the joint is
-// reused.
+// A joint is destroyed when one of its bodies is destroyed. The handle of the joint is stale, even after the slot of
+// the joint is reused.
 static void joints_go_with_their_bodies(void** state)
 {
 	(void)state;
@@ -174,7 +174,7 @@ static void joints_go_with_their_bodies(void** state)
 	scree_joint_state unread;
 	assert_int_equal(scree_joint_get_state(world, joints[3], &unread), SCREE_ERROR_STALE);
 
-	// a new body and a new joint in the same slots have no state of the destroyed ones
+	// a new body and a new joint that take the slots of destroyed ones have no state of these
 	bodies[1] = add_crate(world, SCREE_BODY_DYNAMIC, 50.0f, 0.0f);
 	scree_joint fresh = join(world, SCREE_JOINT_WELD, bodies[0], bodies[1], 25.0f, 0.0f);
 	assert_false(scree_joint_is_valid(world, joints[0]) || scree_joint_is_valid(world, joints[1]));
@@ -184,8 +184,8 @@ static void joints_go_with_their_bodies(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint between bodies that cannot move does not act. It acts again when one of its bodies can move, and starts
-// without impulses.
+// A joint between bodies that cannot move does not act. When one of its bodies becomes dynamic, the joint acts, and
+// starts without impulses.
 static void types_change(void** state)
 {
 	(void)state;
@@ -215,8 +215,8 @@ static void types_change(void** state)
 	scree_world_destroy(world);
 }
 
-// A joint with a disabled body does not act, so its other body falls freely. When the disabled body is enabled, the
-// joint pulls the two bodies together.
+// If one body of a joint is disabled, the joint does not act, so its other body falls freely. When the body is enabled,
+// the joint pulls the two bodies together.
 static void bodies_are_switched(void** state)
 {
 	(void)state;
@@ -236,14 +236,14 @@ static void bodies_are_switched(void** state)
 	NEAR(pose_of(world, load).position.y, -2.0, 0.01);
 	NEAR(joint_state_of(world, joint).force.y, 10.0, 0.1);
 
-	// the load now has twice its mass
+	// the mass of the load is doubled
 	OK(scree_body_set_mass(world, load, (scree_mass){2.0f, 0.5f, {0.0f, 0.0f}}));
 	run_steps(world, 60);
 	NEAR(joint_state_of(world, joint).force.y, 20.0, 0.1);
 	scree_world_destroy(world);
 }
 
-// Frames, targets, thresholds and stiffness are read back exactly as they were set, and act from the next step on.
+// Frames, targets, thresholds and stiffness can be read exactly as they were set, and act from the next step on.
 static void settings_are_read_and_act(void** state)
 {
 	(void)state;
@@ -308,8 +308,8 @@ static void settings_are_read_and_act(void** state)
 	scree_world_destroy(world);
 }
 
-// A disabled joint does not act, and its bodies may touch. When the joint is enabled, it starts without impulses and
-// has kept its number of turns.
+// A disabled joint does not act, and its bodies may touch. When the joint is enabled, it starts without impulses. It
+// keeps its number of turns.
 static void joints_are_disabled(void** state)
 {
 	(void)state;
@@ -347,7 +347,7 @@ static void joints_are_disabled(void** state)
 	run_steps(world, 1);
 	NEAR(joint_state_of(world, joint).values[SCREE_ANGLE], turned + 20.0 / 60.0, 0.05);
 
-	// disabled while the joint turns: the body flies off, and no threshold is exceeded
+	// the joint is disabled while it turns: the body flies off, and no threshold is exceeded
 	OK(scree_joint_set_thresholds(world, joint, 0.0f, 0.0f, true));
 	OK(scree_joint_set_enabled(world, joint, false));
 	OK(scree_joint_set_enabled(world, joint, true));
@@ -363,7 +363,7 @@ static void joints_are_disabled(void** state)
 	scree_world_destroy(world);
 }
 
-// A rope becomes two ropes when the joint in its middle is disabled, and becomes one rope when the joint is enabled.
+// A rope becomes two ropes when the joint in its middle is disabled, and one rope when this joint is enabled.
 static void chains_are_disabled(void** state)
 {
 	(void)state;
@@ -432,7 +432,7 @@ static void joints_come_and_go(void** state)
 	scree_world_destroy(world);
 }
 
-// A step of 0 s changes no pose, velocity, impulse or angle of a joint.
+// A step of 0 s changes no pose and no velocity of a body, and no impulse and no angle of a joint.
 static void steps_of_no_time(void** state)
 {
 	(void)state;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// test_joint_extremes.c -- checks joints in extreme cases: many joints, long rest, places far from the origin, tiny,
-// huge, light and heavy bodies, and extreme forces.
+// test_joint_extremes.c -- checks joints in extreme cases: many joints, long rest, places far from the origin, extreme
+// forces, and bodies that are tiny, huge, light or heavy.
 #include "support/make_joints.h"
 #include <math.h>
 #include <stdlib.h>
@@ -149,7 +149,7 @@ static int add_doll(scree_world* world, scree_body parts[10], float x, float y)
 	return 10;
 }
 
-// Chains that hang and lie, a bridge, and fallen dolls come to rest, and stay at rest for a minute.
+// Hanging chains, lying chains, a bridge and fallen dolls come to rest, and stay at rest for a minute.
 static void joints_rest(void** state)
 {
 	(void)state;
@@ -182,8 +182,8 @@ static void joints_rest(void** state)
 	scree_world_destroy(world);
 }
 
-// Floats 5 km from the origin are 0.5 mm apart. A chain there comes to rest like a chain at the origin. The chain hangs
-// from a static body, or from a point of the world.
+// 5 km from the origin, adjacent floats are 0.5 mm apart. A chain there comes to rest like a chain at the origin. The
+// chain hangs from a static body, or from a point of the world.
 static void far_away(void** state)
 {
 	(void)state;
@@ -205,9 +205,9 @@ static void far_away(void** state)
 	}
 }
 
-// Chains of ten links, each of 1 cm to 100 m, come to rest. With the mass m of a link and the angular frequency w of
-// its locks, the second joint opens by 2 F / (m w^2) with F = 9 m g. The second and all later joints together lower the
-// last link by 90 g / w^2.
+// Chains of ten links come to rest. The length of a link is 1 cm to 100 m. With the mass m of a link and the angular
+// frequency w of its locks, the second joint opens by 2 F / (m w^2) with F = 9 m g. Together, all joints after the
+// first lower the last link by 90 g / w^2.
 static void tiny_and_huge(void** state)
 {
 	(void)state;
@@ -237,7 +237,7 @@ static void tiny_and_huge(void** state)
 	}
 }
 
-// A chain with one link of 1,000 times the mass of the others, at its end or in its middle, does not explode.
+// A chain does not explode if one link, at its end or in its middle, has 1,000 times the mass of the others.
 static void unequal_masses(void** state)
 {
 	(void)state;
@@ -270,7 +270,8 @@ static void unequal_masses(void** state)
 		}
 }
 
-// Forces whose sum is beyond a float freeze no body. Joints still hold the body on which these forces act.
+// Forces whose sum is beyond a float freeze no body. A joint that locks both translations holds its bodies during such
+// a force.
 static void forces_freeze_nothing(void** state)
 {
 	(void)state;
@@ -278,7 +279,7 @@ static void forces_freeze_nothing(void** state)
 	{
 		scree_world* world = open_world((float)-G);
 		scree_body links[6];
-		bool holds = true; // whether this type of joint holds a point
+		bool holds = true; // true: this type of joint locks both translations
 		for (int k = 0; k < 6; ++k)
 		{
 			links[k] = add_box(world, SCREE_BODY_DYNAMIC, 0.25f, 0.05f, 0.25f + 0.5f * (float)k, 0.0f);
@@ -309,7 +310,7 @@ static void forces_freeze_nothing(void** state)
 	}
 }
 
-// A net of 75 x 75 boxes hangs from seven static boxes. Each of these carries the weight of 800 boxes.
+// A net of 75 x 75 boxes hangs from seven static boxes of its upper side. Each static box carries about 800 boxes.
 static void a_net_hangs(void** state)
 {
 	(void)state;
@@ -341,8 +342,8 @@ static void a_net_hangs(void** state)
 	scree_world_destroy(world);
 }
 
-// Six sliders in a row are pulled apart by a force of 100 or 1,000 times the weight of a box. After the force ends they
-// come together.
+// Six sliders in a row are pulled apart by a force of 100 or 1,000 times the weight of a box. After the force ends, the
+// boxes come together.
 static void sliders_come_together(void** state)
 {
 	(void)state;

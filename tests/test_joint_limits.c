@@ -60,7 +60,7 @@ static void wheels_turn_long(void** state)
 }
 
 // A slider on a slope of 30 degrees slides down to its limit. The limit carries m g sin 30, and the rail m g cos 30. A
-// slider holds the angle of its body; a pin in a slot leaves the angle free.
+// slider locks the angle of its body; a pin in a slot does not.
 static void sliders_stop(void** state)
 {
 	(void)state;
@@ -102,8 +102,8 @@ static void sliders_stop(void** state)
 	}
 }
 
-// A rope is a distance joint with an upper limit. Below the limit the load falls freely; at the limit the rope carries
-// it.
+// A rope is a distance joint with an upper limit. Below the limit the load falls freely. At the limit the rope carries
+// the load.
 static void ropes_are_slack(void** state)
 {
 	(void)state;
@@ -135,15 +135,15 @@ static void ropes_are_slack(void** state)
 	NEAR(joint_state_of(world, joint).values[SCREE_ALONG], 2.0, 1e-3);
 	NEAR(joint_state_of(world, joint).force.y, weight_of(world, body), 0.01 * weight_of(world, body));
 
-	// after a lift the rope is slack again
+	// the load is lifted, so the rope is slack
 	OK(scree_body_set_pose(world, body, (scree_pose){{0.0f, -1.0f}, {1.0f, 0.0f}}));
 	run_steps(world, 2);
 	assert_true(joint_state_of(world, joint).force.y == 0.0f);
 	scree_world_destroy(world);
 }
 
-// Locks follow moving targets and hold them. The targets are in m, m and rad, in the coordinates of frame A, which is
-// rotated in the world.
+// Locks follow moving targets and hold them. The targets are two translations, m, and an angle, rad, in frame A, which
+// is rotated in the world.
 static void targets_are_held(void** state)
 {
 	(void)state;
@@ -195,8 +195,9 @@ static void soft_locks_have_a_direction(void** state)
 	}
 }
 
-// The force at rest is m g. A joint breaks if its threshold is slightly below this force. It does not break, not even
-// in its first step, if the threshold is slightly above. A joint that only reports makes an event in every step.
+// The force at rest is m g. A joint breaks if its threshold is slightly below this force. If the threshold is slightly
+// above it, the joint does not break, not even in its first step. A joint that only reports makes an event in every
+// step.
 static void joints_break_at_their_threshold(void** state)
 {
 	(void)state;
@@ -238,7 +239,8 @@ static void joints_break_at_their_threshold(void** state)
 		}
 }
 
-// A weld breaks if its threshold is slightly below the torque m g l, and does not break if it is slightly above.
+// A weld that carries the torque m g l breaks if its threshold is slightly below this torque, and does not break if the
+// threshold is slightly above it.
 static void torques_break(void** state)
 {
 	(void)state;
@@ -327,7 +329,7 @@ static void soft_locks_of_nothing(void** state)
 	}
 }
 
-// Limits hold against motors and springs of the same joint, even if these are very strong.
+// Limits hold against a motor and a spring of the same joint, even if these are very strong.
 static void limits_hold_their_drives(void** state)
 {
 	(void)state;
@@ -358,10 +360,10 @@ static void limits_hold_their_drives(void** state)
 	}
 }
 
-// A hinge at the end of a bar has a spring of 10 or 30 Hz, whose target is 3 rad beyond the limit of the hinge. A
-// slider has such a spring, with a target 10 m beyond its limit. The limit carries the whole force of the spring, so
-// the hinge and the rail hold as if there were neither spring nor limit. In an earlier version the hinge opened by 1.5
-// m, and the slider rotated by 0.05 rad.
+// A hinge at the end of a bar has a limit, and a spring of 10 or 30 Hz with a target 3 rad beyond the limit. A slider
+// has such a spring with a target 10 m beyond its limit. The limit carries the whole force of the spring, so the locks
+// hold as if there were neither spring nor limit. In an earlier version the hinge opened by 1.5 m, and the slider
+// rotated by 0.05 rad.
 static void limits_take_springs_from_locks(void** state)
 {
 	(void)state;
@@ -393,9 +395,9 @@ static void limits_take_springs_from_locks(void** state)
 	}
 }
 
-// A motor turns a bar 32 times. Then the joint gets limits or a spring around the angle 0. The bar turns to this range
-// by the shorter rotation, at less than 31 rad/s, and earlier turns are no longer counted. Limits around the current
-// angle, with all turns counted, keep the bar where it is.
+// A motor turns a bar 32 times. Then the motor is replaced by limits or a spring around the angle 0. The bar turns to
+// this angle by the shorter rotation, at less than 31 rad/s, and the turns before are no longer counted. If the limits
+// are around the current angle instead, which includes all turns, the bar stays in place.
 static void turns_count_from_what_uses_them(void** state)
 {
 	(void)state;

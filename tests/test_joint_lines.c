@@ -18,7 +18,7 @@ static scree_joint hang(scree_world* world, float x, float half, float above, fl
 	return add_joint(world, &def);
 }
 
-// The joints carry the weights of their boxes: 40, 10 and 10 N. The second joint breaks, and the third is destroyed.
+// Three joints carry the weights of their boxes: 40, 10 and 10 N. The second joint breaks, and the third is destroyed.
 static void lines_follow_joints(void** state)
 {
 	scree_world* world = open_world(-10.0f);

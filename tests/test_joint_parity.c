@@ -14,8 +14,8 @@ static void act_scene(scree_world* world, int step, const void* context)
 		scene->act(world, step);
 }
 
-// A wheel on the floor with three times as many joints as there are colors. act_wheel destroys some of its arms and
-// adds others.
+// A wheel with three times as many joints as there are colors falls on the floor. act_wheel destroys some of the arms
+// and adds others.
 #define ARMS 200
 
 static void add_arm(scree_world* world, scree_body wheel, int k)
@@ -87,8 +87,8 @@ static void build_chains(scree_world* world, const void* context)
 	}
 }
 
-// Changes joints, except around steps 9 and 25, in which a world moves to another device and back. After a move the
-// chains lie at other places in memory, although no edit has changed them.
+// Changes joints, except in the steps around steps 9 and 25, before which some worlds move to another device and back.
+// After a move the chains have other places in memory, although no edit has changed them.
 static void act_chains(scree_world* world, int step, const void* context)
 {
 	(void)context;
@@ -101,7 +101,7 @@ static void act_chains(scree_world* world, int step, const void* context)
 	OK(scree_world_get_joints(world, joints, 150, &count));
 	OK(scree_joints_get_states(world, joints, states, count));
 	OK(scree_world_get_joint_events(world, events, 150, &some));
-	// later changes use values that are read here, so these values must be equal too
+	// the changes below use values that are read here, so these values must also be equal on all devices
 	int k = (step * 7) % count;
 	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ANGLE, -states[k].values[SCREE_ANGLE]));
 	scree_joint_coordinate at;
@@ -111,8 +111,9 @@ static void act_chains(scree_world* world, int step, const void* context)
 	OK(scree_joint_set_coordinate(world, joints[(k + some) % count], SCREE_ANGLE, &at));
 }
 
-// Builds heavy carts that fall on light wheels, and ropes with heavy ends: five short and two long ropes. The chains of
-// the carts have two joints. As the shortest chains, they lie side by side after all others.
+// Builds heavy carts that fall on light wheels, and ropes with heavy ends: five short ropes and two long ropes. The
+// chains of the carts have two joints. They are the shortest chains, so they have the last places in memory, side by
+// side.
 static void build_carts(scree_world* world, const void* context)
 {
 	(void)context;
@@ -145,9 +146,9 @@ static void build_carts(scree_world* world, const void* context)
 	}
 }
 
-// Builds light discs with six heavy arms of two parts each. The joints of the arms are welds, or hinges with limits and
-// motors; some break. Two discs are welded together, one disc is free, and one has arms that are joined at their ends.
-// A chain of twelve bodies hangs from the last disc.
+// Builds five light discs, each with six arms of two heavy parts. The joints of the arms are welds, or hinges with
+// limits and motors; some break. Two discs are welded together, one disc is free, and the arms of the last disc are
+// joined to each other. A chain of twelve bodies hangs from the last disc.
 static void build_branches(scree_world* world, const void* context)
 {
 	(void)context;
@@ -198,7 +199,7 @@ static void build_branches(scree_world* world, const void* context)
 	}
 }
 
-// Nets, each held at one corner, close to the floor. A heavy ball hangs at the opposite corner, so bodies are taut in
+// Nets hang close to the floor, each from one corner. A heavy ball hangs at the opposite corner, so bodies are taut in
 // some steps. act_nets destroys joints until the balls fall.
 #define NET 8
 
@@ -240,7 +241,7 @@ static void act_nets(scree_world* world, int step, const void* context)
 #define WHEELS 9
 #define ROPES  12
 
-// Gives a coupling a lock, limits, a spring or a motor, and thresholds, which depend on k.
+// Gives a coupling a lock, limits or a spring, in some cases also a motor, and thresholds. The number k selects these.
 static void vary(scree_joint_def* def, int k)
 {
 	scree_joint_coordinate* along = def->coordinates;
@@ -261,9 +262,8 @@ static void vary(scree_joint_def* def, int k)
 	def->torque_threshold = k % 3 == 2 ? 2.0f : 3.4e38f;
 }
 
-// Changes one body, `moved`: disables it in steps with step % 6 == first, and in every eighth step makes it kinematic
-// or static. Enables all bodies in steps with step % 6 == 4. Two steps after each change of type, makes all bodies but
-// the first dynamic.
+// Changes one body, `moved`: disables it if step % 6 is `first`, and in every eighth step makes it kinematic or static.
+// If step % 6 is 4, enables all bodies. Two steps after each change of type, makes all bodies except the first dynamic.
 static void disturb(scree_world* world, const scree_body* bodies, int count, scree_body moved, int step, int first)
 {
 	if (step % 6 == first)
@@ -337,7 +337,7 @@ static void act_couplings(scree_world* world, int step, const void* context)
 	OK(scree_world_get_bodies(world, bodies, 64, &some));
 	OK(scree_joints_get_states(world, joints, states, count));
 
-	// later changes use values that are read here, so these values must be equal too
+	// the changes below use values that are read here, so these values must also be equal on all devices
 	int k = step * 7 % count;
 	scree_joint_def def;
 	OK(scree_joint_get_def(world, joints[k], &def));
@@ -383,7 +383,8 @@ static scree_path add_wave(scree_world* world, float x, float y, float reach, bo
 	return path;
 }
 
-// Adds a bead with a joint on a path that is fixed in body a. Lock, limits, springs, motors and thresholds depend on k.
+// Adds a bead with a joint on a path that is fixed in body a. The number k selects lock, limits, springs, motors and
+// thresholds.
 static void add_bead(scree_world* world, scree_path path, scree_body a, scree_pose place, int k)
 {
 	float length;
@@ -478,7 +479,7 @@ static void act_paths(scree_world* world, int step, const void* context)
 	OK(scree_world_get_bodies(world, bodies, 400, &some));
 	OK(scree_joints_get_states(world, joints, states, count));
 
-	// later changes use values that are read here, so these values must be equal too
+	// the changes below use values that are read here, so these values must also be equal on all devices
 	int k = step * 17 % count;
 	OK(scree_joint_set_motor_speed(world, joints[k], SCREE_ALONG, 1.0f - states[k].values[SCREE_ALONG]));
 	scree_body moved = bodies[2 + step * 29 % (some - 2)];

@@ -2,9 +2,9 @@
 // test_joint_springs.c -- checks springs and soft locks against their differential equation, C" + 2 z o C' + o^2 C = 0
 // for a coordinate C, with o = 2 pi hertz and the damping ratio z.
 //
-// A coordinate that starts at 0 with the speed v follows v e^(-z o t) sin(q t) / q, with q = o sqrt(1 - z^2). For z = 1
-// it follows v t e^(-o t), and for z > 1 sin becomes sinh. The method of the engine has the same eigenvalues, so its
-// C(t) is this solution times a constant factor, which the first step determines.
+// A coordinate that starts at 0 with the speed v is v e^(-z o t) sin(q t) / q at the time t, with q = o sqrt(1 - z^2).
+// For z = 1 it is v t e^(-o t). For z > 1, sin becomes sinh, and q = o sqrt(z^2 - 1). The method of the engine decays
+// and oscillates at the same rates, so its result is this solution times a constant, which the first step determines.
 #include "support/make_joints.h"
 #include <math.h>
 
@@ -50,7 +50,7 @@ static void set_spring(scree_joint_coordinate* c, bool lock, double hertz, doubl
 	c->spring_damping_ratio = (float)ratio;
 }
 
-// Returns the solution of the equation at the time t, s, with the speed 1 at the start. rate: o, 1 / s. ratio: z.
+// Returns the solution of the equation at the time t, s, for the speed 1 at the start. rate: o, 1/s. ratio: z.
 static double solution(double rate, double ratio, double t)
 {
 	double decay = ratio * rate, square = rate * rate - decay * decay;
@@ -86,7 +86,7 @@ static void check_swing(const Kind* kind, double hertz, double ratio, int subste
 		OK(scree_path_create(world, &path, &def.path));
 	scree_joint joint = add_joint(world, &def);
 
-	// stiffness and damping do not depend on the arm; the arm adds inertia, which makes the motion slower
+	// the arm does not change stiffness and damping; it adds inertia, which makes the motion slower
 	double m = (double)mass.mass, own = (double)mass.inertia, arm = (double)kind->arm;
 	double share = turns ? own / (own + m * arm * arm) : 1.0;
 	double rate = 2.0 * PI * hertz * sqrt(share), most = 0.0, first = 0.0;
@@ -104,8 +104,8 @@ static void check_swing(const Kind* kind, double hertz, double ratio, int subste
 			fail_msg("%s of %g Hz and %g, %d substeps: %g after %d steps, must be %g", kind->name, hertz, ratio,
 			         substeps, value, n, first * wanted);
 	}
-	// the factor is the speed at the start, 0.5; the first substep has a whole impulse, which shifts the motion by half
-	// a substep
+	// the factor is about 0.5, the speed at the start; the first substep applies a whole impulse at its start, which
+	// shifts the motion by half a substep
 	NEAR(first, 0.5, 0.5 * 0.6 * rate * (double)STEP / substeps + 1e-3);
 	scree_world_destroy(world);
 }
@@ -130,7 +130,7 @@ static void springs_of_any_substeps(void** state)
 				check_swing(&kinds[k], 5.0 * substeps > 20.0 ? 20.0 : 5.0 * substeps, 0.5 * j, substeps);
 }
 
-// A load with the weight F = m g rests at F / (m o^2) = g / o^2 below its target, with any damping.
+// A load with the weight F = m g rests at F / (m o^2) = g / o^2 below the target of its spring, with any damping.
 static void springs_carry(void** state)
 {
 	(void)state;
@@ -185,8 +185,8 @@ static void springs_together_gain_nothing(void** state)
 				{
 					run_steps(world, 1);
 					scree_velocity v = velocity_of(world, body);
-					// at a spin of 1 rad/s, the speed at the radius of gyration is 0.16 m/s; all energy may go into the
-					// translation or into the spin
+					// all energy may go into the translation or into the spin: the radius of gyration is 0.16 m, so 7
+					// rad/s have the energy of 1.1 m/s
 					assert_true(hypotf(v.linear.x, v.linear.y) < 1.5f && fabsf(v.angular) < 7.0f);
 				}
 				scree_world_destroy(world);
@@ -254,7 +254,8 @@ static void soft_locks_after_a_jump(void** state)
 	for (int k = 0; k < 120; ++k)
 	{
 		run_steps(world, 1);
-		// maximum speed with critical damping: o C / e, for C = 10 m and o = 2 pi 2 Hz; 2.6 leaves a margin
+		// maximum speed with critical damping: o C / e, for C = 10 m and o = 2 pi 2 Hz; e = 2.72 is replaced by 2.6,
+		// which leaves a margin
 		assert_true(fabsf(velocity_of(world, body).linear.x) < 10.0f * 2.0f * 2.0f * (float)PI / 2.6f);
 	}
 	scree_pose pose = pose_of(world, body);
@@ -263,9 +264,9 @@ static void soft_locks_after_a_jump(void** state)
 	scree_world_destroy(world);
 }
 
-// A row of softly welded boxes hangs from its first joint. Joints open by decimeters and turn, but each pulls like a
-// closed joint. The last joint carries the weight of one box, 2 N. With w = 2 pi f, its stiffness along the axis is w^2
-// times 1 / (1 / 0.2 + 1 / 0.2) kg; across the axis it is w^2 times the effective mass at arms of 0.5 m.
+// A row of softly welded boxes hangs from its first joint. Joints open by decimeters and turn, but each pulls as if it
+// were closed. The last joint carries the weight of one box, 2 N. Along the axis its stiffness is w^2 times 1 / (1 /
+// 0.2 + 1 / 0.2) kg, with w = 2 pi f. Across the axis it is w^2 times the effective mass at arms of 0.5 m.
 static void soft_rows_carry(void** state)
 {
 	(void)state;

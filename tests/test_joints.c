@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_joints.c -- checks joints against formulas; each test states its formula.
+// test_joints.c -- checks joints against formulas, which the comment of each test states.
 #include "support/make_joints.h"
 #include <math.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 // pendulums
 // ---------------------------------------------------------------------------------------------------------------
 
-// Returns the mean period of a pendulum, s: the time between two crossings of x = 0 to the right. The times of the
+// Returns the mean time between two crossings of x = 0 to the right, which is the period of a pendulum, s. The times of
 // crossings are interpolated within steps.
 static double period_of(scree_world* world, scree_body body, int periods)
 {
@@ -156,9 +156,8 @@ static void beams_hold(void** state)
 	}
 }
 
-// A rope of 40 links carries a load with the mass of a link, or 100 times that mass. Each joint is a spring as in
-// beam_sag, and opens by (1 / m + 1 / m') F / w^2, with the masses m and m' of its two bodies and the force F that it
-// carries.
+// A rope of 40 links carries a load with the mass of one link, or of 100 links. Each joint is a spring as in beam_sag.
+// It opens by (1 / m + 1 / m') F / w^2, with the masses m and m' of its two bodies and the force F that it carries.
 static void ropes_carry(void** state)
 {
 	(void)state;
@@ -191,8 +190,8 @@ static void ropes_carry(void** state)
 	}
 }
 
-// A load m on a spring of f Hz sinks by x = g / w^2, with w = 2 pi f, because the force of the spring, m w^2 x, carries
-// the weight m g.
+// A load of mass m on a spring of f Hz sinks by x = g / w^2, with w = 2 pi f, because the force of the spring, m w^2 x,
+// carries the weight m g.
 static void springs_give(void** state)
 {
 	(void)state;
@@ -215,8 +214,8 @@ static void springs_give(void** state)
 	}
 }
 
-// A motor with the maximum torque M holds a lever for long if m g l < M. It cannot hold a lever with m g l > M, but it
-// still applies M.
+// A motor with the maximum torque M holds a lever that needs a torque m g l below M, and does not yield with time. It
+// cannot hold a lever with m g l > M, but applies M to it.
 static void motors_stall(void** state)
 {
 	(void)state;
@@ -238,7 +237,7 @@ static void motors_stall(void** state)
 	}
 }
 
-// A motor without a load reaches its speed w. With the torque M this takes the time I w / M, s.
+// A motor without a load reaches its target speed w. With the torque M this takes the time I w / M, s.
 static void motors_drive(void** state)
 {
 	(void)state;
@@ -265,8 +264,8 @@ static void motors_drive(void** state)
 // joints in flight
 // ---------------------------------------------------------------------------------------------------------------
 
-// Impulses of a joint on its two bodies are equal and opposite, along one line. So the sums of m v and of m r x v + I w
-// are constant, for each type of joint.
+// The impulses of a joint on its two bodies are equal and opposite, and act along the same line. So for each type of
+// joint, the sums of m v and of m r x v + I w are constant.
 static void momentum_stays(void** state)
 {
 	(void)state;

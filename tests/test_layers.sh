@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # test_layers.sh -- checks the order of the files. Files in src/ include only files of the same folder and of lower
-# folders, and no includes form a circle. A function that a header declares is defined in the .c file of the same name.
+# folders, and no includes form a circle. A function that a header declares is defined in the .c file with the name of
+# the header.
 set -euo pipefail
 cd "$SCREE_SOURCE"
 
@@ -37,7 +38,7 @@ world/create world/pool_read
 api/world api/body api/collidable api/joint api/query api/field
 api/contact api/mover'
 
-# folders beside the library, which are searched only for circles
+# folders beside the library, which are searched only for circles of includes
 beside='cli scene tools validate view'
 
 # folders of src/ whose headers are not checked for definitions: functions of the stages, the constraints, the pools and the dialect
@@ -58,8 +59,8 @@ includes()
 		sed -E 's#^([^:]+):\#include "([^"]+)"#\1 \2#'
 }
 
-# Reads lines with two files, the first of which includes the second, and prints circles. A file and its header count as
-# one file. tsort prints one file of a circle per line.
+# Reads lines with two files, of which the first includes the second, and prints circles. A file and its header count as
+# one file. tsort prints each file of a circle on its own line.
 circles()
 {
 	sed -E 's/\.(c|h|cpp)( |$)/\2/g' | awk '$1 != $2' | sort -u | tsort 2>&1 >/dev/null |
@@ -80,9 +81,9 @@ check_layers()
 		}'
 }
 
-# Prints functions that are declared but not defined. A declaration is a line that begins with a type and contains
-# "name("; inline functions and typedefs are left out. A definition is such a line that does not end its statement.
-# Headers are read first.
+# Prints functions that are declared but not defined. A declaration is a line of a header that begins with a type and
+# contains "name("; inline functions and typedefs are left out. A definition is such a line of a .c file that contains
+# the body of the function or has no semicolon at its end. Headers are read first.
 check_definitions()
 {
 	local files
@@ -114,8 +115,8 @@ check_rooms()
 	done
 }
 
-# Prints files whose names another file also has. A header and its .c file count as one file. Each program may have a
-# file main.
+# Prints files whose names another file also has. A header and its .c file count as one file. Files named main and
+# primitives are left out.
 check_names()
 {
 	find src cli scene view bench/peers tools tests -name '*.[ch]' -o -name '*.cpp' | grep -v '/primitives\.' |
@@ -147,8 +148,8 @@ if [ -n "$found" ]; then
 	exit 1
 fi
 
-# tests that the checks find each kind of error; expect adds a line to a file, and fails unless check prints the
-# complaint
+# tests that the checks find each kind of error: expect adds a line to a file, and fails unless check prints the
+# expected complaint
 mkdir "$work/tree"
 # shellcheck disable=SC2086
 cp -r --parents src $beside bench/peers tests "$work/tree"
@@ -170,7 +171,8 @@ expect src/world/objects/handles.h 'void world_missing(void);' 'handles.h declar
 expect src/world/objects/handles.h 'scree_status world_upload(scree_world* world);' 'handles.h declares world_upload, which'
 expect cli/common/options.h '#include "csv.h"' '^cli/common/options is part of a circle'
 
-# misplace moves a file to a wrong folder, with its new path in all includes; it fails unless check prints the complaint
+# misplace moves a file to a wrong folder and changes its path in all includes; it fails unless check prints the
+# expected complaint
 misplace()
 {
 	local file=$1 room=$2 complaint=$3

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# test_lists.sh -- checks that make lists would change no file that is generated from lists of the sources.
+# test_lists.sh -- checks that the command "make lists" would change no file. It generates files from lists of the
+# sources.
 set -euo pipefail
 [ -x "$SCREE_BUILD/tests/scene_lists" ] || { echo "skipped: scenes need Jansson"; exit 77; }
 folder=$(mktemp -d "$SCREE_BUILD/test_lists.XXXXXX")

@@ -85,8 +85,8 @@ static void begin_life(Life* l)
 		be_born(l, k);
 }
 
-// Makes the same calls in two worlds. In one world it reads the hash and contacts after each call, which uploads the
-// changes. After each step both worlds have the same hash.
+// Makes the same calls in two worlds. In one of the two it reads the hash and contacts after each call, which uploads
+// the changes. After each step both worlds have the same hash.
 static void reading_changes_nothing(void** state)
 {
 	(void)state;

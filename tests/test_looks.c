@@ -30,7 +30,7 @@ static void looking_finds_contacts(void** state)
 	OK(scree_world_get_traffic(world, &traffic));
 	assert_true(traffic.constraints == 0 && traffic.constraint_bytes == 0);
 
-	// the contact ends when the crate is placed elsewhere
+	// the contact ends in the first step of 0 s after the crate is placed elsewhere
 	OK(scree_body_set_pose(world, crate, pose_at(0.0f, 5.0f, 0.0f)));
 	update_contacts(world);
 	assert_int_equal(contacts_of(world), 0);
@@ -63,8 +63,8 @@ static void looking_changes_nothing_else(void** state)
 	assert_int_equal(again, count);
 	assert_memory_equal(before, after, (size_t)count * sizeof *before);
 
-	// impulses are unchanged: together those of the top crate are m g times the length of a substep; a force acts only
-	// in the next step that is longer than 0 s
+	// the impulses are unchanged: the sum of those on the top crate is m g times the length of a substep; a force acts
+	// only in the next step that is longer than 0 s
 	double load = 0.0;
 	OK(scree_body_get_contacts(world, crates[4], after, 8, &again));
 	assert_int_equal(again, 1);
@@ -123,7 +123,7 @@ static void no_time_is_no_error(void** state)
 	scree_world_destroy(world);
 }
 
-// A step of length 0 lays out the constraints of hubs. The solver has this layout in later steps, even if the host
+// A step of length 0 lays out the constraints of hubs. The solver uses this layout in later steps, even if the host
 // lists a solve before it has read the counters. Formula: hash(device) = hash(cpu).
 static void looking_lays_out_hubs(void** state)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// test_manifold.c -- checks manifolds against worked examples. Also checks them for each pair of shapes, against
+// test_manifold.c -- checks manifolds against worked examples. Also compares the manifolds of each pair of shapes with
 // distances in double precision.
 #include "stages/geometry/manifold.h"
 #include "support/checks.h"
@@ -15,7 +15,7 @@ typedef struct
 	double x, y;
 } Point;
 
-typedef struct // corners of a shape, placed at a pose; the radius of the shape is left out
+typedef struct // corners of a shape at a pose in double precision, without the radius of the shape
 {
 	int count;
 	Point corner[8];
@@ -209,8 +209,8 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	CHECK(m.count >= 0 && m.count <= 2, "%d points", m.count);
 	CHECK(isfinite(m.normal.x) && isfinite(m.normal.y), "normal is not finite");
 
-	// every point is in the middle between the two surfaces, so its distance from each core has a bound, which depends
-	// on the radii and the separation
+	// every point is in the middle between the two surfaces, so its distance from each core has an upper bound, which
+	// depends on the radii and the separation
 	Core core_a = place(shape_a, vec(0.0f, 0.0f), vec(1.0f, 0.0f)), core_b = place(shape_b, position, rotation);
 	for (int k = 0; k < m.count; ++k)
 	{
@@ -228,15 +228,15 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	if (m.count == 2)
 		CHECK(m.feature[0] != m.feature[1], "both points have feature %d", m.feature[0]);
 
-	// shapes touch if the distance of the cores is less than the sum of both radii and the speculative distance
+	// shapes touch if the distance of their cores is less than the sum of both radii and the speculative distance
 	double distance = core_distance(&core_a, &core_b), gap = distance - radius;
 	if (fabs(gap - SPECULATIVE_DISTANCE) > 1e-4)
 		CHECK((m.count > 0) == (gap < SPECULATIVE_DISTANCE), "gap %g and %d points", gap, m.count);
 	if (m.count == 0)
 		return m;
 
-	// if the cores are apart, the deepest separation is the gap; if they overlap, a motion of shape b out by this
-	// separation parts them
+	// if the cores are apart, the deepest separation is the gap; in all cases, shape b moved by minus this separation
+	// along the normal overlaps shape a by at most 1.2 mm
 	if (distance > 1e-4)
 		CHECK(fabs(deepest(&m) - gap) < 1e-4, "gap %g and separation %g", gap, deepest(&m));
 	Vec out = vec_sub(position, vec_scale(deepest(&m), m.normal));
@@ -245,7 +245,7 @@ static Manifold check_pose(int a, int b, Vec position, Vec rotation)
 	return m;
 }
 
-// Checks that with the shapes in the other order, the manifold has the same depth and the opposite normal.
+// Checks that the manifold of the shapes in the other order has the same depth and the opposite normal.
 static void check_order(int a, int b, Vec position, Vec rotation, const Manifold* m)
 {
 	Vec back = vec_neg(vec_turn_back(rotation, position));
@@ -260,8 +260,8 @@ static void check_order(int a, int b, Vec position, Vec rotation, const Manifold
 		      m->normal.y, normal.x, normal.y);
 }
 
-// Checks that the manifold stays the same if both shapes are moved together, except for the rounding of poses: 1e-6 at
-// 20 m.
+// Checks that depth and normal of the manifold stay the same if both shapes are moved together, except for rounding:
+// the rounding of poses is 1e-6 at 20 m.
 static void check_elsewhere(int a, int b, Vec position, Vec rotation, const Manifold* m, Vec place_of_a, Vec turn)
 {
 	Vec place_of_b = vec_add(place_of_a, vec_turn(turn, position)), rotation_of_b = vec_turn(turn, rotation);
@@ -296,8 +296,9 @@ static Vec centroid(const Attribute* shape)
 }
 
 // Returns a position of shape b in a random direction from the middle of shape a, at which the cores have a random
-// distance. In 30 % of the cases shape b is closer than that, so that the cores overlap. *rotation: half of the angles
-// are multiples of 45 degrees, or nearly so. 30 % of the directions are multiples of 45 degrees.
+// distance. In 30 % of the cases shape b is then moved closer to shape a, so that most of these cores overlap.
+// *rotation: half of the angles differ from a multiple of 45 degrees by at most 0.01 rad. 30 % of the directions are
+// multiples of 45 degrees.
 static Vec random_pose(const Attribute* a, const Attribute* b, Vec* rotation)
 {
 	bool square = random_real(&seed, 0.0, 1.0) < 0.5;
@@ -343,7 +344,7 @@ static void test_random_poses(void** state)
 				Vec where = random_vec(10.0), turn = rotation_by(random_real(&seed, 0.0, TAU));
 				check_elsewhere(a, b, position, rotation, &m, where, turn);
 
-				// with an overlap of the cores below 0.01 m, a translation by 1e-7 m seldom changes a feature
+				// if the cores overlap by less than 0.01 m, a translation by 1e-7 m seldom changes a feature
 				if (m.count == 0 || deepest(&m) + shapes[a].radius + shapes[b].radius < -0.01f)
 					continue;
 				Manifold n = collide(shapes + a, shapes + b, frame_at(vec_add(position, random_vec(1e-7)), rotation),
@@ -393,15 +394,16 @@ typedef struct
 	float normal[2], separation, point[2][2];
 } Example;
 
-// radii: circle 0.5, capsule 0.25; half sizes: box 0.5, core of capsule 1, ground segment 20
+// m: the circle has the radius 0.5, the capsule 0.25; half of the side of the box is 0.5; half of the length is 1 for
+// the core of the capsule, and 20 for the ground segment
 static const Example examples[] = {
-    // three poses: centers 0.9 apart, so the separation is 0.9 - 0.5 - 0.5; equal centers, with the default normal; a
-    // gap above 0.02
+    // three poses: the centers are 0.9 apart, so the separation is 0.9 - 0.5 - 0.5; the centers are equal, so the
+    // normal is the default; the gap is larger than 0.02
     {CIRCLE, CIRCLE, 0, 0.9f, 0.0f, 1, {1.0f, 0.0f}, -0.1f, {{0.45f, 0.0f}}},
     {CIRCLE, CIRCLE, 0, 0.0f, 0.0f, 1, {0.0f, 1.0f}, -1.0f, {{0.0f, 0.0f}}},
     {CIRCLE, CIRCLE, 0, 0.0f, 1.021f, 0, {0.0f, 0.0f}, 0.0f, {{0.0f, 0.0f}}},
-    // circle over a face: separation 0.99 - 0.5 - 0.5; circle at a corner, separation 0: the length of (0.3, 0.4) is
-    // 0.5; center of the circle in the box: the nearest face is 0.1 away
+    // circle over a face: separation 0.99 - 0.5 - 0.5; circle at a corner: separation 0, because the length of (0.3,
+    // 0.4) is 0.5; center of the circle in the box: the nearest face is 0.1 away
     {BOX, CIRCLE, 0, 0.2f, 0.99f, 1, {0.0f, 1.0f}, -0.01f, {{0.2f, 0.495f}}},
     {BOX, CIRCLE, 1, 0.8f, 0.9f, 1, {0.6f, 0.8f}, 0.0f, {{0.5f, 0.5f}}},
     {BOX, CIRCLE, 0, 0.4f, 0.0f, 1, {1.0f, 0.0f}, -0.6f, {{0.2f, 0.0f}}},
@@ -409,11 +411,11 @@ static const Example examples[] = {
     // faces overlap by 0.005, for x from -0.25 to 0.5
     {BOX, BOX, 0, 0.25f, 0.995f, 2, {0.0f, 1.0f}, -0.005f, {{-0.25f, 0.4975f}, {0.5f, 0.4975f}}},
     {BOX, BOX, 3, 0.25f, 0.995f, 2, {0.0f, 1.0f}, -0.005f, {{-0.25f, 0.4975f}, {0.5f, 0.4975f}}},
-    // corner opposite a corner: the gap is the length of (0.006, 0.008), which is 0.01
+    // two corners that face each other: the gap is the length of (0.006, 0.008), which is 0.01
     {BOX, BOX, 0, 1.006f, 1.008f, 1, {0.6f, 0.8f}, 0.01f, {{0.503f, 0.504f}}},
     {BOX, BOX, 0, 1.015f, 1.015f, 0, {0.0f, 0.0f}, 0.0f, {{0.0f, 0.0f}}},
     {GROUND_SEGMENT, BOX, 0, 3.0f, 0.51f, 2, {0.0f, 1.0f}, 0.01f, {{2.5f, 0.005f}, {3.5f, 0.005f}}},
-    // capsules and segments: parallel, in line, standing on a face, crossed
+    // capsules: parallel, in line, upright on a box, across a segment; segments: crossed, in line, parallel
     {CAPSULE, CAPSULE, 0, 0.5f, 0.49f, 2, {0.0f, 1.0f}, -0.01f, {{-0.5f, 0.245f}, {1.0f, 0.245f}}},
     {CAPSULE, CAPSULE, 2, 2.49f, 0.0f, 1, {1.0f, 0.0f}, -0.01f, {{1.245f, 0.0f}}},
     {BOX, CAPSULE, 1, 0.1f, 1.745f, 1, {0.0f, 1.0f}, -0.005f, {{0.1f, 0.4975f}}},
@@ -477,13 +479,13 @@ static const Rest rests[] = {
     {GROUND_BOX, CAPSULE, TAU / 4.0, 1.0f, 1.245f, 1},
     {CAPSULE, GROUND_BOX, TAU / 4.0, 1.245f, 0.0f, 1},
     {GROUND_SEGMENT, CIRCLE, 0.0, 1.0f, 0.495f, 1},
-    {BOX, CIRCLE, 0.0, 0.85f, 0.85f, 1}, // circle at a corner of a box
+    {BOX, CIRCLE, 0.0, 0.85f, 0.85f, 1}, // circle beside a corner of a box
     {CIRCLE, GROUND_BOX, 0.0, 0.0f, -0.495f, 1},
 };
 
-// The best edges of shapes a and b differ by less than the bias in favor of shape b. The bias must not apply here,
-// because these edges do not face each other. Cases: short capsules nearly in line, with cores 0.18 mm apart; slivers
-// that stand across each other, 0.5 mm apart.
+// The smallest separations along edges of shape a and of shape b differ by less than the bias in favor of shape b. The
+// bias must not apply here, because these edges do not face each other. Cases: short capsules nearly in line, with
+// cores 0.18 mm apart; slivers across each other, 0.5 mm apart.
 static void test_near_ties(void** state)
 {
 	(void)state;
@@ -509,7 +511,8 @@ static void test_rest(void** state)
 			CHECK(m.count == r->count, "%d points", m.count);
 			CHECK(same_features(&m, &first), "features %d, %d were %d, %d", m.feature[0], m.feature[1],
 			      first.feature[0], first.feature[1]);
-			// the normal is always one of shape b; it does not alternate between edges of the two shapes
+			// the normal of two boxes is always that of an edge of shape b; it does not alternate between edges of both
+			// shapes
 			Vec own = vec_turn_back(rotation, m.normal);
 			if (a == BOX && b == BOX)
 				CHECK(absolute(own.x - first_own.x) < 1e-6f && absolute(own.y - first_own.y) < 1e-6f,

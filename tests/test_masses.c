@@ -26,8 +26,8 @@ static void assert_pushed(scree_world* world, scree_body body, scree_mass mass)
 	OK(scree_body_set_velocity(world, body, (scree_velocity){0}));
 }
 
-// A mass set by the user applies again when a body becomes dynamic after it had another type. It also applies while the
-// body is disabled, after it is enabled, and on another device.
+// The mass that the user has set applies again when a body becomes dynamic after it had another type. It also applies
+// while the body is disabled, after it is enabled, and on another device.
 static void a_set_mass_holds(void** state)
 {
 	(void)state;
@@ -108,8 +108,8 @@ static scree_collidable add_part(scree_world* world, scree_body body, float x)
 	return create_collidable(world, &def);
 }
 
-// Checks the motion of a body that passes the point (1, 2) at (3, 4) m/s and turns at 2 rad/s. Each of its points keeps
-// its motion, for any center of mass. center: expected x of the center of mass.
+// Checks a body whose origin is at (1, 2) and moves at (3, 4) m/s, and which turns at 2 rad/s. Each of its points keeps
+// its velocity, for any center of mass. center: expected x of the center of mass.
 static void assert_motion(scree_world* world, scree_body body, float center)
 {
 	static const scree_vec points[] = {{1.0f, 2.0f}, {-4.0f, 7.0f}};
@@ -126,8 +126,9 @@ static void assert_motion(scree_world* world, scree_body body, float center)
 	NEAR(pose_of(world, body).position.y, 2.0, 1e-5);
 }
 
-// The motion of a body stays the same while boxes of 1 kg are added, removed and made heavier, and while its mass is
-// set. The test does this with and without reads in between, with an enabled and with a disabled body.
+// The motion of a body stays the same while boxes of 1 kg are added, removed and made heavier, and while its mass and
+// its type are set. The test does this with and without reads between the changes, and with an enabled and a disabled
+// body.
 static void motion_stays(void** state)
 {
 	(void)state;
@@ -166,8 +167,8 @@ static void motion_stays(void** state)
 // bodies that are built box by box
 // ---------------------------------------------------------------------------------------------------------------
 
-// Adds boxes to two bodies by turns, seven at a time. Between these additions applies impulses, and sets locks, masses
-// and types. reads: true reads mass, velocity and hash after each box. Returns the hash at the end.
+// Adds boxes to two bodies, seven to one and then seven to the other. Between boxes, applies impulses and sets locks,
+// masses and types. reads: true reads mass, velocity and hash after each box. Returns the hash at the end.
 static uint64_t build(bool reads, scree_mass masses[2])
 {
 	scree_world* world = open_test_world(0.0f);
@@ -219,8 +220,8 @@ static void reads_change_nothing(void** state)
 	assert_memory_equal(without, with, sizeof with);
 }
 
-// 8,000 boxes in a row have the same mass whether they are created one by one or at once. Their inertia is the sum of m
-// (a^2 + b^2) / 12 + m r^2 for boxes of a by b at distances r.
+// 8,000 boxes in a row have the same mass whether they are created one by one or in one call. For boxes of a by b at
+// distances r from the center of mass, their inertia is the sum of m (a^2 + b^2) / 12 + m r^2.
 static void many_shapes(void** state)
 {
 	(void)state;

@@ -22,7 +22,7 @@ static scree_body put(scree_world* world, scree_body_type type, scree_attribute 
 	return create_body(world, &def);
 }
 
-// Adds a floor of material 1 with its top at y = 0, and a box of material 2. y: height of the center of the box.
+// Adds a floor of material 1 with its top at y = 0, and a box of material 2. y: height of the center of the box, m.
 // Returns the box.
 static scree_body put_box(scree_world* world, float y)
 {
@@ -40,8 +40,8 @@ static void set(scree_world* world, int a, int b, float friction, float restitut
 	OK(scree_world_set_material_pair(world, a, b, &pair));
 }
 
-// A box slides for the distance v^2 / (2 mu g). Without friction it keeps its speed. Changes of friction apply from the
-// next step on, even to a box at rest.
+// A box slides for the distance v^2 / (2 mu g), with the friction mu. Without friction it keeps its speed. Changes of
+// friction apply from the next step on, even to a box at rest.
 static void friction(void** state)
 {
 	(void)state;
@@ -78,8 +78,8 @@ static void restitution(void** state)
 	scree_world_destroy(world);
 }
 
-// A belt runs clockwise around its shape, so a box on the belt moves to the right. The order of the two materials does
-// not matter.
+// A belt moves its surface clockwise around its shape, so a box on the belt moves to the right. The order of the two
+// materials in a call does not matter.
 static void belts(void** state)
 {
 	(void)state;

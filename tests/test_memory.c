@@ -51,8 +51,8 @@ static void memory_runs_out(void** state)
 			++refused;
 		}
 
-		// memory is available again, so the next step succeeds, unless the failed call was a step that broke the world
-		// (test_faults.c)
+		// memory is available from here on, so the next step succeeds, unless the failed call was a step that broke the
+		// world (see test_faults.c)
 		allocations_left = -1;
 		if (made)
 		{

@@ -2,8 +2,8 @@
 // test_move.c -- checks that moves of a world between devices, which the user requests, do not change the state of the
 // world.
 //
-// Formula: hash(moved, step) = hash(not moved, step). test_parity.c checks this formula for every scene. This file
-// checks moves at unusual times, and moves that fail.
+// Formula: hash(moved, step) = hash(not moved, step). test_parity.c checks it for every scene. This file checks moves
+// at unusual times, and moves that fail.
 #include "support/allocations.h"
 #include "support/faulty_device.h"
 #include "support/second_device.h"
@@ -84,8 +84,8 @@ static void what_is_read_stays(void** state)
 	scree_world_destroy(world);
 }
 
-// Makes changes of all kinds. The world then moves to another device while these changes are pending. Writes the
-// handles of 40 new bodies to `made`.
+// Makes changes of all kinds, which are pending when the caller moves the world to another device. Creates 40 bodies
+// and writes their handles to `made`.
 static void change(scree_world* world, scree_body* made)
 {
 	scree_body bodies[64];
@@ -195,7 +195,7 @@ static void memory_runs_out(void** state)
 	OK(scree_hooks_set(NULL));
 }
 
-// Makes each call of the new device fail in turn. The world stays on the old device and continues there.
+// Makes each call of the new device fail in turn. The world stays on the old device and continues on it.
 static void new_device_falls(void** state)
 {
 	(void)state;

@@ -12,11 +12,12 @@
 
 #define SPEED   4.0f
 #define GRAVITY 10.0f
-#define HALF    0.6f // m, height of the center of a default mover above its foot
+#define HALF    0.6f // m: height of the center of a default mover above its lower end
 
 static scree_mover mover_at(float x, float y) { return (scree_mover){.position = {x, y}}; }
 
-// Moves a mover for a number of frames, with a horizontal speed and with gravity. def: null for the default definition.
+// Moves a mover for a number of frames, with gravity and a horizontal speed. def: may be null, which means the default
+// definition.
 static void walk_frames(scree_world* world, const scree_mover_def* def, scree_mover* m, float speed, int frames)
 {
 	for (int k = 0; k < frames; ++k)
@@ -44,7 +45,7 @@ static void walks_on_a_floor(void** state)
 	NEAR(m.velocity.x, SPEED, 1e-6);
 	NEAR(m.position.y, HALF + 0.01, 1e-4);
 
-	// a mover that jumps at v leaves the ground and lands after 2 v / g
+	// a mover that jumps with the speed v lands after the time 2 v / g
 	int frames = 0;
 	m.velocity.y = 5.0f;
 	do
@@ -89,7 +90,8 @@ static void stops_at_walls(void** state)
 	scree_world_destroy(world);
 }
 
-// Lets a mover walk to a step of this height, m. Returns the height of the ground below the mover at the end, m.
+// Lets a mover walk to a step. height: height of the step, m. Returns the height of the ground below the mover at the
+// end, m.
 static float up_a_step(float height, float speed)
 {
 	scree_world* world = open_world(0.0f);
@@ -109,15 +111,16 @@ static void climbs_steps(void** state)
 			NEAR(up_a_step(height, speed), height <= 0.3f ? height : 0.0f, 2e-3);
 }
 
-// Lets a mover walk on a plane that rises to the right. Writes the last state of the mover to m. Returns the distance
-// along the plane, m.
+// Lets a mover walk on a plane that rises to the right. Writes the last state of the mover to *m. Returns the distance
+// that it moved up the plane, m; negative if it moved down.
 static float along_a_slope(float degrees, float speed, int frames, scree_mover* m)
 {
 	scree_world* world = open_world(0.0f);
 	float radians = degrees * (float)PI / 180.0f;
 	scree_rot r = scree_rot_make(radians);
 	scree_shape shape = box_shape(50.0f, 1.0f);
-	add_shape(world, SCREE_BODY_STATIC, shape, r.s, -r.c, radians); // the origin is on its upper side
+	// the origin of the world is on the upper side of the plane
+	add_shape(world, SCREE_BODY_STATIC, shape, r.s, -r.c, radians);
 	*m = mover_at(0.0f, 0.31f / r.c + 0.3f);
 	walk_frames(world, NULL, m, 0.0f, 60);
 	scree_vec from = m->position;
@@ -179,7 +182,8 @@ static void rides_on_platforms(void** state)
 	scree_world_destroy(world);
 }
 
-// A moving wall pushes a mover. Two walls do not press the mover through the floor, and its position stays finite.
+// A moving wall pushes a mover. The mover between this wall and another one is not pressed through the floor, and its
+// position stays finite.
 static void is_pushed(void** state)
 {
 	(void)state;
@@ -213,8 +217,8 @@ static void build_town(scree_world* world)
 		                           (scree_velocity){{k % 2 ? 1.0f : -1.0f, 0.3f}, 0.2f}));
 }
 
-// Moves a crowd of movers in a town. alone: one call per mover instead of one call for all. Returns a hash of the
-// movers in all frames.
+// Moves a crowd of movers in a town. alone: true makes one call per mover, false makes one call for all. Returns a hash
+// that includes the movers in all frames.
 static uint64_t hash_crowd(const Variant* variant, bool alone)
 {
 	scree_world* world = open_default_variant(variant);
@@ -251,7 +255,7 @@ static void crowds_are_equal_everywhere(void** state)
 	int count = list_variants(variants);
 	uint64_t expected = hash_crowd(variants, true);
 	for (int k = 0; k < count; ++k)
-		// the form of the solver makes no difference to queries
+		// the form of the solve makes no difference to queries, so one form is enough
 		if ((variants[k].form == FORM_ANY || variants[k].form == FORM_LAUNCHES) && !variants[k].other[0])
 			assert_int_equal(hash_crowd(variants + k, false), expected);
 }
@@ -291,8 +295,8 @@ static void hostile_movers(void** state)
 				movers[k].velocity =
 				    (scree_vec){random_between(&seed, -speed, speed), random_between(&seed, -speed, speed)};
 			}
-			most += 2.0f * 3000.0f * STEP +
-			        8.0f * (def.radius + def.length + def.skin + 10.0f); // m: maximum distance out of an overlap
+			// m: bound for the distance that speed and overlaps move a mover
+			most += 2.0f * 3000.0f * STEP + 8.0f * (def.radius + def.length + def.skin + 10.0f);
 			OK(scree_movers_move(world, &def, movers, 20, random_below(&seed, 20) ? STEP : 0.0f));
 			for (int k = 0; k < 20; ++k)
 			{
@@ -305,7 +309,8 @@ static void hostile_movers(void** state)
 	scree_world_destroy(world);
 }
 
-// A walking mover follows the ground down stairs. At a ledge that is higher than snap_distance, the mover falls.
+// A walking mover follows the ground down stairs. At a ledge that is higher than the setting snap_distance, the mover
+// falls.
 static void follows_the_ground_down(void** state)
 {
 	(void)state;
@@ -381,7 +386,7 @@ static void jumps_through_platforms(void** state)
 	OK(scree_movers_move(world, NULL, &m, 1, STEP));
 	NEAR(m.position.y, HALF + 0.01 + 50.0, 1e-2);
 
-	// queries with one_way find platforms only from above, other queries from all sides
+	// queries whose setting one_way is true find the platform only from above, other queries from both sides
 	scree_query_def from_above = scree_query_def_default();
 	from_above.one_way = true;
 	scree_ray rays[2] = {{.origin = {0.0f, 9.0f}, .translation = {0.0f, -5.0f}},
@@ -412,8 +417,8 @@ static void at_the_end_of_the_world(void** state)
 	scree_world_destroy(world);
 }
 
-// A mover between a lift and a ceiling is crushed. The mover stays below the ceiling and reports the collidable that it
-// cannot leave, without a normal. When the lift is down again, the mover stands on it.
+// A mover between a lift and a ceiling is crushed. The mover stays below the ceiling. It reports the collidable that it
+// cannot leave, with the normal (0, 0). When the lift has come down, the mover stands on it.
 static void lifts_crush(void** state)
 {
 	(void)state;
@@ -450,7 +455,7 @@ static void lifts_crush(void** state)
 }
 
 // A thin wall, upright or tilted, pushes a mover ahead of it, even if the wall moves further in a step than the mover
-// is wide. A mover between this wall and a static wall is crushed, and stays outside of the static wall.
+// is wide. A mover between an upright wall and a static wall is crushed, and stays outside of the static wall.
 static void fast_walls_push(void** state)
 {
 	(void)state;
@@ -475,7 +480,7 @@ static void fast_walls_push(void** state)
 			walk_frames(world, NULL, &m, 0.0f, 1);
 			scree_vec at = position_of(world, wall);
 			crushed = !scree_collidable_is_null(m.wall) && m.wall_normal.x == 0.0f && m.wall_normal.y == 0.0f;
-			// distance of the mover from the middle of the wall, along the normal of the wall
+			// distance of the mover from the middle plane of the wall, m
 			float before = cosf(angle) * (m.position.x - at.x) + sinf(angle) * (m.position.y - at.y);
 			assert_true(crushed || before > half + 0.3f - 1e-3f);
 			assert_true(!blocked || m.position.x < 5.7f + 1e-3f);

@@ -31,8 +31,8 @@ int main(void)
 }
 C
 
-# check NAME COMPILER FLAGS OPTION...: builds the library with one number of lanes, which saves time and leaves out no name;
-# checks its names
+# check NAME COMPILER FLAGS OPTION...: builds the library and checks its names; for one number of lanes only, because
+# this saves time and leaves out no name
 check()
 {
 	local name=$1 compiler=$2 flags=$3 build=$scratch/$1 strangers

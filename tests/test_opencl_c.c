@@ -2,8 +2,8 @@
 // test_opencl_c.c -- checks that the embedded program is strictly OpenCL C 1.2, because PoCL accepts code that other
 // drivers refuse.
 //
-// The clang of the system compiles the program, with all extensions of the standard as errors. This has found variadic
-// macros, which NVIDIA's driver does not support.
+// The clang of the system compiles the program, and reports every extension of the standard as an error. This test has
+// found variadic macros, which NVIDIA's driver does not support.
 #include "opencl/device.h"
 #include "support/checks.h"
 #include <stdio.h>

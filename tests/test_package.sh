@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# test_package.sh -- installs into a scratch folder and builds the examples against it: through CMake, and hello.c also
-# through pkg-config, each static and shared. The four builds of hello must print the same.
+# test_package.sh -- installs the library into a scratch folder, and builds the examples with it, static and shared: all
+# through CMake, and hello.c also through pkg-config. The four builds of hello.c must print the same.
 set -euo pipefail
 scratch=$SCREE_BUILD/package
 rm -rf "$scratch"

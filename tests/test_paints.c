@@ -49,10 +49,11 @@ static void ranges_are_round_and_stay(void** state)
 	(void)state;
 	float forces[1000];
 	for (int k = 0; k < 1000; ++k)
-		forces[k] = 0.1f * (float)k;                        // the largest force is 99.9 N
-	assert_true(loads_range(forces, 1000, 0.0f) == 200.0f); // bins up to 104 N contain 99.5 % of the forces
+		forces[k] = 0.1f * (float)k; // the largest force is 99.9 N
+	// the bin that contains the quantile of 99.5 % ends at 104 N, so the range is 200 N
+	assert_true(loads_range(forces, 1000, 0.0f) == 200.0f);
 	assert_true(loads_range(forces, 500, 0.0f) == 100.0f || loads_range(forces, 500, 0.0f) == 50.0f);
-	forces[999] = 1.0e9f; // far above 99.5 % of the forces
+	forces[999] = 1.0e9f; // far above most of the forces, so it does not change the range
 	forces[998] = NAN;
 	forces[997] = -5.0f;
 	assert_true(loads_range(forces, 1000, 0.0f) == 200.0f);
@@ -79,7 +80,7 @@ static void starts_are_remembered(void** state)
 	assert_true(starts_add(&starts, bodies, poses, 3)); // bodies that were added before keep their starting places
 	scree_vec share = starts_share(&starts, bodies[2]);
 	assert_true(share.x == 0.5f && share.y == 0.25f);
-	// a new body has the index of an earlier body, and starts outside of the box
+	// a new body has the index of an earlier body and no starting place; then it gets one outside of the box
 	const scree_body other = {5, 4};
 	assert_true(starts_misses(&starts, other));
 	share = starts_share(&starts, other);
@@ -112,10 +113,10 @@ static void boxes_leave_out_what_is_far_away(void** state)
 	points[9] = (scree_vec){NAN, 0.0f};
 	assert_true(bounds_find(points, 100, 0.5f, &box));
 	assert_true(box.upper.x == 9.5f && box.lower.y == -0.5f);
-	points[8] = (scree_vec){15.0f, 3.0f}; // the box includes a point a little away from the others
+	points[8] = (scree_vec){15.0f, 3.0f}; // the box includes this point, which is only a little away from the others
 	assert_true(bounds_find(points, 100, 0.5f, &box));
 	assert_true(box.upper.x == 15.5f);
-	// a column of points, then two points, one point, no point
+	// boxes around a column of points, around two points and around one point; there is no box around no point
 	for (int k = 0; k < 20; ++k)
 		points[k] = (scree_vec){3.0f, (float)k};
 	assert_true(bounds_find(points, 20, 1.0f, &box));
@@ -144,7 +145,7 @@ static void legends_have_numbers(void** state)
 		if (k == PAINT_FORCE)
 		{
 			assert_string_equal(legend.title, "contact force, N");
-			assert_string_equal(legend.ticks[1].text, "5000"); // middle of a square-root scale
+			assert_string_equal(legend.ticks[1].text, "5000"); // middle of a square-root scale: a quarter of 20 kN
 			assert_string_equal(legend.ticks[2].text, "20 k");
 		}
 		if (k == PAINT_GRAPH)

@@ -28,8 +28,8 @@ typedef enum
 	REFUSED,
 } Reason;
 
-// touches, sweeps, stops: true if ball and wall collide when the ball lies in the wall, is thrown at the wall, or is
-// pushed by a force. sees: true if the ball as a sensor reports the wall
+// touches: true if ball and wall collide when the ball lies in the wall; sweeps: when it is thrown at the wall; stops:
+// when a force pushes it. sees: true if the ball reports the wall when it is a sensor
 static const struct
 {
 	const char* name;
@@ -242,8 +242,8 @@ static void all_reasons_in_all_stages(void** state)
 	}
 }
 
-// A bar on a hinge overlaps its static frame at the other side of the hinge. The bar turns in exactly the same way if
-// the frame has no shape, and if bar and frame are excluded.
+// A bar hangs on a hinge and overlaps its static frame. The bar turns in exactly the same way if the frame has no
+// shape, and if bar and frame are excluded.
 static void a_door_turns_in_its_frame(void** state)
 {
 	(void)state;

@@ -10,7 +10,7 @@
 
 scree_shape box_shape(float half_width, float half_height);
 scree_shape circle_shape(float radius);
-scree_shape capsule_shape(float half, float radius); // the axis is along x
+scree_shape capsule_shape(float half, float radius); // the axis lies along x; half: half of its length, m
 scree_shape segment_shape(float ax, float ay, float bx, float by);
 scree_shape polygon_shape(const scree_vec* corners, int count, float radius);
 
@@ -31,11 +31,12 @@ scree_attribute box_attribute(scree_world* world, float half_width, float half_h
 scree_body create_body(scree_world* world, const scree_body_def* def);
 scree_collidable create_collidable(scree_world* world, const scree_collidable_def* def);
 
-// Return definitions that the test may change. A crate is a box of 1 m.
+// Each function returns a definition that the test may change. A crate is a box of 1 m.
 scree_body_def body_def(scree_body_type type, scree_attribute attribute, float x, float y);
 scree_body_def crate_def(scree_world* world, scree_body_type type, float x, float y);
 
-// Add bodies with one collidable at the origin of the body. Bodies added as disc, thrown or reporter are dynamic.
+// Each function adds a body with one collidable at its origin. add_disc, add_thrown and add_reporter add dynamic
+// bodies.
 scree_body add_body(scree_world* world, scree_body_type type, scree_attribute attribute, float x, float y,
                     float radians);
 scree_body add_shape(scree_world* world, scree_body_type type, scree_shape shape, float x, float y, float radians);
@@ -62,8 +63,8 @@ scree_velocity velocity_of(scree_world* world, scree_body body);
 double speed_of(scree_world* world, scree_body body); // m/s
 scree_mass mass_of(scree_world* world, scree_body body);
 
-// Takes some steps. Returns the mean of v^2 + (reach w)^2 over all bodies and steps, m^2/s^2, with the speed v and the
-// spin w of a body.
+// Takes some steps. Returns the mean of v^2 + (reach w)^2 over all bodies and steps, m^2/s^2. v: speed of a body; w:
+// spin of this body.
 double mean_square_speed(scree_world* world, const scree_body* bodies, int count, double reach, int steps);
 
 typedef struct
@@ -75,7 +76,7 @@ typedef struct
 
 Momentum momentum_of(scree_world* world, const scree_body* bodies, int count);
 
-// Fail unless the pose or velocity of a body is bitwise equal to the expected value.
+// Each function fails unless the pose or velocity of a body is bitwise equal to the expected value.
 void expect_pose(scree_world* world, scree_body body, scree_pose expected);
 void expect_velocity(scree_world* world, scree_body body, float x, float y, float spin);
 

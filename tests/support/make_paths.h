@@ -12,8 +12,8 @@ scree_path add_circle(scree_world* world, double radius, double x, double y, int
 float length_of(scree_world* world, scree_path path);
 scree_pose pose_on_path(scree_world* world, scree_path path, float along);
 
-// Adds a box on a path. along: arc length from the start of the path, m. The box is aligned with the path and moves
-// along it at a speed.
+// Adds a box on a path. The box is aligned with the path and moves along it. along: arc length from the start of the
+// path to the box, m. speed: in m/s.
 scree_body add_wagon(scree_world* world, scree_path path, float along, float half, float speed);
 
 scree_joint_def path_def(scree_path path, scree_body a, scree_body b);

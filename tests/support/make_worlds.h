@@ -2,7 +2,7 @@
 // make_worlds.h -- creates worlds for tests, steps them, and reads their state.
 #ifndef MAKE_WORLDS_H
 #define MAKE_WORLDS_H
-#include "platform/trig.h" // for PI
+#include "platform/trig.h" // declares PI
 #include "support/checks.h"
 
 #define STEP     (1.0f / 60.0f) // length of a step, s
@@ -15,7 +15,7 @@ scree_world* create_world(const scree_world_def* def);
 // Opens a world. Settings that are not parameters have their defaults. threads: 0 means one thread per core.
 scree_world* open_world_on(const char* device, int threads, float gravity_y);
 scree_world* open_world(float gravity_y);      // opens a world on the CPU with one thread
-scree_world* open_test_world(float gravity_y); // opens a world on test_device with two threads
+scree_world* open_test_world(float gravity_y); // opens a world on the device test_device, with two threads
 extern const char* test_device;                // device that RUN_ON_DEVICES sets
 
 void run_steps(scree_world* world, int steps);   // takes steps of length STEP with SUBSTEPS substeps

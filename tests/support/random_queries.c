@@ -41,7 +41,7 @@ scree_pose random_pose(uint64_t* seed, scree_vec center, float size)
 	scree_vec at = {center.x + size * random_between(seed, -1.0f, 1.0f),
 	                center.y + size * random_between(seed, -1.0f, 1.0f)};
 	static const float right[] = {0.0f, 1.5707964f, 3.1415927f, -1.5707964f};
-	bool even = random_below(seed, 3) == 0; // with multiples of a right angle, edges are often parallel
+	bool even = random_below(seed, 3) == 0; // at multiples of 90 degrees, edges of two shapes are often parallel
 	return (scree_pose){at, scree_rot_make(even ? right[random_below(seed, 4)] : random_between(seed, -3.0f, 3.0f))};
 }
 

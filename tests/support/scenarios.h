@@ -12,7 +12,7 @@ typedef struct
 	float dt;
 	int substeps, steps;
 	void (*build)(scree_world* world, const void* context);
-	void (*act)(scree_world* world, int step, const void* context); // is called before each step; may be null
+	void (*act)(scree_world* world, int step, const void* context); // is called before each step, and may be null
 	const void* context;
 } Scenario;
 
@@ -21,6 +21,7 @@ Scenario scenario_of(const char* name, int steps, void (*build)(scree_world* wor
                      void (*act)(scree_world* world, int step, const void* context), const void* context);
 
 // Runs a scenario. Writes the hash after each step to hashes, and the final counters to `last`, which may be null.
+// Fails if a state is not finite at the end.
 void record(const Scenario* scenario, const Variant* variant, uint64_t* hashes, scree_counters* last);
 
 // Records a scenario on every variant. Fails unless all variants have equal hashes after every step. The message

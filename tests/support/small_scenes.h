@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static ScenePlayer small_players[2]; // players of the last two worlds, which scenarios.c compares
+static ScenePlayer small_players[2]; // players of the last two worlds that were built
 
 static inline ScenePlayer* player_of(const scree_world* world)
 {
@@ -35,8 +35,8 @@ static inline void change_scene(scree_world* world, int step, const void* contex
 	OK(player_change(player));
 }
 
-// Returns the scenario of a scene. The caller frees its context by scene_free. The test fails if small_sizes.h has no
-// line for the scene.
+// Returns the scenario of a scene. The caller frees the context of the scenario by scene_free. The test fails if
+// small_sizes.h has no line for the scene.
 static inline Scenario small_scene(const char* name)
 {
 	const SmallScene* small = NULL;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// small_sizes.h -- defines steps and settings of all scenes, small enough for a test to run on many devices. The golden
-// hashes are those of these sizes.
+// small_sizes.h -- defines the number of steps and the settings of each scene, small enough for a test to run on many
+// devices. The golden hashes belong to these sizes.
 #ifndef SMALL_SIZES_H
 #define SMALL_SIZES_H
 #include "scene/scene.h"
@@ -17,10 +17,10 @@ static const SmallScene small_scenes[] = {
     {"blast", 240, {{"towers", "3"}, {"storeys", "5"}}},
     {"bridge", 240, {{"planks", "30"}}},
     {"cars", 240, {{"roads", "3"}}},
-    {"chains", 240, {{"lengths", "4"}}}, // enough chains that several share a block of columns
+    {"chains", 240, {{"lengths", "4"}}}, // enough for several chains to share a block of MAX_LANES columns
     {"churn", 120, {{"columns", "20"}, {"rows", "16"}, {"moved", "12"}, {"replaced", "30"}}},
     {"cloth", 160, {{"columns", "24"}, {"rows", "20"}, {"pins", "4"}}},
-    {"coaster", 240, {{"speed", "20"}}}, // m/s, enough to pass the loop
+    {"coaster", 240, {{"speed", "20"}}}, // m/s: fast enough to pass through the loop
     {"dominoes", 240, {{"lines", "4"}, {"length", "16"}}},
     {"drift", 160, {{"boxes", "400"}}},
     {"gears", 240, {{"columns", "3"}, {"rows", "2"}}},

@@ -17,15 +17,15 @@ typedef struct // a device, and settings of a world on this device
 
 #define MAX_VARIANTS 32
 
-// Lists the variants and returns their number. Variant 0 is the reference: one thread, one lane. Then follow all
-// numbers of lanes that the processor supports, with one thread (not in quick builds) and with two. Then follow the
-// OpenCL devices whose results have the same bits as those of the CPU: each has one variant per form of its solve, and
-// one for a world that moves between the CPU and this device.
+// Lists the variants and returns their number. Variant 0 is the reference: one thread, one lane. The next variants have
+// each number of lanes that the processor supports, with one thread (not in quick builds) and with two. The last ones
+// are for OpenCL devices whose results have the same bits as those of the CPU: for each device, one variant per form of
+// the solve, and one with a world that moves between the CPU and the device.
 int list_variants(Variant variants[MAX_VARIANTS]);
 void print_variants(void);
 
-// Returns whether a test uses variant k in a round of its cases. In release builds this is always true. Quick builds
-// search for faults in the code of the host, so each round uses all CPU variants, but only one OpenCL variant.
+// Returns whether variant k must run in a round of a test. In release builds this is always true. Quick builds search
+// for faults in the code of the host, so each round uses all CPU variants, but only one OpenCL variant.
 bool variant_is_due(const Variant* variants, int count, int k, int round);
 
 // Creates a world with the given definition, but with the device, threads, lanes and form of the variant.
