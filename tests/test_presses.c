@@ -212,7 +212,7 @@ static void loads_are_no_presses(void** state)
 	cart.density = 1000.0f;
 	wheel.density = 1.6f / (float)(PI * 0.16);
 	add_floor(world);
-	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // overlaps the floor, so the press kernels run
+	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // because of this body, the press kernels run
 	add_crate(world, SCREE_BODY_DYNAMIC, -20.0f, 2.4f);
 	def.body_a = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &cart), 0.0f, 0.7f, 0.0f);
 	for (int k = 0; k < 2; ++k)

@@ -35,8 +35,9 @@ static void a_box_on_the_floor(void** state)
 	assert_int_equal(traffic.constraints, 1);
 	assert_int_equal(traffic.passes, 1 + 2 * 4);
 	assert_int_equal(traffic.constraint_bytes, 180 + 64 + 4 * (64 + 84));
-	// A pass reads 32 bytes of each body and writes 16. A row costs 44 once; each substep adds 128 for its velocity
-	// (state, read and written, 64; motion 32; base, read and written, 32) and 96 for its position.
+	// A pass reads 32 bytes of each body and writes 16. A row of the pool body costs 44 bytes once per step. Each
+	// substep adds 128 bytes to update its velocity (state read and written: 64; motion read: 32; base read and
+	// written: 32) and 96 to update its position.
 	assert_int_equal(traffic.body_bytes, 9 * 2 * (32 + 16) + 3 * (44 + 4 * (128 + 96)));
 
 	// restitution adds one pass, and bytes to each constraint
