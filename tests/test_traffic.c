@@ -53,7 +53,8 @@ static void a_box_on_the_floor(void** state)
 	// Bytes added by restitution:
 	// prepare 80: slot 4, normal and arms 32, gaps 8, totals 8, indices 8, restitution 4, fall 4, energy 4, rebounds 8;
 	// warm start 4, bias 8, relax 40;
-	// bounce 96: indices, normal, arms and gaps 48, fall 4, energy 4, rebounds 8, totals (read and written) 16, impulses 16.
+	// bounce 96: indices, normal, arms and gaps 48, fall 4, energy 4, rebounds 8, totals (read and written) 16,
+	// impulses 16.
 	assert_int_equal(traffic.constraint_bytes, 260 + 68 + 2 * (72 + 124) + 96);
 	// prepare reads state, motion and colors of each body
 	assert_int_equal(traffic.body_bytes, (6 * 48 + 72) * 2 + 3 * (44 + 2 * 224));
