@@ -51,7 +51,7 @@ if "$program" run pyramid "${small[@]}" --picture picture.png --size 320x200 >ou
 else
 	refuse 1 'libcairo2-dev' run pyramid "${small[@]}" --picture picture.png
 fi
-# in the paper's pipeline this pyramid sinks deeper than its limit
+# in the paper's pipeline this pyramid sinks deeper than the limit of the scene, so bench fails
 expect 1 "$paper" bench pyramid "${small[@]}" --repeats 1
 grep -q "pyramid is invalid: its deepest overlap" err || fail "bench: stacks stand"
 expect 0 ',1' bench drift --set boxes=20 --steps 5 --repeats 1
@@ -106,8 +106,8 @@ mkdir empty
 env PATH="$scratch/empty" "$program" figure6 --draw figure6.csv >out 2>err || fail "--draw without gnuplot: a failure"
 grep -q 'figure6.csv is not drawn.*gnuplot-nox' err || fail "--draw without gnuplot: no remedy"
 
-# draws a figure from given rows: with 100 and 400 bodies one thread takes 1 and 4 ms, eight threads take 2 and 2 ms, OpenCL
-# takes 4 and 1 ms. On logarithmic axes both curves of the CPU cross the curve of OpenCL at 200 bodies
+# draws a figure from given rows. From 100 to 400 bodies, a step takes 1 to 4 ms on one thread, 2 ms at both sizes on eight
+# threads, and 4 to 1 ms on OpenCL. On logarithmic axes both curves of the CPU cross the curve of OpenCL at 200 bodies
 {
 	echo "$columns,penetration,hash"
 	for row in cpu,1,100,3,0.03,9,1,1 cpu,8,100,3,0.03,9,1,2 'opencl:A_GPU,0,100,3,0.03,9,1,4' \

@@ -89,7 +89,7 @@ static void build_changes(scree_world* world, const void* context)
 		OK(scree_body_create(world, &def, NULL));
 	}
 
-	// a collidable without a body, which only reports overlaps
+	// a collidable that has no body, and therefore only reports overlaps
 	scree_collidable_def zone = scree_collidable_def_default();
 	zone.attribute = any_attribute(world, &seed);
 	zone.pose.position.y = 1.0f;
@@ -215,7 +215,7 @@ static void make_changes(scree_world* world, int step, const void* context)
 	int count;
 	OK(scree_world_get_bodies(world, bodies, 512, &count));
 
-	// the first four bodies, floor, walls and belt, are left out
+	// the first four bodies, which are floor, walls and belt, are left out of these changes
 	for (int k = 0; k < 6; ++k)
 		change_motion(world, bodies[4 + random_below(&seed, count - 4)], &seed);
 	if (step % 3 == 0)
@@ -230,7 +230,7 @@ static void make_changes(scree_world* world, int step, const void* context)
 	if (step % 5 == 4)
 	{
 		scree_body_def defs[20];
-		int more = step % 2 ? 3 : 20; // 20 bodies are uploaded pool by pool, 3 as commands
+		int more = step % 2 ? 3 : 20; // 20 new bodies are uploaded pool by pool, 3 new bodies as commands
 		for (int k = 0; k < more; ++k)
 			defs[k] = any_body(world, &seed);
 		if (count + more < 300)

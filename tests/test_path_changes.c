@@ -12,7 +12,8 @@ static float along_of(scree_world* world, scree_joint joint)
 	return joint_state_of(world, joint).values[SCREE_ALONG];
 }
 
-// A bead stops at the ends of an open path. Limits of the user stop the bead before the ends.
+// A bead stops at the ends of an open path, or before the ends at limits set by the user. A limit beyond the path acts
+// like the end of the path.
 static void open_paths_end(void** state)
 {
 	(void)state;
@@ -38,7 +39,7 @@ static void open_paths_end(void** state)
 			NEAR(joint_state_of(world, joint).values[SCREE_ACROSS], 0.0, 1e-3);
 			scree_joint_coordinate own;
 			OK(scree_joint_get_coordinate(world, joint, SCREE_ALONG, &own));
-			assert_int_equal(own.limited, cases[k].limited); // the limits of the user are unchanged
+			assert_int_equal(own.limited, cases[k].limited); // the setting of the user is unchanged
 			scree_world_destroy(world);
 		}
 }
@@ -87,7 +88,8 @@ static void laps_count(void** state)
 	scree_world_destroy(world);
 }
 
-// A new joint is in the lap of initial_along. A joint that is mounted at the seam of the path begins at the seam.
+// A new joint begins in the lap that initial_along names. A joint that is mounted at the seam of the path begins at the
+// seam.
 static void joints_begin_near(void** state)
 {
 	(void)state;
@@ -155,8 +157,8 @@ static void crossings_keep_the_branch(void** state)
 	}
 }
 
-// A body that the user places is held at the part of the path nearest to it, in the lap that changes the coordinate
-// least. If the user displaces a body a little at the crossing, it stays on the same branch of the path.
+// A body that the user places is held at the part of the path nearest to it, in the lap for which its coordinate along
+// the path changes least. A body that the user displaces a little at the crossing stays on its branch of the path.
 static void placed_bodies_look_around(void** state)
 {
 	(void)state;
@@ -302,7 +304,7 @@ static void joints_rest_and_break(void** state)
 	run_steps(world, 10);
 	OK(scree_joint_set_enabled(world, joint, true));
 	run_steps(world, 2);
-	NEAR(along_of(world, joint), along, 0.05); // the complete lap is included
+	NEAR(along_of(world, joint), along, 0.05); // the coordinate along the path includes the complete lap
 	OK(scree_body_set_enabled(world, bead, false));
 	run_steps(world, 2);
 	OK(scree_body_set_enabled(world, bead, true));
@@ -350,7 +352,7 @@ static void placing_moves_frame_b(void** state)
 }
 
 // A bead moves at 5 m/s on a ring, and the user places the body of the ring elsewhere. The bead comes back to the ring,
-// and is no faster than before.
+// and its speed stays below 5.5 m/s.
 static void jumps_of_the_path_add_no_speed(void** state)
 {
 	(void)state;

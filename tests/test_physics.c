@@ -252,9 +252,9 @@ static void conveyor(void** state)
 	scree_world_destroy(world);
 }
 
-// Bodies that are created at one point leave it in all directions. If they left it in a row, the first of 100 bodies
-// would get 50 times contact_push_speed. A disk of 100 boxes of 1 m has only 5 pairs from its center to its edge, and
-// extends 3.5 m from its center in all directions.
+// Bodies that are created at one point leave this point in all directions. If they formed one row, the first of 100
+// bodies would get the sum of the push speeds of 50 pairs, each contact_push_speed. A disk of 100 boxes of 1 m has only
+// 5 pairs from its center to its edge, and extends more than 3.5 m from its center along x and along y.
 static void crowd_parts(void** state)
 {
 	(void)state;
@@ -308,9 +308,9 @@ static void rolling_resistance(void** state)
 	scree_world_destroy(world);
 }
 
-// Two circles without friction touch, and one of them spins. The normal points from center to center, and does not turn
-// with the spinning circle. A point on the surface of this circle rises by r (1 - cos w dt) in a step. This rise counts
-// as overlap, so the circle is pushed away.
+// Two circles without friction touch, and the smaller one spins. The normal points from center to center, and does not
+// turn with the spinning circle. A point on the surface of the spinning circle rises by r (1 - cos w dt) in a step.
+// This rise counts as overlap, so the spinning circle is pushed away.
 static void spinning_circles(void** state)
 {
 	(void)state;
@@ -342,7 +342,8 @@ static void spinning_circles(void** state)
 // ---------------------------------------------------------------------------------------------------------------
 
 // A ball dropped from the height h rises to e^2 h. Restitution reverses the velocity at the start of the step, which
-// lasts 1/240 s here. This velocity is too low by up to g dt, so the height lacks a fraction of up to 2 g dt / v.
+// lasts 1/240 s here. This velocity may be g dt lower than the velocity v of the impact, so the ball may rise less high
+// by a fraction of 2 g dt / v.
 static void restitution_height(void** state)
 {
 	(void)state;
@@ -422,7 +423,7 @@ static void momentum(void** state)
 		NEAR(now.x, before.x, 1e-5 * before.size);
 		NEAR(now.y, before.y, 1e-5 * before.size);
 		// contact points are fixed in space within a step while bodies move by up to 2 cm, so angular momentum is less
-		// exact
+		// exact than linear momentum
 		NEAR(now.spin, before.spin, 1e-3 * before.size);
 	}
 	assert_true(counters_of(world).touching > 0);
@@ -511,7 +512,7 @@ static void mass_ratio(void** state)
 	scree_world_destroy(world);
 }
 
-// A kinematic body moves by its velocity, x = v t, under any load. Its load moves along.
+// A kinematic body moves by its velocity, x = v t, under any load. The load moves along with the body.
 static void kinematic_carries(void** state)
 {
 	(void)state;

@@ -10,7 +10,7 @@
 
 // The scene has bodies 1 to 11: one single body, five bodies with one attribute, and five bodies that choose between
 // two attributes. The single body has the middle shade, 31. The five bodies with one attribute have shades from 0 to
-// 62, the bodies with a choice from 62 / 4 to 3 * 62 / 4, rounded.
+// 62. The five bodies with a choice have shades from 62 / 4 to 3 * 62 / 4, rounded.
 static void bodies_run_through_their_shades(void** state)
 {
 	(void)state;
@@ -22,7 +22,7 @@ static void bodies_run_through_their_shades(void** state)
 	ShadeWalk walk = {.scene = scene};
 	for (uint32_t k = 0; k < 11; ++k)
 		assert_int_equal(shade_next(&walk, k + 1), expected[k]);
-	// shades of a body that does not come from the scene, and of a body without a scene
+	// a body that does not come from the scene, and a body without a scene, have the middle shade
 	assert_int_equal(shade_next(&walk, 12), SHADE_MIDDLE);
 	ShadeWalk none = {0};
 	assert_int_equal(shade_next(&none, 3), SHADE_MIDDLE);
@@ -49,8 +49,8 @@ static void shades_have_three_colors(void** state)
 	assert_memory_equal(&still.first, &still.last, sizeof still.first);
 }
 
-// A camera moves from a view of 100 m to a view of 1 m. Halfway the view has 10 m, because the camera magnifies at a
-// constant rate. The views at both ends are exact, except for rounding.
+// A camera moves from a view 100 m wide to a view 1 m wide. Halfway the view is 10 m wide, because the camera magnifies
+// at a constant rate. The views at both ends are exact, except for rounding.
 static void cameras_magnify_steadily(void** state)
 {
 	(void)state;
@@ -61,7 +61,7 @@ static void cameras_magnify_steadily(void** state)
 	assert_true(fabsf(end.lower.x - 9.5f) < 1e-5f && fabsf(end.upper.y - 5.25f) < 1e-5f);
 	assert_true(fabsf(middle.upper.x - middle.lower.x - 10) < 1e-4f &&
 	            fabsf(middle.upper.y - middle.lower.y - 5) < 1e-4f);
-	// one point of the world keeps its place in the picture: 10 m / 0.99 from the first center
+	// one point of the world keeps its place in the picture: 10 m / 0.99 from the center of the first view
 	float still = 10.0f / 0.99f;
 	assert_true(fabsf((still - middle.lower.x) / 10 - (still + 50) / 100) < 1e-4f);
 	// the camera moves at a constant speed if its view keeps its size
@@ -69,8 +69,8 @@ static void cameras_magnify_steadily(void** state)
 	assert_true(fabsf(viewport_between(from, aside, 0.25).lower.x + 25) < 1e-3f);
 }
 
-// A square view of 10 m is 840 px wide in a picture of 1600x900. The detail of 2 m by 1 m gets the rest of the width,
-// 1600 - 2 * 12 - 840 - 24 = 712 px. It is centered vertically.
+// A square view of 10 m is 840 px wide in a picture of 1600x900. The detail of 2 m by 1 m gets the rest of the width
+// without the margins: 1600 - 2 * 12 - 840 - 24 = 712 px. The detail is centered vertically.
 static void details_fill_wide_pictures(void** state)
 {
 	(void)state;
@@ -85,7 +85,7 @@ static void details_fill_wide_pictures(void** state)
 	assert_true(fabs((4 - part.left) * part.scale - 876) < 0.1 && fabs((6 - part.left) * part.scale - 876 - 712) < 0.1);
 	assert_true(fabs((4.5 - part.bottom) * part.scale - (900 - BAND) / 2.0) < 0.1);
 	detail_close(&detail);
-	// a square picture has no space for a detail, and another scene has no detail
+	// a square picture has no space for a detail, and a scene may lack a detail
 	assert_false(detail_open(&detail, scene, 900, 900));
 	scene->has_detail = false;
 	assert_false(detail_open(&detail, scene, 1600, 900));

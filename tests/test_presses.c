@@ -23,7 +23,7 @@ typedef struct
 } Press;
 
 // Adds static bodies, a body of 1 m and a press that moves towards them. gap: distance of the body from the static
-// bodies, m. first: the press is created before the other bodies.
+// bodies, m. first: true if the press is created before the other bodies.
 static Press add_press(scree_world* world, Place place, scree_shape shape, float density, float gap, bool first)
 {
 	static const float angles[PLACES] = {-90.0f, 0.0f, -35.0f};
@@ -49,7 +49,8 @@ static Press add_press(scree_world* world, Place place, scree_shape shape, float
 	return p;
 }
 
-// Returns the depth of a body of 1 m in the wall or in the floor, m; in a corner, the larger of the two depths.
+// Returns the depth of a body of 1 m in the wall or in the floor, m; negative: the body does not overlap it. In a
+// corner, returns the larger of the two depths.
 static float depth_of(scree_world* world, scree_body body, Place place, bool round)
 {
 	scree_pose pose = pose_of(world, body);
@@ -59,9 +60,9 @@ static float depth_of(scree_world* world, scree_body body, Place place, bool rou
 	return fmaxf(wall, floor);
 }
 
-// A body between a press and static bodies is at most 2 cm deep in a static body and no faster than the press. This
-// holds for any order of contacts and of creation, any density, and presses moved by velocity or by target. It holds
-// while the press approaches, stays and goes back.
+// A body between a press and static bodies is at most 2 cm deep in a static body, and at most 5 % faster than the
+// press. This holds for any order of contacts and of creation, any density, and presses moved by velocity or by target.
+// It holds while the press approaches, stays and goes back.
 static void static_side_wins(void** state)
 {
 	(void)state;
@@ -211,7 +212,7 @@ static void loads_are_no_presses(void** state)
 	cart.density = 1000.0f;
 	wheel.density = 1.6f / (float)(PI * 0.16);
 	add_floor(world);
-	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // it is in the floor, so presses are searched for
+	add_box(world, SCREE_BODY_KINEMATIC, 1.0f, 1.0f, -20.0f, 0.95f); // because of this body, the press kernels run
 	add_crate(world, SCREE_BODY_DYNAMIC, -20.0f, 2.4f);
 	def.body_a = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &cart), 0.0f, 0.7f, 0.0f);
 	for (int k = 0; k < 2; ++k)
@@ -236,7 +237,8 @@ static void loads_are_no_presses(void** state)
 	scree_world_destroy(world);
 }
 
-// Adds a plate with 40 crates, which is a hub, between a press and a wall. Returns the plate.
+// Adds a plate in front of a wall, a press, and 40 crates between the press and the plate. The plate touches all of the
+// crates, so it is a hub. Returns the plate.
 static scree_body add_plate(scree_world* world, scree_body* press)
 {
 	add_box(world, SCREE_BODY_STATIC, 50.0f, 100.0f, 50.0f, 0.0f);
@@ -272,14 +274,14 @@ static void build_all(scree_world* world, const void* context)
 		add_box(world, SCREE_BODY_DYNAMIC, 0.3f, 0.2f + 0.02f * (float)k, -0.4f, 30.0f + (float)k);
 	press = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 8.0f, -1.3f, 34.0f);
 	OK(scree_body_set_velocity(world, press, slow));
-	// rows of balls and of rods that buckle
+	// a row of balls and a row of rods; both rows buckle
 	scree_attribute_def ball = surface_of(circle_shape(0.5f)), rod = surface_of(box_shape(0.5f, 0.3f));
 	for (int k = 0; k < 6; ++k)
 		add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, k < 3 ? &ball : &rod), -0.5f - (float)(k % 3),
 		         (k < 3 ? 50.0f : 60.0f) + (k & 1 ? 0.04f : -0.04f), 0.0f);
 	press = add_box(world, SCREE_BODY_KINEMATIC, 0.5f, 15.0f, -3.6f, 55.0f);
 	throw_body(world, press, 1.0f, 0.0f, 0.0f);
-	// a hinge drags a ball against the wall
+	// a hinge to a point of the world drags a ball against the wall
 	scree_joint_def def = scree_joint_def_make(SCREE_JOINT_REVOLUTE);
 	def.body_b = add_body(world, SCREE_BODY_DYNAMIC, add_attribute(world, &ball), -0.5f, 80.0f, 0.0f);
 	def.frame_a.position = (scree_vec){0.5f, 80.2f};
@@ -294,8 +296,8 @@ static void presses_are_equal_everywhere(void** state)
 	check_parity(&scenario, NULL);
 }
 
-// A mass set by the user applies again after the body was kinematic. It no longer applies after a change of the
-// collidables, even if the body was kinematic then.
+// A mass set by the user applies again after the body was kinematic. It no longer applies once the collidables have
+// changed, even if they changed while the body was kinematic.
 static void own_mass_outlives_types(void** state)
 {
 	(void)state;

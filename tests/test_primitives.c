@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // test_primitives.c -- checks sort and scan of every backend against the simplest implementations.
 //
-// Formulas. Sort: the output is a permutation of the input, rising in the given range of bits; keys that are equal in
-// this range keep their order. Scan: out[i] = in[0] + ... + in[i - 1].
+// Formulas. Sort: the output is a permutation of the input, in ascending order of the bits in the given range; keys
+// that are equal in this range keep their order. Scan: out[i] = in[0] + ... + in[i - 1].
 #include "backend/backend.h"
 #include "support/each_backend.h"
 #include "tools/common/random_numbers.h"
@@ -90,7 +90,7 @@ static void check_sort(Input input, int end, int bound, bool use_bound, int firs
 {
 	static uint64_t keys[CAPACITY], expected[CAPACITY], got[CAPACITY];
 	int count = use_bound && bound < end ? bound : end;
-	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY; // includes keys after these, which must not change
+	int whole = end + 100 < CAPACITY ? end + 100 : CAPACITY; // 100 more keys, if there is room; they must not change
 	for (int i = 0; i < whole; ++i)
 		keys[i] = make_key(input, i, end, &seed);
 	memcpy(expected, keys, (size_t)whole * sizeof *keys);
@@ -205,8 +205,8 @@ static void test_scan_counts_from_device(void** state)
 		check_scan(900000, bounds[i], true, 2, 29 + i);
 }
 
-// Reads blocks from a pool, one as long as the counters. The bytes of this block must not count as faults of the
-// device.
+// Reads blocks of several sizes from a pool. One block is as long as the counters of a device, but its bytes must not
+// count as faults of the device.
 static void reads_have_any_size(void** state)
 {
 	(void)state;

@@ -17,7 +17,7 @@ typedef struct // copy of a collidable, for the reference
 	scree_filter filter;
 	uint32_t kind; // kind of the collidable: SCREE_QUERY_*
 	Exact exact;
-	double reach; // m: largest distance of a point of the shape from its first corner
+	double reach; // m: largest distance of a point of the shape from the first corner of the shape
 } Item;
 
 typedef struct
@@ -121,8 +121,8 @@ static const Item* item_of(const Place* place, scree_collidable handle)
 	return NULL;
 }
 
-// Returns whether a collidable is so far from the path of a shape that they cannot meet. reach: that of the shape, as
-// in Item.
+// Returns whether a collidable is certainly too far away to meet a shape that moves by (x, y). reach: that of the
+// moving shape, m, as in Item.
 static bool is_away(const Item* item, const Exact* from, double reach, double x, double y)
 {
 	double px = item->exact.x[0] - from->x[0], py = item->exact.y[0] - from->y[0], square = x * x + y * y;
@@ -130,7 +130,7 @@ static bool is_away(const Item* item, const Exact* from, double reach, double x,
 	return hypot(px - t * x, py - t * y) > item->reach + reach + 0.1;
 }
 
-// Checks the first result, and the list of all results, of the cast of a shape along a path.
+// Checks the cast of a shape along a path: its first result, and the list of all its results.
 static void check_cast(const Place* place, const scree_query_def* def, const Exact* from, double reach, scree_vec path,
                        scree_body ignored, const scree_query_result* first, const scree_query_result* all, int count,
                        double slack)
@@ -172,8 +172,8 @@ static void check_cast(const Place* place, const scree_query_def* def, const Exa
 		if (least > slack)
 			fail_msg("item %d of %d corners is %g m away, and was found at %g", k, item->exact.count, least,
 			         (double)found->fraction);
-		// on a path nearly parallel to an edge, fractions of hits are inexact; so the distance at the fraction is
-		// checked
+		// on a path nearly parallel to an edge, fractions of hits are inexact; so the distance between the shapes at
+		// the fraction is checked
 		Exact there = exact_moved(*from, (double)found->fraction * x, (double)found->fraction * y);
 		double apart = exact_distance(&item->exact, &there);
 		if (found->inside)

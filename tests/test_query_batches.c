@@ -10,8 +10,8 @@
 
 #define APPROVAL 500
 
-// A GPU processes a large batch in parts. Its results must equal those of small batches. If the last item is bad, the
-// call must leave all results unchanged.
+// A GPU processes a large batch in parts. The results must equal those of small batches. If an item near the end is
+// bad, the call must leave all results unchanged.
 static void large_batches(void** state)
 {
 	(void)state;
@@ -121,7 +121,7 @@ static uint64_t answers_to_bits(const Variant* variant)
 {
 	scree_world* world = open_default_variant(variant);
 	add_floor(world);
-	for (int n = 0; n < 77; ++n) // 77 boxes do not fill the nodes of a tree
+	for (int n = 0; n < 77; ++n) // with 77 boxes, some nodes of the tree have fewer than 8 children
 		add_box(world, n % 3 ? SCREE_BODY_DYNAMIC : SCREE_BODY_STATIC, 0.3f, 0.2f, (float)(n % 9), (float)(n / 9));
 	run_steps(world, 1);
 	uint64_t answers = ask_bits(world);

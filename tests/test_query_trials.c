@@ -53,8 +53,9 @@ static uint64_t ask_all(const Place* place, uint64_t* seed, uint64_t hash)
 	return hash_bytes(hash, found, sizeof found);
 }
 
-// Simulates a falling heap, in which bodies are created, destroyed and changed. If `asks` is set, it calls queries
-// before and after each change. Returns the hash of all query results, and writes the hash of the world.
+// Simulates a falling heap, in which bodies are created, destroyed and changed. If `asks` is set, the function calls
+// queries before and after each change. Returns the hash of all query results, and writes the hash of the world to
+// *world_hash.
 static uint64_t record_heap(const Variant* variant, bool asks, uint64_t* world_hash)
 {
 	Place place = {.center = {0.0f, 5.0f}, .size = 12.0f};
@@ -182,8 +183,8 @@ static void edges_and_insides(void** state)
 	OK(scree_world_cast_ray(world, (scree_vec){-3.0f, -3.0f}, (scree_vec){6.0f, 6.0f}, &found)); // into a corner
 	assert_true(found.hit);
 	NEAR(found.fraction, 1.0 / 3.0, 1e-6);
-	// The ray is nearly parallel to a segment, 90 km away, and passes 0.4 um beside its corner. It hits the corner and
-	// nothing behind it.
+	// The ray is nearly parallel to a segment 90 km away from the origin, and passes 0.4 um beside a corner of the
+	// segment. The ray must hit the segment at this corner.
 	scree_shape segment;
 	scree_vec corners[2] = {{-0.595454574f, -0.0290360544f}, {-0.157268897f, 1.55506301f}};
 	OK(scree_shape_make_segment(corners[0], corners[1], &segment));
@@ -221,7 +222,8 @@ static void ignores_what_is_gone(void** state)
 		rays[1].ignored = SCREE_NULL_BODY;
 		for (int round = 0; round < 3; ++round)
 		{
-			// index of the nearest collidable if body `gone` is ignored: 1 only after a new body took the slot
+			// index of the nearest collidable that is not ignored: 2 while body `gone` is ignored, 1 after a new body
+			// took the slot of `gone`
 			unsigned nearer = round < 2 ? 2 : 1;
 			OK(scree_world_cast_rays(world, &def, rays, 2, found));
 			assert_int_equal(found[0].collidable.index, nearer);

@@ -12,9 +12,9 @@
 // equal bits
 // ---------------------------------------------------------------------------------------------------------------
 
-// Emulated variants of the relay. Registers: all constraints fit into registers; streamed: they do not. Late words and
-// pieces: writes arrive later and in parts. Ahead: the solve is listed before the host has read the number of its
-// constraints. Spread: work-items without a constraint end before the barriers of the others.
+// Emulated variants of the relay. Registers: all constraints fit into registers; streamed: they do not. Late words:
+// writes to mailboxes arrive some time later, 8 bytes at once. Ahead: the solve is listed before the host has read the
+// number of its constraints. Spread: up to 8 work-items per constraint.
 static const Form plain_forms[] = {
     {.name = "registers", .groups = 16},
     {.name = "streamed", .groups = 3, .schedule = {.late = true, .pieces = 8}},
@@ -34,8 +34,8 @@ static const Form hub_forms[] = {
     {.name = "hubs, spread, ahead", .groups = 4, .group = 256, .hub_groups = 2, .most_spread = 8, .ahead = true},
 };
 
-// Runs each variant on each scene. Returns the sums of the counters, by which the caller checks that all cases
-// occurred.
+// Runs each variant on each scene. Returns the sums of the counters, but the maximum of `spread`. By these values the
+// caller checks that all cases occurred.
 static FormCounts check_forms(const Form* forms, int count, bool hubs)
 {
 	FormCounts sum = {0};

@@ -25,7 +25,7 @@ expect()
 	grep -qF -- "$text" out || { fail "rename.sh $*: does not say \"$text\", but"; cat out; }
 }
 
-# checks docs/names.md: scree.h has each new name, members in the struct of their row, and no old name
+# checks that scree.h has each new name of docs/names.md, has each new member in the struct of its row, and has no old name
 struct_of()
 {
 	sed -n "/^typedef struct $1\b/,/^} $1;/p" "$header" | sed 's://.*::'
@@ -148,7 +148,7 @@ cp game.c once.c
 expect 0 'rename.sh: changed 0 of 1 files' game.c
 cmp game.c once.c || fail "rename.sh: changes the new names"
 
-# the program compiles after the one reported member is changed by hand
+# the program compiles after the only reported member that must change is changed by hand
 sed -i 's/counters\.grown/counters.reallocations/' game.c
 compiler=$(command -v "${CC:-cc}" || command -v gcc || command -v clang) || { echo "skipped: there is no compiler"; exit 77; }
 "$compiler" -std=c17 -Wall -Wextra -Werror -fsyntax-only -I "$source/include" game.c || fail "the ported program does not compile"

@@ -20,8 +20,8 @@ static scree_body add_platform(scree_world* world, scree_body_type type, scree_s
 	return add_body(world, type, surface, x, y, radians);
 }
 
-// Returns the shape of a platform 8 m wide. Writes to *y the height of the body at which the top of the platform is at
-// y = 0.
+// Returns the shape of a platform about 8 m wide. Writes to *y the y coordinate of its body for which the top of the
+// platform is at y = 0.
 static scree_shape platform_shape(int kind, float* y)
 {
 	*y = kind == 0 ? -0.5f : kind == 1 ? -0.01f : kind == 2 ? 0.0f : -0.1f;
@@ -207,8 +207,8 @@ static void chains_of_platforms(void** state)
 	}
 }
 
-// Bodies from above move exactly as on a solid platform. One of them is a tilted plank that falls on a narrow platform:
-// one end of the plank gets below the top before plank and platform touch.
+// A tilted plank that falls on a narrow platform moves exactly as on a solid box, although one end of the plank gets
+// below the top before plank and platform touch.
 static void tilted_planks(void** state)
 {
 	(void)state;
@@ -362,8 +362,8 @@ static void rest(void** state)
 	}
 }
 
-// A platform is destroyed and created again before each step. Each new platform holds the bodies that lie on the last
-// one, and lets rising bodies pass.
+// A platform is destroyed and created again before each step. Each new platform holds the bodies that lay on the
+// destroyed one, and lets rising bodies pass.
 static void made_anew(void** state)
 {
 	(void)state;

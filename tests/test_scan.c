@@ -61,8 +61,8 @@ static void rays_begin_at_the_eye(void** state)
 	close_text(&s);
 }
 
-// Each fan casts rays at circles that it selects by mask, kind or radius. Each ray hits the nearest circle of the
-// selection.
+// Each fan casts rays at circles that it selects by mask or by kind. Each ray hits the nearest selected circle, or
+// nothing if it meets none. A ray with a radius also hits a circle beside it.
 static void fans_see_what_they_say(void** state)
 {
 	(void)state;

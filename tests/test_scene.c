@@ -295,7 +295,7 @@ static void check_changed(const scree_world* world, const Bodies* after, int k)
 }
 
 // Applies and checks the churn of one step: two bodies move, three are replaced, and each keeps its attribute. Adds 1
-// to the element of `turns` of each changed body.
+// to turns[k] for each changed body k.
 static void check_step(const Scene* scene, scree_world* world, int step, int turns[12])
 {
 	Bodies before = read_bodies(world);

@@ -75,8 +75,8 @@ static const Place* place_of(FormatObject object, const char* key)
 	return place;
 }
 
-// Loads a scene whose object has the key with the value. If `part` is null, the scene must be accepted. Otherwise it
-// must be refused, with a message that contains both texts, `part` and `must`.
+// Loads a scene with an object in which `key` has the value `value`. If `part` is null, the scene must be accepted.
+// Otherwise it must be refused, with a message that contains both texts, `part` and `must`.
 static void load(const Place* place, const char* key, const char* value, const char* part, const char* must)
 {
 	char text[2048] = "", quoted[64], sentence[SCENE_SENTENCE] = "";

@@ -98,7 +98,7 @@ typedef struct
 } Score;
 
 #define SAMPLES 2048
-#define BRIEF   (8.0 / SAMPLES) // steps; overlaps shorter than this may be missed
+#define BRIEF   (8.0 / SAMPLES) // fraction of a step; overlaps shorter than this may be missed
 
 // Takes one step with a sensor and a visitor, and compares the visits with samples of both paths. Adds the differences
 // to score.
@@ -155,8 +155,9 @@ static void judge(scree_world* world, Rider* a, Rider* b, scree_collidable senso
 	score->late += outside > 0.0;
 }
 
-// Tries all shapes on bodies of all types, with centers of mass away from their origins. Paths are several meters long,
-// and rotations up to 180 degrees. tolerance: maximum error of distances, m. Returns the sum of all differences.
+// Tries random shapes on bodies of all types, with centers of mass away from their origins. size: m; speed: maximum
+// speed along x and along y, m/s; spin: maximum spin, rad/s; tolerance: maximum error of distances, m. Returns the
+// sum of all differences and the largest error of a time.
 static Score try_ways(int trials, float size, float speed, float spin, scree_vec origin, double tolerance)
 {
 	Score score = {0};

@@ -173,8 +173,8 @@ static void kinds_and_filters(void** state)
 	scree_world_destroy(world);
 }
 
-// A crate that lies in a sensor for two minutes begins one visit. Each time that it is disabled, enabled, destroyed or
-// created again, the sensor reports one event.
+// A crate that lies in a sensor for two minutes begins one visit. Each time that the crate is disabled, enabled,
+// destroyed or created again, the sensor reports one event.
 static void one_end_for_each_beginning(void** state)
 {
 	(void)state;
@@ -451,7 +451,7 @@ static void all_devices_agree(void** state)
 	}
 }
 
-// Two worlds differ only in a sensor that covers the whole world: their bodies move with equal bits.
+// Two worlds differ only in a sensor that covers the whole world: the final positions of their bodies have equal bits.
 static void sensors_change_no_motion(void** state)
 {
 	(void)state;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #define SPECULATIVE 0.02 // m; contacts are reported below this separation
-#define DEEP        -1.0 // value of gap: one shape lies inside the other
+#define DEEP        -1.0 // value of `gap` for origins 2 cm apart: a deep overlap
 #define DESIGNS     9
 #define TURNS       6
 
@@ -90,7 +90,8 @@ static scree_vec support(const scree_shape* shape, float turn, double side)
 // ---------------------------------------------------------------------------------------------------------------
 
 // Places two turned shapes side by side, in a world of their own, and checks their contact. The rightmost point of
-// shape a and the leftmost point of shape b have the same height, so the distance of the shapes is the gap along x.
+// shape a and the leftmost point of shape b have the same height, so the distance of the shapes is the gap along x. If
+// the gap is DEEP, the origins of the shapes nearly coincide.
 static void check_gap(int a, int b, int turn, double gap)
 {
 	char what[128];
@@ -237,8 +238,8 @@ static void points_are_counted(void** state)
 // impulses
 // ---------------------------------------------------------------------------------------------------------------
 
-// Checks the impulses of each shape at rest on a floor: the sum of the normal impulses of a substep, divided by its
-// duration h, is the weight m g, and points upward.
+// Checks the impulses of each shape at rest on a floor. The normal impulses of a substep, divided by its duration h,
+// add up to the weight m g, and have no torque about the center of mass.
 static void impulses_carry_the_weight(void** state)
 {
 	(void)state;

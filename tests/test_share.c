@@ -71,7 +71,7 @@ static void test_rows(void** state)
 	run_steps(world, 20);
 	check_rows(world);
 
-	// after a change of the user, rows contain the change at once, and no destroyed bodies
+	// after changes by the user, rows contain the changes before the next step, and no destroyed bodies
 	OK(scree_world_get_bodies(world, bodies, BODIES + 1, &count));
 	assert_int_equal(count, BODIES + 1);
 	OK(scree_body_set_pose(world, bodies[3], (scree_pose){{7.0f, 8.0f}, scree_rot_make(1.0f)}));
@@ -128,8 +128,8 @@ static void test_without_sharing(void** state)
 // a driver that shares memory
 // ---------------------------------------------------------------------------------------------------------------
 
-// device name of PoCL: a part of its platform's name, Portable Computing Language. Its buffers can use memory that the
-// test has mapped.
+// name that selects the device of PoCL by a part of its platform's name, Portable Computing Language; buffers of PoCL
+// can use memory that the test has mapped
 #define POCL "opencl:portable"
 
 static OpenClFunctions real;
@@ -359,7 +359,7 @@ static void test_shared_memory(void** state)
 #define RAYS 100
 
 // Rays and probes in shared memory get the same results as rays and probes of the host. Results replace the rays and
-// probes, or are written behind them.
+// probes, or are written after them in memory.
 static void test_shared_queries(void** state)
 {
 	(void)state;

@@ -13,9 +13,9 @@
 // trees
 // ---------------------------------------------------------------------------------------------------------------
 
-// Computes the Hilbert codes of 256 by 256 cells, which begin at the corner and have this spacing. The tree spans
-// 65,536 by 65,536 cells. Checks that each cell occurs once, and that successive codes belong to adjacent cells, and
-// differ by 1 if `dense` is set. Returns the lowest code.
+// Computes the Hilbert codes of 256 by 256 points. The first point is the corner; spacing: distance of neighboring
+// points, in cells. The tree spans 65,536 by 65,536 cells. Checks that each point occurs once, and that successive
+// codes belong to neighboring points and differ by 1 if `dense` is set, by more otherwise. Returns the lowest code.
 static Word check_curve(Backend* b, float corner_x, float corner_y, float spacing, bool dense)
 {
 	const int side = 256, count = side * side;

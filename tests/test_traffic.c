@@ -35,8 +35,9 @@ static void a_box_on_the_floor(void** state)
 	assert_int_equal(traffic.constraints, 1);
 	assert_int_equal(traffic.passes, 1 + 2 * 4);
 	assert_int_equal(traffic.constraint_bytes, 180 + 64 + 4 * (64 + 84));
-	// A pass reads 32 bytes of each body and writes 16. A row costs 44 once; each substep adds 128 for its velocity
-	// (state, read and written, 64; motion 32; base, read and written, 32) and 96 for its position.
+	// A pass reads 32 bytes of each body and writes 16. A row of the pool body costs 44 bytes once per step. Each
+	// substep adds 128 bytes to update its velocity (state read and written: 64; motion read: 32; base read and
+	// written: 32) and 96 to update its position.
 	assert_int_equal(traffic.body_bytes, 9 * 2 * (32 + 16) + 3 * (44 + 4 * (128 + 96)));
 
 	// restitution adds one pass, and bytes to each constraint
@@ -52,7 +53,8 @@ static void a_box_on_the_floor(void** state)
 	// Bytes added by restitution:
 	// prepare 80: slot 4, normal and arms 32, gaps 8, totals 8, indices 8, restitution 4, fall 4, energy 4, rebounds 8;
 	// warm start 4, bias 8, relax 40;
-	// bounce 96: indices, normal, arms and gaps 48, fall 4, energy 4, rebounds 8, totals (read and written) 16, impulses 16.
+	// bounce 96: indices, normal, arms and gaps 48, fall 4, energy 4, rebounds 8, totals (read and written) 16,
+	// impulses 16.
 	assert_int_equal(traffic.constraint_bytes, 260 + 68 + 2 * (72 + 124) + 96);
 	// prepare reads state, motion and colors of each body
 	assert_int_equal(traffic.body_bytes, (6 * 48 + 72) * 2 + 3 * (44 + 2 * 224));

@@ -25,7 +25,7 @@ for name in $("$scree" validate --names); do
 	*) names+=("$name") ;;
 	esac
 done
-# the slow builds of the other presets leave out large experiments
+# builds of other presets are slow, so they leave out large experiments
 [ "${SCREE_QUICK:-0}" = 1 ] && names=(bounce motion)
 
 "$scree" validate --quick --device cpu --threads 1 "${names[@]}" >rows.csv 2>err

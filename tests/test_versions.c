@@ -58,7 +58,7 @@ static void two_boxes(scree_world* world, scree_body bodies[2])
 	OK(scree_bodies_create(world, defs, 2, bodies));
 }
 
-// In an older program a contact has fewer members. The library writes these members, and nothing behind them.
+// In an older program a contact has fewer members. The library writes these members, and nothing after them in memory.
 static void older_results(void** state)
 {
 	(void)state;
@@ -78,7 +78,7 @@ static void older_results(void** state)
 	memset(kept, 0x5a, sizeof kept);
 	assert_memory_equal(contacts + 1, kept, sizeof kept);
 
-	// a struct with only the first half of the counters
+	// counters without the member `reallocations` and all later members
 	size_t half = offsetof(scree_counters, reallocations);
 	scree_counters counters;
 	memset(&counters, 0x5a, sizeof counters);
@@ -89,7 +89,8 @@ static void older_results(void** state)
 	scree_world_destroy(world);
 }
 
-// An older program passes definitions without their last member, disabled. Its bodies are enabled.
+// An older program passes definitions without their last member, `disabled`. The bodies of such definitions are
+// enabled.
 static void older_definitions(void** state)
 {
 	(void)state;

@@ -244,7 +244,7 @@ END
 [ "$(nth rays 1 | cut -d ' ' -f 1)" -le 3000 ] || fail "too many rays for a software renderer"
 says 'of 20050'
 
-# narrow and flat windows: the pictures differ only in size
+# narrow and flat windows: the selection, the panel and the help work in windows of any size
 view 0 "${small[@]}" <<'END'
 key tab
 frames 1
@@ -266,7 +266,7 @@ END
 says 'selected crate of body'
 rm -f scree-*
 
-# scenes, restart, devices: equal bits
+# scenes, restart, devices: hashes are equal after a restart and on each device
 view 0 "${small[@]}" <<'END'
 frames 20
 print

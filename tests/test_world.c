@@ -85,8 +85,8 @@ static void batches_survive_churn(void** state)
 	OK(scree_bodies_create(world, defs, COUNT_OF, bodies));
 	run_steps(world, 1);
 
-	// every third body is destroyed and created elsewhere, six times; every second time the world takes a step in
-	// between
+	// every third body is destroyed and created elsewhere, six times; in every second round, a step follows the
+	// destruction
 	for (int round = 0; round < 6; ++round)
 	{
 		for (int k = 0; k < COUNT_OF; k += 3)
@@ -271,8 +271,8 @@ static void damping_slows(void** state)
 	scree_world_destroy(world);
 }
 
-// Makes a body and checks its mass: 1 kg and inertia 0 without collidables; with two boxes of 1 kg, 2 m apart, I = 2 (1
-// / 6 + 1) kg m^2.
+// Makes a body and checks its mass. Without collidables the mass is 1 kg and the inertia 0. With two boxes of 1
+// kg, whose centers are 2 m apart, the inertia is I = 2 (1 / 6 + 1) kg m^2.
 static scree_body make_pair(scree_world* world, scree_collidable parts[2])
 {
 	scree_body_def def = scree_body_def_default();
@@ -380,7 +380,7 @@ static void changes_keep_their_order(void** state)
 	scree_world_destroy(world);
 }
 
-typedef enum // action of after_call
+typedef enum // action after each call
 {
 	NOTHING,
 	FLUSH, // uploads all edits
@@ -448,8 +448,8 @@ static void change_bodies(Caller* c, int round)
 	after_call(c, scree_collidable_set_filter(c->world, c->parts[2], (scree_filter){1, UINT64_MAX, round % 3 - 1}));
 }
 
-// Three worlds get the same calls. The first uploads all edits before its steps, the second uploads each edit at once,
-// and the third is read after each call. Their hashes must be equal.
+// Three worlds get the same calls. The first uploads all edits before its steps, the second uploads each edit
+// immediately, and the hash of the third is read after each call. The final hashes must be equal.
 static void reading_changes_nothing(void** state)
 {
 	(void)state;

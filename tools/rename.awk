@@ -199,7 +199,8 @@ function declares(name, type)
 	declared[name] = type
 }
 
-# Skips an initializer. Returns the index of the sign that ends the declarator whose name is before token c: , ; or a bracket.
+# Skips an initializer. Returns the index of the sign that ends the declarator: a comma, a semicolon or a closing bracket. c:
+# index of the token after the declared name.
 function past_initializer(c, depth)
 {
 	for (; c <= codes; ++c)
@@ -237,7 +238,7 @@ function find_declarations(c, d, type)
 	}
 }
 
-# Returns the name of the struct that the brace at c initializes, with "[]" after it for an array, or "" if it is unknown.
+# Returns the name of the struct that the brace at token c initializes, with "[]" after it for an array, or "" if it is unknown.
 function braced(c, array, d)
 {
 	d = c - 1

@@ -140,8 +140,8 @@ static double stored(const FormatKey* key, const char* member)
 	}
 	return NAN;
 }
-// Prints the text `before`, then the default value of a key; prints nothing if the key has no default. json: true for
-// JSON, false for a table.
+// Prints the text `before`, then the default value of a key. Prints nothing if the key has no default. An unlimited
+// number or a set of all bits is a word in a table, and nothing in JSON. json: true for JSON, false for a table.
 static void print_default(const FormatKey* key, const char* made, const char* before, bool json)
 {
 	const char* member = made + key->offset;
@@ -298,7 +298,8 @@ static void print_table(FormatObject object, const char* made)
 
 int main(int count, char** arguments)
 {
-	static _Alignas(max_align_t) char made[4096]; // struct of the object with its default values
+	// default values of the object that the loop below prints, as its struct
+	static _Alignas(max_align_t) char made[4096];
 	bool schema = count == 2 && strcmp(arguments[1], "schema") == 0;
 	if (!schema && !(count == 2 && strcmp(arguments[1], "tables") == 0))
 	{

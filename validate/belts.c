@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // belts.c -- checks bodies on two belts, or on two wheels, that run towards each other.
 //
-// The difference of the two loads drives a body. At the place with equal loads the body lies still. If it begins beside
-// this place, it swings around the place without end, but the swing must not grow.
+// The difference between the loads on the two belts drives a body. At the place with equal loads the body lies still.
+// If it begins beside this place, it swings around the place without end, but the swing must not grow.
 #include "props.h"
 #include <math.h>
 
@@ -104,9 +104,9 @@ static void sway(Validation* v, int boxes, double height)
 #define AXLE     1.0 // m: distance of a wheel from the middle
 #define FRICTION 0.3
 
-// A plank swings on two wheels that turn towards each other. Its center is h above the wheels and x from the middle,
-// the friction is m, and its weight W. The wheels at +-a carry W / 2 +- W x / (2 (a - m h)), so the period is 2 pi
-// sqrt((a - m h) / (m g)): S. Timoshenko, Vibration Problems in Engineering, 1928.
+// A plank of weight W swings on two wheels that turn towards each other. The wheels are at -a and +a, the center of the
+// plank is h above the wheels and x from the middle, and m is the friction. The wheels carry W / 2 +- W x / (2 (a - m
+// h)), so the period is 2 pi sqrt((a - m h) / (m g)): S. Timoshenko, Vibration Problems in Engineering, 1928.
 static void plank(Validation* v, double height)
 {
 	begin(v, "plank, %g m high, on two wheels", 2.0 * height);

@@ -10,7 +10,7 @@
 typedef struct // a bone: a capsule, and the joint with its parent; lengths in m
 {
 	int parent; // index of the parent; -1: no parent
-	// height of the body above the feet; heights of the capsule's ends above the body; radius
+	// height of the body's origin above the feet; heights of the ends of the capsule's axis above the origin; radius
 	float height, low, high, radius;
 	float damping; // linear damping, 1/s
 	// height of the joint above the feet; limits of its angle, rad / pi; share of FRICTION

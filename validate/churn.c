@@ -150,8 +150,8 @@ static void burst(Validation* v, int count)
 	dismiss(&c);
 }
 
-// Moves too many boxes to one place. The step may fail with a message, but the memory must stay below its limit, and
-// the next steps must succeed. Returns whether the step failed.
+// Moves too many boxes to one place. The step may fail with a message, but the memory must stay below 1 GB, and the
+// next steps must succeed. Returns whether the step failed.
 static bool crowd(Validation* v, int count)
 {
 	begin(v, "%d boxes at one place", count);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // columns.c -- columns, weights on light boxes, card house, arch and pyramid stand, and sink little.
 //
-// Limits of sinking are the results of Box2D v3 (617d32a, sleep off). If Scree was always better, they are the
-// results of Scree.
+// Limits of sinking are the results of Box2D v3 (617d32a, sleep off). Where Scree always sank less than Box2D, they are
+// the results of Scree.
 #include "props.h"
 #include <math.h>
 

@@ -54,8 +54,8 @@ static void turn(Validation* v, const Door* door, double spin)
 	lab_close(lab);
 }
 
-// A bar of 7 m on a hinge 1.5 m from its end falls to its limit of 0.2 rad, with gravity. A spring pulls it 2.8 rad
-// beyond the limit.
+// A bar of 7 m on a hinge 1.5 m from its end falls to its limit of 0.2 rad, with gravity. A spring, whose target is 2.8
+// rad beyond the limit, presses the bar against the limit.
 static void hold(Validation* v, double hertz)
 {
 	begin(v, "bar of 7 m at its limit, spring of %g Hz", hertz);

@@ -18,7 +18,7 @@ typedef struct
 	// gravity
 	scree_world_def world;
 	float max_speed;     // m/s; 0: world.max_speed in Scree, the engine's default in others
-	float contact_hertz; // stiffness of contacts, Hz; 0: world.contact_hertz, or the default
+	float contact_hertz; // stiffness of contacts, Hz; 0: world.contact_hertz in Scree, the engine's default in others
 } EngineDef;
 
 typedef struct // a collidable of a body
@@ -41,7 +41,7 @@ typedef struct
 typedef struct
 {
 	scree_joint_def def; // definition without body_a and body_b
-	int a, b;            // indices of the bodies
+	int a, b;            // indices of bodies a and b, or ENGINE_WORLD
 } EngineJoint;
 
 typedef struct // functions that return bool print a message and return false on failure
@@ -50,7 +50,7 @@ typedef struct // functions that return bool print a message and return false on
 	void* (*open)(const EngineOptions* options, const EngineDef* def); // returns the state of a world; null on failure
 	bool (*create)(void* state, const EngineBody* bodies, int count);
 	bool (*destroy)(void* state, const int* bodies, int count); // afterwards the indices may be used again
-	// only joint types that all engines have, which are those of Box2D 3
+	// adds a joint; only the types of Box2D 3 are possible, because all engines have these
 	bool (*join)(void* state, const EngineJoint* joint);
 	bool (*set_poses)(void* state, const int* bodies, const scree_pose* poses, int count);
 	bool (*set_velocity)(void* state, int body, scree_velocity velocity);
@@ -58,7 +58,7 @@ typedef struct // functions that return bool print a message and return false on
 	bool (*step)(void* state, float dt, int substeps);
 	bool (*wait)(void* state);                // waits until all work is done
 	bool (*frozen)(void* state, int* frozen); // adds to *frozen the number of bodies that the last step froze
-	// reads `count` bodies, or the first `count` indices if `bodies` is null; `velocities` may be null
+	// reads poses and velocities of bodies, or of indices 0 to count - 1 if `bodies` is null; `velocities` may be null
 	bool (*read)(void* state, const int* bodies, int count, scree_pose* poses, scree_velocity* velocities);
 	bool (*hash)(void* state, uint64_t* hash); // hash of all simulated state, as the engine defines it
 	double (*bytes)(void* state);              // memory of the world, bytes

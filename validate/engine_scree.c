@@ -9,7 +9,7 @@
 typedef struct
 {
 	scree_world* world;
-	scree_body* bodies; // handles by the index of the body
+	scree_body* bodies; // handle of each body, by the index of the body
 	int room;
 	scree_body* some;     // handles of the bodies of a call
 	scree_body_def* defs; // definitions of the bodies of a call
@@ -119,7 +119,7 @@ static bool define(State* state, const EngineBody* bodies, int count)
 	return true;
 }
 
-// Creates the collidables of a body after the first. They move the center of mass, so the velocity of the body is set
+// Creates all collidables of a body except the first. They move the center of mass, so the velocity of the body is set
 // again.
 static bool add_others(State* state, const EngineBody* body)
 {

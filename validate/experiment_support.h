@@ -5,7 +5,7 @@
 #include "tools/common/median.h"
 #include "tools/common/random_numbers.h"
 
-// Returns memory, which was just allocated. If it is null, prints a message and ends the program.
+// Returns `memory`, the result of an allocation. If it is null, prints a message and ends the program.
 void* require_memory(void* memory);
 
 #endif

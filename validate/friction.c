@@ -23,7 +23,7 @@ static const double depths[] = {0.0, 0.02, 0.05, 0.2};       // m
 
 typedef struct
 {
-	Peak off, rises; // off, %: deviation of the lost speed from the law; rises, m/s: fastest motion upward
+	Peak off, rises; // largest deviation of the lost speed from the law, %; fastest motion upward, m/s
 } Braking;
 
 // A body slides over a floor. Its lost speed is measured after 0.2 s, or after half of its sliding time if that is

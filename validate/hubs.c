@@ -30,8 +30,8 @@ static void add_crates(Lab* lab, int count, double y)
 		lab_put(lab, SCREE_BODY_DYNAMIC, &crate, (float)(PITCH * (k - 0.5 * (count - 1))), (float)y, 0.0f);
 }
 
-// Measures overlaps every ten steps for 5 s (quick: 2 s). Prints the deepest overlap of all measurements, and the
-// deepest overlap at the end.
+// Measures overlaps every ten steps for 5 s (quick: 2 s). Prints the deepest overlap of all measurements, the deepest
+// overlap at the end, and the speed of the fastest body at the end.
 static void watch(Validation* v, Lab* lab, double limit)
 {
 	double deepest = 0.0, last = 0.0;
@@ -70,7 +70,8 @@ static void sandwich(Validation* v, int crates)
 	watch(v, lab, 2.0);
 }
 
-// A plate strikes crates at rest, without gravity.
+// A plate strikes crates at rest, without gravity. Prints the largest energy, the drift of momentum, the deepest
+// overlap, and the speed of the fastest body at the end.
 static void strike(Validation* v, int crates, double speed)
 {
 	begin(v, "plate strikes %d crates at %g m/s", crates, speed);

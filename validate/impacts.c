@@ -58,9 +58,9 @@ static void against_floor(Validation* v, double friction)
 // Lets the last body collide only with bodies of its run.
 static void isolate(Lab* lab, int run) { lab->bodies[lab->count - 1].parts[0].filter = (scree_filter){1, 0, run + 1}; }
 
-// A heavy circle hits a light circle at rest, without friction. Afterwards the light circle must not be faster than the
-// heavy one was before. Runs must not affect each other: a light circle that flies to the side with half of the initial
-// speed v would meet the heavy circle of the next run at a relative speed of 1.12 v, and could get the speed 1.12 v.
+// A heavy circle with the speed v hits a light circle at rest, without friction. Afterwards the light circle must not
+// be faster than v. Runs must not affect each other: a light circle that flies to the side with v / 2 would meet the
+// heavy circle of the next run at a relative speed of 1.12 v, and could get the speed 1.12 v.
 static void struck(Validation* v, double ratio)
 {
 	int runs = v->quick ? 100 : 400;
@@ -153,7 +153,7 @@ static void pairs(Validation* v, double friction)
 
 typedef struct
 {
-	double x, y, spin; // linear: kg m/s; angular about the origin: kg m^2/s
+	double x, y, spin; // linear momentum, kg m/s; angular momentum about the origin, kg m^2/s
 	double size;       // kg m/s: sum of m |v|
 	double energy;     // J: kinetic energy
 } Momentum;

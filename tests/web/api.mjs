@@ -10,7 +10,7 @@ const box = (world, half = 0.5) => world.createAttribute({shape: scree.shapeMake
 const fails = (run, status, sentence) => assert.throws(run, (error) =>
 	error instanceof ScreeError && error.status === status && sentence.test(error.message));
 
-// errors have the sentences of scree_error; unknown members of objects are refused by name
+// messages of errors are those of scree_error; a message about an unknown member of an object names this member
 const world = scree.createWorld({gravity: {x: 0, y: -10}});
 fails(() => world.step(-1, 4), Status.ERROR_INVALID, /^scree_world_step: dt is -1, must be 0 or from 1e-09 to 1$/);
 fails(() => world.setGravity({x: 0, y: -Infinity}), Status.ERROR_INVALID, /gravity\.y is -inf, must be finite/);

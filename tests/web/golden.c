@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// golden.c -- golden LANES THREADS PART: prints the hash of each scene like tests/golden.txt, after 1/PART of its
-// steps.
+// golden.c -- golden LANES THREADS PART: prints the hash of each scene in the format of tests/golden.txt, after
+// 1/PART of its steps.
 //
 // It needs no test framework, so that it can be compiled for WebAssembly.
 #include "../support/small_sizes.h"

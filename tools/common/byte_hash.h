@@ -7,7 +7,7 @@
 
 #define HASH_BEGIN 0xcbf29ce484222325u
 
-// Returns the hash continued with more bytes. The first hash is HASH_BEGIN.
+// Returns the hash of all bytes so far. hash: value returned for the bytes before these, or HASH_BEGIN.
 uint64_t hash_bytes(uint64_t hash, const void* bytes, size_t count);
 
 #endif

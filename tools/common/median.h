@@ -7,12 +7,12 @@
 void sort_values(double* values, int count);
 void sort_floats(float* values, int count);
 
-// Sorts at least one value, and returns the median. If the number of values is even, it is the mean of the two in the
-// middle.
+// Sorts at least one value, and returns the median. If the number of values is even, the median is the mean of the two
+// in the middle.
 double median_of(double* values, int count);
 
-// Sorts at least one value, and returns the median. If the number of values is even, it is the greater of the two in
-// the middle, so that it is always one of the values.
+// Sorts at least one value, and returns the median. If the number of values is even, the median is the greater of the
+// two in the middle, so that the result is always one of the values.
 double upper_median_of(double* values, int count);
 
 #endif

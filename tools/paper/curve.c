@@ -82,17 +82,18 @@ void curve_print_estimate(Figure* figure, const Curve* curve, int bodies, double
 	fprintf(stderr, ": not run, up to %.0f ms a step\n", ms);
 }
 
-// Estimates the ms of a step. The paper's pipeline tests every pair of bodies, and goes through all contacts after each
-// resolution, so its time grows with the square of the number of bodies.
+// Estimates the ms of a step. The time of Scree's pipeline grows with the number of bodies. The paper's pipeline tests
+// every pair of bodies, and goes through all contacts after each resolution, so its time grows with the square of this
+// number.
 double curve_estimate(const Curve* curve, int bodies)
 {
 	double growth = curve->bodies > 0 ? bodies / curve->bodies : 0;
 	return curve->ms * (curve->pipeline == PAPER_PIPELINE ? growth * growth : growth);
 }
 
-// Returns the options of the warm-up, with its device and threads. All threads of the CPU warm up the paper's pipeline;
-// the measured device warms up Scree. If the CPU would need too long, the GPU warms up Scree, because the bits are the
-// same.
+// Returns the options of the warm-up, whose steps are always steps of Scree. Before the paper's pipeline they run on
+// the CPU. Before Scree's pipeline they run on the measured device, or on the GPU if the CPU would need too long: the
+// bits are the same.
 static Options plan_warm_up(const Figure* figure, const Curve* curve, const Options* sized, int steps, double expected)
 {
 	Options options = *sized;

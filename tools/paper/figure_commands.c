@@ -53,7 +53,7 @@ static Size choose_size(int scene, int bodies)
 	return best;
 }
 
-// Returns the options with the settings of a size added. The values of the settings are stored in text.
+// Returns the options with the settings of a size added. The values of the settings are stored in `text`.
 static Options with_size(const Options* options, const Size* size, char text[3][16])
 {
 	Options sized = *options;

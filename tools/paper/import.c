@@ -5,7 +5,7 @@
 #include "world/objects/attributes.h"
 #include "world/world.h"
 
-typedef struct // results of scree_world_get_bodies and scree_body_get_collidables
+typedef struct // bodies of a world with poses, velocities and collidables, as the functions of scree.h return them
 {
 	scree_body* bodies;
 	scree_pose* poses;

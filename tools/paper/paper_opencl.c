@@ -9,7 +9,7 @@
 // work-items per group, as in the paper
 #define GROUP 256
 
-// maximum number of timed commands in a step, which has 12, and 4 more each time that the contact pool grows
+// maximum number of timed commands in a step; a step has 12 commands, and 4 more for each growth of the contact pool
 #define MAX_COMMANDS 64
 
 // source of the kernels, which cmake/embed.cmake writes
@@ -26,7 +26,7 @@ typedef struct PaperOpenCl
 {
 	Device device;
 	cl_context context;
-	cl_command_queue queue; // executes commands in order, so the barriers, which are those of the paper, have no effect
+	cl_command_queue queue; // runs commands in order; barriers have no effect, but are in the paper
 	cl_program program;
 	cl_kernel kernels[PAPER_STAGE_COUNT];
 	size_t groups[PAPER_STAGE_COUNT]; // work-items per group
@@ -35,7 +35,7 @@ typedef struct PaperOpenCl
 	int command_count;
 } PaperOpenCl;
 
-// Waits for all commands. Adds the time of each command to its sum of milliseconds.
+// Waits for all commands. Adds the time of each command to the sum of milliseconds that the command names.
 static scree_status finish(PaperOpenCl* d)
 {
 	scree_status status = CALL(Finish, d->queue);

@@ -14,7 +14,7 @@ enum // commands as bits, because several commands may accept an option
 
 typedef struct
 {
-	Options common;   // if its device is null: the CPU, or in figures all devices
+	Options common;   // options of all commands; a null device means the CPU, or all devices in figures
 	int limit;        // maximum number of bodies in a figure; 0: unlimited
 	const char* draw; // path of the CSV to draw; null: the figure is measured
 } PaperOptions;

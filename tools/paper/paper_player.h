@@ -13,7 +13,7 @@ bool paper_takes(const Scene* scene);
 
 typedef struct
 {
-	ScenePlayer player; // player whose world is in the state from which the pipeline started
+	ScenePlayer player; // player whose world is in the state from which the paper's pipeline started
 	Paper* paper;       // null: steps are taken by Scree (only in figures)
 } PaperPlayer;
 

@@ -9,7 +9,7 @@
 
 typedef struct // 224 bytes
 {
-	// pose x, y (m), cos, sin in the frame of the body's center of mass; in the world if there is no body
+	// position (m) and rotation (cos, sin), relative to the body's center of mass; in the world if there is no body
 	Float4 place;
 	Attribute instance; // attribute in world coordinates; written by transform
 	Filter filter;
@@ -20,8 +20,8 @@ typedef struct // 224 bytes
 
 typedef struct // 80 bytes without padding, because the hash covers all bytes
 {
-	Float4 pose;       // center of mass x, y (m), rotation cos, sin; written by integrate and resolve
-	Motion motion;     // damping, gravity scale and locks; its forces are the sums for the next step
+	Float4 pose;       // position of the center of mass (m), rotation (cos, sin); written by integrate and resolve
+	Motion motion;     // damping, gravity scale and locks; forces and torque for the next step
 	float vx, vy, w;   // m/s, rad/s; written by integrate and resolve
 	float inv_mass;    // 1/kg; zero for static and kinematic bodies
 	float inv_inertia; // 1/(kg m^2)
@@ -33,7 +33,7 @@ typedef struct // 64 bytes without padding, because the hash covers all bytes
 {
 	int a, b;            // indices of the collidables, a < b
 	int body_a, body_b;  // indices of their bodies; -1: no body
-	Float2 normal;       // unit vector from a to b
+	Float2 normal;       // unit vector from collidable a to collidable b
 	Float2 point[2];     // m: contact points, in world coordinates
 	float separation[2]; // m; negative: the collidables overlap
 	float friction, restitution;

@@ -14,7 +14,7 @@ typedef struct
 	PaperPlayer paper;
 	Outputs outputs;
 	Totals totals;
-	scree_pose* poses; // poses of the bodies of the pipeline, for pictures
+	scree_pose* poses; // poses of the pipeline's bodies, for pictures
 	int body_count;
 } Run;
 

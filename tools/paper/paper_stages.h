@@ -80,7 +80,7 @@ INLINE int may_touch(const GLOBAL PaperCollidable* a, const GLOBAL PaperCollidab
 	return kinds_meet(a->kind, b->kind) && (a->body < 0 || a->body != b->body) && filter_accepts(a->filter, b->filter);
 }
 
-// Tests a collidable against all later collidables. Slots of the contact pool are counted by an atomic operation, so
+// Tests a collidable against all later collidables. An atomic counter gives slots of the contact pool to contacts, so
 // their order depends on the device. The paper keeps this order; here the host sorts the contacts afterwards.
 PAPER_STAGE(detect)
 {

@@ -9,7 +9,8 @@
 	"array color[11] = ['#d9d9d9', '#636363', '#e3c59a', '#4d8a1c', '#f0a35e', '#8c1d5a', '#f2c84b', '#5a4fa0', " \
 	"'#a9d3f0', '#1b7f5f', '#fccde5']\n"
 
-// Writes the data of a bar for a row: its position x, 0, and the upper edge of each stage in the bar, %.
+// Writes the data of a bar for a row: the position x of the bar, 0 for its lower edge, and the upper edge of each
+// stage, as a percentage of the time of all stages.
 static void put_bar(FILE* to, const Row* row, double x)
 {
 	double sum = 0, edge = 0;

@@ -157,8 +157,9 @@ static ActiveContact active_contact(const PaperBody* bodies, const PaperContact*
 	return c;
 }
 
-// Sets the target velocities. Newton's law of restitution gives those of points that overlap; the target of any other
-// point is the velocity that closes its gap within the step.
+// Sets the target velocities. For a point with a gap, the target is the velocity that closes the gap within the step.
+// For a point that overlaps, Newton's law of restitution gives the target, or the target is 0 if the closing speed is
+// at most RESTITUTION_THRESHOLD.
 static void set_targets(const Resolution* r, ActiveContact* c, const PaperContact* contact, float dt)
 {
 	for (int k = 0; k < c->count; ++k)

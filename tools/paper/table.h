@@ -13,7 +13,7 @@ typedef struct
 	int scene, pipeline;
 	FigurePlace place;
 	double bodies, ms; // number of bodies in the world; ms of a step
-	bool run;          // true: ms was measured; false: ms is an estimate
+	bool run;          // true: `ms` was measured; false: `ms` is an estimate
 	double stages[FIGURE_STAGE_COUNT];
 	char device[64]; // name in the figures: "1 thread", "NVIDIA H200"
 } Row;
@@ -37,7 +37,8 @@ const Row* table_next(const Table* table, const Row* after, int scene, int pipel
 bool table_has_scene(const Table* table, int scene);
 
 // Returns the number of bodies above which OpenCL is always faster than the CPU with the threads of `place`, and writes
-// the ms of a step with this number of bodies. Returns 0 if OpenCL is never faster, or faster at all sizes.
+// the ms of a step with this number of bodies. Returns 0 if there is none, because the CPU is at least as fast at the
+// largest measured size, or OpenCL is faster at all sizes.
 double table_crossover(const Table* table, int scene, int pipeline, FigurePlace place, double* ms);
 void table_print_crossovers(const Table* table);
 
