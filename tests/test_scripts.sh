@@ -62,6 +62,7 @@ printf '\t@%s\n' 'mkdir -p build/web/package build/sources/jansson' 'echo page >
 	'echo {} >build/web/package/package.json' 'echo licence >build/sources/jansson/LICENSE' >>tree/Makefile
 commit() { git -C tree add -A && git -C tree commit -q -m "$1"; }
 git -C tree init -q 2>out && commit first || fail "git: no repository"
+expect 2 'release.sh: unexpected argument 0.2.0' tree/tools/release.sh 0.2.0
 expect 1 'CHANGELOG.md has no section "## 7.8.9"' tree/tools/release.sh
 printf '## 7.8.9 (unreleased)\n' >>tree/CHANGELOG.md
 expect 1 ' M CHANGELOG.md' tree/tools/release.sh
