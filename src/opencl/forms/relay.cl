@@ -21,7 +21,7 @@
 #define PAUSE(ns)
 #endif
 
-// read and write two words of a mailbox, each word atomically; emulated kernels in tests define other versions
+// macros that read and write two words of a mailbox, each word atomically; emulated kernels in tests define others
 #ifndef MAILBOX_READ
 #define MAILBOX_READ(words)                 (*(volatile __global const ulong2*)(words))
 #define MAILBOX_WRITE(words, first, second) (*(volatile __global ulong2*)(words) = (ulong2)((first), (second)))
@@ -31,7 +31,7 @@ typedef struct // values that are constant in all tasks
 {
 	volatile __global ulong* mailboxes; // zero at the beginning of a step
 	int substeps;
-	int passes; // number of passes: warm start, bias and relax in every substep, and at the end the restitution pass
+	int passes; // number of passes: warm start; bias and relax in each substep; restitution pass, if any
 	int spins;  // maximum number of reads of a spin-wait
 } Relay;
 
@@ -204,8 +204,7 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool
 }
 
 // Executes all passes of all constraints; does nothing if the counter with index `bound` is 0. The kernel solve_end
-// integrates bodies without constraints. stream: if there are more constraints than work-items, STREAM_FLOAT4S float4s
-// each.
+// integrates bodies without constraints. stream: STREAM_FLOAT4S float4s per constraint that is not in registers.
 INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream, int constraints, int bound, int spread,
                         volatile LOCAL int* fault)
 {
