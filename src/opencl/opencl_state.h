@@ -191,7 +191,7 @@ typedef struct
 	size_t begin[PER_COUNT];   // bytes: offset of the pools of a kind in their buffer
 	int place[PER_COUNT];      // position of a kind in pools.def
 	int room[PER_COUNT];       // capacity of a kind: number of items, rounded up
-	int argument[PER_COUNT];   // argument index of a kind's buffer; for kinds without a buffer, a separate number
+	int argument[PER_COUNT];   // argument index of a kind's buffer; without one, index in `begins` (kernel_bind)
 	size_t before[POOL_COUNT]; // bytes per item of the pools that precede a pool and have the same kind
 
 	Kernel kernels[KERNEL_COUNT], plain[PLAIN_KERNELS];

@@ -38,8 +38,8 @@ typedef struct // 32 bytes: a body of a branch and the joint toward the root; no
 typedef struct // MAX_LANES joints in the linear systems of their chains: working data of a pass
 {
 	float d[6][MAX_LANES];                       // diagonal block 00, 01, 02, 11, 12, 22; its inverse after elimination
-	float l[9][MAX_LANES];                       // block that couples this joint with the previous one
-	float m[9][MAX_LANES];                       // block that couples the next joint with this one, at this level
+	float l[9][MAX_LANES];                       // coupling of this joint with the previous one
+	float m[9][MAX_LANES];                       // coupling of the next joint with this one, at the current level
 	float r[3][MAX_LANES];                       // right side
 	float x[3][MAX_LANES];                       // solution
 	float pose[6][MAX_LANES];                    // first axis x, y; levers of both axes on body a, then on body b
