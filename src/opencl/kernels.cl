@@ -3,11 +3,11 @@
 #include "stages/all_stages.h"
 #include "opencl/primitives.cl"
 
-// Variants for some worlds: narrow_phase_plain without small bodies, belts and segments; continuous_plain without
-// rules. They use fewer registers, so more work-items are resident; docs/opencl.md has measurements.
+// Variants of kernels: narrow_phase_plain for worlds without small bodies, belts and segments; continuous_plain for
+// worlds without rules. They use fewer registers, so more work-items are resident; docs/opencl.md has measurements.
 KERNEL_FUNCTION(narrow_phase_plain, narrow_phase, (pools.step.small = pools.step.belts = pools.step.segments = 0), SPREAD_NOT)
 
-// Returns the work-items per item: the largest power of two, up to 32, for which the launch has enough work-items.
+// Returns the number of work-items per item: a power of two up to 32, for which the launch has enough work-items.
 INLINE int spread_warp(int items)
 {
 	int spread = 1;
@@ -16,8 +16,8 @@ INLINE int spread_warp(int items)
 	return spread;
 }
 KERNEL_FUNCTION(continuous_plain, continuous, (pools.step.rules = pools.step.asks = pools.step.material_pairs = 0), spread_warp)
-// Kernels for devices that keep several work-groups resident at once; they take most of the compile time. A CPU would
-// compile the persistent kernel for minutes, so its program does not contain it; tests emulate this kernel.
+// Kernels for devices that keep several work-groups resident at once; they take most of the compile time. Programs for
+// a CPU do not contain the persistent kernel, which would compile for minutes there; tests emulate it.
 #ifdef PERSISTENT
 #include "opencl/persistent.cl"
 #endif

@@ -5,7 +5,7 @@
 #include "platform/error.h"
 #include <string.h>
 
-// maximum work-groups per compute unit, enough for any device; in longer runs a work-item takes several items
+// maximum number of work-groups per compute unit; in longer runs, a work-item executes several items
 #define GROUPS_A_UNIT 64
 
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel)
@@ -36,7 +36,7 @@ size_t pool_offset(const OpenCl* d, PoolId pool)
 
 scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel)
 {
-	// capacities as in cmake/embed.cmake: beginnings of kinds that share a buffer, then capacities of all kinds
+	// argument as in cmake/embed.cmake: beginnings of kinds that share a buffer, then capacities of all kinds
 	struct
 	{
 		cl_ulong begins[PER_COUNT - BUFFERS];
@@ -70,7 +70,7 @@ scree_status kernel_step(OpenCl* d, Kernel* kernel)
 	return SCREE_OK;
 }
 
-// Returns the kernel, or its variant for worlds without some features (PLAIN_*).
+// Returns the kernel, or its variant (PLAIN_*) if the world lacks the features that the variant leaves out.
 static Kernel* kernel_function(OpenCl* d, int kernel)
 {
 	const Step* step = &d->constants.step;

@@ -17,17 +17,17 @@ enum
 {
 	ARGUMENT_CAPACITIES = BUFFERS,
 	ARGUMENT_STEP,
-	ARGUMENT_FIRST // first argument that is not common to these kernels
+	ARGUMENT_FIRST // first argument that only some of these kernels have
 };
 
-// Creates a kernel that takes all pools. Its work-groups have at most `largest` work-items.
+// Creates a kernel that takes all pools, and sets the size of its work-groups, at most `largest` work-items.
 scree_status kernel_create(OpenCl* d, const char* name, size_t largest, Kernel* kernel);
 
 // Return the buffer of a pool, and the offset of the pool in this buffer, in bytes.
 cl_mem pool_buffer(const OpenCl* d, PoolId pool);
 size_t pool_offset(const OpenCl* d, PoolId pool);
 
-// Sets the buffer of a kind of item, and the capacities, as arguments of a kernel, after the buffer was replaced.
+// Sets arguments of a kernel after the buffer of a kind of item was replaced: this buffer, and all capacities.
 scree_status kernel_bind(OpenCl* d, Per per, const Kernel* kernel);
 
 // Sets the constants of the step for all later launches.
@@ -36,7 +36,7 @@ void step_set(OpenCl* d, const Step* step);
 // Sets the step as an argument of a kernel, if it has changed since the last call for this kernel.
 scree_status kernel_step(OpenCl* d, Kernel* kernel);
 
-// Launch a run. kernel_run_within: a work-group gets items_a_group items, or more if there would otherwise be more than
+// Launch a run. kernel_run_within gives a work-group items_a_group items, or more if there would otherwise be more than
 // groups_a_unit work-groups per compute unit.
 scree_status kernel_run(OpenCl* d, const Run* run);
 scree_status kernel_run_within(OpenCl* d, const Run* run, size_t items_a_group, size_t groups_a_unit);

@@ -18,8 +18,9 @@ static void* find(void* library, const char* name) { return (void*)GetProcAddres
 #include <stdlib.h>
 #include <unistd.h>
 
-// Describes the machine to hwloc in the environment variable HWLOC_SYNTHETIC, with the numbers of sysconf. PoCL gets
-// the memory size from hwloc, and ends the process if hwloc finds no memory, as in containers without sysfs.
+// Writes the memory size and number of processors that sysconf returns to the environment variable HWLOC_SYNTHETIC.
+// PoCL reads them through hwloc. In containers without sysfs, hwloc would find no memory, and PoCL would end the
+// process.
 static void describe_machine(void)
 {
 	char text[96];

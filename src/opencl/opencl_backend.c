@@ -67,13 +67,13 @@ static size_t item_bytes(Per per)
 	return bytes;
 }
 
-typedef struct // new layout of a buffer: the beginning of each of its kinds, and their capacities
+typedef struct // new layout of a buffer: beginnings and capacities of its kinds, and its size in bytes
 {
 	size_t begin[PER_COUNT], bytes;
 	int room[PER_COUNT];
 } Plan;
 
-// Copies the items of a pool to the same pool in the buffer `copied`, whose layout is `plan`.
+// Copies the items of a pool to its place in the buffer `copied`, whose layout is `plan`.
 static scree_status pool_copy(OpenCl* d, PoolId pool, const Plan* plan, cl_mem copied)
 {
 	Per per = pool_info[pool].per;
@@ -83,7 +83,7 @@ static scree_status pool_copy(OpenCl* d, PoolId pool, const Plan* plan, cl_mem c
 	            NULL, NULL);
 }
 
-// Replaces the buffer of a kind by a buffer with other capacities. Copies the items; new items are zero.
+// Replaces the buffer of a kind by a buffer with the layout `plan`. Copies the items; new items are zero.
 static scree_status buffer_copy(OpenCl* d, Per home, const Plan* plan)
 {
 	cl_mem copied;
@@ -106,7 +106,7 @@ static scree_status buffer_copy(OpenCl* d, Per home, const Plan* plan)
 	return status;
 }
 
-// Gives a kind a capacity of at least the given number of items, rounded up.
+// Sets the capacity of a kind to the given number of items, rounded up; fails if memory is insufficient.
 static scree_status kind_reserve(Backend* b, Per per, int capacity)
 {
 	OpenCl* d = b->state;
@@ -177,7 +177,7 @@ static scree_status opencl_resize(Backend* b, Per per, int capacity)
 	return SCREE_OK;
 }
 
-// Assigns kinds to buffers, offsets to the pools of each kind, and argument indices to buffers.
+// Assigns a buffer to each kind, an offset to each pool of a kind, and an argument index to each buffer.
 static void lay_out(OpenCl* d)
 {
 	size_t before[PER_COUNT] = {0};
@@ -208,7 +208,7 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 	ASSERT(first >= 0 && count >= 0 && first <= b->capacity[pool_info[pool].per] - count);
 	if (count == 0)
 		return SCREE_OK;
-	// a migration to this device writes these pools; tiles built before are out of date
+	// a migration to this device writes these pools, and makes existing tiles stale
 	Per per = pool_info[pool].per;
 	d->tiles.stale |= per == PER_CONTACT || per == PER_CONTACT_PLACE || per == PER_BODY;
 	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
@@ -218,7 +218,8 @@ static scree_status opencl_write(Backend* b, PoolId pool, int first, int count, 
 
 static scree_status opencl_wait(Backend* b) { return finish(b->state); }
 
-// Returns the work-items per group: 1 for branches on a CPU, because PoCL compiles their barriers for two minutes.
+// Returns the maximum number of work-items per group. It is 1 for branches on a CPU: PoCL compiles their barriers for
+// two minutes.
 static size_t kernel_group(const OpenCl* d, int stage)
 {
 	if (kernel_widths[stage] == WIDTH_TEAM && d->device.type & CL_DEVICE_TYPE_CPU)
@@ -234,7 +235,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	if (!d)
 		return fail(SCREE_ERROR_OUT_OF_MEMORY, "There is no memory for an OpenCL device.");
 	d->backend = b;
-	d->constants.version = 1; // kernels have version 0, so their first launch sets the step
+	d->constants.version = 1; // version 0 of new kernels differs from this, so their first launch sets the step
 	TRY(device_choose(options, &d->device));
 	snprintf(b->name, sizeof b->name, "%s", d->device.about.name);
 	b->memory = d->device.about.memory;
@@ -248,7 +249,7 @@ static scree_status open_device(Backend* b, const BackendOptions* options)
 	d->persistent.any_size = d->form == FORM_RELAY || d->form == FORM_TILES;
 	d->resident = d->persistent.any_size || (d->form == FORM_ANY && !cpu);
 	char program_options[PROGRAM_OPTIONS];
-	// PoCL compiles a kernel at its first launch, so unused kernels take no time, and all worlds share one program
+	// PoCL compiles kernels at their first launch, so unused kernels take no time; all worlds share one program
 	bool resident = d->resident || d->device.compiles_at_launch;
 	snprintf(program_options, sizeof program_options, "%s%s%s", resident ? " -DRESIDENT" : "",
 	         d->resident && !cpu ? " -DPERSISTENT" : "", cpu ? " -DCALLS" : "");

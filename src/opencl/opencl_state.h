@@ -13,7 +13,7 @@ typedef struct
 	cl_kernel kernel;
 	size_t group;     // work-items per work-group
 	uint64_t version; // Constants.version of the step in the kernel's arguments
-	int groups;       // relay: work-groups resident at once; 0 if the device cannot run the relay
+	int groups;       // kernels of the relay: number of work-groups that are resident at once
 } Kernel;
 
 typedef struct // a buffer that is not a pool; it loses its contents when it grows
@@ -28,18 +28,18 @@ typedef struct // host memory that the device reads and writes while the host co
 	unsigned char* memory;
 } Pinned;
 
-typedef struct // uploads in flight; the device may read this memory until the host has waited for the queue
+typedef struct // memory of uploads; the device may read it until the host has waited for the queue
 {
 	Pinned pinned;
-	size_t used; // bytes of pinned memory that uploads in flight take
+	size_t used; // number of pinned bytes that belong to uploads in progress
 } Staging;
 
 #define TRANSFER_BLOCKS 4
-typedef struct // transfers of large arrays: transfer.c
+typedef struct // state of transfer.c, which transfers large arrays
 {
 	Pinned pinned;
 	Threads* threads;                 // null until the first large transfer
-	cl_event events[TRANSFER_BLOCKS]; // events of blocks that the device may still use
+	cl_event events[TRANSFER_BLOCKS]; // for each block: event of the last command that uses it
 	cl_command_queue up, down;        // queues of batches, null until the first batch
 } Transfer;
 
@@ -54,7 +54,7 @@ typedef struct
 	LaunchTime* laps; // null unless BackendOptions.timings
 	int lap_count;
 	double milliseconds[STAGE_COUNT];
-	Stage stage; // stage of the current run; the time of a primitive is added to the stage of the run before it
+	Stage stage; // stage of the current run; for a primitive, the stage of the run before it
 } Timing;
 
 typedef struct // destination of opencl_read_begin
@@ -75,7 +75,7 @@ typedef struct // source and destination of opencl_copy; null outside of copy_re
 typedef struct // the last step that opencl_run or opencl_solve received
 {
 	Step step;
-	uint64_t version; // number of changes of the step so far
+	uint64_t version; // number of times that the step has changed
 } Constants;
 
 typedef struct
@@ -88,14 +88,14 @@ typedef struct
 {
 	Kernel kernel;
 	cl_mem list, probes;
-	Run* listed; // copy of the runs in list
+	Run* listed; // copy of the runs that were uploaded to `list`
 	int contact_report_count;
-	int groups;    // work-groups resident at once; 0 if the device cannot run the persistent kernel
+	int groups;    // number of resident work-groups; 0 if the device cannot run the persistent kernel
 	bool any_size; // true: the persistent kernel also executes runs for which launches are faster
-	Counters last; // the last counters that the host has read; they predict the number of items of a run
+	Counters last; // counters of the last read; they predict the number of items of a run
 } Persistent;
 
-enum // kernels of the relay for worlds without hubs (registers.cl has their specializations), then for worlds with hubs
+enum // kernels of the relay, first for worlds without hubs, then with hubs; registers.cl defines specializations
 {
 	RELAY_COLORS,
 	RELAY_PLAIN,
@@ -110,9 +110,9 @@ enum // kernels of the relay for worlds without hubs (registers.cl has their spe
 typedef struct
 {
 	Kernel kernels[RELAY_KERNELS];
-	int groups;        // work-groups resident at once; 0 if the device cannot run the relay
+	int groups;        // number of work-groups of RELAY_COLORS resident at once; 0 if the device cannot run the relay
 	Scratch mailboxes; // MAILBOX_WORDS words per body; the border of the tiles uses them too
-	Scratch stream;    // STREAM_FLOAT4S per constraint that is not in registers; tiles use it too
+	Scratch stream;    // STREAM_FLOAT4S float4s per constraint that is not in registers; tiles use it too
 	Scratch parts;     // two words per spoke and per hub
 } RelayState;
 
@@ -133,7 +133,7 @@ enum // kernels of tiles.cl that take all pools, in the order of their launches
 	TILE_PREPARE_PLAIN, // replaces TILE_PREPARE in plain worlds
 	TILE_PASS,          // one kernel per kind of pass, in the order of PASS_*
 	TILE_BORDER = TILE_PASS + PASS_KINDS,
-	TILE_PREPARE_JOINTS, // the last three replace the kernels above in worlds with joints
+	TILE_PREPARE_JOINTS, // worlds with joints: replaces TILE_PREPARE, and the next two the kernels above
 	TILE_PASS_JOINTS,
 	TILE_BORDER_JOINTS = TILE_PASS_JOINTS + PASS_KINDS,
 	TILE_KERNELS
@@ -144,10 +144,10 @@ enum
 	TILE_PLACE_BUFFER,    // an int per body
 	TILE_EDGE_BUFFER,     // an int per body
 	TILE_RESIDENT_BUFFER, // an int per place of a tile
-	TILE_TABLE_BUFFER,    // TILE_COLUMNS ints per tile, and per each of two more rows
-	TILE_TOTAL_BUFFER,    // an int per row of the table
+	TILE_TABLE_BUFFER,    // TILE_COLUMNS ints per row: a row per tile, one for the border, one for its end
+	TILE_TOTAL_BUFFER,    // an int per row of TILE_TABLE_BUFFER
 	TILE_RANK_BUFFER,     // an int per constraint
-	TILE_ORDER_BUFFER,    // an int per constraint, and the padding of the border's colors
+	TILE_ORDER_BUFFER,    // an int per place: constraints, and padding of the colors of the border
 	TILE_BUFFERS
 };
 
@@ -156,16 +156,16 @@ typedef struct
 	Kernel kernels[TILE_KERNELS];
 	cl_kernel total, begin, range;
 	Scratch buffers[TILE_BUFFERS];
-	bool stale;                 // constraints or motion constants may have changed since the tiles were built
-	bool pushed, pushed_before; // fields changed forces since the last solve; value of pushed at the last build
+	bool stale;                 // true: constraints or motion constants may have changed since the last build
+	bool pushed, pushed_before; // true: fields changed forces since the last solve; `pushed` at the last build
 	int rows;                   // number of tiles at the last build
-	cl_event edges_event;       // event of a read of edges; null if none is in flight
-	cl_int edges[2];            // begin and end of the border at the last build, valid when the event is complete
+	cl_event edges_event;       // event of a read into `edges`; null if no read is in progress
+	cl_int edges[2];            // first place of the border, and one past the last; valid when edges_event is complete
 	int border;                 // number of border constraints at the last build; -1 before the first read
 	int age;                    // number of solves without tiles since the last build
 } TileState;
 
-// type of clEnqueueAcquire... and clEnqueueRelease..., which pass memory from another API to OpenCL and back
+// type of the functions clEnqueueAcquire... (from another API to OpenCL) and clEnqueueRelease... (back)
 typedef cl_int(CL_API_CALL* ShareFunction)(cl_command_queue, cl_uint, const cl_mem*, cl_uint, const cl_event*,
                                            cl_event*);
 
@@ -177,7 +177,7 @@ typedef struct // memory that another API reads and writes
 
 typedef struct
 {
-	Backend* backend; // backend that has this state
+	Backend* backend; // backend to which this state belongs
 	Device device;
 	cl_context context;
 	cl_program program;
@@ -188,11 +188,11 @@ typedef struct
 	// Kernels take buffers and capacities in the order of the kinds in pools.def (cmake/embed.cmake).
 	cl_mem buffers[PER_COUNT]; // null for a kind whose pools are in the buffer of another kind
 	Per home[PER_COUNT];       // kind whose buffer holds the pools of a kind
-	size_t begin[PER_COUNT];   // offset of the pools of a kind in their buffer, bytes
+	size_t begin[PER_COUNT];   // bytes: offset of the pools of a kind in their buffer
 	int place[PER_COUNT];      // position of a kind in pools.def
-	int room[PER_COUNT];       // capacity in items, rounded up
-	int argument[PER_COUNT];   // argument index of a kind's buffer; for a kind without one, position among such kinds
-	size_t before[POOL_COUNT]; // bytes per item of all pools of the same kind before this pool
+	int room[PER_COUNT];       // capacity of a kind: number of items, rounded up
+	int argument[PER_COUNT];   // argument index of a kind's buffer; without one, index in `begins` (kernel_bind)
+	size_t before[POOL_COUNT]; // bytes per item of the pools that precede a pool and have the same kind
 
 	Kernel kernels[KERNEL_COUNT], plain[PLAIN_KERNELS];
 	Constants constants;
@@ -200,7 +200,7 @@ typedef struct
 	bool resident; // true: the program has the kernels whose work-groups must be resident at once
 	Persistent persistent;
 
-	SolveForm form; // solve_form_setting; FORM_LAUNCHES after memory for another form ran out
+	SolveForm form; // form of the solve; FORM_LAUNCHES if memory for another form was insufficient
 	RelayState relay;
 	TileState tiles;
 	Kernel solve_end;

@@ -8,14 +8,14 @@
 #include <string.h>
 
 // Maximum number of items of a run, in a solve and in other stages. Longer runs are faster as launches: bandwidth
-// limits them, and a launch has a higher occupancy than work-groups that must all be resident. H200, ms of persistent
-// kernel and launches: solve of scene pyramids (88 runs) with 10k bodies 0.29 and 0.51, 100k 0.40 and 0.49, 300k 1.10
-// and 0.86; short runs before the solve, 1M mixed bodies in motion with 3M contacts: 1.37 and 1.14.
+// limits them, and a launch has a higher occupancy than resident work-groups. H200, ms with the persistent kernel and
+// with launches: solve of scene pyramids (88 runs), 10k bodies 0.29 and 0.51, 100k 0.40 and 0.49, 300k 1.10 and 0.86;
+// short runs before the solve, 1M mixed bodies in motion with 3M contacts, 1.37 and 1.14.
 #define PERSISTENT_SOLVE 150000
 #define PERSISTENT_ITEMS 1000000
 
 #define SPINS       (1 << 22) // limit of a spin-wait, in reads of about 0.5 us: 2 s, which no step takes
-#define PROBE_SPINS (1 << 16) // the same for the probe, which may fail: 30 ms
+#define PROBE_SPINS (1 << 16) // limit of a spin-wait of the probe, which may fail: 30 ms
 #define PROBE_RUNS  64
 
 // kernel arguments that follow the step
@@ -28,7 +28,7 @@ enum
 	ARGUMENT_SPINS
 };
 
-// Launches the kernel with a list of runs, uploaded only if changed: a settled world has the same runs in every step.
+// Launches the kernel with a list of runs; uploads the list only if it changed, which is rare in a settled world.
 static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int groups, cl_int spins)
 {
 	Persistent* own = &d->persistent;
@@ -46,7 +46,7 @@ static scree_status launch_list(OpenCl* d, const Run* runs, cl_int count, int gr
 	return launch(d, kernel, (size_t)groups * own->kernel.group, own->kernel.group);
 }
 
-// Tests whether all work-groups are resident at once and read values that others wrote before a barrier.
+// Tests whether all work-groups are resident at once and read values that others wrote before a barrier. works: result.
 static scree_status probe(OpenCl* d, bool* works)
 {
 	Run runs[PROBE_RUNS];
@@ -71,7 +71,7 @@ static scree_status probe(OpenCl* d, bool* works)
 scree_status persistent_open(OpenCl* d)
 {
 	Persistent* own = &d->persistent;
-	// work-groups certainly resident at once: a compute unit has room for the work-items of the largest possible group
+	// lower bound of resident work-groups: a compute unit has room for at least one group of the largest size
 	size_t most = 0;
 	TRY(CALL(GetKernelWorkGroupInfo, own->kernel.kernel, d->device.id, CL_KERNEL_WORK_GROUP_SIZE, sizeof most, &most,
 	         NULL));
@@ -87,7 +87,7 @@ scree_status persistent_open(OpenCl* d)
 	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_TABLE, sizeof d->primitives.table, &d->primitives.table));
 	TRY(CALL(SetKernelArg, own->kernel.kernel, ARGUMENT_PROBES, sizeof own->probes, &own->probes));
 
-	d->constants.version = 1; // the probe needs a step, whose values do not matter
+	d->constants.version = 1; // kernels of the probe have a step as argument; its values do not matter
 	bool works;
 	TRY(probe(d, &works));
 	if (!works)
@@ -114,7 +114,7 @@ static bool is_left_out(const Run* run)
 	return run->kernel_id < KERNEL_COUNT && kernel_widths[run->kernel_id] >= WIDTH_ALONE;
 }
 
-// Returns the number of items that a run has if the counters have not changed since the host read them.
+// Returns the number of items of a run, estimated with the counters that the host has last read.
 static int likely_items(const OpenCl* d, const Run* run)
 {
 	int end = run->end;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // persistent.cl -- executes many runs in one launch: a device-wide barrier follows each run that has items.
 //
-// The barrier takes a quarter of the time of a launch. It needs all work-groups resident at once, which OpenCL does not
-// guarantee: the host tests it when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
+// A barrier takes a quarter of the time of a launch. It needs all work-groups resident at once, which OpenCL does not
+// guarantee. So the host tests it when it opens a device (PERSISTENT_PROBE), and every spin-wait has a limit.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
@@ -18,14 +18,14 @@ enum
 
 typedef struct // device-wide barrier
 {
-	volatile __global int* arrived; // counter of arrivals; it rises from launch to launch
+	volatile __global int* arrived; // counter of arrivals of work-groups at barriers; never reset between launches
 	volatile __global int* fault;
 	volatile LOCAL int* healthy;
-	int arrivals; // value of the counter after the last barrier
-	int spins;    // limit of a spin-wait
+	int arrivals; // value of *arrived after the last barrier
+	int spins;    // maximum number of reads of a spin-wait
 } DeviceBarrier;
 
-// Waits until all work-groups have arrived. Returns false if a spin-wait of any work-group reached its limit.
+// Waits until all work-groups have arrived. Returns false if a spin-wait of any work-group has reached its limit.
 INLINE bool device_barrier(DeviceBarrier* b)
 {
 	b->arrivals = (int)((uint)b->arrivals + (uint)get_num_groups(0));
@@ -46,7 +46,7 @@ INLINE bool device_barrier(DeviceBarrier* b)
 	return *b->healthy;
 }
 
-// Waits, in the first work-group, until the others have arrived at the next barrier. Returns as device_barrier does.
+// Waits in the first work-group until all others have arrived at the next barrier. Returns false like device_barrier.
 INLINE bool device_barrier_await(const DeviceBarrier* b)
 {
 	if (get_local_id(0) == 0)
@@ -64,8 +64,9 @@ INLINE bool device_barrier_await(const DeviceBarrier* b)
 	return *b->healthy;
 }
 
-// Executes run k of the probe: writes k for a work-item of another group, and checks that a third group wrote k - 1 for
-// this one. The reads are not volatile and repeat the same addresses, so that a stale cache is detected.
+// Executes run k of the probe. Each work-item writes k for a work-item of another group, and checks that a work-item of
+// a third group wrote k - 1 for it in the last run. The reads are not volatile and repeat addresses, to detect a stale
+// cache.
 INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0), group = (int)get_local_size(0);
@@ -76,7 +77,7 @@ INLINE void probe(__global int* probes, volatile __global int* fault, int k)
 	now[(i + 2 * group) % n] = k;
 }
 
-// Waits at the device-wide barrier or, if `alone`, at this group's. Returns false if a spin-wait reached its limit.
+// Waits at the device-wide barrier, or at a barrier of this group if `alone`. Returns false if a spin-wait timed out.
 INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 {
 	if (!alone)
@@ -85,7 +86,7 @@ INLINE bool run_barrier(DeviceBarrier* b, bool alone)
 	return true;
 }
 
-// Sorts like primitives.c; the work-groups share the parts. Returns false if a spin-wait reached its limit.
+// Sorts like primitives.c, with all work-groups, or with one if `alone`. Returns false if a spin-wait timed out.
 INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL SortMemory* bench, DeviceBarrier* b,
                             bool alone)
 {
@@ -95,7 +96,7 @@ INLINE bool persistent_sort(const Pools* p, Run run, __global uint* table, LOCAL
 	__global Word64 *key = p->key, *other = p->key_other;
 	if (n <= SORT_FEW && !alone)
 	{
-		// a pass of the radix sort takes two barriers, and there are up to eight passes; sort_few takes one barrier
+		// sort_few takes one barrier; the radix sort takes two barriers per pass, and up to eight passes
 		sort_few(key, other, n, from, end, bench);
 		if (!device_barrier(b))
 			return false;
@@ -153,7 +154,7 @@ INLINE int run_end(Run run, const Pools* p)
 	return run.count < 0 ? run.end : min(run.end, ((volatile __global int*)p->counters)[run.count]);
 }
 
-// Returns whether the first work-group executes a run faster than all groups, which need a device-wide barrier.
+// Returns whether the first work-group alone executes a run faster than all groups with a device-wide barrier.
 INLINE bool takes_one_group(Run run, int end)
 {
 	int most = run.kernel_id == PRIMITIVE_SORT ? SORT_GRAIN : run.kernel_id < KERNEL_COUNT && run.kernel_id >= 0 ? PERSISTENT_GROUP : 0;
@@ -169,8 +170,8 @@ INLINE Run run_at(__global const int* list, int count, int i)
 	return run;
 }
 
-// Copies the first run that has items, from index `next` on, to *chosen, and returns its index; returns `count` if no
-// run has items. mine: the run that this work-item holds.
+// Finds the first run with items, from index `next` on; copies it to *chosen and returns its index. Returns `count` if
+// there is none. mine: the run that this work-item holds.
 INLINE int next_run(const Pools* pools, Run mine, int next, int count, volatile LOCAL int* found, LOCAL Run* chosen)
 {
 	int lane = (int)get_local_id(0);
@@ -199,11 +200,12 @@ INLINE bool run_primitive(const Pools* p, Run run, __global uint* table, __globa
 	return true;
 }
 
-// Executes the runs of a list: PERSISTENT_HEADER ints (arrivals at the barrier, arrivals at the end of the last launch,
-// next run of the first work-group), then `count` runs, at most one per work-item of a group. A run may change the
-// bounds of later runs, so each work-item holds one run and reads its bound after every barrier. All bounds are read in
-// one memory access, and runs without items take no time. The first group executes consecutive short runs alone, after
-// the others have arrived at the next device-wide barrier, because its runs change bounds that the others read.
+// Executes the runs of a list. First in the list are PERSISTENT_HEADER ints: arrivals at barriers, value of this
+// counter after the last launch, next run of the first work-group. Then follow `count` runs, at most one for each
+// work-item of a group. A run may change the bounds of later runs, so each work-item holds one run and reads its bound
+// after every barrier: all bounds in one memory access, and runs without items take no time. The first group executes
+// consecutive short runs alone. Before, it waits until the others have arrived at the next device-wide barrier, because
+// these runs change bounds.
 __kernel void persistent(POOL_ARGUMENTS Step step, __global int* list, int count, __global uint* table,
                          __global int* probes, int spins)
 {

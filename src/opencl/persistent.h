@@ -4,10 +4,10 @@
 #define OPENCL_PERSISTENT_H
 #include "opencl/opencl_state.h"
 
-// Tests whether the device can run the persistent kernel; if not, persistent.groups is 0.
+// Tests whether the device can run the persistent kernel; if not, sets persistent.groups to 0.
 scree_status persistent_open(OpenCl* d);
 void persistent_close(OpenCl* d);
-// Returns the number of runs, from the first on, that are faster as one launch; 0 if separate launches are faster.
+// Returns the number of first runs that are faster in one launch than in separate launches; 0 or at least 2.
 int persistent_length(const OpenCl* d, const Run* runs, int count);
 scree_status persistent_run(OpenCl* d, const Run* runs, int count);
 

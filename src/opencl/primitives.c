@@ -6,7 +6,7 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-// Returns the number of work-groups for `items` items: one per `grain` items, at most `most`.
+// Returns the number of work-groups for `items` items: one per `grain` items, limited to `most`.
 static size_t groups_for(int items, int grain, int most)
 {
 	int groups = (items - 1) / grain + 1;
@@ -72,7 +72,7 @@ void primitives_close(OpenCl* d)
 		opencl.ReleaseMemObject(d->primitives.table);
 }
 
-// Launches a pass of the sort, by bits shift to shift + bits - 1. `from`, `to`: byte offsets of source and destination.
+// Launches a pass of the sort by `bits` bits from `shift` on. from, to: byte offsets of source and destination.
 static scree_status sort_pass(OpenCl* d, const Run* run, cl_ulong from, cl_ulong to, cl_int shift, int bits)
 {
 	cl_uint mask = (1u << bits) - 1;
@@ -106,7 +106,7 @@ static scree_status sort_run(OpenCl* d, const Run* run)
 	if (passes % 2 == 0)
 		return SCREE_OK;
 
-	// after an odd number of passes the keys are copied, which takes less time than another pass
+	// after an odd number of passes the keys are in key_other; a copy takes less time than another pass
 	TRY(CALL(SetKernelArg, d->primitives.sort_return, 2, sizeof *run, run));
 	return launch(d, d->primitives.sort_return,
 	              PRIMITIVE_GROUP * groups_for(run->end, PRIMITIVE_GROUP, 4 * SORT_BLOCKS), PRIMITIVE_GROUP);

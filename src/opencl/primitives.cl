@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // primitives.cl -- sorts keys and computes prefix sums, with two launches per pass.
 //
-// In the first launch each work-group counts (or sums) its part of the items into a row of a table. In the second, it
-// adds up the rows of earlier groups and writes its items to their places. Groups may run in any order. Another launch
-// to scan the table would take longer than the repeated reads: the table is small and cached. The persistent kernel has
-// a device-wide barrier between the same parts. A pool is passed as the buffer of its kind and an offset in bytes.
+// In the first launch, each work-group counts (or sums) its part of the items into a row of a table. In the second, it
+// adds up the rows of earlier parts and writes its items to their places. Groups may run in any order. A third launch
+// to scan the table would take longer than these repeated reads: the table is small and cached. In the persistent
+// kernel a barrier replaces the second launch. Pools are passed as the buffer of their kind and an offset in bytes.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
@@ -15,14 +15,14 @@ INLINE uint item_count(Run run, __global const int* counters)
 	return (uint)max(0, run.count < 0 ? run.end : min(run.end, counters[run.count]));
 }
 
-// Returns the number of items per work-group, a multiple of grain, when `groups` groups share n items.
+// Returns the number of items per part, a multiple of `grain`, if n items have at most `groups` parts.
 INLINE uint part_size(uint n, uint groups, uint grain)
 {
 	uint grains = (n + grain - 1) / grain;
 	return max(1u, (grains + groups - 1) / groups) * grain;
 }
 
-// Returns the sum of x over the earlier work-items of the group. sum[PRIMITIVE_GROUP - 1] becomes the sum over all.
+// Returns the sum of x over the earlier work-items of the group. Sets sum[PRIMITIVE_GROUP - 1] to the sum over all.
 INLINE uint group_scan(LOCAL uint* sum, uint x)
 {
 	uint t = (uint)get_local_id(0);
@@ -40,7 +40,7 @@ INLINE uint group_scan(LOCAL uint* sum, uint x)
 	return all - x;
 }
 
-typedef struct __attribute__((aligned(8))) // local memory of a work-group; the member `member` begins at 1 KiB
+typedef struct __attribute__((aligned(8))) // local memory of a work-group; sort_few keeps 64-bit keys in `member`
 {
 	uint sum[PRIMITIVE_GROUP];
 	uint member[2][SORT_WORDS][SORT_DIGITS];
@@ -64,9 +64,9 @@ INLINE void sort_count_part(__global const Word64* key, uint n, __global uint* t
 	table[block * SORT_DIGITS + t] = count[t];
 }
 
-// Writes the keys of a part to their places, stably, by one digit. A bit mask per digit gives the rank of a key among
-// PRIMITIVE_GROUP keys: each work-item sets its bit in the mask of its digit, and counts the lower bits. Work-item t
-// has the next place of digit t.
+// Writes the keys of a part to their places, sorted stably by one digit. There is a bit mask per digit and 32
+// work-items: each work-item sets its bit in the mask of its key's digit, and the number of lower bits is the rank of
+// the key. Work-item t keeps the next place of digit t.
 INLINE void sort_place_part(__global const Word64* key, __global Word64* key_other, uint n, __global const uint* table,
                             uint block, int shift, uint mask, LOCAL SortMemory* bench)
 {
@@ -76,7 +76,7 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 	if (begin >= end)
 		return;
 
-	// first place of a key with digit t: after keys with smaller digits, and after those with digit t in earlier parts
+	// first place of this part for digit t: after all keys with smaller digits, and keys with digit t in earlier parts
 	uint before = 0, total = 0, blocks = (n + part - 1) / part;
 	for (uint k = 0; k < blocks; ++k)
 	{
@@ -115,8 +115,8 @@ INLINE void sort_place_part(__global const Word64* key, __global Word64* key_oth
 	barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Sorts up to SORT_FEW keys, stably, by bits `from` to end - 1: the place of a key is the number of smaller keys and of
-// equal keys before it. Each work-group has all keys in local memory; SORT_TEAM work-items compare a key with all.
+// Sorts up to SORT_FEW keys stably by bits `from` to end - 1. The place of a key is the number of smaller keys and of
+// equal keys before it. Each work-group has all keys in local memory; SORT_TEAM work-items count for one key.
 INLINE void sort_few(__global const Word64* key, __global Word64* key_other, uint n, int from, int end,
                      LOCAL SortMemory* bench)
 {
@@ -218,7 +218,7 @@ PRIMITIVE sort_place(__global uchar* keys, __global const int* counters, __globa
 	                table, (uint)get_group_id(0), shift, mask, &bench);
 }
 
-// Copies the sorted keys back to their pool, after an odd number of passes.
+// Copies the sorted keys to the pool `key` after an odd number of passes.
 __kernel void sort_return(__global uchar* keys, __global const int* counters, Run run, ulong from, ulong to)
 {
 	__global const Word64* key_other = (__global const Word64*)(keys + from);

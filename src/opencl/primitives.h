@@ -6,7 +6,7 @@
 
 scree_status primitives_open(OpenCl* d);
 void primitives_close(OpenCl* d);
-scree_status primitives_bind(OpenCl* d); // sets the buffers of sort and scan for all kinds of item, like kernel_bind
+scree_status primitives_bind(OpenCl* d); // sets the buffers that sort and scan use as arguments of their kernels
 scree_status primitive_run(OpenCl* d, const Run* run);
 
 #endif

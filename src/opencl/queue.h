@@ -15,7 +15,7 @@ static inline size_t groups_of(int items, size_t group) { return items > 0 ? ((s
 // Launches a kernel. items: number of work-items, a multiple of group.
 scree_status launch(OpenCl* d, cl_kernel kernel, size_t items, size_t group);
 
-// Copies bytes to a buffer, in order with the launches. The caller may change bytes after the call.
+// Copies bytes to a buffer, in order with the launches. The caller may overwrite `bytes` after the call.
 scree_status upload(OpenCl* d, cl_mem buffer, size_t offset, const void* bytes, size_t count);
 
 // Waits for the queue, and adds up the times of the launches.

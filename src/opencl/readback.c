@@ -16,12 +16,12 @@ void read_close(OpenCl* d)
 	pinned_close(d, &d->read.pinned);
 }
 
-// Stores counters that were read from the device. Fails if they state that a spin-wait reached its limit.
+// Stores counters that were read from the device. Fails if their fault flag states that a spin-wait reached its limit.
 static scree_status counters_note(Backend* b, const Counters* counters)
 {
 	OpenCl* d = b->state;
 	d->persistent.last = *counters;
-	// if the layout of constraints has changed, a solve that was enqueued early has done nothing and built no tiles
+	// tiles are stale if the layout of constraints has changed; a solve that was enqueued early has then done nothing
 	d->tiles.stale |= counters->changed || !counters->kept;
 	if (!counters->fault)
 		return SCREE_OK;
@@ -65,7 +65,7 @@ scree_status opencl_read(Backend* b, PoolId pool, int first, int count, void* it
 	if (count == 0)
 		return SCREE_OK;
 	size_t offset = pool_offset(d, pool) + bytes * (size_t)first, all = bytes * (size_t)count;
-	// small reads go to pinned memory: otherwise the driver copies through its own pinned memory, which takes longer
+	// small reads go through pinned memory; otherwise the driver would use its own pinned memory, which takes longer
 	if (all <= READ_ASYNC_BYTES && !d->read.event)
 	{
 		TRY(opencl_read_begin(b, pool, first, count));

@@ -9,7 +9,7 @@
 #include "platform/processor.h"
 #include <string.h>
 
-#define TRANSFER_PART    (TRANSFER_BLOCK / 2) // size of a part, bytes; until the first part is copied, the bus is idle
+#define TRANSFER_PART    (TRANSFER_BLOCK / 2) // bytes of a part of a block; the bus is idle until one part is copied
 #define TRANSFER_THREADS 6
 
 typedef struct

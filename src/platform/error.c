@@ -108,7 +108,7 @@ const char* scree_version(void)
 
 scree_status fail(scree_status status, const char* format, ...)
 {
-	// an argument may be the current message, so the new message is written to another buffer first
+	// text is formatted in a second buffer, because an argument may be the current message
 	char text[SENTENCE_BYTES];
 	va_list arguments;
 	va_start(arguments, format);

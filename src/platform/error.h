@@ -25,7 +25,7 @@ void log_sentence(scree_log_level level, const char* format, ...) FORMAT(2, 3);
 
 // Allocates zeroed memory, aligned to 64 bytes, with the allocator hook, or returns null. bytes may be 0.
 void* scree_allocate(size_t bytes);
-// Resizes memory: keeps its first old_bytes bytes, and clears new bytes. On failure returns null; memory is unchanged.
+// Resizes memory: keeps its first old_bytes bytes and clears new bytes. On failure returns null and changes nothing.
 void* scree_reallocate(void* memory, size_t old_bytes, size_t bytes);
 void scree_release(void* memory); // memory may be null
 

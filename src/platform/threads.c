@@ -19,14 +19,14 @@
 
 #define CACHE_LINE 64
 
-// Number of pause instructions, 20 to 50 ns each, in a spin. A spin must be longer than a job whose workers all run,
-// and shorter than the time slice that a spinning worker could take from a working one.
+// Number of pause instructions, 20 to 50 ns each, in a spin. A spin must take longer than a job when all workers run.
+// It must be shorter than a time slice, because a spinning worker may occupy the core of a working one.
 #define SPINS        1000
 #define FEWEST_SPINS 16
-#define YIELDS       20 // number of yields after the spin, before the worker sleeps; to wake it takes about 50 us
+#define YIELDS       20 // number of yields after the spin, before the worker sleeps; its wake-up takes about 50 us
 #define HELP_SPINS   40 // number of pause instructions before an idle worker claims blocks of late workers
-#define WAKES        2  // number of workers that a waking worker wakes; each of these wakes as many others
-#define BLOCK_BITS   8  // number of bits of a turn for the number of blocks
+#define WAKES        2  // number of workers that a worker wakes after its own wake-up
+#define BLOCK_BITS   8  // lowest bits of a turn, which hold the number of blocks
 
 typedef struct
 {
@@ -36,7 +36,7 @@ typedef struct
 	Mutex mutex;
 	Condition woken;
 	bool sleeps;                                // protected by mutex
-	_Alignas(CACHE_LINE) atomic_ullong claimed; // number of the last job whose block for this seat was claimed
+	_Alignas(CACHE_LINE) atomic_ullong claimed; // number of the last job of which the block of this seat was claimed
 } Seat;
 
 struct Threads
@@ -45,7 +45,7 @@ struct Threads
 	BlockFunction* function;
 	void* context;
 	Seat seats[MAX_WORKERS];                  // seat 0 is that of the caller of threads_run, which never sleeps
-	_Alignas(CACHE_LINE) atomic_ullong turn;  // number of the current job << BLOCK_BITS, plus its number of blocks
+	_Alignas(CACHE_LINE) atomic_ullong turn;  // number of the current job << BLOCK_BITS, plus number of its blocks
 	_Alignas(CACHE_LINE) atomic_int done;     // number of finished blocks of the current job
 	_Alignas(CACHE_LINE) atomic_int sleepers; // number of workers that sleep or are about to sleep
 	_Alignas(CACHE_LINE) atomic_int spins;    // number of pause instructions in the next spin; rarely written
@@ -60,14 +60,14 @@ static void pause_core(void)
 #elif defined(__aarch64__)
 	__asm__ volatile("yield");
 #elif defined(__wasm__)
-	// WebAssembly has no pause instruction: accesses of memory take about the same time
+	// WebAssembly has no pause instruction; these accesses to memory take about the same time
 	for (volatile int k = 0; k < 8; ++k)
 		;
 #endif
 }
 
-// Lengthens spins if the job came during the spin or after many yields, because workers then run at the same time.
-// Shortens spins if one yield was enough, because workers then share a core.
+// Shortens later spins if the job came after exactly one yield, because workers then share a core. Otherwise (at_once)
+// lengthens them, because workers run at the same time.
 static void adapt_spins(Threads* t, int spins, bool at_once)
 {
 	int next = at_once ? spins + spins / 4 + 1 : spins - spins / 4;
@@ -94,9 +94,9 @@ static void wake_some(Threads* t)
 		left -= wake(&t->seats[k]);
 }
 
-// Puts the worker to sleep until it is woken. The accesses of both threads are sequentially consistent: this worker
-// adds itself to sleepers, then reads awake and the turn; the waking thread sets awake, then reads sleepers. So at
-// least one of them reads the change of the other.
+// Puts the worker to sleep until another thread wakes it. All accesses are sequentially consistent: this worker adds
+// itself to sleepers, then reads awake and the turn; the other thread sets one of these two, then reads sleepers. So at
+// least one of the threads reads the change of the other.
 static void sleep_until_woken(Seat* seat, unsigned long long turn)
 {
 	Threads* t = seat->threads;
@@ -137,7 +137,7 @@ static void wait_for_turn(Seat* seat, unsigned long long turn)
 	{
 		if (atomic_load_explicit(&t->turn, memory_order_acquire) != turn)
 		{
-			adapt_spins(t, spins, k != 1); // after exactly one yield, another worker needed this core
+			adapt_spins(t, spins, k != 1); // a job after exactly one yield: another worker needed this core
 			return;
 		}
 		give_core_away();
@@ -231,7 +231,7 @@ void threads_close(Threads* t)
 		wake(&t->seats[k]);
 	for (int k = 1; k < t->workers; ++k)
 		thread_join(t->seats[k].thread);
-	// all threads must have ended, because a worker may have been waking another worker
+	// all threads must end before any seat is closed, because a worker may be waking another worker
 	for (int k = 1; k < t->workers; ++k)
 	{
 		condition_close(&t->seats[k].woken);

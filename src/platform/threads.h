@@ -11,7 +11,7 @@ typedef struct Threads Threads;
 // Processes one block, which is a share of the items of a job. blocks: number of blocks of the job.
 typedef void BlockFunction(void* context, int block, int blocks);
 
-// Starts workers - 1 threads; the caller of threads_run is worker 0. On failure returns null and sets the message.
+// Starts workers - 1 threads; the caller of threads_run is worker 0. On failure sets the message and returns null.
 Threads* threads_open(int workers);
 void threads_close(Threads* t); // t may be null
 
@@ -22,8 +22,8 @@ int threads_workers(const Threads* t);
 void threads_begin(Threads* t);
 void threads_end(Threads* t);
 
-// Processes blocks 0 to blocks - 1, and returns when all are done; blocks may not exceed the number of workers. Worker
-// k processes block k, because its caches hold the data; another worker does so if worker k sleeps or has no core.
+// Processes blocks 0 to blocks - 1 and returns when all are done; `blocks` may not exceed the number of workers. Worker
+// k processes block k, because its caches hold the data. If worker k sleeps or has no core, another worker does so.
 void threads_run(Threads* t, BlockFunction* function, void* context, int blocks);
 
 // Wakes the workers and processes a single job, with as many blocks as workers.

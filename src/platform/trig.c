@@ -12,7 +12,7 @@
 static const uint32_t turn_digits[] = {0,          0x28be60db, 0x9391054a, 0x7f09d5f4,
                                        0x7d4d3770, 0x36d8a566, 0x4f10e410, 0x7f9458ea};
 
-// Returns an angle without its whole turns, in units of 2^-64 turns. angle, rad: at least 1/2.
+// Returns an angle minus its whole turns, in units of 2^-64 turns. angle: rad, at least 1/2.
 static uint64_t turn_fraction(float angle)
 {
 	uint32_t bits;
@@ -20,7 +20,7 @@ static uint64_t turn_fraction(float angle)
 	uint64_t mantissa = (bits & 0x7fffffu) | 0x800000u;
 	int shift = (int)(bits >> 23 & 0xff) - 150 + 32;
 
-	// three words of digits; all earlier digits contribute only whole turns
+	// three words of digits; earlier digits would add only whole turns
 	uint32_t digits[3];
 	for (int k = 0; k < 3; ++k)
 	{

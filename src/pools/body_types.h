@@ -4,15 +4,15 @@
 #define BODY_TYPES_H
 #include "pools/limits.h"
 
-#define CONTINUOUS_TRAVEL 0.2f    // fraction of its thickness that a body may move in a step before its path is tested
+#define CONTINUOUS_TRAVEL 0.2f    // maximum motion in a step without a test of the path, as a fraction of the thickness
 #define CONTINUOUS_CROSS  1.0f    // the same if only moving shapes are near: to tunnel, a body must pass their middle
-#define KINEMATIC_FEW     8       // with more kinematic bodies, continuous collision searches the tree for nearby ones
+#define KINEMATIC_FEW     8       // maximum number of kinematic bodies that continuous collision tests without the tree
 #define PRESS_FROM        2.0e-5f // m: overlap with a kinematic or static body above which a contact starts a press
 #define PRESS_START       0.0001f // m: overlap with a static body above which a step searches for presses
-#define PRESS_GAP         0.01f   // m: gap above which a joint drags a body that cannot follow
-#define PRESS_MOST        0.015f  // m: maximum depth of a pressed body in a static one; contacts carry loads by overlap
+#define PRESS_GAP         0.01f   // m: gap of a joint above which the joint presses a body that cannot follow
+#define PRESS_MOST        0.015f  // m: maximum depth of a pressed body in a static one; loads need overlap
 #define PRESS_MAY_WAIT    1       // bit of the argument of the press kernels: the constraint layout may have changed
-#define PRESS_AGAIN       2       // bit of the same argument: this is not the first round
+#define PRESS_AGAIN       2       // bit of this argument: the round is not the first one
 #define CONTINUOUS_SHARE  2       // least number of collidables of a body per work-item of the kernel continuous
 #define CONTINUOUS_PARTS  64      // maximum number of work-items per body in the kernel continuous
 
@@ -21,12 +21,12 @@ typedef struct // 16 bytes: data of a dynamic body for continuous collision
 	int first;   // 1 + index of the body's first collidable, 0 for none
 	int parts;   // number of work-items that share the collidables of the body
 	float way;   // m: CONTINUOUS_TRAVEL times the thickness of the body's thinnest collidable
-	float reach; // m: upper bound of the distance of the body's points from its center of mass
+	float reach; // m: upper bound of the distances from the center of mass to points of the body
 } ContinuousBody;
 
 typedef struct // 32 bytes: presses on a body
 {
-	int way[2];         // codes of the presses by static and by kinematic bodies: hops left and direction, 0 for none
+	int way[2];         // ways of the press by static and by kinematic bodies: contacts left and direction; 0: none
 	int depth;          // float bits of the body's depth in a static body into which it is pressed, m
 	int speed;          // float bits of the speed of the latest press, m/s
 	int left;           // number of further steps in which the latest press limits the speed of the body

@@ -4,21 +4,21 @@
 #define CHAIN_TYPES_H
 #include "pools/limits.h"
 
-// A spot is the index of a joint in the pool chain_joints. Joint k of a chain is in row k mod R; R is a power of two.
-// The even rows come first. Joints of even rows have no bodies in common, nor have joints of odd rows, so a wide pass
-// solves a block of joints at once. The neighbors of a block form a block too, except at the ends of a row.
-// Alternatively, chains of similar lengths are interleaved: the joints k of LANES chains are a block or a part of a
-// block, R is 2, and joint k + 2 is MAX_LANES spots behind joint k.
+// A spot is the index of a joint in the pool chain_joints. The joints of a chain are split into R rows (R is a power of
+// two): joint k is in row k mod R. All even rows precede all odd rows. No two joints of even rows share a body, and no
+// two of odd rows, so a wide pass solves several adjacent spots at the same time. The joints before and after them in
+// the chain have adjacent spots too, except at the ends of a row. If chains of similar lengths are interleaved, R is 2,
+// the joints k of LANES chains are adjacent, and joint k + 2 is MAX_LANES spots after joint k.
 typedef struct // 32 bytes: a chain, several interleaved chains, or a branch
 {
 	int first;  // spot of joint 0
-	int count;  // number of joints of the longest chain; number of nodes of a branch
-	int odds;   // number of spots from joint 0 to joint 1; of a branch, index of its node 0 in the pool branch
-	int stride; // distance of neighbors in a row, in spots: 1, or MAX_LANES
+	int count;  // number of joints of the longest chain; for a branch, number of nodes
+	int odds;   // number of spots from joint 0 to joint 1; for a branch, index of its node 0 in the pool branch
+	int stride; // number of spots between neighbors in a row: 1, or MAX_LANES if interleaved
 	int length; // number of joints in a row, including inert joints at its end
 	int bits;   // binary logarithm of the number of rows, at least 1
-	int parts;  // number of ranges, this one first, that an item of a pass solves; 0 if it starts at an earlier range
-	int item;   // in entry i of the pool: index of the first range that item i of a pass processes
+	int parts;  // number of ranges from this one on that one item solves; 0 if its first range is an earlier one
+	int item;   // in entry i of the pool: index of the first range that item i of a pass solves
 } ChainRange;
 
 #define CHAIN_SPOT(c, k)                                                                           \
@@ -29,27 +29,27 @@ typedef struct // 32 bytes: a body of a branch and the joint toward the root; no
 {
 	int body;         // index of the body
 	int side;         // side of the body in that joint: 0 for a, 1 for b
-	int up;           // index of the parent among the nodes of the branch; -1 if the parent cannot move
-	int first, count; // child nodes: index of the first, and number
-	int begin, end;   // range of the nodes at the same distance from the root: first node, and one past the last
+	int up;           // index of the node of the parent body in the branch; -1 if the parent cannot move
+	int first, count; // index of the first child node; number of child nodes
+	int begin, end;   // nodes at the same distance from the root: index of the first, and one past the last
 	int unused;
 } BranchNode;
 
 typedef struct // MAX_LANES joints in the linear systems of their chains: working data of a pass
 {
 	float d[6][MAX_LANES];                       // diagonal block 00, 01, 02, 11, 12, 22; its inverse after elimination
-	float l[9][MAX_LANES];                       // block that couples a joint with the previous one
-	float m[9][MAX_LANES];                       // block that couples the next joint with a joint, at the current level
+	float l[9][MAX_LANES];                       // coupling of this joint with the previous one
+	float m[9][MAX_LANES];                       // coupling of the next joint with this one, at the current level
 	float r[3][MAX_LANES];                       // right side
 	float x[3][MAX_LANES];                       // solution
-	float pose[6][MAX_LANES];                    // first axis; levers of both axes on a, and on b
+	float pose[6][MAX_LANES];                    // first axis x, y; levers of both axes on body a, then on body b
 	int body_a[MAX_LANES], body_b[MAX_LANES];    // indices of the bodies of a joint
-	float locks[MAX_LANES], holds[MAX_LANES];    // bits: locked coordinates; locked coordinates that can move
-	float side[MAX_LANES], other[MAX_LANES];     // side of the shared body, 0: a, 1: b, in a joint; in the one before
+	float locks[MAX_LANES], holds[MAX_LANES];    // bit k: coordinate k is locked; it is locked and can move
+	float side[MAX_LANES], other[MAX_LANES];     // side of the shared body (0: a, 1: b) here; in the previous joint
 	float inv_mass[MAX_LANES], turns[MAX_LANES]; // 1/kg, 1/(kg m^2): inverse mass and inertia of the shared body, or 0
 	float tension[2][MAX_LANES];                 // kg m^2: inertia that the pull of joints adds to bodies a and b
-	float own_a[MAX_LANES], own_b[MAX_LANES];    // 1/(kg m^2): inverse inertias of bodies a and b
-	float step_a[MAX_LANES], step_b[MAX_LANES];  // 1/(kg m^2): the same in the step, with the inertia of tension
+	float own_a[MAX_LANES], own_b[MAX_LANES];    // 1/(kg m^2): original inverse inertias of bodies a and b
+	float step_a[MAX_LANES], step_b[MAX_LANES];  // 1/(kg m^2): inverse inertias in this step
 	float slack[MAX_LANES];                      // 1/(kg m^2): softness of the damping of a free angle, or 0
 } ChainBlock;
 

@@ -20,13 +20,13 @@
 #define COLLIDABLE_NEW_BOX 1                             // the box differs from old_box
 #define COLLIDABLE_FAST    2                             // the motion of this step may exceed the speculative distance
 #define COLLIDABLE_MOVING  4                             // the collidable is not at rest in this step
-#define GRAIN_SIZE         (2.0f * SPECULATIVE_DISTANCE) // m: thinner dynamic collidables have finer tolerances
-// Bit k of the following bits is set for a dynamic collidable that is thinner than GRAIN_SIZE / 2^k. The tolerances of
-// a contact are halved for each bit that one of the two collidables has; otherwise they could be larger than the
-// smaller body.
+#define GRAIN_SIZE         (2.0f * SPECULATIVE_DISTANCE) // m: thinner dynamic collidables have smaller tolerances
+// First of the bits for thickness. Bit k of them is set for a dynamic collidable that is thinner than GRAIN_SIZE / 2^k.
+// The tolerances of a contact are halved for each bit that one of its collidables has, because they could otherwise
+// exceed the size of the smaller body.
 #define COLLIDABLE_GRAIN 8 // bit 0
 #define GRAIN_LEVELS     5
-// First bit of the same kind for the reach, not the thickness. These bits scale the largest gap of contact points,
+// First of the bits for the reach, defined like those for thickness. They scale the largest gap of contact points,
 // because a long body needs points at both ends.
 #define COLLIDABLE_REACH  (COLLIDABLE_GRAIN << GRAIN_LEVELS)
 #define COLLIDABLE_GRAINS (COLLIDABLE_GRAIN * ((1 << 2 * GRAIN_LEVELS) - 1))
@@ -47,7 +47,7 @@ typedef struct // 160 bytes
 	float friction, restitution, rolling_resistance;
 	float tangent_speed; // m/s
 	float margin;        // m: distance from the tight box to the enlarged box
-	float reach;         // m: largest distance of a point of the shape from the origin
+	float reach;         // m: largest distance from the origin to a point of the shape
 } Attribute;
 
 typedef struct // 16 bytes: properties of an attribute that the kernels for rules read

@@ -12,7 +12,7 @@
 #define FIELD_WIND     4 // acts on shapes, as does FIELD_BUOYANCY; all other fields act on bodies
 #define FIELD_BUOYANCY 5
 
-#define FIELD_FEW (ARITY * ARITY) // with more fields, boxes around groups of ARITY field boxes are tested first
+#define FIELD_FEW (ARITY * ARITY) // maximum number of fields without boxes around groups of ARITY field boxes
 
 // Falloff of a radial field and a vortex, as in scree_field_falloff.
 #define FALLOFF_CONSTANT       0
@@ -53,7 +53,7 @@ typedef struct // 48 bytes: the force of fields on a body, about its center of m
 {
 	float fx, fy, torque;              // N, N m: part that does not depend on the velocity of the body
 	float drag_x, drag_y, drag_torque; // N, N m: part that depends on the velocity of the body
-	// Sums of k, k x, k y and k (x^2 + y^2) over drags k at points x, y: kg/s, kg m/s, kg m^2/s.
+	// Sums over the drag coefficients k, kg/s, at points (x, y): k, k x, k y and k (x^2 + y^2); kg/s, kg m/s, kg m^2/s.
 	float rate, rate_x, rate_y, rate_w;
 	float unused[2];
 } FieldForce;

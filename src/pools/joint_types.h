@@ -13,7 +13,7 @@
 #define JOINT_CAN_BREAK 32  // the joint breaks when its force or torque exceeds a threshold
 #define JOINT_ACTS      64  // the joint has a lock, a limit, a spring or a motor
 #define JOINT_NEW       128 // the slot contains a new joint
-#define JOINT_SEEKS     256 // flag of an edit: a body or a frame was placed, so the path must be searched again
+#define JOINT_SEEKS     256 // flag of an edit: a body or a frame was placed, so the whole path must be searched
 
 // JointData.modes: a whole number with four bits for each coordinate, followed by other bits.
 #define JOINT_LOCKED(k)     (1 << (4 * (k)))
@@ -28,7 +28,7 @@
 #define JOINT_TURNS         0x10000         // the axis turns with body a
 #define JOINT_COUPLED       0x20000         // a gear or a pulley: the coordinate along is that of the coupling
 
-// Measure of a side (0: a, 1: b) of a coupling: a translation (slides), a distance (hoists), or else an angle.
+// Measure of a coupling at a side (0: a, 1: b): translation (slides), distance (hoists), or without these an angle.
 #define JOINT_SLIDES(side) (0x40000 << (side))
 #define JOINT_HOISTS(side) (0x100000 << (side))
 #define JOINT_LINEAR(side) (JOINT_SLIDES(side) | JOINT_HOISTS(side))
@@ -75,7 +75,7 @@ typedef struct // 256 bytes; most joints need only the first half
 	JointLock lock[JOINT_COORDINATES];
 	Float4 base[2]; // poses in the world, relative to which a coupling measures its two frames
 	JointDriveData drive[JOINT_COORDINATES];
-	// Start values: a coupling takes the angles nearest to these, rad; a path is searched from this arc length on, m.
+	// Start values: a coupling takes the nearest angles, rad; the search of a path starts at this arc length, m.
 	float near[2];
 	float path_first, path_segments; // index of the path's first sample; number of its samples minus 1
 } JointData;

@@ -13,18 +13,19 @@
 #define COLOR_MASK 0x7fffffffffffffffUL // mask of a body with all colors taken
 #define COLOR_BITS 7 // bits of a color in a sort key; if there are hubs, keys of contacts also contain the hub
 
-// A body with more contacts than this is a hub. Two bodies that are not hubs always have a common free color, because
-// each has at most 31 other contacts.
+// A body with more contacts than this is a hub. Two touching bodies that are not hubs have a common free color: each of
+// them has at most 31 other contacts.
 #define HUB_CONTACTS 32
 
-// Weight of a backward belt in the pool belts. Static bodies may have more belts, but no kernel reads their counts.
+// Weight of a backward belt in the pool belts; the count of forward belts must be smaller. Static bodies may touch more
+// belts, but no kernel reads their counts.
 #define BELT_BACK 65536
 
 // Number of hub colors. The color of a hub follows from its index; neighboring hubs mostly have different colors.
 #define HUB_COLORS 4
 
-// First bit of the hub color in the sort key of neighbors. The body is in the bits from 32 on; the spoke's number is
-// below the color.
+// First bit of the hub color in the sort key of neighbors. The bits from 32 on contain the body, and the bits below the
+// hub color contain the number of the spoke.
 #define HUB_KEY_COLOR 30
 
 // coloring rounds before the host checks for uncolored contacts; even, because rounds alternate between two lists
@@ -35,10 +36,10 @@
 #define MAX_LEVELS 8 // 8 bits per level in the 64-bit stack of a traversal: 8^8 = 16.7 million leaves
 
 #define ORDER_VISITS      16 // approximate cost of sorting the leaves of a tree, in node visits per leaf
-#define OUTLIER_UNIT      64 // scale of Counters.outliers: 16.7 million leaves cannot overflow it
+#define OUTLIER_UNIT      64 // scale of Counters.outliers; a larger scale could overflow with 16.7 million leaves
 #define HASH_SUMS         1024
-#define FETCH_COLLIDABLES 8192 // with fewer collidables, rows fit into the second-level cache of a CPU: no prefetch
-#define CHUNK_ITEMS       64   // items of broad and narrow phase in a chunk of a CPU worker
+#define FETCH_COLLIDABLES 8192 // minimum number of collidables for prefetches; fewer fit into a CPU's L2 cache
+#define CHUNK_ITEMS       64   // number of items of broad and narrow phase that a CPU worker claims at a time
 #define MAX_CORNERS       8    // largest number of corners in the core of a shape
 
 #define LINEAR_SLOP          0.005f

@@ -14,7 +14,7 @@
 #define QUERY_ANY     1 // at most one result, not always the nearest
 #define QUERY_ALL     2
 
-// Maximum number of results in a list; far below INT_MAX, as work-items increase the counter before they compare it.
+// Maximum number of results in a list; far below INT_MAX, because work-items increase the counter before a check.
 #define QUERY_MOST 1000000000
 
 #define QUERY_BY_COLLIDABLE 0
@@ -28,9 +28,9 @@ typedef struct // 32 bytes: a collidable as a leaf of the trees for queries
 	Word kinds; // bit of the kind (bit 0 for KIND_STATIC), or LEAF_SENSOR for a sensor; LEAF_LISTENS
 } QueryLeaf;
 // Bits of the argument of tree kernels. Bit 0 is the index of the tree.
-#define TREE_QUERIES 2 // boxes for queries, not boxes of the step
-#define TREE_PATHS   2 // query_leaf: computes boxes around the motion of the step
-#define TREE_STALE   4 // query_leaf: the boxes of the step do not fit the current poses
+#define TREE_QUERIES 2 // the kernel processes the boxes for queries, not those of the step
+#define TREE_PATHS   2 // query_leaf computes boxes around the motion of the step
+#define TREE_STALE   4 // query_leaf may not use the boxes of the step, because poses have changed
 #define LEAF_SENSOR  0x10u
 #define LEAF_LISTENS 0x100u // category and mask of the collidable are not 0
 

@@ -39,7 +39,7 @@ typedef struct // stiffness of a contact. Source: Erin Catto, Soft Constraints, 
 	float firm, depth; // bias_rate is multiplied by 1 + firm for the part of an overlap up to `depth`, m
 } Softness;
 
-typedef struct // constants of one step, passed by value to every kernel
+typedef struct // constants of one step, passed by value to every kernel; "some", "may": 1 if true
 {
 	float dt, h, inv_h; // s: step; s: substep; 1/s: substeps per second
 	float gravity_x, gravity_y;
@@ -47,31 +47,31 @@ typedef struct // constants of one step, passed by value to every kernel
 	float push_speed;          // m/s
 	float restitution_threshold;
 	float fall;             // m: motion of a resting body by gravity in a step, with a margin
-	Softness pair, fixed;   // softness of contacts whose two bodies can both move; of other contacts
+	Softness pair, fixed;   // softness of contacts between two bodies that can move; softness of other contacts
 	float h_ratio;          // h divided by the h of the last step with dt above 0
 	int has_rolling;        // some attribute has restitution, rolling resistance or tangent speed
 	int belts;              // some attribute or some pair of materials has a tangent speed
 	int segments;           // some attribute is a segment
-	int details;            // contacts must store details of the step for the user
+	int details;            // 1 if contacts store details of the step for the user
 	int reports;            // some collidable reports touches or hits
 	int rules;              // some pair may be subject to a rule
 	int material_pairs;     // number of used rows of the pool material_pair
 	int excluded;           // number of used rows of the pool excluded
 	int asks;               // some collidable requires contact approval
-	int request_again;      // the contacts that the last step listed are undecided, and listed again
+	int request_again;      // 1 if contacts listed by the last step are undecided, and are listed again
 	int allowed;            // number of used rows of the pool allowed
 	float hit_speed;        // m/s: contacts with a lower approach speed are not hits
 	float hit_impulse;      // N s: contacts with a smaller impulse are not hits
 	int bounces;            // some attribute has restitution
-	int joints;             // there may be joints among the constraints
-	int calm;               // bodies without contacts and forces move as predicted from their velocities, within 5 mm
+	int joints;             // 1 if there may be joints among the constraints
+	int calm;               // 1 if bodies without contacts and forces stay within 5 mm of the motion by their velocity
 	int chain_places;       // number of spots of chains
 	int has_drives;         // some joint has a limit, a spring, a motor or a threshold, is a coupling or follows a path
 	int springs;            // some joint has a spring or a soft lock
 	int couplings;          // some joint is a gear or a pulley
 	int paths;              // some joint follows a path
 	int kinematic;          // number of kinematic bodies
-	int presses;            // static bodies exist, and a kinematic body or a joint may press others against them
+	int presses;            // 1 if a kinematic body or a joint may press bodies against static bodies
 	int round;              // some attribute has a radius
 	int small;              // some dynamic collidable may be thinner than GRAIN_SIZE
 	float continuous_way;   // m: lower bound of all ContinuousBody.way of the world
@@ -94,7 +94,7 @@ typedef struct // one entry of the list that a backend executes in order
 	int argument;   // argument of the kernel
 } Run;
 
-// Packs two numbers into Run.argument: low below 128, high below 2^25.
+// Packs two numbers into Run.argument: `low` below 128, `high` below 2^25.
 #define RUN_PAIR(low, high) ((low) | (int)((Word)(high) << 7))
 #define RUN_LOW(argument)   ((argument)&127)
 #define RUN_HIGH(argument)  ((int)((Word)(argument) >> 7))

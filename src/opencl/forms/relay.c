@@ -11,11 +11,12 @@
 #define PROBE_SPINS  (1 << 16)
 #define PROBE_ROUNDS 16
 
-// Maximum work-items per constraint: a warp waits for all of its constraints, so a warp with fewer of them waits less.
-// H200, solve of scene washer, 4,600 constraints: 0.335, 0.315, 0.294, 0.287, 0.288, 0.290 ms with 1, 2, 4, 8, 16, 32.
+// Maximum work-items per constraint, only one of which computes. A warp is delayed until the last of its constraints is
+// solved, so a warp with fewer constraints is delayed less. H200, solve of scene washer, 4,600 constraints: 0.335,
+// 0.315, 0.294, 0.287, 0.288, 0.290 ms with 1, 2, 4, 8, 16, 32 work-items per constraint.
 #define MAX_SPREAD 8
 
-// kernel arguments after the step: RELAY_* of relay, HUBS_* of relay_hubs; the first two are common to both
+// kernel arguments that follow the step: RELAY_* for relay, HUBS_* for relay_hubs; both kernels have the first two
 enum
 {
 	RELAY_MAILBOXES = ARGUMENT_STEP + 1,
@@ -84,7 +85,7 @@ static size_t other_most(OpenCl* d, const Solve* solve)
 	return (size_t)hubs_kernel(d)->groups - hub_groups(d, solve);
 }
 
-// Returns the number of work-items per constraint, a power of two, that `places` allow; only one of them computes.
+// Returns the number of work-items per constraint: a power of two for which `places` work-items are enough.
 static int spread_of(int constraints, size_t places)
 {
 	int spread = 1;
@@ -134,7 +135,8 @@ static scree_status probe(OpenCl* d, cl_kernel kernel, cl_mem mailboxes, cl_mem 
 	return SCREE_OK;
 }
 
-// Computes the work-groups resident at once: on a CPU, which runs work-items one by one, one group of one work-item.
+// Computes the number of work-groups that are resident at once. A CPU runs work-items one by one, so it gets one
+// work-group of one work-item.
 static scree_status count_groups(const OpenCl* d, Kernel* kernel)
 {
 	size_t most = 0;
@@ -162,7 +164,7 @@ scree_status relay_bind(OpenCl* d, Per per)
 
 scree_status relay_open(OpenCl* d)
 {
-	// the probe of the persistent kernel (not on a CPU) found that work-groups are not resident at once
+	// the probe of the persistent kernel (GPUs only) found that its work-groups are not resident at once
 	if (d->persistent.kernel.kernel && d->persistent.groups == 0)
 		return SCREE_OK;
 	for (int k = 0; k < RELAY_KERNELS; ++k)
@@ -202,7 +204,7 @@ void relay_close(OpenCl* d)
 	scratch_release(&d->relay.parts);
 }
 
-// Sets the arguments that both kernels have. substeps: index of that argument; four others follow it.
+// Sets the arguments that both kernels have. substeps: index of the argument `substeps`, which four others follow.
 static scree_status relay_arguments(OpenCl* d, const Solve* solve, cl_kernel kernel, cl_uint substeps, cl_int spread)
 {
 	cl_int spins = SPINS;

@@ -14,14 +14,14 @@
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-#define PAUSE_NS 50 // pause of a spin-wait, which leaves more memory bandwidth to the work-items whose tickets are next
+#define PAUSE_NS 50 // ns: pause of a spin-wait between reads; it leaves bandwidth to work-items whose tickets are next
 #ifdef __NV_CL_C_VERSION
 #define PAUSE(ns) asm volatile("nanosleep.u32 %0;" ::"r"((uint)(ns)))
 #else
 #define PAUSE(ns)
 #endif
 
-// accesses to two words of a mailbox, each word atomically; emulated kernels in tests define other versions
+// macros that read and write two words of a mailbox, each word atomically; emulated kernels in tests define others
 #ifndef MAILBOX_READ
 #define MAILBOX_READ(words)                 (*(volatile __global const ulong2*)(words))
 #define MAILBOX_WRITE(words, first, second) (*(volatile __global ulong2*)(words) = (ulong2)((first), (second)))
@@ -31,11 +31,11 @@ typedef struct // values that are constant in all tasks
 {
 	volatile __global ulong* mailboxes; // zero at the beginning of a step
 	int substeps;
-	int passes; // number of passes: warm start, bias and relax of every substep, and restitution pass
-	int spins;  // limit of a spin-wait
+	int passes; // number of passes: warm start; bias and relax in each substep; restitution pass, if any
+	int spins;  // maximum number of reads of a spin-wait
 } Relay;
 
-// Returns the ticket of a constraint in pass q. before: number of constraints of the body that precede it in the pass.
+// Returns the ticket of a constraint in pass q. before: number of constraints solved before it on the same body.
 INLINE uint relay_ticket(int q, int before) { return RELAY_TICKETS * (uint)q + (uint)before + 1u; }
 
 // Unpacks three 32-bit components from two words. Returns whether the 16-bit tickets of both words equal `ticket`.
@@ -54,7 +54,7 @@ INLINE void mailbox_write(volatile __global ulong* words, uint ticket, float x, 
 	MAILBOX_WRITE(words, first, second);
 }
 
-// Sets a mailbox to zero, after the last ticket of a step.
+// Sets a mailbox to zero at the end of a step, after the last ticket of the body.
 INLINE void mailbox_clear(volatile __global ulong* words)
 {
 	for (int k = 0; k < MAILBOX_WORDS; ++k)
@@ -118,8 +118,8 @@ INLINE void relay_load_motion(const Pools* p, const Relay* r, Side side, int q, 
 	}
 }
 
-// Loads the constants for integration, and the body itself if it cannot move or the step begins, when it needs no
-// ticket.
+// Loads the constants for integration. Also loads the body if no constraint sends it: it cannot move, or this is its
+// first constraint of the step.
 INLINE void relay_prepare(const Pools* p, const Relay* r, Side side, int q, Body* body, float m[8], float base[4])
 {
 	if (!side.moves || (q == 0 && side.before == 0))
@@ -154,8 +154,8 @@ INLINE bool relay_wait(const Pools* p, const Relay* r, bool wait_a, volatile __g
 	return true;
 }
 
-// Executes pass q of a constraint. Returns false if a ticket did not arrive. in_step: all work-items of the group make
-// this call together, and if one fails, all do; no two of their constraints share a body.
+// Executes pass q of a constraint. Returns false if a ticket did not arrive. in_step: all work-items of the group call
+// this function together, and it fails in all of them if it fails in one; no two of their constraints share a body.
 INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool in_step, volatile LOCAL int* fault)
 {
 	float motion_a[8], motion_b[8], base_a[4], base_b[4];
@@ -203,8 +203,8 @@ INLINE bool relay_task(const Pools* p, const Relay* r, int q, Registers* u, bool
 	return true;
 }
 
-// Executes all passes of all constraints, unless the counter `bound` is 0; solve_end integrates bodies without
-// constraints. stream: STREAM_FLOAT4S float4s per constraint, if there are more constraints than work-items.
+// Executes all passes of all constraints; does nothing if the counter with index `bound` is 0. The kernel solve_end
+// integrates bodies without constraints. stream: STREAM_FLOAT4S float4s per constraint that is not in registers.
 INLINE void relay_tasks(const Pools* p, const Relay* r, __global float4* stream, int constraints, int bound, int spread,
                         volatile LOCAL int* fault)
 {
@@ -265,8 +265,9 @@ RELAY_KERNEL(relay_plain, STEP_PLAIN)
 RELAY_KERNEL(relay_hinges, STEP_HINGES)
 RELAY_KERNEL(relay_joints, STEP_JOINTS)
 
-// Tests whether work-items make progress independently and words are written as a whole. In round k, three of four
-// work-items wait for round k of their neighbor, the fourth for round k - 1 of a work-item in another work-group.
+// Tests whether work-items make progress independently, and whether words are written as a whole. In round k, three of
+// four work-items wait until a neighbor finishes round k; the fourth waits until a work-item in another work-group
+// finishes round k - 1.
 __kernel void relay_probe(volatile __global ulong* mailboxes, volatile __global int* fault, int rounds, int spins)
 {
 	int n = (int)get_global_size(0), i = (int)get_global_id(0);

@@ -4,15 +4,15 @@
 #define OPENCL_RELAY_H
 #include "opencl/opencl_state.h"
 
-// relay_bind sets a buffer as an argument of the kernels; relay_open tests whether the device can run them.
+// relay_bind sets the buffer of a kind as kernel argument; relay_open tests whether the device can run the relay.
 scree_status relay_create(OpenCl* d);
 scree_status relay_bind(OpenCl* d, Per per);
 scree_status relay_open(OpenCl* d);
 void relay_close(OpenCl* d);
 scree_status relay_reserve(OpenCl* d, const Solve* solve);
-scree_status mailboxes_reserve(OpenCl* d, const Solve* solve); // tiles call it too: their border is a relay
+scree_status mailboxes_reserve(OpenCl* d, const Solve* solve); // called for tiles too: a relay solves their border
 scree_status relay_run(OpenCl* d, const Solve* solve);
-// Returns whether the kernels for plain worlds (STEP_PLAIN) are sufficient for the step.
+// Returns whether the step needs only the kernels for plain worlds (STEP_PLAIN).
 bool solve_plain(const OpenCl* d);
 
 #endif

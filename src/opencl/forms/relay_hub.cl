@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // relay_hub.cl -- executes a solve as a relay in a world with hubs: some work-groups solve hubs, the others colors.
 //
-// In each pass, a body is solved in its hubs first, and then in its colors. The work-group of a hub waits for the
-// mailboxes of the hub and its neighbors, solves all spokes together (hub.h), and sends each body to its next hub or
-// first color. If a body is split into parts, one work-item collects them and sends the body on.
+// In each pass, the hub colors of a body come first, then its colors. The work-group of a hub waits for the mailboxes
+// that belong to the hub and its neighbors, solves all spokes together (hub.h), and sends each body to its next hub or
+// first color. If a body is split into parts, one work-item adds up the parts and sends the body on.
 //
 // Order of tasks: by pass; in a pass, hub colors before colors; in a hub color, hubs before split bodies. The first
 // unfinished task in this order never waits.
@@ -68,8 +68,8 @@ OUT_OF_LINE void relay_send_from_hub(const Pools* p, const Relay* r, Side side, 
 	relay_finish_pass(p, r, side, q, b, m, base);
 }
 
-// Sends the velocity of a part to the work-item that collects the parts of a body. Parts are never cleared: no old part
-// has the ticket of a later pass, because tickets rise within a step, and begin at 1 in the next step.
+// Sends the velocity of a part of a body to the work-item that adds up the parts. Parts are never cleared: tickets rise
+// within a step and begin at 1 in the next step, so no part from an earlier pass has the ticket of a later pass.
 INLINE void relay_send_part(volatile __global ulong* parts, int k, int q, float vx, float vy, float w)
 {
 	mailbox_write(parts + 2 * (ulong)k, (uint)q + 1u, vx, vy, w);
@@ -84,7 +84,7 @@ INLINE bool relay_receive_part(const Pools* p, const Relay* r, volatile __global
 }
 
 // Executes pass q of hub n in a work-group. If a ticket did not arrive, sets *fault and solves nothing. parts: for each
-// spoke a part of its neighbor, followed by a part of each hub.
+// spoke the part of its neighbor, followed by one part for each hub.
 INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* parts, int n, int q,
                       LOCAL float* bench, volatile LOCAL int* fault)
 {
@@ -123,7 +123,7 @@ INLINE void relay_hub(const Pools* p, const Relay* r, volatile __global ulong* p
 }
 
 // Adds up the parts of a split body in pass q of hub color `turn`, like the kernel hub_merge, and sends the body on.
-// Returns false if a ticket did not arrive. i: first of the body's sorted spokes.
+// Returns false if a ticket did not arrive. i: index of the body's first spoke in spoke_order.
 OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global ulong* parts, int i, int q, int turn)
 {
 	int spoke = hub_merged(p, i, turn);
@@ -159,10 +159,10 @@ OUT_OF_LINE bool relay_merge(const Pools* p, const Relay* r, volatile __global u
 
 typedef struct // the tasks of a work-group and a work-item
 {
-	bool hubs, colors;                // whether the group solves hubs; whether it solves constraints with colors
-	int group, hub_groups, hub_count; // the group solves hubs group, group + hub_groups, ...
+	bool hubs, colors;                // true: the group solves hubs; the group solves constraints with colors
+	int group, hub_groups, hub_count; // the group solves every hub_groups-th hub from `group` on, of hub_count hubs
 	int spokes;
-	int begin, stride, constraints; // the work-item solves constraints begin, begin + stride, ...
+	int begin, stride, constraints; // the work-item solves every stride-th constraint from `begin` on
 	bool streamed;                  // false: the work-item has one constraint, which stays in registers
 	__global float4* stream;
 } HubTasks;

@@ -7,9 +7,9 @@
 #include "opencl/queue.h"
 #include "platform/error.h"
 
-#define BORDER_SHARE 0.1 // stale tiles are rebuilt if at most this share of constraints was in the last border
-#define BORDER_AGE   64  // number of solves without tiles after which they are built, to measure that share
-#define BORDER_GRAIN 64  // border constraints per work-group, for a small border; with fewer, it takes longer
+#define BORDER_SHARE 0.1 // stale tiles are rebuilt if the last border contained at most this share of the constraints
+#define BORDER_AGE   64  // number of solves without tiles after which tiles are built, to measure the border
+#define BORDER_GRAIN 64  // border constraints per work-group, for a small border; fewer per group take longer
 
 // names of kernels, and maximum work-items per work-group
 static const struct
@@ -75,7 +75,7 @@ scree_status tiles_bind(OpenCl* d, Per per)
 	return SCREE_OK;
 }
 
-// number of tiles; a tree has at most one leaf per collidable
+// number of tiles; each collidable has at most one leaf
 static cl_int row_count(const OpenCl* d) { return (d->constants.step.collidables - 1) / TILE_BODIES + 1; }
 
 // number of places: one per constraint, and padding for the colors of the border
@@ -116,7 +116,7 @@ typedef struct // a kernel argument
 	}
 #define VALUES(...) (const Value[]){__VA_ARGS__}, (int)(sizeof((const Value[]){__VA_ARGS__}) / sizeof(Value))
 
-// Launches a kernel over `items` items. values: its arguments, from index `first` on.
+// Launches a kernel over `items` items. values: values of its arguments with indices from `first` on.
 static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int items, cl_uint first, const Value* values,
                               int count)
 {
@@ -125,7 +125,7 @@ static scree_status plain_run(OpenCl* d, cl_kernel kernel, size_t group, int ite
 	return launch(d, kernel, groups_of(items, group) * group, group);
 }
 
-// Launches a kernel that takes all pools and the step. values: its further arguments.
+// Launches a kernel that takes all pools and the step. values: values of its other arguments.
 static scree_status tile_run(OpenCl* d, int k, int items, const Value* values, int count)
 {
 	Kernel* kernel = &d->tiles.kernels[k];

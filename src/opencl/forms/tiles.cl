@@ -5,13 +5,13 @@
 // Hilbert curve of the broad phase's tree. In one launch per pass, a work-group loads a tile once, integrates its
 // bodies, and solves the constraints inside it color by color.
 //
-// A constraint between two tiles is a border constraint. Constraints of its bodies with later colors are border
-// constraints too, to keep the order. A second launch solves the border as a relay (relay.cl). The result does not
-// depend on the tiles.
+// A constraint between two tiles is a border constraint. Each of its bodies keeps the order of its colors, so
+// constraints of these bodies with later colors are border constraints too. A second launch solves the border as a
+// relay (relay.cl). The result does not depend on the tiles.
 #include "opencl/group_sizes.h"
 #include "pools/pools.h"
 
-#define TILE_RESTS TILE_BODIES // place in local memory that all bodies share which rest and cannot move
+#define TILE_RESTS TILE_BODIES // place in local memory for all bodies that rest and cannot move
 #define TILE_PLAIN 0x40000000  // added to the index of a body for which tile_plain is true
 
 // Returns false if the counter `bound` is 0: then the layout of constraints has changed, and the kernels do nothing.
@@ -30,8 +30,9 @@ INLINE int tile_body_of(const Pools* p, int leaf)
 	return leaf < p->tree[0].leaves ? p->collidable_body[p->leaf[p->tree[0].leaf_begin + leaf]] : -1;
 }
 
-// Returns TILE_PLAIN if a body has no force, damping or lock, and gravity scale 1: passes then do not read its
-// constants. Only fields can change these until the tiles are rebuilt, because a change by the user rebuilds them.
+// Returns TILE_PLAIN if a body has no force, damping or lock, and gravity scale 1; otherwise 0. Passes do not read the
+// constants of a plain body. Until tiles are rebuilt, only fields can change these: a change by the user rebuilds
+// tiles.
 INLINE int tile_plain(const Pools* p, int body)
 {
 	Motion m = p->motion[body];
@@ -40,7 +41,7 @@ INLINE int tile_plain(const Pools* p, int body)
 	return odd == 0 && m.gravity_scale == 1.0f && m.free_x == 1.0f && m.free_y == 1.0f ? TILE_PLAIN : 0;
 }
 
-// Assigns each body the place of one of its leaves; the last write is kept. place has an int per body.
+// Assigns each body the place of one of its leaves; the last write is kept. place: one int per body.
 __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __global int* border, int places,
                           int bound)
 {
@@ -52,8 +53,8 @@ __kernel void tile_settle(POOL_ARGUMENTS Step step, __global int* place, __globa
 	border[body] = COLORS + 1;
 }
 
-// Lists the bodies by place; resident is -1 at places without a body. pushed: 1 if fields change forces, so none is
-// plain.
+// Lists the bodies by place; resident is -1 at places without a body. pushed: 1 if fields change forces, so that no
+// body counts as plain.
 __kernel void tile_list(POOL_ARGUMENTS Step step, __global const int* place, __global int* resident, int places,
                         int bound, int pushed)
 {
@@ -68,8 +69,8 @@ INLINE bool tile_still(const float row[8])
 	return all_zero(row, 3) && all_zero(row + 4, 4);
 }
 
-// Returns the table row for constraints of a body that cannot be pushed: -1 (any row) if it rests; the border's row if
-// it moves, because then its position differs from pass to pass.
+// Returns the table row for constraints of a body with infinite mass. If the body rests, the row is -1, which stands
+// for any row. If it moves, the row is that of the border, because its position differs from pass to pass.
 INLINE int tile_row_of_fixed(const Pools* p, int body, int rows)
 {
 	float first[8], second[8];
@@ -98,12 +99,12 @@ INLINE int tile_row(const Pools* p, KindPlace at, int color, __global const int*
 	return row == -1 ? rows : row;
 }
 
-// Counts the constraints of one color, in a launch per color, because the border depends on earlier colors. rank: for
-// each constraint, the count before it was added, which may differ between executions.
+// Counts the constraints of one color. There is a launch per color, because the border depends on earlier colors. rank:
+// number of constraints counted before each constraint, which may differ between executions.
 __kernel void tile_count(POOL_ARGUMENTS Step step, __global const int* place, __global int* border, __global int* table,
                          __global int* rank, int rows, int bound, int begin, int end)
 {
-	// border constraints of the work-group, by kind, which it adds to the table with one atomic operation each
+	// number of border constraints of the work-group, by kind; one atomic operation per kind adds it to the table
 	__local int border_count[CONSTRAINT_KINDS], first[CONSTRAINT_KINDS], found;
 	Pools pools = {POOL_NAMES step, 0};
 	const Pools* p = &pools;
@@ -156,7 +157,7 @@ __kernel void tile_total(__global const int* table, __global int* total, int row
 	total[row] = sum;
 }
 
-// Replaces the sums by the beginnings of the rows, in one work-group.
+// Replaces the sum of each row by the first place of the row, in one work-group.
 __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_begin(__global int* total, int rows)
 {
 	__local uint sum[PRIMITIVE_GROUP];
@@ -172,7 +173,7 @@ __kernel __attribute__((reqd_work_group_size(PRIMITIVE_GROUP, 1, 1))) void tile_
 	}
 }
 
-// Replaces each count of the table by the first place of its constraints, and stores the border's end in the last row.
+// Replaces each count of the table by the first place of its constraints; the last row gets the end of the border.
 __kernel void tile_range(__global int* table, __global const int* total, int rows)
 {
 	int row = (int)get_global_id(0);
@@ -187,7 +188,7 @@ __kernel void tile_range(__global int* table, __global const int* total, int row
 	}
 }
 
-// Writes the task of each constraint to its place in `order`; the other places keep -1.
+// Writes the number of each constraint's task to the constraint's place in `order`; the other places keep -1.
 __kernel void tile_order(POOL_ARGUMENTS Step step, __global const int* place, __global const int* border,
                          __global const int* table, __global const int* rank, int rows, int bound,
                          __global int* order, int constraints)
@@ -210,7 +211,7 @@ typedef struct
 	__global const int* resident;
 	__global const int* table;
 	__global const int* order;
-	__global float4* stream; // columns of `stride` entries
+	__global float4* stream; // each column has `stride` entries
 	int stride, rows;
 } Tiles;
 

@@ -6,8 +6,8 @@
 
 scree_status tiles_open(OpenCl* d);
 void tiles_close(OpenCl* d);
-scree_status tiles_bind(OpenCl* d, Per per); // binds a buffer to all kernels of the tiles, like kernel_bind
-// Returns whether tiles are faster than launches by color.
+scree_status tiles_bind(OpenCl* d, Per per); // sets arguments like kernel_bind, for all kernels of the tiles
+// Returns whether to solve with tiles: they are valid, or building them again is likely to pay.
 bool tiles_pay(OpenCl* d, const Solve* solve);
 scree_status tiles_reserve(OpenCl* d, const Solve* solve);
 scree_status tiles_run(OpenCl* d, const Solve* solve);

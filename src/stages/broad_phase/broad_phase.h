@@ -10,9 +10,9 @@
 #include "stages/tree/tree.h"
 #include "stages/tree/tree_packet.h"
 
-// Removes from a mask of eight leaves those whose old boxes overlap the old box of collidable i, because these pairs
-// are known. Bit 0 is the leaf at place `first`. A GPU loads the eight boxes together, to hide the latency of memory; a
-// CPU returns the mask unchanged, and broad_phase_leaf tests the old boxes.
+// Removes the known pairs from a mask of eight leaves: pairs whose old boxes overlap. Bit 0 is the leaf at place
+// `first`. A GPU loads the eight boxes together, to hide the latency of memory. A CPU returns the mask unchanged, and
+// broad_phase_leaf tests the old boxes.
 INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 {
 	int leaf[ARITY];
@@ -29,7 +29,8 @@ INLINE Word64 broad_phase_fresh(const Pools* p, int i, int first, Word64 leaves)
 	return leaves;
 }
 
-// Adds pair i, j if it is new. Returns 0 if the traversal must stop, because the limit of contacts is reached.
+// Adds the pair of collidables i and j if it is new. Returns 0 if the traversal must stop, because the contact limit is
+// reached.
 INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 {
 	// early exit: most neighbors are known pairs
@@ -44,12 +45,12 @@ INLINE int broad_phase_leaf(const Pools* p, int i, int j)
 	return place < p->step.contact_limit;
 }
 
-// Visits the leaves of tree t that overlap the box of collidable i. `from`, `end`, `nodes`: as in TreeTraversal.
-// Returns the leaf at which the search must continue, 0 if the search is complete.
+// Visits the leaves of tree t that overlap the box of collidable i. from, end, nodes: as in TreeTraversal. Returns the
+// leaf at which another traversal must continue; 0 if none is needed.
 INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end, int nodes)
 {
 	const GLOBAL Tree* tree = p->tree + t;
-	// beyond the limit the step is refused, so the other pairs are not needed
+	// the step will be refused, because the contact limit is exceeded; other pairs are not needed
 	if (tree->leaves == 0 || read_shared(&p->counters->pairs) > p->step.contact_limit)
 		return 0;
 	Float4 box = p->box[i];
@@ -68,7 +69,7 @@ INLINE int broad_phase_traverse(const Pools* p, int i, int t, int from, int end,
 	}
 }
 
-// Clears the counters before a search for pairs, which is repeated after a buffer has grown.
+// Clears the counters before each search for pairs; the search is repeated after a buffer has grown.
 KERNEL(broad_phase_begin)
 {
 	p->counters->pairs = 0;
@@ -79,14 +80,14 @@ KERNEL(broad_phase_begin)
 	(void)i;
 }
 
-// Returns the number of trees that a collidable of a kind must traverse. Sensors have no pairs; static and kinematic
-// collidables have no pairs in the static tree.
+// Returns the number of trees that a collidable of a kind must traverse, from tree 0 on. Sensors have no pairs; static
+// and kinematic collidables have no pairs in the static tree.
 INLINE int broad_phase_trees(int kind)
 {
 	return kind & KIND_SENSOR ? 0 : kind == KIND_DYNAMIC || kind == KIND_FREE ? 2 : 1;
 }
 
-// Traverses tree t for collidable k, up to a limit of nodes; lists the rest, if any, for broad_phase_rest.
+// Traverses tree t for collidable k, up to traversal_nodes nodes; lists the rest, if any, for broad_phase_rest.
 INLINE void broad_phase_alone(const Pools* p, int k, int t)
 {
 	int next = broad_phase_traverse(p, k, t, 0, 0, p->step.traversal_nodes);
@@ -97,7 +98,7 @@ INLINE void broad_phase_alone(const Pools* p, int k, int t)
 }
 
 // Processes the leaves that overlap the boxes of a packet. kinematic: mask of the traversals of kinematic collidables;
-// `alone`: mask of traversals that are skipped here. Returns 0 if the limit of contacts is reached.
+// alone: mask of the traversals that this function skips. Returns 0 if the contact limit is reached.
 INLINE int broad_phase_leaves(const Pools* p, const GLOBAL Tree* tree, const int* collidables, const Float4* boxes,
                               Word kinematic, Word alone, const PacketFront* front)
 {

@@ -26,14 +26,14 @@ KERNEL(contact_admit)
 
 KERNEL(contact_mark_free) { p->scan[i] = i < p->counters->contacts && p->pair[i].x < 0; }
 
-// Lists the free slots after the scan: for a free slot i, scan[i] is the number of free slots before it.
+// Lists the free slots after the scan, in which scan[i] is the number of free slots before slot i.
 KERNEL(contact_list_free)
 {
 	if (i < p->counters->contacts && p->pair[i].x < 0)
 		p->free_slot[p->scan[i]] = i;
 }
 
-// Checks the capacity for contacts and updates their number.
+// Checks the capacity for contacts; updates the number of slots in use and the number of contacts.
 KERNEL(contact_reserve)
 {
 	GLOBAL Counters* c = p->counters;
@@ -54,8 +54,8 @@ KERNEL(contact_reserve)
 	(void)i;
 }
 
-// Moves each contact whose slot is not below the number of contacts to a free slot below that number, the first contact
-// to the lowest slot. So the first slots hold all contacts. No slot is both a source and a destination.
+// Moves contacts so that they fill the first slots. Each contact beyond these slots moves to a free one among them, the
+// first contact to the lowest slot. No slot is both a source and a destination.
 KERNEL(contact_pack)
 {
 	const GLOBAL Counters* c = p->counters;
@@ -77,8 +77,8 @@ KERNEL(contact_pack_end)
 
 INLINE float surface_larger(float a, float b) { return a < b ? b : a; }
 
-// Returns friction, restitution, rolling lever and tangent speed of a pair; the order of the two attributes does not
-// matter. Friction is the geometric mean, so ice stays slippery on anything.
+// Returns friction, restitution, rolling lever (m) and tangent speed (m/s) of a pair; the order of the attributes does
+// not matter. Friction is the geometric mean, so ice stays slippery on anything.
 INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attribute* sb)
 {
 	float lever =
@@ -88,8 +88,8 @@ INLINE Float4 contact_surface_of(const GLOBAL Attribute* sa, const GLOBAL Attrib
 	                   surface_larger(sa->restitution, sb->restitution), lever, sa->tangent_speed + sb->tangent_speed);
 }
 
-// Returns CONTACT_DETECTED or CONTACT_JOINED if the bodies of a pair do not respond to each other. This holds until the
-// user changes a joint or an excluded pair.
+// Returns CONTACT_DETECTED or CONTACT_JOINED if the bodies of a pair do not respond to each other, otherwise 0. This
+// holds until the user changes a joint or an excluded pair.
 INLINE Word contact_parts(const Pools* p, Int2 pair)
 {
 	int apart = apart_by(p, pair.x, pair.y, APART_DETECTED | APART_JOINED);
@@ -100,7 +100,7 @@ KERNEL(contact_create)
 {
 	Word64 key = p->key[i];
 	int a = (int)(key >> p->step.key_bits), b = (int)(key & (((Word64)1 << p->step.key_bits) - (Word64)1));
-	// contacts beyond the free slots take the last slots of the pool
+	// new contacts without a free slot take the slots at the end
 	int slot = i < p->counters->dead ? p->free_slot[i] : p->counters->contacts - p->counters->created + i;
 	Int2 pair = apart_pair(p, a, b);
 	a = pair.x;
@@ -124,7 +124,7 @@ KERNEL(contact_create)
 	    contact_surface_of(p->attribute + p->collidable_attribute[a], p->attribute + p->collidable_attribute[b]);
 }
 
-// Restarts contact i if a change of joints or excluded pairs has joined its bodies, or separated them.
+// Restarts contact i if joints or excluded pairs have changed so that its bodies now may, or now may not, touch.
 KERNEL(contact_join)
 {
 	Word flags = p->contact_flags[i];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// transform.h -- computes world poses and boxes of collidables; replaces enlarged boxes that the tight boxes exceed.
+// transform.h -- computes world poses and boxes of collidables; replaces an enlarged box that the tight box exceeds.
 #ifndef TRANSFORM_H
 #define TRANSFORM_H
 #include "dialect/vec.h"
 #include "stages/geometry/box.h"
 #include "stages/geometry/sweep.h"
 
-#define REACH_SHARE 0.125f // fraction of the reach that is compared with GRAIN_SIZE / 2, like the thickness
+#define REACH_SHARE 0.125f // fraction of the reach that is compared with the same sizes as the thickness
 
 KERNEL(step_begin)
 {
@@ -111,8 +111,8 @@ INLINE Float4 world_box(WorldShape world_shape, const GLOBAL Attribute* attribut
 	return box_grow(box, attribute->radius + extra);
 }
 
-// Returns a mask with a bit for each level at which 2^level times `length`, half a size in m, is below GRAIN_SIZE / 2.
-// first: the bit of level 0.
+// Returns a mask: the bit of a level is set if 2^level times `length` is below GRAIN_SIZE / 2. length: m, from the
+// center of a shape; first: bit of level 0.
 INLINE int transform_bits(float length, int first)
 {
 	int bits = 0;
@@ -121,8 +121,8 @@ INLINE int transform_bits(float length, int first)
 	return bits;
 }
 
-// Returns the COLLIDABLE_GRAIN and COLLIDABLE_REACH bits of a dynamic collidable. thickness, m: distance of its nearest
-// side from its centroid. A segment has no thickness and gets no bits, because other collidables come to rest on it.
+// Returns the COLLIDABLE_GRAIN and COLLIDABLE_REACH bits of a dynamic collidable. thickness: m, from the centroid to
+// the nearest side. A segment has no thickness and gets no bits, because other collidables come to rest on it.
 INLINE int transform_grains(float thickness, float reach)
 {
 	if (!(thickness < 0.5f * GRAIN_SIZE) || thickness == 0.0f)
@@ -130,7 +130,7 @@ INLINE int transform_grains(float thickness, float reach)
 	return transform_bits(thickness, COLLIDABLE_GRAIN) | transform_bits(REACH_SHARE * reach, COLLIDABLE_REACH);
 }
 
-// Updates world poses and boxes; lists the collidables that left their box or were placed.
+// Updates world poses and boxes. Lists the collidables that left their enlarged box or were placed.
 LIST_KERNEL(transform, updated_list, updated_boxes)
 {
 	Float4 box = p->box[i];
@@ -150,7 +150,7 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	p->world_shape[i] = world_shape;
 	const GLOBAL Attribute* attribute = p->attribute + world_shape.attribute;
 
-	// half of the speculative distance on either side, because contacts begin at that distance
+	// each of the two boxes of a pair is enlarged by half of the speculative distance, at which contacts begin
 	Float4 tight = world_box(world_shape, attribute, 0.5f * SPECULATIVE_DISTANCE);
 	float margin = attribute->margin;
 	int how = p->step.small && p->collidable_kind[i] == KIND_DYNAMIC
@@ -187,13 +187,14 @@ LIST_KERNEL(transform, updated_list, updated_boxes)
 	p->box[i] = grown;
 	p->collidable_flags[i] = COLLIDABLE_NEW_BOX | how;
 	raise_int(&p->counters->refit, 0x7fffffff);
-	// a box covers the motion of its step, so separate boxes mean that the user placed the collidable
+	// the old box covers the last motion, so a new box that does not overlap it means that the user moved the
+	// collidable
 	if (!box_overlap(box, grown))
 		raise_int(&p->counters->jumped, 0x7fffffff);
 	return 1;
 }
 
-// Restores the boxes after a step that stopped before it found all contacts, so that the next step finds them.
+// Restores the old boxes after a step that stopped before it found all contacts, so that the next step finds them.
 KERNEL(transform_undo)
 {
 	if (!(p->collidable_flags[i] & COLLIDABLE_NEW_BOX) || p->collidable_kind[i] == KIND_DEAD)

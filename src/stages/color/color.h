@@ -8,9 +8,9 @@
 // lowest color that is free on both. The result is that of a sequential greedy coloring by falling priority, for any
 // number of threads. Colors are kept while contacts touch, so usually few edges are colored in a step.
 //
-// Contacts with bodies that cannot move take the highest free color: they are solved last, so that no other contact
+// Contacts with bodies that cannot move take the highest free color. They are solved last, so that no other contact
 // undoes their result. The contacts of hubs (spoke.h) take no color and no part in the rounds, so thousands of new
-// contacts of a body cost no rounds. Every other contact finds a free color.
+// contacts of one body cost no rounds. Every other contact finds a free color.
 #ifndef COLOR_H
 #define COLOR_H
 #include "constraints/contact_one.h"
@@ -19,7 +19,7 @@
 #include "stages/color/spoke.h"
 
 // Returns the priority of an edge. Odd multipliers and xor-shifts are invertible, so no two edges have the same
-// priority. The order looks random: in the order of slots, a row of contacts would be colored at one contact per round.
+// priority. The order looks random: with slots as priorities, each round would color one contact of a row.
 INLINE Word color_priority(int edge)
 {
 	Word x = (Word)edge + 0x9e3779b9u;
@@ -31,8 +31,8 @@ INLINE Word color_priority(int edge)
 	return x;
 }
 
-// Returns the address of entry i in the list of edges that are left after a round. It is the address of a scalar,
-// because another work-item may write the other component of the vector.
+// Returns the address of entry i in the list of edges that have no color after a round. The address is that of a
+// scalar, because another work-item may write the other component of the vector.
 INLINE GLOBAL int* color_left(const Pools* p, int round, int i)
 {
 	return (GLOBAL int*)p->uncolored + 2 * i + (round & 1);
@@ -63,9 +63,9 @@ INLINE int color_overflows(const Pools* p, int edge, Int2 bodies)
 	return (mask_a | mask_b) == (Word64)COLOR_MASK;
 }
 
-// Number of the last colors, for contacts with static bodies; other constraints take them only if no other is free. A
-// body between a kinematic and a static one cannot obey both, and the contact that is solved last prevails. Eight
-// colors are enough for a body in a corner where four collidables of a level meet.
+// Number of colors, the last ones, for contacts with static bodies; other constraints take them only if no other color
+// is free. A body between a kinematic and a static body cannot obey both; the contact that is solved last prevails.
+// Eight colors are enough for a body in a corner where four collidables of a level meet.
 #define STATIC_COLORS 8
 
 // Returns whether an edge is a contact with something static, which is always the second collidable of a pair.
@@ -115,7 +115,7 @@ KERNEL(color_assign)
 	Word64 free = ~(mask_a | mask_b) & (Word64)COLOR_MASK;
 	if ((moves_a && claim[bodies.x] != priority) || (moves_b && claim[bodies.y] != priority))
 	{
-		// a claim of two rounds ago would win over the claims of the next round
+		// the next round uses the claims of the previous round again, which could otherwise win
 		if (moves_a)
 			write_shared_word(&next_claim[bodies.x], 0);
 		if (moves_b)
@@ -135,7 +135,7 @@ KERNEL(color_assign)
 		write_shared_word64(&p->color_mask[bodies.y], mask_b | bit);
 }
 
-// Moves the count of the last round to the first place after MAX_ROUNDS rounds, and clears the other counts.
+// After MAX_ROUNDS rounds, moves the count of the last round to the first entry and clears the other counts.
 KERNEL(color_wrap)
 {
 	GLOBAL Counters* c = p->counters;
@@ -155,8 +155,8 @@ KERNEL(color_reset)
 	write_shared_word(&p->claim1[bodies.y], 0);
 }
 
-// The upper half of a sort key is the color; for a spoke it is COLORS plus the body of the hub. Returns the upper half
-// for a constraint that has not begun: all bits set. argument of the kernels below: number of these bits.
+// The upper half of a sort key is the color; for a spoke, COLORS plus the body of the hub. Returns the upper half for a
+// constraint that has not begun: all bits set. bits: their number, which is the argument of the kernels below.
 INLINE Word64 color_none(int bits) { return ((Word64)1 << bits) - (Word64)1; }
 
 INLINE int color_of_key(Word64 key, int bits)
@@ -166,7 +166,7 @@ INLINE int color_of_key(Word64 key, int bits)
 }
 
 // Selects the kinds to lay out, if all constraints have a color and, with hubs, the keys have bits for hubs. argument:
-// index in uncolored of the number of edges left after the last round; number of bits in the keys of contacts.
+// index in `uncolored` of the count after the last round; number of bits of color and hub in keys of contacts.
 KERNEL(color_arrange)
 {
 	GLOBAL Counters* c = p->counters;
@@ -188,7 +188,7 @@ KERNEL(color_arrange)
 	(void)i;
 }
 
-// number by which constraints of the color COLORS are sorted: contacts by hub, joints of chains before other joints
+// number by which constraints of color COLORS are sorted: contacts by hub, joints of chains before other joints
 INLINE int contact_group(const Pools* p, int i) { return hub_owner(p, p->contact_bodies[i]); }
 INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 
@@ -210,8 +210,8 @@ INLINE int joint_group(const Pools* p, int i) { return p->joint_spot[i] < 0; }
 	if (place >= 0)                                                              \
 		kind##_keep(p, i, place);
 
-// Writes the first and last sorted keys of each color and hub. Sets scan to 1 at the first spoke of each hub, so that
-// the sums of the scan are numbers of hubs.
+// Writes the range of sorted keys of each color and hub: first, and one past the last. Sets scan to 1 at the first
+// spoke of each hub, so that the scan computes numbers of hubs.
 INLINE void color_edge(const Pools* p, int kind, int i)
 {
 	GLOBAL KindLayout* layout = &p->counters->layout[kind];
@@ -251,7 +251,8 @@ INLINE int color_hub(const Pools* p, int i)
 	return p->scan[i] - !begins;
 }
 
-// Computes the first place of each color of a kind. If places run out, the host grows the pools and runs this again.
+// Computes the first place of each color of a kind. If there are too few places, the host grows the pools and repeats
+// this.
 INLINE void color_range(const Pools* p, int kind)
 {
 	GLOBAL Counters* c = p->counters;
@@ -272,7 +273,7 @@ INLINE void color_range(const Pools* p, int kind)
 		touching += count;
 		if (spokes && k == COLORS && count > 0)
 		{
-			// adds the places that hub_first reserves
+			// reserves the places that hub_first uses in addition
 			c->hubs = color_hub(p, layout->last[k] - 1) + 1;
 			count += MAX_LANES * (c->hubs + 1);
 		}
@@ -290,7 +291,7 @@ INLINE void color_range(const Pools* p, int kind)
 	}
 }
 
-// Returns the place of a spoke; the last spoke of a hub fills the rest of the hub's places with padding.
+// Returns the place of a spoke. For the last spoke of a hub, fills the rest of the hub's places with padding.
 INLINE int contact_place_rest(const Pools* p, int i)
 {
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_CONTACT];
@@ -309,7 +310,7 @@ INLINE int contact_place_rest(const Pools* p, int i)
 	return place;
 }
 
-// Returns the place of a joint in a chain or, behind all chains, of another joint without a color.
+// Returns the place of a joint without a color. Joints of chains come first, then the others.
 INLINE int joint_place_rest(const Pools* p, int i)
 {
 	int slot = (int)(p->key[i] & (Word64)0xffffffffu), spot = p->joint_spot[slot];
@@ -317,7 +318,7 @@ INLINE int joint_place_rest(const Pools* p, int i)
 	return begin + (spot >= 0 ? spot : p->step.chain_places + (i - p->counters->overflow_first));
 }
 
-// Makes the places of joints without a color inert before joints are laid out there. An item may process several
+// Makes the places of joints without a color inert, before these joints are laid out. An item may process several
 // places, because there may be more places than items.
 KERNEL(chain_pad)
 {
@@ -327,7 +328,8 @@ KERNEL(chain_pad)
 		joint_pad(p, place);
 }
 
-// Computes the place of a sorted constraint, and writes its row values that stay constant until the next layout.
+// Computes the place of a sorted constraint, and writes the values of its rows that stay constant until the next
+// layout.
 #define COLOR_PLACE(kind, KIND)                                                                                \
 	int color = color_of_key(p->key[i], p->argument), slot = (int)(p->key[i] & (Word64)0xffffffffu);           \
 	const GLOBAL KindLayout* layout = &p->counters->layout[CONSTRAINT_##KIND];                                 \

@@ -26,8 +26,8 @@ INLINE void edge_mark_dirty(const Pools* p, int kind)
 	raise_int(&p->counters->dirty[kind], 1);
 }
 
-// Returns the value that the tangent speed of a contact adds to the pool belts. It is the same for both bodies, because
-// the belt runs in the same direction relative to either of them.
+// Returns the value that the tangent speed of a contact adds to the pool belts. Both bodies get the same value, because
+// the belt runs in the same direction relative to each of them.
 INLINE int edge_belt(float speed) { return speed > 0.0f ? 1 : speed < 0.0f ? BELT_BACK : 0; }
 
 INLINE int edge_belt_of(const Pools* p, int kind, int slot)
@@ -43,8 +43,8 @@ INLINE void edge_add_belt(const Pools* p, Int2 bodies, int belt)
 	atomic_add_int(&p->belts[bodies.y], belt);
 }
 
-// Counts a constraint that begins, for one of its bodies. If the body may now be a hub and some of its contacts have
-// colors, requests the search for hubs (spoke.h), which may find none, because other constraints end meanwhile.
+// Counts a constraint that begins, for one of its bodies. If the body may now be a hub and has constraints with colors,
+// requests the search for hubs (spoke.h), which may find none, because other constraints end meanwhile.
 INLINE void edge_count(const Pools* p, int body, int belt)
 {
 	int over_limit = atomic_add_int(&p->touching[body], 1) >= HUB_CONTACTS;
@@ -135,7 +135,7 @@ INLINE Int2 edge_bodies_at(const Pools* p, int kind, int place)
 	return make_int2(0, 0);
 }
 
-// Place of a constraint or of padding. Tasks are numbered in the order of a pass: by color, then by kind.
+// Task of a pass: a constraint or padding, given by its kind and place. Tasks are numbered by color, then by kind.
 typedef struct
 {
 	int kind, place;

@@ -8,7 +8,7 @@
 #include "stages/color/touch.h"
 #include "stages/geometry/box.h"
 
-// Moves a joint's angle by whole turns to its limits or target if it gets a limit, a spring or a lock and had none.
+// Changes a joint's angle by whole turns, to be nearest to limits or target, if its first limit, spring or lock is set.
 INLINE void joint_count_turns(const Pools* p, int slot, const JointData* changed)
 {
 	int k = JOINT_ANGLE, users = JOINT_LOCKED(k) | JOINT_LIMITED(k) | JOINT_SPRING(k), place = p->joint_place[slot];
@@ -25,7 +25,7 @@ INLINE void joint_count_turns(const Pools* p, int slot, const JointData* changed
 		joint_row(p, turned, place) = turned;
 }
 
-// Requests a search of the whole path in the next step, after the user placed a body or a frame of a joint on a path.
+// Requests a search of the whole path in the next step, because the user placed a body or a frame of the joint.
 INLINE void joint_seek(const Pools* p, int slot)
 {
 	PathCount count = path_count_last(p, slot);
@@ -33,8 +33,8 @@ INLINE void joint_seek(const Pools* p, int slot)
 	path_count_store(p, slot, p->joint_place[slot], &count);
 }
 
-// Item: a joint that the user created or changed. argument: number of slots in use before these changes. A joint that
-// broke stays broken.
+// Item: a joint that the user created or changed. argument: number of joint slots in use before these edits. A broken
+// joint stays broken.
 KERNEL(joint_apply)
 {
 	JointEdit edit = p->joint_edit[i];
@@ -62,7 +62,7 @@ KERNEL(joint_apply)
 	raise_int(&p->counters->joints_dirty, 0x7fffffff);
 }
 
-// Ends the constraint of joint i. Stores its count of turns, which continues if the same joint begins again.
+// Ends the constraint of joint i. Stores its count of turns, with which the joint continues if it begins again.
 INLINE void joint_rest(const Pools* p, int i)
 {
 	float turned = joint_turned_last(p, i);
@@ -76,7 +76,7 @@ INLINE void joint_rest(const Pools* p, int i)
 	path_count_store(p, i, -1, &path);
 }
 
-// Begins or ends the constraint of joint i.
+// Begins or ends the constraint of joint i, or both if the joint must begin again.
 KERNEL(joint_update)
 {
 	int flags = p->joint_flags[i], wanted = JOINT_THERE | JOINT_ACTIVE | JOINT_ACTS;
@@ -122,7 +122,7 @@ INLINE Word64 joint_pair_of(int a, int b)
 	return (Word64)low << 32 | (Word64)high;
 }
 
-// Writes the sort key of the two bodies that joint i keeps from touching; NO_PAIR if the joint does not do so.
+// Writes the key of the two bodies that joint i keeps from touching; NO_PAIR if they may touch.
 KERNEL(joint_pair_key)
 {
 	int flags = p->joint_flags[i], apart = JOINT_THERE | JOINT_COLLIDES | JOINT_BROKEN;
@@ -158,8 +158,8 @@ INLINE int joint_parts(const Pools* p, Int2 bodies)
 	return at < count && p->joined[at] == key;
 }
 
-// Item: a place of joints. Reports the joint if its force or torque exceeded its threshold, and breaks the joint if it
-// can break. Counts the turns of a coupling with the ratio of this step, because the user may change the ratio.
+// Item: a place of joints. Lists the joint as an event if its force or torque exceeded its threshold, and breaks it if
+// it can break. Counts the turns of a coupling with the ratio of this step, because the user may change the ratio.
 KERNEL(joint_finalize)
 {
 	int slot = p->joint_place_slot[i];
@@ -174,8 +174,8 @@ KERNEL(joint_finalize)
 	}
 	JointEvent event;
 	event.slot = slot;
-	// a joint without a threshold has the largest float, which no value may exceed: force and torque are computed only
-	// in worlds with thresholds, and a step must not depend on the thresholds of other joints
+	// a joint without a threshold has the largest float, which no value may exceed: forces are computed only in worlds
+	// with thresholds, and a step must not depend on the thresholds of other joints
 	event.force = finite_or_most(joint_rare(p, peak_force, i) * p->step.inv_h);
 	event.torque = finite_or_most(joint_rare(p, peak_torque, i) * p->step.inv_h);
 	event.broken = (p->joint_flags[slot] & JOINT_CAN_BREAK) != 0;

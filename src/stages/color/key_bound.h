@@ -4,7 +4,7 @@
 #define KEY_BOUND_H
 #include "dialect/dialect.h"
 
-// Returns the index, from `low` on, of the first key that is not less than `key`; `high` if there is none below it.
+// Returns the index, from `low` on, of the first key that is not less than `key`; `high` if all keys below it are less.
 INLINE int key_bound(const GLOBAL Word64* keys, int low, int high, Word64 key)
 {
 	while (low < high)

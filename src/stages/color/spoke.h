@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // spoke.h -- finds hubs, and computes the hub of each spoke and the places of a hub's spokes.
 //
-// A body with more than HUB_CONTACTS constraints, including joints, becomes a hub: all of its contacts become spokes as
-// long as they touch, so that a varying number of contacts does not switch the layout back and forth. A body on belts
-// that run against each other becomes a hub too: contacts that are solved one after the other share a change of the
-// load too slowly, and the body would swing more and more (docs/hubs.md, Belts).
+// A body with more than HUB_CONTACTS constraints, including joints, becomes a hub. All of its contacts become spokes
+// and remain spokes as long as they touch, so that a varying number of contacts does not switch the layout back and
+// forth. A body on belts that run against each other becomes a hub too: one contact after the other would share a
+// change of the load too slowly, and the body would swing more and more (docs/hubs.md, Belts).
 #ifndef SPOKE_H
 #define SPOKE_H
 #include "pools/pools.h"
@@ -24,11 +24,11 @@ INLINE int hub_crowded(const Pools* p, int body)
 	return hub_load(p, body) > HUB_CONTACTS && p->body[body].inv_mass > 0.0f;
 }
 
-// Returns whether a contact without a color becomes a spoke.
+// Returns whether a contact without a color becomes a spoke, because one of its bodies is a hub.
 INLINE int hub_wants(const Pools* p, Int2 bodies) { return hub_crowded(p, bodies.x) || hub_crowded(p, bodies.y); }
 
-// Returns the hub of a spoke: the body with more contacts, or the one that can move. If both bodies are hubs, returns
-// the lighter one, because heavy bodies on both sides may crush it, and a hub is solved exactly.
+// Returns the hub of a spoke: the body that can move. If both are hubs, returns the lighter one: heavy bodies may crush
+// it, and a hub is solved exactly. Otherwise, or if their masses are equal, returns the body with more constraints.
 INLINE int hub_owner(const Pools* p, Int2 bodies)
 {
 	int a = bodies.x, b = bodies.y, touching_a = hub_load(p, a), touching_b = hub_load(p, b);
@@ -47,8 +47,8 @@ typedef struct
 	int body, first, count; // first place and number of the hub's spokes among the constraints, padding included
 } HubSpan;
 
-// Returns the first place of the spokes of hub n, at the start of a block. Each hub before n counts one spare block, so
-// the place does not depend on the padding of other hubs. key: index of the sorted key of the first spoke.
+// Returns the first place of the spokes of hub n, at the start of a block. Each hub before n reserves one spare block,
+// so the place does not depend on their padding. key: index of the sorted key of the first spoke.
 INLINE int hub_first(const Pools* p, int n, int key)
 {
 	const GLOBAL Counters* c = p->counters;

@@ -7,7 +7,7 @@
 #include "stages/edit/pool_item.h"
 #include "stages/geometry/pose.h"
 
-// Sets the velocity of a body; 0 along locked axes.
+// Sets the linear velocity of a body; 0 along locked axes, finite in any case.
 INLINE void command_velocity(const Pools* p, int body, Vec v)
 {
 	p->body[body].vx = p->motion[body].free_x == 0.0f ? 0.0f : finite_or_most(v.x);
@@ -33,8 +33,8 @@ INLINE void command_push(const Pools* p, int body, Vec impulse)
 	command_velocity(p, body, vec_add(vec(state.vx, state.vy), vec_scale(state.inv_mass, impulse)));
 }
 
-// Returns the moment of a force or impulse, which acts at a world point, about the center of mass. If both products of
-// the cross product overflow, it is NaN; then it is computed from a force 2^64 times smaller.
+// Returns the moment, about the center of mass, of a force or impulse at a world point. If a product overflows,
+// computes it from a force 2^64 times smaller: the difference of two infinite products would be NaN.
 OUT_OF_LINE float command_moment(const Pools* p, int body, Vec force, float x, float y)
 {
 	Float4 pose = p->pose[body];
@@ -45,7 +45,7 @@ OUT_OF_LINE float command_moment(const Pools* p, int body, Vec force, float x, f
 	return finite_or_most(1.8446744e19f * vec_cross(arm, vec_scale(5.4210109e-20f, force)));
 }
 
-// Sets mass, inertia and center of mass. The rigid body keeps its motion: the velocity becomes that of the new center.
+// Sets mass, inertia and center of mass. The body keeps its motion, so its velocity becomes that of the new center.
 INLINE void command_mass(const Pools* p, int i, Float4 value)
 {
 	Float2 old = p->local_center[i];
@@ -61,7 +61,7 @@ INLINE void command_mass(const Pools* p, int i, Float4 value)
 	command_velocity(p, i, v);
 }
 
-// Sets the values of body_values.def and locks. locks: bits of scree_body_def.locks: 1 x, 2 y, 4 rotation.
+// Sets the values of body_values.def and the locks; velocities along locks become 0. locks: 1 x, 2 y, 4 rotation.
 INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 {
 	GLOBAL Motion* motion = p->motion + i;
@@ -76,7 +76,7 @@ INLINE void command_motion(const Pools* p, int i, Float4 value, int locks)
 		p->body[i].w = 0.0f;
 }
 
-// Disables a body: stores its velocity in the pool stored_velocity, and clears forces and gravity.
+// Disables a body: stores its velocity in the pool stored_velocity; sets velocity, forces and gravity scale to 0.
 INLINE void command_rest(const Pools* p, int i)
 {
 	BodyState state = p->body[i];
@@ -108,7 +108,7 @@ INLINE Vec command_center(const Pools* p, int i, Float4 pose)
 	return vec_add(vec(pose.x, pose.y), vec_turn(vec(pose.z, pose.w), vec(center.x, center.y)));
 }
 
-// Sets the velocity that moves a body to a pose within the step, by the shorter rotation, within limits and locks.
+// Sets the velocity that moves a body to a pose in one step, by the shorter rotation; limits and locks are obeyed.
 INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
 {
 	Float4 pose = p->pose[i];
@@ -121,7 +121,7 @@ INLINE void command_target(const Pools* p, int i, Float4 target, int locks)
 	p->body[i].w = locks & 4 ? 0.0f : within(turn * rate, p->step.max_spin);
 }
 
-// Moves the body to the pose, except along locks, and stops it.
+// Moves a body to a pose, except along its locks, and stops it.
 INLINE void command_arrive(const Pools* p, int i, Float4 target, int locks)
 {
 	Float4 pose = p->pose[i];
@@ -292,7 +292,7 @@ INLINE void command_apply(const Pools* p, Command c)
 		command_rest(p, c.index);
 }
 
-#define COMMAND_SOON 6 // distance between the group that is applied and the group whose rows are prefetched
+#define COMMAND_SOON 6 // number of groups from the one that is applied to the one that is prefetched
 
 // Item: a group, the commands of one body or one collidable. argument: number of groups.
 KERNEL(command)

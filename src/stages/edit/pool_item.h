@@ -12,7 +12,7 @@
 #define HASH_DERIVED(x)
 #define HASH_SCRATCH(x)
 
-// per is a constant in all functions below, so the compiler removes the lines of other pools.
+// Adds an item to a hash. In all calls of these functions `per` is a constant: the compiler removes the other pools.
 INLINE Word64 item_hash(const Pools* p, Per per, int i, Word64 h)
 {
 #define X(type, name, of, role) HASH_##role(if (per == PER_##of) h = hash_##type(h, p->name[i]);)

@@ -27,7 +27,7 @@ typedef struct // edge of a region; points in the fluid have a negative distance
 	float offset; // m: signed distance of the shape's origin from the edge
 } FieldEdge;
 
-// Adds the integrals along the part below y = 0 of the edge from point a to point b.
+// Adds the integrals along the part of an edge, from point a to point b, that is below y = 0.
 INLINE void field_area_edge(FieldArea* sum, Vec a, Vec b)
 {
 	if (a.y > 0.0f && b.y > 0.0f)
@@ -46,7 +46,7 @@ INLINE void field_area_edge(FieldArea* sum, Vec a, Vec b)
 	sum->y = sum->y + (a.x * (2.0f * a.y + b.y) + b.x * (a.y + 2.0f * b.y)) * (1.0f / 6.0f) * rise;
 }
 
-// Adds the integrals along an arc of up to half a turn around a center, from direction a to direction b.
+// Adds the integrals along an arc of at most half a turn around a center, from direction a to direction b.
 INLINE void field_area_piece(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 {
 	float angle = vec_angle(vec_turn_back(a, b)), rise = b.y - a.y;
@@ -60,7 +60,7 @@ INLINE void field_area_piece(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 	sum->y = sum->y + r * (center.y * width + r * (center.x * mixed + r * mixed2));
 }
 
-// Adds the integrals along the part of an arc below y = 0. Even if both ends are below it, the arc may rise above it.
+// Adds the integrals along the part of an arc below y = 0. An arc with both ends below may rise above y = 0.
 INLINE void field_area_arc(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 {
 	float sine = -center.y / r; // sine of the directions in which the circle crosses the surface
@@ -87,7 +87,8 @@ INLINE void field_area_arc(FieldArea* sum, Vec center, float r, Vec a, Vec b)
 		field_area_piece(sum, center, r, enter, leave);
 }
 
-// Returns area and moments of the part of a rotated shape below an edge, about the shape's origin, in world axes.
+// Returns the area and the first moments of the part of a rotated shape that is below an edge. The moments are about
+// the shape's origin, in world axes.
 INLINE FieldArea field_area_below(const GLOBAL Attribute* shape, Vec turn, FieldEdge edge)
 {
 	FieldArea sum = {0.0f, 0.0f, 0.0f};
@@ -122,8 +123,8 @@ INLINE FieldArea field_area_below(const GLOBAL Attribute* shape, Vec turn, Field
 	return part;
 }
 
-// Writes the corners of the outline of a rotated shape and returns their number. Corners replace arcs of the same area:
-// 8 for a circle, 5 for the end of a capsule, 3 for an arc of a polygon.
+// Writes the corners of the outline of a rotated shape and returns their number. Corners replace each arc with the same
+// area: 8 corners for a circle, 5 for an end of a capsule, 3 for an arc of a polygon.
 INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 {
 	int count = 0, last = shape->count - 1;
@@ -172,7 +173,7 @@ INLINE int field_outline(const GLOBAL Attribute* shape, Vec turn, Vec* out)
 	return count;
 }
 
-// Returns area and moments of the part of a shape that is below all edges with a bit in `cuts`.
+// Returns area and moments of the part of a shape that is below all edges whose bits in `cuts` are set.
 RARE FieldArea field_area_clipped(const GLOBAL Attribute* shape, Vec turn, const FieldEdge* edges, int cuts)
 {
 	Vec corners[FIELD_CORNERS], next[FIELD_CORNERS];
