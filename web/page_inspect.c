@@ -69,7 +69,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_selected(bool few)
 	return join_lines(&numbers);
 }
 
-// Appends to page.text, which has this length. Returns the new length.
+// Appends formatted text to page.text. length: current length of page.text. Returns the new length.
 static size_t write(size_t length, const char* format, ...) __attribute__((format(printf, 2, 3)));
 static size_t write(size_t length, const char* format, ...)
 {

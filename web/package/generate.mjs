@@ -26,7 +26,7 @@ function code(type) {
 	return short(type);
 }
 
-// Returns three lists for a function: the codes of all parameters, the parameters that a program passes, and the
+// Returns three lists for a function: the codes of all parameters, the parameters whose values a program gives, and the
 // results.
 function describe(f) {
 	const codes = [], given = [], results = [], all = f.parameters;
@@ -49,7 +49,7 @@ function describe(f) {
 			given.push(p);
 		}
 		else if (f.name === "scree_world_get_states" && p.name === "bodies")
-			codes.push("0"); // null for this optional array: getBodies lists the bodies in the same order
+			codes.push("0"); // null: this array is optional, and getBodies lists the same bodies in the same order
 		else if (list) {
 			codes.push(`?${code(p.type)}`);
 			results.push({...p, many: true});

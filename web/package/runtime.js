@@ -268,7 +268,7 @@ class Engine {
 				else
 					value[key] = m.count ? this.getAll(m.type, place, m.count, world) : this.get(m.type, place, world);
 			}
-			// the arrays have eight vertices; shortens them to the number of vertices that the polygon has
+			// shortens the arrays, which have eight elements in memory, to the number of vertices of the polygon
 			if (type === "shape")
 				value.vertices.length = value.normals.length = value.count;
 			return value;
