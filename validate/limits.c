@@ -133,7 +133,8 @@ static void bursts(Validation* v, int count, double width, int movers, double ma
 }
 
 // Equal bodies of 1 m begin in a small square, without gravity, and push each other apart. Each pair separates at
-// contact_push_speed, 3 m/s, or slower. 500 bodies fill a disk with 11 pairs between its middle and its edge.
+// contact_push_speed, 3 m/s, or slower. A disk of 500 bodies has 11 pairs in a row from its middle to its edge, whose
+// speeds add up to 33 m/s at most.
 static void crowd(Validation* v, int count, bool boxes, double width)
 {
 	begin(v, "%d %s on %g x %g m without gravity", count, boxes ? "boxes" : "circles", width, width);

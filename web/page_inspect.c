@@ -89,8 +89,8 @@ static size_t write_colors(size_t length, const char* name, const Color* colors,
 	return write(length, "]");
 }
 
-// Returns a legend as JSON, for the colors of joints if `joints` is true, else of bodies; empty if there is no such
-// legend.
+// Returns a legend as JSON, for the colors of joints if `joints` is true, else for the colors of bodies; empty if there
+// is no such legend.
 EMSCRIPTEN_KEEPALIVE const char* page_legend(bool joints)
 {
 	Legend legend;

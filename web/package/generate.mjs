@@ -107,7 +107,8 @@ const structTable = structs.map((s) => [short(s.name), ...s.members.map((m) => m
 const functionTable = described.filter((f) => !without_method.test(f.name))
 	.map((f) => [short(f.name), f.kind, ...f.codes].join(" ")).join("\n");
 
-// converts names of enumerations: scree_body_type to BodyType; bits such as SCREE_LOCK_X are members of Lock
+// Converts names of enumerations, such as scree_body_type to BodyType. Bits such as SCREE_LOCK_X become members of
+// Lock.
 const camel = (name) => name.replace(/(^|_)([a-z0-9])/g, (_, bar, letter) => letter.toUpperCase());
 const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level/.test(name)).map(([name, e]) => {
 	const names = Object.keys(e.members);
