@@ -51,7 +51,7 @@ uint64_t lab_case_hash(Validation* v)
 {
 	if (!v->lab)
 		return v->hash;
-	return v->hash * 0x100000001b3u ^ lab_hash(v->lab); // with a single lab in the case, this is the hash of its world
+	return v->hash * 0x100000001b3u ^ lab_hash(v->lab); // with a single lab in the case, this is the hash of the lab
 }
 
 void lab_close(Lab* lab)
@@ -83,7 +83,8 @@ static void grow(Lab* lab)
 	lab->capacity = (int)capacity;
 }
 
-// Returns mass, inertia and center of a body, by the parallel axis theorem; 0 unless the body is dynamic.
+// Returns mass, inertia and center of a body; all are 0 unless the body is dynamic. The parallel axis theorem moves the
+// inertia to the center of mass.
 static LabMass mass_of(const EngineBody* body)
 {
 	double mass = 0.0, x = 0.0, y = 0.0, inertia = 0.0;
@@ -229,7 +230,7 @@ double lab_fastest(const Lab* lab, int* body)
 	for (int k = 0; k < lab->count; ++k)
 	{
 		double speed = lab->bodies[k].def.type == SCREE_BODY_DYNAMIC ? lab_speed(lab, k) : 0.0;
-		if (speed <= most) // false for NaN, which then counts as faster than earlier bodies
+		if (speed <= most) // false if one of the speeds is NaN; the later body then counts as faster
 			continue;
 		most = speed;
 		if (body)

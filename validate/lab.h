@@ -10,7 +10,7 @@ LabDef lab_def(void); // returns the defaults: gravity (0, -10), 60 Hz x 4 subst
 Lab* lab_open(Validation* validation, const LabDef* def);
 void lab_close(Lab* lab);
 
-// These add a body and return its index. The engine creates the body before the next step.
+// These functions add a body and return its index. The engine creates the body before the next step.
 int lab_add(Lab* lab, const scree_body_def* def, const EnginePart* parts, int count);
 int lab_put(Lab* lab, scree_body_type type, const scree_attribute_def* surface, float x, float y, float angle);
 int lab_throw(Lab* lab, const scree_attribute_def* surface, float x, float y, float angle, scree_velocity velocity);
@@ -30,17 +30,18 @@ void lab_replace(Lab* lab, const int* bodies, const scree_pose* poses, int count
 double lab_bytes(Lab* lab);
 uint64_t lab_hash(Lab* lab);
 
-// These use the state that the last call of lab_read has read.
+// These functions use the state that the last call of lab_read has read.
 double lab_kinetic(const Lab* lab, int body); // J; 0 unless the body is dynamic
 double lab_speed(const Lab* lab, int body);   // m/s
 scree_vec lab_center(const Lab* lab, int body);
 // Returns the speed of the fastest dynamic body, m/s. Writes the index of this body to *body, unless `body` is null.
 double lab_fastest(const Lab* lab, int* body);
 
-// Returns a hash of the end states of all labs of the case; for the open lab, the present state counts.
+// Returns a hash of the end states of all labs of the case; an open lab contributes its present state.
 uint64_t lab_case_hash(Validation* validation);
 
-// Returns the larger number, or NaN if one of them is NaN. fmax would drop the NaN, and the check of a maximum would pass.
+// Returns the larger of two numbers, or NaN if one of them is NaN. fmax would drop the NaN, and the check of a maximum
+// would pass.
 static inline double larger(double a, double b) { return a >= b || a != a ? a : b; }
 
 #endif

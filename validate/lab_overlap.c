@@ -9,8 +9,8 @@
 
 #define MOMENT 1.0e-4f // s: time of a step in which bodies hardly move
 
-// Writes the position of an anchor in the world. lab->poses are those of the bodies' origins, not of their centers of
-// mass.
+// Writes the position of an anchor in the world. lab->poses contains the poses of the bodies' origins, not of their
+// centers of mass.
 static void anchor_of(const Lab* lab, int body, scree_vec anchor, double at[2])
 {
 	scree_pose pose = lab->poses[body];

@@ -5,8 +5,8 @@
 #include "lab.h"
 #include "scene/scene.h"
 
-// Opens a lab with the scene, its step and its substeps; never returns null. If the scene does not exist, the
-// validation ends. setting: another value for a parameter of the scene, or null.
+// Opens a lab with the bodies of a scene, its duration of a step and its substeps; never returns null. If the scene
+// does not exist, the validation ends. setting: another value for a parameter of the scene, or null.
 Lab* lab_scene(Validation* validation, const char* name, const SceneSetting* setting);
 
 #endif

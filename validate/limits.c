@@ -13,7 +13,7 @@ static Lab* open_with(Validation* v, double gravity, double max_speed)
 	return lab_open(v, &def);
 }
 
-// Chips of 4 x 2 cm fly at a wall. Prints the number of frozen bodies.
+// Throws chips of 4 x 2 cm at a wall. Prints the number of frozen bodies.
 static void chips(Validation* v, double speed, int count)
 {
 	begin(v, "%d chips against a wall at %g m/s", count, speed);
@@ -67,12 +67,12 @@ static void spinner(Validation* v, scree_body_type type, double spin, int runs)
 
 typedef struct
 {
-	double speed, next, turn; // m/s: speeds of the fastest and the second fastest run; rad per step: fastest turn
+	double speed, next, turn; // m/s: largest and second largest speed of all runs; rad per step: fastest turn
 	int frozen, run;
 } Extremes;
 
-// Bodies of 0.1 to 1 m begin at rest and overlap in a small place. Kinematic bars, the movers, turn back every ten
-// steps. Adds the results to extremes.
+// Bodies of 0.1 to 1 m begin at rest and overlap in a small square. `movers` kinematic bars reverse their velocities
+// every ten steps. Adds the results of the run to `extremes`.
 static void burst(Validation* v, int count, double width, int movers, double max_speed, int run, Extremes* extremes)
 {
 	Lab* lab = open_with(v, 10.0, max_speed);
@@ -113,9 +113,9 @@ static void burst(Validation* v, int count, double width, int movers, double max
 	lab_close(lab);
 }
 
-// Moving bars shoot bodies out of the heap at random speeds. In 100 runs the median of the fastest speeds is 37 m/s,
-// the 95 % quantile is 51 to 53 m/s and the maximum 70 to 104 m/s; versions that differ by a rounding gave these
-// ranges. So the limit is 100 m/s for all runs but one, and 200 m/s for the fastest.
+// Moving bars shoot bodies out of the heap at random speeds. In 100 runs with bars the median of the fastest speeds is
+// 37 m/s, the 95 % quantile is 51 to 53 m/s and the maximum 70 to 104 m/s; the ranges include versions of Scree that
+// differ only in rounding. So the limit is 200 m/s for the fastest run with bars, and 100 m/s for all other runs.
 static void bursts(Validation* v, int count, double width, int movers, double max_speed, int runs)
 {
 	Extremes extremes = {0};
@@ -133,7 +133,8 @@ static void bursts(Validation* v, int count, double width, int movers, double ma
 }
 
 // Equal bodies of 1 m begin in a small square, without gravity, and push each other apart. Each pair separates at
-// contact_push_speed, 3 m/s, or slower. 500 bodies fill a disk with 11 pairs between its middle and its edge.
+// contact_push_speed, 3 m/s, or slower. A disk of 500 bodies has 11 pairs in a row from its middle to its edge, whose
+// speeds add up to 33 m/s at most.
 static void crowd(Validation* v, int count, bool boxes, double width)
 {
 	begin(v, "%d %s on %g x %g m without gravity", count, boxes ? "boxes" : "circles", width, width);

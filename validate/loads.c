@@ -16,7 +16,7 @@ typedef struct
 static const Setting settings[] = {{4, 0.0},  {1, 0.0},  {2, 0.0},   {8, 0.0},
                                    {12, 0.0}, {4, 30.0}, {4, 240.0}, {12, 240.0}};
 
-// Begins a case whose name includes the setting. Returns its lab.
+// Begins a case whose name includes the setting. Returns the lab of the case. gravity: m/s^2, downwards.
 __attribute__((format(printf, 4, 5))) static Lab* open_case(Validation* v, const Setting* setting, double gravity,
                                                             const char* format, ...)
 {
@@ -36,7 +36,7 @@ __attribute__((format(printf, 4, 5))) static Lab* open_case(Validation* v, const
 	return lab_open(v, &def);
 }
 
-// Takes SECONDS of steps. Returns the speed of the fastest body in the last second, m/s.
+// Takes steps for SECONDS, s. Returns the largest speed of any body in the last second, m/s.
 static double settle(Lab* lab)
 {
 	double fastest = 0.0;
@@ -50,8 +50,8 @@ static double settle(Lab* lab)
 	return fastest;
 }
 
-// A box falls from 2 m on a pyramid of nine rows, which is ten boxes wide. ratio: mass of this box divided by that of
-// another.
+// A box falls from 2 m on a pyramid of nine rows, which is ten boxes wide. ratio: mass of this box divided by the
+// mass of each other box.
 static void pyramid(Validation* v, double ratio, const Setting* setting)
 {
 	Lab* lab = open_case(v, setting, 10.0, "pyramid of nine rows under a box of %g times the mass", ratio);
@@ -64,7 +64,7 @@ static void pyramid(Validation* v, double ratio, const Setting* setting)
 			last = lab_put(lab, SCREE_BODY_DYNAMIC, width > 1 ? &box : &heavy, (float)(2 * k - width),
 			               (float)(1 + 2 * row + (width > 1 ? 0 : 2)), 0.0f);
 	double fastest = settle(lab);
-	// with one substep a box of 300 times the mass breaks through, as in Box2D
+	// with one substep a box of 300 times the mass of the others breaks through the pyramid, as in Box2D
 	bool holds = ratio <= 100.0 || setting->substeps > 1;
 	row(v, "sank", 19.0 - (double)lab->poses[last].position.y, "m", holds ? AT_MOST : SHOWN, 1.0);
 	row(v, "fastest in the last second", fastest, "m/s", AT_MOST, 0.01);
@@ -127,7 +127,7 @@ static void falling_cart(Validation* v, const Setting* setting)
 	lab_close(lab);
 }
 
-// 625 disks of 1 m, with an area of 491 m^2, are pressed together in a smaller room without gravity.
+// 625 disks of 1 m, with a total area of 491 m^2, are pressed together in a smaller room without gravity.
 static void press(Validation* v, double half, const Setting* setting)
 {
 	Lab* lab = open_case(v, setting, 0.0, "625 disks of 1 m in a room of %g m", 2.0 * half);

@@ -53,7 +53,8 @@ static void drift(Validation* v)
 	lab_close(lab);
 }
 
-// Opens a lab with a body on a slope, which is a floor rotated by the angle.
+// Opens a lab with a body on a slope: a floor rotated by `angle`, rad. half: distance of the body's center from the
+// slope, m.
 static Lab* on_slope(Validation* v, scree_attribute_def surface, double half, double friction, double angle)
 {
 	LabDef def = lab_def();
@@ -66,7 +67,7 @@ static Lab* on_slope(Validation* v, scree_attribute_def surface, double half, do
 	return lab;
 }
 
-// Returns the distance that the body moved down the slope, m.
+// Returns the distance of the body from its initial place on the slope, m.
 static double went(Lab* lab)
 {
 	lab_read(lab);

@@ -3,10 +3,10 @@
 #include "props.h"
 #include <math.h>
 
-#define HELD 3 // number of static columns on each side of the middle column
+#define HELD 3 // columns on each side of the middle column whose uppermost circle is static
 
-// Hangs a net of size x size circles with the joints of Box2D's benchmark joint_grid. In Box2D v3 the widest gap is
-// 108, 229 and 620 mm for sizes 40, 60 and 100.
+// Hangs a net of `size` times `size` circles with the joints of Box2D's benchmark joint_grid. In Box2D v3 the widest
+// gap is 108, 229 and 620 mm for the sizes 40, 60 and 100. most: limit of the gap, mm.
 static void hang(Validation* v, int size, int steps, double most)
 {
 	begin(v, "net of %d x %d, held at %d", size, size, 2 * HELD + 1);

@@ -3,8 +3,8 @@
 //
 // The limit of a mean is at most 0.8 of Box2D's mean (617d32a, sleep off), which is in mm: pyramid 21.3, pyramids 1.93,
 // pile 109, tumbler 89.0, smash 86.6, washer 59.7, 7 piles 119, 7 drums 86.8. In scenes whose bodies hardly move, the
-// limit is the result of this version plus a margin of 1/20. In smash Box2D does better than in other scenes; there the
-// limit of the deepest overlap is Box2D's result.
+// limit is the result of this version plus 1/20. The limit of the deepest overlap in smash is Box2D's result, because
+// Box2D does better there than in other scenes.
 #include "lab_scene.h"
 #include "validate.h"
 #include <math.h>
@@ -15,8 +15,8 @@
 typedef struct
 {
 	const char* name;
-	int every; // steps between measurements, which take as long as several steps
-	// limits, mm: deepest overlap of all measurements (0: no limit), mean of the deepest overlaps of each measurement
+	int every; // steps between two measurements; a measurement takes as long as several steps
+	// mm: limit of the largest overlap (0: no limit); limit of the mean of the deepest overlaps at each measurement
 	double deepest, mean;
 	double sank; // limit, mm: sinking of the body that sank the most; 0: the scene has no stack
 } Known;
@@ -26,10 +26,10 @@ static const Known scenes[] = {
     {"tumbler", 1, 160.0, 71.2, 0.0},  {"smash", 1, 191.0, 69.3, 0.0},     {"washer", 1, 145.0, 47.7, 0.0},
 };
 
-typedef struct // deepest overlap and mean of the deepest overlaps of a run, m
+typedef struct // m: results of a run: largest overlap; mean of the deepest overlaps at each measurement
 {
 	double deepest, mean;
-	int step; // step of the deepest overlap
+	int step; // number of the step with the largest overlap
 } Depths;
 
 static Depths depths_of(Lab* lab, int steps, int every)
@@ -66,14 +66,14 @@ static void watch(Validation* v, const Known* known, int steps)
 	lab_close(lab);
 }
 
-// A scene that runs several times, with a parameter that differs a little. The result of a single run is random: one
+// A scene that runs several times, each with another value of a parameter. The result of a single run is random: one
 // body more or less changes the deepest overlap of a pile from 0.14 to 0.26 m, and the mean of a drum from 50 to 65 mm.
 typedef struct
 {
 	const char *name, *scene, *parameter;
 	int first, apart;     // value of the parameter in the first run, and its increase from run to run
 	int steps;            // steps of a run
-	double deepest, mean; // limits, mm: medians of the deepest overlap and of the mean over all runs
+	double deepest, mean; // mm: limits of the medians of Depths.deepest and Depths.mean over all runs
 } Several;
 
 static const Several repeated[] = {

@@ -2,7 +2,7 @@
 // platforms.c -- one-way platforms in a ring hold the bodies that are stirred in it, as solid platforms do.
 //
 // A bar turns in a ring with a radius of 10 m and drives bodies over the seams of the platforms. In engines without
-// one-way platforms they are solid.
+// one-way platforms the platforms are solid.
 #include "props.h"
 #include <math.h>
 
@@ -13,9 +13,9 @@
 typedef struct
 {
 	const char* name;
-	bool thick, apart, moves; // true if platforms are boxes; if each has its own body; if the ring is kinematic
+	bool thick, apart, moves; // true: platforms are boxes; each has its own body; the ring is kinematic
 	int sides;
-	double spin, sways; // rad/s of the bar; factor for the swaying velocity of ring and bar
+	double spin, sways; // rad/s: angular velocity of the bar; factor of the swaying velocity of ring and bar
 } Ring;
 
 static const Ring rings[] = {

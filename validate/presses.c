@@ -17,7 +17,7 @@ typedef enum
 static const char* const kinds[KINDS] = {"box", "ball", "capsule"};
 static const char* const rows[KINDS] = {"boxes", "balls", "capsules"};
 
-typedef enum // body that touches the pressed bodies first
+typedef enum // touches the pressed bodies first: press and wall at the same time, the press, or the wall
 {
 	BOTH,
 	PRESS,
@@ -27,7 +27,7 @@ typedef enum // body that touches the pressed bodies first
 static const char* const orders[ORDERS] = {"both at once", "the press first", "the wall first"};
 
 #define DEPTH 0.02 // m: limit of the depth in static bodies, for presses of up to 1 m/s
-#define FAST  0.1  // m: limit for faster presses, which push bodies deeper before the search finds the press
+#define FAST  0.1  // m: limit for faster presses, which push bodies deeper before the solver has found the press
 
 typedef struct
 {
@@ -117,8 +117,8 @@ static void row_of(Validation* v, Kind kind, int count, double speed, int runs)
 	row(v, "fastest afterwards", worst.speed, "m/s", AT_MOST, (count > 1 ? 1.5 : 1.05) * speed);
 }
 
-// A row of bodies buckles between wall and press; then the press is removed at once. In a buckled row a body that is
-// pressed at an angle moves faster than the press, by a factor of one over the tangent of the angle.
+// A row of bodies buckles between wall and press; then the press is removed in one step. A body of a buckled row can
+// move faster than the press, by a factor of 1 / tan(angle); angle: between the row and the push on the body.
 static void buckle(Validation* v, Kind kind, int count, double speed)
 {
 	begin(v, "%d %s in a row that buckles, pressed at %g m/s", count, rows[kind], speed);

@@ -3,8 +3,8 @@
 #include "props.h"
 #include <math.h>
 
-// Returns a surface with this shape. If the shape is invalid, the surface has an empty shape, which engines refuse with
-// a message.
+// Returns a surface with this shape. status: result of the function that made the shape; if it is an error, the surface
+// has an empty shape, which engines refuse with a message.
 static scree_attribute_def surface_of(scree_status status, const scree_shape* shape)
 {
 	scree_attribute_def def = scree_attribute_def_default();

@@ -10,7 +10,7 @@
 
 #define BATCH 100  // number of queries in a call
 #define CALLS 5    // number of calls for a world
-#define SLACK 2e-5 // m: tolerance of distances; grows in proportion to the sum of both reaches if the sum exceeds 10 m
+#define SLACK 2e-5 // m: tolerance of distances; larger if the reaches of shape and probe have a sum above 10 m
 
 typedef struct // the queries of a call; rays are stored as probes with a circle as shape
 {
@@ -45,7 +45,8 @@ static const scree_query_result* find(const scree_query_result* found, int count
 	return NULL;
 }
 
-// Returns the distance between a shape and a point. Far from the origin the point is rounded to floats.
+// Returns the distance from a point to shape k, m; negative inside of the shape. A result point far from the origin has
+// rounding errors of floats.
 static double from_surface(const Scenery* s, int k, scree_vec point)
 {
 	scree_shape dot = {.count = 1};
@@ -181,8 +182,9 @@ static void ask_nearest(const Scenery* s, const Asked* asked, Count* count)
 	}
 }
 
-// Makes many random queries in random sceneries, and prints the number of wrong results. kind: shape of the probes;
-// SCENERY_KINDS: all kinds. `put` executes the queries of a call and checks the results.
+// Makes many random queries in random sceneries, and prints the number of wrong results. kind: shape of the probes, or
+// SCENERY_KINDS for all kinds. place: position of the sceneries, m. `put` executes the queries of a call and checks the
+// results.
 static void ask(Validation* v, const char* name, int kind, bool rays, double place,
                 void (*put)(const Scenery* s, const Asked* asked, Count* count))
 {

@@ -31,8 +31,8 @@ static scree_attribute_def shape_of(int kind, float size)
 	                   : box_of((double)size, (double)size);
 }
 
-// Puts seven bodies of one kind and different sizes side by side on a floor. start: index of the position of the first
-// body in `starts`. Updates *worst.
+// Puts seven bodies of one kind and different sizes side by side on a floor. start: index in `starts` of the
+// position of the first body. Updates *worst with the motions of the bodies.
 static void lie(Validation* v, int kind, int start, int steps, Worst* worst)
 {
 	LabDef def = lab_def();
@@ -77,7 +77,7 @@ static void single(Validation* v, const char* name, int kind)
 
 typedef struct
 {
-	double energy, speed; // maxima in one second: J, mean kinetic energy of a body; m/s, speed of the fastest body
+	double energy, speed; // maxima in one second: mean kinetic energy of a body, J; speed of the fastest body, m/s
 	int fastest;
 } Calm;
 
@@ -148,8 +148,8 @@ static void creep(Validation* v, Lab* lab, int first, int steps)
 	row(v, "creep a minute", 1e3 * most * 3600.0 / steps, "mm", AT_MOST, CREEP);
 }
 
-// Prints the kinetic energy and the speed of the fastest body in the last second before step `until`. Then takes
-// `behind` steps, and prints the creep in these steps and the deepest overlap.
+// Prints the mean kinetic energy and the speed of the fastest body in the last second before step `until`. Then takes
+// `behind` steps, and prints the creep in these steps and the deepest overlap after them.
 static void print_heap(Validation* v, Lab* lab, int first, const char* name, int until, int behind)
 {
 	begin(v, "heap of %d %s after %d steps", lab->count - first, name, until);

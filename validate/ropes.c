@@ -9,7 +9,7 @@
 #define SIDE    2.5   // m: distance of the rope's ends below the middle of the pegs
 #define SPACING 3.0   // m: distance between pegs
 #define MOST    200   // maximum number of links
-#define DAMPING 0.5   // 1/s: without damping, the free sides would swing for long, as pendulums do
+#define DAMPING 0.5   // 1/s: damping of links and boxes; without it the free sides would swing for long, like pendulums
 
 typedef enum
 {
@@ -50,7 +50,7 @@ static Line line_over(Pegs pegs, int count)
 	return line;
 }
 
-// Writes places at equal distances along a line. Returns the number of places.
+// Writes places on a line, each at the same distance from the previous place. Returns the number of places.
 static int places_along(const Line* line, scree_vec* places)
 {
 	int count = 1;
@@ -113,8 +113,8 @@ static int add_rope(Lab* lab, const scree_vec* places, int count, double load)
 	return first;
 }
 
-// Returns the widest gap in the joints of such a rope in Box2D v3, mm: the smallest result with 1 to 4 pegs. load: as
-// for add_rope; the entries are for ratios of at most 5, 20 and 100.
+// Returns the widest gap in the joints of a rope over such pegs in Box2D v3, mm; this is the smallest result with 1 to
+// 4 pegs. load: as for add_rope; the columns are for loads of at most 5, at most 20, and more.
 static double gap_of_box2d(Pegs pegs, double load)
 {
 	static const double gaps[][3] = {{3.4, 6.9, 24.5}, {24.0, 24.0, 48.8}, {13.9, 13.9, 41.9}};

@@ -4,8 +4,8 @@
 #define SCREE_WORLD_H
 #include "engine.h"
 
-// Both functions return the handles of all bodies or joints, and set `count` to their number. The caller frees the
-// list. If memory is short, they print a message and return null.
+// Both functions return the handles of all bodies (list_bodies) or of all joints (list_joints), and set *count to their
+// number. The caller frees the list. If memory is short, they print a message and return null.
 scree_body* list_bodies(const scree_world* world, int* count);
 scree_joint* list_joints(const scree_world* world, int* count);
 

@@ -30,13 +30,13 @@ static const Slider sliders[] = {
 };
 #define SLIDERS (int)(sizeof sliders / sizeof sliders[0])
 
-static const double speeds[] = {1.0, 10.0, 0.5, 2.0, 5.0, 20.0, 40.0, 60.0}; // m/s; with quick only the first two
+static const double speeds[] = {1.0, 10.0, 0.5, 2.0, 5.0, 20.0, 40.0, 60.0}; // m/s; quick runs use only two
 static const double tiles[] = {1.0, 0.25, 0.5, 2.0, 4.0};                    // m: widths of tiles
 
 typedef struct
 {
 	int runs, disturbed;
-	double lost, rise; // largest fraction of the speed that a body lost; m: largest rise of a body
+	double lost, rise; // largest loss of speed of a body, as a fraction of its speed; largest rise of a body, m
 	char lost_where[64], rise_where[64];
 } Slide;
 
@@ -61,8 +61,8 @@ static void watch(Lab* lab, const int* bodies, double half, double speed, double
 	}
 }
 
-// Slides a body over tiles on each track, for all phases and both kinds of start in one world. Each body crosses at
-// least one seam. Updates *slide.
+// Slides a body over tiles on each track, for all phases; in half of the tracks the body has settled before. Each body
+// crosses at least one seam. Updates *slide.
 static void slide_over(Validation* v, const Slider* slider, double speed, double tile, Slide* slide)
 {
 	LabDef def = lab_def();

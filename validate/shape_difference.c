@@ -88,7 +88,7 @@ double difference_distance(const Difference* d, double x, double y)
 
 double difference_least(const Difference* d, double x, double y, double share)
 {
-	double low = 0.0, high = share; // ternary search: the distance is a convex function of the share of the translation
+	double low = 0.0, high = share; // ternary search, because the distance is a convex function of the share
 	for (int k = 0; k < 100; ++k)
 	{
 		double first = low + (high - low) / 3.0, second = high - (high - low) / 3.0;
@@ -109,8 +109,8 @@ typedef struct
 
 static const Entry never = {2.0, {0.0, 0.0}};
 
-// Returns the entry of a path into a circle around a corner. The path begins outside of the circle. `from`: start of
-// the path relative to the center.
+// Returns the first meeting of a path with a circle around a corner; `never` if they do not meet. The path begins
+// outside of the circle. `from`: start of the path relative to the center.
 static Entry enter_circle(Point from, Point path, double radius)
 {
 	double square = dot(path, path), closing = -dot(from, path) / square;
@@ -123,8 +123,8 @@ static Entry enter_circle(Point from, Point path, double radius)
 	return share >= 0.0 && share <= 1.0 ? (Entry){share, at} : never;
 }
 
-// Returns the entry of a path through an edge that is shifted outward by a radius. The outside is to the right of the
-// edge. `from`: start of the path relative to the first corner of the edge.
+// Returns the meeting of a path with an edge that is shifted outward by a radius; `never` if they do not meet. The
+// outside is to the right of the edge. `from`: start of the path relative to the first corner of the edge.
 static Entry enter_edge(Point from, Point path, Point edge, double radius)
 {
 	double length = sqrt(dot(edge, edge)), speed = cross(edge, path) / length, height = cross(edge, from) / length;
@@ -144,7 +144,7 @@ double difference_meeting(const Difference* d, double x, double y, double* margi
 	if (begin <= 0.0)
 		return 0.0;
 	Entry first = never;
-	double left = -INFINITY, right = -INFINITY; // m: distances from the path to the outermost points at its sides
+	double left = -INFINITY, right = -INFINITY; // m: distances from the path to the outermost points left and right
 	for (int k = 0; k < d->count && length > 0.0; ++k)
 	{
 		Point a = corner_of(d, k), edge = minus(corner_of(d, k + 1), a), from = {d->at_x - a.x, d->at_y - a.y};
@@ -155,7 +155,7 @@ double difference_meeting(const Difference* d, double x, double y, double* margi
 		left = fmax(left, -cross(path, from) / length + d->radius);
 		right = fmax(right, cross(path, from) / length + d->radius);
 	}
-	// m: depth of the path's end behind the tangent of the surface at the meeting
+	// m: distance of the end of the path behind the tangent of the surface at the meeting; 0 if there is no meeting
 	double past = -(1.0 - first.share) * dot(first.normal, path);
 	*margin = fmin(fmin(left, right), fmin(past, begin));
 	return first.share;

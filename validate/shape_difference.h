@@ -22,15 +22,16 @@ typedef struct
 // Returns the Minkowski difference of shapes a and b, at the poses at_a and at_b.
 Difference difference_of(const scree_shape* a, scree_pose at_a, const scree_shape* b, scree_pose at_b);
 
-// Returns the distance of the surfaces, m, after shape b is moved by (x, y). The result is finite; if the shapes
-// overlap, it is the depth of the overlap, negative.
+// Returns the distance between the surfaces, m, after shape b is moved by (x, y). The distance is finite. If the shapes
+// overlap, returns minus the depth of the overlap.
 double difference_distance(const Difference* d, double x, double y);
 
 // Returns the share of the translation (x, y) of shape b at which the shapes meet: 0 if they overlap at the start, 2 if
-// they never meet. Writes to *margin, m, the distance by which the path can be moved without losing the meeting.
+// they never meet. Writes to *margin the distance, m, by which the path can be moved without losing the meeting; at
+// most 0 if the shapes never meet.
 double difference_meeting(const Difference* d, double x, double y, double* margin);
 
-// Returns the least distance of the surfaces, m, while shape b moves by this share of the translation (x, y).
+// Returns the minimum distance between the surfaces, m, while shape b moves by this share of the translation (x, y).
 double difference_least(const Difference* d, double x, double y, double share);
 
 #endif

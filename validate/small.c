@@ -14,7 +14,7 @@
 
 static const double sizes[SIZES] = {0.002, 0.003, 0.005, 0.007, 0.01, 0.02}; // m: sizes of bodies
 static const double drops[DROPS] = {0.0, 0.02, 0.1, 0.5, 2.0};               // m: heights of drops
-static const int substeps[] = {4, 1, 2, 8};                                  // per step; quick: only the first two
+static const int substeps[] = {4, 1, 2, 8};                                  // number per step; quick runs use only two
 
 typedef enum
 {
@@ -55,11 +55,11 @@ static void lay_floor(Lab* lab, bool segment)
 typedef struct
 {
 	int through;
-	double speed, overlap; // maxima in the fifth second: m/s, speed; overlap divided by the size
+	double speed, overlap; // maxima in the fifth second: speed, m/s; overlap divided by the size
 } Fall;
 
-// Drops bodies of a kind and size, and updates *worst. parts: number of substeps per step. For circles and capsules,
-// which may roll, only the vertical speed counts.
+// Drops bodies of a kind and size, and updates *worst. parts: number of substeps per step. For circles and capsules
+// only the vertical speed counts, because they may roll.
 static void fall(Validation* v, bool segment, Kind kind, double size, int parts, Fall* worst)
 {
 	LabDef def = lab_def();

@@ -66,8 +66,8 @@ static int add_wheel(Lab* lab, const Wheel* wheel, double x, double y)
 	return first;
 }
 
-// Steps a lab for 5 s (quick: 2 s) and closes it. Checks the widest gap of its joints against the limit most_gap, mm
-// (0: no limit), and the fastest spin after the last step against the limit most_spin, rad/s.
+// Takes steps for 5 s (quick runs: 2 s) and closes the lab. Checks the widest gap of its joints against the limit
+// most_gap, mm (0: no limit), and the fastest spin after the last step against the limit most_spin, rad/s.
 static void watch(Validation* v, Lab* lab, double most_gap, double most_spin)
 {
 	double gap = 0.0, spin = 0.0;
@@ -110,7 +110,7 @@ static void hang(Validation* v, const Wheel* wheel, bool axle, int substeps, dou
 	watch(v, lab, most_gap, most_spin);
 }
 
-// Checks a wheel: with an axle and gravity, or without both.
+// Checks a wheel, either with an axle and gravity or without both. axle: true for the first case.
 static void turn(Validation* v, const Wheel* wheel, bool axle, int substeps)
 {
 	bool rests = !wheel->hinged || !axle;
@@ -118,8 +118,8 @@ static void turn(Validation* v, const Wheel* wheel, bool axle, int substeps)
 }
 
 // Checks wheels of welded spokes on an axle. At ratio 10,000,000 rigid welds yield by decimeters, but the bodies come
-// to rest. The stiffness of a soft weld follows from its hertz and the effective mass of the hub and one spoke.
-// Therefore such a weld yields under the weight of the spoke, in both engines.
+// to rest. The stiffness of a soft weld is computed from its frequency (hertz) and the effective mass of the hub and
+// one spoke. Therefore in both engines a soft weld yields under the weight of the spoke.
 static void trees(Validation* v)
 {
 	for (int parts = 1; parts <= (v->quick ? 1 : 3); ++parts)

@@ -2,9 +2,10 @@
 // springs.c -- checks that soft joints have the frequency and the decay of their definitions, and that welded boxes
 // keep their shape.
 //
-// A body is pushed, and its coordinate x is read after each step. If x obeys x" + 2 z o x' + o^2 x = 0, then x[n + 1] =
-// T x[n] - D x[n - 1]. T is the sum and D the product of e^(l dt) for the two roots l of l^2 + 2 z o l + o^2 = 0. The
-// experiment finds T and D by least squares, and computes frequency and decay from T and D.
+// A body is pushed, and its coordinate x is read after each step. o is its angular frequency and z its damping ratio.
+// If x obeys x" + 2 z o x' + o^2 x = 0, then x[n + 1] = T x[n] - D x[n - 1]. T is the sum and D the product of e^(l dt)
+// for the two roots l of l^2 + 2 z o l + o^2 = 0. The experiment finds T and D by least squares, and computes frequency
+// and decay from T and D.
 #include "props.h"
 #include <math.h>
 
@@ -39,9 +40,9 @@ typedef struct
 	double ratio;            // measured damping ratio
 } Swing;
 
-// Computes frequency, decay and damping ratio from T and D. rate, ratio: expected angular frequency (rad/s) and damping
-// ratio. The values e^(l dt) are the roots of r^2 - T r + D. If the roots are almost equal, only their product D is
-// accurate, which is enough for the decay.
+// Computes frequency, decay and damping ratio from T and D. rate: expected angular frequency, rad/s; ratio: expected
+// damping ratio. The values e^(l dt) are the roots of r^2 - T r + D. If the roots are almost equal, only their product
+// D is accurate, which is enough for the decay.
 static Swing swing_of(double t, double d, double rate, double ratio)
 {
 	Swing s = {1.0, 1.0, 0.0};
@@ -92,7 +93,7 @@ static Swing swing(Validation* v, const Kind* kind, double hertz, double ratio)
 	scree_velocity push = {{turns ? 0.0f : SPEED, turns ? kind->arm * SPEED : 0.0f}, turns ? SPEED : 0.0f};
 	int wall = lab_add(lab, &ground, NULL, 0), body = lab_throw(lab, &bar, x0, -kind->aside, 0.0f, push);
 	double m = (double)lab->masses[body].mass, inertia = (double)lab->masses[body].inertia;
-	// hertz is defined by the effective mass with all coordinates free; here the locked ones make the mass larger
+	// the stiffness is computed from the effective mass with all coordinates free; locked coordinates enlarge this mass
 	double share = inertia / (inertia + m * (double)(kind->arm * kind->arm));
 	share *= inertia / (inertia + m * (double)(kind->aside * kind->aside));
 	scree_joint_def joint = scree_joint_def_make(kind->type);
@@ -125,7 +126,8 @@ static Swing swing(Validation* v, const Kind* kind, double hertz, double ratio)
 	return swing_of((py * qq - qy * pq) / det, (pp * qy - pq * py) / det, rate, ratio * sqrt(share));
 }
 
-// Checks one kind of joint at all frequencies and damping ratios: its largest differences from the expected values.
+// Measures a kind of joint at all frequencies and damping ratios, and checks the largest differences from the expected
+// values.
 static void swings(Validation* v, const Kind* kind)
 {
 	static const double hertz[] = {0.5, 1.0, 2.0, 5.0, 10.0, 20.0}, ratios[] = {0.0, 0.1, 0.5, 1.0, 2.0};

@@ -13,7 +13,7 @@
 
 typedef struct
 {
-	Scenery s; // contains the world; the shapes of a scenery are not used
+	Scenery s; // contains the world of the track; the list of shapes is not used
 	scree_vec corners[SIDES];
 	scree_pose pose;
 } Track;
@@ -45,7 +45,7 @@ static Track track_open(Validation* v, uint64_t* seed, double place)
 	return t;
 }
 
-// Returns the distance of a position from the center of the track, divided by the distance of the track from its center
+// Returns the distance of a position from the center of the track, divided by the distance from the center to the track
 // in the same direction. The result is above 1 outside of the track.
 static double outward(const Track* t, scree_vec at)
 {
@@ -93,7 +93,7 @@ static int cast_out(const Track* t, uint64_t* seed, bool rays)
 }
 
 // Moves movers, each at a new random velocity in each step. Returns the number of movers that are outside of the track
-// at the end.
+// after the last step.
 static int move_about(const Track* t, uint64_t* seed)
 {
 	static scree_mover movers[MOVERS];

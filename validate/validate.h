@@ -5,7 +5,7 @@
 #include "experiment_support.h"
 #include "lab_overlap.h"
 
-typedef struct // run carries out the experiment with the engine of the validation
+typedef struct // `run` executes the experiment with the engine of the validation
 {
 	const char *name, *shows;
 	void (*run)(Validation* v);
@@ -23,8 +23,8 @@ typedef struct // largest value of several runs, and the name of the run with th
 	char at[64];
 } Peak;
 
-// Replaces the stored value by a larger value, or by NaN, which is the value after an engine failed. A stored NaN
-// stays.
+// Replaces the stored value by `value` if this is larger or NaN; an experiment gives NaN after its engine failed. A
+// stored NaN is never replaced. at: name of the run.
 void peak_take(Peak* peak, double value, const char* at);
 
 void validate_heading(FILE* out);

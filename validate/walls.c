@@ -57,7 +57,7 @@ static void close_off(Lab* lab, const scree_attribute_def* barrier, int runs)
 	}
 }
 
-// Returns the number of bodies behind the wall. If there are any, the next row names the first of them.
+// Returns the number of bodies behind the wall. If there are any, the next row names the run of the first of them.
 static int crossed(Lab* lab, const int* bodies, int count, double speed)
 {
 	int through = 0;
@@ -138,7 +138,7 @@ static double opening(int run, int runs) { return 0.1 + 0.4 * run / runs; }
 static void put_wedge(Lab* lab, bool thick, double y, double half)
 {
 	scree_attribute_def side = thick ? box_of(0.01, 2.0) : wall_of(4.0);
-	// angle 0 would make a wall vertical
+	// the angle of a body is 0 if its wall is vertical
 	for (int s = -1; s <= 1; s += 2)
 		lab_put(lab, SCREE_BODY_STATIC, &side, (float)(-2.0 * cos(half)), (float)(y + s * 2.0 * sin(half)),
 		        (float)(s * (1.57079633 - half)));

@@ -8,10 +8,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-// Distance of the fences from the middle half, divided by the size of that half. Tukey uses 3; a larger value keeps
+// Distance of the fences from the middle half, divided by the size of that half. Tukey uses 3. The larger value 5 keeps
 // bodies that slide off a heap in view.
 #define FENCE 5.0f
-#define OTHER 0.1f // minimum size in x or y as a fraction of the size in the other direction: a column has no width
+#define OTHER 0.1f // minimum size in x or y, divided by the size in the other direction; a column has almost no width
 
 typedef struct // sorted coordinates
 {

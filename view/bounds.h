@@ -5,8 +5,9 @@
 #include "scree/scree.h"
 
 // Finds a box around all points except outliers, and moves each side of the box outwards by `reach`, m. A point is an
-// outlier if its distance from the middle half of all points is more than five times the size of that half (at least 2
-// `reach`), in x or in y. Returns false if there are no points, or if memory is short.
+// outlier if its distance from the middle half of all points is more than five times the size of that half, in x or in
+// y. This size counts as at least 2 `reach` and 1/10 of the size in the other direction. Returns false if there are no
+// points, or if memory is short.
 bool bounds_find(const scree_vec* points, int count, float reach, scree_box* box);
 
 // Returns the smallest box around two boxes.

@@ -4,9 +4,9 @@
 #include "scene/viewport.h"
 #include <math.h>
 
-#define CATCHES     0.85f   // fraction of the distance to a followed point that is left after each picture
+#define CATCHES     0.85f   // fraction of the distance to a followed point that remains after each picture
 #define LEAST_SCALE 1.0e-4f // px per metre: minimum; a thumbnail then shows all coordinates up to SCREE_MAX_COORDINATE
-#define LEAST_PART  200.0f  // px: if the free part of the picture is narrower, the whole picture is used
+#define LEAST_PART  200.0f  // px: if the free part of the picture is narrower than this, the whole picture is used
 #define MOST_SCALE  1.0e5f  // px per metre: maximum; a picture then shows a few millimetres
 
 void camera_fit(Camera* camera, scree_box box, int width, int height)

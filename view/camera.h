@@ -14,8 +14,8 @@ typedef struct
 // Fits a whole box into a picture of this size, above the caption, as the pictures of scree run do.
 void camera_fit(Camera* camera, scree_box box, int width, int height);
 
-// Fits a whole box into a part of the picture. left, bottom: px that are not used at the left and at the bottom. The
-// size of the picture does not change. If the part is too narrow, uses the whole width.
+// Fits a whole box into a part of the picture. left, bottom: sizes of the unused strips at the left and at the bottom,
+// px. The size of the picture does not change. If the part is narrower than 200 px, uses the whole width.
 void camera_fit_part(Camera* camera, scree_box box, float left, float bottom);
 
 // Changes the size of the picture. Its middle shows the same point of the world as before.
@@ -27,8 +27,8 @@ void camera_pan(Camera* camera, float x, float y);
 // Magnifies the picture by a factor. Pixel (x, y) shows the same point of the world as before.
 void camera_zoom(Camera* camera, float x, float y, float factor);
 
-// Moves the picture so that `point`, a point of the world that the picture follows, approaches the place at which `to`
-// is displayed. Call it once per picture. behind: remaining vector, m, initially `to` minus `point`; shrinks to 0.
+// Moves the picture so that `point`, a followed point of the world, approaches the pixel at which `to` is displayed.
+// Call it once per picture. behind: vector that remains between the two, m; initially `to` minus `point`; shrinks to 0.
 void camera_follow(Camera* camera, scree_vec point, scree_vec to, scree_vec* behind);
 
 // Returns the point of the world under a pixel.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// contact_loads.c -- sums the contact forces of each body, for the paint by force.
+// contact_loads.c -- sums the contact forces of each body, for the paint that colors bodies by force.
 #include "view/contact_loads.h"
 #include <math.h>
 #include <string.h>
 
 #define WITHIN 0.995f // fraction of the positive forces that the range includes
-#define IDLE   4.0f   // a range becomes smaller if it is more than IDLE times as large as needed
+#define IDLE   4.0f   // a range is made smaller if it is more than IDLE times as large as needed
 #define BINS   2048   // number of bins, by the upper 12 bits of a float, whose sign is 0: 8 bins for each power of two
 
 void loads_sum(const scree_contact* contacts, int contact_count, float substep, float* forces, int count)

@@ -45,8 +45,8 @@ static scree_vec placed(scree_pose pose, float x, float y)
 	return (scree_vec){pose.position.x + q.c * x - q.s * y, pose.position.y + q.s * x + q.c * y};
 }
 
-// Adds the arc of a rounded corner. start: direction of the first normal, rad; angle: from the first normal to the
-// next, rad.
+// Adds the arc of a rounded corner. start: direction of the normal at the start of the arc, rad; angle: from this
+// normal to the normal at the end, rad.
 static void mark_arc(Strokes* strokes, const scree_shape* shape, scree_pose pose, int corner, float start, float angle,
                      Color color)
 {

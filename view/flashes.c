@@ -89,7 +89,8 @@ static void add_kind(Flashes* flashes, const Kind* kind, scree_box box, double n
 	}
 }
 
-// Computes the point at which a joint holds its body B, m. Returns false if the joint or the body does not exist.
+// Computes the point at which a joint is attached to its body B, m, in the world. Returns false if the joint or the
+// body does not exist.
 static bool anchor_of(scree_world* world, scree_joint joint, scree_vec* at)
 {
 	scree_joint_def def;
@@ -112,7 +113,7 @@ static void add_breaks(Flashes* flashes, scree_world* world, const scree_events*
 		scree_vec at;
 		if (!events->joints[k].broken)
 			continue;
-		bool room = added < MOST; // limits the number of calls of anchor_of, which reads one pose
+		bool room = added < MOST; // limits the calls of anchor_of, each of which reads a pose
 		if (room && (!anchor_of(world, events->joints[k].joint, &at) || !in_view(box, at)))
 			continue;
 		++flashes->seen;

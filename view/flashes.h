@@ -18,7 +18,7 @@ typedef struct
 {
 	Flash* list; // the oldest flash first
 	int count, capacity;
-	int seen, left_out; // number of events of the last step in view; number of those that are not drawn
+	int seen, left_out; // number of events of the last step in view; number of these events without a flash
 } Flashes;
 
 void flashes_close(Flashes* flashes);

@@ -6,7 +6,7 @@
 #include "view/offscreen.h"
 #include "view/renderer.h"
 
-// Reads the current framebuffer into the canvas. Both have the same size.
+// Reads the current framebuffer into the canvas, which must have the same size.
 void gl_picture_read(Canvas* canvas);
 
 // Writes the legend of the paint, the title and the caption over a picture.

@@ -4,7 +4,8 @@
 #define GRAB_H
 #include "view/render_tables.h"
 
-// defaults for members of Grab that are 0; with these, the spring pulls a body, but does not push it through others
+// Default values for members of Grab that are 0. With these values the spring pulls a body, but does not push it
+// through other bodies.
 #define GRAB_HARDEST 1000.0f
 #define GRAB_HERTZ   5.0f
 #define GRAB_DENSITY 1.0f
@@ -30,7 +31,7 @@ typedef struct
 // if there is no such body.
 bool grab_reach(Grab* grab, const RenderTables* tables);
 
-// Finds the dynamic body under the cursor, and creates the joint. Returns false if there is no such body.
+// Finds the dynamic body under the cursor, and creates the joint that holds it. Returns false if there is no such body.
 bool grab_pick(Grab* grab, const RenderTables* tables);
 void grab_release(Grab* grab);
 bool grab_holds(const Grab* grab);
@@ -44,8 +45,8 @@ scree_status grab_pull(Grab* grab);
 // Sets *anchor to the current position of the point at which the body is held, m.
 scree_status grab_anchor(Grab* grab, scree_vec* anchor);
 
-// Adds a body of about this size (m) at the cursor, with the velocity of the cursor. Successive calls add a ball, a box
-// and a capsule in turn.
+// Adds a body with a size of about `size`, m, at the cursor, with the velocity of the cursor. Successive calls add a
+// ball, a box and a capsule in turn.
 scree_status grab_launch(Grab* grab, float size);
 
 #endif

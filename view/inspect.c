@@ -58,7 +58,7 @@ static bool same_attribute(const scree_attribute_def* a, const scree_attribute_d
 	return same;
 }
 
-// Returns the name of the scene's attribute that equals the collidable's attribute; empty if there is none.
+// Returns the name of an attribute of the scene that equals the attribute of the collidable; empty if there is none.
 static const char* attribute_name(const Inspected* inspected, const Scene* scene, const scree_world* world)
 {
 	scree_attribute attribute;
@@ -72,8 +72,8 @@ static const char* attribute_name(const Inspected* inspected, const Scene* scene
 	return "";
 }
 
-// Sets the name of the inspected body or collidable. The bodies of a scene file have the first indices, in the order of
-// the file.
+// Sets the name of the inspected body or collidable. The bodies of a scene file have the first body indices, in the
+// order of the file.
 static void find_name(Inspected* inspected, const Scene* scene, const scree_world* world)
 {
 	uint32_t index = inspected->body.index;

@@ -9,10 +9,10 @@ typedef struct
 {
 	scree_collidable collidable; // null: nothing is inspected
 	scree_body body;             // body of the collidable; null if the collidable has no body
-	char name[64];               // such as "brick 3" or "stone of body 12", by names of the scene
+	char name[64];               // text such as "brick 3" or "stone of body 12", from names in the scene
 	bool gone;                   // true if the collidable was destroyed; the numbers are those of the last reading
 
-	scree_body_def def; // `def` to `shapes`: valid if there is a body
+	scree_body_def def; // the members from `def` to `shapes` are valid if there is a body
 	scree_mass mass;
 	int contacts;           // number of contacts of the body
 	float force;            // N: sum of the normal forces of at most CONTACTS contacts of the body

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #define MOST  200000 // maximum number of drawn joints: reading a joint takes 0.2 us, and a frame must stay short
-#define LEAST 1.2f   // px: anchors whose dot would have a smaller radius have no dot
+#define LEAST 1.2f   // px: anchors whose dot would have a radius below this value have no dot
 
 static const Color loaded = {214, 40, 30};
 

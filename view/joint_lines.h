@@ -14,7 +14,7 @@ typedef struct
 	int first, last;   // range of the indices of bodies that have joints
 	scree_joint* joints;
 	scree_joint_state* states;
-	float largest; // N: largest force of any joint
+	float largest; // N: largest force in any joint of the list
 } JointLines;
 
 // Lists the joints of the world of `tables`. If there are too many to read in each frame, the list is empty. Returns
@@ -25,11 +25,11 @@ void joint_lines_close(JointLines* lines);
 // Reads poses and forces, and removes joints that broke or were destroyed from the list.
 scree_status joint_lines_update(JointLines* lines, const RenderTables* tables);
 
-// Adds strokes for the joints in view: lines, and dots at their anchors. A joint is omitted if its line is shorter than
-// Style.detail pixels and its dots would be too small.
+// Adds strokes for the joints in view: lines, and dots at their anchors. Omits a joint if its line is shorter than
+// Style.detail pixels and its dots would be too small to draw.
 void joint_lines_mark(const JointLines* lines, Strokes* strokes, const Camera* camera, const Style* style);
 
-// Returns the color of a joint. share: square root of (its force / the largest force).
+// Returns the color of a joint. share: square root of (force of the joint / largest force of all joints).
 Color joint_color(float share, bool dark);
 
 #endif

@@ -8,7 +8,7 @@
 #define IMPULSE 60.0f // px: maximum length of the line of the largest impulse in view
 #define FEW     4.0f  // px: minimum length of the line of the largest impulse in view
 #define DENSE   20.0f // px: lines have no rims if the line of the largest impulse is shorter than this
-#define LONG    1.6f  // length of the line of the largest impulse, in reaches of a typical body, within FEW and IMPULSE
+#define LONG    1.6f  // length of the line of the largest impulse, divided by the reach of a typical body
 #define HALO    2.6f  // px: additional width of the rims of lines
 
 static const Color red = {187, 53, 44}, pale = {232, 150, 140}, slate = {52, 62, 80}, mist = {206, 214, 228};
@@ -16,7 +16,7 @@ static const Color red = {187, 53, 44}, pale = {232, 150, 140}, slate = {52, 62,
 // a dark line with a light rim is visible on bodies of all colors
 static const Color core = {38, 20, 58}, halo = {255, 250, 235};
 
-// Returns a darker color, because a dot is small and needs more contrast than a body.
+// Returns a darker color than `color`, because a dot is small and needs more contrast than a body.
 static Color darker(Color color)
 {
 	return (Color){(uint8_t)(color.r * 3 / 4), (uint8_t)(color.g * 3 / 4), (uint8_t)(color.b * 3 / 4)};

@@ -5,7 +5,7 @@
 #include "view/stroke.h"
 #include "view/style.h"
 
-// Adds strokes for the contacts in view. size is the reach of a typical body, m.
+// Adds strokes for the contacts in view. size: reach of a typical body, m.
 void mark_contacts(Strokes* strokes, const scree_contact* contacts, int count, const Camera* camera, const Style* style,
                    float size);
 

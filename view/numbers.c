@@ -20,7 +20,7 @@ static void add(Numbers* numbers, const char* format, ...)
 	va_end(values);
 }
 
-// Adds a line with a value of body_values.def. Its label is the name with spaces in place of underscores.
+// Adds a line with a value of body_values.def. The label of the line is the name with spaces in place of underscores.
 static void add_value(Numbers* numbers, const char* name, float value)
 {
 	char label[NUMBER_TEXT];

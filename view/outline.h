@@ -4,7 +4,7 @@
 #define OUTLINE_H
 #include "view/stroke.h"
 
-// Adds the outline of a shape at a pose; width in px.
+// Adds the outline of a shape at a pose. width: line width, px.
 void outline_mark(Strokes* strokes, const scree_shape* shape, scree_pose pose, const Camera* camera, float width,
                   Color color);
 

@@ -74,8 +74,8 @@ bool paint_tables_fill_forces(RenderTables* tables, const scree_contact* contact
 	return good;
 }
 
-// Stores the positions of bodies that have no starting place. For the new bodies of a scene that replaces bodies, this
-// is the position at the first call after the replacement.
+// Stores the current positions of those bodies that have no starting place. For the new bodies of a scene that replaces
+// bodies, this is the position at the first call after the replacement.
 static scree_status find_new_starts(RenderTables* tables)
 {
 	bool misses = false;

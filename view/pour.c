@@ -8,7 +8,7 @@
 #define LARGE   4.0f      // maximum reach of poured bodies, divided by the reach of a typical body
 #define APART   2.05f     // minimum distance between poured bodies, divided by the reach of a typical body
 #define TURN    2.399963f // rad: golden angle, between successive places; its multiples cover all directions evenly
-#define SHARE   0.618034f // increase of (distance / radius)^2 from place to place, modulo 1; covers the disc evenly
+#define SHARE   0.618034f // increase of (distance / radius)^2 from place to place, modulo 1; covers the disk evenly
 
 static const Color water = {52, 116, 178};
 
@@ -18,7 +18,7 @@ typedef struct
 	float reach; // m: reach of the shape
 } Sample;
 
-// Fills a sample from a body, and returns true, if the body is dynamic and has one shape, which is not a sensor.
+// If a body is dynamic and has one shape, which is not a sensor, fills a sample from it and returns true.
 static bool take_sample(const scree_world* world, scree_body body, Sample* sample)
 {
 	scree_body_type type;
@@ -83,11 +83,11 @@ scree_status pour_begin(Pour* pour, scree_world* world)
 
 void pour_end(Pour* pour) { pour->on = false; }
 
-// Returns the radius of the disc in which bodies are poured, m.
+// Returns the radius of the disk in which bodies are poured, m.
 static float radius_of(const Pour* pour) { return APART * pour->size * sqrtf((float)pour->rate); }
 
-// Chooses at most Pour.rate places on the disc, more than APART typical reaches away from each other. Returns their
-// number.
+// Chooses at most Pour.rate places in the disk. The distance between any two is more than APART times the typical
+// reach. Returns the number of places.
 static int choose_places(const Pour* pour, scree_vec middle, scree_probe* probes)
 {
 	float radius = radius_of(pour);

@@ -2,11 +2,11 @@
 // ramp.c -- computes color ramps, the colors of numbers, for shaders and legends.
 #include "view/ramp.h"
 
-// from blue at rest over yellow to red
+// from blue for bodies at rest over yellow to red for fast bodies
 static const Color speeds[] = {{84, 115, 168}, {227, 184, 97}, {204, 71, 56}};
 
-// the lightness rises, so that the ramp is readable in gray and with color blindness; the color at the end contrasts
-// with dark and with light backgrounds
+// The lightness rises, so that the ramp is readable in gray and with color blindness. The color at the end contrasts
+// with dark and with light backgrounds.
 static const Color forces[] = {{66, 70, 104}, {120, 64, 128}, {190, 70, 106}, {234, 114, 70}, {255, 201, 92}};
 
 // hues that are easy to distinguish, with about the same lightness

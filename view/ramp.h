@@ -4,14 +4,14 @@
 #define RAMP_H
 #include "view/style.h"
 
-#define RAMP_COLORS 17 // an odd number, so that one color is in the middle; row.glsl uses the same number
+#define RAMP_COLORS 17 // number of colors; odd, so that one color is in the middle; row.glsl uses the same number
 
-// Sets `colors` to the ramp of a paint, at equal distances from 0 to 1; for the paint by starting place, from left to
-// right. Returns false for a paint without a ramp.
+// Sets `colors` to the ramp of a paint, at equal steps from value 0 to value 1. In the paint by starting place the
+// value is the position from left to right. Returns false for a paint without a ramp.
 bool ramp_of(Paint paint, Color colors[RAMP_COLORS]);
 
-// Return the color of a starting place at the bottom (ramp_low) and at the top (ramp_high). color: its color in the
-// ramp.
+// Return the color of a starting place at the bottom (ramp_low) or at the top (ramp_high) of the scene. color: color of
+// its position from left to right, from the ramp.
 Color ramp_low(Color color);
 Color ramp_high(Color color);
 

@@ -9,7 +9,7 @@
 #define TEXELS 9   // texels per attribute, as in row.glsl and body.frag
 #define SIZES  256 // maximum number of shapes that are examined to find the typical size
 
-// Returns true if a shape is an axis-aligned rectangle. For these the shader has a faster computation of the distance.
+// Returns true if a shape is an axis-aligned rectangle, for which the shader computes the distance faster.
 static bool is_upright(const scree_shape* shape)
 {
 	if (shape->count != 4)

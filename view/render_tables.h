@@ -11,7 +11,7 @@
 typedef struct
 {
 	scree_world* world;
-	scree_attribute_def* attributes; // array index: index of the handle; an unused entry has shape.count 0
+	scree_attribute_def* attributes; // definitions by the index of the handle; an unused entry has shape.count 0
 	int* color_of;                   // palette entry of each attribute; -1: no entry
 	int attribute_count;
 	int* row_attributes; // attribute of each row; -1: no attribute
@@ -23,8 +23,8 @@ typedef struct
 	SensorMarks sensors;
 	Starts starts;     // starting places of the bodies; kept until the world is replaced
 	float size;        // m: median reach of the shapes of dynamic bodies; 0 if there are none
-	float density;     // kg/m^2: density of the shape with this reach
-	float force_range; // N: force at the end of the ramp; 0: no force was shown yet
+	float density;     // kg/m^2: density of the shape that has the median reach
+	float force_range; // N: force at the end of the color ramp; 0 before the first force is shown
 	TexelArray attribute_texture, kinds, velocities, graph, marks, shares;
 } RenderTables;
 

@@ -16,7 +16,7 @@
 typedef struct
 {
 	Pass body, splat, box, velocity, center;
-	unsigned one_each, four_each; // vertex arrays with one vertex per row; with one instance of four vertices per row
+	unsigned one_each, four_each; // vertex arrays: one vertex per row; four vertices per row, as an instance
 	Strokes strokes, under;       // strokes over the bodies; strokes under the bodies
 	RenderTables tables;
 	Lod lod;

@@ -5,11 +5,10 @@
 #include "scene/scan.h"
 #include "view/stroke.h"
 
-// Casts the rays in view. If there are more than `most`, casts a selection of at most this number.
+// Casts the rays in view. If there are more than `most`, casts at most `most` of them.
 scree_status scan_lines_update(Scan* scan, scree_world* world, const Camera* camera, int most);
 
-// Adds strokes: to `under`, which is drawn under the bodies, the rays; to `over`, which is drawn over the bodies, dots
-// at the hits.
+// Adds the rays to `under`, which is drawn under the bodies, and dots at the hits to `over`, which is drawn over them.
 void scan_lines_mark(const Scan* scan, Strokes* under, Strokes* over, const Camera* camera);
 
 #endif

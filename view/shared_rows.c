@@ -166,7 +166,7 @@ scree_status share_update(Share* share)
 	status = scree_world_write_render_rows(share->world, &share->count);
 	if (status == SCREE_ERROR_INVALID)
 	{
-		// the world moved to another device and back, which ended the sharing
+		// the world has moved to another device and back, which ends the sharing
 		make_buffer(share);
 		status = share->how == SCREE_SHARING_COPIED ? copy(share)
 		                                            : scree_world_write_render_rows(share->world, &share->count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// start_places.c -- stores the starting places of bodies, for the paint by starting place.
+// start_places.c -- stores the starting places of bodies, for the paint that colors bodies by starting place.
 #include "view/start_places.h"
 #include "scene/viewport.h"
 #include <stdlib.h>

@@ -32,7 +32,7 @@ void strokes_add(Strokes* strokes, scree_vec a, scree_vec b, float width, Color 
 // Adds a stroke whose opacity changes from `begin` at endpoint a to `end` at endpoint b, both 0 to 255.
 void strokes_fade(Strokes* strokes, scree_vec a, scree_vec b, float width, Color color, int begin, int end);
 
-// Adds a circle around a point; diameter and line width in px.
+// Adds a circle around a point. diameter: px; width: line width, px; opacity: 0 to 255.
 void strokes_ring(Strokes* strokes, scree_vec at, float diameter, float width, Color color, int opacity);
 
 // Draws all strokes and removes them.

@@ -38,7 +38,7 @@ typedef struct
 	Paint paint;
 	bool layers[LAYERS];
 	bool graph;   // true: contact points are drawn in the graph color of their contact
-	float detail; // px: smaller bodies are drawn as splats, shorter joints are omitted; 1, or 4 if OpenGL is slow
+	float detail; // px: bodies of less reach are splats, shorter joints are omitted; 1, or 4 if OpenGL is slow
 	int rays;     // maximum number of rays of the scene that are drawn
 	bool dark;    // true: dark background
 } Style;

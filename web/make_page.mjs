@@ -17,7 +17,7 @@ const { scenes: list } = JSON.parse(readFileSync(join(source, 'web/start.json'),
 
 const readScene = (name) => JSON.parse(readFileSync(join(source, 'scenes', `${name}.json`), 'utf8'));
 
-// Returns those data of a scene that the page needs before it loads the scene file.
+// Returns the data of a scene that the page needs before it loads the scene file.
 function describe({ name, set = {} }) {
 	const scene = readScene(name);
 	const parameters = Object.entries(scene.parameters ?? {}).map(([key, entry]) => {

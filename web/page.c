@@ -147,7 +147,7 @@ EMSCRIPTEN_KEEPALIVE bool page_step(uint32_t down)
 	                                                (double)page.player.steps * (double)page.scene->dt)));
 }
 
-// Returns the last error of a tool in the steps since the previous call; empty if there was no error.
+// Returns the last error of a tool in a step since the previous call; empty if there was no error.
 EMSCRIPTEN_KEEPALIVE const char* page_told(void)
 {
 	snprintf(page.text, sizeof page.text, "%s", page.told);

@@ -25,10 +25,10 @@ typedef struct
 	Camera camera;
 	Style style;
 	Inspected hovered, selected;
-	bool follows;            // true if the selected body is followed: it moves to the middle and stays there
-	scree_vec behind;        // m: vector from the followed body to the middle; shrinks to 0
+	bool follows;            // true if the picture follows the selected body, which moves to the middle and stays there
+	scree_vec behind;        // m: vector from the followed body to the middle of the picture; shrinks to 0
 	char sentence[SENTENCE]; // error of the last call
-	char told[SENTENCE];     // last error of a tool in a step that was taken; empty if there was no error
+	char told[SENTENCE];     // last error of a tool in the steps since the last report to the page; empty: no error
 	char text[4096];         // text result of the last call
 	double numbers[24];
 } Page;

@@ -69,7 +69,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_selected(bool few)
 	return join_lines(&numbers);
 }
 
-// Appends to page.text, which has this length. Returns the new length.
+// Appends formatted text to page.text. length: current length of page.text. Returns the new length.
 static size_t write(size_t length, const char* format, ...) __attribute__((format(printf, 2, 3)));
 static size_t write(size_t length, const char* format, ...)
 {
@@ -89,8 +89,8 @@ static size_t write_colors(size_t length, const char* name, const Color* colors,
 	return write(length, "]");
 }
 
-// Returns a legend as JSON, for the colors of joints if `joints` is true, else of bodies; empty if there is no such
-// legend.
+// Returns a legend as JSON, for the colors of joints if `joints` is true, else for the colors of bodies; empty if there
+// is no such legend.
 EMSCRIPTEN_KEEPALIVE const char* page_legend(bool joints)
 {
 	Legend legend;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// page_picture.c -- draws the picture of the page, and sets its content and its style. Coordinates are px of the
-// picture, from its upper left corner, or m.
+// page_picture.c -- draws the picture of the page, and sets its content and its style. Coordinates are px, from the
+// upper left corner of the picture, or m in the world, where a comment says so.
 #include "scene/scan_picture.h"
 #include "view/blast_tool.h"
 #include "web/page.h"
@@ -65,7 +65,7 @@ EMSCRIPTEN_KEEPALIVE void page_style(int paint, uint32_t layers, bool slow, bool
 	page.style.rays = slow ? SLOW_RAYS : RAYS_DRAWN;
 }
 
-// Adds a line from the pointer to the point at which it holds a body.
+// Adds a line from the pointer to the point at which the pointer holds a body.
 static void draw_grab(void)
 {
 	scree_vec anchor;
@@ -91,13 +91,13 @@ EMSCRIPTEN_KEEPALIVE void page_mark_arrow(float x, float y, float to_x, float to
 		            THREAD_COLOR, 220);
 }
 
-// Adds a ring at (x, y) to the next picture. diameter: m; opacity: 0 to 255.
+// Adds a ring at (x, y), m, to the next picture. diameter: m; opacity: 0 to 255.
 EMSCRIPTEN_KEEPALIVE void page_mark_ring(float x, float y, float diameter, int opacity)
 {
 	strokes_ring(&page.renderer.strokes, (scree_vec){x, y}, diameter * page.camera.scale, 3.0f, THREAD_COLOR, opacity);
 }
 
-// Adds two circles of an explosion at (x, y) to the next picture, with the radius (px) and with twice the radius.
+// Adds two circles of an explosion at (x, y), m, to the next picture, with the radius (px) and with twice the radius.
 EMSCRIPTEN_KEEPALIVE void page_mark_blast(float x, float y, float radius)
 {
 	blast_mark(&page.renderer.strokes, (scree_vec){x, y}, radius);

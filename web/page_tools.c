@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // page_tools.c -- tools of the page's visitor: drag bodies, throw and pour new bodies, set off explosions.
 //
-// Coordinates are m of the world. The same calls before the same steps therefore give the same world, and the camera of
-// the picture has no effect on the world.
+// Coordinates are in metres, in the frame of the world, not of the picture. So the same calls before the same steps
+// give the same world, and the camera has no effect on it.
 #include "view/blast_tool.h"
 #include "web/page.h"
 
@@ -81,7 +81,7 @@ EMSCRIPTEN_KEEPALIVE bool page_throw(float x, float y, float vx, float vy, float
 	return good;
 }
 
-// Pushes bodies away from a point. Bodies within half of `radius` (m) get the whole impulse (N s per metre of width);
+// Pushes bodies away from a point. Bodies within half of `radius` (m) get the whole `impulse`, N s per metre of width;
 // bodies beyond `radius` get no impulse.
 EMSCRIPTEN_KEEPALIVE bool page_blast(float x, float y, float radius, float impulse)
 {

@@ -2,7 +2,7 @@
 // serve.mjs -- serve.mjs FOLDER [PORT] [plain]: serves a folder on this machine over HTTP, with the headers that a page
 // needs for threads.
 //
-// plain omits the headers, as most static hosts do.
+// `plain` omits these headers, as most static hosts do.
 import { createServer } from 'node:http';
 import { createReadStream, statSync } from 'node:fs';
 import { extname, join, normalize } from 'node:path';

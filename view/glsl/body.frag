@@ -4,7 +4,7 @@ uniform float scale; // px per metre
 uniform float line;  // px: width of rims
 
 flat in int texel;
-// the vertex shader computes these values: here, software renderers would fetch texels in all branches
+// The vertex shader computes these values, because here software renderers would fetch their texels in all branches.
 flat in vec4 frame;
 flat in vec3 shape;
 flat in vec4 ends;
@@ -29,8 +29,8 @@ float segment_distance(vec2 p, vec2 a, vec2 b)
 	return length(p - a - ab * clamp(dot(p - a, ab) / dot(ab, ab), 0.0, 1.0));
 }
 
-// Returns the distance from the hull of the vertices, px. For a point inside, it is minus the distance from the nearest
-// edge.
+// Returns the distance of a point from the hull of the vertices, px. For a point inside of the hull, returns minus the
+// distance from the nearest edge.
 float hull_distance(vec2 p, int count)
 {
 	vec2 a = last;

@@ -1,16 +1,16 @@
 // body.vert -- places a rectangle around a shape; body.frag draws the shape in the rectangle.
-uniform float least; // px: shapes with a smaller reach are splats
+uniform float least; // px: shapes with a reach below this value are drawn as splats
 
 flat out int texel; // first texel of the attribute
-flat out vec4 frame; // px: center x, y and half width, half height of the rectangle around the shape
-flat out vec3 shape; // radius (px), number of vertices, 1 for an axis-aligned rectangle, 2 for a segment
+flat out vec4 frame; // px: rectangle around the shape; x, y: center; z, w: half width and half height
+flat out vec3 shape; // x: radius (px); y: number of vertices; z: 1 for an upright rectangle, 2 for a segment, else 0
 flat out vec4 ends;  // px: the first two vertices
 flat out vec2 last;  // px: the last vertex
 flat out vec3 color;
 flat out float reach; // px: reach of the shape
 flat out int hollow;
 flat out float tint; // opacity of the interior of a hollow shape
-flat out float bold; // factor of the width of the outline
+flat out float bold; // width of the outline, divided by its usual width
 out vec2 local; // px, in the frame of the shape
 
 void main()

@@ -1,5 +1,5 @@
 // center.vert -- places a dot at the center of mass of a dynamic body; stroke.frag draws the dot.
-flat out vec2 stroke; // px: half the length, which is 0; half the width
+flat out vec2 stroke; // px; x: half the length, which is 0; y: half the width
 flat out float ring;
 flat out vec4 color;
 flat out float fade;

@@ -1,24 +1,24 @@
 // row.glsl -- the beginning of every shader of rows: declares a row, and the tables of render_tables.h.
-layout(location = 0) in vec4 pose;   // x, y (m), cosine, sine
-layout(location = 1) in vec2 center; // vector from x, y to the center of mass, m
-layout(location = 2) in ivec2 name;  // index of the attribute, -1: no collidable; index of the body, -1: no body
+layout(location = 0) in vec4 pose;   // x, y: position (m); z, w: cosine and sine of the angle
+layout(location = 1) in vec2 center; // vector from the position to the center of mass, m
+layout(location = 2) in ivec2 name;  // x: attribute, -1 without a collidable; y: body, -1 without a body
 
 uniform vec4 view;   // x, y: middle of the picture (m); z, w: clip units per metre
 uniform float scale; // px per metre
 uniform int paint;   // position of the paint in paints.def, from 0
 uniform vec3 palette[64]; // colors for graph colors
 uniform vec3 ramp[17];    // colors of the paint, as in ramp.h
-uniform vec3 types[2];    // colors of kinematic and dynamic bodies
-uniform vec3 still;       // color of bodies that are not dynamic
+uniform vec3 types[2];    // colors of kinematic and dynamic bodies in the paint by type
+uniform vec3 still;       // color of bodies that are not dynamic; in the paint by type only of static bodies
 uniform vec3 glass;       // color of collidables without a body
 uniform vec3 ink;         // color of marks over bodies
 uniform int first;        // first row that is drawn
-uniform int marked;       // number of rows in the table marks
+uniform int marked;       // number of rows in the table `marks`
 
 uniform sampler2D table;      // attributes, 9 texels for each (TEXELS of render_tables.c)
 uniform usampler2D kinds;     // per body: type plus 4 times the shade
 uniform usampler2D graph;     // per body: highest graph color of its contacts; 255 for no contact
-uniform sampler2D shares;     // per body: square root of (force / force_range), or starting place; each from 0 to 1
+uniform sampler2D shares;     // per body, 0 to 1: square root of (force / force_range); or x, y of the starting place
 uniform sampler2D velocities; // per body: velocity, m/s
 uniform usampler2D marks;     // per row: mark, with the bits of sensor_marks.h
 uniform int sensors;              // 1: sensors are shown
@@ -53,7 +53,8 @@ vec3 start_color(vec2 place)
 	return mix(hue * 0.55, mix(vec3(1.0), hue, 0.6), place.y);
 }
 
-// Returns a color of the attribute: its first color (place 0), its middle color (1), its last color (2), or a mixture.
+// Returns a color of the attribute: its first color for place 0, its middle color for 1, its last color for 2, and a
+// mixture of two colors for places between these. middle: the middle color.
 vec3 shade_color(vec3 middle, float place)
 {
 	vec3 end = texelFetch(table, cell(9 * name.x + (place < 1.0 ? 7 : 8)), 0).rgb;

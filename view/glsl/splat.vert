@@ -1,10 +1,10 @@
 // splat.vert -- places a small shape as a point, drawn as a square with the area of the shape.
 uniform bool coarse; // true: the square covers whole pixels
-uniform float least; // px: shapes with a larger reach are not splats
+uniform float least; // px: shapes with at least this reach are not drawn as splats
 uniform vec2 size;   // size of the picture, px
 
 flat out vec3 color;
-flat out vec3 square; // px: center x, y and half the side of the square
+flat out vec3 square; // px: the square; x, y: center; z: half of its side
 
 void main()
 {

@@ -1,6 +1,6 @@
 // velocity.vert -- places a line from the center of mass to the position that it reaches in 0.15 s at its current
 // velocity.
-flat out vec2 stroke; // px: half the length, half the width
+flat out vec2 stroke; // px; x: half the length; y: half the width
 flat out float ring;
 flat out vec4 color;
 flat out float fade;

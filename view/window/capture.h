@@ -30,13 +30,13 @@ void capture_draw(Capture* capture, Renderer* renderer, const Share* share, cons
 // Reads the back buffer of the window into the picture.
 void capture_window(Capture* capture);
 
-// Writes the picture to a file; if `path` is null, to a new file scree-N.png in the current folder. Writes a sentence,
-// which names the file or the error, and returns whether the file was written.
+// Writes the picture to a file; if `path` is null, to a new file scree-N.png in the current folder. Writes a sentence
+// that names the file or the error. Returns false on failure.
 bool capture_save(Capture* capture, const char* path, char* sentence);
 
 // Begins a video in a new file scree-N.mp4. Returns false and writes a sentence on failure.
 bool capture_begin(Capture* capture, char* sentence);
-// Adds the picture to the video for each frame that is due at Capture.seconds: zero, one or several times.
+// Adds the picture to the video for each frame that is due at Capture.seconds; adds it zero, one or several times.
 bool capture_frame(Capture* capture);
 // Ends the video, if one is recorded. Writes a sentence, which names the file or the error. Returns false on failure.
 bool capture_end(Capture* capture, char* sentence);

@@ -4,7 +4,8 @@
 #include "view/window/viewer.h"
 #include <string.h>
 
-// Returns the index of the world's device in the list of devices; if the user selected "auto", the length of the list.
+// Returns the index of the world's device in the list of devices. If the user selected "auto", returns the length of
+// the list.
 static int find_chosen(const Session* session)
 {
 	const char* chosen =

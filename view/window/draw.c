@@ -16,7 +16,7 @@
 
 static const Color thread = {187, 53, 44};
 
-// Adds a line from the cursor to the point at which it holds a body.
+// Adds a line from the cursor to the point at which the cursor holds a body.
 static void draw_grab(Viewer* v)
 {
 	scree_vec anchor;

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FIRST_EDITING   256 // first key of GLFW that is not a letter: enter, backspace, arrows, ...
+#define FIRST_EDITING   256 // first key of GLFW that writes no character: enter, backspace, arrows, ...
 #define FIRST_MODIFYING 340 // first modifier key of GLFW: shift, control, alt; modifier keys are combined with letters
 
 static bool edits(const WindowEvent* event) { return event->key >= FIRST_EDITING && event->key < FIRST_MODIFYING; }

@@ -29,8 +29,8 @@ typedef struct
 	bool edited, moved, typed, pressed; // kinds of events that were taken in this frame
 } Events;
 
-// Adds an event. A cursor move replaces the pending cursor move directly before it. If memory is short, the event is
-// lost.
+// Adds an event. A cursor move directly after a pending cursor move replaces that move. If memory is short, the event
+// is lost.
 void events_add(Events* events, WindowEvent event);
 
 // Begins a frame: removes events that were taken in the last frame, so that events_take can take pending events.
@@ -40,8 +40,8 @@ void events_begin(Events* events);
 // frame.
 //
 // The panel reads the state of keys and mouse once per frame. So a frame has at most one event of a key that edits
-// text, and no letter after such an event. A button event is the last event of its frame, and no cursor move precedes
-// it in this frame.
+// text, and no letter after such an event. A button event is the last event of its frame; no cursor move, letter or
+// editing key precedes it in this frame.
 bool events_take(Events* events, WindowEvent* event);
 
 // Returns true if the queue is not empty.

@@ -6,7 +6,7 @@
 #include "view/window/panel.h"
 #include <stdlib.h>
 
-#define FAR 3.0f // maximum distance of the shown box from the scene's view, in widths and heights of the view
+#define FAR 3.0f // maximum distance of the shown box from the view in the scene file, in widths or heights of the view
 
 static void fit(Viewer* v, scree_box box)
 {

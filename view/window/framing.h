@@ -11,7 +11,8 @@ void eye_fit_scene(Viewer* viewer);
 // Shows a box around most dynamic bodies, without outliers. If the scene file has a view, also shows this view.
 void eye_fit_bodies(Viewer* viewer);
 
-// Starts to follow the selected body or, if a body is followed, stops. Returns false if there is no body to follow.
+// Starts to follow the selected body or, if a body is already followed, stops following it. Returns false if there is
+// no body to follow.
 bool eye_follow(Viewer* viewer);
 
 // Stops following a body and fitting a box, because the user has moved the picture.

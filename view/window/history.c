@@ -4,7 +4,7 @@
 #include "tools/common/median.h"
 #include <string.h>
 
-#define LEAST  20.0f // ms: minimum of the upper end of the graph, which must include the line at 16.7 ms
+#define LEAST  20.0f // ms: minimum upper end of the graph, so that it includes the line at 16.7 ms
 #define WITHIN 0.97f // fraction of the frames that fit into the graph
 
 void history_step(History* history, float ms)

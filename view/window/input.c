@@ -13,8 +13,8 @@
 
 #define ZOOM    1.15f          // scale factor of one notch of the wheel
 #define SLOWEST (1.0f / 64.0f) // minimum of the simulated seconds per second of real time
-#define STILL   6              // frames without motion after which the cursor has velocity 0: 0.1 s at 60 Hz
-#define CLICK   4.0f           // px: a click moves the cursor by less than this between press and release
+#define STILL   6              // frames without motion after which the velocity of the cursor is 0: 0.1 s at 60 Hz
+#define CLICK   4.0f           // px: in a click, the cursor moves by less than this between press and release
 
 static void step_once(Viewer* v)
 {
@@ -34,7 +34,7 @@ static void report_all(Viewer* v)
 	                    : scree_error());
 }
 
-// Shows the reason if a layer that is turned on has nothing to draw: no reports, no sensors or no rays.
+// If a layer that is turned on has nothing to draw, shows the reason: no reports, no sensors or no rays.
 static void explain_layer(Viewer* v, Layer layer)
 {
 	int count = 1;
@@ -67,7 +67,7 @@ static void show_hash(Viewer* v)
 		viewer_show(v, sentence);
 }
 
-// Carries out an action on the world or on the simulated time. Returns false for any other action.
+// Carries out an action on the world or on the simulated time. Returns false for actions on anything else.
 static bool session_action(Viewer* v, Action action)
 {
 	Session* session = &v->session;
@@ -115,7 +115,7 @@ static bool session_action(Viewer* v, Action action)
 	}
 }
 
-// Carries out an action on the look of the world. Returns false for any other action.
+// Carries out an action on the look of the world. Returns false for actions on anything else.
 static bool style_action(Viewer* v, Action action)
 {
 	switch (action)
@@ -175,7 +175,7 @@ static void window_action(Viewer* v, Action action)
 	case ACTION_hover:
 		v->hovers = !v->hovers;
 		break;
-	default: // ACTION_quit: clears the selection; ends the viewer if nothing is selected
+	default: // ACTION_quit: clears the selection or, if nothing is selected, ends the viewer
 		v->done = !inspect_any(&v->selected);
 		v->selected = (Inspected){0};
 		break;

@@ -31,7 +31,7 @@ static void explain(const char* help)
 		ImGui::SetTooltip("%s", help);
 }
 
-// Begins the next of three columns: k % 3. Column 0 begins a new line.
+// Begins column k % 3 of three. Column 0 begins a new line.
 static void begin_column(int k)
 {
 	if (k % 3 > 0)
@@ -51,7 +51,8 @@ static void draw_paints(Viewer* v)
 	ImGui::PopID();
 }
 
-// Draws the number of rays in view and of events in view and, if some of them are not drawn, the number of those.
+// Draws the number of rays in view and the number of events in view. If only some of them are drawn, also draws the
+// number of rays that are drawn, and of events that are not drawn.
 static void draw_shares(const Viewer* v)
 {
 	const Scan* scan = &v->renderer.scan;

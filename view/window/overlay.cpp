@@ -40,7 +40,7 @@ void overlay_numbers(const Inspected* inspected)
 	write_lines(numbers);
 }
 
-// Draws the numbers of the hovered collidable beside the cursor: on the right side, or on the left if there is no room.
+// Draws the numbers of the collidable under the cursor: to the right of the cursor, or to its left if there is no room.
 static void draw_hovered(const Viewer* v, const ImVec2& size)
 {
 	ImVec2 factor = ImGui::GetIO().DisplayFramebufferScale;
@@ -172,7 +172,7 @@ static void draw_band(const Viewer* v, const ImVec2& size)
 	ImGui::End();
 }
 
-// Draws the sign of a paused world at the top, centered in the part of the window beside the panel.
+// Draws the sign of a paused world at the top, in the middle of the part of the window beside the panel.
 static void draw_paused(const Viewer* v, const ImVec2& size)
 {
 	float left = v->panel ? WIDTH + EDGE : 0.0f;

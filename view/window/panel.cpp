@@ -15,7 +15,7 @@
 
 float panel_scale = 1.0f;
 
-// Returns the scale of the panel on a display: 1 if the window system itself scales window units.
+// Returns the scale of the panel on a display. The scale is 1 if the window system already scales window units.
 static float find_scale(GLFWwindow* window)
 {
 	float wanted = 1.0f;

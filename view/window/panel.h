@@ -7,7 +7,7 @@ extern "C" {
 #endif
 #include "view/window/window_state.h"
 
-extern float panel_scale; // scale of the panel and its letters; at scale 1 letters have 14 px
+extern float panel_scale; // scale of the panel and its letters; at scale 1 the font has 14 px
 
 // Opens the panel. If `scale` is 0, the panel has the scale of the display. Returns false on failure.
 bool panel_open(GLFWwindow* window, float scale);
@@ -17,8 +17,8 @@ void panel_close(void);
 // Adapts the panel to a new scale of the display. Call it between frames.
 void panel_rescale(GLFWwindow* window);
 
-// Return lengths, px: panel_left the width that the panel covers at the left of the picture; panel_band the height of
-// the caption band at the bottom.
+// Return lengths, px. panel_left: width that the panel covers at the left of the picture. panel_band: height of the
+// caption band at the bottom.
 float panel_left(const Viewer* viewer);
 float panel_band(const Viewer* viewer);
 
@@ -31,7 +31,7 @@ void panel_letter(GLFWwindow* window, unsigned letter);
 void panel_button(GLFWwindow* window, int button, int event, int modifiers);
 void panel_wheel(GLFWwindow* window, double x, double y);
 
-// Return true if the panel uses the events of the keyboard (or the mouse). Then the picture must ignore these events.
+// Return true if the panel uses the events of the keyboard (or the mouse). The picture must then ignore these events.
 bool panel_wants_keys(void);
 bool panel_wants_mouse(void);
 

@@ -87,7 +87,7 @@ static void run_frame(Loop* loop)
 	double now = glfwGetTime(), seconds = now - v->frame_time;
 	v->frame_time = now;
 	float ms = 1000.0f * (float)seconds;
-	if (v->frame_ms > 0.0f) // the first frame is left out, because its duration includes the start of the program
+	if (v->frame_ms > 0.0f) // not in the first frame, whose duration includes the start of the program
 		history_frame(&v->history, ms);
 	v->frame_ms = v->frame_ms == 0.0f ? ms : v->frame_ms + SMOOTH * (ms - v->frame_ms);
 	if (now - v->message_time > MESSAGE_STAYS)

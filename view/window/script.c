@@ -54,8 +54,8 @@ static bool press_key(Viewer* v, const char* shown)
 	return false;
 }
 
-// Presses or releases a key that the scene uses, or else the key of a tool that works while its key is down. Returns
-// false for any other key.
+// Presses or releases a key. If the scene uses the key, sends it to the scene; else to the tool that works while its
+// key is down. Returns false for any other key.
 static bool hold_key(Viewer* v, const char* name, bool down)
 {
 	for (int k = 0; k < SCENE_KEYS; ++k)

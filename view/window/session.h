@@ -31,10 +31,10 @@ typedef struct
 	int device_count;
 	char device[160]; // device that the user selected, or "auto"
 	bool paused;
-	int due;            // number of single steps that the user has requested and that have not been taken yet
+	int due;            // number of single steps that the user has requested and the world has not yet taken
 	Tuning tuning;      // gravity, substeps and solver tuning
 	float rate;         // simulated seconds per second of real time; at most 1
-	double accumulator; // s: simulated time by which the world lags behind
+	double accumulator; // s: simulated time by which the world lags behind the clock
 	bool hashed;        // true if Session.hash belongs to the current state
 	uint64_t hash;      // hash of the world when session_hash was called
 	scree_counters counters;

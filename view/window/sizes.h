@@ -4,7 +4,7 @@
 #define SIZES_H
 #include "scene/viewport.h"
 
-// Converts a size that suits a font of 14 pixels to the scale of the panel. The scale is larger on high-DPI displays.
+// Converts a size for a font of 14 pixels to the scale of the panel, which is larger than 1 on high-DPI displays.
 extern "C" float panel_scale;
 static inline float sized(float pixels) { return pixels * panel_scale; }
 

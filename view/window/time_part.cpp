@@ -51,14 +51,14 @@ static void draw_line(const Plot& plot, const History* h, const float* values, I
 		}
 		if (count > 1)
 			ImGui::GetWindowDrawList()->AddPolyline(points, count, color, 0, wide);
-		count = 0; // a frame without a step ends the line; the next frame begins another one
+		count = 0; // a frame without a step ends the line; the next step begins another line
 	}
 }
 
 static void draw_label(const Plot& plot, float ms, ImU32 color, const char* text)
 {
 	float y = plot.y(ms), high = ImGui::GetFontSize() * 0.8f;
-	y -= ms < 0.5f * plot.top ? high + sized(2.0f) : 0.0f; // in the lower half the label is above its line
+	y -= ms < 0.5f * plot.top ? high + sized(2.0f) : 0.0f; // a label in the lower half of the graph is above its line
 	ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), high, ImVec2(plot.low.x + sized(4.0f), y + sized(1.0f)),
 	                                    color, text);
 }

@@ -55,9 +55,10 @@ static scree_status find_under(Viewer* v, scree_collidable* found)
 	return inspect_find(v->session.player.world, camera_point(&v->camera, v->x, v->y), REACH / v->camera.scale, found);
 }
 
-// Sets *next to a time so that readings take at most a tenth of the time. begin: start of the last reading, s. A
-// reading can be slow: the first query after a step computes boxes of all bodies that move. For many bodies on a CPU
-// this takes as long as a step. For the contacts of one body a CPU scans all contacts.
+// Sets *next to the earliest time of the next reading, so that readings take at most a tenth of the time. begin:
+// start of the last reading, s. A reading can be slow: the first query after a step computes boxes of all bodies that
+// move. For many bodies on a CPU this takes as long as a step. To read the contacts of one body, a CPU scans all
+// contacts.
 static void rest(double* next, double begin)
 {
 	double end = glfwGetTime();

@@ -28,7 +28,7 @@ void viewer_select(Viewer* viewer);
 // message and returns false.
 bool viewer_load(Viewer* viewer, const char* name, bool fresh);
 
-// Moves the world to a device, and shows whether the hash is still the same as before. On failure shows a message and
+// Moves the world to a device, and shows whether the hash is the same before and after. On failure shows a message and
 // returns false.
 bool viewer_move(Viewer* viewer, const char* device);
 

@@ -45,7 +45,7 @@ static void on_cursor(GLFWwindow* window, double x, double y)
 	v->cursor_time = now;
 }
 
-// Releases all keys: keys released while another window has the focus cause no event.
+// Releases all keys, because a key that is released while another window has the focus causes no event.
 static void on_focus(GLFWwindow* window, int focused)
 {
 	Viewer* v = viewer_of(window);

@@ -28,8 +28,8 @@ typedef struct // part of the world that the window shows, for framing.c
 {
 	bool fitted;      // true from the fit of a box until the user moves the picture
 	scree_box box;    // m: box that is fitted into the free part of the window
-	bool follows;     // true if the selected body is followed: it moves to the middle and stays there
-	scree_vec behind; // m: vector from the followed body to the middle of the window; shrinks to 0
+	bool follows;     // true if the picture follows the selected body, which moves to the middle
+	scree_vec behind; // m: vector from the followed body to the middle of the picture; shrinks to 0
 } Eye;
 
 typedef struct // position and size of the window without full screen, in window units
@@ -67,7 +67,7 @@ typedef struct
 	double read_time;       // s: earliest time at which the numbers of the selected body are read
 	double cursor_time;     // s: time of the last move of the cursor
 	int still;              // frames since the last move of the cursor
-	int next_device;        // index of the device that the next press of its key selects; -1: the one after the current
+	int next_device;        // device that the next press of the device key selects; -1: the one after the current
 	double title_time;      // s: time of the next change of the window title
 	double frame_time;      // s: time at which the last frame began
 	float frame_ms;         // ms: time between frames, smoothed

@@ -26,7 +26,7 @@ function code(type) {
 	return short(type);
 }
 
-// Returns three lists for a function: the codes of all parameters, the parameters that a program passes, and the
+// Returns three lists for a function: the codes of all parameters, the parameters whose values a program gives, and the
 // results.
 function describe(f) {
 	const codes = [], given = [], results = [], all = f.parameters;
@@ -49,7 +49,7 @@ function describe(f) {
 			given.push(p);
 		}
 		else if (f.name === "scree_world_get_states" && p.name === "bodies")
-			codes.push("0"); // null for this optional array: getBodies lists the bodies in the same order
+			codes.push("0"); // null: this array is optional, and getBodies lists the same bodies in the same order
 		else if (list) {
 			codes.push(`?${code(p.type)}`);
 			results.push({...p, many: true});
@@ -107,7 +107,8 @@ const structTable = structs.map((s) => [short(s.name), ...s.members.map((m) => m
 const functionTable = described.filter((f) => !without_method.test(f.name))
 	.map((f) => [short(f.name), f.kind, ...f.codes].join(" ")).join("\n");
 
-// converts names of enumerations: scree_body_type to BodyType; bits such as SCREE_LOCK_X are members of Lock
+// Converts names of enumerations, such as scree_body_type to BodyType. Bits such as SCREE_LOCK_X become members of
+// Lock.
 const camel = (name) => name.replace(/(^|_)([a-z0-9])/g, (_, bar, letter) => letter.toUpperCase());
 const enumerations = Object.entries(header.enums).filter(([name]) => !/sharing|window_system|log_level/.test(name)).map(([name, e]) => {
 	const names = Object.keys(e.members);

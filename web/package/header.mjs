@@ -17,7 +17,7 @@ export function parse(text) {
 	for (const [, name, value] of text.matchAll(/^#define SCREE_(\w+) +([\d.]+)f?$/gm))
 		constants[name] = Number(value);
 
-	// declarations, each with the lines of the comment above it
+	// Finds the declarations, each with the lines of the comment above it.
 	let above = [], body = [], depth = 0;
 	const blocks = [];
 	for (const line of text.split("\n")) {

@@ -12,7 +12,7 @@
 
 #define IMPORT(name) __attribute__((import_module("scree"), import_name(#name))) js_##name
 
-// Writes a number as printf does, and returns the length of the text; kind: 'g' or 'f'.
+// Writes a number as printf does, and returns the length of the text. kind: the conversion, 'g' or 'f'.
 int IMPORT(number)(double value, int kind, int precision, char* text);
 double IMPORT(parse)(const char* text);
 void IMPORT(log)(const char* text);
@@ -121,8 +121,8 @@ int fprintf(FILE* file, const char* format, ...)
 	return length;
 }
 
-// clang replaces calls of printf functions: if no argument is floating-point, by variants with the letter i; if no
-// argument is a long double, by variants with __small_
+// Names of the functions by which clang replaces calls of printf functions: with the letter i if no argument is
+// floating-point; with __small_ if no argument is a long double.
 int fiprintf(FILE* file, const char* format, ...) __attribute__((alias("fprintf")));
 int __small_fprintf(FILE* file, const char* format, ...) __attribute__((alias("fprintf")));
 int sniprintf(char* text, size_t size, const char* format, ...) __attribute__((alias("snprintf")));

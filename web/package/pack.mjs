@@ -14,8 +14,8 @@ const [, , sources, scalar, simd, folder] = process.argv;
 const limit = 150000;
 const compressed = (text) => brotliCompressSync(text, {params: {[constants.BROTLI_PARAM_QUALITY]: 11}}).length;
 
-// Writes a column for join(). Letters in ascending order represent bytes in ascending order; rare bytes have letters of
-// two bytes. Characters that have a meaning between backticks are not used as letters.
+// Returns a column as text for join(). Letters in ascending order represent bytes in ascending order; rare bytes have
+// letters of two bytes. Characters that have a meaning between backticks are not used as letters.
 function write_column(column) {
 	const times = new Array(256).fill(0), meaning = [10, 13, 36, 92, 96];
 	for (const byte of column)

@@ -4,7 +4,7 @@
 // STRUCTS: each line describes a struct: its name, then member=TYPE for each member. A number before TYPE is the
 // length of an array.
 // FUNCTIONS: each line describes a function: its name, its result, its parameters.
-// Types: i int; u uint32; f float; d double; b bool; B uint8; h uint16; 64 bits: l as a number, L as a BigInt, H as
+// Types: i int; u uint32; f float; d double; b bool; B uint8; h uint16; l, L, H: 64 bits as a number, a BigInt or
 // hexadecimal text; every other type is the name of a struct.
 // Results: ! status; s text; v nothing; =T a struct.
 // Parameters: w the world; .T a struct; <T a pointer to a struct, which may be null; *T an array; n the length of the
@@ -268,7 +268,7 @@ class Engine {
 				else
 					value[key] = m.count ? this.getAll(m.type, place, m.count, world) : this.get(m.type, place, world);
 			}
-			// the arrays have eight vertices; shortens them to the number of vertices that the polygon has
+			// shortens the arrays, which have eight elements in memory, to the number of vertices of the polygon
 			if (type === "shape")
 				value.vertices.length = value.normals.length = value.count;
 			return value;

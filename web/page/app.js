@@ -16,7 +16,7 @@ import { Share } from './share.js';
 import { Theme } from './theme.js';
 
 const DENSEST = 2; // maximum pixels of the picture per pixel of the page; more pixels reduce a phone's frame rate
-const SLOW_FRAMES = 20; // frames per second; below this rate, the picture is drawn with fewer details
+const SLOW_FRAMES = 20; // frames per second: below this rate, the picture is drawn with fewer details
 const FIRST = 'pile';
 const TOOLS = [
 	{ value: 'drag', label: 'Drag', title: 'Drag bodies or the picture', icon: 'drag' },
@@ -57,7 +57,7 @@ class App {
 	}
 
 	async open() {
-		const wish = new URLSearchParams(location.search); // tests set these, as in ?form=scalar&threads=1&apart=0
+		const wish = new URLSearchParams(location.search); // set by tests, for example ?form=scalar&threads=1&apart=0
 		await this.host.open(
 			{
 				form: wish.get('form'),
@@ -167,8 +167,8 @@ class App {
 		if (good && link.script.length > 0) note('Replay of recorded actions. Your first action ends it.', { name: 'replay' });
 	}
 
-	// Loads a scene. Settings that are not given get the initial values of the page. Returns false if the scene was not
-	// loaded.
+	// Loads a scene. Parameters without a value in `settings` get the initial values of the page. Returns false if the
+	// scene was not loaded.
 	async load({ name, settings = [], script = [], until = null, keepView = false }) {
 		const scene = this.scenes.get(name);
 		const given = new Map(settings);
@@ -222,7 +222,7 @@ class App {
 		menu.selectedIndex = Math.max(0, Math.min(menu.length - 1, menu.selectedIndex + step));
 		menu.dispatchEvent(new Event('change'));
 	}
-	// Begins to use a tool at the cursor when its key goes down, and ends when the key goes up.
+	// Begins to use a tool at the cursor when the key of the tool goes down, and ends this when the key goes up.
 	holdTool(tool, down) {
 		const at = this.input.cursor;
 		if (at) this.say({ type: down ? 'press' : 'lift', ...at, tool, by: tool });

@@ -17,7 +17,7 @@ export class Body {
 		this.follows = false;
 		this.box = $('body');
 		this.all = element('p', { class: 'lines all' });
-		this.few = element('p', { class: 'lines few' }); // replaces this.all on small screens
+		this.few = element('p', { class: 'lines few' }); // shown on small screens in place of this.all
 		this.button = element('button', { id: 'follow', type: 'button', title: 'follows the selected body until the picture is moved (k)', onclick: () => follow(!this.follows) });
 		const close = element('button', { id: 'forget', type: 'button', title: 'clears the selection (esc)', onclick: forget }, 'deselect');
 		this.box.replaceChildren(this.all, this.few, element('div', { class: 'row' }, this.button, close));

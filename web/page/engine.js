@@ -27,8 +27,8 @@ export class Engine {
 		this.history = []; // ms: durations of the steps since the last report
 		this.changed = true; // true if the picture is out of date
 		this.reported = 0;
-		// true if a frame was drawn since the last report. A paused scene without a new frame sends no reports, to use
-		// no processor time
+		// true if a frame was drawn since the last report; a paused scene without new frames sends no reports, to save
+		// processor time
 		this.news = false;
 		this.frames = 0;
 		this.drawing = 0; // ms: drawing time of the last frame
@@ -59,8 +59,8 @@ export class Engine {
 		}
 	}
 
-	// Loads a scene. script: recorded actions to play; until: {step, hash} at the end of the recording, or null without
-	// a recording.
+	// Loads a scene. script: recorded actions to play. until: {step, hash} at the end of the recording; null if nothing
+	// is played.
 	async load({ name, text, settings, script = [], until = null, keepView = false, paused = this.paused }) {
 		await this.core.threadsReady(this.threads);
 		this.pointer.cancel();
@@ -134,7 +134,7 @@ export class Engine {
 	cancel() {
 		this.pointer.cancel();
 	}
-	// Handles a move of the mouse over the picture; over: false when the mouse leaves the picture.
+	// Handles a move of the mouse over the picture. over: false if the mouse has left the picture.
 	hover({ x, y, over }) {
 		this.inspector.hover(over ? { x, y } : null);
 		if (over) this.pointer.move({ x, y, by: 'hover' });
@@ -149,7 +149,7 @@ export class Engine {
 		if (down !== this.player.keys) this.act('keys', [down]);
 	}
 
-	// Returns the visitor's actions since the start of the scene, the step and the hash, for links and tests.
+	// Returns {actions, step, hash} for links and tests. actions: the visitor's actions since the start of the scene.
 	record() {
 		return { actions: this.player.done, step: this.step, hash: this.core.hash() };
 	}

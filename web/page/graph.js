@@ -41,7 +41,7 @@ export class Graph {
 		this.canvas.height = height * density;
 		const pen = this.canvas.getContext('2d');
 		pen.scale(density, density);
-		// single slow steps, such as the first, do not count for the scale, which would make all others look flat
+		// the scale ignores single slow steps, such as the first; otherwise they would make all other steps look flat
 		const sorted = [...this.times].sort((a, b) => a - b);
 		const most = Math.max(FRAME * 1.35, 1.2 * (sorted[Math.floor(0.98 * sorted.length)] ?? 0));
 		const y = (ms) => Math.max(0, height - 1 - (ms / most) * (height - 2));

@@ -40,8 +40,8 @@ export class Host {
 		this.number = 0;
 	}
 
-	// Starts the engine. wish: {form, threads, apart} from the address; for missing members, selects the best values
-	// for the browser.
+	// Starts the engine. wish: {form, threads, apart} from the address. apart: true for a worker. For missing members,
+	// selects the best values for the browser.
 	async open(wish, { width, height, density }) {
 		this.apart = wish.apart ?? (workersDraw() && workersAreModules());
 		const form = FORMS.includes(wish.form) ? wish.form : bestForm(this.apart);

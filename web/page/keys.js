@@ -11,11 +11,11 @@ const CODES = {
 const ARROWS = ['left', 'up', 'down', 'right'];
 
 export class Keys {
-	// actions: [{key, shown, help, run, hold}]; run() is called at a press; hold(down) is called at press and release.
-	// The list of keys omits actions that have no member `shown`. names: names of the keys that scenes use; hold(bits)
-	// is called when these keys change, with bit k for name k.
+	// actions: [{key, shown, help, run, hold}]; run() is called when the key goes down, hold(down) when it goes down or
+	// up. The list of keys omits actions that have no member `shown`. names: names of the keys that scenes use;
+	// hold(bits) is called when these keys change, with bit k for name k.
 	constructor(actions, names, hold) {
-		this.held = new Set(); // actions with a member hold whose key is down
+		this.held = new Set(); // actions that have a member `hold` and whose key is down
 		this.actions = new Map(actions.map((action) => [action.key, action]));
 		this.codes = new Map(names.map((name, bit) => [CODES[name], bit]));
 		this.names = names;

@@ -3,11 +3,11 @@
 import { $, element } from './dom.js';
 
 const STEPS = 400; // number of steps of a slider
-const FACTOR = 4; // upper end of a slider as a multiple of the initial value, if the scene allows it
+const FACTOR = 4; // upper end of a slider, divided by the initial value, if the scene allows it
 const WAIT = 250; // ms: time after the last motion of a slider, after which the scene restarts
 
-// Returns the ends of a slider. They are the limits of the scene, or narrower, so that useful values are easy to set by
-// hand.
+// Returns the ends of a slider. They are the limits of the scene, or closer together, so that useful values are easy to
+// set by hand.
 function ends({ start, min, max, integer }) {
 	const reach = Math.max(Math.abs(start), integer ? 3 : 1) * FACTOR;
 	const low = min ?? -reach;

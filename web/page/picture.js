@@ -9,11 +9,11 @@ export class Picture {
 		this.core = core;
 		this.module = core.module;
 		this.canvas = canvas;
-		this.tell = tell; // called with a sentence about an error of the picture; empty: no error
+		this.tell = tell; // function, called with a sentence about an error of the picture; empty: the error has ended
 		this.density = 1; // pixels of the picture per pixel of the page
-		this.arrow = null; // m: [x, y of its start, x, y of its tip]; null: no arrow
-		this.rings = []; // {at (m), radius (m), born (ms)} of each ring
-		this.blast = null; // {at (m), radius() (px)} of a growing blast; null: no blast
+		this.arrow = null; // m: [x and y of the start, x and y of the tip] of the arrow; null: no arrow
+		this.rings = []; // {at, radius, born}: place (m), radius (m) and start (ms) of each ring
+		this.blast = null; // {at, radius}: place (m) and radius function (px) of a growing blast; null: no blast
 		this.styled = [0, 0, false, false];
 		this.fitted = true; // true: the whole scene stays in view when the size of the picture changes
 		canvas.addEventListener('webglcontextlost', (event) => {

@@ -17,7 +17,7 @@ export class Pointer {
 		this.act = act;
 		this.select = select;
 		this.mode = null; // 'press', 'hold', 'pan', 'throw', 'pour', 'blast'; null: no action
-		this.by = null; // source of the press: 'pointer', or the tool whose key is down
+		this.by = null; // source of the press: 'pointer', or the name of the tool whose key is down
 		this.wanted = null; // px of the picture: new place of dragging or pouring, for the next step; null: unchanged
 	}
 
@@ -57,8 +57,8 @@ export class Pointer {
 		if (this.mode === 'hold' || this.mode === 'pour') this.wanted = [x, y];
 		if (this.mode === 'throw') this.picture.arrow = [...this.core.point(...this.from), ...this.core.point(x, y)];
 		if (this.mode === 'blast') this.picture.blast.at = this.core.point(x, y);
-		// during a click, x and y stay at the press; if the press becomes a drag, the picture then moves by the whole
-		// distance
+		// during a click, x and y stay at the point of the press; if the click becomes a drag, the picture then moves
+		// by the whole distance from this point
 		if (this.mode === 'pan' && this.clicks) return;
 		this.x = x;
 		this.y = y;
@@ -81,7 +81,8 @@ export class Pointer {
 		this.mode = this.by = this.wanted = this.picture.arrow = this.picture.blast = null;
 	}
 
-	// Turns a press into a drag of the body, at its point that was pressed; the body may have moved since the press.
+	// Turns a press into a drag of the body, by the point of the body that was pressed, to which the body may have
+	// moved. Without a body, drags the picture.
 	hold() {
 		this.clicks = false;
 		const place = this.module._page_reached();
@@ -89,7 +90,8 @@ export class Pointer {
 		if (this.mode === 'hold') this.wanted = [this.x, this.y];
 	}
 
-	// Moves the target of the held body once per step, independent of the rate of pointer events.
+	// Moves the target of the held body, or the place of pouring. It is called once per step, so that the rate of
+	// pointer events has no effect. A press on a body for HOLD ms becomes a drag.
 	beforeStep() {
 		if (this.mode === 'press' && performance.now() - this.begun > HOLD) this.hold();
 		if (!this.wanted) return;

@@ -10,7 +10,7 @@ const SPEED = 1 / 256; // m/s
 const IMPULSE = 1 / 4096; // N s/m
 const position = [LENGTH, LENGTH];
 
-// units of the values; in all kinds except keys, values begin with a position
+// units of the values; if an action has a position, its values begin with it
 export const KINDS = [
 	{ name: 'pick', units: position },
 	{ name: 'pull', units: position },
@@ -18,7 +18,7 @@ export const KINDS = [
 	{ name: 'throw', units: [...position, SPEED, SPEED, LENGTH] }, // position, velocity, size
 	{ name: 'blast', units: [...position, LENGTH, IMPULSE] }, // position, radius, impulse
 	{ name: 'keys', units: [1] }, // pressed keys: bit k for entry k of scene_keys.def
-	{ name: 'pour', units: position }, // pouring lasts until a release; a pull moves its place
+	{ name: 'pour', units: position }, // pouring lasts until a 'release'; a 'pull' moves the place of pouring
 ];
 const kindOf = new Map(KINDS.map((kind, index) => [kind.name, index]));
 

@@ -5,7 +5,7 @@ import { $, dress } from './dom.js';
 
 const KEY = 'scree-theme';
 
-// Returns the theme that the visitor selected in an earlier visit; null if the browser has stored nothing.
+// Returns the theme that the visitor selected in an earlier visit; null if the browser has stored none.
 function remembered() {
 	try {
 		return localStorage.getItem(KEY);

@@ -14,8 +14,8 @@ export function bestForm(apart) {
 	return apart && globalThis.crossOriginIsolated && bestThreads() > 1 ? 'threads' : 'simd';
 }
 
-// Returns the best number of threads: the number of cores minus one, which is for the page itself, but at most four,
-// because the scenes of the page are small.
+// Returns the best number of threads, 1 to 4: the number of cores minus one, because the page itself needs one. More
+// than 4 threads do not help, because the scenes of the page are small.
 export function bestThreads() {
 	return Math.max(1, Math.min(4, (globalThis.navigator?.hardwareConcurrency ?? 2) - 1));
 }
