@@ -148,7 +148,101 @@ cp game.c once.c
 expect 0 'rename.sh: changed 0 of 1 files' game.c
 cmp game.c once.c || fail "rename.sh: changes the new names"
 
-# the program compiles after the only reported member that must change is changed by hand
+# variables of C++ with a second type, which templates, references, auto, loops, captures and macros declare, are reported
+cat >cups.C <<'CPP'
+struct Cup { int held, slope; };
+int f1(scree_counters a) { return a.held; }
+int f2(std::unique_ptr<Cup> a) { return a->held; }
+int g1(scree_counters b) { return b.held; }
+int g2(std::vector<std::map<int, Cup>>& b) { return b[0].held; }
+int h1(scree_counters c) { for (auto& c : cups) c.held = 0; }
+int i1(scree_counters d) { auto [d, e] = pair(); return d.held; }
+int j1(scree_counters f) { return [f = Cup()] { return f.held; }(); }
+int k1(scree_counters g) { decltype(cup) g; return g.held; }
+int l1(scree_counters h) { Cup h(1); return h.held; }
+int m1(scree_counters i) { game::scree_counters i; return i.held + Cup::i.held; }
+int n1(scree_counters j) { struct { int held; } *j; return j->held; }
+#define HELD(k) \
+	k.held
+int o1(std::vector<scree_counters> l) { return l[0].held; }
+int p1(scree_counters&& k, int n) { return n < 3 && n > 1 ? k.held : f1(k); }
+CPP
+expect 0 'rename.sh: changed 1 of 1 files; 14 names are left to you' cups.C
+grep -n stopped_bodies cups.C | cut -d: -f1 | diff <(echo 16) - || fail "rename.sh: changes members of other types in cups.C"
+
+# members behind offsetof, ::, raw strings and strings of several lines
+cat >places.ipp <<'CPP'
+auto a = offsetof(struct scree_counters, held) + offsetof(scree_counters, held);
+auto b = offsetof(Counters, held) + container_of(p, scree_counters, held);
+auto c = &scree_counters::held; auto d = &Counters::held;
+scree_counters n; auto e = R"(a " b)"; int f = n.held;
+auto g = u8R"x()" n.held
+ ' n.held)x"; int h = n.held;
+auto i = "a \
+ it's"; int j = n.held; // comment \
+ it's n.held
+auto k = offsetof(scree_joint_def, n.near);
+CPP
+cat >wanted <<'CPP'
+auto a = offsetof(struct scree_counters, stopped_bodies) + offsetof(scree_counters, stopped_bodies);
+auto b = offsetof(Counters, held) + container_of(p, scree_counters, held);
+auto c = &scree_counters::stopped_bodies; auto d = &Counters::held;
+scree_counters n; auto e = R"(a " b)"; int f = n.stopped_bodies;
+auto g = u8R"x()" n.held
+ ' n.held)x"; int h = n.stopped_bodies;
+auto i = "a \
+ it's"; int j = n.stopped_bodies; // comment \
+ it's n.held
+auto k = offsetof(scree_joint_def, n.near);
+CPP
+expect 0 'rename.sh: changed 1 of 1 files; 4 names are left to you' places.ipp
+diff wanted places.ipp || fail "rename.sh: places.ipp is another one"
+
+# regular expressions of JavaScript do not begin comments, strings or templates; a division does not begin one
+cat >regex.mjs <<'JS'
+const t = s.replace(/`/g, ""); w.answerAsked(1);
+const r = /[/*]/, q = /[\]/'`]\/"/u; w.answerAsked(2);
+if (x) /`/.test(y); w.answerAsked(3);
+const f = x => /'/.test(x); w.answerAsked(4);
+const d = (a) / b / `${/`/.test(c) / 2}` / 2; w.answerAsked(5);
+i++ / 2; j = "`" / 2; k = l[0] / 2; m = 'a \
+ `' / 2; w.answerAsked(6);
+const n = a
+	/ b / `${c}`; w.answerAsked(7);
+return /`/; w.answerAsked(8);
+JS
+expect 0 'rename.sh: changed 1 of 1 files; 0 names are left to you' regex.mjs
+[ "$(grep -c 'w\.approveContacts([1-8])' regex.mjs)" = 8 ] || fail "rename.sh: does not read the regular expressions"
+
+# keys and patterns of JavaScript; {NAME} is a variable too
+cat >keys.mjs <<'JS'
+const o = {"pathNear": 1, 'breaks': true, ["pathNear"]: 2};
+o["pathNear"] = o?.pathNear + o?.["pathNear"] + o["held"];
+const {held = 0, grown} = w.getCounters(), {pathNear = 0} = o;
+const {ERROR_CROWDED} = Status, {Report: {ASKS}} = scree, {ERROR_CROWDED: crowded} = other;
+w.createJoint({pathNear}); f(a, pathNear, [...pathNear], x ? pathNear : y);
+export {pathNear};
+Status["ERROR_CROWDED"] + Status?.ERROR_CROWDED + other.ERROR_CROWDED + ["held"];
+JS
+cat >wanted <<'JS'
+const o = {"initialAlong": 1, 'breaks': true, ["initialAlong"]: 2};
+o["initialAlong"] = o?.initialAlong + o?.["initialAlong"] + o["held"];
+const {held = 0, grown} = w.getCounters(), {initialAlong: pathNear = 0} = o;
+const {ERROR_CONTACT_LIMIT: ERROR_CROWDED} = Status, {Report: {APPROVAL: ASKS}} = scree, {ERROR_CROWDED: crowded} = other;
+w.createJoint({initialAlong: pathNear}); f(a, pathNear, [...pathNear], x ? pathNear : y);
+export {pathNear};
+Status["ERROR_CONTACT_LIMIT"] + Status?.ERROR_CONTACT_LIMIT + other.ERROR_CROWDED + ["held"];
+JS
+expect 0 'rename.sh: changed 1 of 1 files; 8 names are left to you' keys.mjs
+diff wanted keys.mjs || fail "rename.sh: keys.mjs is another one"
+
+# each extension of C++ is accepted
+for extension in C H cc hh cpp hpp cxx hxx inl ipp tpp; do
+	echo scree_found >"one.$extension"
+	expect 0 'rename.sh: changed 1 of 1 files' "one.$extension"
+done
+
+# the program compiles after the one reported member is changed by hand
 sed -i 's/counters\.grown/counters.reallocations/' game.c
 compiler=$(command -v "${CC:-cc}" || command -v gcc || command -v clang) || { echo "skipped: there is no compiler"; exit 77; }
 "$compiler" -std=c17 -Wall -Wextra -Werror -fsyntax-only -I "$source/include" game.c || fail "the ported program does not compile"

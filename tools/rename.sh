@@ -12,6 +12,7 @@ set -euo pipefail
 . "$(dirname "$0")/usage.sh"
 tools=$(cd "$(dirname "$0")" && pwd)
 names=$tools/../docs/names.md
+program=(-f "$tools/rename.awk" -f "$tools/rename_tokens.awk" -f "$tools/rename_c.awk" -f "$tools/rename_js.awk")
 refuse()
 {
 	echo "rename.sh: $*" >&2
@@ -22,8 +23,9 @@ refuse()
 language()
 {
 	case $1 in
-	*.c | *.h | *.cc | *.cpp | *.cxx | *.hh | *.hpp | *.hxx | *.inl | *.m | *.mm) echo c ;;
-	*.js | *.mjs | *.cjs | *.jsx | *.ts | *.mts | *.tsx) echo js ;;
+	*.c | *.h | *.cc | *.cpp | *.cxx | *.c++ | *.C | *.hh | *.hpp | *.hxx | *.h++ | *.H) echo c ;;
+	*.inl | *.ipp | *.tpp | *.m | *.mm) echo c ;;
+	*.js | *.mjs | *.cjs | *.jsx | *.ts | *.mts | *.cts | *.tsx) echo js ;;
 	esac
 }
 
@@ -48,7 +50,7 @@ for file in "$@"; do
 	# awk takes an argument with = for a variable, unless a folder precedes it
 	path=$([[ $file = /* ]] && echo "$file" || echo "./$file")
 	LC_ALL=C awk -v language="$(language "$file")" -v file="$file" -v report="$work/$k.report" \
-		-v open_end="$([ -z "$(tail -c 1 "$file")" ] && echo 0 || echo 1)" -f "$tools/rename.awk" "$names" "$path" >"$work/$k" ||
+		-v open_end="$([ -z "$(tail -c 1 "$file")" ] && echo 0 || echo 1)" "${program[@]}" "$names" "$path" >"$work/$k" ||
 		refuse "could not read $file"
 done
 
