@@ -44,6 +44,10 @@ static void test_bad_syntax(void** state)
 	    {"", "line 1, column 0"},
 	    {"[]", "must be an object"},
 	    {HEAD "\"bodies\": [", "line 1"},
+	    {"{\"name\": \"\\u0000\"}", "line 1, column 17: \\u0000 is not allowed"},
+	    {"\xef\xbb\xbf[]", "must be an object"},
+	    {"\xef\xbb\xbf", "line 1, column 0"},
+	    {"\xef\xbb{}", "line 1, column"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }

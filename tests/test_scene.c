@@ -23,6 +23,7 @@ static void test_missing_file(void** state)
 	assert_null(scene_load("no/such/scene.json", NULL, 0, sentence));
 	assert_non_null(strstr(sentence, "no/such/scene.json"));
 	assert_null(scene_load("/", NULL, 0, sentence));
+	assert_string_equal(sentence, "/: is a folder");
 }
 
 static void test_settings(void** state)
