@@ -16,8 +16,8 @@ static bool read_points(Reader* reader, const Location* location, const json_t* 
 	if (*count < range.low || *count > range.high)
 	{
 		if (range.low == range.high)
-			return reader_fail(reader, location, "%d points, must be %.9g", *count, range.low);
-		return reader_fail(reader, location, "%d corners, must be %.9g to %.9g", *count, range.low, range.high);
+			return reader_fail(reader, location, "count is %d, must be %.9g", *count, range.low);
+		return reader_fail(reader, location, "count is %d, must be %.9g to %.9g", *count, range.low, range.high);
 	}
 	for (int k = 0; k < *count; ++k)
 	{

@@ -186,8 +186,6 @@ bool reader_pair(Reader* reader, const Location* location, const json_t* object,
 {
 	const json_t* value = json_object_get(object, key);
 	pair[0] = pair[1] = (Number){.range = range};
-	if (!value)
-		return true;
 	const Location* at = KEY(location, key);
 	if (!json_is_array(value) || json_array_size(value) != 2)
 		return reader_fail_value(reader, at, value, "must be a list of 2 numbers");
