@@ -36,6 +36,7 @@ typedef struct
 } Range;
 
 static const Range any_coordinate = {-SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE, false, false};
+static const Range any_constant = {-1e15, 1e15, false, false};
 
 typedef struct // a number that may differ between items
 {

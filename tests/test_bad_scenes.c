@@ -72,6 +72,8 @@ static void test_bad_keys(void** state)
 	    {BODY("\"attribute\": \"a\", \"disabled\": 3"), "bodies[1].disabled: 3 must be true or false"},
 	    {BODY("\"attribute\": \"a\", \"locks\": [\"z\"]"), "bodies[1].locks[0]: \"z\" must be one of x, y, rotation"},
 	    {BODY("\"attribute\": \"a\", \"category\": [64]"), "bodies[1].category[0]: 64 must be at most 63"},
+	    {HEAD "\"$schema\": 3}", "$schema: 3 must be a string"},
+	    {BODY("\"attribute\": \"a\", \"description\": [1]"), "bodies[1].description: [1] must be a string"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
@@ -232,6 +234,12 @@ static void test_bad_joints(void** state)
 	    {REVOLUTE("\"repeat\": {\"index\": \"i\", \"to\": 30000000}"), "joints[0]: 30000000 or more items"},
 	    {JOINT("\"type\": \"distance\", \"a\": null, \"b\": {\"body\": \"one\"}, \"at\": [0, 0]"),
 	     "joints[0]: a distance joint with at needs to"},
+	    {JOINT("\"type\": \"distance\", \"a\": null, \"b\": {\"body\": \"one\"}, \"at\": [-8e4, 0], \"to\": [8e4, 0]"),
+	     "joints[0]: along.target: 160000 must be at most 100000"},
+	    {HEAD GOOD_ATTRIBUTES
+	     "\"bodies\": [{\"name\": \"one\", \"attribute\": \"a\", \"position\": [8e4, 0]}], \"joints\": "
+	     "[{\"type\": \"weld\", \"a\": null, \"b\": {\"body\": \"one\"}, \"at\": [-8e4, 0]}]}",
+	     "joints[0]: anchor of b in its body: 160000 must be at most 100000"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
@@ -297,6 +305,12 @@ static void test_bad_paths(void** state)
 	     "paths.rail.points[0].position[0]: \"1e5 * k\" is 200000, must be at most 100000, at k = 2"},
 	    {RAIL("{\"rail\": {\"points\": [[0, 0], [1, 0]], \"bends\": 1}}", "\"type\": \"path\""),
 	     "paths.rail: unknown key \"bends\"; known are points, closed, description"},
+	    {RAIL("{\"rail\": {\"points\": [{}, [1, 0], [2, 0]]}}", "\"type\": \"path\""),
+	     "paths.rail.points[0].position: is missing"},
+	    {RAIL("{\"rail\": {\"points\": [[0, 0], {\"position\": [\"k\", 1], \"repeat\": {\"index\": \"k\", \"to\": "
+	          "1e5}}]}}",
+	          "\"type\": \"path\""),
+	     "paths.rail.points[1]: 100000 or more items; the path has room for 65535"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"path\""), "joints[0].path: is missing"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"road\""), "joints[0].path: \"road\" is not among the paths"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"rail\", \"initial_along\": 1e6"),
@@ -305,12 +319,6 @@ static void test_bad_paths(void** state)
 	     "joints[0]: to: a path joint has one anchor, that of b"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"weld\", \"path\": \"rail\""), "joints[0].path: only a path joint has it"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"weld\", \"initial_along\": 1"),
-	    {RAIL("{\"rail\": {\"points\": [{}, [1, 0], [2, 0]]}}", "\"type\": \"path\""),
-	     "paths.rail.points[0].position: is missing"},
-	    {RAIL("{\"rail\": {\"points\": [[0, 0], {\"position\": [\"k\", 1], \"repeat\": {\"index\": \"k\", \"to\": "
-	          "1e5}}]}}",
-	          "\"type\": \"path\""),
-	     "paths.rail.points[1]: 100000 or more items; the path has room for 65535"},
 	     "joints[0].initial_along: only a path joint has it"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
@@ -376,6 +384,8 @@ static void test_bad_values(void** state)
 	    {BODY("\"attribute\": \"a\", \"linear_damping\": -1"), "bodies[1].linear_damping: -1 must not be negative"},
 	    {BODY("\"attribute\": \"a\", \"position\": [0, 1e6]"),
 	     "bodies[1].position[1]: 1000000.0 must be at most 100000"},
+	    {BODY("\"attribute\": \"a\", \"velocity\": [500000, 0]"),
+	     "bodies[1].velocity[0]: 500000 must be at most 100000"},
 	    {BODY("\"attribute\": \"a\", \"angle\": \"1/0\""), "bodies[1].angle: \"1/0\": division by zero"},
 	    {BODY("\"attribute\": \"a\", \"angle\": \"1e300*1e300\""),
 	     "bodies[1].angle: \"1e300*1e300\" is inf, must be finite"},
@@ -402,6 +412,8 @@ static void test_bad_attributes(void** state)
 	    {ATTRIBUTE("\"box\": [1, 0]"), "attributes.a.box[1]: 0 must be positive"},
 	    {ATTRIBUTE("\"circle\": 1, \"density\": -1"), "attributes.a.density: -1 must not be negative"},
 	    {ATTRIBUTE("\"circle\": 1, \"restitution\": 200"), "attributes.a.restitution: 200 must be at most 100"},
+	    {ATTRIBUTE("\"circle\": 1, \"density\": 1e-7"), "attributes.a.density: 1e-7 is too close to 0"},
+	    {ATTRIBUTE("\"circle\": 1, \"one_way\": [0, 1e-4]"), "attributes.a.one_way: [0,0.0001] is too close to 0"},
 	    {ATTRIBUTE("\"density\": 1"), "attributes.a: no shape"},
 	    {ATTRIBUTE("\"circle\": 1, \"box\": [1, 1]"), "attributes.a: both box and circle"},
 	    {ATTRIBUTE("\"capsule\": [[0, 0], [1, 0]]"), "attributes.a: a capsule needs a radius"},
