@@ -16,8 +16,8 @@ static bool read_points(Reader* reader, const Location* location, const json_t* 
 	if (*count < range.low || *count > range.high)
 	{
 		if (range.low == range.high)
-			return reader_fail(reader, location, "%d points, must be %.9g", *count, range.low);
-		return reader_fail(reader, location, "%d corners, must be %.9g to %.9g", *count, range.low, range.high);
+			return reader_fail(reader, location, "count is %d, must be %.9g", *count, range.low);
+		return reader_fail(reader, location, "count is %d, must be %.9g to %.9g", *count, range.low, range.high);
 	}
 	for (int k = 0; k < *count; ++k)
 	{
@@ -116,6 +116,16 @@ static bool read_shape(Reader* reader, const Location* location, const json_t* v
 	return status == SCREE_OK || shape_fail(reader, at);
 }
 
+// Refuses a density and a direction that are too close to 0, but not 0. The limits are those of scree_attribute_create.
+static bool check_small(Reader* reader, const Location* location, const json_t* value, const scree_attribute_def* def)
+{
+	float x = def->one_way.x, y = def->one_way.y;
+	const char* key = def->density > 0.0f && def->density < 1e-6f                 ? "density"
+	                  : (x != 0.0f || y != 0.0f) && x * x + y * y < 1e-3f * 1e-3f ? "one_way"
+	                                                                              : NULL;
+	return !key || reader_fail_value(reader, KEY(location, key), json_object_get(value, key), "is too close to 0");
+}
+
 bool attributes_read(Reader* reader, const Location* location, const json_t* value, Scene* scene)
 {
 	if (!json_is_object(value) || json_object_size(value) == 0)
@@ -136,7 +146,8 @@ bool attributes_read(Reader* reader, const Location* location, const json_t* val
 		strcpy(attribute->name, name);
 		if (!format_check(reader, at, entry, OBJECT_attribute) ||
 		    !read_shape(reader, at, entry, &attribute->def.shape) ||
-		    !format_read(reader, at, entry, OBJECT_attribute, &attribute->def, 0, NULL))
+		    !format_read(reader, at, entry, OBJECT_attribute, &attribute->def, 0, NULL) ||
+		    !check_small(reader, at, entry, &attribute->def))
 			return false;
 		++scene->attribute_count;
 	}

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // block_items.c -- runs the loops of a block, and computes the numbers of each item.
 #include "scene/block_items.h"
-#include "scene/scene.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -14,8 +13,11 @@ typedef struct
 	Items items;
 	bool (*each)(Items* items, void* context); // function for each item; null: the items are only counted
 	void* context;
-	int64_t rounds, count, limit;
-	const Location* location; // location of the block in the file; set only for counting
+	int64_t rounds, count;
+	// arguments of items_count, set only for counting
+	int64_t room;
+	const char* owner;
+	const Location* location;
 } Run;
 
 void items_open(Items* items, Reader* reader, uint64_t number)
@@ -97,9 +99,9 @@ static bool run_loops(Run* run, int depth)
 	if (!run->each && depth == items->loops->count - 1)
 	{
 		run->count += end > first ? (int64_t)(end - first) : 0;
-		if (run->count > run->limit)
-			return reader_fail(items->reader, run->location, "%.9g or more items; a scene has at most %d",
-			                   (double)run->count, SCENE_MAX_BODIES);
+		if (run->count > run->room)
+			return reader_fail(items->reader, run->location, "%.9g or more items; the %s has room for %.9g",
+			                   (double)run->count, run->owner, (double)run->room);
 		return true;
 	}
 	for (double index = first; index < end; ++index)
@@ -114,9 +116,10 @@ static bool run_loops(Run* run, int depth)
 	return true;
 }
 
-bool items_count(Reader* reader, const Location* location, const Loops* loops, int64_t limit, int64_t* count)
+bool items_count(Reader* reader, const Location* location, const Loops* loops, const char* owner, int64_t room,
+                 int64_t* count)
 {
-	Run run = {.limit = limit, .location = location};
+	Run run = {.room = room, .owner = owner, .location = location};
 	items_open(&run.items, reader, 0);
 	run.items.loops = loops;
 	bool good = run_loops(&run, 0);

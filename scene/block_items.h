@@ -17,8 +17,10 @@ typedef struct Items // iteration over the items of a block
 // Sets items to a single item outside of all loops. number: see Item.number.
 void items_open(Items* items, Reader* reader, uint64_t number);
 
-// Sets *count to the number of items. Fails if the number exceeds `limit`.
-bool items_count(Reader* reader, const Location* location, const Loops* loops, int64_t limit, int64_t* count);
+// Sets *count to the number of items. Fails if the number exceeds `room`. owner: name of the object to which the items
+// are added, for the message.
+bool items_count(Reader* reader, const Location* location, const Loops* loops, const char* owner, int64_t room,
+                 int64_t* count);
 
 // Calls each() for every item. Stops and returns false if each() returns false, or if a range of a loop is invalid.
 bool items_run(Reader* reader, const Loops* loops, bool (*each)(Items* items, void* context), void* context);

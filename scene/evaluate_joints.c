@@ -51,6 +51,14 @@ static void couple(const Scene* scene, const JointBlock* block, const JointEnds*
 		def->coordinates[SCREE_ALONG].target = (float)(measures[1] + (double)def->ratio * measures[0]);
 }
 
+// Reports a computed number that is beyond the coordinates of a world, and returns false.
+static bool fail_far(const Items* items, const JointBlock* block, const char* name, double number)
+{
+	char text[80];
+	snprintf(text, sizeof text, "%s: %.9g must be at most %.9g", name, number, (double)SCREE_MAX_COORDINATE);
+	return items_fail(items, block->path, text);
+}
+
 static bool place(const Items* items, const Scene* scene, const JointBlock* block, const JointEnds* ends,
                   scree_joint_def* def)
 {
@@ -71,6 +79,9 @@ static bool place(const Items* items, const Scene* scene, const JointBlock* bloc
 		// for a joint on a path, frame A is the place of the path and has been read from the file
 		if (k > 0 || block->on < 0)
 			*frames[k] = frame_at(body, anchors[k], axis);
+		double far = fmax(fabs((double)frames[k]->position.x), fabs((double)frames[k]->position.y));
+		if (far > (double)SCREE_MAX_COORDINATE)
+			return fail_far(items, block, k ? "anchor of b in its body" : "anchor of a in its body", far);
 	}
 	double x = anchors[1][0] - anchors[0][0], y = anchors[1][1] - anchors[0][1];
 	if (block->measured && !block->coupled)
@@ -108,7 +119,8 @@ static bool joint_of(const Items* items, const Scene* scene, const JointBlock* b
 		return false;
 	if (block->coupled)
 		couple(scene, block, ends, def);
-	return true;
+	double target = fabs((double)def->coordinates[SCREE_ALONG].target);
+	return target <= (double)SCREE_MAX_COORDINATE || fail_far(items, block, "along.target", target);
 }
 
 static bool flush(JointBatch* batch)

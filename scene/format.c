@@ -44,7 +44,7 @@
 #define ONE(of)          OTHER
 #define PATH_POINTS(of)  OTHER
 #define REPEAT           OTHER
-#define TEXT             OTHER
+#define TEXT             TYPE_TEXT, NO_RANGE, NULL
 #define WORD             OTHER
 
 static const FormatKey keys[] = {
@@ -72,6 +72,9 @@ bool format_check(Reader* reader, const Location* location, const json_t* value,
 		const char* name = json_object_iter_key(at);
 		for (known = first; known->object == object && strcmp(known->name, name) != 0;)
 			++known;
+		const json_t* member = json_object_iter_value(at);
+		if (known->object == object && known->type == TYPE_TEXT && !json_is_string(member))
+			return reader_fail_value(reader, KEY(location, name), member, "must be a string");
 		if (known->object == object)
 			continue;
 
@@ -199,6 +202,7 @@ static bool read_value(Reader* reader, const Location* location, const json_t* v
 		return reader_name(reader, location, value, key->names, member);
 	case TYPE_NAMES:
 		return reader_names(reader, location, value, key->names, member);
+	case TYPE_TEXT:
 	case TYPE_OTHER:
 		break;
 	}

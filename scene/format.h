@@ -29,6 +29,7 @@ typedef enum
 	TYPE_BITS,  // a list of bit numbers
 	TYPE_NAME,  // a name from a list
 	TYPE_NAMES, // a list of names; each name stands for a bit
+	TYPE_TEXT,  // a string that nothing reads
 	TYPE_OTHER,
 } FormatType;
 
@@ -78,7 +79,7 @@ const FormatKey* format_keys(FormatObject object);
 // Returns the range of the numbers of a key; the object must have a key with this name.
 Range format_range(FormatObject object, const char* name);
 
-// Checks that a value is an object, and that all its keys are allowed and all necessary keys are present.
+// Checks that a value is an object, that all its keys are allowed, and that its texts are strings.
 bool format_check(Reader* reader, const Location* location, const json_t* value, FormatObject object);
 
 // Sets *target to the struct of an object without keys: the default values.

@@ -65,8 +65,8 @@ bool joint_end_read(Reader* reader, const Location* location, const json_t* valu
 		return reader_fail(reader, KEY(location, "body"),
 		                   "the bodies \"%s\" are replaced, which ends their joints and fields", name);
 	if (!json_object_get(value, "index") && bodies->count != 1)
-		return reader_fail(reader, location, "index is missing: there are %.9g bodies \"%s\"", (double)bodies->count,
-		                   name);
+		return reader_fail(reader, location, "index is missing: the number of bodies \"%s\" is %.9g", name,
+		                   (double)bodies->count);
 	Range range = {0, (double)bodies->count - 1, true, false};
 	return reader_member(reader, location, value, "index", range, 0, &end->index);
 }

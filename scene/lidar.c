@@ -41,11 +41,11 @@ bool fans_read(Reader* reader, const json_t* root, Scene* scene)
 		Fan* fan = &scene->fans[scene->fan_count++];
 		if (!read_fan(reader, at, json_array_get(list, (size_t)k), scene, fan))
 			return false;
-		int64_t rays = fan_bodies(scene, fan) * fan->count;
-		if (rays > SCENE_MAX_RAYS - scene->ray_count)
-			return reader_fail(reader, at, "%.9g rays of all bodies; a scene has at most %d", (double)rays,
+		int64_t rays = scene->ray_count + fan_bodies(scene, fan) * fan->count;
+		if (rays > SCENE_MAX_RAYS)
+			return reader_fail(reader, at, "%.9g rays up to here; a scene has at most %d", (double)rays,
 			                   SCENE_MAX_RAYS);
-		scene->ray_count += (int)rays;
+		scene->ray_count = (int)rays;
 	}
 	return true;
 }

@@ -101,8 +101,8 @@ static bool check_churn(Reader* reader, const Location* location, const Block* b
 	if (wanted <= block->count)
 		return true;
 	return reader_fail(reader, KEY(location, "churn"),
-	                   "moved and replaced are %.9g together, and there are %.9g bodies", (double)wanted,
-	                   (double)block->count);
+	                   "moved and replaced are %.9g together, must be at most %.9g, the number of bodies",
+	                   (double)wanted, (double)block->count);
 }
 
 // Evaluates the items of a block with a known count, so that invalid numbers are found before a world is created. Keeps
@@ -134,14 +134,14 @@ static bool read_blocks(Reader* reader, const json_t* root, bool bodies, Scene* 
 		if (!block_read(reader, at, json_array_get(list, (size_t)k), scene, bodies, block))
 			return false;
 		int64_t room = SCENE_MAX_BODIES - (bodies ? scene->body_count : scene->collidable_count);
-		if (!items_count(reader, at, &block->loops, room, &block->count))
+		if (!items_count(reader, at, &block->loops, "scene", room, &block->count))
 			return false;
-		int64_t collidables = block->count * block->parts.count;
-		if (collidables > SCENE_MAX_BODIES - scene->collidable_count)
-			return reader_fail(reader, at, "%.9g collidables; a scene has at most %d", (double)collidables,
+		int64_t collidables = scene->collidable_count + block->count * block->parts.count;
+		if (collidables > SCENE_MAX_BODIES)
+			return reader_fail(reader, at, "%.9g collidables up to here; a scene has at most %d", (double)collidables,
 			                   SCENE_MAX_BODIES);
 		scene->body_count += bodies ? (int)block->count : 0;
-		scene->collidable_count += (int)collidables;
+		scene->collidable_count = (int)collidables;
 		if (!check_churn(reader, at, block) || !check_items(reader, at, block))
 			return false;
 	}
@@ -161,7 +161,7 @@ static bool read_joints(Reader* reader, const json_t* root, Scene* scene)
 		const Location* at = ELEMENT(KEY(NULL, "joints"), k);
 		JointBlock* block = &scene->joint_blocks[scene->joint_block_count++];
 		if (!joint_block_read(reader, at, json_array_get(list, (size_t)k), scene, block) ||
-		    !items_count(reader, at, &block->loops, SCENE_MAX_BODIES - scene->joint_count, &block->count))
+		    !items_count(reader, at, &block->loops, "scene", SCENE_MAX_BODIES - scene->joint_count, &block->count))
 			return false;
 		scene->joint_count += (int)block->count;
 		if (!evaluate_joints(reader, scene, block, NULL, NULL))
@@ -209,7 +209,7 @@ Scene* scene_load(const char* path, const SceneSetting* settings, int count, cha
 	}
 	if (good)
 	{
-		scene->world.body_capacity = scene->body_count + 1;
+		scene->world.body_capacity = scene->body_count + (scene->body_count < SCENE_MAX_BODIES);
 		sentence[0] = 0;
 	}
 	else

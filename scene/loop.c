@@ -38,8 +38,8 @@ bool loops_read(Reader* reader, const Location* location, const json_t* object, 
 		return true;
 	bool list = json_is_array(value);
 	size_t count = list ? json_array_size(value) : 1;
-	if (count > MAX_LOOPS)
-		return reader_fail(reader, repeat, "%zu nested ranges, at most %d are allowed", count, MAX_LOOPS);
+	if (count == 0 || count > MAX_LOOPS)
+		return reader_fail(reader, repeat, "%zu nested ranges, must be 1 to %d", count, MAX_LOOPS);
 	for (int k = 0; k < (int)count; ++k)
 	{
 		const json_t* entry = list ? json_array_get(value, (size_t)k) : value;

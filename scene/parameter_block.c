@@ -96,7 +96,7 @@ bool constants_read(Reader* reader, const json_t* root)
 	json_object_foreach((json_t*)constants, text, entry)
 	{
 		double value;
-		if (!reader_constant(reader, KEY(location, text), entry, (Range){-1e15, 1e15, false, false}, &value) ||
+		if (!reader_constant(reader, KEY(location, text), entry, any_constant, &value) ||
 		    !add_name(reader, KEY(location, text), text, value))
 			return false;
 	}

@@ -40,12 +40,13 @@ static bool add_item(Items* items, void* context)
 static bool read_row(Reader* reader, const Location* location, const json_t* value, ScenePath* path)
 {
 	int names = reader->scope.count;
-	int64_t count;
+	int64_t count, room = path->count < MOST_POINTS ? MOST_POINTS - path->count : 0;
 	Loops loops = {0};
 	Row row = {.path = path, .location = location};
 	bool good = format_check(reader, location, value, OBJECT_row) && loops_read(reader, location, value, &loops) &&
 	            reader_pair(reader, location, value, "position", format_range(OBJECT_row, "position"), row.position) &&
-	            items_count(reader, location, &loops, MOST_POINTS, &count) && items_run(reader, &loops, add_item, &row);
+	            items_count(reader, location, &loops, "path", room, &count) &&
+	            items_run(reader, &loops, add_item, &row);
 	reader->scope.count = names;
 	loops_free(&loops);
 	number_free(&row.position[0]);
@@ -76,8 +77,9 @@ static bool check_path(Reader* reader, const Location* location, const ScenePath
 {
 	if (path_build(path, world, NULL) == SCREE_OK)
 		return true;
-	const char* colon = strstr(scree_error(), ": def.");
-	return reader_fail(reader, location, "%s", colon ? colon + 6 : scree_error());
+	const char* colon = strstr(scree_error(), ": ");
+	const char* text = colon ? colon + 2 : scree_error();
+	return reader_fail(reader, location, "%s", strncmp(text, "def.", 4) == 0 ? text + 4 : text);
 }
 
 static bool read_path(Reader* reader, const Location* location, const json_t* value, scree_world* world,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // reader.c -- reads and checks JSON values; errors name the location in the file.
 #include "scene/reader.h"
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -9,17 +10,53 @@
 
 #define SHOWN 48 // maximum number of characters of an invalid value in an error message
 
+typedef struct // file that Jansson reads
+{
+	FILE* file;
+	bool begun; // true after the first part
+	int fault;  // errno of a failure; 0: none
+} Source;
+
+// Reads the next part of a file, without the byte order mark that some editors write at the start of a text.
+static size_t read_part(void* buffer, size_t size, void* context)
+{
+	Source* source = context;
+	size_t count = fread(buffer, 1, size, source->file);
+	if (ferror(source->file))
+		source->fault = errno;
+	if (!source->begun && count >= 3 && memcmp(buffer, "\xef\xbb\xbf", 3) == 0)
+		memmove(buffer, (char*)buffer + 3, count -= 3);
+	source->begun = true;
+	return count;
+}
+
 json_t* reader_load(const char* path, char* sentence)
 {
-	json_error_t error;
-	json_t* root = json_load_file(path, JSON_REJECT_DUPLICATES, &error);
-	if (root)
+	json_error_t error = {.line = 0};
+	Source source = {.file = fopen(path, "rb")};
+	json_t* root = NULL;
+	if (source.file)
+	{
+		root = json_load_callback(read_part, &source, JSON_REJECT_DUPLICATES, &error);
+		fclose(source.file);
+	}
+	else
+		source.fault = errno;
+	if (root && source.fault == 0)
 		return root;
-	if (error.line > 0)
+	json_decref(root);
+	// one message of Jansson ends with the name of a flag of its C function
+	char* flag = strstr(error.text, " without JSON_");
+	if (flag)
+		*flag = 0;
+	if (source.fault != 0)
+		snprintf(sentence, SENTENCE_SIZE, "%.200s: %.200s", path,
+		         source.fault == EISDIR ? "is a folder" : strerror(source.fault));
+	else if (error.line > 0)
 		snprintf(sentence, SENTENCE_SIZE, "%.200s: line %d, column %d: %.200s", path, error.line, error.column,
 		         error.text);
 	else
-		snprintf(sentence, SENTENCE_SIZE, "%.200s: %.200s", path, error.text);
+		snprintf(sentence, SENTENCE_SIZE, "%.200s: out of memory", path);
 	return NULL;
 }
 
@@ -149,8 +186,6 @@ bool reader_pair(Reader* reader, const Location* location, const json_t* object,
 {
 	const json_t* value = json_object_get(object, key);
 	pair[0] = pair[1] = (Number){.range = range};
-	if (!value)
-		return true;
 	const Location* at = KEY(location, key);
 	if (!json_is_array(value) || json_array_size(value) != 2)
 		return reader_fail_value(reader, at, value, "must be a list of 2 numbers");

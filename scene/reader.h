@@ -36,6 +36,7 @@ typedef struct
 } Range;
 
 static const Range any_coordinate = {-SCREE_MAX_COORDINATE, SCREE_MAX_COORDINATE, false, false};
+static const Range any_constant = {-1e15, 1e15, false, false};
 
 typedef struct // a number that may differ between items
 {
@@ -90,7 +91,7 @@ bool reader_names(Reader* reader, const Location* location, const json_t* value,
 bool reader_bits(Reader* reader, const Location* location, const json_t* value, uint64_t* bits);
 
 // Read a member of an object. reader_member reads a number; without the member the number is `missing`. reader_pair
-// reads a list of two numbers; without the member both are 0.
+// reads a list of two numbers, which must be there.
 bool reader_member(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,
                    double missing, Number* number);
 bool reader_pair(Reader* reader, const Location* location, const json_t* object, const char* key, Range range,

@@ -6,7 +6,7 @@
 #include "scree/scree.h"
 #include <stdio.h>
 
-#define SCENE_MAX_BODIES 20000000 // maximum number of bodies; likewise of collidables, and of joints
+#define SCENE_MAX_BODIES 16777216 // maximum number of bodies of a world; likewise of collidables, and of joints
 #define SCENE_MAX_RAYS   20000000 // maximum number of rays after a step; a ray needs 64 bytes
 #define SCENE_SENTENCE   512      // size of an error message, characters
 #define SCENE_PATH       1024     // size of a path, characters

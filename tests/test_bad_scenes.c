@@ -44,6 +44,10 @@ static void test_bad_syntax(void** state)
 	    {"", "line 1, column 0"},
 	    {"[]", "must be an object"},
 	    {HEAD "\"bodies\": [", "line 1"},
+	    {"{\"name\": \"\\u0000\"}", "line 1, column 17: \\u0000 is not allowed"},
+	    {"\xef\xbb\xbf[]", "must be an object"},
+	    {"\xef\xbb\xbf", "line 1, column 0"},
+	    {"\xef\xbb{}", "line 1, column"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
@@ -68,6 +72,8 @@ static void test_bad_keys(void** state)
 	    {BODY("\"attribute\": \"a\", \"disabled\": 3"), "bodies[1].disabled: 3 must be true or false"},
 	    {BODY("\"attribute\": \"a\", \"locks\": [\"z\"]"), "bodies[1].locks[0]: \"z\" must be one of x, y, rotation"},
 	    {BODY("\"attribute\": \"a\", \"category\": [64]"), "bodies[1].category[0]: 64 must be at most 63"},
+	    {HEAD "\"$schema\": 3}", "$schema: 3 must be a string"},
+	    {BODY("\"attribute\": \"a\", \"description\": [1]"), "bodies[1].description: [1] must be a string"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
@@ -91,7 +97,7 @@ static void test_bad_references(void** state)
 	    {BODY("\"attribute\": \"a\", \"churn\": {\"position\": [0, 0], \"moved\": -1}"),
 	     "bodies[1].churn.moved: -1 must not be negative"},
 	    {BODY("\"attribute\": \"a\", \"churn\": {\"position\": [0, 0], \"moved\": 1, \"replaced\": 1}"),
-	     "bodies[1].churn: moved and replaced are 2 together, and there are 1 bodies"},
+	     "bodies[1].churn: moved and replaced are 2 together, must be at most 1, the number of bodies"},
 	    {BODY("\"collidables\": [{\"attribute\": \"a\"}], \"churn\": {\"position\": [0, 0], \"replaced\": 1}"),
 	     "bodies[1].churn.replaced: a body that is made anew needs attribute, not collidables"},
 	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 2}, \"churn\": {\"position\": [\"i\", 0]}"),
@@ -132,7 +138,8 @@ static void test_bad_rays(void** state)
 	    {RAYS("\"count\": 1, \"length\": 1, \"mask\": [64]"), "rays[0].mask[0]: 64 must be at most 63"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"skip_inside\": 1"), "rays[0].skip_inside: 1 must be true or false"},
 	    {RAYS("\"count\": 1, \"length\": 1, \"any\": true"), "rays[0]: unknown key \"any\""},
-	    {RAYS("\"count\": 10000, \"length\": 1, \"from\": \"eye\""), "rays[0]: 30000000 rays of all bodies"},
+	    {RAYS("\"count\": 10000, \"length\": 1, \"from\": \"eye\""),
+	     "rays[0]: 30000000 rays up to here; a scene has at most 20000000"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
@@ -227,6 +234,12 @@ static void test_bad_joints(void** state)
 	    {REVOLUTE("\"repeat\": {\"index\": \"i\", \"to\": 30000000}"), "joints[0]: 30000000 or more items"},
 	    {JOINT("\"type\": \"distance\", \"a\": null, \"b\": {\"body\": \"one\"}, \"at\": [0, 0]"),
 	     "joints[0]: a distance joint with at needs to"},
+	    {JOINT("\"type\": \"distance\", \"a\": null, \"b\": {\"body\": \"one\"}, \"at\": [-8e4, 0], \"to\": [8e4, 0]"),
+	     "joints[0]: along.target: 160000 must be at most 100000"},
+	    {HEAD GOOD_ATTRIBUTES
+	     "\"bodies\": [{\"name\": \"one\", \"attribute\": \"a\", \"position\": [8e4, 0]}], \"joints\": "
+	     "[{\"type\": \"weld\", \"a\": null, \"b\": {\"body\": \"one\"}, \"at\": [-8e4, 0]}]}",
+	     "joints[0]: anchor of b in its body: 160000 must be at most 100000"},
 	};
 	assert_refused(cases, sizeof cases / sizeof cases[0]);
 }
@@ -292,6 +305,12 @@ static void test_bad_paths(void** state)
 	     "paths.rail.points[0].position[0]: \"1e5 * k\" is 200000, must be at most 100000, at k = 2"},
 	    {RAIL("{\"rail\": {\"points\": [[0, 0], [1, 0]], \"bends\": 1}}", "\"type\": \"path\""),
 	     "paths.rail: unknown key \"bends\"; known are points, closed, description"},
+	    {RAIL("{\"rail\": {\"points\": [{}, [1, 0], [2, 0]]}}", "\"type\": \"path\""),
+	     "paths.rail.points[0].position: is missing"},
+	    {RAIL("{\"rail\": {\"points\": [[0, 0], {\"position\": [\"k\", 1], \"repeat\": {\"index\": \"k\", \"to\": "
+	          "1e5}}]}}",
+	          "\"type\": \"path\""),
+	     "paths.rail.points[1]: 100000 or more items; the path has room for 65535"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"path\""), "joints[0].path: is missing"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"road\""), "joints[0].path: \"road\" is not among the paths"},
 	    {RAIL(GOOD_RAIL, "\"type\": \"path\", \"path\": \"rail\", \"initial_along\": 1e6"),
@@ -316,7 +335,7 @@ static void test_bad_ends(void** state)
 	    {TWO("null", "\"one\""), "joints[0].b: \"one\" must be an object"},
 	    {TWO("null", "{\"index\": 1}"), "joints[0].b.body: is missing"},
 	    {TWO("null", "{\"body\": \"two\"}"), "joints[0].b.body: \"two\" is not the name of an entry of bodies"},
-	    {TWO("null", "{\"body\": \"ten\"}"), "joints[0].b: index is missing: there are 10 bodies \"ten\""},
+	    {TWO("null", "{\"body\": \"ten\"}"), "joints[0].b: index is missing: the number of bodies \"ten\" is 10"},
 	    {TWO("null", "{\"body\": \"ten\", \"index\": 10}"), "joints[0].b.index: 10 must be at most 9"},
 	    {TWO("null", "{\"body\": \"ten\", \"index\": \"i + 1\"}"),
 	     "joints[0].b.index: \"i + 1\" is 10, must be at most 9, at i = 9"},
@@ -365,6 +384,8 @@ static void test_bad_values(void** state)
 	    {BODY("\"attribute\": \"a\", \"linear_damping\": -1"), "bodies[1].linear_damping: -1 must not be negative"},
 	    {BODY("\"attribute\": \"a\", \"position\": [0, 1e6]"),
 	     "bodies[1].position[1]: 1000000.0 must be at most 100000"},
+	    {BODY("\"attribute\": \"a\", \"velocity\": [500000, 0]"),
+	     "bodies[1].velocity[0]: 500000 must be at most 100000"},
 	    {BODY("\"attribute\": \"a\", \"angle\": \"1/0\""), "bodies[1].angle: \"1/0\": division by zero"},
 	    {BODY("\"attribute\": \"a\", \"angle\": \"1e300*1e300\""),
 	     "bodies[1].angle: \"1e300*1e300\" is inf, must be finite"},
@@ -391,13 +412,15 @@ static void test_bad_attributes(void** state)
 	    {ATTRIBUTE("\"box\": [1, 0]"), "attributes.a.box[1]: 0 must be positive"},
 	    {ATTRIBUTE("\"circle\": 1, \"density\": -1"), "attributes.a.density: -1 must not be negative"},
 	    {ATTRIBUTE("\"circle\": 1, \"restitution\": 200"), "attributes.a.restitution: 200 must be at most 100"},
+	    {ATTRIBUTE("\"circle\": 1, \"density\": 1e-7"), "attributes.a.density: 1e-7 is too close to 0"},
+	    {ATTRIBUTE("\"circle\": 1, \"one_way\": [0, 1e-4]"), "attributes.a.one_way: [0,0.0001] is too close to 0"},
 	    {ATTRIBUTE("\"density\": 1"), "attributes.a: no shape"},
 	    {ATTRIBUTE("\"circle\": 1, \"box\": [1, 1]"), "attributes.a: both box and circle"},
 	    {ATTRIBUTE("\"capsule\": [[0, 0], [1, 0]]"), "attributes.a: a capsule needs a radius"},
-	    {ATTRIBUTE("\"segment\": [[0, 0]]"), "attributes.a.segment: 1 points, must be 2"},
-	    {ATTRIBUTE("\"polygon\": [[0, 0], [1, 0]]"), "attributes.a.polygon: 2 corners, must be 3 to 8"},
+	    {ATTRIBUTE("\"segment\": [[0, 0]]"), "attributes.a.segment: count is 1, must be 2"},
+	    {ATTRIBUTE("\"polygon\": [[0, 0], [1, 0]]"), "attributes.a.polygon: count is 2, must be 3 to 8"},
 	    {ATTRIBUTE("\"polygon\": [[0,0],[1,0],[2,1],[3,3],[2,4],[1,5],[0,5],[-1,4],[-1,1]]"),
-	     "attributes.a.polygon: 9 corners, must be 3 to 8"},
+	     "attributes.a.polygon: count is 9, must be 3 to 8"},
 	    {ATTRIBUTE("\"polygon\": [[0, 0], [1, 0], [2, 0]]"), "attributes.a.polygon: "},
 	    {ATTRIBUTE("\"polygon\": [[0, 0], [2, 0], [1, 0.2], [1, 2]]"), "attributes.a.polygon: "},
 	    {ATTRIBUTE("\"polygon\": [[0, 0], [1, \"x\"], [2, 0]]"),
@@ -430,7 +453,11 @@ static void test_bad_loops(void** state)
 	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 1.5}"),
 	     "bodies[1].repeat.to: 1.5 must be a whole"},
 	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 30000000}"),
-	     "bodies[1]: 30000000 or more items; a scene has at most 20000000"},
+	     "bodies[1]: 30000000 or more items; the scene has room for 16777215"},
+	    {BODY("\"attribute\": \"a\", \"repeat\": []"), "bodies[1].repeat: 0 nested ranges, must be 1 to 4"},
+	    {BODY("\"collidables\": [{\"attribute\": \"a\", \"repeat\": {\"index\": \"k\", \"to\": 60000}}], \"repeat\": "
+	          "{\"index\": \"i\", \"to\": 500}"),
+	     "bodies[1]: 30000001 collidables up to here; a scene has at most 16777216"},
 	    {BODY("\"attribute\": \"a\", \"repeat\": [{\"index\": \"i\", \"to\": 1e9}, {\"index\": \"j\", \"to\": 0}]"),
 	     "bodies[1]: more than 50000000 rounds of nested ranges"},
 	    {BODY("\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 9}, \"position\": [0, \"1 / (i - 4)\"]"),

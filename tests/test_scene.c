@@ -21,8 +21,9 @@ static void test_missing_file(void** state)
 	(void)state;
 	char sentence[SCENE_SENTENCE];
 	assert_null(scene_load("no/such/scene.json", NULL, 0, sentence));
-	assert_non_null(strstr(sentence, "no/such/scene.json"));
+	assert_string_equal(sentence, "no/such/scene.json: No such file or directory");
 	assert_null(scene_load("/", NULL, 0, sentence));
+	assert_string_equal(sentence, "/: is a folder");
 }
 
 static void test_settings(void** state)
@@ -120,6 +121,23 @@ static void test_ten_million(void** state)
 	assert_non_null(scene);
 	assert_true(scene->body_count > 10000000);
 	assert_true(scene->view.lower.x > -5000 && scene->view.lower.y > -5000);
+	scene_free(scene);
+}
+
+// Checks that a scene may have as many bodies as a world.
+static void test_most_bodies(void** state)
+{
+	(void)state;
+	scree_world* world;
+	scree_world_def def = scree_world_def_default();
+	def.body_capacity = SCENE_MAX_BODIES + 1;
+	assert_int_equal(scree_world_create(&def, &world), SCREE_ERROR_INVALID);
+	assert_non_null(strstr(scree_error(), "is 16777217, must be from 0 to 16777216"));
+	Scene* scene =
+	    load_good_text(SCRATCH, HEAD GOOD_ATTRIBUTES
+	                   "\"bodies\": [{\"attribute\": \"a\", \"repeat\": {\"index\": \"i\", \"to\": 16777216}}]}");
+	assert_int_equal(scene->body_count, SCENE_MAX_BODIES);
+	assert_int_equal(scene->world.body_capacity, SCENE_MAX_BODIES);
 	scene_free(scene);
 }
 
@@ -474,10 +492,11 @@ static void test_keys(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(test_joints),  cmocka_unit_test(test_missing_file), cmocka_unit_test(test_settings),
-	    cmocka_unit_test(test_shipped), cmocka_unit_test(test_ten_million),  cmocka_unit_test(test_build),
-	    cmocka_unit_test(test_churn),   cmocka_unit_test(test_disabled),     cmocka_unit_test(test_contact_details),
-	    cmocka_unit_test(test_fields),  cmocka_unit_test(test_keys),         cmocka_unit_test(test_random_ranges),
+	    cmocka_unit_test(test_joints),          cmocka_unit_test(test_missing_file), cmocka_unit_test(test_settings),
+	    cmocka_unit_test(test_shipped),         cmocka_unit_test(test_most_bodies),  cmocka_unit_test(test_ten_million),
+	    cmocka_unit_test(test_build),           cmocka_unit_test(test_churn),        cmocka_unit_test(test_disabled),
+	    cmocka_unit_test(test_contact_details), cmocka_unit_test(test_fields),       cmocka_unit_test(test_keys),
+	    cmocka_unit_test(test_random_ranges),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,7 +37,7 @@ static const Place places[] = {
     {OBJECT_body, NULL, "bodies[0].", HEAD GOOD_ATTRIBUTES "\"bodies\": [{%s}]}", "\"attribute\": \"a\""},
     {OBJECT_part, NULL, "bodies[0].collidables[0].", HEAD GOOD_ATTRIBUTES "\"bodies\": [{\"collidables\": [{%s}]}]}",
      "\"attribute\": \"a\""},
-    {OBJECT_churn, NULL, "bodies[0].churn.", BODY(", \"churn\": {%s}") "}", "\"position\": [0, 0]"},
+    {OBJECT_churn, NULL, "bodies[0].churn.", BODY(", \"churn\": {%s}") "}", "\"position\": [0, 0];\"moved\": 1"},
     {OBJECT_collidable, NULL, "collidables[0].", SCENE("\"collidables\": [{%s}]"), "\"attribute\": \"a\""},
     {OBJECT_loop, NULL, "bodies[0].repeat.", BODY(", \"repeat\": {%s}") "}", "\"index\": \"i\";\"to\": 3"},
     {OBJECT_joint, "initial_along", "joints[0].", SCENE(RAIL ", \"joints\": [{%s}]"), JOINT("path") ";\"path\": \"p\""},
@@ -75,22 +75,34 @@ static const Place* place_of(FormatObject object, const char* key)
 	return place;
 }
 
-// Loads a scene with an object in which `key` has the value `value`. If `part` is null, the scene must be accepted.
-// Otherwise it must be refused, with a message that contains both texts, `part` and `must`.
-static void load(const Place* place, const char* key, const char* value, const char* part, const char* must)
+// Writes the text of a scene with an object in which `key` has the value `value`; null: the object does not have the
+// key.
+static void compose(const Place* place, const char* key, const char* value, char text[2048])
 {
-	char text[2048] = "", quoted[64], sentence[SCENE_SENTENCE] = "";
+	char quoted[64];
 	const char* hole = strstr(place->text, "%s");
 	snprintf(quoted, sizeof quoted, "\"%s\":", key);
-	snprintf(text, sizeof text, "%.*s%s %s", (int)(hole - place->text), place->text, quoted, value);
+	snprintf(text, 2048, "%.*s%s %s", (int)(hole - place->text), place->text, value ? quoted : "", value ? value : "");
+	const char* comma = value ? ", " : "";
 	for (const char* need = place->needs; *need; need += *need == ';')
 	{
 		int length = (int)strcspn(need, ";");
 		if (strncmp(need, quoted, strlen(quoted)) != 0)
-			snprintf(text + strlen(text), sizeof text - strlen(text), ", %.*s", length, need);
+		{
+			snprintf(text + strlen(text), 2048 - strlen(text), "%s%.*s", comma, length, need);
+			comma = ", ";
+		}
 		need += length;
 	}
-	snprintf(text + strlen(text), sizeof text - strlen(text), "%s", hole + 2);
+	snprintf(text + strlen(text), 2048 - strlen(text), "%s", hole + 2);
+}
+
+// Loads the scene that compose writes. If `part` is null, the scene must be accepted. Otherwise it must be refused, with
+// a message that contains both texts, `part` and `must`.
+static void load(const Place* place, const char* key, const char* value, const char* part, const char* must)
+{
+	char text[2048], sentence[SCENE_SENTENCE] = "";
+	compose(place, key, value, text);
 	Scene* scene = load_text(SCRATCH, text, NULL, 0, sentence);
 	bool good = part ? !scene && strstr(sentence, part) && strstr(sentence, must) : scene != NULL;
 	scene_free(scene);
@@ -126,6 +138,8 @@ static void test_bad_values(void** state)
 	{
 		const Range* range = &key->range;
 		bool number = key->type == TYPE_NUMBER || key->type == TYPE_PAIR;
+		if (key->type == TYPE_TEXT)
+			refuse(key, "5", "", "5 must be a string");
 		if (key->special)
 			continue;
 		if (number)
@@ -150,6 +164,36 @@ static void test_bad_values(void** state)
 		if (key->type == TYPE_NAMES)
 			refuse(key, "[\"toy\"]", "[0]", "\"toy\" must be one of ");
 	}
+}
+
+// Checks that each limit of a number is within those of the library: a world with it is created, and steps.
+static void test_limits(void** state)
+{
+	(void)state;
+	char text[2048], value[64];
+	for (const FormatKey* key = format_keys((FormatObject)0); key->object != FORMAT_OBJECTS; ++key)
+	{
+		const double limits[2] = {key->range.low, fmin(key->range.high, (double)FLT_MAX)};
+		for (int k = 0; k < 2 && !key->special && (key->type == TYPE_NUMBER || key->type == TYPE_PAIR); ++k)
+		{
+			snprintf(value, sizeof value, key->type == TYPE_PAIR ? "[%.17g, %.17g]" : "%.17g", limits[k], limits[k]);
+			compose(place_of(key->object, key->name), key->name, value, text);
+			ScenePlayer player = open_text(SCRATCH, text);
+			for (int n = 0; n < 3; ++n)
+				if (player_step(&player) != SCREE_OK)
+					fail_msg("%s: %s", text, scree_error());
+			close_text(&player);
+		}
+	}
+}
+
+// Checks that an object without a key that it must have is refused, with the name of the key.
+static void test_missing_keys(void** state)
+{
+	(void)state;
+	for (const FormatKey* key = format_keys((FormatObject)0); key->object != FORMAT_OBJECTS; ++key)
+		if (key->need == NEED_MUST)
+			load(place_of(key->object, key->name), key->name, NULL, key->name, "");
 }
 
 static void test_unknown_keys(void** state)
@@ -256,6 +300,7 @@ static void test_good_values(void** state)
 			read_one(key, json_pack("[ss]", key->names[0], key->names[2]), made);
 			assert_int_equal(*(const uint32_t*)member, 5);
 			break;
+		case TYPE_TEXT:
 		case TYPE_OTHER:
 			fail_msg("%s has a type that format_read does not read", key->name);
 		}
@@ -309,10 +354,8 @@ static void test_names(void** state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-	    cmocka_unit_test(test_bad_values),
-	    cmocka_unit_test(test_unknown_keys),
-	    cmocka_unit_test(test_good_values),
-	    cmocka_unit_test(test_names),
+	    cmocka_unit_test(test_bad_values),   cmocka_unit_test(test_limits),      cmocka_unit_test(test_missing_keys),
+	    cmocka_unit_test(test_unknown_keys), cmocka_unit_test(test_good_values), cmocka_unit_test(test_names),
 	};
 	return cmocka_run_group_tests(tests, NULL, NULL);
 }

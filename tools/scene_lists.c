@@ -12,8 +12,8 @@
 
 #define VISIBLE 1e5 // the tables do not show bounds of this size or larger
 
-// Initializer of a type: its members in a JSON schema, and its words in a table. Both are null except for TYPE_OTHER,
-// because FormatKey.type determines them.
+// Initializer of a type: its members in a JSON schema, and its words in a table. Both are null except for TYPE_OTHER
+// and TYPE_TEXT, because FormatKey.type determines them.
 #define GENERIC          NULL, NULL
 #define NUMBER(...)      GENERIC
 #define WHOLE(...)       GENERIC
@@ -29,19 +29,19 @@
 #define NEW(of)          MAP(of) ", \"propertyNames\": {" REF(name) "}"
 #define LINK(of)         "[" #of "](#" #of ")"
 #define STRING           "\"type\": \"string\""
-#define POINTS(...)      REF(points), "list of points"
+#define POINTS(...)      ARRAY(REF(point)), "list of points"
 #define AT_LEAST_ONE(of) ARRAY(REF(of)) ", \"minItems\": 1", "list of " LINK(of)
 #define ATTRIBUTE        REF(attribute_name), "name, or list of names"
-#define BOX              ARRAY(REF(number)) ", \"minItems\": 4, \"maxItems\": 4", "left, bottom, right, top"
+#define BOX              ARRAY(REF(metres)) ", \"minItems\": 4, \"maxItems\": 4", "left, bottom, right, top"
 #define BY_NAME(of, n)   MAP(REF(of)) ", \"propertyNames\": {" REF(label) "}, \"minProperties\": " #n, LINK(of) " by name"
-#define CONSTANTS        NEW(REF(number)), "numbers by name"
+#define CONSTANTS        NEW(REF(constant)), "numbers by name"
 #define END              "\"oneOf\": [{\"type\": \"null\"}, {" REF(end) "}]", LINK(end) " or null"
 #define LABEL            REF(label), "text"
 #define MANY(of)         ARRAY(REF(of)), "list of " LINK(of)
 #define NEW_NAME         REF(name), "text"
 #define NEW_NAMES(of)    NEW(REF(of)), LINK(of) " by name"
 #define ONE(of)          REF(of), LINK(of)
-#define PATH_POINTS(of)  ARRAY("\"anyOf\": [{" REF(vector) "}, {" REF(of) "}]"), "list of points and of " LINK(of)
+#define PATH_POINTS(of)  ARRAY("\"anyOf\": [{" REF(point) "}, {" REF(of) "}]"), "list of points and of " LINK(of)
 #define REPEAT           REF(repeat), LINK(loop) ", or list of 1 to 4"
 #define TEXT             STRING, "text"
 #define WORD             STRING ", \"minLength\": 1", "text"
@@ -80,30 +80,38 @@ static const char definitions[] =
     "\"type\": [\"number\", \"string\"]},\n"
     "\t\t\"name\": {\"type\": \"string\", \"pattern\": \"^[a-z_][a-z0-9_]{0,30}$\"},\n"
     "\t\t\"label\": {\"type\": \"string\", \"minLength\": 1, \"maxLength\": 31},\n"
-    "\t\t\"vector\": {" ARRAY(REF(
-        number)) ", \"minItems\": 2, \"maxItems\": 2},\n"
-                 "\t\t\"points\": {" ARRAY(REF(
-                     vector)) "},\n"
-                              "\t\t\"bits\": {\"description\": \"numbers of bits that are set, 0 to 63\", \"type\": "
-                              "\"array\", "
-                              "\"items\": {" REF(
-                                  number) ", \"minimum\": 0, \"maximum\": 63, \"multipleOf\": 1}},\n"
-                                          "\t\t\"attribute_name\": {\"oneOf\": [{" STRING
-                                          "}, {" ARRAY(STRING) ", \"minItems\": 1}]},\n"
-                                                               "\t\t\"repeat\": {\"oneOf\": [{" REF(loop) "}, {" ARRAY(
-                                                                   REF(loop)) ", \"maxItems\": 4}]}";
+    "\t\t\"vector\": {" ARRAY(
+        REF(number)) ", \"minItems\": 2, \"maxItems\": 2},\n"
+                     "\t\t\"bits\": {\"description\": \"numbers of bits that are set, 0 to 63\", \"type\": "
+                     "\"array\", "
+                     "\"items\": {" REF(number) ", \"minimum\": 0, \"maximum\": 63, \"multipleOf\": 1}},\n"
+                                                "\t\t\"attribute_name\": {\"oneOf\": [{" STRING "}, {" ARRAY(
+                                                    STRING) ", \"minItems\": 1}]},\n"
+                                                            "\t\t\"repeat\": {\"oneOf\": [{" REF(loop) "}, {" ARRAY(
+                                                                REF(loop)) ", \"minItems\": 1, \"maxItems\": 4}]}";
 
-// Returns a number as text, with the exponent of 1e6 instead of 1e+06.
-static const char* number(double value)
+// Returns a number with this many digits as text, with the exponent of 1e6 instead of 1e+06.
+static const char* with_digits(double value, int digits)
 {
 	static char text[4][32];
 	static int next;
 	char* to = text[next++ % 4];
-	snprintf(to, sizeof text[0], "%.6g", value);
+	snprintf(to, sizeof text[0], "%.*g", digits, value);
 	char* e = strchr(to, 'e');
 	if (e)
 		snprintf(e + 1, 8, "%d", atoi(e + 1));
 	return to;
+}
+
+static const char* number(double value) { return with_digits(value, 6); }
+
+// Returns a limit as text, with as many digits as it needs: a rounded limit would be another one.
+static const char* limit(double value)
+{
+	int digits = 6;
+	while (digits < 9 && strtod(with_digits(value, digits), NULL) != value)
+		++digits;
+	return with_digits(value, digits);
 }
 
 // Prints the names of a list whose bits are set, with commas between them.
@@ -179,11 +187,22 @@ static void print_default(const FormatKey* key, const char* made, const char* be
 static void print_range(Range range)
 {
 	if (range.low > (double)-FLT_MAX)
-		printf(", \"minimum\": %s", number(range.low));
+		printf(", \"minimum\": %s", limit(range.low));
 	if (range.high < (double)FLT_MAX)
-		printf(", \"maximum\": %s", number(range.high));
+		printf(", \"maximum\": %s", limit(range.high));
 	if (range.whole)
 		printf(", \"multipleOf\": 1");
+}
+
+// Prints the definitions that have limits.
+static void print_limited(void)
+{
+	printf(",\n\t\t\"metres\": {" REF(number));
+	print_range(any_coordinate);
+	printf("},\n\t\t\"point\": {" ARRAY(REF(metres)) ", \"minItems\": 2, \"maxItems\": 2},\n");
+	printf("\t\t\"constant\": {" REF(number));
+	print_range(any_constant);
+	printf("}");
 }
 
 static void print_key(const FormatKey* key, size_t index, const char* made)
@@ -214,6 +233,7 @@ static void print_key(const FormatKey* key, size_t index, const char* made)
 		print_names(key->names, UINT32_MAX, "\"");
 		printf(key->type == TYPE_NAME ? "]" : "]}");
 		break;
+	case TYPE_TEXT:
 	case TYPE_OTHER:
 		printf(", %s", schema);
 		if (key->range.high > 0)
@@ -268,15 +288,15 @@ static void print_type(const FormatKey* key, size_t index)
 	                                       [TYPE_NAMES] = {"list of "}};
 	const char* unit = keys[index].unit;
 	bool numbers = key->type == TYPE_NUMBER || key->type == TYPE_PAIR;
-	printf("%s", key->type == TYPE_OTHER ? keys[index].words : words[key->type][numbers && key->range.whole]);
+	printf("%s", keys[index].words ? keys[index].words : words[key->type][numbers && key->range.whole]);
 	if (key->names)
 		print_names(key->names, UINT32_MAX, "");
 	printf("%s%s", *unit ? ", " : "", unit);
 	bool low = key->range.low > -VISIBLE, high = key->range.high < VISIBLE;
 	if (numbers && low && high)
-		printf(", %s to %s", number(key->range.low), number(key->range.high));
+		printf(", %s to %s", limit(key->range.low), limit(key->range.high));
 	else if (numbers && (low || high))
-		printf(low ? ", at least %s" : ", at most %s", number(low ? key->range.low : key->range.high));
+		printf(low ? ", at least %s" : ", at most %s", limit(low ? key->range.low : key->range.high));
 }
 
 static void print_table(FormatObject object, const char* made)
@@ -307,7 +327,10 @@ int main(int count, char** arguments)
 		return 2;
 	}
 	if (schema)
+	{
 		printf("%s%s", beginning, definitions);
+		print_limited();
+	}
 	for (int object = 0; object < FORMAT_OBJECTS; ++object)
 	{
 		if (objects[object].size > sizeof made)

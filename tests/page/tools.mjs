@@ -265,7 +265,7 @@ async function checkBad(browser, address, check) {
 	await browser.until(`document.querySelector('.note[data-name=load]') && document.body.dataset.ready`, 'a sentence and a scene');
 	check((await sentence()).includes('--set count=-5: must be at least 1'), `a bad parameter is told: ${await sentence()}`);
 	await browser.run(`await scree.load({ name: 'million', settings: [['columns', '60'], ['rows', '60']] })`);
-	check((await sentence()).includes('a scene has at most 20000000'), `too large a scene is told: ${await sentence()}`);
+	check((await sentence()).includes('the scene has room for'), `too large a scene is told: ${await sentence()}`);
 	const { name } = await browser.run(`await scree.host.ask({ type: 'steps', count: 1 }); return scree.source`);
 	check(name === 'pile', `the scene before is still there: ${name}`);
 }
